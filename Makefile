@@ -1,0 +1,98 @@
+# What a developer runs, and what CI runs: `make help` lists it.
+# Each step leaves a stamp in .venv/stamps and is done again only where something that it depends on has changed.
+
+PYTHON ?= python3
+VENV   := .venv
+BIN    := $(VENV)/bin
+STAMPS := $(VENV)/stamps
+EXAMPLE := examples/trifilar_pendulum.py
+
+RUST := $(shell find crates -name '*.rs' -o -name Cargo.toml) Cargo.toml Cargo.lock
+PYTHON_SOURCES := $(shell find python -name '*.py' 2>/dev/null)
+
+# CI runs everything and lets no lock file change; on a desk the slow tests wait.
+LOCKED := $(if $(CI),--locked)
+SELECT := $(if $(CI),,-m "not slow")
+PYTEST := $(BIN)/python -m pytest --numprocesses=2
+
+say = @printf '\n\033[1m== %s\033[0m\n' "$(1)"
+
+.DEFAULT_GOAL := help
+.DELETE_ON_ERROR:
+.PHONY: help demo build test test-rust test-python lint lint-rust lint-python format bench docs clean
+
+help:  ## list the targets
+	@sed -n 's/^\([a-z-]*\):.*## \(.*\)/  make \1\t\2/p' $(MAKEFILE_LIST) | expand -t 24
+
+demo: out/.demo  ## derive, check and simulate the trifilar pendulum; results in out/
+	@printf '\nThe results are in out/ (to run the example once more: %s %s).\n' $(BIN)/python $(EXAMPLE)
+
+out/.demo: $(STAMPS)/build $(PYTHON_SOURCES) $(EXAMPLE)
+	$(call say,Running $(EXAMPLE))
+	@mkdir -p out
+	$(BIN)/python $(EXAMPLE)
+	@touch $@
+
+build: $(STAMPS)/build  ## build the Rust extension (release) into .venv and install the package there
+
+test: lint test-rust test-python  ## everything that is tested, lints included
+
+test-rust:
+	$(call say,Rust tests)
+	cargo test --workspace $(LOCKED)
+
+test-python: $(STAMPS)/build $(STAMPS)/develop
+	$(call say,Python tests: laws$(,) references$(,) doctests$(,) documents$(,) examples$(,) benchmarks)
+	$(PYTEST) $(SELECT)
+
+lint: lint-rust lint-python  ## formats, lints, types and layers
+
+lint-rust:
+	$(call say,Rust lints)
+	cargo fmt --all --check
+	cargo clippy --workspace --all-targets $(LOCKED) -- --deny warnings
+
+lint-python: $(STAMPS)/build $(STAMPS)/develop
+	$(call say,Python lints: format$(,) lint$(,) types$(,) layers)
+	$(BIN)/ruff format --check .
+	$(BIN)/ruff check .
+	$(BIN)/mypy
+	$(BIN)/python -m mypy.stubtest symbody.symbolic._core
+	$(BIN)/lint-imports
+
+format: $(STAMPS)/develop  ## put the sources into the project's format
+	cargo fmt --all
+	$(BIN)/ruff check --fix --exit-zero .
+	$(BIN)/ruff format .
+
+bench: $(STAMPS)/build $(STAMPS)/bench  ## measure against the rivals, and write docs/benchmarks.md
+	$(BIN)/python benchmarks/run.py
+
+docs: $(STAMPS)/build $(STAMPS)/docs $(STAMPS)/develop  ## check the documents, write the API reference into site/
+	$(PYTEST) tests/test_documents.py
+	$(BIN)/pdoc --docformat google --math --output-directory site symbody
+
+clean:  ## remove all that was made
+	rm -rf $(VENV) target site build dist out
+	find python -name '*.so' -delete
+
+# --- the steps -------------------------------------------------------------------------------------------------------
+
+, := ,
+
+$(STAMPS)/venv: scripts/environment.py
+	$(call say,Making $(VENV))
+	$(PYTHON) $< $(VENV)
+	$(BIN)/pip install --quiet "maturin>=1.9.4,<2"
+	@mkdir -p $(STAMPS) && touch $@
+
+$(STAMPS)/build: $(STAMPS)/venv $(RUST) pyproject.toml
+	$(call say,Building the Rust extension and installing the package (a minute the first time))
+	VIRTUAL_ENV=$(abspath $(VENV)) $(BIN)/maturin develop --release $(LOCKED)
+	@touch $@
+
+# The other tools come from the groups of pyproject.toml, pinned there.
+$(STAMPS)/develop $(STAMPS)/bench $(STAMPS)/docs: $(STAMPS)/venv pyproject.toml
+	$(call say,Installing the tools to $(@F))
+	$(BIN)/pip install --quiet --group $(@F)
+	@touch $@

@@ -1,0 +1,110 @@
+"""Make the virtual environment of the project, on a machine that has Python and cargo and nothing else.
+
+Usage: python3 scripts/environment.py .venv
+
+Debian splits ``ensurepip`` off Python into the package python3-venv, so ``python3 -m venv`` may fail on a
+fresh machine. The ways to put pip into the environment are tried in turn; the last is pip's own installer.
+"""
+
+import re
+import shutil
+import subprocess
+import sys
+import urllib.request
+from collections.abc import Callable
+from importlib.util import find_spec
+from pathlib import Path
+
+PYTHON_NEEDED = (3, 11)
+RUST_NEEDED = (1, 85)  # as `rust-version` in Cargo.toml
+PIP_NEEDED = "pip>=25.1"  # the first that installs dependency groups
+PIP_INSTALLER = "https://bootstrap.pypa.io/get-pip.py"
+
+
+class SetupError(Exception):
+    """What is missing, and the way out."""
+
+
+def run(*command: str | Path, **options: object) -> None:
+    """Run a command and raise where it fails."""
+    subprocess.run([str(part) for part in command], check=True, **options)  # type: ignore[call-overload]
+
+
+def check_python() -> None:
+    """Raise where this Python is too old."""
+    if sys.version_info < PYTHON_NEEDED:
+        found, needed = (".".join(map(str, version[:2])) for version in (sys.version_info, PYTHON_NEEDED))
+        raise SetupError(
+            f"Python {needed} or newer is needed, this is {found}.\n"
+            f"Name another one: make PYTHON=python{needed} demo"
+        )
+
+
+def check_cargo() -> None:
+    """Raise where cargo is missing or too old."""
+    way_out = "Install Rust from https://rustup.rs (no root needed), or `apt-get install cargo` on Debian 13."
+    if shutil.which("cargo") is None:
+        raise SetupError(f"cargo, which builds the Rust extension, was not found.\n{way_out}")
+    text = subprocess.run(["cargo", "--version"], capture_output=True, text=True, check=True).stdout
+    found = re.search(r"(\d+)\.(\d+)", text)
+    if found and tuple(map(int, found.groups())) < RUST_NEEDED:
+        needed = ".".join(map(str, RUST_NEEDED))
+        raise SetupError(f"cargo {needed} or newer is needed, this is {text.strip()}.\n{way_out}")
+
+
+def with_ensurepip(folder: Path) -> None:
+    """Make the environment as Python intends."""
+    if find_spec("ensurepip") is None:
+        raise SetupError("this Python has no ensurepip")
+    run(sys.executable, "-m", "venv", "--clear", folder)
+
+
+def with_system_pip(folder: Path) -> None:
+    """Make the environment with the pip of the system (Debian's python3-pip)."""
+    if find_spec("pip") is None:
+        raise SetupError("this Python has no pip")
+    run(sys.executable, "-m", "venv", "--clear", "--without-pip", folder)
+    run(sys.executable, "-m", "pip", "--quiet", "--python", folder, "install", "pip")
+
+
+def with_pip_installer(folder: Path) -> None:
+    """Make the environment with pip's own installer."""
+    run(sys.executable, "-m", "venv", "--clear", "--without-pip", folder)
+    with urllib.request.urlopen(PIP_INSTALLER, timeout=60) as answer:
+        run(folder / "bin" / "python", "-", "--quiet", input=answer.read())
+
+
+WAYS: tuple[Callable[[Path], None], ...] = (with_ensurepip, with_system_pip, with_pip_installer)
+
+
+def make_environment(folder: Path) -> None:
+    """Make the environment in the first way that works and bring its pip up to date."""
+    failures = []
+    for way in WAYS:
+        try:
+            way(folder)
+            run(folder / "bin" / "python", "-m", "pip", "--quiet", "install", "--upgrade", PIP_NEEDED)
+        except (SetupError, OSError, subprocess.CalledProcessError) as failure:
+            failures.append(f"  {way.__name__}: {failure}")
+        else:
+            return
+    shutil.rmtree(folder, ignore_errors=True)
+    raise SetupError(
+        f"A virtual environment could not be made in {folder}:\n"
+        + "\n".join(failures)
+        + "\nOn Debian and Ubuntu: sudo apt-get install python3-venv, then again."
+    )
+
+
+def main(folder: str) -> None:
+    """Check the tools and make the environment, or say what is missing."""
+    try:
+        check_python()
+        check_cargo()
+        make_environment(Path(folder))
+    except SetupError as error:
+        sys.exit(f"\n{error}\n")
+
+
+if __name__ == "__main__":
+    main(sys.argv[1])
