@@ -1,0 +1,49 @@
+"""The one hierarchy of errors.
+
+Every message says where, what was found, what was expected and the way out, in the user's own names;
+``tests/test_errors.py`` holds each of them verbatim.
+"""
+
+
+class SymbodyError(Exception):
+    """The root: whoever catches it catches every mistake that symbody reports."""
+
+
+class ExpressionError(SymbodyError, ValueError):
+    """An expression was asked for something that it can't do."""
+
+
+class DivisionByZeroError(SymbodyError, ZeroDivisionError):
+    """A division by an expression that is identically zero."""
+
+
+class ParseError(SymbodyError, ValueError):
+    """A text that is not an expression."""
+
+
+class FrameError(SymbodyError, ValueError):
+    """A frame, a point or a vector that makes no geometrical sense."""
+
+
+class BodyError(SymbodyError, ValueError):
+    """A body that can't be made."""
+
+
+class LoadError(SymbodyError, ValueError):
+    """A force or a torque that can't act."""
+
+
+class ModelError(SymbodyError, ValueError):
+    """A system whose parts don't fit together."""
+
+
+class ConstraintError(ModelError):
+    """Constraints that no motion can satisfy, or that say the same thing twice."""
+
+
+class ParameterError(SymbodyError, ValueError):
+    """A parameter without a value, or a value without a parameter."""
+
+
+class ModelNotice(UserWarning):
+    """Something was left out of a result, on purpose, and the user should know."""
