@@ -1,0 +1,229 @@
+//! Arguments of trigonometric and exponential functions at the random point.
+//!
+//! An argument is a sum of rational multiples of atoms (monomials without coefficient), of pi and of 1.
+//! Each atom has a drawn point of the circle group (a drawn member of the multiplicative group), and sums
+//! of arguments are products of points: so sin(a + b) = sin a cos b + cos a sin b, double and half
+//! angles, quarter turns are all known.
+
+use crate::field::{Circle, Element, Key, TORSION};
+use crate::graph::Graph;
+use crate::node::{Id, View};
+use crate::number::Number;
+
+/// Arguments with more monomials than this are taken as one atom.
+const LONGEST_ARGUMENT: usize = 256;
+
+type Monomials = Vec<(Number, Element)>;
+
+/// An argument as a linear combination; atoms are given by their values up to sign.
+struct Linear {
+    /// The rational number in the argument, in radians.
+    number: Number,
+    /// The multiple of pi.
+    pi: Number,
+    atoms: Vec<(Element, Number)>,
+}
+
+impl Linear {
+    fn push(&mut self, value: Element, coefficient: &Number) {
+        let (atom, negated) = value.unsigned();
+        let coefficient = if negated { coefficient.neg() } else { coefficient.clone() };
+        match self.atoms.iter_mut().find(|(known, _)| *known == atom) {
+            Some((_, total)) => *total = total.add(&coefficient),
+            None => self.atoms.push((atom, coefficient)),
+        }
+    }
+}
+
+/// A step of the expansion of an argument, worked off a stack.
+enum Step {
+    Visit(Id),
+    Atom(Element),
+    Add(Vec<Number>),
+    Multiply(usize),
+}
+
+impl Graph {
+    fn linear(&self, argument: Id) -> Linear {
+        let pi = Element::draw(&Key::new("pi"));
+        let mut linear = Linear { number: Number::integer(0), pi: Number::integer(0), atoms: Vec::new() };
+        let monomials =
+            self.monomials(argument).unwrap_or_else(|| vec![(Number::integer(1), self.value(argument))]);
+        for (coefficient, value) in monomials {
+            if value == Element::ONE {
+                linear.number = linear.number.add(&coefficient);
+            } else if value == pi {
+                linear.pi = linear.pi.add(&coefficient);
+            } else {
+                linear.push(value, &coefficient);
+            }
+        }
+        linear.atoms.retain(|(_, coefficient)| !coefficient.is_zero());
+        linear
+    }
+
+    /// The expanded monomials of a node; `None` when there are too many.
+    fn monomials(&self, id: Id) -> Option<Monomials> {
+        let mut steps = vec![Step::Visit(id)];
+        let mut done: Vec<Monomials> = Vec::new();
+        while let Some(step) = steps.pop() {
+            if steps.len().max(done.len()) > 8 * LONGEST_ARGUMENT {
+                return None;
+            }
+            match step {
+                Step::Visit(id) => self.plan(id, &mut steps),
+                Step::Atom(value) => done.push(vec![(Number::integer(1), value)]),
+                Step::Add(factors) => {
+                    let parts = done.split_off(done.len() - factors.len());
+                    done.push(add_monomials(parts, &factors));
+                }
+                Step::Multiply(count) => {
+                    let parts = done.split_off(done.len() - count);
+                    done.push(multiply_monomials(&parts)?);
+                }
+            }
+        }
+        done.pop().filter(|monomials| monomials.len() <= LONGEST_ARGUMENT)
+    }
+
+    /// The steps that expand one node.
+    fn plan(&self, id: Id, steps: &mut Vec<Step>) {
+        match self.view(id) {
+            View::Number(number) => {
+                steps.push(Step::Add(vec![self.get_number(number).clone()]));
+                steps.push(Step::Atom(Element::ONE));
+            }
+            View::Scale(factor, child) => {
+                steps.push(Step::Add(vec![self.get_number(factor).clone()]));
+                steps.push(Step::Visit(child));
+            }
+            View::Sum(terms) => {
+                steps.push(Step::Add(terms.iter().map(|(c, _)| self.get_number(c).clone()).collect()));
+                steps.extend(terms.iter().rev().map(|(_, node)| Step::Visit(node)));
+            }
+            View::Product(factors) => {
+                let mut parts = Vec::new();
+                for (base, exponent) in factors.iter() {
+                    let exponent = self.get_number(exponent);
+                    match (self.view(base), exponent.to_i64()) {
+                        (View::Sum(_) | View::Product(_) | View::Scale(..), Some(n @ 1..=6)) => {
+                            parts.extend((0..n).map(|_| Step::Visit(base)));
+                        }
+                        _ => parts.push(Step::Atom(self.power_value(base, exponent))),
+                    }
+                }
+                steps.push(Step::Multiply(parts.len()));
+                steps.append(&mut parts);
+            }
+            _ => steps.push(Step::Atom(self.value(id))),
+        }
+    }
+
+    /// The point of the circle group of an angle.
+    pub(crate) fn circle(&mut self, argument: Id) -> Circle {
+        if let Some(&point) = self.angles.get(&argument) {
+            return point;
+        }
+        let linear = self.linear(argument);
+        let mut point = torsion(&linear.pi);
+        if !linear.number.is_zero() {
+            point = point.rotate(Circle::draw(&Key::new("radian")).times(&linear.number));
+        }
+        for (atom, coefficient) in &linear.atoms {
+            point = point.rotate(Circle::draw(&Key::new("angle").element(*atom)).times(coefficient));
+        }
+        self.angles.insert(argument, point);
+        point
+    }
+
+    /// The value of exp(argument).
+    pub(crate) fn exponential(&self, argument: Id) -> Element {
+        let mut linear = self.linear(argument);
+        let pi = linear.pi.clone();
+        if !pi.is_zero() {
+            linear.push(Element::draw(&Key::new("pi")), &pi);
+        }
+        let unit = Element::draw_exponential(&Key::new("e")).pow_rational(&linear.number);
+        linear.atoms.iter().fold(unit, |value, (atom, coefficient)| {
+            value.mul(
+                Element::draw_exponential(&Key::new("exponent").element(*atom)).pow_rational(coefficient),
+            )
+        })
+    }
+
+    /// The value of base ** exponent with an exponent that is no number: x^(n + a) = x^n x^a.
+    pub(crate) fn general_power(&self, base: Id, exponent: Id) -> Element {
+        let linear = self.linear(exponent);
+        let key = Key::new("power").element(self.value(base));
+        let atoms = linear.atoms.iter().map(|(atom, coefficient)| (*atom, coefficient.clone()));
+        let pi = (!linear.pi.is_zero()).then(|| (Element::draw(&Key::new("pi")), linear.pi.clone()));
+        atoms.chain(pi).fold(self.power_value(base, &linear.number), |value, (atom, coefficient)| {
+            value.mul(Element::draw_exponential(&key.element(atom)).pow_rational(&coefficient))
+        })
+    }
+}
+
+fn add_monomials(parts: Vec<Monomials>, factors: &[Number]) -> Monomials {
+    let scaled = |(part, factor): (Monomials, &Number)| {
+        part.into_iter().map(|(c, value)| (c.mul(factor), value)).collect::<Vec<_>>()
+    };
+    parts.into_iter().zip(factors).flat_map(scaled).collect()
+}
+
+fn multiply_monomials(parts: &[Monomials]) -> Option<Monomials> {
+    let mut product = vec![(Number::integer(1), Element::ONE)];
+    for part in parts {
+        if product.len() * part.len() > LONGEST_ARGUMENT {
+            return None;
+        }
+        product =
+            product.iter().flat_map(|(a, x)| part.iter().map(move |(b, y)| (a.mul(b), x.mul(*y)))).collect();
+    }
+    Some(product)
+}
+
+/// The point of a multiple of pi: exact for denominators that divide 55440, drawn for others.
+fn torsion(multiple: &Number) -> Circle {
+    let turns = multiple.mul(&Number::rational(1, 2));
+    let turns = turns.sub(&turns.floor());
+    if turns.is_zero() {
+        return Circle::ONE;
+    }
+    let steps = turns.mul(&Number::integer(TORSION.cast_signed()));
+    if let Some(k) = steps.to_i64() {
+        return Circle::torsion(k.unsigned_abs());
+    }
+    let key = Key::new("part of a turn").text(&turns.denominator().to_string());
+    let numerator = Number::from_big(turns.numerator(), 1.into()).unwrap_or(Number::integer(1));
+    Circle::draw(&key).times(&numerator)
+}
+
+/// The value of the square root of a prime, in agreement with the values of trigonometric functions.
+///
+/// sqrt 2 = 2 cos(pi/4), sqrt 3 = 2 cos(pi/6), sqrt 5 = 4 cos(pi/5) - 1; sqrt 7 and sqrt 11 are Gauss sums:
+/// for a prime q = 3 mod 4, sqrt q is the sum over k of (k/q) sin(2 pi k/q). Others are free.
+pub(crate) fn prime_root(q: u32) -> Element {
+    let cos = |k: u64| Circle::torsion(k).cos;
+    match q {
+        2 => cos(TORSION / 8).mul(Element::from_i64(2)),
+        3 => cos(TORSION / 12).mul(Element::from_i64(2)),
+        5 => cos(TORSION / 10).mul(Element::from_i64(4)).sub(Element::ONE),
+        7 => gauss_sum(7, &[1, 2, 4]),
+        11 => gauss_sum(11, &[1, 3, 4, 5, 9]),
+        _ => free_root(&Number::integer(q.into())),
+    }
+}
+
+fn gauss_sum(q: u64, residues: &[u64]) -> Element {
+    (1..q).fold(Element::ZERO, |sum, k| {
+        let sine = Circle::torsion(TORSION / q * k).sin;
+        if residues.contains(&k) { sum.add(sine) } else { sum.sub(sine) }
+    })
+}
+
+/// The value of a square root that no identity ties to an angle.
+pub(crate) fn free_root(radicand: &Number) -> Element {
+    let value = Element::from_number(radicand);
+    let opaque = || Element::draw(&Key::new("radical").text(&radicand.with_decimal(false).to_string()));
+    value.sqrt().unwrap_or_else(opaque)
+}

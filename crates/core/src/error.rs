@@ -1,0 +1,69 @@
+//! What can go wrong while an expression is built; the bindings turn each case into one Python exception.
+
+use std::fmt;
+
+/// An error of the expression core, in the user's own names.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Error {
+    /// A divisor that is identically zero; holds the expression as it was written.
+    DivisionByZero(String),
+    /// A double that is infinite or not a number.
+    NotFinite(f64),
+    /// A power whose exact value would fill the memory.
+    NumberTooLarge(String),
+    /// A function called with the wrong number of arguments.
+    Arity { function: &'static str, expected: &'static str, found: usize },
+    /// A function outside its domain on an exact argument.
+    Domain { function: &'static str, argument: String },
+    /// Matrices whose shapes do not fit.
+    Shape { operation: &'static str, left: (usize, usize), right: (usize, usize) },
+    /// Equations that do not determine their unknowns.
+    Singular(String),
+    /// Equations that are not linear in an unknown.
+    NotLinear { equation: String, unknown: String },
+    /// A request beyond a stated limit.
+    Limit { what: &'static str, limit: usize, found: usize },
+    /// A variable of differentiation or substitution that is not one.
+    NotAVariable(String),
+    /// An input of a compiled function that nobody gave a value.
+    MissingInput(String),
+}
+
+impl fmt::Display for Error {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::DivisionByZero(divisor) => write!(f, "division by {divisor}, which is identically zero"),
+            Self::NotFinite(value) => {
+                write!(f, "{value} is not a finite number; expressions hold finite numbers only")
+            }
+            Self::NumberTooLarge(power) => {
+                write!(
+                    f,
+                    "{power} has more than a million digits; use a symbol or a decimal exponent range you can print"
+                )
+            }
+            Self::Arity { function, expected, found } => {
+                write!(f, "{function} takes {expected}, found {found}")
+            }
+            Self::Domain { function, argument } => write!(f, "{function} is not defined at {argument}"),
+            Self::Shape { operation, left, right } => write!(
+                f,
+                "{operation} of a {}x{} and a {}x{} matrix: the shapes do not fit",
+                left.0, left.1, right.0, right.1
+            ),
+            Self::Singular(text) | Self::MissingInput(text) => write!(f, "{text}"),
+            Self::NotLinear { equation, unknown } => {
+                write!(f, "the equation {equation} = 0 is not linear in {unknown}")
+            }
+            Self::Limit { what, limit, found } => write!(f, "{what}: at most {limit}, found {found}"),
+            Self::NotAVariable(text) => {
+                write!(
+                    f,
+                    "{text} is not a variable; use a symbol, a function of time or one of its derivatives"
+                )
+            }
+        }
+    }
+}
+
+impl std::error::Error for Error {}

@@ -1,0 +1,318 @@
+//! The append-only, hash-consed graph: one table of nodes, one fingerprint each.
+
+use hashbrown::HashTable;
+use rustc_hash::{FxHashMap, FxHasher};
+use std::hash::{Hash, Hasher};
+
+use crate::classes::Classes;
+use crate::field::{Circle, Element, Key};
+use crate::node::{Assumption, Factors, Flags, Id, Ids, Kind, NumberId, Terms, View};
+use crate::number::Number;
+
+/// One row of the table.
+#[derive(Clone, Copy, Debug)]
+struct Row {
+    /// Where the node's words start in `words`.
+    start: u32,
+    len: u16,
+    flags: Flags,
+    kind: Kind,
+}
+
+/// The largest number of words of one node; longer sums and products are nested.
+pub(crate) const LONGEST: usize = 60_000;
+
+/// All expressions of a process.
+///
+/// Invariants: rows are never changed or removed; equal rows are one row; children precede parents;
+/// `values[i]` is the exact value of row i at the random point; nothing depends on ids but identity.
+#[derive(Default)]
+pub struct Graph {
+    rows: Vec<Row>,
+    values: Vec<Element>,
+    words: Vec<u32>,
+    index: HashTable<u32>,
+    numbers: Vec<Number>,
+    number_values: Vec<Element>,
+    number_index: FxHashMap<Number, u32>,
+    names: Vec<Box<str>>,
+    name_index: FxHashMap<Box<str>, u32>,
+    /// Values that are recognised when they are made: small integers and simple fractions, unsigned.
+    pub(crate) plain_values: FxHashMap<Element, NumberId>,
+    /// Points of the circle of arguments seen before; a cache, derived from the graph alone.
+    pub(crate) angles: FxHashMap<Id, Circle>,
+    /// The classes of the derivation in progress, if there is one.
+    pub(crate) classes: Option<Box<Classes>>,
+}
+
+impl Graph {
+    #[must_use]
+    pub fn new() -> Self {
+        let mut graph = Self::default();
+        for value in [0, 1, -1] {
+            graph.number_id(&Number::integer(value));
+        }
+        graph.number(&Number::integer(0));
+        graph.number(&Number::integer(1));
+        for den in [1, 2, 3, 4, 6, 8, 12, 16] {
+            for num in 1..=24 {
+                let id = graph.number_id(&Number::rational(num, den));
+                let (value, negated) = graph.number_value(id).unsigned();
+                let id = if negated { graph.number_id(&Number::rational(-num, den)) } else { id };
+                graph.plain_values.entry(value).or_insert(id);
+            }
+        }
+        graph
+    }
+
+    /// How many nodes there are.
+    #[must_use]
+    pub fn len(&self) -> usize {
+        self.rows.len()
+    }
+
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.rows.is_empty()
+    }
+
+    /// The exact value of a node at the random point.
+    #[must_use]
+    pub fn value(&self, id: Id) -> Element {
+        self.values[id.index()]
+    }
+
+    /// Whether two nodes are equal as mathematics. Numbers are compared digit by digit.
+    #[must_use]
+    pub fn equal(&self, a: Id, b: Id) -> bool {
+        match (self.as_number(a), self.as_number(b)) {
+            (Some(x), Some(y)) => x.same_value(y),
+            _ => self.value(a) == self.value(b),
+        }
+    }
+
+    /// A node and its parts.
+    #[must_use]
+    pub fn view(&self, id: Id) -> View<'_> {
+        let words = self.words_of(id);
+        match self.kind(id) {
+            Kind::Number => View::Number(NumberId(words[0])),
+            Kind::Pi => View::Pi,
+            Kind::Time => View::Time,
+            Kind::Symbol(assumption) => View::Symbol(self.name(words[0]), assumption),
+            Kind::TimeFunction => View::TimeFunction(self.name(words[0]), words[1]),
+            Kind::Application => {
+                let (args, orders) = words[1..].split_at((words.len() - 1) / 2);
+                View::Application { name: self.name(words[0]), args: Ids(args), orders }
+            }
+            Kind::Scale => View::Scale(NumberId(words[0]), Id(words[1])),
+            Kind::Sum => View::Sum(Terms(words)),
+            Kind::Product => View::Product(Factors(words)),
+            Kind::Function(function) => View::Function(function, Ids(words)),
+        }
+    }
+
+    pub(crate) fn kind(&self, id: Id) -> Kind {
+        self.rows[id.index()].kind
+    }
+
+    pub(crate) fn flags(&self, id: Id) -> Flags {
+        self.rows[id.index()].flags
+    }
+
+    fn words_of(&self, id: Id) -> &[u32] {
+        let row = self.rows[id.index()];
+        &self.words[row.start as usize..row.start as usize + row.len as usize]
+    }
+
+    fn name(&self, id: u32) -> &str {
+        &self.names[id as usize]
+    }
+
+    /// The child nodes, in their stored order.
+    #[must_use]
+    pub fn children(&self, id: Id) -> Vec<Id> {
+        let mut out = Vec::new();
+        self.push_children(id, &mut out);
+        out
+    }
+
+    /// Append the child nodes to `out`.
+    pub fn push_children(&self, id: Id, out: &mut Vec<Id>) {
+        match self.view(id) {
+            View::Application { args, .. } | View::Function(_, args) => out.extend(args.iter()),
+            View::Scale(_, child) => out.push(child),
+            View::Sum(terms) => out.extend(terms.iter().map(|(_, node)| node)),
+            View::Product(factors) => out.extend(factors.iter().map(|(node, _)| node)),
+            View::Number(_) | View::Pi | View::Time | View::Symbol(..) | View::TimeFunction(..) => {}
+        }
+    }
+
+    /// Whether a node has no parts and is no number: a symbol, a function of time, t.
+    #[must_use]
+    pub fn is_variable(&self, id: Id) -> bool {
+        matches!(self.kind(id), Kind::Time | Kind::Symbol(_) | Kind::TimeFunction | Kind::Application)
+    }
+
+    /// Whether no symbol is below the node.
+    #[must_use]
+    pub fn is_constant(&self, id: Id) -> bool {
+        self.flags(id).has(Flags::CONSTANT)
+    }
+
+    /// Whether the node depends on time.
+    #[must_use]
+    pub fn depends_on_time(&self, id: Id) -> bool {
+        self.flags(id).has(Flags::TIME)
+    }
+
+    /// The number that a node is, if it is one.
+    #[must_use]
+    pub fn as_number(&self, id: Id) -> Option<&Number> {
+        match self.view(id) {
+            View::Number(number) => Some(self.get_number(number)),
+            _ => None,
+        }
+    }
+
+    /// An interned number.
+    #[must_use]
+    pub fn get_number(&self, id: NumberId) -> &Number {
+        &self.numbers[id.0 as usize]
+    }
+
+    pub(crate) fn number_value(&self, id: NumberId) -> Element {
+        self.number_values[id.0 as usize]
+    }
+
+    pub(crate) fn number_id(&mut self, number: &Number) -> NumberId {
+        if let Some(&id) = self.number_index.get(number) {
+            return NumberId(id);
+        }
+        let id = u32::try_from(self.numbers.len()).unwrap_or(u32::MAX);
+        let mut value = Element::from_number(number);
+        if value.is_singular() && !number.is_zero() {
+            // A multiple of one of the primes: no image that could be told from zero, so draw one.
+            value = Element::draw(&Key::new("singular number").text(&number.with_decimal(false).to_string()));
+        }
+        self.numbers.push(number.clone());
+        self.number_values.push(value);
+        self.number_index.insert(number.clone(), id);
+        NumberId(id)
+    }
+
+    fn name_id(&mut self, name: &str) -> u32 {
+        if let Some(&id) = self.name_index.get(name) {
+            return id;
+        }
+        let id = u32::try_from(self.names.len()).unwrap_or(u32::MAX);
+        self.names.push(name.into());
+        self.name_index.insert(name.into(), id);
+        id
+    }
+
+    /// The node of a number.
+    pub fn number(&mut self, number: &Number) -> Id {
+        let id = self.number_id(number);
+        self.number_node(id)
+    }
+
+    pub(crate) fn number_node(&mut self, id: NumberId) -> Id {
+        self.intern(Kind::Number, Flags::CONSTANT, &[id.0], self.number_value(id))
+    }
+
+    /// The node of an integer.
+    pub fn integer(&mut self, value: i64) -> Id {
+        self.number(&Number::integer(value))
+    }
+
+    /// The circle constant.
+    pub fn pi(&mut self) -> Id {
+        self.intern(Kind::Pi, Flags::CONSTANT, &[], Element::draw(&Key::new("pi")))
+    }
+
+    /// The independent variable t.
+    pub fn time(&mut self) -> Id {
+        self.intern(Kind::Time, Flags::TIME, &[], Element::draw(&Key::new("time")))
+    }
+
+    /// A symbol. Symbols of one name and other assumptions are other symbols.
+    pub fn symbol(&mut self, name: &str, assumption: Assumption) -> Id {
+        let name_id = self.name_id(name);
+        let key = Key::new("symbol").text(name).word(assumption as u64);
+        // A positive symbol lives in the group of prime order, where every root exists.
+        let value = match assumption {
+            Assumption::Positive => Element::draw_exponential(&key),
+            Assumption::Real | Assumption::None => Element::draw(&key),
+        };
+        self.intern(Kind::Symbol(assumption), Flags::default(), &[name_id], value)
+    }
+
+    /// The function of time `name`, differentiated `order` times.
+    pub fn time_function(&mut self, name: &str, order: u32) -> Id {
+        let name_id = self.name_id(name);
+        let value = Element::draw(&Key::new("time function").text(name).word(order.into()));
+        self.intern(Kind::TimeFunction, Flags::TIME, &[name_id, order], value)
+    }
+
+    /// The undefined function `name` of arguments, differentiated `orders[i]` times by argument i.
+    pub fn application(&mut self, name: &str, args: &[Id], orders: &[u32]) -> Id {
+        if let ([arg], [order]) = (args, orders)
+            && self.kind(*arg) == Kind::Time
+        {
+            return self.time_function(name, *order);
+        }
+        let name_id = self.name_id(name);
+        let mut key = Key::new("application").text(name);
+        let mut flags = Flags::default();
+        for (&arg, &order) in args.iter().zip(orders) {
+            key = key.element(self.value(arg)).word(order.into());
+            flags = flags.join(self.flags(arg));
+        }
+        let words: Vec<u32> = std::iter::once(name_id)
+            .chain(args.iter().map(|id| id.0))
+            .chain(orders.iter().copied())
+            .collect();
+        self.finish(Kind::Application, flags, &words, Element::draw(&key))
+    }
+
+    /// The node of this row, made if it is new.
+    pub(crate) fn intern(&mut self, kind: Kind, flags: Flags, words: &[u32], value: Element) -> Id {
+        let hash = hash_row(kind, words);
+        let (rows, table) = (&self.rows, &self.words);
+        let same = |&id: &u32| {
+            let row = rows[id as usize];
+            row.kind == kind && &table[row.start as usize..row.start as usize + row.len as usize] == words
+        };
+        if let Some(&id) = self.index.find(hash, same) {
+            return Id(id);
+        }
+        let id = u32::try_from(self.rows.len()).unwrap_or(u32::MAX);
+        let start = u32::try_from(self.words.len()).unwrap_or(u32::MAX);
+        self.words.extend_from_slice(words);
+        self.rows.push(Row { start, len: words.len() as u16, flags, kind });
+        self.values.push(value);
+        let (rows, table) = (&self.rows, &self.words);
+        self.index.insert_unique(hash, id, |&id| {
+            let row = rows[id as usize];
+            hash_row(row.kind, &table[row.start as usize..row.start as usize + row.len as usize])
+        });
+        Id(id)
+    }
+
+    /// Bytes held by the table, for the memory budget.
+    #[must_use]
+    pub fn bytes(&self) -> usize {
+        self.rows.capacity() * size_of::<Row>()
+            + self.values.capacity() * size_of::<Element>()
+            + self.words.capacity() * size_of::<u32>()
+            + self.index.capacity() * 8 * (size_of::<u32>() + 1) / 7
+    }
+}
+
+fn hash_row(kind: Kind, words: &[u32]) -> u64 {
+    let mut hasher = FxHasher::default();
+    kind.hash(&mut hasher);
+    words.hash(&mut hasher);
+    hasher.finish()
+}

@@ -1,0 +1,23 @@
+//! The expression graph of symbody.
+//!
+//! Every node knows its exact value at a random point of a finite field, so equal mathematics is one
+//! node and zero is seen when it is made. No Python, no mechanics, no global state.
+
+mod angle;
+mod build;
+mod classes;
+mod error;
+mod field;
+mod function;
+mod graph;
+mod node;
+mod number;
+mod traverse;
+
+pub use classes::Classes;
+pub use error::Error;
+pub use field::Element;
+pub use function::Function;
+pub use graph::Graph;
+pub use node::{Assumption, Factors, Id, Ids, NumberId, Terms, View};
+pub use number::Number;

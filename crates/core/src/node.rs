@@ -1,0 +1,160 @@
+//! The kinds of nodes and how they are looked at.
+
+use crate::function::Function;
+
+/// A node of the graph: an index into its append-only table. Children have smaller ids.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct Id(pub u32);
+
+impl Id {
+    /// The numbers 0 and 1 are the first two nodes of every graph.
+    pub const ZERO: Self = Self(0);
+    pub const ONE: Self = Self(1);
+
+    pub(crate) const fn index(self) -> usize {
+        self.0 as usize
+    }
+}
+
+/// An exact number, interned: coefficients and exponents.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct NumberId(pub(crate) u32);
+
+impl NumberId {
+    pub(crate) const ZERO: Self = Self(0);
+    pub(crate) const ONE: Self = Self(1);
+    pub(crate) const MINUS_ONE: Self = Self(2);
+}
+
+/// What the user promises about a symbol.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Assumption {
+    /// Any complex value.
+    None,
+    /// A real value (the default).
+    Real,
+    /// A positive real value: its roots are taken exactly.
+    Positive,
+}
+
+/// The kind of a node as stored.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(crate) enum Kind {
+    Number,
+    Pi,
+    Time,
+    Symbol(Assumption),
+    TimeFunction,
+    Application,
+    Scale,
+    Sum,
+    Product,
+    Function(Function),
+}
+
+/// A node with its parts.
+#[derive(Clone, Copy, Debug)]
+pub enum View<'a> {
+    /// An exact number.
+    Number(NumberId),
+    /// The circle constant.
+    Pi,
+    /// The independent variable t.
+    Time,
+    /// A parameter or unknown.
+    Symbol(&'a str, Assumption),
+    /// x(t) or its derivative of the given order.
+    TimeFunction(&'a str, u32),
+    /// An undefined function of arguments, differentiated `orders[i]` times by argument i.
+    Application { name: &'a str, args: Ids<'a>, orders: &'a [u32] },
+    /// A numeric multiple; the child is no number, no `Scale`.
+    Scale(NumberId, Id),
+    /// Two or more terms, ordered by value; no two have equal or opposite values.
+    Sum(Terms<'a>),
+    /// Powers of distinct bases, ordered by value; one factor only with an exponent other than one.
+    Product(Factors<'a>),
+    /// A function of the table.
+    Function(Function, Ids<'a>),
+}
+
+/// Child nodes.
+#[derive(Clone, Copy, Debug)]
+pub struct Ids<'a>(pub(crate) &'a [u32]);
+
+impl<'a> Ids<'a> {
+    pub fn iter(self) -> impl DoubleEndedIterator<Item = Id> + ExactSizeIterator + 'a {
+        self.0.iter().map(|&word| Id(word))
+    }
+    #[must_use]
+    pub const fn len(self) -> usize {
+        self.0.len()
+    }
+    #[must_use]
+    pub const fn is_empty(self) -> bool {
+        self.0.is_empty()
+    }
+    #[must_use]
+    pub fn get(self, index: usize) -> Id {
+        Id(self.0[index])
+    }
+}
+
+/// The terms of a sum: coefficient and node; a constant term is a multiple of the node 1.
+#[derive(Clone, Copy, Debug)]
+pub struct Terms<'a>(pub(crate) &'a [u32]);
+
+impl<'a> Terms<'a> {
+    pub fn iter(self) -> impl DoubleEndedIterator<Item = (NumberId, Id)> + ExactSizeIterator + 'a {
+        self.0.chunks_exact(2).map(|pair| (NumberId(pair[0]), Id(pair[1])))
+    }
+    #[must_use]
+    pub const fn len(self) -> usize {
+        self.0.len() / 2
+    }
+    #[must_use]
+    pub const fn is_empty(self) -> bool {
+        self.0.is_empty()
+    }
+}
+
+/// The factors of a product: base and exponent.
+#[derive(Clone, Copy, Debug)]
+pub struct Factors<'a>(pub(crate) &'a [u32]);
+
+impl<'a> Factors<'a> {
+    pub fn iter(self) -> impl DoubleEndedIterator<Item = (Id, NumberId)> + ExactSizeIterator + 'a {
+        self.0.chunks_exact(2).map(|pair| (Id(pair[0]), NumberId(pair[1])))
+    }
+    #[must_use]
+    pub const fn len(self) -> usize {
+        self.0.len() / 2
+    }
+    #[must_use]
+    pub const fn is_empty(self) -> bool {
+        self.0.is_empty()
+    }
+}
+
+/// Facts about everything below a node.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) struct Flags(u8);
+
+impl Flags {
+    /// No symbol below: a constant, folded into one double when lowered.
+    pub(crate) const CONSTANT: Self = Self(1);
+    /// Depends on time: a function of time or t itself is below.
+    pub(crate) const TIME: Self = Self(2);
+    /// A product with a root among its factors (which other products must merge with).
+    pub(crate) const ROOT: Self = Self(4);
+
+    pub(crate) const fn has(self, other: Self) -> bool {
+        self.0 & other.0 != 0
+    }
+    pub(crate) const fn with(self, other: Self) -> Self {
+        Self(self.0 | other.0)
+    }
+    /// The flags of a node from those of two children.
+    pub(crate) const fn join(self, other: Self) -> Self {
+        Self((self.0 & other.0 & Self::CONSTANT.0) | ((self.0 | other.0) & Self::TIME.0))
+    }
+}
