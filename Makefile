@@ -19,6 +19,7 @@ say = @printf '\n\033[1m== %s\033[0m\n' "$(1)"
 
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
+.NOTPARALLEL:
 .PHONY: help demo build test test-rust test-python lint lint-rust lint-python format bench docs clean
 
 help:  ## list the targets
