@@ -6,12 +6,14 @@
 mod angle;
 mod build;
 mod classes;
+mod diff;
 mod error;
 mod field;
 mod function;
 mod graph;
 mod node;
 mod number;
+mod substitute;
 mod traverse;
 
 pub use classes::Classes;
@@ -21,3 +23,10 @@ pub use function::Function;
 pub use graph::Graph;
 pub use node::{Assumption, Factors, Id, Ids, NumberId, Terms, View};
 pub use number::Number;
+
+impl Graph {
+    /// Placeholder until the printer lands.
+    pub fn to_text(&self, id: Id) -> String {
+        format!("{:?}", self.view(id))
+    }
+}
