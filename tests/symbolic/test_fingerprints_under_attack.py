@@ -1,0 +1,69 @@
+"""Equality by fingerprints, attacked: hundreds of pairs that are equal and of near misses that are not.
+
+mpmath judges every pair first, so neither list can hold a mistake of ours.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+
+import pytest
+from symbody.symbolic import functions_of_time, symbols
+from tests.symbolic import near_misses, true_identities
+from tests.symbolic.reading import agrees, expression, raised
+
+Family = Callable[[], Iterator[true_identities.Pair]]
+
+
+def mutations() -> Iterator[true_identities.Pair]:
+    """Return true identities with one of their numbers raised by one, where that makes them false."""
+    for family in true_identities.FAMILIES:
+        for left, right in list(family())[:40]:
+            for which in range(3):
+                wrong = raised(left, which)
+                if wrong is not None and not agrees(wrong, right):
+                    yield wrong, right
+
+
+def name(family: Family) -> str:
+    return family.__name__
+
+
+@pytest.mark.parametrize("family", true_identities.FAMILIES, ids=name)
+def test_equal_pairs_are_found_equal(family: Family) -> None:
+    pairs = list(family())
+    assert [pair for pair in pairs if not agrees(*pair)] == [], "not identities"
+    assert [pair for pair in pairs if not _equal(*pair)] == []
+
+
+@pytest.mark.parametrize("family", [*near_misses.FAMILIES, mutations], ids=name)
+def test_near_misses_are_found_different(family: Family) -> None:
+    pairs = list(family())
+    assert [pair for pair in pairs if agrees(*pair)] == [], "not near misses"
+    assert [pair for pair in pairs if _equal(*pair)] == []
+
+
+def _equal(left: str, right: str) -> bool:
+    one, two = expression(left), expression(right)
+    verdict = one.equals(two)
+    assert (
+        verdict
+        == (one == two)
+        == two.equals(one)
+        == (one - two).is_zero
+        == (one.fingerprint == two.fingerprint)
+    )
+    if verdict:
+        assert hash(one) == hash(two)
+    return bool(verdict)
+
+
+def test_a_coordinate_is_not_the_symbol_of_its_name() -> None:
+    assert symbols("q") != functions_of_time("q")
+    assert symbols("q") == symbols("q")
+    assert functions_of_time("q") == functions_of_time("q")
+
+
+def test_there_are_hundreds_of_each() -> None:
+    assert sum(len(list(family())) for family in true_identities.FAMILIES) > 500
+    assert sum(len(list(family())) for family in near_misses.FAMILIES) > 700
