@@ -15,6 +15,8 @@ from tests.symbolic.true_identities import Pair
 P, Q = 4611685641547390559, 4611684925650116159  # the primes of the two fingerprint words
 CIRCLE = lcm(P + 1, Q + 1)  # n times an angle is 0 in both circle groups when this divides n
 UNITS = lcm(P - 1, Q - 1)  # x**n is 1 in both fields when this divides n
+ANGLES = 41591681471387 * 20795837507441  # orders of the subgroups that atomic angles and exponents live in
+EXPONENTS = 2305842820773695279 * 13644038241568391
 
 
 def branches() -> Iterator[Pair]:
@@ -144,14 +146,14 @@ def multiples_off_by_one() -> Iterator[Pair]:
 
 
 def angles_modulo_the_circle() -> Iterator[Pair]:
-    for n in (P + 1, Q + 1, (P + 1) // 2, CIRCLE // 2, CIRCLE, 2 * CIRCLE, 3 * CIRCLE):
+    for n in (P + 1, Q + 1, (P + 1) // 2, CIRCLE // 2, CIRCLE, 2 * CIRCLE, ANGLES, 3 * ANGLES):
         yield f"sin({n}*x)", "0"
         yield f"cos({n}*x)", "1"
         yield f"cos({n}*x)", "-1"
         yield f"cos({n + 1}*x)", "cos(x)"
         yield f"sin({n}*x + y)", "sin(y)"
         yield f"tan({n}*x)", "0"
-    for n in (P - 1, Q - 1, UNITS // 2, UNITS, 2 * UNITS):
+    for n in (P - 1, Q - 1, UNITS // 2, UNITS, 2 * UNITS, EXPONENTS):
         yield f"exp({n}*x)", "1"
         yield f"x**{n}", "1"
         yield f"x**{n + 1}", "x"
@@ -161,7 +163,7 @@ def angles_modulo_the_circle() -> Iterator[Pair]:
         yield f"x**(-{n})", "1"
         yield f"(1/2)**{n}*x", "x"
         yield f"a**({n}/2)", "1"
-    for n in (110881, 110880, 55440, 10**6 + 3, P, P + 1, CIRCLE):
+    for n in (110881, 110880, 55440, 10**6 + 3, P, P + 1, CIRCLE, ANGLES):
         yield f"sin(x + 2*pi/{n})", "sin(x)"
         yield f"cos(2*pi/{n})", "1"
         yield f"sin(x/{n})", "0"
