@@ -15,6 +15,7 @@ mod node;
 mod number;
 mod substitute;
 mod traverse;
+pub mod vector;
 
 pub use classes::Classes;
 pub use error::Error;
@@ -23,6 +24,7 @@ pub use function::Function;
 pub use graph::Graph;
 pub use node::{Assumption, Factors, Id, Ids, NumberId, Terms, View};
 pub use number::Number;
+pub use vector::Vector3;
 
 impl Graph {
     /// Placeholder until the printer lands.

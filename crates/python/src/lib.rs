@@ -1,1 +1,19 @@
-//! Bindings.
+//! Python bindings of the expression core: translation only, no mathematics.
+
+mod calculus;
+mod convert;
+mod expr;
+mod leaves;
+mod session;
+mod vector;
+
+use pyo3::prelude::*;
+
+#[pymodule]
+fn _core(module: &Bound<'_, PyModule>) -> PyResult<()> {
+    module.add_class::<expr::Expr>()?;
+    session::register(module)?;
+    leaves::register(module)?;
+    calculus::register(module)?;
+    vector::register(module)
+}

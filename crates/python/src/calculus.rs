@@ -1,0 +1,84 @@
+//! Derivatives and substitution of many expressions at once.
+
+use pyo3::prelude::*;
+use pyo3::types::PyTuple;
+use symbody_core::Id;
+
+use crate::convert::Operand;
+use crate::expr::{ids, tuple};
+use crate::session::{raise, with_forms, with_graph};
+
+/// The items of a mapping or of a sequence of pairs.
+pub fn pairs(mapping: &Bound<'_, PyAny>) -> PyResult<Vec<(Id, Id)>> {
+    let items = if mapping.hasattr("items")? { mapping.call_method0("items")? } else { mapping.clone() };
+    items
+        .try_iter()?
+        .map(|item| {
+            let (key, value): (Operand, Operand) = item?.extract()?;
+            Ok((key.0, value.0))
+        })
+        .collect()
+}
+
+/// Several expressions with every key of the mapping replaced by its value, all at once.
+#[pyfunction]
+fn substitute<'py>(
+    py: Python<'py>,
+    expressions: &Bound<'py, PyAny>,
+    mapping: &Bound<'py, PyAny>,
+) -> PyResult<Bound<'py, PyTuple>> {
+    let (roots, pairs) = (ids(expressions)?, pairs(mapping)?);
+    let replaced = raise(py, with_forms(|graph| graph.substitute(&roots, &pairs)))?;
+    tuple(py, replaced)
+}
+
+/// The derivatives of several expressions with respect to one variable.
+#[pyfunction]
+#[expect(clippy::needless_pass_by_value, reason = "PyO3 passes extracted arguments by value")]
+fn diff_all<'py>(
+    py: Python<'py>,
+    expressions: &Bound<'py, PyAny>,
+    variable: Operand,
+) -> PyResult<Bound<'py, PyTuple>> {
+    let roots = ids(expressions)?;
+    tuple(py, raise(py, with_graph(|graph| graph.diff_all(&roots, variable.0)))?)
+}
+
+/// The total time derivatives of several expressions.
+#[pyfunction]
+fn time_derivatives<'py>(py: Python<'py>, expressions: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyTuple>> {
+    let roots = ids(expressions)?;
+    tuple(py, raise(py, with_graph(|graph| graph.time_derivatives(&roots)))?)
+}
+
+/// The derivatives of one expression with respect to many variables.
+#[pyfunction]
+#[expect(clippy::needless_pass_by_value, reason = "PyO3 passes extracted arguments by value")]
+fn gradient<'py>(
+    py: Python<'py>,
+    expression: Operand,
+    variables: &Bound<'py, PyAny>,
+) -> PyResult<Bound<'py, PyTuple>> {
+    let variables = ids(variables)?;
+    tuple(py, raise(py, with_graph(|graph| graph.gradient(expression.0, &variables)))?)
+}
+
+/// The rows of the Jacobian of expressions with respect to variables.
+#[pyfunction]
+fn jacobian<'py>(
+    py: Python<'py>,
+    expressions: &Bound<'py, PyAny>,
+    variables: &Bound<'py, PyAny>,
+) -> PyResult<Vec<Bound<'py, PyTuple>>> {
+    let (roots, variables) = (ids(expressions)?, ids(variables)?);
+    let rows = raise(py, with_graph(|graph| graph.jacobian(&roots, &variables)))?;
+    rows.into_iter().map(|row| tuple(py, row)).collect()
+}
+
+pub fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
+    module.add_function(wrap_pyfunction!(substitute, module)?)?;
+    module.add_function(wrap_pyfunction!(diff_all, module)?)?;
+    module.add_function(wrap_pyfunction!(time_derivatives, module)?)?;
+    module.add_function(wrap_pyfunction!(gradient, module)?)?;
+    module.add_function(wrap_pyfunction!(jacobian, module)?)
+}

@@ -1,0 +1,383 @@
+//! The class `Expr`: a node of the graph with Python's operators.
+
+use num_bigint::BigInt;
+use pyo3::basic::CompareOp;
+use pyo3::exceptions::{PyAttributeError, PyTypeError};
+use pyo3::prelude::*;
+use pyo3::types::{PyBytes, PyFrozenSet, PyTuple};
+use symbody_core::{Error, Function, Graph, Id, Number, NumberId, View};
+
+use crate::convert::{self, Operand};
+use crate::session::{raise, with_forms, with_graph};
+
+/// An immutable expression. Comparison is by value: equal mathematics is equal.
+#[pyclass(frozen, module = "symbody", name = "Expr")]
+#[derive(Clone, Copy)]
+pub struct Expr(pub Id);
+
+type Binary = fn(&mut Graph, Id, Id) -> Result<Id, Error>;
+
+/// A binary operator: Python's `NotImplemented` for operands that are no expressions.
+fn binary(left: &Bound<'_, PyAny>, right: &Bound<'_, PyAny>, operation: Binary) -> PyResult<Py<PyAny>> {
+    let py = left.py();
+    let (Ok(Operand(a)), Ok(Operand(b))) = (left.extract(), right.extract()) else {
+        return Ok(py.NotImplemented());
+    };
+    let id = raise(py, with_graph(|graph| operation(graph, a, b)))?;
+    Ok(Expr(id).into_pyobject(py)?.into_any().unbind())
+}
+
+fn add(graph: &mut Graph, a: Id, b: Id) -> Result<Id, Error> {
+    Ok(graph.add(a, b))
+}
+
+fn sub(graph: &mut Graph, a: Id, b: Id) -> Result<Id, Error> {
+    Ok(graph.sub(a, b))
+}
+
+fn power(graph: &mut Graph, base: Id, exponent: Id) -> Result<Id, Error> {
+    match graph.as_number(exponent).cloned() {
+        Some(number) => graph.pow_number(base, &number),
+        None => graph.apply(Function::Power, &[base, exponent]),
+    }
+}
+
+#[pymethods]
+impl Expr {
+    fn __add__(slf: &Bound<'_, Self>, other: &Bound<'_, PyAny>) -> PyResult<Py<PyAny>> {
+        binary(slf.as_any(), other, add)
+    }
+
+    fn __radd__(slf: &Bound<'_, Self>, other: &Bound<'_, PyAny>) -> PyResult<Py<PyAny>> {
+        binary(other, slf.as_any(), add)
+    }
+
+    fn __sub__(slf: &Bound<'_, Self>, other: &Bound<'_, PyAny>) -> PyResult<Py<PyAny>> {
+        binary(slf.as_any(), other, sub)
+    }
+
+    fn __rsub__(slf: &Bound<'_, Self>, other: &Bound<'_, PyAny>) -> PyResult<Py<PyAny>> {
+        binary(other, slf.as_any(), sub)
+    }
+
+    fn __mul__(slf: &Bound<'_, Self>, other: &Bound<'_, PyAny>) -> PyResult<Py<PyAny>> {
+        binary(slf.as_any(), other, Graph::mul)
+    }
+
+    fn __rmul__(slf: &Bound<'_, Self>, other: &Bound<'_, PyAny>) -> PyResult<Py<PyAny>> {
+        binary(other, slf.as_any(), Graph::mul)
+    }
+
+    fn __truediv__(slf: &Bound<'_, Self>, other: &Bound<'_, PyAny>) -> PyResult<Py<PyAny>> {
+        binary(slf.as_any(), other, Graph::div)
+    }
+
+    fn __rtruediv__(slf: &Bound<'_, Self>, other: &Bound<'_, PyAny>) -> PyResult<Py<PyAny>> {
+        binary(other, slf.as_any(), Graph::div)
+    }
+
+    fn __pow__(
+        slf: &Bound<'_, Self>,
+        other: &Bound<'_, PyAny>,
+        modulo: Option<&Bound<'_, PyAny>>,
+    ) -> PyResult<Py<PyAny>> {
+        if modulo.is_some() {
+            return Err(PyTypeError::new_err("an expression has no power modulo a number"));
+        }
+        binary(slf.as_any(), other, power)
+    }
+
+    fn __rpow__(
+        slf: &Bound<'_, Self>,
+        other: &Bound<'_, PyAny>,
+        _modulo: Option<&Bound<'_, PyAny>>,
+    ) -> PyResult<Py<PyAny>> {
+        binary(other, slf.as_any(), power)
+    }
+
+    fn __neg__(&self) -> Self {
+        Self(with_graph(|graph| graph.neg(self.0)))
+    }
+
+    const fn __pos__(&self) -> Self {
+        *self
+    }
+
+    fn __abs__(&self, py: Python<'_>) -> PyResult<Self> {
+        raise(py, with_graph(|graph| graph.apply(Function::Abs, &[self.0]))).map(Self)
+    }
+
+    fn __richcmp__(slf: &Bound<'_, Self>, other: &Bound<'_, PyAny>, op: CompareOp) -> PyResult<Py<PyAny>> {
+        let py = slf.py();
+        let equal = match (op, other.extract::<Operand>()) {
+            (CompareOp::Eq | CompareOp::Ne, Ok(Operand(id))) => {
+                with_forms(|graph| graph.equal(slf.get().0, id))
+            }
+            _ => return Ok(py.NotImplemented()),
+        };
+        Ok((equal == matches!(op, CompareOp::Eq)).into_pyobject(py)?.to_owned().into_any().unbind())
+    }
+
+    /// Agrees with `==`; an integer has Python's hash.
+    fn __hash__(&self) -> isize {
+        with_forms(|graph| match graph.as_number(self.0).and_then(Number::to_i64) {
+            Some(value) => {
+                let hash = (value % ((1 << 61) - 1)) as isize;
+                if hash == -1 { -2 } else { hash }
+            }
+            None => {
+                let [a, b] = graph.value(self.0).words();
+                (a ^ b.rotate_left(32)) as isize
+            }
+        })
+    }
+
+    fn __bool__(&self) -> bool {
+        self.0 != Id::ZERO
+    }
+
+    fn __float__(&self, py: Python<'_>) -> PyResult<f64> {
+        raise(py, with_forms(|graph| constant_value(graph, self.0)))
+    }
+
+    fn __int__(&self) -> PyResult<BigInt> {
+        let number =
+            with_forms(|graph| graph.as_number(self.0).filter(|n| n.is_integer()).map(Number::numerator));
+        number.ok_or_else(|| PyTypeError::new_err(format!("{} is no integer", self.__str__())))
+    }
+
+    fn __str__(&self) -> String {
+        with_forms(|graph| graph.to_text(self.0))
+    }
+
+    fn __repr__(&self) -> String {
+        self.__str__()
+    }
+
+    const fn __copy__(&self) -> Self {
+        *self
+    }
+
+    const fn __deepcopy__(&self, _memo: &Bound<'_, PyAny>) -> Self {
+        *self
+    }
+
+    /// Whether two expressions are equal as mathematics.
+    #[expect(clippy::needless_pass_by_value, reason = "PyO3 passes extracted arguments by value")]
+    fn equals(&self, other: Operand) -> bool {
+        with_forms(|graph| graph.equal(self.0, other.0))
+    }
+
+    /// Whether two expressions are one node: the same value in the same form.
+    #[expect(clippy::needless_pass_by_value, reason = "PyO3 passes extracted arguments by value")]
+    fn same_form(&self, other: Operand) -> bool {
+        self.0 == other.0
+    }
+
+    /// The node of this form.
+    #[getter]
+    const fn id(&self) -> u32 {
+        self.0.0
+    }
+
+    /// The exact value at the random point, as 16 bytes.
+    #[getter]
+    fn fingerprint<'py>(&self, py: Python<'py>) -> Bound<'py, PyBytes> {
+        let [a, b] = with_forms(|graph| graph.value(self.0).words());
+        PyBytes::new(py, &[a.to_le_bytes(), b.to_le_bytes()].concat())
+    }
+
+    /// What the node is: number, constant, symbol, `time_function`, application, sum, product, power, function.
+    #[getter]
+    fn kind(&self) -> &'static str {
+        with_forms(|graph| match graph.view(self.0) {
+            View::Number(_) => "number",
+            View::Pi => "constant",
+            View::Time | View::Symbol(..) => "symbol",
+            View::TimeFunction(..) => "time_function",
+            View::Application { .. } => "application",
+            View::Scale(..) => "product",
+            View::Sum(_) => "sum",
+            View::Product(factors) if factors.len() == 1 => "power",
+            View::Product(_) => "product",
+            View::Function(Function::Power, _) => "power",
+            View::Function(..) => "function",
+        })
+    }
+
+    /// The name of a symbol, a function of time, an applied function or a constant.
+    #[getter]
+    fn name(&self) -> PyResult<String> {
+        with_forms(|graph| match graph.view(self.0) {
+            View::Time => Ok("t".to_owned()),
+            View::Pi => Ok("pi".to_owned()),
+            View::Symbol(name, _) | View::TimeFunction(name, _) | View::Application { name, .. } => {
+                Ok(name.to_owned())
+            }
+            View::Function(function, _) => Ok(function.name().to_owned()),
+            _ => Err(PyAttributeError::new_err("this expression has no name")),
+        })
+    }
+
+    /// How often a function of time is differentiated.
+    #[getter]
+    fn order(&self) -> PyResult<u32> {
+        with_forms(|graph| match graph.view(self.0) {
+            View::TimeFunction(_, order) => Ok(order),
+            _ => Err(PyAttributeError::new_err("only functions of time have an order")),
+        })
+    }
+
+    /// How often an undefined function is differentiated by each of its arguments.
+    #[getter]
+    fn orders(&self) -> PyResult<Vec<u32>> {
+        with_forms(|graph| match graph.view(self.0) {
+            View::Application { orders, .. } => Ok(orders.to_vec()),
+            _ => Err(PyAttributeError::new_err("only undefined functions have orders")),
+        })
+    }
+
+    /// What the user promises about a symbol: "real", "positive" or "none".
+    #[getter]
+    fn assumption(&self) -> PyResult<&'static str> {
+        with_forms(|graph| match graph.view(self.0) {
+            View::Symbol(_, assumption) => Ok(crate::leaves::assumption_name(assumption)),
+            _ => Err(PyAttributeError::new_err("only symbols have an assumption")),
+        })
+    }
+
+    /// Terms, factors, base and exponent, or arguments.
+    #[getter]
+    fn args<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyTuple>> {
+        let parts = raise(py, with_forms(|graph| parts(graph, self.0)))?;
+        PyTuple::new(py, parts.into_iter().map(Expr))
+    }
+
+    /// Numerator and denominator of an exact number.
+    #[getter]
+    fn ratio(&self) -> PyResult<(BigInt, BigInt)> {
+        with_forms(|graph| graph.as_number(self.0).map(|n| (n.numerator(), n.denominator())))
+            .ok_or_else(|| PyAttributeError::new_err("only numbers have a ratio"))
+    }
+
+    /// Whether a number came from doubles and prints as one.
+    #[getter]
+    fn is_decimal(&self) -> bool {
+        with_forms(|graph| graph.as_number(self.0).is_some_and(Number::is_decimal))
+    }
+
+    #[getter]
+    fn is_zero(&self) -> bool {
+        self.0 == Id::ZERO
+    }
+
+    #[getter]
+    fn is_number(&self) -> bool {
+        with_forms(|graph| graph.as_number(self.0).is_some())
+    }
+
+    /// Whether no symbol is in the expression.
+    #[getter]
+    fn is_constant(&self) -> bool {
+        with_forms(|graph| graph.is_constant(self.0))
+    }
+
+    #[getter]
+    fn is_variable(&self) -> bool {
+        with_forms(|graph| graph.is_variable(self.0))
+    }
+
+    #[getter]
+    fn depends_on_time(&self) -> bool {
+        with_forms(|graph| graph.depends_on_time(self.0))
+    }
+
+    /// The symbols, functions of time and their derivatives in the expression.
+    #[getter]
+    fn free_symbols<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyFrozenSet>> {
+        let variables = with_forms(|graph| graph.variables(&[self.0]));
+        PyFrozenSet::new(
+            py,
+            variables.into_iter().map(|id| Py::new(py, Expr(id))).collect::<PyResult<Vec<_>>>()?,
+        )
+    }
+
+    /// Whether something equal to `part` occurs in the expression.
+    #[expect(clippy::needless_pass_by_value, reason = "PyO3 passes extracted arguments by value")]
+    fn has(&self, part: Operand) -> bool {
+        with_forms(|graph| graph.has(self.0, part.0))
+    }
+
+    /// The n-th partial derivative with respect to a variable.
+    #[pyo3(signature = (variable, n = 1))]
+    #[expect(clippy::needless_pass_by_value, reason = "PyO3 passes extracted arguments by value")]
+    fn diff(&self, py: Python<'_>, variable: Operand, n: u32) -> PyResult<Self> {
+        let derive = |graph: &mut Graph| (0..n).try_fold(self.0, |id, _| graph.diff(id, variable.0));
+        raise(py, with_graph(derive)).map(Self)
+    }
+
+    /// The expression with every key of the mapping replaced by its value, all at once.
+    fn subs(&self, py: Python<'_>, mapping: &Bound<'_, PyAny>) -> PyResult<Self> {
+        let pairs = crate::calculus::pairs(mapping)?;
+        let replaced = raise(py, with_forms(|graph| graph.substitute(&[self.0], &pairs)))?;
+        Ok(Self(replaced[0]))
+    }
+}
+
+/// The value of an expression without symbols.
+fn constant_value(graph: &Graph, id: Id) -> Result<f64, Error> {
+    if let Some(number) = graph.as_number(id) {
+        return Ok(number.to_f64());
+    }
+    if let Some(&variable) = graph.variables(&[id]).first() {
+        return Err(Error::MissingInput(format!(
+            "{} has no number: it contains {}; substitute values first",
+            graph.to_text(id),
+            graph.to_text(variable)
+        )));
+    }
+    Err(Error::MissingInput(graph.to_text(id)))
+}
+
+/// The parts of a node as expressions of their own.
+fn parts(graph: &mut Graph, id: Id) -> Result<Vec<Id>, Error> {
+    let (terms, factors): (Vec<(NumberId, Id)>, Vec<(Id, NumberId)>) = match graph.view(id) {
+        View::Sum(terms) => (terms.iter().collect(), Vec::new()),
+        View::Scale(factor, child) => {
+            let number = graph.get_number(factor).clone();
+            return Ok(vec![graph.number(&number), child]);
+        }
+        View::Product(factors) => (Vec::new(), factors.iter().collect()),
+        _ => return Ok(graph.children(id)),
+    };
+    if let [(base, exponent)] = factors[..] {
+        let exponent = graph.get_number(exponent).clone();
+        return Ok(vec![base, graph.number(&exponent)]);
+    }
+    let mut out: Vec<Id> = terms.into_iter().map(|(factor, node)| graph.scale(factor, node)).collect();
+    for factor in factors {
+        out.push(graph.product(&[factor])?);
+    }
+    Ok(out)
+}
+
+/// Expressions or numbers of any Python sequence.
+pub fn ids(sequence: &Bound<'_, PyAny>) -> PyResult<Vec<Id>> {
+    sequence.try_iter()?.map(|item| Ok(item?.extract::<Operand>()?.0)).collect()
+}
+
+/// The ids as a Python tuple of expressions.
+pub fn tuple<'py>(py: Python<'py>, ids: impl IntoIterator<Item = Id>) -> PyResult<Bound<'py, PyTuple>> {
+    let items: Vec<Py<Expr>> = ids.into_iter().map(|id| Py::new(py, Expr(id))).collect::<PyResult<_>>()?;
+    PyTuple::new(py, items)
+}
+
+/// The number of a Python value as an expression.
+#[pyfunction]
+pub fn number(value: &Bound<'_, PyAny>) -> PyResult<Expr> {
+    if let Ok(expr) = value.cast::<Expr>() {
+        return Ok(*expr.get());
+    }
+    let number = convert::number(value)?;
+    Ok(Expr(with_graph(|graph| graph.number(&number))))
+}

@@ -1,0 +1,98 @@
+//! Makers of leaves and functions: symbols, functions of time, constants, applications.
+
+use pyo3::exceptions::PyValueError;
+use pyo3::prelude::*;
+use symbody_core::{Assumption, Function};
+
+use crate::expr::{Expr, ids};
+use crate::session::{raise, with_graph};
+
+/// The Python name of an assumption.
+pub const fn assumption_name(assumption: Assumption) -> &'static str {
+    match assumption {
+        Assumption::None => "none",
+        Assumption::Real => "real",
+        Assumption::Positive => "positive",
+    }
+}
+
+/// The symbol of a name.
+#[pyfunction]
+#[pyo3(signature = (name, *, positive = false, real = true))]
+fn symbol(name: &str, positive: bool, real: bool) -> Expr {
+    let assumption = match (positive, real) {
+        (true, _) => Assumption::Positive,
+        (false, true) => Assumption::Real,
+        (false, false) => Assumption::None,
+    };
+    Expr(with_graph(|graph| graph.symbol(name, assumption)))
+}
+
+/// The function of time `name`, differentiated `order` times.
+#[pyfunction]
+#[pyo3(signature = (name, order = 0))]
+fn time_function(name: &str, order: u32) -> Expr {
+    Expr(with_graph(|graph| graph.time_function(name, order)))
+}
+
+/// The undefined function `name` of arguments, differentiated `orders[i]` times by argument i.
+#[pyfunction]
+#[pyo3(signature = (name, args, orders = None))]
+fn application(name: &str, args: &Bound<'_, PyAny>, orders: Option<Vec<u32>>) -> PyResult<Expr> {
+    let args = ids(args)?;
+    let orders = orders.unwrap_or_else(|| vec![0; args.len()]);
+    if orders.len() != args.len() {
+        return Err(PyValueError::new_err(format!(
+            "{name}: {} orders of differentiation for {} arguments",
+            orders.len(),
+            args.len()
+        )));
+    }
+    Ok(Expr(with_graph(|graph| graph.application(name, &args, &orders))))
+}
+
+/// A function of the table, by name.
+#[pyfunction]
+fn apply(py: Python<'_>, name: &str, args: &Bound<'_, PyAny>) -> PyResult<Expr> {
+    let args = ids(args)?;
+    let Some(function) = Function::by_name(name) else {
+        return Err(PyValueError::new_err(format!("{name} is not a function of the table")));
+    };
+    raise(py, with_graph(|graph| graph.apply(function, &args))).map(Expr)
+}
+
+/// The square root.
+#[pyfunction]
+fn sqrt(py: Python<'_>, value: crate::convert::Operand) -> PyResult<Expr> {
+    raise(py, with_graph(|graph| graph.sqrt(value.0))).map(Expr)
+}
+
+/// The independent variable t.
+#[pyfunction]
+fn time() -> Expr {
+    Expr(with_graph(|graph| graph.time()))
+}
+
+/// The circle constant.
+#[pyfunction]
+fn pi() -> Expr {
+    Expr(with_graph(|graph| graph.pi()))
+}
+
+/// The names of the functions of the table.
+#[pyfunction]
+fn function_names() -> Vec<&'static str> {
+    Function::all().map(Function::name).collect()
+}
+
+pub fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
+    module.add_function(wrap_pyfunction!(symbol, module)?)?;
+    module.add_function(wrap_pyfunction!(time_function, module)?)?;
+    module.add_function(wrap_pyfunction!(application, module)?)?;
+    module.add_function(wrap_pyfunction!(apply, module)?)?;
+    module.add_function(wrap_pyfunction!(sqrt, module)?)?;
+    module.add_function(wrap_pyfunction!(time, module)?)?;
+    module.add_function(wrap_pyfunction!(pi, module)?)?;
+    module.add_function(wrap_pyfunction!(function_names, module)?)?;
+    module.add_function(wrap_pyfunction!(crate::expr::number, module)?)
+}

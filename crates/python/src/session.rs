@@ -1,0 +1,87 @@
+//! The one graph of a process, the derivation of each thread, and errors as Python exceptions.
+
+use std::cell::RefCell;
+use std::sync::{LazyLock, Mutex, PoisonError};
+
+use pyo3::exceptions::PyRuntimeError;
+use pyo3::prelude::*;
+use symbody_core::{Classes, Error, Graph};
+
+static GRAPH: LazyLock<Mutex<Graph>> = LazyLock::new(|| Mutex::new(Graph::new()));
+
+thread_local! {
+    /// The classes of the derivation that this thread is in.
+    static CLASSES: RefCell<Option<Box<Classes>>> = const { RefCell::new(None) };
+}
+
+/// Work on the graph within the derivation of this thread, if it is in one.
+pub fn with_graph<T>(work: impl FnOnce(&mut Graph) -> T) -> T {
+    let mut graph = GRAPH.lock().unwrap_or_else(PoisonError::into_inner);
+    let classes = CLASSES.take();
+    let derives = classes.is_some();
+    if let Some(classes) = classes {
+        graph.enter(classes);
+    }
+    let result = work(&mut graph);
+    if derives {
+        CLASSES.set(graph.leave());
+    }
+    result
+}
+
+/// Work on the graph outside of any derivation: rewrites keep the forms they make.
+pub fn with_forms<T>(work: impl FnOnce(&mut Graph) -> T) -> T {
+    let mut graph = GRAPH.lock().unwrap_or_else(PoisonError::into_inner);
+    work(&mut graph)
+}
+
+/// The result, or the error as the Python exception of its kind.
+pub fn raise<T>(py: Python<'_>, result: Result<T, Error>) -> PyResult<T> {
+    result.map_err(|error| exception(py, &error))
+}
+
+fn exception(py: Python<'_>, error: &Error) -> PyErr {
+    let class = match error {
+        Error::DivisionByZero(_) => "DivisionByZeroError",
+        Error::MissingInput(_) => "ParameterError",
+        _ => "ExpressionError",
+    };
+    let made = py
+        .import("symbody.errors")
+        .and_then(|errors| errors.getattr(class))
+        .and_then(|class| class.call1((error.to_string(),)));
+    match made {
+        Ok(instance) => PyErr::from_value(instance),
+        Err(failure) => failure,
+    }
+}
+
+/// Begin a derivation in this thread; one must not be in progress.
+#[pyfunction]
+fn begin_derivation() -> PyResult<()> {
+    CLASSES.with_borrow_mut(|classes| {
+        if classes.is_some() {
+            return Err(PyRuntimeError::new_err("a derivation is in progress in this thread"));
+        }
+        *classes = Some(Box::default());
+        Ok(())
+    })
+}
+
+/// End the derivation of this thread.
+#[pyfunction]
+fn end_derivation() {
+    CLASSES.set(None);
+}
+
+/// The number of nodes in the graph of this process.
+#[pyfunction]
+fn node_count() -> usize {
+    with_forms(|graph| graph.len())
+}
+
+pub fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
+    module.add_function(wrap_pyfunction!(begin_derivation, module)?)?;
+    module.add_function(wrap_pyfunction!(end_derivation, module)?)?;
+    module.add_function(wrap_pyfunction!(node_count, module)?)
+}

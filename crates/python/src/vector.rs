@@ -1,0 +1,92 @@
+//! Vectors of three components in one call each: Python's own calls would cost more than the algebra.
+
+use pyo3::prelude::*;
+use symbody_core::{Error, Graph, Id, Vector3, vector};
+
+use crate::convert::Operand;
+use crate::expr::Expr;
+use crate::session::{raise, with_graph};
+
+type Triple = (Operand, Operand, Operand);
+type Result3 = (Expr, Expr, Expr);
+
+fn vector3(v: &Triple) -> Vector3 {
+    [v.0.0, v.1.0, v.2.0]
+}
+
+fn triple(v: Vector3) -> Result3 {
+    (Expr(v[0]), Expr(v[1]), Expr(v[2]))
+}
+
+fn compute(py: Python<'_>, work: impl FnOnce(&mut Graph) -> Result<Vector3, Error>) -> PyResult<Result3> {
+    raise(py, with_graph(work)).map(triple)
+}
+
+/// a + b
+#[pyfunction]
+fn add3(py: Python<'_>, a: Triple, b: Triple) -> PyResult<Result3> {
+    compute(py, |graph| Ok(vector::add(graph, vector3(&a), vector3(&b))))
+}
+
+/// a - b
+#[pyfunction]
+fn sub3(py: Python<'_>, a: Triple, b: Triple) -> PyResult<Result3> {
+    compute(py, |graph| Ok(vector::sub(graph, vector3(&a), vector3(&b))))
+}
+
+/// s a
+#[pyfunction]
+fn scale3(py: Python<'_>, s: Operand, a: Triple) -> PyResult<Result3> {
+    compute(py, |graph| vector::scale(graph, s.0, vector3(&a)))
+}
+
+/// a . b
+#[pyfunction]
+fn dot3(py: Python<'_>, a: Triple, b: Triple) -> PyResult<Expr> {
+    raise(py, with_graph(|graph| vector::dot(graph, vector3(&a), vector3(&b)))).map(Expr)
+}
+
+/// a x b
+#[pyfunction]
+fn cross3(py: Python<'_>, a: Triple, b: Triple) -> PyResult<Result3> {
+    compute(py, |graph| vector::cross(graph, vector3(&a), vector3(&b)))
+}
+
+/// R v for the rotation about axis 0, 1 or 2 with this cosine and sine.
+#[pyfunction]
+fn rotate3(py: Python<'_>, axis: usize, cos: Operand, sin: Operand, v: Triple) -> PyResult<Result3> {
+    compute(py, |graph| vector::rotate(graph, axis, cos.0, sin.0, vector3(&v)))
+}
+
+/// R^T v for the rotation about axis 0, 1 or 2 with this cosine and sine.
+#[pyfunction]
+fn rotate_back3(py: Python<'_>, axis: usize, cos: Operand, sin: Operand, v: Triple) -> PyResult<Result3> {
+    compute(py, |graph| vector::rotate_back(graph, axis, cos.0, sin.0, vector3(&v)))
+}
+
+/// M v for the nine entries of M, row by row.
+#[pyfunction]
+fn matvec3(py: Python<'_>, m: [Operand; 9], v: Triple) -> PyResult<Result3> {
+    let m = m.map(|entry| entry.0);
+    compute(py, |graph| vector::matrix_times(graph, &m, vector3(&v)))
+}
+
+/// M^T v for the nine entries of M, row by row.
+#[pyfunction]
+fn matvec3_transposed(py: Python<'_>, m: [Operand; 9], v: Triple) -> PyResult<Result3> {
+    let m: [Id; 9] = m.map(|entry| entry.0);
+    let transposed = [m[0], m[3], m[6], m[1], m[4], m[7], m[2], m[5], m[8]];
+    compute(py, |graph| vector::matrix_times(graph, &transposed, vector3(&v)))
+}
+
+pub fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
+    module.add_function(wrap_pyfunction!(add3, module)?)?;
+    module.add_function(wrap_pyfunction!(sub3, module)?)?;
+    module.add_function(wrap_pyfunction!(scale3, module)?)?;
+    module.add_function(wrap_pyfunction!(dot3, module)?)?;
+    module.add_function(wrap_pyfunction!(cross3, module)?)?;
+    module.add_function(wrap_pyfunction!(rotate3, module)?)?;
+    module.add_function(wrap_pyfunction!(rotate_back3, module)?)?;
+    module.add_function(wrap_pyfunction!(matvec3, module)?)?;
+    module.add_function(wrap_pyfunction!(matvec3_transposed, module)?)
+}

@@ -1,0 +1,36 @@
+"""Expressions: values first, forms second."""
+
+from symbody.symbolic._core import Expr
+from symbody.symbolic.calculus import diff, gradient, jacobian, subs, time_derivative
+from symbody.symbolic.derivation import Derivation, current_derivation, derivation
+from symbody.symbolic.functions import (
+    Abs,
+    Max,
+    Min,
+    Piecewise,
+    acos,
+    asin,
+    atan,
+    atan2,
+    cos,
+    cosh,
+    exp,
+    log,
+    sign,
+    sin,
+    sinh,
+    sqrt,
+    tan,
+    tanh,
+)
+from symbody.symbolic.leaves import (
+    ExprLike,
+    UndefinedFunction,
+    function,
+    functions_of_time,
+    number,
+    pi,
+    symbols,
+    t,
+)
+from symbody.symbolic.matrix import Matrix, identity, zeros

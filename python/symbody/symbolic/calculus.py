@@ -1,0 +1,82 @@
+"""Derivatives and substitution."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+from symbody.symbolic import _core
+from symbody.symbolic._core import Expr
+from symbody.symbolic.leaves import ExprLike
+from symbody.symbolic.matrix import Matrix
+
+__all__ = ["diff", "gradient", "jacobian", "subs", "time_derivative"]
+
+
+def diff(expression: ExprLike, variable: Expr, n: int = 1) -> Expr:
+    """Return the n-th partial derivative; x, x', x'' are variables of their own.
+
+    The derivative with respect to ``t`` is the total one.
+
+    Raises:
+        ExpressionError: ``variable`` is no variable.
+
+    >>> from symbody import diff, functions_of_time, sin
+    >>> x = functions_of_time("x")
+    >>> diff(sin(x) ** 2, x)
+    2*sin(x)*cos(x)
+    """
+    return _core.number(expression).diff(variable, n)
+
+
+def time_derivative(expression: ExprLike, n: int = 1) -> Expr:
+    """Return the n-th total time derivative: x becomes x', x' becomes x''.
+
+    >>> from symbody import functions_of_time, time_derivative
+    >>> x = functions_of_time("x")
+    >>> time_derivative(x**2, 2)
+    2*x*x'' + 2*x'**2
+    """
+    result = _core.number(expression)
+    for _ in range(n):
+        (result,) = _core.time_derivatives((result,))
+    return result
+
+
+def gradient(expression: ExprLike, variables: Sequence[Expr]) -> tuple[Expr, ...]:
+    """Return the partial derivatives with respect to many variables, by one reverse sweep.
+
+    >>> from symbody import gradient, symbols
+    >>> x, y = symbols("x y")
+    >>> gradient(x * y**2, [x, y])
+    (y**2, 2*x*y)
+    """
+    return _core.gradient(expression, variables)
+
+
+def jacobian(expressions: Sequence[ExprLike], variables: Sequence[Expr]) -> Matrix:
+    """Return the matrix of partial derivatives, a row for each expression.
+
+    >>> from symbody import jacobian, symbols
+    >>> x, y = symbols("x y")
+    >>> jacobian([x * y, x + y], [x, y])
+    Matrix([[y, x], [1, 1]])
+    """
+    return Matrix.from_entries(
+        len(expressions),
+        len(variables),
+        [entry for row in _core.jacobian(expressions, variables) for entry in row],
+    )
+
+
+def subs(expression: ExprLike, mapping: Mapping[Expr, ExprLike]) -> Expr:
+    """Return the expression with every key replaced by its value, all at once.
+
+    A replacement of x(t) also replaces x', x'', ... by its time derivatives, unless the mapping has
+    entries for them.
+
+    >>> from symbody import functions_of_time, sin, subs, t, time_derivative
+    >>> x = functions_of_time("x")
+    >>> subs(time_derivative(x), {x: sin(t)})
+    cos(t)
+    """
+    return _core.number(expression).subs(mapping)

@@ -1,0 +1,131 @@
+"""The functions of the table, applied to expressions and numbers."""
+
+from __future__ import annotations
+
+from symbody.errors import ExpressionError
+from symbody.symbolic import _core
+from symbody.symbolic._core import Expr
+from symbody.symbolic.leaves import ExprLike
+
+__all__ = [
+    "Abs",
+    "Max",
+    "Min",
+    "Piecewise",
+    "acos",
+    "asin",
+    "atan",
+    "atan2",
+    "cos",
+    "cosh",
+    "exp",
+    "log",
+    "sign",
+    "sin",
+    "sinh",
+    "sqrt",
+    "tan",
+    "tanh",
+]
+
+
+def sin(x: ExprLike) -> Expr:
+    """Return the sine of an angle in radians."""
+    return _core.apply("sin", (x,))
+
+
+def cos(x: ExprLike) -> Expr:
+    """Return the cosine of an angle in radians."""
+    return _core.apply("cos", (x,))
+
+
+def tan(x: ExprLike) -> Expr:
+    """Return the tangent of an angle in radians."""
+    return _core.apply("tan", (x,))
+
+
+def asin(x: ExprLike) -> Expr:
+    """Return the angle in [-pi/2, pi/2] whose sine is x."""
+    return _core.apply("asin", (x,))
+
+
+def acos(x: ExprLike) -> Expr:
+    """Return the angle in [0, pi] whose cosine is x."""
+    return _core.apply("acos", (x,))
+
+
+def atan(x: ExprLike) -> Expr:
+    """Return the angle in (-pi/2, pi/2) whose tangent is x."""
+    return _core.apply("atan", (x,))
+
+
+def atan2(y: ExprLike, x: ExprLike) -> Expr:
+    """Return the angle in (-pi, pi] of the point (x, y)."""
+    return _core.apply("atan2", (y, x))
+
+
+def sinh(x: ExprLike) -> Expr:
+    """Return the hyperbolic sine."""
+    return _core.apply("sinh", (x,))
+
+
+def cosh(x: ExprLike) -> Expr:
+    """Return the hyperbolic cosine."""
+    return _core.apply("cosh", (x,))
+
+
+def tanh(x: ExprLike) -> Expr:
+    """Return the hyperbolic tangent."""
+    return _core.apply("tanh", (x,))
+
+
+def exp(x: ExprLike) -> Expr:
+    """Return e to the power x."""
+    return _core.apply("exp", (x,))
+
+
+def log(x: ExprLike) -> Expr:
+    """Return the natural logarithm."""
+    return _core.apply("log", (x,))
+
+
+def sqrt(x: ExprLike) -> Expr:
+    """Return the non-negative square root; ``sqrt(x**2)`` is ``Abs(x)``."""
+    return _core.sqrt(x)
+
+
+def Abs(x: ExprLike) -> Expr:  # noqa: N802 - the name of SymPy and of the printed form
+    """Return the absolute value."""
+    return _core.apply("Abs", (x,))
+
+
+def sign(x: ExprLike) -> Expr:
+    """Return -1, 0 or 1."""
+    return _core.apply("sign", (x,))
+
+
+def Min(*args: ExprLike) -> Expr:  # noqa: N802 - the name of SymPy and of the printed form
+    """Return the least of the arguments."""
+    return _core.apply("Min", args)
+
+
+def Max(*args: ExprLike) -> Expr:  # noqa: N802 - the name of SymPy and of the printed form
+    """Return the greatest of the arguments."""
+    return _core.apply("Max", args)
+
+
+def Piecewise(*branches: tuple[ExprLike, ExprLike], otherwise: ExprLike = 0) -> Expr:  # noqa: N802
+    """Return the value of the first branch ``(value, condition)`` whose condition is positive.
+
+    >>> from symbody import Piecewise, symbols
+    >>> x, k = symbols("x k")
+    >>> contact = Piecewise((k * x, x))  # a spring that pushes only
+    >>> contact.subs({x: -1})
+    0
+    """
+    flat: list[ExprLike] = []
+    for branch in branches:
+        if not isinstance(branch, tuple) or len(branch) != 2:
+            raise ExpressionError(f"a branch of Piecewise is a pair (value, condition > 0), found {branch!r}")
+        flat.extend(branch)
+    return _core.apply("Piecewise", (*flat, otherwise))

@@ -1,0 +1,197 @@
+"""Matrices of expressions."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+
+from symbody.errors import ExpressionError
+from symbody.symbolic import _core
+from symbody.symbolic._core import Expr
+from symbody.symbolic.leaves import ExprLike
+
+__all__ = ["Matrix", "identity", "zeros"]
+
+
+@dataclass(frozen=True, init=False, repr=False)
+class Matrix:
+    """An immutable matrix of expressions, ``entries`` row by row.
+
+    >>> from symbody import Matrix, symbols
+    >>> a, b = symbols("a b")
+    >>> Matrix([[a, b], [b, a]]) @ Matrix([[1], [-1]])
+    Matrix([[a - b], [b - a]])
+    """
+
+    rows: int
+    columns: int
+    entries: tuple[Expr, ...]
+
+    def __init__(self, rows: Sequence[Sequence[ExprLike]]) -> None:
+        width = len(rows[0]) if rows else 0
+        for i, row in enumerate(rows):
+            if len(row) != width:
+                raise ExpressionError(
+                    f"row {i + 1} of the matrix has {len(row)} entries, the first has {width}; "
+                    "all rows need the same number"
+                )
+        self._set(len(rows), width, tuple(_core.number(entry) for row in rows for entry in row))
+
+    def _set(self, rows: int, columns: int, entries: tuple[Expr, ...]) -> None:
+        object.__setattr__(self, "rows", rows)
+        object.__setattr__(self, "columns", columns)
+        object.__setattr__(self, "entries", entries)
+
+    @classmethod
+    def from_entries(cls, rows: int, columns: int, entries: Sequence[ExprLike]) -> Matrix:
+        """Return the matrix of these entries, given row by row."""
+        if len(entries) != rows * columns:
+            raise ExpressionError(f"a {rows}x{columns} matrix has {rows * columns} entries, found {len(entries)}")
+        matrix = cls.__new__(cls)
+        matrix._set(rows, columns, tuple(_core.number(entry) for entry in entries))
+        return matrix
+
+    @classmethod
+    def column(cls, entries: Sequence[ExprLike]) -> Matrix:
+        """Return a matrix of one column."""
+        return cls.from_entries(len(entries), 1, entries)
+
+    @property
+    def shape(self) -> tuple[int, int]:
+        """The numbers of rows and columns."""
+        return self.rows, self.columns
+
+    @property
+    def T(self) -> Matrix:  # noqa: N802 - the name of NumPy
+        """The transpose."""
+        entries = [self.entries[i * self.columns + j] for j in range(self.columns) for i in range(self.rows)]
+        return Matrix.from_entries(self.columns, self.rows, entries)
+
+    def row(self, i: int) -> tuple[Expr, ...]:
+        """Return row i."""
+        return self.entries[i * self.columns : (i + 1) * self.columns]
+
+    def tolist(self) -> list[list[Expr]]:
+        """Return the rows as lists."""
+        return [list(self.row(i)) for i in range(self.rows)]
+
+    def __getitem__(self, key: tuple[int | slice, int | slice]) -> Expr | Matrix:
+        if not (isinstance(key, tuple) and len(key) == 2):
+            raise ExpressionError(f"a matrix takes two indices, row and column, found {key!r}")
+        i, j = key
+        if isinstance(i, int) and isinstance(j, int):
+            return self.entries[range(self.rows)[i] * self.columns + range(self.columns)[j]]
+        picked_rows = range(self.rows)[i] if isinstance(i, slice) else [range(self.rows)[i]]
+        picked_columns = range(self.columns)[j] if isinstance(j, slice) else [range(self.columns)[j]]
+        entries = [self.entries[a * self.columns + b] for a in picked_rows for b in picked_columns]
+        return Matrix.from_entries(len(picked_rows), len(picked_columns), entries)
+
+    def __iter__(self) -> Iterator[Expr]:
+        return iter(self.entries)
+
+    def _same_shape(self, other: Matrix, operation: str) -> None:
+        if self.shape != other.shape:
+            raise ExpressionError(
+                f"{operation} of a {self.rows}x{self.columns} and a {other.rows}x{other.columns} matrix: "
+                "the shapes differ"
+            )
+
+    def __add__(self, other: Matrix) -> Matrix:
+        if not isinstance(other, Matrix):
+            return NotImplemented
+        self._same_shape(other, "sum")
+        return self._like([a + b for a, b in zip(self.entries, other.entries, strict=True)])
+
+    def __sub__(self, other: Matrix) -> Matrix:
+        if not isinstance(other, Matrix):
+            return NotImplemented
+        self._same_shape(other, "difference")
+        return self._like([a - b for a, b in zip(self.entries, other.entries, strict=True)])
+
+    def __neg__(self) -> Matrix:
+        return self._like([-a for a in self.entries])
+
+    def __mul__(self, factor: ExprLike) -> Matrix:
+        if isinstance(factor, Matrix):
+            raise ExpressionError("the product of two matrices is written A @ B")
+        return self._like([a * factor for a in self.entries])
+
+    __rmul__ = __mul__
+
+    def __truediv__(self, divisor: ExprLike) -> Matrix:
+        return self._like([a / divisor for a in self.entries])
+
+    def __matmul__(self, other: Matrix) -> Matrix:
+        if not isinstance(other, Matrix):
+            return NotImplemented
+        if self.columns != other.rows:
+            raise ExpressionError(
+                f"product of a {self.rows}x{self.columns} and a {other.rows}x{other.columns} matrix: "
+                f"the first has {self.columns} columns, the second {other.rows} rows"
+            )
+        entries = _core.matrix_product(self.rows, self.columns, other.columns, self.entries, other.entries)
+        return Matrix.from_entries(self.rows, other.columns, entries)
+
+    def _like(self, entries: Sequence[Expr]) -> Matrix:
+        return Matrix.from_entries(self.rows, self.columns, entries)
+
+    def _square(self, operation: str) -> int:
+        if self.rows != self.columns:
+            raise ExpressionError(f"{operation} of a {self.rows}x{self.columns} matrix: it is not square")
+        return self.rows
+
+    def det(self) -> Expr:
+        """Return the determinant, by cofactors up to 4x4."""
+        return _core.determinant(self._square("determinant"), self.entries)
+
+    def inverse(self) -> Matrix:
+        """Return the inverse, by cofactors up to 4x4.
+
+        Raises:
+            ExpressionError: the matrix is singular or larger.
+        """
+        return self._like(_core.inverse(self._square("inverse"), self.entries))
+
+    def map(self, function: Callable[[Expr], ExprLike]) -> Matrix:
+        """Return the matrix of the function's values."""
+        return self._like([_core.number(function(entry)) for entry in self.entries])
+
+    def diff(self, variable: Expr, n: int = 1) -> Matrix:
+        """Return the matrix of partial derivatives with respect to one variable."""
+        entries = self.entries
+        for _ in range(n):
+            entries = _core.diff_all(entries, variable)
+        return self._like(entries)
+
+    def time_derivative(self) -> Matrix:
+        """Return the matrix of total time derivatives."""
+        return self._like(_core.time_derivatives(self.entries))
+
+    def subs(self, mapping: Mapping[Expr, ExprLike]) -> Matrix:
+        """Return the matrix with every key of the mapping replaced, all at once."""
+        return self._like(_core.substitute(self.entries, mapping))
+
+    def equals(self, other: Matrix) -> bool:
+        """Return whether all entries are equal as mathematics."""
+        return self == other
+
+    def __repr__(self) -> str:
+        return f"Matrix({self.tolist()})"
+
+    def latex(self) -> str:
+        """Return the matrix in LaTeX."""
+        rows = r" \\ ".join(" & ".join(entry.latex() for entry in self.row(i)) for i in range(self.rows))
+        return rf"\begin{{bmatrix}} {rows} \end{{bmatrix}}"
+
+    def _repr_latex_(self) -> str:
+        return f"$\\displaystyle {self.latex()}$"
+
+
+def identity(n: int) -> Matrix:
+    """Return the n x n identity."""
+    return Matrix([[int(i == j) for j in range(n)] for i in range(n)])
+
+
+def zeros(rows: int, columns: int) -> Matrix:
+    """Return a matrix of zeros."""
+    return Matrix.from_entries(rows, columns, [0] * (rows * columns))
