@@ -13,6 +13,7 @@ mod function;
 mod graph;
 mod node;
 mod number;
+mod print;
 mod substitute;
 mod traverse;
 pub mod vector;
@@ -24,11 +25,5 @@ pub use function::Function;
 pub use graph::Graph;
 pub use node::{Assumption, Factors, Id, Ids, NumberId, Terms, View};
 pub use number::Number;
+pub use print::{Format, Listing};
 pub use vector::Vector3;
-
-impl Graph {
-    /// Placeholder until the printer lands.
-    pub fn to_text(&self, id: Id) -> String {
-        format!("{:?}", self.view(id))
-    }
-}

@@ -1,0 +1,122 @@
+//! Printing for readers: plain text that parses back, LaTeX, and Maple's one-dimensional notation.
+//!
+//! The graph is brought into the reader's form (`reader`, `tree`, `order`) and then written by one of three
+//! writers. A large or deep expression is written as named intermediate quantities (`plan`), so that a
+//! shared graph never unfolds: `z1 = ...`, `z2 = ...`, and the result in terms of them.
+
+mod latex;
+mod linear;
+mod maple;
+mod name;
+mod order;
+mod plan;
+mod reader;
+mod text;
+mod tree;
+
+use crate::graph::Graph;
+use crate::node::Id;
+
+use plan::Plan;
+use reader::Reader;
+use tree::Sum;
+
+/// A notation to print in.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Format {
+    /// Plain text: `m*x'' + 2*sin(q)**2`; it parses back.
+    Text,
+    /// LaTeX without the dollar signs.
+    Latex,
+    /// Maple input, as Maple's `lprint` writes it.
+    Maple,
+}
+
+/// Expressions as printed: named intermediate quantities, if the size asks for them, and the results.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Listing {
+    /// Name and expression; each uses only names that come before it.
+    pub definitions: Vec<(String, String)>,
+    /// One for each expression asked for.
+    pub results: Vec<String>,
+}
+
+impl Format {
+    fn sum(self, sum: &Sum) -> String {
+        match self {
+            Self::Text => linear::write(&text::Text, sum),
+            Self::Latex => latex::write(sum),
+            Self::Maple => linear::write(&maple::Maple, sum),
+        }
+    }
+
+    fn name(self, name: &str) -> String {
+        match self {
+            Self::Text => name.to_owned(),
+            Self::Latex => name::to_latex(name, ""),
+            Self::Maple => name::to_maple(name),
+        }
+    }
+
+    /// The definitions one a line, then the result.
+    fn join(self, listing: &Listing) -> String {
+        let result = listing.results.join("\n");
+        if listing.definitions.is_empty() {
+            return result;
+        }
+        let (open, equals, end, close) = match self {
+            Self::Text => ("", " = ", "\n", ""),
+            Self::Latex => ("\\begin{aligned}\n", " &= ", " \\\\\n", "\n\\end{aligned}"),
+            Self::Maple => ("", " := ", ";\n", ""),
+        };
+        let mut out = String::from(open);
+        for (name, value) in &listing.definitions {
+            for part in [name, equals, value, end] {
+                out.push_str(part);
+            }
+        }
+        if self == Self::Latex {
+            out.push('&');
+        }
+        out + &result + close
+    }
+}
+
+impl Graph {
+    /// Plain text that parses back; a large expression as lines `z1 = ...` and, last, the result.
+    #[must_use]
+    pub fn to_text(&self, id: Id) -> String {
+        self.printed(id, Format::Text)
+    }
+
+    /// LaTeX without dollar signs; a large expression as an `aligned` list of definitions and the result.
+    #[must_use]
+    pub fn to_latex(&self, id: Id) -> String {
+        self.printed(id, Format::Latex)
+    }
+
+    /// Maple input; a large expression as assignments and, last, the result.
+    #[must_use]
+    pub fn to_maple(&self, id: Id) -> String {
+        self.printed(id, Format::Maple)
+    }
+
+    fn printed(&self, id: Id, format: Format) -> String {
+        format.join(&self.listing(&[id], format))
+    }
+
+    /// Several expressions printed together: what they share is named once.
+    #[must_use]
+    pub fn listing(&self, ids: &[Id], format: Format) -> Listing {
+        let plan = Plan::new(self, ids);
+        let reader = Reader::new(self, &plan);
+        Listing {
+            definitions: plan
+                .pieces()
+                .iter()
+                .map(|piece| (format.name(&piece.name), format.sum(&reader.piece(piece))))
+                .collect(),
+            results: ids.iter().map(|&id| format.sum(&reader.expression(id))).collect(),
+        }
+    }
+}

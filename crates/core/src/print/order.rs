@@ -1,0 +1,191 @@
+//! The reader's order: of factors in a product and of terms in a sum, by names and structure alone.
+
+use std::cmp::Ordering;
+
+use crate::number::Number;
+
+use super::name;
+use super::tree::{Base, Factor, Sum, Term, compare_numbers};
+
+/// Where a factor stands in a product: `2*sqrt(3)*pi*m*(a + b)*x'*sin(x)*(x + a)`.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) enum Place {
+    Number,
+    Pi,
+    Parameter,
+    ParameterGroup,
+    Coordinate,
+    Function,
+    Group,
+}
+
+impl Base {
+    pub(super) fn place(&self) -> Place {
+        match self {
+            Self::Number(_) => Place::Number,
+            Self::Pi => Place::Pi,
+            Self::Symbol(_) => Place::Parameter,
+            Self::Time | Self::TimeFunction { .. } => Place::Coordinate,
+            Self::Application { .. } | Self::Function(..) => Place::Function,
+            Self::Group(sum) if sum.place() <= Place::ParameterGroup => Place::ParameterGroup,
+            Self::Group(_) => Place::Group,
+        }
+    }
+}
+
+impl Sum {
+    /// The last place among all factors.
+    fn place(&self) -> Place {
+        self.terms.iter().map(Term::place).max().unwrap_or(Place::Number)
+    }
+}
+
+impl Term {
+    fn place(&self) -> Place {
+        self.factors.iter().map(|factor| factor.base.place()).max().unwrap_or(Place::Number)
+    }
+
+    /// The factors as written: roots among the functions, `m*l**2` rather than `l**2*m`.
+    pub(super) fn written_factors(&self) -> Vec<&Factor> {
+        let mut factors: Vec<&Factor> = self.factors.iter().collect();
+        factors.sort_by(|a, b| {
+            let place = written_place(a).cmp(&written_place(b));
+            place.then_with(|| match a.base.place() {
+                Place::Parameter | Place::Coordinate => a.exponent.abs().compare(&b.exponent.abs()),
+                _ => Ordering::Equal,
+            })
+        });
+        factors
+    }
+}
+
+fn written_place(factor: &Factor) -> Place {
+    let place = factor.base.place();
+    if place > Place::Number && !factor.exponent.is_integer() { Place::Function.max(place) } else { place }
+}
+
+/// What decides first in a sum, like `m*x'' + c*x' + k*x + F`: accelerations, then speeds, then powers of
+/// coordinates, then the degree, and terms with functions after those without.
+#[derive(Clone, Copy, Debug, Default)]
+struct Rank {
+    derivative: u32,
+    coordinates: f64,
+    degree: f64,
+    has_function: bool,
+}
+
+impl Rank {
+    fn compare(&self, other: &Self) -> Ordering {
+        let by_derivative = other.derivative.cmp(&self.derivative);
+        by_derivative
+            .then(other.coordinates.total_cmp(&self.coordinates))
+            .then(other.degree.total_cmp(&self.degree))
+            .then(self.has_function.cmp(&other.has_function))
+    }
+
+    fn of_term(term: &Term) -> Self {
+        term.factors.iter().fold(Self::default(), |rank, factor| {
+            let base = Self::of_base(&factor.base);
+            let exponent = factor.exponent.to_f64();
+            Self {
+                derivative: rank.derivative.max(base.derivative),
+                coordinates: rank.coordinates + exponent * base.coordinates,
+                degree: rank.degree + exponent * base.degree,
+                has_function: rank.has_function || base.has_function,
+            }
+        })
+    }
+
+    fn of_base(base: &Base) -> Self {
+        let none = Self::default();
+        match base {
+            Base::Number(_) | Base::Pi => none,
+            Base::Symbol(_) => Self { degree: 1.0, ..none },
+            Base::Time => Self { degree: 1.0, coordinates: 1.0, ..none },
+            Base::TimeFunction { order, .. } => {
+                Self { derivative: *order, coordinates: 1.0, degree: 1.0, ..none }
+            }
+            Base::Application { .. } => Self { degree: 1.0, has_function: true, ..none },
+            Base::Function(..) => Self { has_function: true, ..none },
+            Base::Group(sum) => sum.terms.iter().map(Self::of_term).fold(none, |a, b| Self {
+                derivative: a.derivative.max(b.derivative),
+                coordinates: a.coordinates.max(b.coordinates),
+                degree: a.degree.max(b.degree),
+                has_function: a.has_function || b.has_function,
+            }),
+        }
+    }
+}
+
+/// Terms in the reader's order; like terms are neighbours.
+pub(super) fn sorted_terms(terms: Vec<Term>) -> Vec<Term> {
+    let mut ranked: Vec<(Rank, Term)> = terms.into_iter().map(|term| (Rank::of_term(&term), term)).collect();
+    ranked.sort_by(|(rank_a, a), (rank_b, b)| {
+        rank_a.compare(rank_b).then_with(|| compare_factors(&a.factors, &b.factors))
+    });
+    ranked.into_iter().map(|(_, term)| term).collect()
+}
+
+/// Factor by factor, as in a dictionary; of one base the higher power first: a**2, a*b, b**2.
+pub(super) fn compare_factors(a: &[Factor], b: &[Factor]) -> Ordering {
+    for (x, y) in a.iter().zip(b) {
+        let order = compare_bases(&x.base, &y.base).then_with(|| compare_numbers(&y.exponent, &x.exponent));
+        if order.is_ne() {
+            return order;
+        }
+    }
+    a.len().cmp(&b.len())
+}
+
+fn compare_sums(a: &Sum, b: &Sum) -> Ordering {
+    for (x, y) in a.terms.iter().zip(&b.terms) {
+        let order = compare_factors(&x.factors, &y.factors)
+            .then_with(|| compare_numbers(&x.coefficient, &y.coefficient));
+        if order.is_ne() {
+            return order;
+        }
+    }
+    a.terms.len().cmp(&b.terms.len())
+}
+
+fn compare_args(a: &[Sum], b: &[Sum]) -> Ordering {
+    for (x, y) in a.iter().zip(b) {
+        let order = compare_sums(x, y);
+        if order.is_ne() {
+            return order;
+        }
+    }
+    a.len().cmp(&b.len())
+}
+
+/// Bases by place, then by name or argument: `sin(a)*cos(b)` and `cos(a)*sin(b)`.
+pub(super) fn compare_bases(a: &Base, b: &Base) -> Ordering {
+    let place = a.place().cmp(&b.place());
+    place.then_with(|| match (a, b) {
+        (Base::Number(x), Base::Number(y)) => compare_numbers(x, y),
+        (Base::Symbol(x), Base::Symbol(y)) => name::compare(x, y),
+        (Base::TimeFunction { name: x, order: m, .. }, Base::TimeFunction { name: y, order: n, .. }) => {
+            name::compare(x, y).then(m.cmp(n))
+        }
+        (Base::Function(f, x), Base::Function(g, y)) => compare_args(x, y).then(f.cmp(g)),
+        (
+            Base::Application { name: f, args: x, orders: m },
+            Base::Application { name: g, args: y, orders: n },
+        ) => name::compare(f, g).then_with(|| compare_args(x, y)).then_with(|| m.cmp(n)),
+        (Base::Group(x), Base::Group(y)) => compare_sums(x, y),
+        _ => variant(a).cmp(&variant(b)),
+    })
+}
+
+/// The order of different kinds at one place: t before the coordinates, undefined functions before sines.
+fn variant(base: &Base) -> u8 {
+    match base {
+        Base::Time | Base::Application { .. } => 0,
+        _ => 1,
+    }
+}
+
+/// Whether a number is written with a fraction bar.
+pub(super) fn is_fraction(number: &Number) -> bool {
+    !number.is_integer() && !number.is_decimal()
+}

@@ -1,0 +1,242 @@
+//! Which nodes get a name of their own when an expression is too large or too deep to be read in one piece.
+
+use rustc_hash::{FxHashMap, FxHashSet};
+use std::collections::BTreeSet;
+use std::ops::Range;
+
+use crate::graph::Graph;
+use crate::node::{Id, View};
+use crate::number::Number;
+
+/// Up to this many printed leaves an expression is written out whole.
+const WHOLE: usize = 2000;
+/// Beyond that, a node of this many leaves gets a name: two or three lines of text.
+const BLOCK: usize = 40;
+/// Beyond that, a node that is used again gets a name from this many leaves on.
+const SHARED: usize = 4;
+/// Brackets never nest deeper than this.
+const DEEPEST: usize = 60;
+
+/// A named quantity: a node, or a slice of a long sum or product.
+pub(super) struct Piece {
+    pub(super) name: String,
+    pub(super) id: Id,
+    pub(super) slice: Option<Range<usize>>,
+}
+
+/// The named quantities, each after those that it uses.
+pub(super) struct Plan {
+    pieces: Vec<Piece>,
+    /// Node -> its piece.
+    named: FxHashMap<Id, usize>,
+    /// Long sum or product -> the pieces of its slices.
+    sliced: FxHashMap<Id, Range<usize>>,
+    /// Names of symbols, from which functions of time of the same name must be told apart.
+    symbols: FxHashSet<String>,
+}
+
+/// What a node takes on paper: leaves, and levels of brackets.
+#[derive(Clone, Copy)]
+struct Extent {
+    leaves: usize,
+    levels: usize,
+}
+
+impl Plan {
+    pub(super) fn new(graph: &Graph, roots: &[Id]) -> Self {
+        let order = graph.post_order(roots);
+        let names = Names::of(graph, &order);
+        let mut plan = Self {
+            pieces: Vec::new(),
+            named: FxHashMap::default(),
+            sliced: FxHashMap::default(),
+            symbols: names.symbols,
+        };
+        let large = tree_leaves(graph, &order, roots) > WHOLE;
+        let uses = uses(graph, &order, roots);
+        let root_set: FxHashSet<Id> = roots.iter().copied().collect();
+        let mut extents: FxHashMap<Id, Extent> = FxHashMap::default();
+        for &id in &order {
+            let mut extent = extent(graph, id, &extents);
+            if large && extent.leaves > 4 * BLOCK {
+                extent = plan.slice(graph, id, extent, &extents, &names.prefix);
+            }
+            let used_again = uses.get(&id).is_some_and(|&count| count > 1);
+            let inner = !root_set.contains(&id) || used_again;
+            let long = large && (extent.leaves >= BLOCK || (used_again && extent.leaves >= SHARED));
+            if (inner && long || extent.levels >= DEEPEST) && may_be_named(graph, id) {
+                plan.named.insert(id, plan.pieces.len());
+                plan.push(&names.prefix, id, None);
+                extent = Extent { leaves: 1, levels: 0 };
+            }
+            extents.insert(id, extent);
+        }
+        plan
+    }
+
+    fn push(&mut self, prefix: &str, id: Id, slice: Option<Range<usize>>) {
+        let name = format!("{prefix}{}", self.pieces.len() + 1);
+        self.pieces.push(Piece { name, id, slice });
+    }
+
+    /// Cut a long sum or product into slices, about as many as each is long.
+    fn slice(
+        &mut self,
+        graph: &Graph,
+        id: Id,
+        extent: Extent,
+        extents: &FxHashMap<Id, Extent>,
+        prefix: &str,
+    ) -> Extent {
+        if !matches!(graph.view(id), View::Sum(_) | View::Product(_)) {
+            return extent;
+        }
+        let length = BLOCK.max(extent.leaves.isqrt());
+        let (first, mut start, mut leaves) = (self.pieces.len(), 0, 0);
+        let children = graph.children(id);
+        for (position, child) in children.iter().enumerate() {
+            leaves += extents[child].leaves;
+            if leaves >= length || position + 1 == children.len() {
+                self.push(prefix, id, Some(start..position + 1));
+                (start, leaves) = (position + 1, 0);
+            }
+        }
+        let slices = first..self.pieces.len();
+        let leaves = slices.len();
+        self.sliced.insert(id, slices);
+        Extent { leaves, levels: 1 }
+    }
+
+    pub(super) fn pieces(&self) -> &[Piece] {
+        &self.pieces
+    }
+
+    /// The name of a node, if it has one.
+    pub(super) fn name(&self, id: Id) -> Option<&str> {
+        self.named.get(&id).map(|&piece| self.pieces[piece].name.as_str())
+    }
+
+    /// The slices of a node, if it is cut.
+    pub(super) fn slices(&self, id: Id) -> Option<&[Piece]> {
+        self.sliced.get(&id).map(|range| &self.pieces[range.clone()])
+    }
+
+    /// Whether the node is written in place, as it is.
+    pub(super) fn is_open(&self, id: Id) -> bool {
+        !self.named.contains_key(&id) && !self.sliced.contains_key(&id)
+    }
+
+    /// Whether a symbol has this name.
+    pub(super) fn is_symbol(&self, name: &str) -> bool {
+        self.symbols.contains(name)
+    }
+}
+
+fn may_be_named(graph: &Graph, id: Id) -> bool {
+    matches!(graph.view(id), View::Sum(_) | View::Product(_) | View::Function(..) | View::Application { .. })
+}
+
+/// The leaves of the unfolded tree, saturating: a shared graph has exponentially many.
+fn tree_leaves(graph: &Graph, order: &[Id], roots: &[Id]) -> usize {
+    let mut leaves: FxHashMap<Id, usize> = FxHashMap::default();
+    let mut children = Vec::new();
+    for &id in order {
+        children.clear();
+        graph.push_children(id, &mut children);
+        let total = children.iter().fold(0, |sum: usize, child| sum.saturating_add(leaves[child]));
+        leaves.insert(id, total.max(1));
+    }
+    roots.iter().fold(0, |sum: usize, root| sum.saturating_add(leaves[root]))
+}
+
+/// How often each node is written; a multiple counts for the node under it.
+fn uses(graph: &Graph, order: &[Id], roots: &[Id]) -> FxHashMap<Id, usize> {
+    let mut uses: FxHashMap<Id, usize> = FxHashMap::default();
+    for &root in roots {
+        *uses.entry(root).or_default() += 1;
+    }
+    let mut children = Vec::new();
+    for &id in order.iter().rev() {
+        let times = match graph.view(id) {
+            View::Scale(..) => uses.get(&id).copied().unwrap_or(1),
+            _ => 1,
+        };
+        children.clear();
+        graph.push_children(id, &mut children);
+        for &child in &children {
+            *uses.entry(child).or_default() += times;
+        }
+    }
+    uses
+}
+
+fn extent(graph: &Graph, id: Id, extents: &FxHashMap<Id, Extent>) -> Extent {
+    let mut total = Extent { leaves: 0, levels: 0 };
+    let mut add = |child: Id, merges: bool| {
+        let inner = extents[&child];
+        total.leaves += inner.leaves;
+        total.levels = total.levels.max(inner.levels + usize::from(!merges));
+    };
+    match graph.view(id) {
+        View::Sum(terms) => {
+            for (factor, node) in terms.iter() {
+                let merges = matches!(graph.view(node), View::Sum(_)) && is_sign(graph.get_number(factor));
+                add(node, merges);
+            }
+        }
+        View::Product(factors) => {
+            for (base, exponent) in factors.iter() {
+                let merges =
+                    matches!(graph.view(base), View::Product(_)) && graph.get_number(exponent).is_integer();
+                add(base, merges);
+            }
+        }
+        _ => {
+            for child in graph.children(id) {
+                add(child, false);
+            }
+        }
+    }
+    total.leaves = total.leaves.max(1);
+    total
+}
+
+pub(super) fn is_sign(number: &Number) -> bool {
+    number.is_one() || number.is_minus_one()
+}
+
+/// The names in use and one that is free.
+struct Names {
+    symbols: FxHashSet<String>,
+    /// A letter such that no name in use is that letter with a number.
+    prefix: String,
+}
+
+impl Names {
+    fn of(graph: &Graph, order: &[Id]) -> Self {
+        let mut symbols = FxHashSet::default();
+        let mut taken = BTreeSet::new();
+        for &id in order {
+            match graph.view(id) {
+                View::Symbol(name, _) => {
+                    symbols.insert(name.to_owned());
+                    taken.insert(name);
+                }
+                View::TimeFunction(name, _) | View::Application { name, .. } => {
+                    taken.insert(name);
+                }
+                _ => {}
+            }
+        }
+        let mut prefix = String::from("z");
+        while taken.iter().any(|name| is_numbered(name, &prefix)) {
+            prefix.push('z');
+        }
+        Self { symbols, prefix }
+    }
+}
+
+fn is_numbered(name: &str, prefix: &str) -> bool {
+    name.strip_prefix(prefix)
+        .is_some_and(|rest| !rest.is_empty() && rest.bytes().all(|byte| byte.is_ascii_digit()))
+}
