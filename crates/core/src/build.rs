@@ -93,6 +93,7 @@ impl Graph {
         }
         let terms = self.merge_terms(terms);
         let terms = self.cancel_terms(terms);
+        let terms = if self.classes.is_some() { self.factor_fresh_products(terms) } else { terms };
         self.sum_of_merged(terms, value)
     }
 
@@ -122,6 +123,7 @@ impl Graph {
         let words: Vec<u32> = terms.iter().flat_map(|&(c, id)| [c.0, id.0]).collect();
         let value = if negative { value.neg() } else { value };
         let id = self.finish(Kind::Sum, flags, &words, value);
+        self.mark_used(terms.iter().map(|&(_, id)| id));
         if negative { self.scale(NumberId::MINUS_ONE, id) } else { id }
     }
 
@@ -135,7 +137,7 @@ impl Graph {
     }
 
     /// Bring terms to the form (coefficient, node that is no multiple), ordered by value, equal ones merged.
-    fn merge_terms(&mut self, terms: Vec<Term>) -> Vec<Term> {
+    pub(crate) fn merge_terms(&mut self, terms: Vec<Term>) -> Vec<Term> {
         let mut keyed: Vec<(Element, Term)> = Vec::with_capacity(terms.len());
         for (factor, id) in terms {
             let (coefficient, node) = self.split_multiple(factor, id);
@@ -268,6 +270,7 @@ impl Graph {
         if let Some(known) = self.known_product(&factors) {
             return Ok(known);
         }
+        let factors = if self.classes.is_some() { self.associate(factors) } else { factors };
         let mut collector =
             Collector { coefficient: Number::integer(1), factors: Vec::new(), radicand: None };
         for (base, exponent) in factors {
@@ -328,6 +331,7 @@ impl Graph {
         }
         let words: Vec<u32> = factors.iter().flat_map(|(base, e)| [base.0, self.number_id(e).0]).collect();
         let id = self.finish(Kind::Product, flags, &words, value);
+        self.mark_used(factors.iter().map(|&(base, _)| base));
         Ok(self.scale(coefficient, id))
     }
 

@@ -4,7 +4,7 @@
 //! The table belongs to one derivation, so a result depends on the model alone and never on what else
 //! the process has computed. Nodes from outside are rebuilt on their first use.
 
-use rustc_hash::FxHashMap;
+use rustc_hash::{FxHashMap, FxHashSet};
 
 use crate::field::Element;
 use crate::graph::Graph;
@@ -17,6 +17,8 @@ pub struct Classes {
     by_value: FxHashMap<Element, (Id, bool)>,
     /// Nodes seen by this derivation -> the node that stands for them.
     known: FxHashMap<Id, Id>,
+    /// Products that are part of something: taking them apart would not save their multiplications.
+    used: FxHashSet<Id>,
 }
 
 impl Graph {
@@ -53,6 +55,19 @@ impl Graph {
             classes.by_value.entry(key).or_insert((id, negated));
             classes.known.insert(id, id);
         }
+    }
+
+    /// Record that nodes became parts of another one.
+    pub(crate) fn mark_used(&mut self, ids: impl Iterator<Item = Id>) {
+        let Some(mut classes) = self.classes.take() else { return };
+        classes.used.extend(ids.filter(|&id| self.kind(id) == Kind::Product));
+        self.classes = Some(classes);
+    }
+
+    /// Whether a node is a product made by this derivation and part of nothing yet.
+    pub(crate) fn is_fresh_product(&self, id: Id) -> bool {
+        self.kind(id) == Kind::Product
+            && self.classes.as_ref().is_some_and(|classes| !classes.used.contains(&id))
     }
 
     /// The node that stands for `id` in the derivation in progress; `id` itself outside of one.

@@ -233,7 +233,7 @@ impl Graph {
 
     /// The independent variable t.
     pub fn time(&mut self) -> Id {
-        self.intern(Kind::Time, Flags::TIME, &[], Element::draw(&Key::new("time")))
+        self.intern(Kind::Time, Flags::TIME.at_level(1), &[], Element::draw(&Key::new("time")))
     }
 
     /// A symbol. Symbols of one name and other assumptions are other symbols.
@@ -252,7 +252,8 @@ impl Graph {
     pub fn time_function(&mut self, name: &str, order: u32) -> Id {
         let name_id = self.name_id(name);
         let value = Element::draw(&Key::new("time function").text(name).word(order.into()));
-        self.intern(Kind::TimeFunction, Flags::TIME, &[name_id, order], value)
+        let level = u8::try_from(order).unwrap_or(u8::MAX).saturating_add(1);
+        self.intern(Kind::TimeFunction, Flags::TIME.at_level(level), &[name_id, order], value)
     }
 
     /// The undefined function `name` of arguments, differentiated `orders[i]` times by argument i.

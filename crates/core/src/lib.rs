@@ -4,26 +4,35 @@
 //! node and zero is seen when it is made. No Python, no mechanics, no global state.
 
 mod angle;
+mod associate;
 mod build;
 mod classes;
 mod diff;
+mod distribute;
+mod emit;
 mod error;
+mod eval;
 mod field;
 mod function;
 mod graph;
+mod lower;
 mod node;
 mod number;
 mod print;
+mod schedule;
 mod substitute;
+mod tape;
 mod traverse;
 pub mod vector;
 
 pub use classes::Classes;
 pub use error::Error;
+pub use eval::{Column, Evaluator};
 pub use field::Element;
 pub use function::Function;
 pub use graph::Graph;
 pub use node::{Assumption, Factors, Id, Ids, NumberId, Terms, View};
 pub use number::Number;
 pub use print::{Format, Listing};
+pub use tape::{Instruction, Operand, Operations, Registers, Tape};
 pub use vector::Vector3;

@@ -155,6 +155,21 @@ impl Flags {
     }
     /// The flags of a node from those of two children.
     pub(crate) const fn join(self, other: Self) -> Self {
-        Self((self.0 & other.0 & Self::CONSTANT.0) | ((self.0 | other.0) & Self::TIME.0))
+        let level = if self.level() > other.level() { self.level() } else { other.level() };
+        let joined = (self.0 & other.0 & Self::CONSTANT.0) | ((self.0 | other.0) & Self::TIME.0);
+        Self(joined).at_level(level)
+    }
+
+    /// How often the node changes: 0 parameters, 1 time and positions, 2 speeds, 3 accelerations.
+    pub(crate) const fn level(self) -> u8 {
+        self.0 >> LEVEL_SHIFT
+    }
+
+    pub(crate) const fn at_level(self, level: u8) -> Self {
+        let level = if level > 3 { 3 } else { level };
+        Self((self.0 & ((1 << LEVEL_SHIFT) - 1)) | (level << LEVEL_SHIFT))
     }
 }
+
+/// The level has the two highest bits.
+const LEVEL_SHIFT: u32 = 6;
