@@ -1,0 +1,18 @@
+"""Formalisms: from a system to its equations of motion."""
+
+from .equations import Equations
+from .euler import euler_equations
+from .generalized_force import generalized_force
+from .lagrange import lagrange, lagrange_equations
+from .newton import newton_equations
+from .newton_euler import newton_euler
+
+__all__ = [
+    "Equations",
+    "euler_equations",
+    "generalized_force",
+    "lagrange",
+    "lagrange_equations",
+    "newton_equations",
+    "newton_euler",
+]

@@ -1,0 +1,125 @@
+"""Equations of motion: what every formalism returns."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import cached_property
+
+from symbody.geometry import Scalar
+from symbody.multibody import System
+from symbody.symbolic import Expr, Matrix, time_derivative
+
+from .baumgarte import stabilized
+from .constraint import constraint_jacobian
+
+
+@dataclass(frozen=True)
+class Assembly:
+    """The equations solved for what multiplies the accelerations: ``M q'' + bias = phi_q^T lambda``."""
+
+    mass_matrix: Matrix
+    bias: tuple[Expr, ...]
+
+
+@dataclass(frozen=True, eq=False)
+class Equations:
+    """The equations of motion of a system: ``M q'' = forcing + phi_q^T lambda`` with the constraints ``phi = 0``.
+
+    Attributes:
+        system: where they come from.
+        residuals: one expression a coordinate, ``M q'' - forcing - phi_q^T lambda``; the equations say that they are zero.
+        assemble: makes the mass matrix and the bias, which the residuals do without.
+    """
+
+    system: System
+    residuals: tuple[Expr, ...]
+    assemble: Callable[[System], Assembly]
+
+    @property
+    def coordinates(self) -> tuple[Expr, ...]:
+        """The coordinates q, in the order of the equations."""
+        return self.system.coordinates
+
+    @cached_property
+    def speeds(self) -> tuple[Expr, ...]:
+        """The speeds: the rates of the coordinates."""
+        return tuple(time_derivative(q) for q in self.coordinates)
+
+    @cached_property
+    def accelerations(self) -> tuple[Expr, ...]:
+        """The second rates of the coordinates."""
+        return tuple(time_derivative(q, 2) for q in self.coordinates)
+
+    @property
+    def kinematics(self) -> dict[Expr, Expr]:
+        """The rates of the coordinates by the speeds."""
+        return dict(zip(self.speeds, self.speeds, strict=True))
+
+    @property
+    def constraints(self) -> tuple[Expr, ...]:
+        """The constraints phi, expressions that are zero."""
+        return self.system.constraints
+
+    @cached_property
+    def constraint_jacobian(self) -> Matrix:
+        """The Jacobian ``phi_q``, a row a constraint and a column a coordinate."""
+        return constraint_jacobian(self.system)
+
+    @property
+    def multipliers(self) -> tuple[Expr, ...]:
+        """The multipliers, one a constraint."""
+        return self.system.multipliers
+
+    @cached_property
+    def _assembly(self) -> Assembly:
+        return self.assemble(self.system)
+
+    @property
+    def mass_matrix(self) -> Matrix:
+        """The mass matrix M, symmetric, n x n."""
+        return self._assembly.mass_matrix
+
+    @property
+    def bias(self) -> tuple[Expr, ...]:
+        """The residuals at zero accelerations and multipliers: inertia forces of speeds, weight and loads."""
+        return self._assembly.bias
+
+    @cached_property
+    def forcing(self) -> tuple[Expr, ...]:
+        """The opposite of the bias."""
+        return tuple(-entry for entry in self.bias)
+
+    @cached_property
+    def parameters(self) -> tuple[Expr, ...]:
+        """The symbols that need values, by name."""
+        symbols = {leaf for leaf in self._leaves if leaf.kind == "symbol" and not leaf.depends_on_time}
+        return tuple(sorted(symbols, key=lambda symbol: symbol.name))
+
+    @cached_property
+    def inputs(self) -> tuple[Expr, ...]:
+        """The functions of time, and their rates, that are given from outside, by name."""
+        known = {unknown.name for unknown in (*self.coordinates, *self.multipliers)}
+        given = {leaf for leaf in self._leaves if leaf.kind == "time_function" and leaf.name not in known}
+        return tuple(sorted(given, key=lambda function: (function.name, function.order)))
+
+    @cached_property
+    def _leaves(self) -> frozenset[Expr]:
+        return Matrix([[*self.residuals, *self.constraints]]).free_symbols
+
+    def baumgarte(self, omega: Scalar, zeta: Scalar) -> tuple[Expr, ...]:
+        """Return the stabilised constraints ``phi'' + 2 zeta omega phi' + omega^2 phi``, linear in the accelerations.
+
+        Args:
+            omega: the frequency with which a violation dies out, in rad/s.
+            zeta: its damping ratio; 1 is critical.
+        """
+        return stabilized(self.constraints, omega, zeta)
+
+    def __repr__(self) -> str:
+        n, m = len(self.residuals), len(self.constraints)
+        return f"Equations({n} equations of motion, {m} constraints, coordinates {', '.join(map(str, self.coordinates))})"
+
+    def _repr_latex_(self) -> str:
+        rows = [f"{residual.latex()} &= 0" for residual in (*self.residuals, *self.constraints)]
+        return r"$\begin{aligned} " + r" \\ ".join(rows) + r" \end{aligned}$"

@@ -1,0 +1,76 @@
+"""Euler's equations of any set of bodies, about any point."""
+
+from __future__ import annotations
+
+from symbody.errors import ModelError
+from symbody.geometry import Frame, Point, Triple, Vector, acceleration
+from symbody.geometry.coordinates import vector_components
+from symbody.geometry.kinematics import spin
+from symbody.geometry.triple import NULL, rates
+from symbody.multibody import Body
+from symbody.multibody.load import Action
+from symbody.multibody.selection import Objects, Selection, select_bodies
+from symbody.symbolic import add3, cross3, derivation, number, scale3, sub3, time_derivative
+
+
+def euler_equations(
+    objects: Objects, point: Point | None = None, frame: Frame | None = None, *, gravity: Vector | None = None
+) -> Vector:
+    """Return ``dH_A/dt + v_A x sum(m v_G) - M_A``, in the axes of a frame.
+
+    ``H_A = sum(AG x m v_G + H_G)`` is the angular momentum about A, and the second term, the transport of a moving A,
+    vanishes where A is fixed or is the centre of mass. The sum is ``sum(AG x m a_G + dH_G/dt) - M_A`` for every A.
+
+    Args:
+        objects: bodies and loads. Loads on other bodies are left out, with a notice; a force whose acting and reacting
+            bodies are both there cancels.
+        point: A, which may move; by default the centre of mass of the bodies.
+        frame: where the components are wanted; by default the root.
+        gravity: the acceleration of weight, whose moment is in M_A.
+    """
+    selection = select_bodies(objects, "euler_equations", gravity)
+    axes = selection.root if frame is None else frame
+    with derivation():
+        about = (_center_of_mass(selection) if point is None else point).projected(axes).coordinates
+        total = NULL
+        for body in selection.bodies:
+            total = add3(total, _momentum_rate(body, about, axes, selection.gravity))
+        for action in selection.actions("euler_equations"):
+            total = sub3(total, _moment(action, about, axes))
+    return Vector(axes, *total)
+
+
+def _center_of_mass(selection: Selection) -> Point:
+    mass, moment = number(0), NULL
+    for body in selection.bodies:
+        mass += body.mass
+        moment = add3(moment, scale3(body.mass, body.frame.pose.origin))
+    if mass.is_zero:
+        raise ModelError("euler_equations: the bodies have no mass, hence no centre of mass; give the point")
+    return Point(selection.root, *scale3(1 / mass, moment))
+
+
+def _momentum_rate(body: Body, about: Triple, axes: Frame, gravity: Vector | None) -> Triple:
+    """Return ``AG x m (a_G - g) + dH_G/dt``."""
+    a = acceleration(body.center_of_mass).projected(axes).components
+    if gravity is not None:
+        a = sub3(a, gravity.projected(axes).components)
+    lever = sub3(body.center_of_mass.projected(axes).coordinates, about)
+    own = vector_components(_spin_momentum_rate(body), body.frame, axes)
+    return add3(cross3(lever, scale3(body.mass, a)), own)
+
+
+def _spin_momentum_rate(body: Body) -> Triple:
+    """Return ``dH_G/dt = J w' + w x J w`` in the body's axes."""
+    if body.is_particle:
+        return NULL
+    w = spin(body.frame)
+    steady = cross3(w, body.spin_momentum(w))
+    return add3(body.spin_momentum(rates(w, time_derivative)), steady)
+
+
+def _moment(action: Action, about: Triple, axes: Frame) -> Triple:
+    vector = action.components(axes)
+    if action.point is None:
+        return vector
+    return cross3(sub3(action.point.projected(axes).coordinates, about), vector)

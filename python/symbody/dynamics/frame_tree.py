@@ -1,0 +1,91 @@
+"""The kinematic tree of a system: its frames, parents before children."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from symbody.geometry import Frame
+from symbody.geometry.motion import Motion
+from symbody.multibody import Action, System
+from symbody.multibody.selection import select
+from symbody.symbolic import Expr, derivation
+
+
+@dataclass(frozen=True)
+class FrameTree:
+    """All frames between the root and the bodies and loads of a system.
+
+    Attributes:
+        frames: the root first, every parent before its children.
+        parents: the place of each frame's parent in the list.
+        coordinates: the coordinates, by place, on which each frame's motion depends.
+        carried: whether some motion at or before the frame depends on a coordinate.
+        actions: what the loads do.
+    """
+
+    frames: tuple[Frame, ...]
+    parents: tuple[int, ...]
+    coordinates: tuple[tuple[int, ...], ...]
+    carried: tuple[bool, ...]
+    actions: tuple[Action, ...]
+    places: dict[bytes, int]
+
+    def index(self, frame: Frame) -> int:
+        """Return the place of a frame in the list."""
+        return self.places[frame.key]
+
+    def motion(self, place: int) -> Motion:
+        """Return the motion that takes the parent to the frame."""
+        motion = self.frames[place].motion
+        assert motion is not None, "only the root has no motion"
+        return motion
+
+    @property
+    def is_rigid(self) -> bool:
+        """Whether all frames are rigid, whatever the values of the coordinates."""
+        return all(frame.is_rigid for frame in self.frames)
+
+
+def frame_tree(system: System) -> FrameTree:
+    """Return the tree of a system; one derivation makes it once."""
+    with derivation() as current:
+        trees: dict[System, FrameTree] = current.cache.setdefault("frame tree", {})
+        if system not in trees:
+            trees[system] = _build(system)
+        return trees[system]
+
+
+def _build(system: System) -> FrameTree:
+    actions = tuple(select(system, "System").actions("System"))
+    frames = [body.frame for body in system.bodies]
+    frames += [action.anchor.frame for action in actions if action.is_force]
+    root = system.root
+    places, ordered, parents = {root.key: 0}, [root], [0]
+    for frame in frames:
+        for link in _missing(frame, places):
+            parents.append(0 if link.parent is None else places[link.parent.key])
+            places[link.key] = len(ordered)
+            ordered.append(link)
+    coordinates = _dependence(ordered, system.coordinates)
+    carried = [False]
+    for place in range(1, len(ordered)):
+        carried.append(carried[parents[place]] or bool(coordinates[place]))
+    return FrameTree(tuple(ordered), tuple(parents), coordinates, tuple(carried), actions, places)
+
+
+def _missing(frame: Frame, places: dict[bytes, int]) -> list[Frame]:
+    missing = []
+    link: Frame | None = frame
+    while link is not None and link.key not in places:
+        missing.append(link)
+        link = link.parent
+    missing.reverse()
+    return missing
+
+
+def _dependence(frames: list[Frame], coordinates: tuple[Expr, ...]) -> tuple[tuple[int, ...], ...]:
+    place = {coordinate: k for k, coordinate in enumerate(coordinates)}
+    return tuple(
+        () if frame.motion is None else tuple(sorted(place[leaf] for leaf in frame.motion.leaves if leaf in place))
+        for frame in frames
+    )

@@ -1,0 +1,132 @@
+"""Lagrange's equations: of a Lagrangian, and of a system."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from symbody.geometry.triple import NULL, Triple
+from symbody.multibody import Body, System, kinetic_energy
+from symbody.multibody.load import action_velocity
+from symbody.symbolic import (
+    Expr,
+    Matrix,
+    add3,
+    derivation,
+    dot3,
+    gradient,
+    jacobian,
+    number,
+    scale3,
+    symbol,
+    time_derivative,
+    time_derivatives,
+)
+
+from .composite_rigid_body import mass_matrix
+from .constraint import with_multipliers
+from .equations import Assembly, Equations
+from .frame_tree import FrameTree, frame_tree
+from .newton_euler import at_rest, bias, check, inverse_dynamics
+
+
+def lagrange(L: Expr, q: Expr) -> Expr:  # noqa: N803  (the name of the textbook)
+    """Return ``d/dt dL/dq' - dL/dq``; the equation of motion subtracts the generalised force.
+
+    >>> from symbody import functions_of_time, symbols
+    >>> x, (k, m) = functions_of_time("x"), symbols("k m")
+    >>> lagrange(m * time_derivative(x) ** 2 / 2 - k * x**2 / 2, x) == m * time_derivative(x, 2) + k * x
+    True
+    """
+    with derivation():
+        momentum, force = gradient(L, [time_derivative(q), q])
+        return time_derivative(momentum) - force
+
+
+def lagrange_equations(system: System) -> Equations:
+    """Return the equations of motion by differentiating ``T - V``: ``d/dt dL/dq' - dL/dq - Q - phi_q^T lambda``.
+
+    Q are the generalised forces of the loads, and lambda the multipliers of the constraints phi, of L + sum(lambda phi).
+    Where all frames are rigid, the recursion of `newton_euler` is derived first, so that what has its value takes its
+    form: two derivations that agree give the same nodes, and only then.
+
+    >>> from symbody import Body, System, Vector, ground, functions_of_time, rotate, symbols, translate
+    >>> theta, (m, l, g) = functions_of_time("theta"), symbols("m l g")
+    >>> bob = Body(rotate("Z", theta) * translate(0, -l, 0), m)
+    >>> pendulum = System([bob], coordinates=[theta], gravity=Vector(ground, 0, -g, 0))
+    >>> lagrange_equations(pendulum).mass_matrix[0, 0] == m * l**2
+    True
+    """
+    check(system, "lagrange_equations")
+    with derivation():
+        tree = frame_tree(system)
+        if tree.is_rigid:
+            inverse_dynamics(system, tree)
+        residuals = with_multipliers(_residuals(system), system)
+    return Equations(system, residuals, _assemble)
+
+
+def _assemble(system: System) -> Assembly:
+    with derivation():
+        tree = frame_tree(system)
+        if tree.is_rigid:
+            bias(system, tree)
+            mass_matrix(system, tree)
+        momenta = _momenta(system)
+        M = jacobian(momenta, [time_derivative(q) for q in system.coordinates])
+        rest = Matrix([_residuals(system)]).subs(at_rest(system)).entries
+        return Assembly(M, tuple(entry + 0 for entry in rest))  # the sum takes the value's node
+
+
+def _residuals(system: System) -> tuple[Expr, ...]:
+    n = len(system.coordinates)
+    speeds = [time_derivative(q) for q in system.coordinates]
+    lagrangian = kinetic_energy(system) - _potential(system)
+    slopes = gradient(lagrangian, [*speeds, *system.coordinates])
+    rates = time_derivatives(slopes[:n])
+    loads = _load_forces(system, speeds)
+    return tuple(rate - slope - load for rate, slope, load in zip(rates, slopes[n:], loads, strict=True))
+
+
+def _momenta(system: System) -> tuple[Expr, ...]:
+    return gradient(kinetic_energy(system), [time_derivative(q) for q in system.coordinates])
+
+
+def _potential(system: System) -> Expr:
+    """Return ``-g . sum(m r_G)``; the sum is carried from the bodies down to the root, so its length is linear."""
+    if system.gravity is None:
+        return number(0)
+    gravity = system.gravity.projected(system.root).components
+    return -dot3(gravity, _mass_moment(frame_tree(system), system.bodies))
+
+
+def _mass_moment(tree: FrameTree, bodies: Sequence[Body]) -> Triple:
+    """Return ``sum(m r_G)`` in the axes of the root."""
+    masses: list[Expr] = [number(0)] * len(tree.frames)
+    moments: list[Triple] = [NULL] * len(tree.frames)
+    for body in bodies:
+        masses[tree.index(body.frame)] += body.mass
+    for k in range(len(tree.frames) - 1, 0, -1):
+        motion, parent = tree.motion(k), tree.parents[k]
+        masses[parent] += masses[k]
+        moved = add3(motion.to_parent(moments[k]), scale3(masses[k], motion.displacement))
+        moments[parent] = add3(moments[parent], moved)
+    return moments[0]
+
+
+def _load_forces(system: System, speeds: Sequence[Expr]) -> tuple[Expr, ...]:
+    """Return the derivatives of the loads' power by the speeds, the loads themselves being held."""
+    power, held = number(0), dict[Expr, Expr]()
+    for action in frame_tree(system).actions:
+        velocity, axes = action_velocity(action)
+        x, y, z = (_held(component, held) for component in action.components(axes))
+        power += dot3((x, y, z), velocity)
+    return Matrix([gradient(power, speeds)]).subs(held).entries
+
+
+def _held(component: Expr, held: dict[Expr, Expr]) -> Expr:
+    """Return a symbol that stands for a component of a load, under a name that no user can write."""
+    if component.is_number:
+        return component
+    stand_in = symbol(f"load component {len(held)}")
+    held[stand_in] = component
+    return stand_in

@@ -1,0 +1,143 @@
+"""Newton-Euler: accelerations outwards along the frames, then forces inwards [Luh, Walker & Paul 1980]."""
+
+from __future__ import annotations
+
+from symbody.errors import FrameError, ModelError
+from symbody.geometry import Point
+from symbody.geometry.acceleration_field import AccelerationField, Turning
+from symbody.geometry.triple import NULL, Rate, Triple
+from symbody.multibody import Action, Body, System
+from symbody.symbolic import Expr, cross3, derivation, scale3, sub3, time_derivative
+
+from .composite_rigid_body import mass_matrix
+from .constraint import check_independent, with_multipliers
+from .equations import Assembly, Equations
+from .frame_tree import FrameTree, frame_tree
+from .wrench import Wrench, generalized_forces
+
+
+def newton_euler(system: System) -> Equations:
+    """Return the equations of motion by recursion over the tree of frames.
+
+    Outwards go the accelerations of the frames, in their own axes, with weight as an acceleration of the root; inwards
+    the wrenches that cause them. The equation of a coordinate is the power of the wrenches on the motions that depend on
+    it, per unit rate. The number of operations is proportional to the number of bodies.
+
+    Raises:
+        FrameError: where a frame isn't rigid by itself, as in natural coordinates.
+
+    >>> from symbody import Body, System, Vector, ground, functions_of_time, rotate, symbols, translate
+    >>> theta, (m, l, g) = functions_of_time("theta"), symbols("m l g")
+    >>> bob = Body(rotate("Z", theta) * translate(0, -l, 0), m)
+    >>> pendulum = System([bob], coordinates=[theta], gravity=Vector(ground, 0, -g, 0))
+    >>> newton_euler(pendulum).mass_matrix[0, 0] == m * l**2
+    True
+    """
+    check(system, "newton_euler")
+    with derivation():
+        tree = frame_tree(system)
+        _check_rigid(tree)
+        residuals = with_multipliers(inverse_dynamics(system, tree), system)
+    return Equations(system, residuals, _assemble)
+
+
+def _assemble(system: System) -> Assembly:
+    with derivation():
+        tree = frame_tree(system)
+        forces = bias(system, tree)
+        return Assembly(mass_matrix(system, tree), forces)
+
+
+def inverse_dynamics(system: System, tree: FrameTree, rate: Rate = time_derivative) -> tuple[Expr, ...]:
+    """Return the forces on the coordinates that the motion needs beyond weight and loads: the residuals.
+
+    Args:
+        system: bodies, loads and gravity.
+        tree: the frames of the system.
+        rate: the time derivative that makes accelerations of velocities.
+    """
+    field = AccelerationField(_minus_gravity(system), rate)
+    wrenches = [Wrench(NULL, NULL)] * len(tree.frames)
+    for body in system.bodies:
+        place = tree.index(body.frame)
+        wrenches[place] = wrenches[place].plus(_inertia(body, field))
+    for action in tree.actions:
+        anchor = action.anchor
+        place = tree.index(anchor.frame)
+        wrenches[place] = wrenches[place].minus(_load(action, anchor))
+    return generalized_forces(tree, system.coordinates, wrenches)
+
+
+def bias(system: System, tree: FrameTree) -> tuple[Expr, ...]:
+    """Return the residuals at zero accelerations of the coordinates."""
+    rest = at_rest(system)
+    return inverse_dynamics(system, tree, lambda value: time_derivative(value).subs(rest))
+
+
+def at_rest(system: System) -> dict[Expr, int]:
+    """Return the substitution that drops the accelerations of the coordinates."""
+    return {time_derivative(q, 2): 0 for q in system.coordinates}
+
+
+def check(system: System, where: str) -> None:
+    """Raise an error where a system can't have equations of motion in its coordinates."""
+    if system.root.carrier is not None:
+        raise ModelError(
+            f"{where}: the bodies hang on the moving master frame {system.root}, whose velocities are no rates of "
+            "coordinates; use newton_equations and euler_equations"
+        )
+    used = {leaf for body in system.bodies for motion in body.frame.motions for leaf in motion.leaves}
+    used.update(leaf for constraint in system.constraints for leaf in constraint.free_symbols)
+    for coordinate in system.coordinates:
+        if coordinate not in used:
+            raise ModelError(
+                f"{where}: the coordinate {coordinate} appears in no frame of a body and in no constraint; "
+                "leave it out of the coordinates, or build a frame with it"
+            )
+    check_independent(system)
+
+
+def _check_rigid(tree: FrameTree) -> None:
+    for frame in tree.frames:
+        if not frame.is_rigid:
+            raise FrameError(
+                f"newton_euler: {frame} isn't rigid: the entries of its matrix make no rotation by themselves, only "
+                "together with constraints; use lagrange_equations"
+            )
+
+
+def _minus_gravity(system: System) -> Triple:
+    if system.gravity is None:
+        return NULL
+    return sub3(NULL, system.gravity.projected(system.root).components)
+
+
+def _inertia(body: Body, field: AccelerationField) -> Wrench:
+    turning, acceleration = field(body.frame)
+    force = scale3(body.mass, acceleration)
+    return Wrench(force, NULL if body.is_particle else spin_momentum_rate(body, turning))
+
+
+def spin_momentum_rate(body: Body, turning: Turning) -> Triple:
+    """Return ``dH_G/dt = J al + w x J w`` in the body's axes, by the products that the field F has made already.
+
+    Its x component is ``Ix al_x + (Iz - Iy) w_y w_z + Cxy F_zx - Cxz F_yx + Cyz (F_zz - F_yy)``; the others follow by
+    cyclic exchange.
+    """
+    x, y, z = (_moment_about(axis, body, turning) for axis in range(3))
+    return x, y, z
+
+
+def _moment_about(i: int, body: Body, turning: Turning) -> Expr:
+    j, k = (i + 1) % 3, (i + 2) % 3
+    w, F, I, C = turning.velocity, turning.field, body.moments, body.products  # noqa: N806
+    moment = I[i] * turning.acceleration[i] + (I[k] - I[j]) * (w[j] * w[k])
+    if not body.has_products:
+        return moment
+    moment += C[k] * F[3 * k + i] - C[j] * F[3 * j + i]
+    return moment + C[i] * (F[4 * k] - F[4 * j])
+
+
+def _load(action: Action, anchor: Point) -> Wrench:
+    vector = action.components(anchor.frame)
+    return Wrench(vector, cross3(anchor.coordinates, vector)) if action.is_force else Wrench(NULL, vector)

@@ -1,0 +1,41 @@
+"""What a coordinate does to a motion: the partial derivatives of its twist by the coordinate's rate."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from functools import partial
+from typing import NamedTuple
+
+from symbody.geometry.motion import Motion
+from symbody.geometry.triple import NULL, Triple, is_null
+from symbody.symbolic import Expr, Matrix, jacobian
+
+
+class PartialTwist(NamedTuple):
+    """The twist of a child in its parent, per unit rate of one coordinate."""
+
+    spin: Triple
+    """In the child's axes."""
+    drift: Triple
+    """Of the child's origin, in the parent's axes."""
+
+
+def partial_twists(motion: Motion, coordinates: Sequence[Expr]) -> list[PartialTwist]:
+    """Return the partial twists of a motion by each of the coordinates."""
+    drifts = partial_drifts(motion, coordinates)
+    if not motion.rotates:
+        return [PartialTwist(NULL, drift) for drift in drifts]
+    spins = [motion.spin(partial(_slope, q)) for q in coordinates]
+    return [PartialTwist(spin, drift) for spin, drift in zip(spins, drifts, strict=True)]
+
+
+def partial_drifts(motion: Motion, coordinates: Sequence[Expr]) -> list[Triple]:
+    """Return the derivatives of the displacement by each of the coordinates."""
+    if is_null(motion.displacement):
+        return [NULL] * len(coordinates)
+    slopes: Matrix = jacobian(motion.displacement, coordinates)
+    return [(slopes[0, k], slopes[1, k], slopes[2, k]) for k in range(len(coordinates))]
+
+
+def _slope(coordinate: Expr, value: Expr) -> Expr:
+    return value.diff(coordinate)

@@ -1,0 +1,113 @@
+"""Wrenches on frames, and what they do along the coordinates."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import NamedTuple, final
+
+from symbody.geometry.motion import Motion
+from symbody.geometry.triple import NULL, Triple, is_null
+from symbody.symbolic import Expr, add3, cross3, dot3, number, sub3
+
+from .frame_tree import FrameTree
+from .partial_motion import partial_drifts, partial_twists
+from .subset_sum import SubsetSum
+
+
+class Wrench(NamedTuple):
+    """A force and the moment about the origin of a frame, in its axes."""
+
+    force: Triple
+    moment: Triple
+
+    def plus(self, other: Wrench) -> Wrench:
+        """Return the sum of two wrenches on one frame."""
+        return Wrench(add3(self.force, other.force), add3(self.moment, other.moment))
+
+    def minus(self, other: Wrench) -> Wrench:
+        """Return the difference of two wrenches on one frame."""
+        return Wrench(sub3(self.force, other.force), sub3(self.moment, other.moment))
+
+    def to_parent(self, motion: Motion) -> Wrench:
+        """Return the same wrench on the parent."""
+        force, moment = motion.to_parent(self.force), motion.to_parent(self.moment)
+        if is_null(motion.displacement):
+            return Wrench(force, moment)
+        return Wrench(force, add3(moment, cross3(motion.displacement, force)))
+
+    @property
+    def is_null(self) -> bool:
+        """Whether there is neither force nor moment."""
+        return is_null(self.force) and is_null(self.moment)
+
+
+def generalized_forces(tree: FrameTree, coordinates: Sequence[Expr], wrenches: Sequence[Wrench]) -> tuple[Expr, ...]:
+    """Return the power of the wrenches on all frames, per unit rate of each coordinate.
+
+    Args:
+        tree: the frames.
+        coordinates: those by whose rates the power is divided.
+        wrenches: one a frame, in its axes.
+    """
+    return _Inward(tree, coordinates, wrenches).forces()
+
+
+@final
+class _Inward:
+    """The recursion from the leaves to the root."""
+
+    def __init__(self, tree: FrameTree, coordinates: Sequence[Expr], wrenches: Sequence[Wrench]) -> None:
+        self._tree = tree
+        self._coordinates = coordinates
+        self._wrenches = list(wrenches)
+        self._forces = [number(0)] * len(coordinates)
+        self._sliding: dict[int, list[int]] = {}
+        """By parent: the children whose displacement depends on coordinates."""
+
+    def forces(self) -> tuple[Expr, ...]:
+        for place in range(len(self._tree.frames) - 1, -1, -1):
+            if place in self._sliding:
+                self._slide(self._sliding[place])
+            if place > 0:
+                self._pass_on(place)
+        return tuple(self._forces)
+
+    def _pass_on(self, place: int) -> None:
+        motion, parent, wrench = self._tree.motion(place), self._tree.parents[place], self._wrenches[place]
+        if wrench.is_null:
+            return
+        moving = self._tree.coordinates[place]
+        if moving and not motion.rotates:
+            self._sliding.setdefault(parent, []).append(place)
+        elif moving:
+            self._turn(motion, wrench, moving)
+        if self._tree.carried[parent]:
+            self._wrenches[parent] = self._wrenches[parent].plus(wrench.to_parent(motion))
+
+    def _turn(self, motion: Motion, wrench: Wrench, moving: tuple[int, ...]) -> None:
+        twists = partial_twists(motion, [self._coordinates[k] for k in moving])
+        force = NULL if is_null(motion.displacement) else motion.to_parent(wrench.force)
+        for k, twist in zip(moving, twists, strict=True):
+            self._forces[k] += dot3(twist.spin, wrench.moment) + dot3(twist.drift, force)
+
+    def _slide(self, children: list[int]) -> None:
+        """Add the power on translations from one parent: those that a coordinate moves alike share the sum of forces."""
+        children.reverse()
+        total = SubsetSum([self._wrenches[child].force for child in children], add3)
+        for k, drifts in alike(self._tree, self._coordinates, children).items():
+            for drift, subset in drifts.items():
+                self._forces[k] += dot3(drift, total(subset))
+
+
+def alike(
+    tree: FrameTree, coordinates: Sequence[Expr], children: Sequence[int]
+) -> dict[int, dict[Triple, int]]:
+    """Return, by coordinate and partial velocity, the subset of children that have this partial velocity."""
+    result: dict[int, dict[Triple, int]] = {}
+    for bit, child in enumerate(children):
+        moving = tree.coordinates[child]
+        drifts = partial_drifts(tree.motion(child), [coordinates[k] for k in moving])
+        for k, drift in zip(moving, drifts, strict=True):
+            subsets = result.setdefault(k, {})
+            subsets[drift] = subsets.get(drift, 0) | (1 << bit)
+    return result

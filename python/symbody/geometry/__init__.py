@@ -1,0 +1,28 @@
+"""Frames, points and vectors, and how they move."""
+
+from .frame import Frame, ground, moving_frame, rotate, translate
+from .point import Point, origin
+from .project import project
+from .triple import Scalar, Triple
+from .vector import Vector, cross, dot
+from .velocity import acceleration, angular_velocity, frozen_velocity, velocity
+
+__all__ = [
+    "Frame",
+    "Point",
+    "Scalar",
+    "Triple",
+    "Vector",
+    "acceleration",
+    "angular_velocity",
+    "cross",
+    "dot",
+    "frozen_velocity",
+    "ground",
+    "moving_frame",
+    "origin",
+    "project",
+    "rotate",
+    "translate",
+    "velocity",
+]

@@ -1,0 +1,55 @@
+"""Coordinates and components carried from one frame to another, along the chains that join them."""
+
+from __future__ import annotations
+
+from symbody.errors import FrameError
+from symbody.symbolic import add3, derivation, sub3
+
+from .frame import Frame
+from .motion import Motion
+from .triple import Triple, is_null
+
+
+def vector_components(v: Triple, source: Frame, target: Frame) -> Triple:
+    """Return the components of a free vector in another frame: only the rotations act."""
+    if is_null(v):
+        return v
+    up, down = path(source, target)
+    with derivation():
+        for motion in up:
+            v = motion.to_parent(v)
+        for motion in down:
+            v = motion.to_child(v)
+    return v
+
+
+def point_coordinates(p: Triple, source: Frame, target: Frame) -> Triple:
+    """Return the coordinates of a point in another frame."""
+    up, down = path(source, target)
+    with derivation():
+        for motion in up:
+            p = add3(motion.to_parent(p), motion.displacement)
+        for motion in down:
+            p = motion.to_child(sub3(p, motion.displacement))
+    return p
+
+
+def path(source: Frame, target: Frame) -> tuple[list[Motion], list[Motion]]:
+    """Return the motions from the source up to the common ancestor, and from there down to the target."""
+    up: list[Motion] = []
+    down: list[Motion] = []
+    a, b = source, target
+    while a != b:
+        if a.depth >= b.depth and a.parent is not None and a.motion is not None:
+            up.append(a.motion)
+            a = a.parent
+        elif b.parent is not None and b.motion is not None:
+            down.append(b.motion)
+            b = b.parent
+        else:
+            raise FrameError(
+                f"{source} can't be seen from {target}: one hangs on {source.ancestor}, the other on {target.ancestor}, "
+                "and the place of a moving master frame is unknown; build both on the same one"
+            )
+    down.reverse()
+    return up, down

@@ -1,0 +1,339 @@
+"""Frames: homogeneous transformations kept as chains of elementary motions."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Sequence
+from hashlib import blake2b
+from typing import NamedTuple, Protocol, TypeAlias, TypeVar, final
+
+from symbody.errors import FrameError
+from symbody.symbolic import Matrix, add3, derivation, dot3, number
+
+from .motion import AXES, Motion, Rotation, Rows, Substitution, Translation
+from .orientation import ROUGH, distance_from_rotation, exact_axis, turns
+from .placement import Placement
+from .skew_axis import AxisRotation, is_unit
+from .triple import NULL, Scalar, Triple, expression, triple
+
+State = TypeVar("State")
+
+
+class Twist(NamedTuple):
+    """The velocity field of a rigid frame: angular velocity, and velocity of the origin."""
+
+    angular: Triple
+    linear: Triple
+
+
+class Pose(NamedTuple):
+    """A frame seen from its root: the rotation matrix by rows, and the origin."""
+
+    rows: Rows
+    origin: Triple
+
+
+class HasComponents(Protocol):
+    """Anything with three components, such as a vector."""
+
+    @property
+    def components(self) -> Triple: ...
+
+
+Axis: TypeAlias = str | Sequence[Scalar] | HasComponents
+
+
+@final
+class Frame:
+    """A frame of reference: ground, or a motion away from its parent.
+
+    ``T1 * T2`` appends the motions of T2 to those of T1, so products share what they have in common and *are* the
+    kinematic tree. A frame written as a 4x4 matrix (rotation, origin in the last column) is one general motion.
+
+    >>> from symbody import functions_of_time, rotate, translate
+    >>> x, phi = functions_of_time("x phi")
+    >>> (translate(x, 0, 0) * rotate("Z", phi)).matrix[0, 3]
+    x
+    """
+
+    __slots__ = ("carrier", "depth", "is_rigid", "key", "motion", "name", "parent")
+
+    parent: Frame | None
+    motion: Motion | None
+    carrier: Twist | None
+    """The twist of a moving master frame, whose pose is unknown."""
+    is_rigid: bool
+    depth: int
+    key: bytes
+    """A digest of the chain: equal for chains that place a frame in the same way."""
+    name: str
+
+    def __init__(self, matrix: Matrix | Sequence[Sequence[Scalar]], *, name: str = "") -> None:
+        frame = _from_matrix(_as_matrix(matrix))
+        self._set(frame.parent, frame.motion, name)
+
+    def _set(self, parent: Frame | None, motion: Motion | None, name: str = "", carrier: Twist | None = None) -> Frame:
+        self.parent, self.motion, self.name, self.carrier = parent, motion, name, carrier
+        if parent is None or motion is None:
+            self.depth, self.is_rigid = 0, True
+            twist = () if carrier is None else (*carrier.angular, *carrier.linear)
+            self.key = blake2b(b"".join(x.fingerprint for x in twist), digest_size=16).digest()
+        else:
+            self.depth, self.is_rigid = parent.depth + 1, parent.is_rigid and motion.is_rigid
+            self.key = blake2b(parent.key + motion.key, digest_size=16).digest()
+        return self
+
+    @classmethod
+    def _make(
+        cls, parent: Frame | None, motion: Motion | None, name: str = "", carrier: Twist | None = None
+    ) -> Frame:
+        return cls.__new__(cls)._set(parent, motion, name, carrier)
+
+    @classmethod
+    def root(cls, name: str, carrier: Twist | None = None) -> Frame:
+        """Return a frame that hangs on no other one."""
+        return cls._make(None, None, name, carrier)
+
+    def named(self, name: str) -> Frame:
+        """Return the same frame, shown by this name."""
+        return Frame._make(self.parent, self.motion, name, self.carrier)
+
+    # --- chains ---
+
+    def then(self, motion: Motion) -> Frame:
+        """Return the frame reached from this one by one more motion."""
+        if motion.is_identity:
+            return self
+        if self.parent is not None and self.motion is not None:
+            merged = self.motion.merged(motion)
+            if merged is not None:
+                return self.parent.then(merged)
+        return Frame._make(self, motion)
+
+    def __mul__(self, other: Frame) -> Frame:
+        if not isinstance(other, Frame):
+            return NotImplemented
+        if other.carrier is not None or other.ancestor.carrier is not None:
+            raise FrameError(
+                f"{self} * {other}: the second frame hangs on a moving master frame, whose place is unknown; "
+                "put the moving frame first"
+            )
+        frame = self
+        for motion in other.motions:
+            frame = frame.then(motion)
+        return frame
+
+    __matmul__ = __mul__
+
+    @property
+    def chain(self) -> list[Frame]:
+        """The frames from the root to this one."""
+        frames = list(self._upwards())
+        frames.reverse()
+        return frames
+
+    def _upwards(self) -> Iterator[Frame]:
+        frame: Frame | None = self
+        while frame is not None:
+            yield frame
+            frame = frame.parent
+
+    @property
+    def motions(self) -> list[Motion]:
+        """The motions from the root to this frame."""
+        return [frame.motion for frame in self.chain if frame.motion is not None]
+
+    @property
+    def ancestor(self) -> Frame:
+        """The root of the chain: ground, or a moving master frame."""
+        frame = self
+        while frame.parent is not None:
+            frame = frame.parent
+        return frame
+
+    @property
+    def base(self) -> Frame:
+        """The last frame of the chain up to which all motions are rigid."""
+        frame = self
+        while not frame.is_rigid and frame.parent is not None:
+            frame = frame.parent
+        return frame
+
+    def inverse(self) -> Frame:
+        """Return the frame that undoes this one: the ground as seen from here (by the transpose, where not rigid)."""
+        frame = ground
+        for motion in reversed(self.motions):
+            for back in motion.inverse():
+                frame = frame.then(back)
+        return frame
+
+    def subs(self, substitution: Substitution) -> Frame:
+        """Return the frame with expressions put in the place of others."""
+        frame = self.ancestor
+        for motion in self.motions:
+            frame = frame.then(motion.subs(substitution))
+        return frame.named(self.name)
+
+    # --- values ---
+
+    @property
+    def pose(self) -> Pose:
+        """The rotation matrix and the origin, as seen from the root."""
+        with derivation() as current:
+            return along_chain(self, current.cache.setdefault("pose", {}), lambda _: UNMOVED, moved)
+
+    @property
+    def matrix(self) -> Matrix:
+        """The 4x4 matrix that takes coordinates in this frame to those in the root."""
+        rows, origin = self.pose
+        upper = [[*row, place] for row, place in zip(rows, origin, strict=True)]
+        return Matrix([*upper, [0, 0, 0, 1]])
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Frame) and self.key == other.key
+
+    def __hash__(self) -> int:
+        return hash(self.key)
+
+    def __repr__(self) -> str:
+        if self.name:
+            return self.name
+        return f"Frame({self.matrix})" if self.depth <= _SHOWN else f"Frame({self.depth} motions from {self.ancestor})"
+
+    def _repr_latex_(self) -> str:
+        return f"${self.matrix.latex()}$"
+
+
+_SHOWN = 12
+"""Motions of the longest chain that is shown as a matrix."""
+
+UNMOVED = Pose(
+    (triple(1, 0, 0), triple(0, 1, 0), triple(0, 0, 1)),
+    NULL,
+)
+
+ground = Frame.root("ground")
+
+
+def along_chain(
+    frame: Frame,
+    memo: dict[bytes, State],
+    start: Callable[[Frame], State],
+    step: Callable[[Motion, State], State],
+) -> State:
+    """Return what a recursion from the root leads to at a frame; the memo keeps what it finds on the way."""
+    missing = []
+    current: Frame | None = frame
+    while current is not None and current.key not in memo:
+        missing.append(current)
+        current = current.parent
+    for link in reversed(missing):
+        if link.parent is None or link.motion is None:
+            memo[link.key] = start(link)
+        else:
+            memo[link.key] = step(link.motion, memo[link.parent.key])
+    return memo[frame.key]
+
+
+def moved(motion: Motion, pose: Pose) -> Pose:
+    """Return the pose reached by one more motion."""
+    (x, y, z), origin = pose
+    rows = (motion.to_child(x), motion.to_child(y), motion.to_child(z)) if motion.rotates else pose.rows
+    d = motion.displacement
+    return Pose(rows, add3(origin, (dot3(x, d), dot3(y, d), dot3(z, d))))
+
+
+# --- how frames are made ---
+
+
+def translate(x: Scalar, y: Scalar, z: Scalar) -> Frame:
+    """Return the frame displaced by (x, y, z).
+
+    >>> translate(1, 2, 0).matrix[1, 3]
+    2
+    """
+    return ground.then(Translation(triple(x, y, z)))
+
+
+def rotate(axis: Axis, angle: Scalar) -> Frame:
+    """Return the frame rotated about "X", "Y", "Z", a unit triple or a vector; right-handed.
+
+    >>> rotate("Z", 0) == ground
+    True
+    """
+    turn = expression(angle)
+    if isinstance(axis, str):
+        return ground.then(Rotation(_principal(axis), turn))
+    return ground.then(_about(_axis_components(axis), turn))
+
+
+def moving_frame(u: Scalar, v: Scalar, w: Scalar, wx: Scalar, wy: Scalar, wz: Scalar, *, name: str = "") -> Frame:
+    """Return a moving master frame: where it is stays unknown, its velocities in its own axes are given.
+
+    Args:
+        u, v, w: velocity of the origin.
+        wx, wy, wz: angular velocity.
+        name: what to call it.
+    """
+    return Frame.root(name or "moving frame", Twist(triple(wx, wy, wz), triple(u, v, w)))
+
+
+def _principal(axis: str) -> int:
+    if len(axis) != 1 or axis.upper() not in AXES:
+        raise FrameError(f"rotate: unknown axis {axis!r}, expected 'X', 'Y', 'Z', a unit triple or a Vector")
+    return AXES.index(axis.upper())
+
+
+def _axis_components(axis: Sequence[Scalar] | HasComponents) -> Triple:
+    components = axis if isinstance(axis, Sequence) else axis.components
+    if len(components) != 3:
+        raise FrameError(f"rotate: an axis of {len(components)} components, expected three, or 'X', 'Y' or 'Z'")
+    return triple(*components)
+
+
+def _about(axis: Triple, angle: Scalar) -> Motion:
+    turn = expression(angle)
+    shown = f"rotate: the axis ({', '.join(str(component) for component in axis)})"
+    if not all(component.is_constant for component in axis):
+        if not is_unit(axis):
+            raise FrameError(f"{shown} isn't of length 1 whatever its variables; divide it by its length")
+        return AxisRotation(axis, turn)
+    numbers = [float(component) for component in axis]
+    length = sum(number * number for number in numbers) ** 0.5
+    if abs(length - 1) > ROUGH:
+        raise FrameError(f"{shown} has length {length:.6g}, expected 1; divide it by its length")
+    exact = axis if is_unit(axis) else exact_axis(*numbers)
+    for k, component in enumerate(exact):
+        if (component * component - 1).is_zero:
+            return Rotation(k, component * turn)
+    return AxisRotation(exact, turn)
+
+
+def _as_matrix(matrix: Matrix | Sequence[Sequence[Scalar]]) -> Matrix:
+    result = matrix if isinstance(matrix, Matrix) else Matrix([list(row) for row in matrix])
+    if result.shape != (4, 4):
+        raise FrameError(
+            f"Frame: a {result.rows}x{result.shape[1]} matrix, expected 4x4: the rotation, the origin in the last column, "
+            "and 0, 0, 0, 1 in the last row"
+        )
+    last = result.entries[12:]
+    if tuple(last) != (number(0), number(0), number(0), number(1)):
+        raise FrameError(f"Frame: the last row is {', '.join(map(str, last))}, expected 0, 0, 0, 1")
+    return result
+
+
+def _from_matrix(matrix: Matrix) -> Frame:
+    e = matrix.entries
+    rows, origin = ((e[0], e[1], e[2]), (e[4], e[5], e[6]), (e[8], e[9], e[10])), (e[3], e[7], e[11])
+    if not all(entry.is_constant for row in rows for entry in row):
+        return ground.then(Placement(rows, origin))
+    numbers = [[float(entry) for entry in row] for row in rows]
+    defect = distance_from_rotation(numbers)
+    if defect > ROUGH:
+        raise FrameError(
+            f"Frame: the rotation part isn't rigid: its rows are off a right-handed orthonormal triad by {defect:.3g}; "
+            "give a rotation matrix, or build the frame with translate and rotate"
+        )
+    frame = ground.then(Translation(origin))
+    for axis, angle in turns(numbers):
+        frame = frame.then(Rotation(axis, angle))
+    return frame

@@ -1,0 +1,99 @@
+"""Velocities of frames by recursion along their chains, in local axes.
+
+With A the parent, B the child, d the displacement and w the child's spin in the parent:
+
+    w_NB = R_BA w_NA + w        v_NB = R_BA (v_NA + w_NA x d + d')
+
+A frame beyond a bare matrix R (natural coordinates) is seen from its base, the last rigid frame of the chain: only the
+derivative of R itself is then right whether or not the constraints hold.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+from symbody.symbolic import add3, cross3, derivation, matvec3, time_derivative
+
+from .frame import UNMOVED, Frame, Pose, Twist, along_chain, moved
+from .motion import Motion
+from .placement import axial_rate, transposed
+from .triple import NULL, Rate, Triple, is_null, rates
+
+
+class Seen(NamedTuple):
+    """A vector by its components, and the frame in whose axes they are."""
+
+    components: Triple
+    axes: Frame
+
+
+def twist(frame: Frame) -> Twist:
+    """Return the twist of a rigid frame in its own axes."""
+    with derivation() as current:
+        return along_chain(frame, current.cache.setdefault("twist", {}), _root_twist, _twist_step)
+
+
+def _root_twist(root: Frame) -> Twist:
+    return root.carrier or Twist(NULL, NULL)
+
+
+def _twist_step(motion: Motion, parent: Twist) -> Twist:
+    linear = parent.linear
+    if not is_null(motion.displacement):
+        linear = add3(add3(linear, cross3(parent.angular, motion.displacement)), motion.drift(time_derivative))
+    if not motion.rotates:
+        return Twist(parent.angular, linear)
+    angular = add3(motion.to_child(parent.angular), motion.spin(time_derivative))
+    return Twist(angular, motion.to_child(linear))
+
+
+def pose_from(frame: Frame, base: Frame) -> Pose:
+    """Return the pose of a frame as seen from one of its ancestors."""
+    pose = UNMOVED
+    with derivation():
+        for link in frame.chain[base.depth + 1 :]:
+            if link.motion is not None:
+                pose = moved(link.motion, pose)
+    return pose
+
+
+def spin(frame: Frame) -> Triple:
+    """Return the angular velocity of a frame in its own axes; beyond a bare matrix R, the vector of ``R^T dR/dt``."""
+    if frame.is_rigid:
+        return twist(frame).angular
+    with derivation():
+        rows = pose_from(frame, frame.base).rows
+        carried = turned(transposed(rows), twist(frame.base).angular)
+        return add3(carried, axial_rate(rows, time_derivative))
+
+
+def origin_velocity(frame: Frame) -> Seen:
+    """Return the velocity of a frame's origin."""
+    return material_velocity(NULL, frame)
+
+
+def material_velocity(p: Triple, frame: Frame) -> Seen:
+    """Return the velocity of the point of a frame that is at p, as if p were fixed in the frame."""
+    base = frame.base
+    with derivation():
+        angular, linear = twist(base)
+        if frame is base:
+            return Seen(add3(linear, cross3(angular, p)), base)
+        pose = pose_from(frame, base)
+        r = add3(pose.origin, turned(pose.rows, p))
+        return Seen(add3(add3(linear, cross3(angular, r)), displacement_rate(pose, p, time_derivative)), base)
+
+
+def displacement_rate(pose: Pose, p: Triple, rate: Rate) -> Triple:
+    """Return the rate of ``origin + R p`` for fixed p."""
+    drift = rates(pose.origin, rate)
+    if is_null(p):
+        return drift
+    x, y, z = pose.rows
+    return add3(drift, turned((rates(x, rate), rates(y, rate), rates(z, rate)), p))
+
+
+def turned(rows: tuple[Triple, Triple, Triple], v: Triple) -> Triple:
+    """Return the product of a matrix, given by its rows, and a vector."""
+    x, y, z = rows
+    return matvec3((*x, *y, *z), v)

@@ -1,0 +1,82 @@
+"""Frames given as bare matrices: natural coordinates, or the results of another calculation."""
+
+from __future__ import annotations
+
+from typing import final
+
+from symbody.symbolic import Expr, Matrix, cross3, matvec3, number, sub3
+
+from .motion import Motion, Rows, Substitution
+from .triple import NULL, Rate, Triple
+
+
+@final
+class Placement(Motion):
+    """A rotation matrix (by rows) and a displacement, whose entries may be unknowns (natural coordinates).
+
+    Where the entries do not make the rows orthonormal by themselves, constraints must do so: the motion isn't rigid.
+    """
+
+    tag = b"placement"
+
+    def __init__(self, rows: Rows, displacement: Triple) -> None:
+        self.rows = rows
+        self._displacement = displacement
+        self.is_rigid = is_rotation(rows)
+
+    @property
+    def variables(self) -> tuple[Expr, ...]:
+        return *self.rows[0], *self.rows[1], *self.rows[2], *self._displacement
+
+    @property
+    def displacement(self) -> Triple:
+        return self._displacement
+
+    def to_parent(self, v: Triple) -> Triple:
+        x, y, z = self.rows
+        return matvec3((*x, *y, *z), v)
+
+    def to_child(self, v: Triple) -> Triple:
+        """Use the transpose as the inverse: exact where the constraints hold."""
+        x, y, z = transposed(self.rows)
+        return matvec3((*x, *y, *z), v)
+
+    def spin(self, rate: Rate) -> Triple:
+        """Return the axial vector of ``R^T dR/dt``."""
+        return axial_rate(self.rows, rate)
+
+    def inverse(self) -> tuple[Motion, ...]:
+        return (Placement(transposed(self.rows), sub3(NULL, self.to_child(self._displacement))),)
+
+    def subs(self, substitution: Substitution) -> Motion:
+        values = Matrix([self.variables]).subs(substitution).entries
+        rows = (values[0], values[1], values[2]), (values[3], values[4], values[5]), (values[6], values[7], values[8])
+        return Placement(rows, (values[9], values[10], values[11]))
+
+
+def transposed(rows: Rows) -> Rows:
+    """Return the columns."""
+    (a, b, c), (d, e, f), (g, h, i) = rows
+    return (a, d, g), (b, e, h), (c, f, i)
+
+
+def axial_rate(rows: Rows, rate: Rate) -> Triple:
+    """Return the vector of ``R^T dR/dt``: its entries (z, y), (x, z) and (y, x).
+
+    With columns u, v, w of R these are ``w.v'``, ``u.w'`` and ``v.u'``.
+    """
+    u, v, w = transposed(rows)
+    return _dot_rate(w, v, rate), _dot_rate(u, w, rate), _dot_rate(v, u, rate)
+
+
+def _dot_rate(a: Triple, b: Triple, rate: Rate) -> Expr:
+    total = number(0)
+    for fixed, moving in zip(a, b, strict=True):
+        total += fixed * rate(moving)
+    return total
+
+
+def is_rotation(rows: Rows) -> bool:
+    """Tell whether the rows are a right-handed orthonormal triad: each is the cross product of the other two."""
+    x, y, z = rows
+    return cross3(x, y) == z and cross3(y, z) == x and cross3(z, x) == y

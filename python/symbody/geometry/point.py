@@ -1,0 +1,76 @@
+"""Points: coordinates in a frame."""
+
+from __future__ import annotations
+
+from typing import final, overload
+
+from symbody.errors import FrameError
+from symbody.symbolic import add3, sub3
+
+from .coordinates import point_coordinates
+from .frame import Frame
+from .motion import Substitution
+from .triple import NULL, Scalar, Triple, triple
+from .vector import Vector, column
+
+
+@final
+class Point:
+    """A point given by its coordinates in a frame.
+
+    >>> from symbody import ground, translate
+    >>> A, B = Point(ground, 1, 0, 0), Point(translate(0, 2, 0), 1, 1, 0)
+    >>> (B - A).components
+    (0, 3, 0)
+    """
+
+    __slots__ = ("coordinates", "frame", "name")
+
+    def __init__(self, frame: Frame, x: Scalar, y: Scalar, z: Scalar, *, name: str = "") -> None:
+        if not isinstance(frame, Frame):
+            raise FrameError(f"Point: {frame!r} isn't a frame; write Point(frame, x, y, z)")
+        self.frame = frame
+        self.coordinates: Triple = triple(x, y, z)
+        self.name = name
+
+    def projected(self, frame: Frame) -> Point:
+        """Return the same point, by its coordinates in another frame."""
+        if frame == self.frame:
+            return self
+        return Point(frame, *point_coordinates(self.coordinates, self.frame, frame), name=self.name)
+
+    def subs(self, substitution: Substitution) -> Point:
+        """Return the point with expressions put in the place of others."""
+        x, y, z = (coordinate.subs(substitution) for coordinate in self.coordinates)
+        return Point(self.frame.subs(substitution), x, y, z, name=self.name)
+
+    def __add__(self, displacement: Vector) -> Point:
+        if not isinstance(displacement, Vector):
+            return NotImplemented
+        moved = add3(self.coordinates, displacement.projected(self.frame).components)
+        return Point(self.frame, *moved)
+
+    __radd__ = __add__
+
+    @overload
+    def __sub__(self, other: Point) -> Vector: ...
+    @overload
+    def __sub__(self, other: Vector) -> Point: ...
+    def __sub__(self, other: Point | Vector) -> Vector | Point:
+        """Return the vector from the other point to this one, in the frame of the other; or a displaced point."""
+        if isinstance(other, Vector):
+            return self + -other
+        if not isinstance(other, Point):
+            return NotImplemented
+        return Vector(other.frame, *sub3(self.projected(other.frame).coordinates, other.coordinates))
+
+    def __repr__(self) -> str:
+        return self.name or f"Point({self.frame}, {', '.join(map(str, self.coordinates))})"
+
+    def _repr_latex_(self) -> str:
+        return column(self.coordinates)
+
+
+def origin(frame: Frame) -> Point:
+    """Return the origin of a frame."""
+    return Point(frame, *NULL)

@@ -1,0 +1,26 @@
+"""One door for seeing a thing from another frame."""
+
+from __future__ import annotations
+
+from typing import Protocol, Self, TypeVar
+
+from .frame import Frame
+
+
+class Projectable(Protocol):
+    """A point, a vector, a force or a torque."""
+
+    def projected(self, frame: Frame) -> Self: ...
+
+
+Thing = TypeVar("Thing", bound=Projectable)
+
+
+def project(thing: Thing, frame: Frame) -> Thing:
+    """Return the same point, vector, force or torque by its components in another frame.
+
+    >>> from symbody import Vector, ground, pi, project, rotate
+    >>> project(Vector(rotate("Z", pi / 2), 1, 0, 0), ground)
+    Vector(ground, 0, 1, 0)
+    """
+    return thing.projected(frame)

@@ -1,0 +1,41 @@
+"""Three components: what points, vectors and twists are made of, whatever their frame."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from fractions import Fraction
+from typing import TypeAlias
+
+from symbody.symbolic import Expr, number
+
+Scalar: TypeAlias = Expr | int | float | Fraction
+"""What a user may write where an expression is wanted."""
+
+Triple: TypeAlias = tuple[Expr, Expr, Expr]
+"""Components along x, y and z."""
+
+Rate: TypeAlias = Callable[[Expr], Expr]
+"""A derivation law: the time derivative, or the partial derivative with respect to a coordinate."""
+
+NULL: Triple = (number(0), number(0), number(0))
+
+
+def expression(value: Scalar) -> Expr:
+    """Return the expression of a number, and an expression as it is."""
+    return value if isinstance(value, Expr) else number(value)
+
+
+def triple(x: Scalar, y: Scalar, z: Scalar) -> Triple:
+    """Return three expressions."""
+    return expression(x), expression(y), expression(z)
+
+
+def is_null(components: Triple) -> bool:
+    """Tell whether all three components are zero."""
+    return all(component.is_zero for component in components)
+
+
+def rates(components: Triple, rate: Rate) -> Triple:
+    """Return the derivatives of three components."""
+    x, y, z = components
+    return rate(x), rate(y), rate(z)

@@ -1,0 +1,88 @@
+"""Free vectors: components in a frame."""
+
+from __future__ import annotations
+
+from typing import final
+
+from symbody.errors import FrameError
+from symbody.symbolic import Expr, add3, cross3, dot3, number, scale3, sub3
+
+from .coordinates import vector_components
+from .frame import Frame
+from .motion import Substitution
+from .triple import Scalar, Triple, expression, triple
+
+
+@final
+class Vector:
+    """A free vector: moving its frame's origin doesn't change it.
+
+    Vectors of different frames meet in the frame of the first.
+
+    >>> from symbody import ground, pi, rotate
+    >>> Vector(ground, 1, 0, 0) + Vector(rotate("Z", pi / 2), 1, 0, 0)
+    Vector(ground, 1, 1, 0)
+    """
+
+    __slots__ = ("components", "frame", "name")
+
+    def __init__(self, frame: Frame, x: Scalar, y: Scalar, z: Scalar, *, name: str = "") -> None:
+        if not isinstance(frame, Frame):
+            raise FrameError(f"Vector: {frame!r} isn't a frame; write Vector(frame, x, y, z)")
+        self.frame = frame
+        self.components: Triple = triple(x, y, z)
+        self.name = name
+
+    def projected(self, frame: Frame) -> Vector:
+        """Return the same vector, by its components in another frame."""
+        if frame == self.frame:
+            return self
+        return Vector(frame, *vector_components(self.components, self.frame, frame), name=self.name)
+
+    def subs(self, substitution: Substitution) -> Vector:
+        """Return the vector with expressions put in the place of others."""
+        x, y, z = (component.subs(substitution) for component in self.components)
+        return Vector(self.frame.subs(substitution), x, y, z, name=self.name)
+
+    def __add__(self, other: Vector) -> Vector:
+        if not isinstance(other, Vector):
+            return NotImplemented
+        return Vector(self.frame, *add3(self.components, other.projected(self.frame).components))
+
+    def __sub__(self, other: Vector) -> Vector:
+        if not isinstance(other, Vector):
+            return NotImplemented
+        return Vector(self.frame, *sub3(self.components, other.projected(self.frame).components))
+
+    def __mul__(self, factor: Scalar) -> Vector:
+        return Vector(self.frame, *scale3(expression(factor), self.components))
+
+    __rmul__ = __mul__
+
+    def __truediv__(self, divisor: Scalar) -> Vector:
+        return self * (number(1) / expression(divisor))
+
+    def __neg__(self) -> Vector:
+        return self * -1
+
+    def __repr__(self) -> str:
+        return self.name or f"Vector({self.frame}, {', '.join(map(str, self.components))})"
+
+    def _repr_latex_(self) -> str:
+        return column(self.components)
+
+
+def column(components: Triple) -> str:
+    """Return three components as a column, in LaTeX."""
+    entries = r" \\ ".join(component.latex() for component in components)
+    return rf"$\begin{{bmatrix}} {entries} \end{{bmatrix}}$"
+
+
+def dot(u: Vector, v: Vector) -> Expr:
+    """Return the scalar product."""
+    return dot3(u.components, v.projected(u.frame).components)
+
+
+def cross(u: Vector, v: Vector) -> Vector:
+    """Return the vector product, in the frame of the first."""
+    return Vector(u.frame, *cross3(u.components, v.projected(u.frame).components))

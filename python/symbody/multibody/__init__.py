@@ -1,0 +1,26 @@
+"""Bodies, loads, and what can be said of them before any equation of motion."""
+
+from .body import Body, center_of_mass
+from .energy import gravitational_energy, kinetic_energy, mechanical_energy
+from .load import Action, Force, Load, Torque, power
+from .momentum import angular_momentum, linear_momentum
+from .show import describe, show
+from .system import System
+
+__all__ = [
+    "Action",
+    "Body",
+    "Force",
+    "Load",
+    "System",
+    "Torque",
+    "angular_momentum",
+    "center_of_mass",
+    "describe",
+    "gravitational_energy",
+    "kinetic_energy",
+    "linear_momentum",
+    "mechanical_energy",
+    "power",
+    "show",
+]

@@ -1,0 +1,95 @@
+"""Rigid bodies."""
+
+from __future__ import annotations
+
+from functools import cached_property
+from typing import final
+
+from symbody.errors import BodyError
+from symbody.geometry import Frame, Point, Scalar, Triple, origin
+from symbody.geometry.motion import Translation
+from symbody.geometry.triple import expression, triple
+from symbody.symbolic import Expr, Matrix, matvec3
+
+
+@final
+class Body:
+    """A rigid body: a frame at its centre of mass, a mass, and the inertia about the centre of mass in that frame.
+
+    The products of inertia have a minus sign off the diagonal: ``[[Ix, -Cxy, -Cxz], [-Cxy, Iy, -Cyz], [-Cxz, -Cyz, Iz]]``.
+    Masses and inertias may be zero, or negative: what is subtracted from another body. Two bodies are never equal, even if
+    all their values are.
+
+    >>> from symbody import Point, ground, symbols
+    >>> Body(Point(ground, 1, 0, 0), symbols("m")).mass
+    m
+    """
+
+    def __init__(
+        self,
+        place: Point | Frame,
+        mass: Scalar,
+        Ix: Scalar = 0,  # noqa: N803  (the names of the textbook)
+        Iy: Scalar = 0,  # noqa: N803
+        Iz: Scalar = 0,  # noqa: N803
+        Cyz: Scalar = 0,  # noqa: N803
+        Cxz: Scalar = 0,  # noqa: N803
+        Cxy: Scalar = 0,  # noqa: N803
+        *,
+        name: str = "",
+    ) -> None:
+        if not isinstance(place, Point | Frame):
+            raise BodyError(
+                f"Body: {place!r} is neither a point nor a frame, so that the body has no centre of mass; "
+                "write Body(Point(frame, x, y, z), mass) or Body(frame, mass)"
+            )
+        self.frame = place.frame.then(Translation(place.coordinates)) if isinstance(place, Point) else place
+        self.mass = expression(mass)
+        self.moments = triple(Ix, Iy, Iz)
+        self.products = triple(Cyz, Cxz, Cxy)
+        self.name = name
+
+    @property
+    def inertia(self) -> Matrix:
+        """The tensor of inertia about the centre of mass."""
+        r = self.inertia_entries
+        return Matrix([r[:3], r[3:6], r[6:]])
+
+    @cached_property
+    def inertia_entries(self) -> tuple[Expr, ...]:
+        """The nine entries of the tensor of inertia, row after row."""
+        (xx, yy, zz), (yz, xz, xy) = self.moments, self.products
+        return xx, -xy, -xz, -xy, yy, -yz, -xz, -yz, zz
+
+    @cached_property
+    def is_particle(self) -> bool:
+        """Whether there is no inertia but the mass."""
+        return not self.has_products and all(entry.is_zero for entry in self.moments)
+
+    @cached_property
+    def has_products(self) -> bool:
+        """Whether the axes of the frame aren't the principal axes of inertia."""
+        return not all(entry.is_zero for entry in self.products)
+
+    @property
+    def center_of_mass(self) -> Point:
+        """The centre of mass."""
+        return origin(self.frame)
+
+    def spin_momentum(self, angular_velocity: Triple) -> Triple:
+        """Return the angular momentum about the centre of mass, in the body's axes."""
+        return matvec3(self.inertia_entries, angular_velocity)
+
+    @property
+    def key(self) -> bytes:
+        """What puts the bodies of a set in order."""
+        values = (self.mass, *self.moments, *self.products)
+        return b"".join((self.name.encode(), self.frame.key, *(value.fingerprint for value in values)))
+
+    def __repr__(self) -> str:
+        return self.name or f"Body({self.frame}, {self.mass})"
+
+
+def center_of_mass(body: Body) -> Point:
+    """Return the centre of mass of a body."""
+    return body.center_of_mass

@@ -1,0 +1,58 @@
+"""Energies of bodies."""
+
+from __future__ import annotations
+
+from symbody.errors import ModelError
+from symbody.geometry import Vector
+from symbody.geometry.kinematics import origin_velocity, spin
+from symbody.symbolic import Expr, derivation, dot3, number
+
+from .body import Body
+from .selection import Objects, select_bodies
+
+
+def kinetic_energy(objects: Objects) -> Expr:
+    """Return the kinetic energy: ``T = 1/2 m v_G . v_G + 1/2 w . J w``, summed over the bodies.
+
+    >>> from symbody import Body, functions_of_time, kinetic_energy, symbols, translate
+    >>> x, m = functions_of_time("x"), symbols("m")
+    >>> kinetic_energy(Body(translate(x, 0, 0), m)).equals(m * x.diff_time() ** 2 / 2)
+    True
+    """
+    with derivation():
+        return sum((_kinetic(body) for body in select_bodies(objects, "kinetic_energy").bodies), start=number(0))
+
+
+def _kinetic(body: Body) -> Expr:
+    velocity = origin_velocity(body.frame).components
+    twice = body.mass * dot3(velocity, velocity)
+    if not body.is_particle:
+        angular = spin(body.frame)
+        twice += dot3(angular, body.spin_momentum(angular))
+    return twice / 2
+
+
+def gravitational_energy(objects: Objects, gravity: Vector | None = None) -> Expr:
+    """Return the potential energy of weight: ``-m g . r_G``, summed over the bodies.
+
+    Args:
+        objects: a body, bodies, or a system.
+        gravity: the acceleration; by default that of the system.
+    """
+    selection = select_bodies(objects, "gravitational_energy", gravity)
+    if selection.gravity is None:
+        raise ModelError("gravitational_energy: no gravity is given; pass a vector such as Vector(ground, 0, 0, -g)")
+    with derivation():
+        g = selection.gravity.projected(selection.root).components
+        return sum((_weight_energy(body, g) for body in selection.bodies), start=number(0))
+
+
+def _weight_energy(body: Body, g: tuple[Expr, Expr, Expr]) -> Expr:
+    return -(body.mass * dot3(g, body.frame.pose.origin))
+
+
+def mechanical_energy(objects: Objects, gravity: Vector | None = None) -> Expr:
+    """Return the kinetic energy, plus the potential energy of weight where there is gravity."""
+    selection = select_bodies(objects, "mechanical_energy", gravity)
+    kinetic = kinetic_energy(selection.bodies)
+    return kinetic if selection.gravity is None else kinetic + gravitational_energy(selection.bodies, selection.gravity)

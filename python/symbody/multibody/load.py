@@ -1,0 +1,181 @@
+"""Loads: what acts on bodies."""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from dataclasses import dataclass
+from typing import final
+
+from symbody.errors import LoadError
+from symbody.geometry import Frame, Point, Scalar, Triple, Vector
+from symbody.geometry.coordinates import path
+from symbody.geometry.kinematics import Seen, material_velocity, spin
+from symbody.symbolic import Expr, derivation, dot3, number
+
+from .body import Body
+
+
+@dataclass(frozen=True, eq=False)
+class Action:
+    """What a load does to one body: a force at a point of it, or a torque."""
+
+    body: Body
+    vector: Vector
+    point: Point | None = None
+    """Where a force acts; a torque acts nowhere in particular."""
+
+    @property
+    def is_force(self) -> bool:
+        """Whether this is a force, not a torque."""
+        return self.point is not None
+
+    @property
+    def anchor(self) -> Point:
+        """The point of a force by its coordinates in a frame that is fixed in the body: its own one if that is."""
+        point = self.point or self.body.center_of_mass
+        up, down = path(point.frame, self.body.frame)
+        fixed = all(motion.is_constant for motion in (*up, *down))
+        return point if fixed else point.projected(self.body.frame)
+
+    def components(self, axes: Frame) -> Triple:
+        """Return the components of the force or torque."""
+        return self.vector.projected(axes).components
+
+
+class Load(ABC):
+    """What acts on bodies: a load is the sum of its actions."""
+
+    name: str
+
+    @property
+    @abstractmethod
+    def actions(self) -> tuple[Action, ...]:
+        """What the load does, body by body."""
+
+    @property
+    @abstractmethod
+    def key(self) -> bytes:
+        """What puts the loads of a set in order."""
+
+
+class _Vectorial(Load):
+    """A vector that acts on a body, and with the opposite sign on a reaction body."""
+
+    def __init__(self, what: Vector | Frame, components: tuple[Scalar, ...], on: Body, reaction: Body | None, name: str) -> None:
+        kind = type(self).__name__
+        if not isinstance(on, Body) or not (reaction is None or isinstance(reaction, Body)):
+            wrong = reaction if isinstance(on, Body) else on
+            raise LoadError(f"{kind}: {wrong!r} isn't a body; give on=body, and reaction=body for the one that reacts")
+        if isinstance(what, Vector) and not components:
+            self.vector = what
+        elif isinstance(what, Frame) and len(components) == 3:
+            self.vector = Vector(what, *components)
+        else:
+            raise LoadError(
+                f"{kind}: {what!r} with {len(components)} components, expected a vector alone, or a frame and three "
+                "components"
+            )
+        if on is reaction:
+            raise LoadError(f"{kind}: acts and reacts on the same body {on!r}; name two bodies, or leave reaction out")
+        self.on, self.reaction, self.name = on, reaction, name
+
+    @property
+    def frame(self) -> Frame:
+        """The frame in which the components are given."""
+        return self.vector.frame
+
+    @property
+    def components(self) -> Triple:
+        """The components of the vector."""
+        return self.vector.components
+
+    @property
+    def key(self) -> bytes:
+        """What puts the loads of a set in order."""
+        values = b"".join(component.fingerprint for component in self.vector.components)
+        return self.name.encode() + self.on.key + self.vector.frame.key + values
+
+
+@final
+class Force(_Vectorial):
+    """A force at a point of a body: ``Force(vector, at=P, on=body)`` or ``Force(frame, x, y, z, at=P, on=body)``.
+
+    The point is a point of the body at the instant: the power of the force is that on the material point of the body
+    that is there. The reaction acts at the same place on the reaction body.
+    """
+
+    def __init__(
+        self,
+        what: Vector | Frame,
+        *components: Scalar,
+        at: Point,
+        on: Body,
+        reaction: Body | None = None,
+        name: str = "",
+    ) -> None:
+        super().__init__(what, components, on, reaction, name)
+        if not isinstance(at, Point):
+            raise LoadError(f"Force: {at!r} isn't a point; give at=Point(frame, x, y, z)")
+        self.at = at
+
+    @property
+    def actions(self) -> tuple[Action, ...]:
+        direct = Action(self.on, self.vector, self.at)
+        return (direct,) if self.reaction is None else (direct, Action(self.reaction, -self.vector, self.at))
+
+    def projected(self, frame: Frame) -> Force:
+        """Return the same force, by its components in another frame."""
+        vector = self.vector.projected(frame)
+        return Force(vector, at=self.at, on=self.on, reaction=self.reaction, name=self.name)
+
+    def __repr__(self) -> str:
+        return self.name or f"Force({self.vector}, at={self.at}, on={self.on})"
+
+
+@final
+class Torque(_Vectorial):
+    """A torque on a body: ``Torque(vector, on=body)`` or ``Torque(frame, x, y, z, on=body)``."""
+
+    def __init__(
+        self, what: Vector | Frame, *components: Scalar, on: Body, reaction: Body | None = None, name: str = ""
+    ) -> None:
+        super().__init__(what, components, on, reaction, name)
+
+    @property
+    def actions(self) -> tuple[Action, ...]:
+        direct = Action(self.on, self.vector)
+        return (direct,) if self.reaction is None else (direct, Action(self.reaction, -self.vector))
+
+    def projected(self, frame: Frame) -> Torque:
+        """Return the same torque, by its components in another frame."""
+        return Torque(self.vector.projected(frame), on=self.on, reaction=self.reaction, name=self.name)
+
+    def __repr__(self) -> str:
+        return self.name or f"Torque({self.vector}, on={self.on})"
+
+
+def power(load: Load) -> Expr:
+    """Return the power of a load: ``F . v + M . w``, summed over the bodies on which it acts.
+
+    >>> from symbody import Body, Force, Point, functions_of_time, ground, symbols, translate
+    >>> x, F = functions_of_time("x"), symbols("F")
+    >>> body = Body(translate(x, 0, 0), 1)
+    >>> power(Force(ground, F, 0, 0, at=body.center_of_mass, on=body))
+    F*x'
+    """
+    with derivation():
+        return sum((action_power(action) for action in load.actions), start=number(0))
+
+
+def action_power(action: Action) -> Expr:
+    """Return the power of one action."""
+    velocity, axes = action_velocity(action)
+    return dot3(action.components(axes), velocity)
+
+
+def action_velocity(action: Action) -> Seen:
+    """Return the velocity by which the power of an action is its product: of the material point, or angular."""
+    if not action.is_force:
+        return Seen(spin(action.body.frame), action.body.frame)
+    anchor = action.anchor
+    return material_velocity(anchor.coordinates, anchor.frame)

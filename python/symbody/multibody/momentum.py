@@ -1,0 +1,50 @@
+"""Linear and angular momentum of bodies."""
+
+from __future__ import annotations
+
+from symbody.geometry import Point, Triple, Vector, velocity
+from symbody.geometry.coordinates import vector_components
+from symbody.geometry.kinematics import origin_velocity, spin
+from symbody.geometry.triple import NULL
+from symbody.symbolic import add3, cross3, derivation, scale3, sub3
+
+from .body import Body
+from .selection import Objects, select_bodies
+
+
+def linear_momentum(objects: Objects) -> Vector:
+    """Return the linear momentum ``m v_G``, summed over the bodies, in ground (or the moving master frame)."""
+    selection = select_bodies(objects, "linear_momentum")
+    total = NULL
+    with derivation():
+        for body in selection.bodies:
+            total = add3(total, scale3(body.mass, velocity(body.center_of_mass).components))
+    return Vector(selection.root, *total)
+
+
+def angular_momentum(objects: Objects, point: Point | None = None) -> Vector:
+    """Return the angular momentum about a point: ``J w + PG x m v_G``, summed over the bodies.
+
+    Args:
+        objects: a body, bodies, or a system.
+        point: P; by default the centre of mass of the one body, or the root's origin for several bodies.
+
+    Returns:
+        A vector in the axes of the body, if there is only one; in those of the root otherwise.
+    """
+    selection = select_bodies(objects, "angular_momentum")
+    single = selection.bodies[0] if len(selection.bodies) == 1 else None
+    frame = selection.root if single is None else single.frame
+    about = point or Point(frame, 0, 0, 0)
+    total = NULL
+    with derivation():
+        for body in selection.bodies:
+            total = add3(total, vector_components(_angular(body, about), body.frame, frame))
+    return Vector(frame, *total)
+
+
+def _angular(body: Body, about: Point) -> Triple:
+    velocity_of_mass, axes = origin_velocity(body.frame)
+    momentum = scale3(body.mass, vector_components(velocity_of_mass, axes, body.frame))
+    lever = sub3(NULL, about.projected(body.frame).coordinates)
+    return add3(body.spin_momentum(spin(body.frame)), cross3(lever, momentum))

@@ -1,0 +1,68 @@
+"""What a formalism is asked about: bodies and loads, picked out of whatever a user hands over."""
+
+from __future__ import annotations
+
+import warnings
+from collections.abc import Iterable
+from dataclasses import dataclass
+from typing import TypeAlias
+
+from symbody.errors import ModelError, ModelNotice
+from symbody.geometry import Frame, Vector
+
+from .body import Body
+from .load import Action, Load
+from .system import System
+
+Objects: TypeAlias = System | Body | Load | Iterable[Body | Load]
+"""A system, a body, a load, or a set or list of bodies and loads."""
+
+
+@dataclass(frozen=True)
+class Selection:
+    """Bodies and loads in a fixed order, and the gravity that acts on them."""
+
+    bodies: tuple[Body, ...]
+    loads: tuple[Load, ...]
+    gravity: Vector | None
+
+    @property
+    def root(self) -> Frame:
+        """The frame on which all bodies hang: ground, or a moving master frame."""
+        return self.bodies[0].frame.ancestor
+
+    def actions(self, where: str) -> list[Action]:
+        """Return what the loads do to the bodies; loads on other bodies are left out, with a notice."""
+        members = set(self.bodies)
+        found = []
+        for load in self.loads:
+            inside = [action for action in load.actions if action.body in members]
+            if not inside:
+                bodies = " and ".join(str(action.body) for action in load.actions)
+                warnings.warn(f"{where}: {load} is left out: it acts on {bodies}, not in the set", ModelNotice, stacklevel=3)
+            found += inside
+        return found
+
+
+def select(objects: Objects, where: str, gravity: Vector | None = None) -> Selection:
+    """Return the bodies and loads of a system, a set or a list; sets are put in an order that doesn't depend on the run."""
+    if isinstance(objects, System):
+        return Selection(objects.bodies, objects.loads, objects.gravity if gravity is None else gravity)
+    things = [objects] if isinstance(objects, Body | Load) else list(objects)
+    bodies = [thing for thing in things if isinstance(thing, Body)]
+    loads = [thing for thing in things if isinstance(thing, Load)]
+    strangers = [thing for thing in things if not isinstance(thing, Body | Load)]
+    if strangers:
+        raise ModelError(f"{where}: {strangers[0]!r} is neither a body nor a load; give bodies, forces and torques")
+    if isinstance(objects, set | frozenset):
+        bodies.sort(key=lambda body: body.key)
+        loads.sort(key=lambda load: load.key)
+    return Selection(tuple(bodies), tuple(loads), gravity)
+
+
+def select_bodies(objects: Objects, where: str, gravity: Vector | None = None) -> Selection:
+    """Return a selection of which at least one body is expected."""
+    selection = select(objects, where, gravity)
+    if not selection.bodies:
+        raise ModelError(f"{where}: no body among the objects; give at least one")
+    return selection
