@@ -158,11 +158,8 @@ impl<D: Dialect> Writer<'_, D> {
     fn application(&mut self, name: &str, args: &[Sum], orders: &[u32]) {
         let name = self.dialect.name(name);
         let indices = indices(orders);
-        if indices.is_empty() {
-            self.out.push_str(&name);
-        } else {
-            self.out.push_str(&format!("D[{indices}]({name})"));
-        }
+        let operator = if indices.is_empty() { name } else { format!("D[{indices}]({name})") };
+        self.out.push_str(&operator);
         self.arguments(args);
     }
 

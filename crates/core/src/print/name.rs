@@ -45,7 +45,7 @@ pub(super) fn to_latex(name: &str, accent: &str) -> String {
     if subscript.is_empty() { letter } else { format!("{letter}_{{{}}}", subscript.join(",")) }
 }
 
-/// theta_B1 is theta with the subscript B, 1.
+/// `theta_B1` is theta with the subscript B, 1.
 fn split_subscript(name: &str) -> (&str, Vec<String>) {
     let end = name.char_indices().skip(1).find(|&(_, c)| c == '_' || c.is_ascii_digit());
     let end = end.map_or(name.len(), |(position, _)| position);
