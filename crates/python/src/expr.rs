@@ -5,7 +5,7 @@ use pyo3::basic::CompareOp;
 use pyo3::exceptions::{PyAttributeError, PyTypeError};
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyFrozenSet, PyTuple};
-use symbody_core::{Error, Function, Graph, Id, Number, NumberId, View};
+use symbody_core::{Error, Evaluator, Function, Graph, Id, Number, NumberId, View};
 
 use crate::convert::{self, Operand};
 use crate::session::{raise, with_forms, with_graph};
@@ -148,6 +148,20 @@ impl Expr {
 
     fn __str__(&self) -> String {
         with_forms(|graph| graph.to_text(self.0))
+    }
+
+    /// LaTeX without the dollar signs.
+    fn latex(&self) -> String {
+        with_forms(|graph| graph.to_latex(self.0))
+    }
+
+    /// Maple's one-dimensional notation.
+    fn maple(&self) -> String {
+        with_forms(|graph| graph.to_maple(self.0))
+    }
+
+    fn _repr_latex_(&self) -> String {
+        format!("$\\displaystyle {}$", self.latex())
     }
 
     fn __repr__(&self) -> String {
@@ -336,7 +350,8 @@ fn constant_value(graph: &Graph, id: Id) -> Result<f64, Error> {
             graph.to_text(variable)
         )));
     }
-    Err(Error::MissingInput(graph.to_text(id)))
+    let tape = graph.tape(&[], &[id])?;
+    Ok(Evaluator::new(&tape).evaluate(&[])?[0])
 }
 
 /// The parts of a node as expressions of their own.

@@ -4,7 +4,9 @@ mod calculus;
 mod convert;
 mod expr;
 mod leaves;
+mod print;
 mod session;
+mod tape;
 mod vector;
 
 use pyo3::prelude::*;
@@ -15,5 +17,7 @@ fn _core(module: &Bound<'_, PyModule>) -> PyResult<()> {
     session::register(module)?;
     leaves::register(module)?;
     calculus::register(module)?;
+    print::register(module)?;
+    tape::register(module)?;
     vector::register(module)
 }

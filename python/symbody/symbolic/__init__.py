@@ -23,6 +23,7 @@ from symbody.symbolic.functions import (
     tan,
     tanh,
 )
+from symbody.symbolic.lambdify import CompiledFunction, lambdify
 from symbody.symbolic.leaves import (
     ExprLike,
     UndefinedFunction,
@@ -34,3 +35,4 @@ from symbody.symbolic.leaves import (
     t,
 )
 from symbody.symbolic.matrix import Matrix, identity, zeros
+from symbody.symbolic.printing import latex, listing, maple
