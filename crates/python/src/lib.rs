@@ -5,6 +5,7 @@ mod convert;
 mod expr;
 mod leaves;
 mod print;
+mod rewrite;
 mod session;
 mod tape;
 mod vector;
@@ -18,6 +19,7 @@ fn _core(module: &Bound<'_, PyModule>) -> PyResult<()> {
     leaves::register(module)?;
     calculus::register(module)?;
     print::register(module)?;
+    rewrite::register(module)?;
     tape::register(module)?;
     vector::register(module)
 }

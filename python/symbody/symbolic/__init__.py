@@ -1,7 +1,8 @@
 """Expressions: values first, forms second."""
 
 from symbody.symbolic._core import Expr
-from symbody.symbolic.calculus import diff, gradient, jacobian, subs, time_derivative
+from symbody.symbolic.calculus import diff, gradient, jacobian, subs, time_derivative, time_derivatives
+from symbody.symbolic.cost import Cost, cost
 from symbody.symbolic.derivation import Derivation, current_derivation, derivation
 from symbody.symbolic.functions import (
     Abs,
@@ -36,3 +37,14 @@ from symbody.symbolic.leaves import (
 )
 from symbody.symbolic.matrix import Matrix, identity, zeros
 from symbody.symbolic.printing import latex, listing, maple
+from symbody.symbolic.triple import (
+    add3,
+    cross3,
+    dot3,
+    matvec3,
+    matvec3_transposed,
+    rotate3,
+    rotate_back3,
+    scale3,
+    sub3,
+)

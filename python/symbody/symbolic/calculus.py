@@ -9,7 +9,7 @@ from symbody.symbolic._core import Expr
 from symbody.symbolic.leaves import ExprLike
 from symbody.symbolic.matrix import Matrix
 
-__all__ = ["diff", "gradient", "jacobian", "subs", "time_derivative"]
+__all__ = ["diff", "gradient", "jacobian", "subs", "time_derivative", "time_derivatives"]
 
 
 def diff(expression: ExprLike, variable: Expr, n: int = 1) -> Expr:
@@ -40,6 +40,17 @@ def time_derivative(expression: ExprLike, n: int = 1) -> Expr:
     for _ in range(n):
         (result,) = _core.time_derivatives((result,))
     return result
+
+
+def time_derivatives(expressions: Sequence[ExprLike]) -> tuple[Expr, ...]:
+    """Return the total time derivatives of several expressions, which share one sweep.
+
+    >>> from symbody import functions_of_time, time_derivatives
+    >>> x = functions_of_time("x")
+    >>> time_derivatives([x, x**2])
+    (x', 2*x*x')
+    """
+    return _core.time_derivatives(expressions)
 
 
 def gradient(expression: ExprLike, variables: Sequence[Expr]) -> tuple[Expr, ...]:
