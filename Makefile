@@ -10,9 +10,10 @@ EXAMPLE := examples/trifilar_pendulum.py
 RUST := $(shell find crates -name '*.rs' -o -name Cargo.toml) Cargo.toml Cargo.lock
 PYTHON_SOURCES := $(shell find python -name '*.py' 2>/dev/null)
 
-# CI runs everything and lets no lock file change; on a desk the slow tests wait.
+# CI runs everything, the rivals of the benchmarks too, and lets no lock file change; on a desk the slow tests wait.
 LOCKED := $(if $(CI),--locked)
 SELECT := $(if $(CI),,-m "not slow")
+RIVALS := $(if $(CI),$(STAMPS)/bench)
 PYTEST := $(BIN)/python -m pytest --numprocesses=2
 
 say = @printf '\n\033[1m== %s\033[0m\n' "$(1)"
@@ -42,7 +43,7 @@ test-rust:
 	$(call say,Rust tests)
 	cargo test --workspace $(LOCKED)
 
-test-python: $(STAMPS)/build $(STAMPS)/develop
+test-python: $(STAMPS)/build $(STAMPS)/develop $(RIVALS)
 	$(call say,Python tests: laws$(,) references$(,) doctests$(,) documents$(,) examples$(,) benchmarks)
 	$(PYTEST) $(SELECT)
 
@@ -66,8 +67,8 @@ format: $(STAMPS)/develop  ## put the sources into the project's format
 	$(BIN)/ruff check --fix --exit-zero .
 	$(BIN)/ruff format .
 
-bench: $(STAMPS)/build $(STAMPS)/bench  ## measure against the rivals, and write docs/benchmarks.md
-	$(BIN)/python benchmarks/run.py
+bench: $(STAMPS)/build $(STAMPS)/bench  ## measure against the rivals (half an hour), write docs/benchmarks/
+	$(BIN)/python -m benchmarks.derive.run
 
 docs: $(STAMPS)/build $(STAMPS)/docs $(STAMPS)/develop  ## check the documents, write the API reference into site/
 	$(PYTEST) tests/test_documents.py
