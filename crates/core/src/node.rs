@@ -22,7 +22,8 @@ pub struct NumberId(pub(crate) u32);
 
 impl NumberId {
     pub(crate) const ZERO: Self = Self(0);
-    pub(crate) const ONE: Self = Self(1);
+    /// The number 1: the coefficient and exponent of a plain term or factor.
+    pub const ONE: Self = Self(1);
     pub(crate) const MINUS_ONE: Self = Self(2);
 }
 

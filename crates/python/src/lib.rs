@@ -4,6 +4,7 @@ mod calculus;
 mod convert;
 mod expr;
 mod leaves;
+mod nary;
 mod print;
 mod rewrite;
 mod session;
@@ -17,6 +18,7 @@ fn _core(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_class::<expr::Expr>()?;
     session::register(module)?;
     leaves::register(module)?;
+    nary::register(module)?;
     calculus::register(module)?;
     print::register(module)?;
     rewrite::register(module)?;
