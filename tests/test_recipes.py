@@ -1,0 +1,56 @@
+"""Who follows half a recipe of docs/extending.md is told: whatever is added is held against the laws of its kind."""
+
+import typing
+from collections.abc import Iterator
+from inspect import isabstract
+
+import symbody
+from symbody import dynamics
+from symbody.dynamics import Equations
+from symbody.geometry.motion import Motion
+from symbody.multibody import Load, System
+from symbody.symbolic import functions
+from tests.laws import test_formalisms, test_rewrites
+from tests.laws.random_system import random_system
+from tests.reference import test_robots
+from tests.symbolic import test_textbook_forms
+
+
+def concrete(base: type) -> Iterator[type]:
+    """Each class of the package that is no base of others."""
+    for derived in base.__subclasses__():
+        yield from concrete(derived)
+        if not isabstract(derived) and not derived.__subclasses__():
+            yield derived
+
+
+def systems() -> list[System]:
+    return [random_system(seed) for seed in range(60)]
+
+
+def test_every_motion_occurs_in_the_random_systems() -> None:
+    motions = {type(m) for system in systems() for body in system.bodies for m in body.frame.motions}
+    assert set(concrete(Motion)) <= motions
+
+
+def test_every_load_occurs_in_the_random_systems() -> None:
+    assert set(concrete(Load)) <= {type(load) for system in systems() for load in system.loads}
+
+
+def test_every_formalism_is_held_against_the_others() -> None:
+    public = [getattr(dynamics, name) for name in dynamics.__all__]
+    formalisms = {f for f in public if callable(f) and typing.get_type_hints(f).get("return") is Equations}
+    assert formalisms
+    for tested in (test_formalisms, test_textbook_forms, test_robots):
+        assert formalisms == set(tested.FORMALISMS), tested.__name__
+
+
+def test_every_function_obeys_the_laws() -> None:
+    """The laws name it, or import it (and the lints see to it that what is imported is used)."""
+    assert set(functions.__all__) <= {*test_rewrites.ONE_ARGUMENT, *vars(test_rewrites)}
+
+
+def test_all_of_these_are_public() -> None:
+    loads = {load.__name__ for load in concrete(Load)}
+    formalisms = {formalism.__name__ for formalism in test_formalisms.FORMALISMS}
+    assert {*functions.__all__, *loads, *formalisms} <= set(symbody.__all__)
