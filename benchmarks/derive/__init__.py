@@ -1,0 +1,1 @@
+"""Deriving equations of motion: time and operations, beside SymPy, SymEngine and CasADi."""

@@ -1,0 +1,1 @@
+"""The problems as a user of symbody writes them."""
