@@ -3,8 +3,8 @@
 use rustc_hash::{FxHashMap, FxHashSet};
 use std::ops::AddAssign;
 
-use crate::graph::Graph;
 use crate::function::Function;
+use crate::graph::Graph;
 use crate::node::{Factors, Id, NumberId, Terms, View};
 
 /// Operation counts. Constants cost nothing: they are folded before the first evaluation.

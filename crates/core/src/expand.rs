@@ -48,7 +48,7 @@ impl Graph {
 
     fn expand_to(&mut self, id: Id, opening: Opening) -> Result<Id, Error> {
         self.choose_form(|graph| {
-            graph.inside_out(id, &mut |graph, part| {
+            graph.inside_out(id, Self::push_enclosed, &mut |graph, part| {
                 let mut ring = Ring::new(graph, BUDGET);
                 let polynomial = ring.polynomial(part, opening)?;
                 ring.to_node(&polynomial)
@@ -66,17 +66,18 @@ impl Graph {
         result
     }
 
-    /// Rewrite arguments of functions, divisors and radicands from the innermost outward, the root last.
+    /// Rewrite the parts that `find` names from the innermost outward, the root last.
     pub(crate) fn inside_out(
         &mut self,
         root: Id,
+        find: impl Fn(&Self, Id, &mut FxHashSet<Id>),
         rewrite: &mut impl FnMut(&mut Self, Id) -> Result<Id, Error>,
     ) -> Result<Id, Error> {
         let order = self.post_order(&[root]);
         let mut enclosed: FxHashSet<Id> = FxHashSet::default();
         enclosed.insert(root);
         for &id in &order {
-            self.push_enclosed(id, &mut enclosed);
+            find(self, id, &mut enclosed);
         }
         let mut map: FxHashMap<Id, Id> = FxHashMap::default();
         for id in order {
@@ -92,8 +93,8 @@ impl Graph {
         Ok(map.get(&root).copied().unwrap_or(root))
     }
 
-    /// The children of a node that no polynomial reaches.
-    fn push_enclosed(&self, id: Id, out: &mut FxHashSet<Id>) {
+    /// The children of a node that no polynomial reaches: arguments, divisors, radicands.
+    pub(crate) fn push_enclosed(&self, id: Id, out: &mut FxHashSet<Id>) {
         match self.view(id) {
             View::Function(_, args) | View::Application { args, .. } => out.extend(args.iter()),
             View::Product(factors) => {
@@ -104,6 +105,14 @@ impl Graph {
                 out.extend(factors.iter().filter(|&(_, e)| !is_natural(e)).map(|(base, _)| base));
             }
             _ => {}
+        }
+    }
+
+    /// Also the sums among the factors of a product.
+    pub(crate) fn push_enclosed_or_factors(&self, id: Id, out: &mut FxHashSet<Id>) {
+        self.push_enclosed(id, out);
+        if let View::Product(factors) = self.view(id) {
+            out.extend(factors.iter().map(|(base, _)| base));
         }
     }
 }
@@ -437,8 +446,7 @@ mod tests {
     fn too_many_terms_are_an_error() -> Result<(), Error> {
         let g = &mut Graph::new();
         let names = (0..12).map(|i| format!("x{i}"));
-        let terms: Vec<_> =
-            names.map(|name| (NumberId::ONE, g.symbol(&name, Assumption::Real))).collect();
+        let terms: Vec<_> = names.map(|name| (NumberId::ONE, g.symbol(&name, Assumption::Real))).collect();
         let sum = g.sum(&terms);
         let power = g.pow_number(sum, &Number::integer(30))?;
         assert!(matches!(g.expand(power), Err(Error::Limit { .. })));

@@ -269,9 +269,9 @@ impl Polynomial {
     /// The largest monomial that divides all terms into natural ones.
     pub(crate) fn lowest_powers(&self) -> Monomial {
         let lowest = |atom: u32| self.0.keys().map(|m| m.exponent(atom)).min().unwrap_or(0);
-        self.atoms().into_iter().fold(Monomial::default(), |floor, atom| {
-            floor.times(&Monomial::power(atom, lowest(atom)))
-        })
+        self.atoms()
+            .into_iter()
+            .fold(Monomial::default(), |floor, atom| floor.times(&Monomial::power(atom, lowest(atom))))
     }
 
     fn leading(&self) -> Option<(&Monomial, &Number)> {

@@ -157,7 +157,8 @@ impl<'g> Ring<'g> {
     /// Replace root(u, q)**q by u wherever it occurs.
     fn resolve_roots(&mut self, polynomial: Polynomial) -> Result<Polynomial, Error> {
         let overdue = |ring: &Self, m: &Monomial| {
-            let is_whole = |&(atom, e): &(u32, i64)| ring.roots.get(&atom).is_some_and(|&(_, q)| e.abs() >= q);
+            let is_whole =
+                |&(atom, e): &(u32, i64)| ring.roots.get(&atom).is_some_and(|&(_, q)| e.abs() >= q);
             m.factors().iter().copied().find(is_whole)
         };
         if self.roots.is_empty() || !polynomial.iter().any(|(m, _)| overdue(self, m).is_some()) {
