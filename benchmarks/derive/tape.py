@@ -113,9 +113,10 @@ class Tape:
             return self.power(root, exponent * 2)
         if exponent.denominator != 1:
             return self.emit("pow", base, float(exponent))
-        half = self.power(base, Fraction(exponent.numerator // 2))
-        square = self.emit("*", half, half)
-        return self.emit("*", square, base) if exponent.numerator % 2 else square
+        if exponent.numerator % 2:
+            return self.emit("*", self.power(base, exponent - 1), base)
+        half = self.power(base, exponent / 2)
+        return self.emit("*", half, half)
 
     def count(self) -> Operations:
         """Count the operations."""
