@@ -27,6 +27,12 @@ impl Graph {
             let number = if negated { self.negated(number) } else { number };
             return self.number_node(number);
         }
+        // Outside of derivations, and for constants, any simple number is recognised.
+        if (self.classes.is_none() || flags.has(Flags::CONSTANT))
+            && let Some(number) = value.to_simple_rational()
+        {
+            return self.number(&number);
+        }
         if let Some(known) = self.known_value(value) {
             return known;
         }
@@ -54,15 +60,26 @@ impl Graph {
                 self.scale(product, child)
             }
             _ => {
-                let value = self.number_value(factor).mul(self.value(id));
-                let (flags, words) = (self.flags(id), [factor.0, id.0]);
                 if self.get_number(factor).is_minus_one() {
-                    // A sign is no node of its own to the classes: they hold values up to sign.
-                    return self.intern(Kind::Scale, flags, &words, value);
+                    return self.opposite(id);
                 }
-                self.finish(Kind::Scale, flags, &words, value)
+                let value = self.number_value(factor).mul(self.value(id));
+                self.finish(Kind::Scale, self.flags(id), &[factor.0, id.0], value)
             }
         }
+    }
+
+    /// The opposite of a node, as a row of its own whatever the classes hold: they know values up to sign.
+    pub(crate) fn opposite(&mut self, id: Id) -> Id {
+        let (factor, child) = self.split_multiple(NumberId::MINUS_ONE, id);
+        if child == Id::ONE {
+            return self.number_node(factor);
+        }
+        if factor == NumberId::ONE {
+            return child;
+        }
+        let (flags, value) = (self.flags(id), self.value(id).neg());
+        self.intern(Kind::Scale, flags, &[factor.0, child.0], value)
     }
 
     /// The opposite of a node.
@@ -85,10 +102,11 @@ impl Graph {
     pub fn sum(&mut self, terms: &[Term]) -> Id {
         let terms: Vec<Term> = terms.iter().map(|&(c, id)| (c, self.adopt(id))).collect();
         let value = self.terms_value(&terms);
-        if value.is_zero() {
+        let plain = terms.iter().all(|&(_, id)| self.as_number(id).is_some());
+        if value.is_zero() && !plain {
             return Id::ZERO;
         }
-        if let Some(known) = self.known_value(value) {
+        if let Some(known) = self.known_value(value).filter(|_| !plain) {
             return known;
         }
         let terms = self.merge_terms(terms);
@@ -556,15 +574,15 @@ impl Graph {
 
     /// The value of base ** exponent at the random point.
     pub(crate) fn power_value(&self, base: Id, exponent: &Number) -> Element {
-        if let Some(n) = exponent.to_i64() {
-            return self.value(base).powi(n);
+        if exponent.is_integer() {
+            return self.value(base).power(exponent);
         }
         if self.is_positive(base) && matches!(self.kind(base), Kind::Symbol(_)) {
             return self.value(base).pow_rational(exponent);
         }
         let whole = exponent.floor();
         let fraction = exponent.sub(&whole);
-        let integral = self.value(base).powi(whole.to_i64().unwrap_or(0));
+        let integral = self.value(base).power(&whole);
         if let Some(number) = self.as_number(base)
             && fraction == Number::rational(1, 2)
         {

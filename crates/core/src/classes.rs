@@ -8,7 +8,7 @@ use rustc_hash::{FxHashMap, FxHashSet};
 
 use crate::field::Element;
 use crate::graph::Graph;
-use crate::node::{Id, Kind, NumberId};
+use crate::node::{Id, Kind, View};
 
 /// The classes of one derivation.
 #[derive(Default)]
@@ -42,7 +42,7 @@ impl Graph {
     /// Like [`Self::class_of`], with the sign applied.
     pub(crate) fn known_value(&mut self, value: Element) -> Option<Id> {
         let (id, negated) = self.class_of(value)?;
-        Some(if negated { self.scale(NumberId::MINUS_ONE, id) } else { id })
+        Some(if negated { self.opposite(id) } else { id })
     }
 
     /// Enter a node made by this derivation into the classes.
@@ -76,7 +76,15 @@ impl Graph {
         if let Some(&known) = classes.known.get(&id) {
             return known;
         }
-        self.adopt_below(id)
+        match self.view(id) {
+            // Signs and multiples are not entered into the classes: look through them.
+            View::Scale(factor, child) => {
+                let child = self.adopt(child);
+                self.scale(factor, child)
+            }
+            View::Number(_) => id,
+            _ => self.adopt_below(id),
+        }
     }
 
     fn adopt_below(&mut self, root: Id) -> Id {

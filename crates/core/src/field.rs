@@ -161,6 +161,38 @@ impl Element {
         base.zip(base, |prime, a, _| prime.pow(a, n))
     }
 
+    /// A power with an integer exponent of any size (negative: of the reciprocal).
+    #[must_use]
+    pub fn power(self, exponent: &Number) -> Self {
+        match exponent.to_i64() {
+            Some(n) => self.powi(n),
+            // Fermat: exponents count modulo p - 1.
+            None => self.zip(self, |prime, a, _| prime.pow(a, residue(exponent, prime.p - 1))),
+        }
+    }
+
+    /// The simple rational with this value at both points, if there is one.
+    ///
+    /// Rational reconstruction [Wang 1981]: Euclid's algorithm on (p, a) stopped half way.
+    #[must_use]
+    pub fn to_simple_rational(self) -> Option<Number> {
+        const LARGEST: i64 = 1 << 30;
+        let prime = &PRIMES[0];
+        let residue = prime.reduce(u128::from(self.0[0]));
+        let (mut r0, mut r1) = (prime.p.cast_signed(), residue.cast_signed());
+        let (mut t0, mut t1) = (0i64, 1i64);
+        while r1 > LARGEST {
+            let q = r0 / r1;
+            (r0, r1) = (r1, r0 - q * r1);
+            (t0, t1) = (t1, t0 - q * t1);
+        }
+        if t1 == 0 || t1.abs() > LARGEST {
+            return None;
+        }
+        let number = Number::rational(r1, t1);
+        (Self::from_number(&number) == self).then_some(number)
+    }
+
     /// The principal square root at both points, if there is one: the root that is itself a square.
     #[must_use]
     pub fn sqrt(self) -> Option<Self> {
@@ -235,6 +267,7 @@ fn residue(value: &Number, order: u64) -> u64 {
     };
     let (num, den) = match value.to_small() {
         Some((num, 1)) if num >= 0 => return num.unsigned_abs() % order,
+        _ if value.is_integer() => return modulo(&value.numerator()),
         _ => (modulo(&value.numerator()), modulo(&value.denominator())),
     };
     mul_mod(num, pow_mod(den, order - 2, order), order)
@@ -310,7 +343,10 @@ fn torsion_generator(prime: &Prime) -> (u64, u64) {
         let full =
             [2, 3, 5, 7, 11].iter().all(|q| prime.circle_pow(candidate, TORSION / q) != (prime.one, 0));
         if full {
-            return candidate;
+            // Of the two directions of turning, the one in which the sine of a quarter turn is 1.
+            let (_, sine) = prime.circle_pow(candidate, TORSION / 4);
+            let (cos, sin) = candidate;
+            return if sine == prime.one { candidate } else { (cos, prime.sub(0, sin)) };
         }
         t = prime.add(t, prime.one);
     }

@@ -536,6 +536,12 @@ impl Graph {
 
     /// A value drawn for the function and its arguments' values, with the function's parity.
     fn opaque_value(&self, function: Function, args: &[Id]) -> Element {
+        if function == Function::Abs {
+            // |u| is the root of u^2, whatever form that has.
+            let square = self.value(args[0]).powi(2);
+            let key = Key::new("root").element(square);
+            return Element::draw_exponential(&key).pow_rational(&Number::rational(1, 2));
+        }
         let parity = function.entry().parity;
         let key = Key::new("function").text(function.name());
         if parity == Neither {

@@ -4,10 +4,12 @@
 //! node and zero is seen when it is made. No Python, no mechanics, no global state.
 
 mod angle;
+mod angle_sum;
 mod associate;
 mod build;
 mod classes;
 mod collect;
+mod combine_trig;
 mod cost;
 mod diff;
 mod distribute;
@@ -24,6 +26,7 @@ mod node;
 mod number;
 mod polynomial;
 mod print;
+mod pythagoras;
 mod ring;
 mod schedule;
 mod substitute;

@@ -118,18 +118,10 @@ impl Expr {
         Ok((equal == matches!(op, CompareOp::Eq)).into_pyobject(py)?.to_owned().into_any().unbind())
     }
 
-    /// Agrees with `==`; an integer has Python's hash.
+    /// Agrees with `==`.
     fn __hash__(&self) -> isize {
-        with_forms(|graph| match graph.as_number(self.0).and_then(Number::to_i64) {
-            Some(value) => {
-                let hash = (value % ((1 << 61) - 1)) as isize;
-                if hash == -1 { -2 } else { hash }
-            }
-            None => {
-                let [a, b] = graph.value(self.0).words();
-                (a ^ b.rotate_left(32)) as isize
-            }
-        })
+        let [a, b] = with_forms(|graph| graph.value(self.0).words());
+        (a ^ b.rotate_left(32)) as isize
     }
 
     fn __bool__(&self) -> bool {

@@ -15,7 +15,11 @@ fn listing(expressions: &Bound<'_, PyAny>, format: &str) -> PyResult<(Vec<(Strin
         "text" => Format::Text,
         "latex" => Format::Latex,
         "maple" => Format::Maple,
-        _ => return Err(PyValueError::new_err(format!("{format} is no format; expected text, latex or maple"))),
+        _ => {
+            return Err(PyValueError::new_err(format!(
+                "{format} is no format; expected text, latex or maple"
+            )));
+        }
     };
     let Listing { definitions, results } = with_forms(|graph| graph.listing(&roots, format));
     Ok((definitions, results))

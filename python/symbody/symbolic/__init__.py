@@ -1,7 +1,7 @@
 """Expressions: values first, forms second."""
 
 from symbody.symbolic._core import Expr
-from symbody.symbolic.calculus import diff, gradient, jacobian, subs, time_derivative, time_derivatives
+from symbody.symbolic.calculus import diff, gradient, jacobian, subs, substitute, time_derivative, time_derivatives
 from symbody.symbolic.cost import Cost, cost
 from symbody.symbolic.derivation import Derivation, current_derivation, derivation
 from symbody.symbolic.functions import (
@@ -32,6 +32,7 @@ from symbody.symbolic.leaves import (
     functions_of_time,
     number,
     pi,
+    symbol,
     symbols,
     t,
 )

@@ -9,7 +9,7 @@ from symbody.symbolic._core import Expr
 from symbody.symbolic.leaves import ExprLike
 from symbody.symbolic.matrix import Matrix
 
-__all__ = ["diff", "gradient", "jacobian", "subs", "time_derivative", "time_derivatives"]
+__all__ = ["diff", "gradient", "jacobian", "subs", "substitute", "time_derivative", "time_derivatives"]
 
 
 def diff(expression: ExprLike, variable: Expr, n: int = 1) -> Expr:
@@ -91,3 +91,14 @@ def subs(expression: ExprLike, mapping: Mapping[Expr, ExprLike]) -> Expr:
     cos(t)
     """
     return _core.number(expression).subs(mapping)
+
+
+def substitute(expressions: Sequence[ExprLike], mapping: Mapping[Expr, ExprLike]) -> tuple[Expr, ...]:
+    """Return several expressions with every key replaced by its value; they share one sweep.
+
+    >>> from symbody import substitute, symbols
+    >>> x, y = symbols("x y")
+    >>> substitute([x + y, x * y], {x: y, y: x})
+    (x + y, x*y)
+    """
+    return _core.substitute(expressions, mapping)

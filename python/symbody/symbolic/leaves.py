@@ -18,6 +18,7 @@ __all__ = [
     "functions_of_time",
     "number",
     "pi",
+    "symbol",
     "symbols",
     "t",
 ]
@@ -34,6 +35,7 @@ pi: Expr = _core.pi()
 """The circle constant."""
 
 number = _core.number
+symbol = _core.symbol
 
 
 def _names(text: str) -> list[str]:
