@@ -54,7 +54,7 @@ impl Ring<'_> {
         }
         self.budget.spend(1 + waves.len() * waves.len())?;
         for (position, &first) in waves.iter().enumerate() {
-            for &second in &waves[position + 1..] {
+            for &second in waves[position + 1..].iter().filter(|second| second.2 != first.2) {
                 for (sign, wave, step) in theorems(first.1, second.1) {
                     // sin b cos a is read as sin a' cos b' with the angles exchanged.
                     let swapped = first.1 == Function::Cos && second.1 == Function::Sin;

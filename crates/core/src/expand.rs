@@ -144,7 +144,7 @@ impl Ring<'_> {
     ) -> Result<Polynomial, Error> {
         let (memo, uses, units) = (FxHashMap::default(), FxHashMap::default(), FxHashMap::default());
         let mut state = Expansion { opening, leaves, memo, uses, units };
-        let order = self.opened_nodes(root, &state.leaves);
+        let order = self.opened_nodes(root, &state.leaves)?;
         for &id in &order {
             if self.is_opened(id, &state.leaves) {
                 for child in self.graph.children(id) {
@@ -168,7 +168,7 @@ impl Ring<'_> {
     }
 
     /// The nodes that the polynomial is made of, children first.
-    fn opened_nodes(&self, root: Id, leaves: &FxHashSet<Id>) -> Vec<Id> {
+    fn opened_nodes(&mut self, root: Id, leaves: &FxHashSet<Id>) -> Result<Vec<Id>, Error> {
         let mut order = Vec::new();
         let mut seen: FxHashSet<Id> = FxHashSet::default();
         let mut stack = vec![(root, false)];
@@ -176,13 +176,14 @@ impl Ring<'_> {
             if done {
                 order.push(id);
             } else if seen.insert(id) {
+                self.budget.spend(1)?;
                 stack.push((id, true));
                 if self.is_opened(id, leaves) {
                     stack.extend(self.graph.children(id).into_iter().rev().map(|child| (child, false)));
                 }
             }
         }
-        order
+        Ok(order)
     }
 
     fn expand_node(&mut self, id: Id, state: &mut Expansion) -> Result<Polynomial, Error> {

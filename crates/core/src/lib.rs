@@ -27,11 +27,14 @@ mod number;
 mod polynomial;
 mod print;
 mod pythagoras;
+mod rational;
 mod ring;
 mod schedule;
+mod simplify;
 mod substitute;
 mod tape;
 mod traverse;
+mod trig_form;
 pub mod vector;
 
 pub use classes::Classes;

@@ -141,6 +141,11 @@ impl Budget {
         Ok(())
     }
 
+    /// What is left of the work.
+    pub(crate) const fn left(&self) -> usize {
+        self.work.saturating_sub(self.spent)
+    }
+
     fn admit(&self, polynomial: &Polynomial) -> Result<(), Error> {
         let found = polynomial.len();
         if found > self.terms {
