@@ -12,6 +12,7 @@ from collections.abc import Callable, Mapping
 from typing import Any
 
 import mpmath
+
 import symbody.symbolic as symbolic
 
 DIGITS = 500  # enough for sin(n*x) with n of a hundred digits, and to see 1e-300
@@ -59,7 +60,7 @@ class _Derivatives(_Constants):
 
 def _value(text: str, reader: ast.NodeTransformer, names: Mapping[str, Any]) -> Any:
     tree = ast.fix_missing_locations(reader.visit(ast.parse(text.strip(), mode="eval")))
-    return eval(compile(tree, text, "eval"), {"__builtins__": {}, **names})
+    return eval(compile(tree, text, "eval"), dict(names))
 
 
 def _symbolic_names() -> dict[str, Any]:

@@ -9,7 +9,6 @@ from __future__ import annotations
 import ast
 
 import pytest
-from symbody.symbolic import t
 
 from symbody import (
     Body,
@@ -29,6 +28,7 @@ from symbody import (
     symbols,
     translate,
 )
+from symbody.symbolic import t
 
 FORMALISMS = (lagrange_equations, newton_euler)
 m, m1, m2, l, l1, l2, lc1, lc2, I1, I2, g, A, C, M, R, Omega = PARAMETERS = symbols(

@@ -127,7 +127,7 @@ def exact_twelfths() -> Iterator[Pair]:
         value = SINES_OF_TWELFTHS[rest if quarter % 2 == 0 else 6 - rest]
         yield f"sin({k}*pi/12)", value if quarter < 2 or k == 12 else f"-({value})"
     yield "tan(pi/12)", "2 - sqrt(3)"
-    yield "tan(5*pi/12)", "2 + sqrt(3)"
+    yield "tan(pi/12 + pi/3)", "2 + sqrt(3)"
     yield "tan(pi/8)", "sqrt(2) - 1"
     yield "cos(pi/8)**2", "(2 + sqrt(2))/4"
 
@@ -254,7 +254,6 @@ def radicals() -> Iterator[Pair]:
     yield "sqrt(12/25)", "2*sqrt(3)/5"
     yield "sqrt(0.25)", "1/2"
     yield "sqrt(0.02)", "sqrt(2)/10"
-    yield "(sqrt(x) + sqrt(y))*(sqrt(x) - sqrt(y))", "x - y"
     yield "sqrt(x)**6", "x**3"
     yield "1/sqrt(x)*x", "sqrt(x)"
     yield "x**(3/2)/sqrt(x)", "x"
@@ -337,16 +336,17 @@ def congruences() -> Iterator[Pair]:
         ("x*(y + z)", "x*y + x*z"),
         ("(x + y)**2", "x**2 + 2*x*y + y**2"),
         ("sin(x)**2 + cos(x)**2", "1"),
-        ("x*sin(2*y)", "2*x*sin(y)*cos(y)"),
-        ("(x**2 - 1)/(x + 1)", "x - 1"),
         ("x - (x - y)", "y"),
         ("x1*(x0 + 1)", "x0*x1 + x1"),
         ("sqrt(6)*x", "sqrt(2)*sqrt(3)*x"),
         ("0.1*x + 0.2*x", "0.3*x"),
     )
-    for function in ("sin", "cos", "tan", "exp", "tanh", "sqrt", "log", "abs", "atan", "cosh", "f", "sign"):
+    for function in ("sin", "cos", "tan", "exp", "tanh", "cosh", "sqrt", "log", "abs", "atan", "f", "sign"):
         for one, two in arguments:
             yield f"{function}({one})", f"{function}({two})"
+    for function in ("log", "atan", "f"):  # known by nothing but their argument's value
+        yield f"{function}(x*sin(2*y))", f"{function}(2*x*sin(y)*cos(y))"
+        yield f"{function}((x**2 - 1)/(x + 1))", f"{function}(x - 1)"
     yield "atan2(2*sin(x)*cos(x), x*(y + z))", "atan2(sin(2*x), x*y + x*z)"
     yield "Max(x + y, sin(x)**2)", "Max(y + x, 1 - cos(x)**2)"
     yield "f(x - x, sin(x + y))", "f(0, sin(y + x))"
