@@ -11,10 +11,6 @@ import sys
 from pathlib import Path
 
 import pytest
-from tests.reference.robot import robot
-from tests.reference.test_double_pendulum_natural import natural
-from tests.symbolic import test_textbook_forms as textbook
-from tests.worksheets import test_trifilar_seed as trifilar
 
 from symbody import (
     cos,
@@ -29,6 +25,10 @@ from symbody import (
     symbols,
     translate,
 )
+from tests.reference.robot import robot
+from tests.reference.test_double_pendulum_natural import natural
+from tests.symbolic import test_textbook_forms as textbook
+from tests.worksheets import test_trifilar_seed as trifilar
 
 ROOT = Path(__file__).parents[1]
 OTHER_NAMES_FIRST = (

@@ -7,6 +7,7 @@ from fractions import Fraction
 from math import prod
 
 import mpmath
+
 from symbody.symbolic import Expr
 
 Value = mpmath.mpf | mpmath.mpc

@@ -7,6 +7,9 @@ from collections.abc import Callable
 
 import mpmath
 import pytest
+
+from symbody import symbolic
+from symbody.errors import DivisionByZeroError
 from symbody.symbolic import (
     Abs,
     Expr,
@@ -44,9 +47,6 @@ from symbody.symbolic import (
     time_derivative,
 )
 from tests.laws.evaluation import value
-
-from symbody import symbolic
-from symbody.errors import DivisionByZeroError
 
 SEEDS = range(60)
 SMALL = mpmath.mpf(10) ** -25

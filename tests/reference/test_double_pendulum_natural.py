@@ -13,7 +13,6 @@ import numpy as np
 import pytest
 from numpy.typing import ArrayLike
 from scipy.integrate import solve_ivp
-from symbody.symbolic import t
 
 from symbody import (
     Body,
@@ -36,6 +35,7 @@ from symbody import (
     time_derivative,
     translate,
 )
+from symbody.symbolic import t
 
 REFERENCE = json.loads((Path(__file__).parent / "double_pendulum_natural.json").read_text(encoding="utf-8"))
 ROWS = REFERENCE["rows"]

@@ -8,7 +8,6 @@ from pathlib import Path
 import numpy as np
 from numpy.testing import assert_allclose
 from scipy.integrate import solve_ivp
-from symbody.symbolic import t
 
 from symbody import (
     Body,
@@ -25,6 +24,7 @@ from symbody import (
     symbols,
     translate,
 )
+from symbody.symbolic import t
 
 REFERENCE = json.loads((Path(__file__).parent / "simple_pendulum.json").read_text(encoding="utf-8"))
 ROWS = np.array(REFERENCE["rows"])

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
-from symbody.symbolic import Expr, functions_of_time, symbols, t
+from symbody.symbolic import Expr, functions_of_time, lambdify, symbols, t
 
 RESULTS = json.loads(
     (Path(__file__).parents[1] / "reference" / "seed_worksheets.json").read_text(encoding="utf-8")
@@ -19,7 +19,7 @@ def assert_values(name: str, expressions: Sequence[Expr], functions: str) -> Non
     """Check the expressions at the worksheet's point; ``functions`` names the functions of time among its names."""
     result = PRINTED[name]
     point = {_leaf(key, functions.split()): value for key, value in result["point"].items()}
-    values = [expression.evaluate(point) for expression in expressions]
+    values = lambdify(list(point), expressions)(*point.values())
     assert len(values) == len(result["values"])
     for value, expected in zip(values, result["values"], strict=True):
         assert abs(value - expected) <= 1e-14 * max(1, abs(expected))

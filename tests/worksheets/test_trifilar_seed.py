@@ -7,9 +7,6 @@ from __future__ import annotations
 
 from itertools import product
 
-from symbody.symbolic import t
-from tests.worksheets.printed import PRINTED, assert_values
-
 from symbody import (
     Body,
     Expr,
@@ -32,6 +29,8 @@ from symbody import (
     symbols,
     time_derivative,
 )
+from symbody.symbolic import t
+from tests.worksheets.printed import PRINTED, assert_values
 
 ux, vx, uy, vy, uz, vz, l, h, m, g, GE = symbols("ux vx uy vy uz vz l h m g GE")
 J = symbols("Jxx Jyy Jzz Jyz Jxz Jxy")
@@ -135,7 +134,7 @@ def test_equivalence_of_definitions() -> None:
     TN = solved_frame()
     assert TN.matrix[0, 0] == sqrt(3) / 3 * (xB + xC - 2 * xA) / l
     for point, position in zip(vertices(TN), ((xA, yA, zA), (xB, yB, zB), (xC, yC, zC)), strict=True):
-        assert tuple(project(point, ground).components) == position
+        assert tuple(project(point, ground).coordinates) == position
 
 
 def test_number_of_coordinates() -> None:

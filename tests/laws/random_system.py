@@ -1,0 +1,144 @@
+"""Random systems of rigid frames: trees with every kind of motion, body and load. A seed gives one system."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from random import Random
+
+from symbody import (
+    Body,
+    Expr,
+    Force,
+    Frame,
+    Point,
+    System,
+    Torque,
+    Vector,
+    cos,
+    functions_of_time,
+    ground,
+    number,
+    rotate,
+    sin,
+    symbols,
+    time_derivative,
+    translate,
+)
+from symbody.symbolic import t
+
+
+@dataclass
+class Maker:
+    """Draws the parts of a system; parameters are symbols or numbers."""
+
+    random: Random
+    symbolic: bool
+    coordinates: list[Expr] = field(default_factory=list)
+    count: int = 0
+
+    def parameter(self, name: str) -> Expr:
+        self.count += 1
+        if self.symbolic:
+            return symbols(f"{name}{self.count}")
+        return number(self.random.choice([round(self.random.uniform(-2, 2), 3), self.random.randint(1, 3)]))
+
+    def parameters(self, name: str, count: int = 3) -> list[Expr]:
+        return [self.parameter(name) if self.random.random() < 0.7 else number(0) for _ in range(count)]
+
+    def coordinate(self) -> Expr:
+        """Return a new coordinate, or now and then one that is in use (coupled joints)."""
+        if self.coordinates and self.random.random() < 0.2:
+            return self.random.choice(self.coordinates)
+        q = functions_of_time(f"q{len(self.coordinates) + 1}")
+        self.coordinates.append(q)
+        return q
+
+    def motion(self) -> Frame:
+        return self.random.choice(
+            [
+                self.turn,
+                self.turn,
+                self.slide,
+                self.screw,
+                self.skew,
+                self.slanted,
+                self.crank,
+                self.driven,
+                self.matrix,
+            ]
+        )()
+
+    def turn(self) -> Frame:
+        return rotate(self.random.choice("XYZ"), self.coordinate())
+
+    def slide(self) -> Frame:
+        return translate(*self.random.sample([self.coordinate(), number(0), self.parameter("s")], 3))
+
+    def screw(self) -> Frame:
+        q = self.coordinate()
+        return translate(0, 0, self.parameter("p") * q) * rotate("Z", q)
+
+    def skew(self) -> Frame:
+        tilt = self.parameter("e")
+        return rotate((sin(tilt), 0, cos(tilt)), self.coordinate())
+
+    def slanted(self) -> Frame:
+        """Return a rotation about an axis that moves with another coordinate."""
+        q, r = self.coordinate(), self.coordinate()
+        return rotate((0, cos(r), sin(r)), q)
+
+    def crank(self) -> Frame:
+        """Return a translation along a circle, by two coordinates."""
+        q, r = self.coordinate(), self.coordinate()
+        return translate(r * cos(q), r * sin(q), self.parameter("z"))
+
+    def driven(self) -> Frame:
+        return rotate(self.random.choice("XYZ"), self.parameter("W") * t)
+
+    def matrix(self) -> Frame:
+        """Return a rotation and a translation as a bare matrix that happens to be rigid."""
+        q = self.coordinate()
+        c, s = cos(2 * q), sin(2 * q)
+        return Frame([[c, 0, s, q], [0, 1, 0, self.parameter("y")], [-s, 0, c, 0], [0, 0, 0, 1]])
+
+    def body(self, frame: Frame) -> Body:
+        place = Point(frame, *self.parameters("c"))
+        kind = self.random.random()
+        if kind < 0.2:
+            return Body(place, self.parameter("m"))
+        if kind < 0.4:
+            return Body(frame, -self.parameter("m"), *self.parameters("I"))
+        return Body(place, self.parameter("m"), *self.parameters("I"), *self.parameters("C"))
+
+    def load(self, frames: list[Frame], bodies: list[Body]) -> Force | Torque:
+        on, reaction = self.random.sample([*bodies, None], 2)
+        if on is None:
+            on, reaction = reaction, None
+        assert on is not None
+        q = self.random.choice(self.coordinates)
+        size = [self.parameter("F"), self.parameter("k") * q, self.parameter("d") * time_derivative(q)]
+        vector = Vector(self.random.choice(frames), *self.random.sample(size, 3))
+        if self.random.random() < 0.4:
+            return Torque(vector, on=on, reaction=reaction)
+        at = Point(self.random.choice([on.frame, *frames]), *self.parameters("a"))
+        return Force(vector, at=at, on=on, reaction=reaction)
+
+
+def random_system(seed: int, *, symbolic: bool = True, size: int = 4, loads: int = 2) -> System:
+    """Return a tree of bodies."""
+    random = Random(seed)
+    maker = Maker(random, symbolic)
+    frames, bodies = [ground], list[Body]()
+    while len(bodies) < size or not maker.coordinates:
+        frame = random.choice(frames[-2:]) * maker.motion()
+        if random.random() < 0.5:
+            frame *= translate(*maker.parameters("a"))
+        if random.random() < 0.3:
+            frame *= maker.motion()
+        frames.append(frame)
+        bodies.append(maker.body(frame))
+    gravity = Vector(ground, *maker.parameters("g"))
+    forces = [maker.load(frames, bodies) for _ in range(loads)]
+    moved = {leaf for body in bodies for motion in body.frame.motions for leaf in motion.leaves}
+    coordinates = [q for q in maker.coordinates if q in moved]
+    return System(bodies, forces, coordinates, gravity=gravity)
