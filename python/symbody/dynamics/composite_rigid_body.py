@@ -1,22 +1,21 @@
 """The mass matrix by composite rigid bodies [Walker & Orin 1982], in local axes.
 
-The part of the tree beyond a motion, frozen, is one rigid body: its mass, first moment and inertia about the frame's origin
-are carried inwards once. A unit acceleration of a coordinate moves that body; the wrench it needs, carried on inwards,
-gives the entries for the coordinates that it meets.
+The part of the tree beyond a motion, frozen, is one rigid body: its mass, first moment and inertia about the
+frame's origin are carried inwards once. A unit acceleration of a coordinate moves that body; the wrench it needs,
+carried on inwards, gives the entries for the coordinates that it meets.
 """
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from typing import NamedTuple, final
 
 from symbody.geometry.motion import Motion, Rotation
 from symbody.geometry.triple import NULL, Triple, is_null
 from symbody.multibody import Body, System
-from symbody.symbolic import Expr, Matrix, add3, cos, cross3, dot3, matvec3, number, scale3, sin, sub3
+from symbody.symbolic import Expr, Matrix, add3, cos, cross3, dot3, matvec3, number, scale3, sin
 
 from .frame_tree import FrameTree
-from .partial_motion import PartialTwist, partial_twists
+from .partial_motion import PartialTwist
 from .subset_sum import SubsetSum
 from .wrench import Wrench, alike
 
@@ -51,8 +50,8 @@ class Composite(NamedTuple):
     def displaced(self, d: Triple) -> Composite:
         """Return the body after a displacement d.
 
-        With the new moment ``h' = h + m d`` the inertia grows by ``(d . s) 1 - sym(d s)`` for ``s = h + h'``, written so
-        that the products are few.
+        With the new moment ``h' = h + m d`` the inertia grows by ``(d . s) 1 - sym(d s)`` for ``s = h + h'``,
+        written so that the products are few.
         """
         h = self.moment
         moment = add3(h, scale3(self.mass, d))
@@ -87,14 +86,17 @@ def turned_tensor(tensor: Tensor, motion: Motion) -> Tensor:
 
 
 def _turned_about(tensor: Tensor, axis: int, c: Expr, s: Expr) -> Tensor:
-    """Turn in the plane (i, j): with ``p = c (J_ii - J_jj) - 2 s J_ij`` only two entries change, by c p, and one by s p."""
+    """Turn in the plane (i, j): with ``p = c (J_ii - J_jj) - 2 s J_ij`` its entries change by c p and s p."""
     i, j = (axis + 1) % 3, (axis + 2) % 3
     entries = list(tensor)
     mixed = 3 + axis
     p = c * (tensor[i] - tensor[j]) - s * (2 * tensor[mixed])
     cp = c * p
     entries[i], entries[j], entries[mixed] = tensor[j] + cp, tensor[i] - cp, tensor[mixed] + s * p
-    entries[3 + j], entries[3 + i] = c * tensor[3 + j] - s * tensor[3 + i], s * tensor[3 + j] + c * tensor[3 + i]
+    entries[3 + j], entries[3 + i] = (
+        c * tensor[3 + j] - s * tensor[3 + i],
+        s * tensor[3 + j] + c * tensor[3 + i],
+    )
     return entries[0], entries[1], entries[2], entries[3], entries[4], entries[5]
 
 
@@ -109,7 +111,6 @@ class _MassMatrix:
 
     def __init__(self, system: System, tree: FrameTree) -> None:
         self._tree = tree
-        self._coordinates = system.coordinates
         n = len(system.coordinates)
         self._entries = [[_ZERO] * n for _ in range(n)]
         self._composites: list[Composite | None] = [None] * len(tree.frames)
@@ -132,9 +133,13 @@ class _MassMatrix:
         self._composites[place] = composite if other is None else other.plus(composite)
 
     def _pass_on(self, place: int, composite: Composite) -> None:
-        motion, parent, moving = self._tree.motion(place), self._tree.parents[place], self._tree.coordinates[place]
+        motion, parent, moving = (
+            self._tree.motion(place),
+            self._tree.parents[place],
+            self._tree.coordinates[place],
+        )
         if moving:
-            twists = dict(zip(moving, partial_twists(motion, [self._coordinates[k] for k in moving]), strict=True))
+            twists = self._tree.partial_twists(place)
             self._meet(motion, twists, self._wrenches[place])
             if motion.rotates:
                 self._move(motion, twists, composite, place)
@@ -143,7 +148,7 @@ class _MassMatrix:
         if not self._tree.carried[parent]:
             return
         if moving and not motion.rotates:
-            for k, twist in twists.items():
+            for k, twist in self._tree.partial_twists(place).items():
                 self._carry(place, k, composite.wrench(NULL, twist.drift))
         self._join(parent, composite.to_parent(motion))
         for k, wrench in self._wrenches[place].items():
@@ -155,7 +160,9 @@ class _MassMatrix:
             for k, twist in twists.items():
                 self._add(j, k, _power(motion, twist, wrench) * (2 if j == k else 1))
 
-    def _move(self, motion: Motion, twists: dict[int, PartialTwist], composite: Composite, place: int) -> None:
+    def _move(
+        self, motion: Motion, twists: dict[int, PartialTwist], composite: Composite, place: int
+    ) -> None:
         """Add the entries among the coordinates of a motion, and start their wrenches."""
         own = {k: composite.wrench(twist.spin, motion.to_child(twist.drift)) for k, twist in twists.items()}
         for j, wrench in own.items():
@@ -166,11 +173,11 @@ class _MassMatrix:
             self._carry(place, k, wrench)
 
     def _slide(self, children: list[int]) -> None:
-        """Add the entries among coordinates of translations from one parent: what moves alike shares the sum of masses."""
+        """Add the entries among translations from one parent: what moves alike shares the sum of masses."""
         children.reverse()
         composites = [self._composites[child] for child in children]
         total = SubsetSum([_ZERO if body is None else body.mass for body in composites], _plus)
-        moved = alike(self._tree, self._coordinates, children)
+        moved = alike(self._tree, children)
         for k in moved:
             for j in moved:
                 if j <= k:
@@ -206,5 +213,7 @@ def _overlap(first: dict[Triple, int], second: dict[Triple, int], total: SubsetS
         for w, those in second.items():
             both = these & those
             if both:
-                result += dot3(scale3(total(both), v), w) if both == these else dot3(v, scale3(total(both), w))
+                result += (
+                    dot3(scale3(total(both), v), w) if both == these else dot3(v, scale3(total(both), w))
+                )
     return result

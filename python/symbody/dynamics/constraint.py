@@ -20,8 +20,8 @@ def constraint_jacobian(system: System) -> Matrix:
 def with_multipliers(residuals: Sequence[Expr], system: System) -> tuple[Expr, ...]:
     """Return ``residual - phi_q^T lambda``: the multipliers' forces stand on the side of the loads.
 
-    The products are the gradient of ``sum(lambda phi)``: taken backwards through what the constraints share, it is shorter
-    than the Jacobian's rows.
+    The products are the gradient of ``sum(lambda phi)``: taken backwards through what the constraints share, it is
+    shorter than the Jacobian's rows.
     """
     if not system.constraints:
         return tuple(residuals)

@@ -28,7 +28,7 @@ class Equations:
 
     Attributes:
         system: where they come from.
-        residuals: one expression a coordinate, ``M q'' - forcing - phi_q^T lambda``; the equations say that they are zero.
+        residuals: one expression a coordinate, ``M q'' - forcing - phi_q^T lambda``; motion makes them zero.
         assemble: makes the mass matrix and the bias, which the residuals do without.
     """
 
@@ -117,8 +117,8 @@ class Equations:
         return stabilized(self.constraints, omega, zeta)
 
     def __repr__(self) -> str:
-        n, m = len(self.residuals), len(self.constraints)
-        return f"Equations({n} equations of motion, {m} constraints, coordinates {', '.join(map(str, self.coordinates))})"
+        n, m, names = len(self.residuals), len(self.constraints), ", ".join(map(str, self.coordinates))
+        return f"Equations({n} equations of motion, {m} constraints, coordinates {names})"
 
     def _repr_latex_(self) -> str:
         rows = [f"{residual.latex()} &= 0" for residual in (*self.residuals, *self.constraints)]

@@ -10,7 +10,7 @@ from symbody.geometry.triple import NULL, rates
 from symbody.multibody import Body
 from symbody.multibody.load import Action
 from symbody.multibody.selection import Objects, Selection, select_bodies
-from symbody.symbolic import add3, cross3, derivation, number, scale3, sub3, time_derivative
+from symbody.symbolic import add3, cross3, derivation, number, scale3, sub3, time_derivatives
 
 
 def euler_equations(
@@ -22,8 +22,8 @@ def euler_equations(
     vanishes where A is fixed or is the centre of mass. The sum is ``sum(AG x m a_G + dH_G/dt) - M_A`` for every A.
 
     Args:
-        objects: bodies and loads. Loads on other bodies are left out, with a notice; a force whose acting and reacting
-            bodies are both there cancels.
+        objects: bodies and loads. Loads on other bodies are left out, with a notice; a force whose acting and
+            reacting bodies are both there cancels.
         point: A, which may move; by default the centre of mass of the bodies.
         frame: where the components are wanted; by default the root.
         gravity: the acceleration of weight, whose moment is in M_A.
@@ -66,7 +66,7 @@ def _spin_momentum_rate(body: Body) -> Triple:
         return NULL
     w = spin(body.frame)
     steady = cross3(w, body.spin_momentum(w))
-    return add3(body.spin_momentum(rates(w, time_derivative)), steady)
+    return add3(body.spin_momentum(rates(w, time_derivatives)), steady)
 
 
 def _moment(action: Action, about: Triple, axes: Frame) -> Triple:

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from symbody.geometry import Frame
 from symbody.geometry.motion import Motion
 from symbody.multibody import Action, System
 from symbody.multibody.selection import select
 from symbody.symbolic import Expr, derivation
+
+from .partial_motion import PartialTwist, partial_twists
 
 
 @dataclass(frozen=True)
@@ -29,6 +31,8 @@ class FrameTree:
     carried: tuple[bool, ...]
     actions: tuple[Action, ...]
     places: dict[bytes, int]
+    system: System
+    _twists: dict[int, dict[int, PartialTwist]] = field(default_factory=dict)
 
     def index(self, frame: Frame) -> int:
         """Return the place of a frame in the list."""
@@ -39,6 +43,14 @@ class FrameTree:
         motion = self.frames[place].motion
         assert motion is not None, "only the root has no motion"
         return motion
+
+    def partial_twists(self, place: int) -> dict[int, PartialTwist]:
+        """Return what each coordinate, by its place, does to the motion of a frame."""
+        if place not in self._twists:
+            moving = self.coordinates[place]
+            twists = partial_twists(self.motion(place), [self.system.coordinates[k] for k in moving])
+            self._twists[place] = dict(zip(moving, twists, strict=True))
+        return self._twists[place]
 
     @property
     def is_rigid(self) -> bool:
@@ -70,7 +82,7 @@ def _build(system: System) -> FrameTree:
     carried = [False]
     for place in range(1, len(ordered)):
         carried.append(carried[parents[place]] or bool(coordinates[place]))
-    return FrameTree(tuple(ordered), tuple(parents), coordinates, tuple(carried), actions, places)
+    return FrameTree(tuple(ordered), tuple(parents), coordinates, tuple(carried), actions, places, system)
 
 
 def _missing(frame: Frame, places: dict[bytes, int]) -> list[Frame]:
@@ -86,6 +98,8 @@ def _missing(frame: Frame, places: dict[bytes, int]) -> list[Frame]:
 def _dependence(frames: list[Frame], coordinates: tuple[Expr, ...]) -> tuple[tuple[int, ...], ...]:
     place = {coordinate: k for k, coordinate in enumerate(coordinates)}
     return tuple(
-        () if frame.motion is None else tuple(sorted(place[leaf] for leaf in frame.motion.leaves if leaf in place))
+        ()
+        if frame.motion is None
+        else tuple(sorted(place[leaf] for leaf in frame.motion.leaves if leaf in place))
         for frame in frames
     )

@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from functools import partial
 from typing import overload
 
 from symbody.geometry.kinematics import displacement_rate, pose_from
 from symbody.geometry.placement import axial_rate
 from symbody.multibody import Action, Load
 from symbody.symbolic import Expr, derivation, dot3, number
+
+from .partial_motion import slope
 
 
 @overload
@@ -18,8 +21,8 @@ def generalized_force(loads: Load | Iterable[Load], q: Sequence[Expr]) -> list[E
 def generalized_force(loads: Load | Iterable[Load], q: Expr | Sequence[Expr]) -> Expr | list[Expr]:
     """Return the virtual work of loads per unit change of coordinates, ``F . dr_P/dq + M . w_q``.
 
-    P is the material point of the body on which the force acts, and ``w_q`` the vector of ``R^T dR/dq``. A coordinate may
-    be any variable, not only a function of time.
+    P is the material point of the body on which the force acts, and ``w_q`` the vector of ``R^T dR/dq``. A coordinate
+    may be any variable, not only a function of time.
 
     Args:
         loads: a load, or several.
@@ -45,12 +48,10 @@ def generalized_force(loads: Load | Iterable[Load], q: Expr | Sequence[Expr]) ->
 
 
 def _work(action: Action, coordinate: Expr) -> Expr:
-    def slope(value: Expr) -> Expr:
-        return value.diff(coordinate)
-
+    rate = partial(slope, coordinate)
     anchor = action.anchor if action.is_force else action.body.center_of_mass
     root = anchor.frame.ancestor
     pose = pose_from(anchor.frame, root)
     if not action.is_force:
-        return dot3(action.components(anchor.frame), axial_rate(pose.rows, slope))
-    return dot3(action.components(root), displacement_rate(pose, anchor.coordinates, slope))
+        return dot3(action.components(anchor.frame), axial_rate(pose.rows, rate))
+    return dot3(action.components(root), displacement_rate(pose, anchor.coordinates, rate))

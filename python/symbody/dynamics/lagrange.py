@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
+from typing import final
 
 from symbody.geometry.triple import NULL, Triple
 from symbody.multibody import Body, System, kinetic_energy
@@ -17,19 +18,20 @@ from symbody.symbolic import (
     jacobian,
     number,
     scale3,
+    substitute,
     symbol,
     time_derivative,
     time_derivatives,
 )
 
 from .composite_rigid_body import mass_matrix
-from .constraint import with_multipliers
+from .constraint import check_independent, with_multipliers
 from .equations import Assembly, Equations
 from .frame_tree import FrameTree, frame_tree
-from .newton_euler import at_rest, bias, check, inverse_dynamics
+from .newton_euler import at_rest, bias, checked_tree, inverse_dynamics
 
 
-def lagrange(L: Expr, q: Expr) -> Expr:  # noqa: N803  (the name of the textbook)
+def lagrange(L: Expr, q: Expr) -> Expr:
     """Return ``d/dt dL/dq' - dL/dq``; the equation of motion subtracts the generalised force.
 
     >>> from symbody import functions_of_time, symbols
@@ -45,9 +47,9 @@ def lagrange(L: Expr, q: Expr) -> Expr:  # noqa: N803  (the name of the textbook
 def lagrange_equations(system: System) -> Equations:
     """Return the equations of motion by differentiating ``T - V``: ``d/dt dL/dq' - dL/dq - Q - phi_q^T lambda``.
 
-    Q are the generalised forces of the loads, and lambda the multipliers of the constraints phi, of L + sum(lambda phi).
-    Where all frames are rigid, the recursion of `newton_euler` is derived first, so that what has its value takes its
-    form: two derivations that agree give the same nodes, and only then.
+    Q are the generalised forces of the loads, and lambda the multipliers of the constraints phi, of
+    ``L + sum(lambda phi)``. Where all frames are rigid, the recursion of `newton_euler` is derived first, so that what
+    has its value takes its form: two derivations that agree give the same nodes, and only then.
 
     >>> from symbody import Body, System, Vector, ground, functions_of_time, rotate, symbols, translate
     >>> theta, (m, l, g) = functions_of_time("theta"), symbols("m l g")
@@ -56,9 +58,9 @@ def lagrange_equations(system: System) -> Equations:
     >>> lagrange_equations(pendulum).mass_matrix[0, 0] == m * l**2
     True
     """
-    check(system, "lagrange_equations")
+    check_independent(system)
     with derivation():
-        tree = frame_tree(system)
+        tree = checked_tree(system, "lagrange_equations")
         if tree.is_rigid:
             inverse_dynamics(system, tree)
         residuals = with_multipliers(_residuals(system), system)
@@ -80,23 +82,25 @@ def _assemble(system: System) -> Assembly:
 def _residuals(system: System) -> tuple[Expr, ...]:
     n = len(system.coordinates)
     speeds = [time_derivative(q) for q in system.coordinates]
-    lagrangian = kinetic_energy(system) - _potential(system)
+    held = _Held()
+    lagrangian = kinetic_energy(system) - _potential(system, held)
     slopes = gradient(lagrangian, [*speeds, *system.coordinates])
     rates = time_derivatives(slopes[:n])
-    loads = _load_forces(system, speeds)
-    return tuple(rate - slope - load for rate, slope, load in zip(rates, slopes[n:], loads, strict=True))
+    loads = gradient(_power(system, held), speeds)
+    forces = held.released(slope + load for slope, load in zip(slopes[n:], loads, strict=True))
+    return tuple(rate - force for rate, force in zip(rates, forces, strict=True))
 
 
 def _momenta(system: System) -> tuple[Expr, ...]:
     return gradient(kinetic_energy(system), [time_derivative(q) for q in system.coordinates])
 
 
-def _potential(system: System) -> Expr:
+def _potential(system: System, held: _Held) -> Expr:
     """Return ``-g . sum(m r_G)``; the sum is carried from the bodies down to the root, so its length is linear."""
     if system.gravity is None:
         return number(0)
     gravity = system.gravity.projected(system.root).components
-    return -dot3(gravity, _mass_moment(frame_tree(system), system.bodies))
+    return -dot3(held.triple(gravity), _mass_moment(frame_tree(system), system.bodies))
 
 
 def _mass_moment(tree: FrameTree, bodies: Sequence[Body]) -> Triple:
@@ -113,20 +117,32 @@ def _mass_moment(tree: FrameTree, bodies: Sequence[Body]) -> Triple:
     return moments[0]
 
 
-def _load_forces(system: System, speeds: Sequence[Expr]) -> tuple[Expr, ...]:
-    """Return the derivatives of the loads' power by the speeds, the loads themselves being held."""
-    power, held = number(0), dict[Expr, Expr]()
+def _power(system: System, held: _Held) -> Expr:
+    """Return the power of the loads."""
+    power = number(0)
     for action in frame_tree(system).actions:
         velocity, axes = action_velocity(action)
-        x, y, z = (_held(component, held) for component in action.components(axes))
-        power += dot3((x, y, z), velocity)
-    return Matrix([gradient(power, speeds)]).subs(held).entries
+        power += dot3(held.triple(action.components(axes)), velocity)
+    return power
 
 
-def _held(component: Expr, held: dict[Expr, Expr]) -> Expr:
-    """Return a symbol that stands for a component of a load, under a name that no user can write."""
-    if component.is_number:
-        return component
-    stand_in = symbol(f"load component {len(held)}")
-    held[stand_in] = component
-    return stand_in
+@final
+class _Held:
+    """Stand-ins for forces while power and potential are differentiated: forces count as they are at the instant."""
+
+    def __init__(self) -> None:
+        self._values: dict[Expr, Expr] = {}
+
+    def triple(self, components: Triple) -> Triple:
+        x, y, z = components
+        return self._stand_in(x), self._stand_in(y), self._stand_in(z)
+
+    def _stand_in(self, component: Expr) -> Expr:
+        if not component.depends_on_time:
+            return component
+        stand_in = symbol(f"held {len(self._values)}")  # a name that no user can write
+        self._values[stand_in] = component
+        return stand_in
+
+    def released(self, expressions: Iterable[Expr]) -> tuple[Expr, ...]:
+        return substitute(tuple(expressions), self._values) if self._values else tuple(expressions)

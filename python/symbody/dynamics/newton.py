@@ -8,18 +8,21 @@ from symbody.multibody.selection import Objects, select_bodies
 from symbody.symbolic import add3, derivation, scale3, sub3
 
 
-def newton_equations(objects: Objects, frame: Frame | None = None, *, gravity: Vector | None = None) -> Vector:
+def newton_equations(
+    objects: Objects, frame: Frame | None = None, *, gravity: Vector | None = None
+) -> Vector:
     """Return ``sum(m a_G) - sum(F) - sum(m g)``, in the axes of a frame.
 
     Args:
-        objects: bodies and loads. Loads on other bodies are left out, with a notice; a force whose acting and reacting
-            bodies are both there cancels.
+        objects: bodies and loads. Loads on other bodies are left out, with a notice; a force whose acting and
+            reacting bodies are both there cancels.
         frame: where the components are wanted; by default the root.
         gravity: the acceleration of weight.
 
-    >>> from symbody import Body, Vector, functions_of_time, ground, newton_equations, symbols, translate
+    >>> from symbody import Body, Vector, functions_of_time, ground, symbols, time_derivative, translate
     >>> z, (m, g) = functions_of_time("z"), symbols("m g")
-    >>> newton_equations(Body(translate(0, 0, z), m), gravity=Vector(ground, 0, 0, -g)).components[2] == m * (z.diff(t, 2) + g)
+    >>> equations = newton_equations(Body(translate(0, 0, z), m), gravity=Vector(ground, 0, 0, -g))
+    >>> equations.components[2] == m * (time_derivative(z, 2) + g)
     True
     """
     selection = select_bodies(objects, "newton_equations", gravity)

@@ -7,7 +7,16 @@ from symbody.geometry import Point
 from symbody.geometry.acceleration_field import AccelerationField, Turning
 from symbody.geometry.triple import NULL, Rate, Triple
 from symbody.multibody import Action, Body, System
-from symbody.symbolic import Expr, cross3, derivation, scale3, sub3, time_derivative
+from symbody.symbolic import (
+    Expr,
+    cross3,
+    derivation,
+    scale3,
+    sub3,
+    substitute,
+    time_derivative,
+    time_derivatives,
+)
 
 from .composite_rigid_body import mass_matrix
 from .constraint import check_independent, with_multipliers
@@ -20,8 +29,8 @@ def newton_euler(system: System) -> Equations:
     """Return the equations of motion by recursion over the tree of frames.
 
     Outwards go the accelerations of the frames, in their own axes, with weight as an acceleration of the root; inwards
-    the wrenches that cause them. The equation of a coordinate is the power of the wrenches on the motions that depend on
-    it, per unit rate. The number of operations is proportional to the number of bodies.
+    the wrenches that cause them. The equation of a coordinate is the power of the wrenches on the motions that depend
+    on it, per unit rate. The number of operations is proportional to the number of bodies.
 
     Raises:
         FrameError: where a frame isn't rigid by itself, as in natural coordinates.
@@ -33,9 +42,9 @@ def newton_euler(system: System) -> Equations:
     >>> newton_euler(pendulum).mass_matrix[0, 0] == m * l**2
     True
     """
-    check(system, "newton_euler")
+    check_independent(system)
     with derivation():
-        tree = frame_tree(system)
+        tree = checked_tree(system, "newton_euler")
         _check_rigid(tree)
         residuals = with_multipliers(inverse_dynamics(system, tree), system)
     return Equations(system, residuals, _assemble)
@@ -48,7 +57,7 @@ def _assemble(system: System) -> Assembly:
         return Assembly(mass_matrix(system, tree), forces)
 
 
-def inverse_dynamics(system: System, tree: FrameTree, rate: Rate = time_derivative) -> tuple[Expr, ...]:
+def inverse_dynamics(system: System, tree: FrameTree, rate: Rate = time_derivatives) -> tuple[Expr, ...]:
     """Return the forces on the coordinates that the motion needs beyond weight and loads: the residuals.
 
     Args:
@@ -65,13 +74,13 @@ def inverse_dynamics(system: System, tree: FrameTree, rate: Rate = time_derivati
         anchor = action.anchor
         place = tree.index(anchor.frame)
         wrenches[place] = wrenches[place].minus(_load(action, anchor))
-    return generalized_forces(tree, system.coordinates, wrenches)
+    return generalized_forces(tree, wrenches)
 
 
 def bias(system: System, tree: FrameTree) -> tuple[Expr, ...]:
     """Return the residuals at zero accelerations of the coordinates."""
     rest = at_rest(system)
-    return inverse_dynamics(system, tree, lambda value: time_derivative(value).subs(rest))
+    return inverse_dynamics(system, tree, lambda values: substitute(time_derivatives(values), rest))
 
 
 def at_rest(system: System) -> dict[Expr, int]:
@@ -79,14 +88,15 @@ def at_rest(system: System) -> dict[Expr, int]:
     return {time_derivative(q, 2): 0 for q in system.coordinates}
 
 
-def check(system: System, where: str) -> None:
-    """Raise an error where a system can't have equations of motion in its coordinates."""
+def checked_tree(system: System, where: str) -> FrameTree:
+    """Return the tree of a system, or raise an error where it can't have equations of motion in its coordinates."""
     if system.root.carrier is not None:
         raise ModelError(
             f"{where}: the bodies hang on the moving master frame {system.root}, whose velocities are no rates of "
             "coordinates; use newton_equations and euler_equations"
         )
-    used = {leaf for body in system.bodies for motion in body.frame.motions for leaf in motion.leaves}
+    tree = frame_tree(system)
+    used = {system.coordinates[k] for moving in tree.coordinates for k in moving}
     used.update(leaf for constraint in system.constraints for leaf in constraint.free_symbols)
     for coordinate in system.coordinates:
         if coordinate not in used:
@@ -94,7 +104,7 @@ def check(system: System, where: str) -> None:
                 f"{where}: the coordinate {coordinate} appears in no frame of a body and in no constraint; "
                 "leave it out of the coordinates, or build a frame with it"
             )
-    check_independent(system)
+    return tree
 
 
 def _check_rigid(tree: FrameTree) -> None:
@@ -130,7 +140,7 @@ def spin_momentum_rate(body: Body, turning: Turning) -> Triple:
 
 def _moment_about(i: int, body: Body, turning: Turning) -> Expr:
     j, k = (i + 1) % 3, (i + 2) % 3
-    w, F, I, C = turning.velocity, turning.field, body.moments, body.products  # noqa: N806
+    w, F, I, C = turning.velocity, turning.field, body.moments, body.products
     moment = I[i] * turning.acceleration[i] + (I[k] - I[j]) * (w[j] * w[k])
     if not body.has_products:
         return moment

@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 from symbody.geometry.motion import Motion
 from symbody.geometry.triple import NULL, Triple, is_null
-from symbody.symbolic import Expr, Matrix, jacobian
+from symbody.symbolic import Expr, jacobian
 
 
 class PartialTwist(NamedTuple):
@@ -22,20 +22,21 @@ class PartialTwist(NamedTuple):
 
 def partial_twists(motion: Motion, coordinates: Sequence[Expr]) -> list[PartialTwist]:
     """Return the partial twists of a motion by each of the coordinates."""
-    drifts = partial_drifts(motion, coordinates)
+    drifts = _partial_drifts(motion, coordinates)
     if not motion.rotates:
         return [PartialTwist(NULL, drift) for drift in drifts]
-    spins = [motion.spin(partial(_slope, q)) for q in coordinates]
+    spins = [motion.spin(partial(slope, q)) for q in coordinates]
     return [PartialTwist(spin, drift) for spin, drift in zip(spins, drifts, strict=True)]
 
 
-def partial_drifts(motion: Motion, coordinates: Sequence[Expr]) -> list[Triple]:
+def _partial_drifts(motion: Motion, coordinates: Sequence[Expr]) -> list[Triple]:
     """Return the derivatives of the displacement by each of the coordinates."""
     if is_null(motion.displacement):
         return [NULL] * len(coordinates)
-    slopes: Matrix = jacobian(motion.displacement, coordinates)
-    return [(slopes[0, k], slopes[1, k], slopes[2, k]) for k in range(len(coordinates))]
+    slopes = jacobian(motion.displacement, coordinates)
+    return list(zip(slopes.row(0), slopes.row(1), slopes.row(2), strict=True))
 
 
-def _slope(coordinate: Expr, value: Expr) -> Expr:
-    return value.diff(coordinate)
+def slope(coordinate: Expr, values: Sequence[Expr]) -> tuple[Expr, ...]:
+    """Return the partial derivatives by one coordinate."""
+    return tuple(value.diff(coordinate) for value in values)

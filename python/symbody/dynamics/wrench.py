@@ -10,7 +10,7 @@ from symbody.geometry.triple import NULL, Triple, is_null
 from symbody.symbolic import Expr, add3, cross3, dot3, number, sub3
 
 from .frame_tree import FrameTree
-from .partial_motion import partial_drifts, partial_twists
+from .partial_motion import PartialTwist
 from .subset_sum import SubsetSum
 
 
@@ -41,26 +41,19 @@ class Wrench(NamedTuple):
         return is_null(self.force) and is_null(self.moment)
 
 
-def generalized_forces(tree: FrameTree, coordinates: Sequence[Expr], wrenches: Sequence[Wrench]) -> tuple[Expr, ...]:
-    """Return the power of the wrenches on all frames, per unit rate of each coordinate.
-
-    Args:
-        tree: the frames.
-        coordinates: those by whose rates the power is divided.
-        wrenches: one a frame, in its axes.
-    """
-    return _Inward(tree, coordinates, wrenches).forces()
+def generalized_forces(tree: FrameTree, wrenches: Sequence[Wrench]) -> tuple[Expr, ...]:
+    """Return the power of wrenches, one a frame and in its axes, per unit rate of each coordinate."""
+    return _Inward(tree, wrenches).forces()
 
 
 @final
 class _Inward:
     """The recursion from the leaves to the root."""
 
-    def __init__(self, tree: FrameTree, coordinates: Sequence[Expr], wrenches: Sequence[Wrench]) -> None:
+    def __init__(self, tree: FrameTree, wrenches: Sequence[Wrench]) -> None:
         self._tree = tree
-        self._coordinates = coordinates
         self._wrenches = list(wrenches)
-        self._forces = [number(0)] * len(coordinates)
+        self._forces = [number(0)] * len(tree.system.coordinates)
         self._sliding: dict[int, list[int]] = {}
         """By parent: the children whose displacement depends on coordinates."""
 
@@ -80,34 +73,29 @@ class _Inward:
         if moving and not motion.rotates:
             self._sliding.setdefault(parent, []).append(place)
         elif moving:
-            self._turn(motion, wrench, moving)
+            self._turn(motion, wrench, self._tree.partial_twists(place))
         if self._tree.carried[parent]:
             self._wrenches[parent] = self._wrenches[parent].plus(wrench.to_parent(motion))
 
-    def _turn(self, motion: Motion, wrench: Wrench, moving: tuple[int, ...]) -> None:
-        twists = partial_twists(motion, [self._coordinates[k] for k in moving])
+    def _turn(self, motion: Motion, wrench: Wrench, twists: dict[int, PartialTwist]) -> None:
         force = NULL if is_null(motion.displacement) else motion.to_parent(wrench.force)
-        for k, twist in zip(moving, twists, strict=True):
+        for k, twist in twists.items():
             self._forces[k] += dot3(twist.spin, wrench.moment) + dot3(twist.drift, force)
 
     def _slide(self, children: list[int]) -> None:
-        """Add the power on translations from one parent: those that a coordinate moves alike share the sum of forces."""
+        """Add the power on translations from one parent: what moves alike shares the sum of forces."""
         children.reverse()
         total = SubsetSum([self._wrenches[child].force for child in children], add3)
-        for k, drifts in alike(self._tree, self._coordinates, children).items():
+        for k, drifts in alike(self._tree, children).items():
             for drift, subset in drifts.items():
                 self._forces[k] += dot3(drift, total(subset))
 
 
-def alike(
-    tree: FrameTree, coordinates: Sequence[Expr], children: Sequence[int]
-) -> dict[int, dict[Triple, int]]:
+def alike(tree: FrameTree, children: Sequence[int]) -> dict[int, dict[Triple, int]]:
     """Return, by coordinate and partial velocity, the subset of children that have this partial velocity."""
     result: dict[int, dict[Triple, int]] = {}
     for bit, child in enumerate(children):
-        moving = tree.coordinates[child]
-        drifts = partial_drifts(tree.motion(child), [coordinates[k] for k in moving])
-        for k, drift in zip(moving, drifts, strict=True):
+        for k, twist in tree.partial_twists(child).items():
             subsets = result.setdefault(k, {})
-            subsets[drift] = subsets.get(drift, 0) | (1 << bit)
+            subsets[twist.drift] = subsets.get(twist.drift, 0) | (1 << bit)
     return result

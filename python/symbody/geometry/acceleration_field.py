@@ -13,7 +13,7 @@ from __future__ import annotations
 from functools import cached_property
 from typing import NamedTuple, TypeAlias, final
 
-from symbody.symbolic import Expr, add3, cross3, matvec3, number, scale3, time_derivative
+from symbody.symbolic import Expr, add3, cross3, matvec3, number, scale3, time_derivatives
 
 from .frame import Frame, along_chain
 from .motion import Motion
@@ -56,7 +56,7 @@ class AccelerationField:
             gives the accelerations at zero coordinate accelerations.
     """
 
-    def __init__(self, offset: Triple = NULL, rate: Rate = time_derivative) -> None:
+    def __init__(self, offset: Triple = NULL, rate: Rate = time_derivatives) -> None:
         self._offset = offset
         self._rate = rate
         self._memo: dict[bytes, Accelerated] = {}
@@ -78,7 +78,7 @@ class AccelerationField:
             linear = self._displaced(motion, turning, linear)
         if not motion.rotates:
             return Accelerated(turning, linear)
-        spin = motion.spin(time_derivative)
+        spin = motion.spin(time_derivatives)
         velocity = add3(motion.to_child(turning.velocity), spin)
         acceleration = add3(motion.to_child(turning.acceleration), rates(spin, self._rate))
         acceleration = add3(acceleration, cross3(velocity, spin))
@@ -87,7 +87,7 @@ class AccelerationField:
     def _displaced(self, motion: Motion, turning: Turning, linear: Triple) -> Triple:
         if not (is_null(turning.velocity) and is_null(turning.acceleration)):
             linear = add3(linear, matvec3(turning.field, motion.displacement))
-        drift = motion.drift(time_derivative)
+        drift = motion.drift(time_derivatives)
         if is_null(drift):
             return linear
         coriolis = scale3(number(2), cross3(turning.velocity, drift))

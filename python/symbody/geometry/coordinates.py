@@ -48,8 +48,8 @@ def path(source: Frame, target: Frame) -> tuple[list[Motion], list[Motion]]:
             b = b.parent
         else:
             raise FrameError(
-                f"{source} can't be seen from {target}: one hangs on {source.ancestor}, the other on {target.ancestor}, "
-                "and the place of a moving master frame is unknown; build both on the same one"
+                f"{source} can't be seen from {target}: one hangs on {source.ancestor}, the other on "
+                f"{target.ancestor}, and the place of a moving master frame is unknown; build both on the same one"
             )
     down.reverse()
     return up, down

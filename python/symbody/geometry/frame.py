@@ -71,7 +71,9 @@ class Frame:
         frame = _from_matrix(_as_matrix(matrix))
         self._set(frame.parent, frame.motion, name)
 
-    def _set(self, parent: Frame | None, motion: Motion | None, name: str = "", carrier: Twist | None = None) -> Frame:
+    def _set(
+        self, parent: Frame | None, motion: Motion | None, name: str = "", carrier: Twist | None = None
+    ) -> Frame:
         self.parent, self.motion, self.name, self.carrier = parent, motion, name, carrier
         if parent is None or motion is None:
             self.depth, self.is_rigid = 0, True
@@ -86,7 +88,8 @@ class Frame:
     def _make(
         cls, parent: Frame | None, motion: Motion | None, name: str = "", carrier: Twist | None = None
     ) -> Frame:
-        return cls.__new__(cls)._set(parent, motion, name, carrier)
+        frame = cls.__new__(cls)
+        return cls._set(frame, parent, motion, name, carrier)
 
     @classmethod
     def root(cls, name: str, carrier: Twist | None = None) -> Frame:
@@ -197,7 +200,11 @@ class Frame:
     def __repr__(self) -> str:
         if self.name:
             return self.name
-        return f"Frame({self.matrix})" if self.depth <= _SHOWN else f"Frame({self.depth} motions from {self.ancestor})"
+        return (
+            f"Frame({self.matrix})"
+            if self.depth <= _SHOWN
+            else f"Frame({self.depth} motions from {self.ancestor})"
+        )
 
     def _repr_latex_(self) -> str:
         return f"${self.matrix.latex()}$"
@@ -266,13 +273,17 @@ def rotate(axis: Axis, angle: Scalar) -> Frame:
     return ground.then(_about(_axis_components(axis), turn))
 
 
-def moving_frame(u: Scalar, v: Scalar, w: Scalar, wx: Scalar, wy: Scalar, wz: Scalar, *, name: str = "") -> Frame:
+def moving_frame(
+    u: Scalar, v: Scalar, w: Scalar, wx: Scalar, wy: Scalar, wz: Scalar, *, name: str = ""
+) -> Frame:
     """Return a moving master frame: where it is stays unknown, its velocities in its own axes are given.
 
-    Args:
-        u, v, w: velocity of the origin.
-        wx, wy, wz: angular velocity.
-        name: what to call it.
+    The velocity (u, v, w) is that of the origin, (wx, wy, wz) the angular velocity.
+
+    >>> from symbody import Body, linear_momentum, moving_frame, symbols
+    >>> V, r, m = symbols("V r m")
+    >>> linear_momentum(Body(moving_frame(V, 0, 0, 0, 0, r), m)).components
+    (V*m, 0, 0)
     """
     return Frame.root(name or "moving frame", Twist(triple(wx, wy, wz), triple(u, v, w)))
 
@@ -286,7 +297,9 @@ def _principal(axis: str) -> int:
 def _axis_components(axis: Sequence[Scalar] | HasComponents) -> Triple:
     components = axis if isinstance(axis, Sequence) else axis.components
     if len(components) != 3:
-        raise FrameError(f"rotate: an axis of {len(components)} components, expected three, or 'X', 'Y' or 'Z'")
+        raise FrameError(
+            f"rotate: an axis of {len(components)} components, expected three, or 'X', 'Y' or 'Z'"
+        )
     return triple(*components)
 
 
@@ -312,8 +325,8 @@ def _as_matrix(matrix: Matrix | Sequence[Sequence[Scalar]]) -> Matrix:
     result = matrix if isinstance(matrix, Matrix) else Matrix([list(row) for row in matrix])
     if result.shape != (4, 4):
         raise FrameError(
-            f"Frame: a {result.rows}x{result.shape[1]} matrix, expected 4x4: the rotation, the origin in the last column, "
-            "and 0, 0, 0, 1 in the last row"
+            f"Frame: a {result.rows}x{result.shape[1]} matrix, expected 4x4: the rotation, the origin in the last "
+            "column, and 0, 0, 0, 1 in the last row"
         )
     last = result.entries[12:]
     if tuple(last) != (number(0), number(0), number(0), number(1)):

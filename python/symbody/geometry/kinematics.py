@@ -12,7 +12,7 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from symbody.symbolic import add3, cross3, derivation, matvec3, time_derivative
+from symbody.symbolic import add3, cross3, derivation, matvec3, time_derivatives
 
 from .frame import UNMOVED, Frame, Pose, Twist, along_chain, moved
 from .motion import Motion
@@ -40,10 +40,12 @@ def _root_twist(root: Frame) -> Twist:
 def _twist_step(motion: Motion, parent: Twist) -> Twist:
     linear = parent.linear
     if not is_null(motion.displacement):
-        linear = add3(add3(linear, cross3(parent.angular, motion.displacement)), motion.drift(time_derivative))
+        linear = add3(
+            add3(linear, cross3(parent.angular, motion.displacement)), motion.drift(time_derivatives)
+        )
     if not motion.rotates:
         return Twist(parent.angular, linear)
-    angular = add3(motion.to_child(parent.angular), motion.spin(time_derivative))
+    angular = add3(motion.to_child(parent.angular), motion.spin(time_derivatives))
     return Twist(angular, motion.to_child(linear))
 
 
@@ -64,7 +66,7 @@ def spin(frame: Frame) -> Triple:
     with derivation():
         rows = pose_from(frame, frame.base).rows
         carried = turned(transposed(rows), twist(frame.base).angular)
-        return add3(carried, axial_rate(rows, time_derivative))
+        return add3(carried, axial_rate(rows, time_derivatives))
 
 
 def origin_velocity(frame: Frame) -> Seen:
@@ -81,7 +83,9 @@ def material_velocity(p: Triple, frame: Frame) -> Seen:
             return Seen(add3(linear, cross3(angular, p)), base)
         pose = pose_from(frame, base)
         r = add3(pose.origin, turned(pose.rows, p))
-        return Seen(add3(add3(linear, cross3(angular, r)), displacement_rate(pose, p, time_derivative)), base)
+        return Seen(
+            add3(add3(linear, cross3(angular, r)), displacement_rate(pose, p, time_derivatives)), base
+        )
 
 
 def displacement_rate(pose: Pose, p: Triple, rate: Rate) -> Triple:

@@ -161,7 +161,8 @@ class Rotation(Motion):
         return rotate_back3(self.axis, cos(self.angle), sin(self.angle), v)
 
     def spin(self, rate: Rate) -> Triple:
-        return along(self.axis, rate(self.angle))
+        (turning,) = rate((self.angle,))
+        return along(self.axis, turning)
 
     def inverse(self) -> tuple[Motion, ...]:
         return (Rotation(self.axis, -self.angle),)

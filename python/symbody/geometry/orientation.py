@@ -1,7 +1,8 @@
 """Numeric axes and rotation matrices taken as angles.
 
-The entries of a numeric rotation matrix are rounded in the sixteenth digit, so its rows are never exactly orthonormal, and
-two right derivations would differ. Angles make exact rotations: the sine and the cosine of any number lie on the circle.
+The entries of a numeric rotation matrix are rounded in the sixteenth digit, so that its rows are never exactly
+orthonormal, and two right derivations would differ. Angles make exact rotations: the sine and the cosine of any number
+lie on the circle.
 """
 
 from __future__ import annotations
@@ -10,7 +11,7 @@ from collections.abc import Sequence
 from math import atan2, hypot, isclose, pi
 
 from symbody.symbolic import Expr, cos, number, sin
-from symbody.symbolic import pi as PI  # noqa: N812  (the exact one)
+from symbody.symbolic import pi as PI
 
 from .triple import Triple
 
@@ -47,10 +48,9 @@ def turns(r: Sequence[Sequence[float]]) -> tuple[tuple[int, Expr], ...]:
 
 def distance_from_rotation(r: Sequence[Sequence[float]]) -> float:
     """Return the largest entry of ``R R^T - 1``, or 2 for a left-handed triad."""
-    defect = max(
-        abs(sum(r[i][k] * r[j][k] for k in range(3)) - (i == j)) for i in range(3) for j in range(3)
-    )
+    defect = max(abs(sum(r[i][k] * r[j][k] for k in range(3)) - (i == j)) for i in range(3) for j in range(3))
     determinant = sum(
-        r[0][i] * (r[1][(i + 1) % 3] * r[2][(i + 2) % 3] - r[1][(i + 2) % 3] * r[2][(i + 1) % 3]) for i in range(3)
+        r[0][i] * (r[1][(i + 1) % 3] * r[2][(i + 2) % 3] - r[1][(i + 2) % 3] * r[2][(i + 1) % 3])
+        for i in range(3)
     )
     return max(defect, 2.0) if determinant < 0 else defect

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from typing import final
 
-from symbody.symbolic import Expr, Matrix, cross3, matvec3, number, sub3
+from symbody.symbolic import Expr, Matrix, cross3, dot3, matvec3, sub3
 
 from .motion import Motion, Rows, Substitution
-from .triple import NULL, Rate, Triple
+from .triple import NULL, Rate, Triple, rates
 
 
 @final
@@ -50,7 +50,11 @@ class Placement(Motion):
 
     def subs(self, substitution: Substitution) -> Motion:
         values = Matrix([self.variables]).subs(substitution).entries
-        rows = (values[0], values[1], values[2]), (values[3], values[4], values[5]), (values[6], values[7], values[8])
+        rows = (
+            (values[0], values[1], values[2]),
+            (values[3], values[4], values[5]),
+            (values[6], values[7], values[8]),
+        )
         return Placement(rows, (values[9], values[10], values[11]))
 
 
@@ -66,14 +70,7 @@ def axial_rate(rows: Rows, rate: Rate) -> Triple:
     With columns u, v, w of R these are ``w.v'``, ``u.w'`` and ``v.u'``.
     """
     u, v, w = transposed(rows)
-    return _dot_rate(w, v, rate), _dot_rate(u, w, rate), _dot_rate(v, u, rate)
-
-
-def _dot_rate(a: Triple, b: Triple, rate: Rate) -> Expr:
-    total = number(0)
-    for fixed, moving in zip(a, b, strict=True):
-        total += fixed * rate(moving)
-    return total
+    return dot3(w, rates(v, rate)), dot3(u, rates(w, rate)), dot3(v, rates(u, rate))
 
 
 def is_rotation(rows: Rows) -> bool:

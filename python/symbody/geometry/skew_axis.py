@@ -8,7 +8,7 @@ from typing import final
 from symbody.symbolic import Expr, add3, cos, cross3, dot3, matvec3, scale3, sin
 
 from .motion import Motion, Substitution
-from .triple import Rate, Triple, rates
+from .triple import Rate, Triple, is_null, rates
 
 
 @final
@@ -44,9 +44,9 @@ class AxisRotation(Motion):
 
     def spin(self, rate: Rate) -> Triple:
         """Return ``a' e + sin(a) e' - (1 - cos(a)) e x e'``, in the child's axes."""
-        turning = rates(self.axis, rate)
-        spin = scale3(rate(self.angle), self.axis)
-        if all(component.is_zero for component in turning):
+        (speed,) = rate((self.angle,))
+        spin, turning = scale3(speed, self.axis), rates(self.axis, rate)
+        if is_null(turning):
             return spin
         spin = add3(spin, scale3(sin(self.angle), turning))
         return add3(spin, scale3(cos(self.angle) - 1, cross3(self.axis, turning)))

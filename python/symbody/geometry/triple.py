@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from fractions import Fraction
 from typing import TypeAlias
 
@@ -14,8 +14,8 @@ Scalar: TypeAlias = Expr | int | float | Fraction
 Triple: TypeAlias = tuple[Expr, Expr, Expr]
 """Components along x, y and z."""
 
-Rate: TypeAlias = Callable[[Expr], Expr]
-"""A derivation law: the time derivative, or the partial derivative with respect to a coordinate."""
+Rate: TypeAlias = Callable[[Sequence[Expr]], tuple[Expr, ...]]
+"""What takes expressions to their time derivatives, or to their partial derivatives with respect to a coordinate."""
 
 NULL: Triple = (number(0), number(0), number(0))
 
@@ -37,5 +37,5 @@ def is_null(components: Triple) -> bool:
 
 def rates(components: Triple, rate: Rate) -> Triple:
     """Return the derivatives of three components."""
-    x, y, z = components
-    return rate(x), rate(y), rate(z)
+    x, y, z = rate(components)
+    return x, y, z

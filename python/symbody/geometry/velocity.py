@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from symbody.symbolic import add3, cross3, derivation, time_derivative
+from symbody.symbolic import add3, cross3, derivation, time_derivatives
 
 from .frame import Frame
 from .kinematics import material_velocity, spin
@@ -46,7 +46,7 @@ def _velocity(thing: Point | Vector, observer: Frame) -> Triple:
 
 def _rate(components: Triple, observer: Frame) -> Triple:
     """Return the rate of components; a moving master frame stands for ground, so that its turning counts."""
-    change = rates(components, time_derivative)
+    change = rates(components, time_derivatives)
     return change if observer.carrier is None else add3(change, cross3(observer.carrier.angular, components))
 
 

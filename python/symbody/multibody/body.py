@@ -16,9 +16,9 @@ from symbody.symbolic import Expr, Matrix, matvec3
 class Body:
     """A rigid body: a frame at its centre of mass, a mass, and the inertia about the centre of mass in that frame.
 
-    The products of inertia have a minus sign off the diagonal: ``[[Ix, -Cxy, -Cxz], [-Cxy, Iy, -Cyz], [-Cxz, -Cyz, Iz]]``.
-    Masses and inertias may be zero, or negative: what is subtracted from another body. Two bodies are never equal, even if
-    all their values are.
+    The products of inertia have a minus sign off the diagonal: ``[[Ix, -Cxy, -Cxz], [-Cxy, Iy, -Cyz],
+    [-Cxz, -Cyz, Iz]]``. Masses and inertias may be zero, or negative: what is subtracted from another body. Two bodies
+    are never equal, even if all their values are.
 
     >>> from symbody import Point, ground, symbols
     >>> Body(Point(ground, 1, 0, 0), symbols("m")).mass
@@ -29,12 +29,12 @@ class Body:
         self,
         place: Point | Frame,
         mass: Scalar,
-        Ix: Scalar = 0,  # noqa: N803  (the names of the textbook)
-        Iy: Scalar = 0,  # noqa: N803
-        Iz: Scalar = 0,  # noqa: N803
-        Cyz: Scalar = 0,  # noqa: N803
-        Cxz: Scalar = 0,  # noqa: N803
-        Cxy: Scalar = 0,  # noqa: N803
+        Ix: Scalar = 0,
+        Iy: Scalar = 0,
+        Iz: Scalar = 0,
+        Cyz: Scalar = 0,
+        Cxz: Scalar = 0,
+        Cxy: Scalar = 0,
         *,
         name: str = "",
     ) -> None:

@@ -20,7 +20,9 @@ def kinetic_energy(objects: Objects) -> Expr:
     True
     """
     with derivation():
-        return sum((_kinetic(body) for body in select_bodies(objects, "kinetic_energy").bodies), start=number(0))
+        return sum(
+            (_kinetic(body) for body in select_bodies(objects, "kinetic_energy").bodies), start=number(0)
+        )
 
 
 def _kinetic(body: Body) -> Expr:
@@ -41,7 +43,9 @@ def gravitational_energy(objects: Objects, gravity: Vector | None = None) -> Exp
     """
     selection = select_bodies(objects, "gravitational_energy", gravity)
     if selection.gravity is None:
-        raise ModelError("gravitational_energy: no gravity is given; pass a vector such as Vector(ground, 0, 0, -g)")
+        raise ModelError(
+            "gravitational_energy: no gravity is given; pass a vector such as Vector(ground, 0, 0, -g)"
+        )
     with derivation():
         g = selection.gravity.projected(selection.root).components
         return sum((_weight_energy(body, g) for body in selection.bodies), start=number(0))
@@ -55,4 +59,8 @@ def mechanical_energy(objects: Objects, gravity: Vector | None = None) -> Expr:
     """Return the kinetic energy, plus the potential energy of weight where there is gravity."""
     selection = select_bodies(objects, "mechanical_energy", gravity)
     kinetic = kinetic_energy(selection.bodies)
-    return kinetic if selection.gravity is None else kinetic + gravitational_energy(selection.bodies, selection.gravity)
+    return (
+        kinetic
+        if selection.gravity is None
+        else kinetic + gravitational_energy(selection.bodies, selection.gravity)
+    )

@@ -61,11 +61,15 @@ class Load(ABC):
 class _Vectorial(Load):
     """A vector that acts on a body, and with the opposite sign on a reaction body."""
 
-    def __init__(self, what: Vector | Frame, components: tuple[Scalar, ...], on: Body, reaction: Body | None, name: str) -> None:
+    def __init__(
+        self, what: Vector | Frame, components: tuple[Scalar, ...], on: Body, reaction: Body | None, name: str
+    ) -> None:
         kind = type(self).__name__
         if not isinstance(on, Body) or not (reaction is None or isinstance(reaction, Body)):
             wrong = reaction if isinstance(on, Body) else on
-            raise LoadError(f"{kind}: {wrong!r} isn't a body; give on=body, and reaction=body for the one that reacts")
+            raise LoadError(
+                f"{kind}: {wrong!r} isn't a body; give on=body, and reaction=body for the one that reacts"
+            )
         if isinstance(what, Vector) and not components:
             self.vector = what
         elif isinstance(what, Frame) and len(components) == 3:
@@ -76,7 +80,9 @@ class _Vectorial(Load):
                 "components"
             )
         if on is reaction:
-            raise LoadError(f"{kind}: acts and reacts on the same body {on!r}; name two bodies, or leave reaction out")
+            raise LoadError(
+                f"{kind}: acts and reacts on the same body {on!r}; name two bodies, or leave reaction out"
+            )
         self.on, self.reaction, self.name = on, reaction, name
 
     @property
@@ -137,7 +143,12 @@ class Torque(_Vectorial):
     """A torque on a body: ``Torque(vector, on=body)`` or ``Torque(frame, x, y, z, on=body)``."""
 
     def __init__(
-        self, what: Vector | Frame, *components: Scalar, on: Body, reaction: Body | None = None, name: str = ""
+        self,
+        what: Vector | Frame,
+        *components: Scalar,
+        on: Body,
+        reaction: Body | None = None,
+        name: str = "",
     ) -> None:
         super().__init__(what, components, on, reaction, name)
 

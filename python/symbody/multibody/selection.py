@@ -39,13 +39,17 @@ class Selection:
             inside = [action for action in load.actions if action.body in members]
             if not inside:
                 bodies = " and ".join(str(action.body) for action in load.actions)
-                warnings.warn(f"{where}: {load} is left out: it acts on {bodies}, not in the set", ModelNotice, stacklevel=3)
+                warnings.warn(
+                    f"{where}: {load} is left out: it acts on {bodies}, not in the set",
+                    ModelNotice,
+                    stacklevel=3,
+                )
             found += inside
         return found
 
 
 def select(objects: Objects, where: str, gravity: Vector | None = None) -> Selection:
-    """Return the bodies and loads of a system, a set or a list; sets are put in an order that doesn't depend on the run."""
+    """Return the bodies and loads of a system, a set or a list; sets are put in an order that runs don't change."""
     if isinstance(objects, System):
         return Selection(objects.bodies, objects.loads, objects.gravity if gravity is None else gravity)
     things = [objects] if isinstance(objects, Body | Load) else list(objects)
@@ -53,7 +57,9 @@ def select(objects: Objects, where: str, gravity: Vector | None = None) -> Selec
     loads = [thing for thing in things if isinstance(thing, Load)]
     strangers = [thing for thing in things if not isinstance(thing, Body | Load)]
     if strangers:
-        raise ModelError(f"{where}: {strangers[0]!r} is neither a body nor a load; give bodies, forces and torques")
+        raise ModelError(
+            f"{where}: {strangers[0]!r} is neither a body nor a load; give bodies, forces and torques"
+        )
     if isinstance(objects, set | frozenset):
         bodies.sort(key=lambda body: body.key)
         loads.sort(key=lambda load: load.key)

@@ -63,15 +63,23 @@ class System:
         strangers = [body for body in self.bodies if not isinstance(body, Body)]
         strangers += [load for load in self.loads if not isinstance(load, Load)]
         if strangers:
-            raise ModelError(f"System: {strangers[0]!r} is out of place; bodies go into bodies=, forces and torques into loads=")
+            raise ModelError(
+                f"System: {strangers[0]!r} is out of place; bodies go into bodies=, forces and torques into loads="
+            )
         self._check_coordinates()
         self._check_constraints()
 
     def _check_coordinates(self) -> None:
         if not self.coordinates:
-            raise ModelError("System: no coordinates; give the functions of time that describe the motion, in order")
+            raise ModelError(
+                "System: no coordinates; give the functions of time that describe the motion, in order"
+            )
         for coordinate in self.coordinates:
-            if not isinstance(coordinate, Expr) or coordinate.kind != "time_function" or coordinate.order != 0:
+            if (
+                not isinstance(coordinate, Expr)
+                or coordinate.kind != "time_function"
+                or coordinate.order != 0
+            ):
                 raise ModelError(
                     f"System: the coordinate {coordinate} isn't a function of time; make it with functions_of_time"
                 )
@@ -83,25 +91,38 @@ class System:
         n, m = len(self.coordinates), len(self.constraints)
         if m >= n:
             raise ConstraintError(
-                f"System: {m} constraints on {n} coordinates leave no motion; expected fewer constraints than coordinates"
+                f"System: {m} constraints on {n} coordinates leave no motion; expected fewer constraints than "
+                "coordinates"
             )
         if len(self.multipliers) != m:
-            raise ConstraintError(f"System: {len(self.multipliers)} multipliers for {m} constraints; give one for each")
+            raise ConstraintError(
+                f"System: {len(self.multipliers)} multipliers for {m} constraints; give one for each"
+            )
         for number, constraint in enumerate(self.constraints, start=1):
             if constraint.is_zero:
                 raise ConstraintError(f"System: constraint {number} is identically zero; leave it out")
             if not any(coordinate in constraint.free_symbols for coordinate in self.coordinates):
-                raise ConstraintError(f"System: constraint {number}, {constraint}, holds none of the coordinates")
+                raise ConstraintError(
+                    f"System: constraint {number}, {constraint}, holds none of the coordinates"
+                )
 
     def __repr__(self) -> str:
-        parts = [f"{len(self.bodies)} bodies", f"{len(self.loads)} loads", f"{len(self.coordinates)} coordinates"]
+        parts = [
+            f"{len(self.bodies)} bodies",
+            f"{len(self.loads)} loads",
+            f"{len(self.coordinates)} coordinates",
+        ]
         if self.constraints:
             parts.append(f"{len(self.constraints)} constraints")
         return f"System({', '.join([self.name, *parts] if self.name else parts)})"
 
 
 def _ordered(things: Collection[Thing]) -> tuple[Thing, ...]:
-    return tuple(sorted(things, key=lambda thing: thing.key)) if isinstance(things, set | frozenset) else tuple(things)
+    return (
+        tuple(sorted(things, key=lambda thing: thing.key))
+        if isinstance(things, set | frozenset)
+        else tuple(things)
+    )
 
 
 def _multipliers(count: int) -> tuple[Expr, ...]:
