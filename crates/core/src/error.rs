@@ -5,7 +5,7 @@ use std::fmt;
 /// An error of the expression core, in the user's own names.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Error {
-    /// A divisor that is identically zero; holds the expression as it was written.
+    /// A divisor that is identically zero; holds what was to be divided.
     DivisionByZero(String),
     /// A double that is infinite or not a number.
     NotFinite(f64),
@@ -32,7 +32,9 @@ pub enum Error {
 impl fmt::Display for Error {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::DivisionByZero(divisor) => write!(f, "division by {divisor}, which is identically zero"),
+            Self::DivisionByZero(dividend) => {
+                write!(f, "{dividend} is divided by an expression that is identically zero")
+            }
             Self::NotFinite(value) => {
                 write!(f, "{value} is not a finite number; expressions hold finite numbers only")
             }

@@ -1,9 +1,9 @@
-//! The cheapest of a fixed list of forms.
+//! The shortest of a fixed list of forms.
 //!
 //! Every candidate is a form that textbooks use: terms flattened or multiplied out, sines and cosines
 //! brought to a few normal forms, common factors out, collected by accelerations, speeds, parameters or
-//! angles. A candidate counts if its value is the same at the random point and it costs less; so the
-//! result is never costlier than the input, and the search never loops.
+//! angles. A candidate counts if its value is the same at the random point and it costs no more operations
+//! than the input; of those the one that reads shortest is taken. The search never loops.
 
 use crate::collect::grouped;
 use crate::error::Error;
@@ -69,11 +69,12 @@ const ARRANGEMENTS: [&[Kind]; 4] =
 /// The parts whose coefficients are simplified on their own.
 const COEFFICIENTS: [&[Kind]; 2] = [&[Kind::Acceleration, Kind::Speed], &[Kind::Parameter]];
 
-/// What a form costs: operations of the graph; among equals, fewer additions, functions, printed operations.
+/// How long a form reads: operations, an addition as three of them because it makes one more term; among
+/// equals, fewer additions, functions and printed operations.
 type Measure = (u64, u64, u64, u64);
 
 impl Graph {
-    /// The cheapest of a fixed list of forms of an expression.
+    /// The shortest of a fixed list of forms of an expression.
     ///
     /// # Errors
     /// When a part cannot be rebuilt.
@@ -93,13 +94,17 @@ impl Graph {
         })
     }
 
+    /// Whether a candidate reads better, costs no more operations and has the same value.
     fn is_better(&self, candidate: Id, known: Id) -> bool {
-        self.value(candidate) == self.value(known) && self.measure(candidate) < self.measure(known)
+        self.value(candidate) == self.value(known)
+            && self.measure(candidate) < self.measure(known)
+            && self.cost(&[candidate]).total() <= self.cost(&[known]).total()
     }
 
     fn measure(&self, id: Id) -> Measure {
         let cost = self.cost(&[id]);
-        (cost.total(), cost.additions, cost.functions, self.tree_cost(&[id]).total())
+        let length = cost.total().saturating_add(cost.additions.saturating_mul(2));
+        (length, cost.additions, cost.functions, self.tree_cost(&[id]).total())
     }
 
     /// The best candidate for a part, or the part itself.
@@ -107,11 +112,14 @@ impl Graph {
         if self.children(part).is_empty() || self.is_large(part, work) {
             return part;
         }
+        let allowed = self.cost(&[part]).total();
         let mut best = (self.measure(part), part);
-        let candidates = self.candidates(part, depth, work);
-        for candidate in candidates {
+        for candidate in self.candidates(part, depth, work) {
+            if self.value(candidate) != self.value(part) || self.cost(&[candidate]).total() > allowed {
+                continue;
+            }
             let measure = self.measure(candidate);
-            if measure < best.0 && self.value(candidate) == self.value(part) {
+            if measure < best.0 {
                 best = (measure, candidate);
             }
         }

@@ -1,0 +1,88 @@
+//! Functions applied to arguments: parity, exact values, and the value at the random point.
+
+use crate::error::Error;
+use crate::field::{Element, Key};
+use crate::function::{Function, Parity};
+use crate::graph::Graph;
+use crate::node::{Flags, Id, Kind, NumberId, View};
+use crate::number::Number;
+
+impl Graph {
+    /// A function of the table applied to arguments.
+    ///
+    /// # Errors
+    /// When the number of arguments is wrong, or the value is not defined there.
+    pub fn apply(&mut self, function: Function, args: &[Id]) -> Result<Id, Error> {
+        function.check_arity(args.len())?;
+        let args: Vec<Id> = args.iter().map(|&id| self.adopt(id)).collect();
+        if let Some(exact) = self.exact_value(function, &args)? {
+            return Ok(exact);
+        }
+        if let Some(result) = self.by_parity(function, &args)? {
+            return Ok(result);
+        }
+        let value = self.function_value(function, &args)?;
+        let flags = args.iter().map(|&id| self.flags(id)).reduce(Flags::join).unwrap_or_default();
+        let words: Vec<u32> = args.iter().map(|id| id.0).collect();
+        Ok(self.finish(Kind::Function(function), flags, &words, value))
+    }
+
+    /// f(-x) = -f(x) or f(x): arguments have a positive leading sign.
+    fn by_parity(&mut self, function: Function, args: &[Id]) -> Result<Option<Id>, Error> {
+        let parity = function.parity();
+        let View::Scale(factor, child) = self.view(args[0]) else { return Ok(None) };
+        if parity == Parity::Neither || !self.get_number(factor).is_negative() {
+            return Ok(None);
+        }
+        let factor = self.get_number(factor).neg();
+        let factor = self.number_id(&factor);
+        let argument = self.scale(factor, child);
+        let result = self.apply(function, &[argument])?;
+        Ok(Some(if parity == Parity::Odd { self.scale(NumberId::MINUS_ONE, result) } else { result }))
+    }
+
+    /// The value at the random point: by the group laws where there are any, drawn for opaque functions.
+    fn function_value(&mut self, function: Function, args: &[Id]) -> Result<Element, Error> {
+        let first = args[0];
+        let half = || Element::from_number(&Number::rational(1, 2));
+        Ok(match function {
+            Function::Sin => self.circle(first).sin,
+            Function::Cos => self.circle(first).cos,
+            Function::Tan => {
+                let point = self.circle(first);
+                point.sin.mul(point.cos.inverse())
+            }
+            Function::Exp => self.exponential(first),
+            Function::Sinh | Function::Cosh | Function::Tanh => {
+                let exponential = self.exponential(first);
+                let inverse = exponential.inverse();
+                let (sinh, cosh) = (exponential.sub(inverse), exponential.add(inverse));
+                match function {
+                    Function::Sinh => sinh.mul(half()),
+                    Function::Cosh => cosh.mul(half()),
+                    _ => sinh.mul(cosh.inverse()),
+                }
+            }
+            Function::Power => self.general_power(first, args[1]),
+            _ => self.opaque_value(function, args),
+        })
+    }
+
+    /// A value drawn for the function and its arguments' values, with the function's parity.
+    fn opaque_value(&self, function: Function, args: &[Id]) -> Element {
+        if function == Function::Abs {
+            // |u| is the root of u^2, whatever form that has.
+            let square = self.value(args[0]).powi(2);
+            let key = Key::new("root").element(square);
+            return Element::draw_exponential(&key).pow_rational(&Number::rational(1, 2));
+        }
+        let parity = function.parity();
+        let key = Key::new("function").text(function.name());
+        if parity == Parity::Neither {
+            return Element::draw(&args.iter().fold(key, |key, &id| key.element(self.value(id))));
+        }
+        let (argument, negated) = self.value(args[0]).unsigned();
+        let value = Element::draw(&key.element(argument));
+        if negated && parity == Parity::Odd { value.neg() } else { value }
+    }
+}

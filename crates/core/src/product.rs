@@ -1,0 +1,328 @@
+//! Products and powers: equal bases merge by value, numbers come out, signs come out.
+
+use crate::error::Error;
+use crate::field::Element;
+use crate::function::Function;
+use crate::graph::Graph;
+use crate::node::{Flags, Id, Kind, NumberId, View};
+use crate::number::Number;
+use crate::root::{is_even, square_part};
+
+/// Factors up to this count are searched for ones that merge with those of child products.
+const MERGE_SEARCH: usize = 48;
+
+type Factor = (Id, NumberId);
+
+impl Graph {
+    /// a * b.
+    pub fn mul(&mut self, a: Id, b: Id) -> Result<Id, Error> {
+        self.product(&[(a, NumberId::ONE), (b, NumberId::ONE)])
+    }
+
+    /// a / b.
+    ///
+    /// # Errors
+    /// When b is identically zero.
+    pub fn div(&mut self, a: Id, b: Id) -> Result<Id, Error> {
+        self.product(&[(a, NumberId::ONE), (b, NumberId::MINUS_ONE)])
+    }
+
+    /// base ** exponent with a numeric exponent.
+    ///
+    /// # Errors
+    /// When zero is raised to a negative power, or the root of a negative number is taken.
+    pub fn pow_number(&mut self, base: Id, exponent: &Number) -> Result<Id, Error> {
+        let exponent = self.number_id(exponent);
+        self.product(&[(base, exponent)])
+    }
+
+    /// The square root.
+    ///
+    /// # Errors
+    /// When the argument is a negative number.
+    pub fn sqrt(&mut self, base: Id) -> Result<Id, Error> {
+        self.pow_number(base, &Number::rational(1, 2))
+    }
+
+    /// The product of numeric powers of nodes.
+    ///
+    /// # Errors
+    /// When a divisor is identically zero, or an even root of a negative number is taken.
+    pub fn product(&mut self, factors: &[Factor]) -> Result<Id, Error> {
+        let factors: Vec<Factor> = factors.iter().map(|&(id, e)| (self.adopt(id), e)).collect();
+        if factors.iter().any(|&(id, e)| id == Id::ZERO && self.get_number(e).is_negative()) {
+            return Err(self.zero_divisor(&factors));
+        }
+        if let Some(known) = self.known_product(&factors) {
+            return Ok(known);
+        }
+        let factors = if self.classes.is_some() { self.associate(factors) } else { factors };
+        let mut collector =
+            Collector { coefficient: Number::integer(1), factors: Vec::new(), radicand: None };
+        for (base, exponent) in factors {
+            let exponent = self.get_number(exponent).clone();
+            self.collect_power(&mut collector, base, &exponent)?;
+        }
+        self.open_shared_products(&mut collector);
+        self.finish_product(collector)
+    }
+
+    /// The error that names what was to be divided.
+    fn zero_divisor(&mut self, factors: &[Factor]) -> Error {
+        let dividend: Vec<Factor> = factors.iter().copied().filter(|&(id, _)| id != Id::ZERO).collect();
+        let dividend = self.product(&dividend).unwrap_or(Id::ONE);
+        Error::DivisionByZero(self.to_text(dividend))
+    }
+
+    /// The derivation's node for a product of integer powers, found by its value alone.
+    fn known_product(&mut self, factors: &[Factor]) -> Option<Id> {
+        self.classes.as_ref()?;
+        let mut value = Element::ONE;
+        for &(base, exponent) in factors {
+            let exponent = self.get_number(exponent).to_i64().filter(|e| *e > 0)?;
+            value = value.mul(self.value(base).powi(exponent));
+        }
+        if value.is_zero() {
+            return Some(Id::ZERO);
+        }
+        self.known_value(value)
+    }
+
+    fn finish_product(&mut self, collector: Collector) -> Result<Id, Error> {
+        let Collector { mut coefficient, mut factors, radicand } = collector;
+        if coefficient.is_zero() {
+            return Ok(Id::ZERO);
+        }
+        if let Some(radicand) = radicand {
+            let (outside, inside) = square_part(&radicand);
+            coefficient = coefficient.mul(&outside);
+            if !inside.is_one() {
+                factors.push((self.number(&inside), Number::rational(1, 2)));
+            }
+        }
+        self.open_even_moduli(&mut factors);
+        let coefficient = self.number_id(&coefficient);
+        if let [(base, exponent)] = &factors[..]
+            && exponent.is_one()
+        {
+            return Ok(self.scale(coefficient, *base));
+        }
+        if factors.is_empty() {
+            return Ok(self.number_node(coefficient));
+        }
+        factors.sort_by_key(|&(base, _)| self.value(base).unsigned().0);
+        let mut value = Element::ONE;
+        let mut root = false;
+        for (base, exponent) in &factors {
+            value = value.mul(self.power_value(*base, exponent));
+            root |= !exponent.is_integer();
+        }
+        let mut flags = self.joined_flags(factors.iter().map(|&(base, _)| base));
+        root |= factors.iter().any(|&(base, _)| self.flags(base).has(Flags::ROOT));
+        if root {
+            flags = flags.with(Flags::ROOT);
+        }
+        let words: Vec<u32> = factors.iter().flat_map(|(base, e)| [base.0, self.number_id(e).0]).collect();
+        let id = self.finish(Kind::Product, flags, &words, value);
+        self.mark_used(factors.iter().map(|&(base, _)| base));
+        Ok(self.scale(coefficient, id))
+    }
+
+    /// |u|**2k is u**2k.
+    fn open_even_moduli(&self, factors: &mut [(Id, Number)]) {
+        for (base, exponent) in factors {
+            if let View::Function(Function::Abs, args) = self.view(*base)
+                && is_even(exponent)
+            {
+                *base = args.get(0);
+            }
+        }
+    }
+
+    /// Take base ** exponent into the collector: numbers out, inner powers and multiples resolved.
+    fn collect_power(&mut self, out: &mut Collector, base: Id, exponent: &Number) -> Result<(), Error> {
+        if exponent.is_zero() {
+            return Ok(());
+        }
+        if base == Id::ZERO {
+            if exponent.is_negative() {
+                return Err(Error::DivisionByZero("0".into()));
+            }
+            out.coefficient = Number::integer(0);
+            return Ok(());
+        }
+        match self.view(base) {
+            View::Number(number) => {
+                let number = self.get_number(number).clone();
+                self.collect_number(out, &number, exponent)
+            }
+            View::Scale(number, child) => {
+                let number = self.get_number(number).clone();
+                if exponent.is_integer() {
+                    self.collect_number(out, &number, exponent)?;
+                    return self.collect_power(out, child, exponent);
+                }
+                self.collect_number(out, &number.abs(), exponent)?;
+                if number.is_negative() {
+                    let opposite = self.scale(NumberId::MINUS_ONE, child);
+                    out.push(self, opposite, exponent);
+                    return Ok(());
+                }
+                self.collect_power(out, child, exponent)
+            }
+            View::Product(factors) => {
+                let inner: Vec<(Id, Number)> =
+                    factors.iter().map(|(id, e)| (id, self.get_number(e).clone())).collect();
+                self.collect_product_power(out, base, &inner, exponent)
+            }
+            View::Function(Function::Exp, args) if !exponent.is_integer() => {
+                let argument = args.get(0);
+                let factor = self.number_id(exponent);
+                let argument = self.scale(factor, argument);
+                let power = self.apply(Function::Exp, &[argument])?;
+                out.push(self, power, &Number::integer(1));
+                Ok(())
+            }
+            View::Function(Function::Abs, args) if is_even(exponent) => {
+                let argument = args.get(0);
+                self.collect_power(out, argument, exponent)
+            }
+            _ => {
+                out.push(self, base, exponent);
+                Ok(())
+            }
+        }
+    }
+
+    /// (product of powers) ** exponent: what may be distributed is, the rest stays one base.
+    fn collect_product_power(
+        &mut self,
+        out: &mut Collector,
+        base: Id,
+        inner: &[(Id, Number)],
+        exponent: &Number,
+    ) -> Result<(), Error> {
+        let single = inner.len() == 1;
+        if exponent.is_integer() {
+            let distribute = single || self.flags(base).has(Flags::ROOT);
+            if !distribute {
+                out.push(self, base, exponent);
+                return Ok(());
+            }
+            for (node, e) in inner {
+                self.collect_power(out, *node, &e.mul(exponent))?;
+            }
+            return Ok(());
+        }
+        let mut rest = Vec::new();
+        for (node, e) in inner {
+            if self.is_positive(*node) {
+                self.collect_power(out, *node, &e.mul(exponent))?;
+            } else if single && is_even(e) {
+                // (u**2k)**r = |u|**(2kr) for real u.
+                let modulus = self.apply(Function::Abs, &[*node])?;
+                out.push(self, modulus, &e.mul(exponent));
+            } else {
+                rest.push((*node, self.number_id(e)));
+            }
+        }
+        if rest.len() == inner.len() {
+            out.push(self, base, exponent);
+        } else if !rest.is_empty() {
+            let rest = self.product(&rest)?;
+            self.collect_power(out, rest, exponent)?;
+        }
+        Ok(())
+    }
+
+    /// Open child products that share a base with a factor beside them where that cancels or merges roots.
+    fn open_shared_products(&mut self, out: &mut Collector) {
+        for _ in 0..8 {
+            let Some(position) = self.product_to_open(&out.factors) else { return };
+            let (product, _) = out.factors.remove(position);
+            let View::Product(inner) = self.view(product) else { return };
+            let inner: Vec<(Id, Number)> =
+                inner.iter().map(|(id, e)| (id, self.get_number(e).clone())).collect();
+            for (node, exponent) in inner {
+                match (self.as_number(node).cloned(), exponent == Number::rational(1, 2)) {
+                    (Some(number), true) => {
+                        out.radicand =
+                            Some(out.radicand.as_ref().map_or_else(|| number.clone(), |r| r.mul(&number)));
+                    }
+                    _ => out.push(self, node, &exponent),
+                }
+            }
+        }
+    }
+
+    fn product_to_open(&self, factors: &[(Id, Number)]) -> Option<usize> {
+        if factors.len() < 2 || factors.len() > MERGE_SEARCH {
+            // One factor alone, or radicals of numbers beside a product that holds one.
+            return None;
+        }
+        let opens =
+            |&(base, ref exponent): &(Id, Number)| exponent.is_one() && self.kind(base) == Kind::Product;
+        factors.iter().position(|factor| {
+            opens(factor)
+                && (self.flags(factor.0).has(Flags::ROOT)
+                    || self.inner_factors(factor.0).any(|(node, e)| {
+                        factors.iter().any(|(other, other_e)| {
+                            (self.same_base(*other, node) && self.merges(&e, other_e))
+                                || (opens(&(*other, other_e.clone()))
+                                    && *other != factor.0
+                                    && self
+                                        .inner_factors(*other)
+                                        .any(|(n, f)| self.same_base(n, node) && self.merges(&e, &f)))
+                        })
+                    }))
+        })
+    }
+
+    fn inner_factors(&self, product: Id) -> impl Iterator<Item = (Id, Number)> {
+        let factors = match self.view(product) {
+            View::Product(factors) => Some(factors),
+            _ => None,
+        };
+        factors.into_iter().flat_map(|f| f.iter()).map(|(id, e)| (id, self.get_number(e).clone()))
+    }
+
+    fn same_base(&self, a: Id, b: Id) -> bool {
+        self.value(a).unsigned().0 == self.value(b).unsigned().0
+    }
+
+    /// Whether two exponents of one base are better merged: they cancel in part, or one is a root.
+    fn merges(&self, a: &Number, b: &Number) -> bool {
+        a.is_negative() != b.is_negative() || !a.is_integer() || !b.is_integer()
+    }
+}
+
+/// The parts of a product while it is collected.
+pub(crate) struct Collector {
+    pub(crate) coefficient: Number,
+    factors: Vec<(Id, Number)>,
+    /// The product of all numbers under a square root.
+    pub(crate) radicand: Option<Number>,
+}
+
+impl Collector {
+    /// Multiply by base ** exponent; a base with the same or the opposite value takes the exponent.
+    pub(crate) fn push(&mut self, graph: &Graph, base: Id, exponent: &Number) {
+        let value = graph.value(base);
+        for (position, (known, total)) in self.factors.iter_mut().enumerate() {
+            let same = graph.value(*known) == value;
+            let opposite = !same && graph.value(*known) == value.neg() && exponent.is_integer();
+            if !(same || opposite) {
+                continue;
+            }
+            if opposite && !is_even(exponent) {
+                self.coefficient = self.coefficient.neg();
+            }
+            *total = total.add(exponent);
+            if total.is_zero() {
+                self.factors.remove(position);
+            }
+            return;
+        }
+        self.factors.push((base, exponent.clone()));
+    }
+}
