@@ -3,6 +3,7 @@
 //! An instruction defines one value and refers to earlier ones (static single assignment). The order keeps
 //! live ranges short, and [`Tape::registers`] maps the values onto few registers.
 
+use crate::cost::Cost;
 use crate::function::Function;
 
 /// Where an instruction takes an argument from.
@@ -115,19 +116,6 @@ pub struct Tape {
     pub outputs: Vec<Operand>,
 }
 
-/// How many operations of each kind a tape does; sign changes are free.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Operations {
-    /// Additions and subtractions.
-    pub additions: usize,
-    /// Multiplications.
-    pub multiplications: usize,
-    /// Divisions.
-    pub divisions: usize,
-    /// Functions, roots and choices.
-    pub functions: usize,
-}
-
 /// A register for each value: values that live at the same time are in different registers.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Registers {
@@ -138,20 +126,19 @@ pub struct Registers {
 }
 
 impl Tape {
-    /// How many operations of each kind there are.
+    /// The operations of the code, counted as those of expressions are: a lone change of sign is an addition.
     #[must_use]
-    pub fn operations(&self) -> Operations {
-        let mut count = Operations::default();
+    pub fn operations(&self) -> Cost {
+        let mut cost = Cost::default();
         for instruction in &self.instructions {
             match instruction {
-                Instruction::Add(..) | Instruction::Sub(..) => count.additions += 1,
-                Instruction::Mul(..) => count.multiplications += 1,
-                Instruction::Div(..) => count.divisions += 1,
-                Instruction::Neg(_) => {}
-                _ => count.functions += 1,
+                Instruction::Add(..) | Instruction::Sub(..) | Instruction::Neg(_) => cost.additions += 1,
+                Instruction::Mul(..) => cost.multiplications += 1,
+                Instruction::Div(..) => cost.divisions += 1,
+                _ => cost.functions += 1,
             }
         }
-        count
+        cost
     }
 
     /// Assign registers by a linear scan; an output is taken from its register as soon as it is there.

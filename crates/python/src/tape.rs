@@ -13,7 +13,7 @@ pub struct Tape {
     evaluator: Evaluator,
     /// Additions, multiplications, divisions, functions.
     #[pyo3(get)]
-    operations: (usize, usize, usize, usize),
+    operations: (u64, u64, u64, u64),
     /// The number of outputs.
     #[pyo3(get)]
     outputs: usize,
