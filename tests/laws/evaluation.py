@@ -12,6 +12,14 @@ from symbody.symbolic import Expr
 
 Value = mpmath.mpf | mpmath.mpc
 
+
+def _piecewise(*arguments: Value) -> Value:
+    """Return the first value whose condition, which follows it, is positive; else the last one."""
+    *branches, otherwise = arguments
+    pairs = zip(branches[::2], branches[1::2], strict=True)
+    return next((result for result, condition in pairs if condition > 0), otherwise)
+
+
 FUNCTIONS: Mapping[str, Callable[..., Value]] = {
     **{name: getattr(mpmath, name) for name in ("sin", "cos", "tan", "asin", "acos", "atan", "atan2")},
     **{name: getattr(mpmath, name) for name in ("sinh", "cosh", "tanh", "exp", "log", "sqrt")},
@@ -19,6 +27,7 @@ FUNCTIONS: Mapping[str, Callable[..., Value]] = {
     "sign": mpmath.sign,
     "min": min,
     "max": max,
+    "piecewise": _piecewise,
 }
 
 
