@@ -51,6 +51,9 @@ lint: lint-rust lint-python  ## formats, lints, types and layers
 
 lint-rust:
 	$(call say,Rust lints)
+	@cargo fmt --version >/dev/null && cargo clippy --version >/dev/null || { \
+	  echo "rustfmt and clippy are missing: rustup component add rustfmt clippy, or apt-get install rustfmt rust-clippy"; \
+	  exit 1; }
 	cargo fmt --all --check
 	cargo clippy --workspace --all-targets $(LOCKED) -- --deny warnings
 
