@@ -3,10 +3,6 @@
 from __future__ import annotations
 
 import pytest
-from symbody.geometry.acceleration_field import AccelerationField
-from symbody.geometry.kinematics import material_velocity, twist
-from symbody.symbolic import derivation
-from tests.laws.random_system import random_system
 
 from symbody import (
     Frame,
@@ -23,6 +19,10 @@ from symbody import (
     time_derivative,
     velocity,
 )
+from symbody.geometry.acceleration_field import AccelerationField
+from symbody.geometry.kinematics import material_velocity, twist
+from symbody.symbolic import derivation
+from tests.laws.random_system import random_system
 
 SEEDS = range(20)
 p = symbols("px py pz")
@@ -56,7 +56,7 @@ def test_products_are_associative(seed: int) -> None:
 def test_rotations_are_orthonormal(seed: int) -> None:
     for A in frames(seed):
         R = A.matrix[:3, :3]
-        assert R @ R.T == identity(3)
+        assert identity(3) == R @ R.T
         assert R.det() == 1
 
 

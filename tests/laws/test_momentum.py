@@ -5,8 +5,6 @@ from __future__ import annotations
 import warnings
 
 import pytest
-from symbody.symbolic import time_derivatives
-from tests.laws.random_system import random_system
 
 from symbody import (
     Force,
@@ -24,6 +22,8 @@ from symbody import (
     translate,
     velocity,
 )
+from symbody.symbolic import time_derivatives
+from tests.laws.random_system import random_system
 
 SEEDS = range(12)
 x, y = functions_of_time("x y")

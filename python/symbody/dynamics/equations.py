@@ -105,7 +105,7 @@ class Equations:
 
     @cached_property
     def _leaves(self) -> frozenset[Expr]:
-        return Matrix([[*self.residuals, *self.constraints]]).free_symbols
+        return frozenset().union(*(entry.free_symbols for entry in (*self.residuals, *self.constraints)))
 
     def baumgarte(self, omega: Scalar, zeta: Scalar) -> tuple[Expr, ...]:
         """Return the stabilised constraints ``phi'' + 2 zeta omega phi' + omega^2 phi``, linear in the accelerations.

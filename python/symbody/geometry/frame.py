@@ -12,7 +12,7 @@ from symbody.symbolic import Matrix, add3, derivation, dot3, number
 from .motion import AXES, Motion, Rotation, Rows, Substitution, Translation
 from .orientation import ROUGH, distance_from_rotation, exact_axis, turns
 from .placement import Placement
-from .skew_axis import AxisRotation, is_unit
+from .skew_axis import is_unit, rotation_about
 from .triple import NULL, Scalar, Triple, expression, triple
 
 State = TypeVar("State")
@@ -201,7 +201,7 @@ class Frame:
         if self.name:
             return self.name
         return (
-            f"Frame({self.matrix})"
+            f"Frame({self.matrix.tolist()})"
             if self.depth <= _SHOWN
             else f"Frame({self.depth} motions from {self.ancestor})"
         )
@@ -309,16 +309,13 @@ def _about(axis: Triple, angle: Scalar) -> Motion:
     if not all(component.is_constant for component in axis):
         if not is_unit(axis):
             raise FrameError(f"{shown} isn't of length 1 whatever its variables; divide it by its length")
-        return AxisRotation(axis, turn)
+        return rotation_about(axis, turn)
     numbers = [float(component) for component in axis]
-    length = sum(number * number for number in numbers) ** 0.5
+    length = sum(entry * entry for entry in numbers) ** 0.5
     if abs(length - 1) > ROUGH:
         raise FrameError(f"{shown} has length {length:.6g}, expected 1; divide it by its length")
     exact = axis if is_unit(axis) else exact_axis(*numbers)
-    for k, component in enumerate(exact):
-        if (component * component - 1).is_zero:
-            return Rotation(k, component * turn)
-    return AxisRotation(exact, turn)
+    return rotation_about(exact, turn)
 
 
 def _as_matrix(matrix: Matrix | Sequence[Sequence[Scalar]]) -> Matrix:

@@ -7,7 +7,7 @@ from typing import final
 
 from symbody.symbolic import Expr, add3, cos, cross3, dot3, matvec3, scale3, sin
 
-from .motion import Motion, Substitution
+from .motion import Motion, Rotation, Substitution
 from .triple import Rate, Triple, is_null, rates
 
 
@@ -57,7 +57,7 @@ class AxisRotation(Motion):
     def subs(self, substitution: Substitution) -> Motion:
         x, y, z = self.axis
         axis = x.subs(substitution), y.subs(substitution), z.subs(substitution)
-        return AxisRotation(axis, self.angle.subs(substitution))
+        return rotation_about(axis, self.angle.subs(substitution))
 
     def merged(self, following: Motion) -> Motion | None:
         if isinstance(following, AxisRotation) and following.axis == self.axis:
@@ -67,6 +67,14 @@ class AxisRotation(Motion):
     @property
     def is_identity(self) -> bool:
         return self.angle.is_zero
+
+
+def rotation_about(axis: Triple, angle: Expr) -> Motion:
+    """Return the rotation about a unit vector, as one about a principal axis if it is along it."""
+    for k, component in enumerate(axis):
+        if (component * component - 1).is_zero:
+            return Rotation(k, component * angle)
+    return AxisRotation(axis, angle)
 
 
 def is_unit(axis: Triple) -> bool:

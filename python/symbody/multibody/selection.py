@@ -40,7 +40,7 @@ class Selection:
             if not inside:
                 bodies = " and ".join(str(action.body) for action in load.actions)
                 warnings.warn(
-                    f"{where}: {load} is left out: it acts on {bodies}, not in the set",
+                    f"{where}: {load} is left out, for it acts on {bodies}, not in the set",
                     ModelNotice,
                     stacklevel=3,
                 )

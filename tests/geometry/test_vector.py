@@ -1,0 +1,96 @@
+"""Points and vectors: arithmetic across frames."""
+
+from __future__ import annotations
+
+import pytest
+
+from symbody import (
+    Point,
+    Vector,
+    acceleration,
+    cos,
+    cross,
+    dot,
+    frozen_velocity,
+    functions_of_time,
+    ground,
+    origin,
+    pi,
+    project,
+    rotate,
+    sin,
+    symbols,
+    time_derivative,
+    translate,
+    velocity,
+)
+
+a, b, c = symbols("a b c")
+x, phi = functions_of_time("x phi")
+T = translate(x, 0, 0) * rotate("Z", phi)
+
+
+def test_a_vector_ignores_where_its_frame_is() -> None:
+    assert project(Vector(translate(1, 2, 3), a, b, c), ground).components == (a, b, c)
+    assert project(Point(translate(1, 2, 3), a, b, c), ground).coordinates == (a + 1, b + 2, c + 3)
+
+
+def test_projection() -> None:
+    assert project(Vector(T, 1, 0, 0), ground).components == (cos(phi), sin(phi), 0)
+    assert project(Point(ground, x, 1, 0), T).coordinates == (sin(phi), cos(phi), 0)
+
+
+def test_arithmetic_meets_in_the_first_frame() -> None:
+    u, v = Vector(ground, 1, 0, 0), Vector(rotate("Z", pi / 2), a, 0, 0)
+    assert (u + v).components == (1, a, 0)
+    assert (u - v).components == (1, -a, 0)
+    assert (v + u).components == (a, -1, 0)
+    assert (2 * u * b / c).components == (2 * b / c, 0, 0)
+    assert (-u).components == (-1, 0, 0)
+
+
+def test_points_and_vectors() -> None:
+    P, Q = Point(T, a, 0, 0), Point(ground, 0, b, 0)
+    assert (P - Q).frame == ground
+    assert (P - Q).components == (x + a * cos(phi), a * sin(phi) - b, 0)
+    assert (Q + (P - Q)).coordinates == project(P, ground).coordinates
+    assert (P - Vector(T, a, 0, 0)).coordinates == (0, 0, 0)
+    assert (Vector(T, a, 0, 0) + origin(T)).coordinates == (a, 0, 0)
+
+
+@pytest.mark.parametrize("wrong", [lambda: Vector(ground, 1, 0, 0) + 1, lambda: Point(ground, 0, 0, 0) - 1])
+def test_points_and_vectors_do_not_mix_with_numbers(wrong: object) -> None:
+    assert callable(wrong)
+    with pytest.raises(TypeError):
+        wrong()
+
+
+def test_products() -> None:
+    u, v = Vector(ground, a, b, 0), Vector(ground, 0, 0, c)
+    assert dot(u, v) == 0
+    assert dot(u, u) == a**2 + b**2
+    assert cross(u, v).components == (b * c, -a * c, 0)
+
+
+def test_velocity_as_seen_from_a_frame() -> None:
+    P = Point(T, a, 0, 0)
+    v, w = time_derivative(x), time_derivative(phi)
+    assert velocity(P).components == (v - a * sin(phi) * w, a * cos(phi) * w, 0)
+    assert velocity(P, T).components == (0, 0, 0)
+    assert velocity(Point(ground, 0, 0, 0), translate(x, 0, 0)).components == (-v, 0, 0)
+    assert velocity(Vector(T, a, 0, 0)).components == (-a * sin(phi) * w, a * cos(phi) * w, 0)
+    assert acceleration(P).components[0] == time_derivative(velocity(P).components[0])
+
+
+def test_frozen_velocity_is_that_of_the_material_point() -> None:
+    """The contact point of a rolling wheel moves along, the wheel's point there stands still."""
+    radius = symbols("R")
+    wheel = translate(radius * phi, 0, 0) * rotate("Y", phi)
+    contact = Point(translate(radius * phi, 0, 0), 0, 0, -radius)
+    assert velocity(contact).components == (radius * time_derivative(phi), 0, 0)
+    assert frozen_velocity(contact, wheel).components == (0, 0, 0)
+
+
+def test_substitution() -> None:
+    assert Point(T, a * x, 0, 0).subs({x: b, phi: 0}).projected(ground).coordinates == (b + a * b, 0, 0)
+    assert Vector(T, a, x, 0).subs({a: 1, x: 2}).components == (1, 2, 0)
