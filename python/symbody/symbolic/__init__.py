@@ -1,7 +1,15 @@
 """Expressions: values first, forms second."""
 
 from symbody.symbolic._core import Expr
-from symbody.symbolic.calculus import diff, gradient, jacobian, subs, substitute, time_derivative, time_derivatives
+from symbody.symbolic.calculus import (
+    diff,
+    gradient,
+    jacobian,
+    subs,
+    substitute,
+    time_derivative,
+    time_derivatives,
+)
 from symbody.symbolic.cost import Cost, cost
 from symbody.symbolic.derivation import Derivation, current_derivation, derivation
 from symbody.symbolic.functions import (
@@ -37,7 +45,9 @@ from symbody.symbolic.leaves import (
     t,
 )
 from symbody.symbolic.matrix import Matrix, identity, zeros
+from symbody.symbolic.parse import parse
 from symbody.symbolic.printing import latex, listing, maple
+from symbody.symbolic.sympy_bridge import from_sympy, to_sympy
 from symbody.symbolic.triple import (
     add3,
     cross3,

@@ -13,12 +13,12 @@ __all__ = ["latex", "listing", "maple"]
 
 
 def latex(expression: ExprLike | Matrix) -> str:
-    """Return LaTeX, without dollar signs.
+    r"""Return LaTeX, without dollar signs.
 
     >>> from symbody import functions_of_time, latex, sin, time_derivative
     >>> theta = functions_of_time("theta")
     >>> print(latex(time_derivative(sin(theta))))
-    \\dot{\\theta} \\cos \\theta
+    \dot{\theta} \cos\left(\theta\right)
     """
     return expression.latex() if isinstance(expression, Matrix) else _core.number(expression).latex()
 
