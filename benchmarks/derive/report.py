@@ -19,7 +19,7 @@ before helps it; contenders take turns.
 
 * *derive*: seconds (median) from nothing to the outputs, building the model included; *cse*: seconds of common
   subexpression elimination, by each rival's own means. symbody has no such step: a common subexpression is never
-  built twice.
+  built twice. Seconds are those of the processor: what the clock shows on an idle machine, all using one thread.
 * Operations are counted by one counter on the instructions that remain after cse. A subtraction is an addition, and
   so is a change of sign that no sum absorbs; an integer power costs its repeated squarings, once; a matrix counts by
   its upper triangle.
