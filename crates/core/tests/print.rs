@@ -87,6 +87,10 @@ fn derivatives_have_primes_up_to_the_third() {
 fn a_function_of_time_is_told_from_a_symbol_of_its_name() {
     let g = &mut Graph::new();
     let (x, x_of_t, v) = (symbol(g, "x"), g.time_function("x", 0), g.time_function("x", 1));
+    let applied = g.application("y", &[x], &[0]);
+    let y_of_t = g.time_function("y", 0);
+    let mixed = g.add(applied, y_of_t);
+    assert_eq!(g.to_text(mixed), "y(t) + y(x)");
     let total = sum(g, &[x, x_of_t, v]);
     assert_eq!(
         notations(g, total),
@@ -206,6 +210,13 @@ fn functions_of_every_kind() -> Outcome {
             "piecewise(0 < y,x,0)",
         ]
     );
+    let product = g.mul(pieces, x)?;
+    assert_eq!(
+        g.to_latex(product),
+        "x \\left(\\begin{cases} x & \\text{if } y > 0 \\\\ 0 & \\text{otherwise} \\end{cases}\\right)"
+    );
+    let largest = g.apply(Function::Max, &[y, x, Id::ONE])?;
+    assert_eq!(g.to_text(largest), "Max(1, x, y)");
     let partial = g.application("f", &[x, y], &[1, 2]);
     assert_eq!(
         notations(g, partial),

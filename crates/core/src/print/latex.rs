@@ -41,7 +41,7 @@ fn product(number: &str, factors: &[&Factor]) -> String {
     for factor in factors {
         let alone = out.is_empty() && factors.len() == 1 && factor.exponent.abs().is_one();
         let next = match &factor.base {
-            Base::Group(sum) if alone => write(sum),
+            base if alone => bare(base),
             base => power(base, &factor.exponent.abs()),
         };
         if !out.is_empty() {
@@ -62,23 +62,13 @@ fn decimal(number: &str) -> String {
 
 fn power(base: &Base, exponent: &Number) -> String {
     if exponent.is_one() {
-        return match base {
-            Base::Group(sum) => brackets(&write(sum)),
-            _ => atom(base),
-        };
+        let open = matches!(base, Base::Group(_) | Base::Function(Function::Piecewise, _));
+        return if open { brackets(&bare(base)) } else { bare(base) };
     }
     match exponent.to_small() {
-        Some((1, 2)) => format!("\\sqrt{{{}}}", inner(base)),
-        Some((1, degree)) if is_fraction(exponent) => format!("\\sqrt[{degree}]{{{}}}", inner(base)),
+        Some((1, 2)) => format!("\\sqrt{{{}}}", bare(base)),
+        Some((1, degree)) if is_fraction(exponent) => format!("\\sqrt[{degree}]{{{}}}", bare(base)),
         _ => raised(base, &exponent.to_string()),
-    }
-}
-
-/// A base under a root sign needs no brackets.
-fn inner(base: &Base) -> String {
-    match base {
-        Base::Group(sum) => write(sum),
-        _ => atom(base),
     }
 }
 
@@ -101,7 +91,7 @@ fn closed(base: &Base) -> String {
         Base::TimeFunction { order, .. } => *order > DOTS,
         Base::Pi | Base::Time | Base::Symbol(_) => false,
     };
-    if brackets_needed { brackets(&inner(base)) } else { inner(base) }
+    if brackets_needed { brackets(&bare(base)) } else { bare(base) }
 }
 
 fn brackets(text: &str) -> String {
@@ -113,7 +103,8 @@ fn arguments(args: &[Sum]) -> String {
     brackets(&args.join(", "))
 }
 
-fn atom(base: &Base) -> String {
+/// A base without brackets around it.
+fn bare(base: &Base) -> String {
     match base {
         Base::Number(number) if is_fraction(number) => {
             format!("\\frac{{{}}}{{{}}}", number.numerator(), number.denominator())
@@ -132,7 +123,7 @@ fn atom(base: &Base) -> String {
             derivative + &name::to_latex(name, "") + &arguments(args)
         }
         Base::Function(function, args) => function_of(*function, args),
-        Base::Group(sum) => brackets(&write(sum)),
+        Base::Group(sum) => write(sum),
     }
 }
 

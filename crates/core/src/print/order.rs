@@ -148,6 +148,11 @@ fn compare_sums(a: &Sum, b: &Sum) -> Ordering {
     a.terms.len().cmp(&b.terms.len())
 }
 
+/// Arguments whose order doesn't matter, numbers first.
+pub(super) fn sort_sums(sums: &mut [Sum]) {
+    sums.sort_by(compare_sums);
+}
+
 fn compare_args(a: &[Sum], b: &[Sum]) -> Ordering {
     for (x, y) in a.iter().zip(b) {
         let order = compare_sums(x, y);

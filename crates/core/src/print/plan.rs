@@ -31,8 +31,8 @@ pub(super) struct Plan {
     named: FxHashMap<Id, usize>,
     /// Long sum or product -> the pieces of its slices.
     sliced: FxHashMap<Id, Range<usize>>,
-    /// Names of symbols, from which functions of time of the same name must be told apart.
-    symbols: FxHashSet<String>,
+    /// Names of symbols and undefined functions, from which functions of time must be told apart.
+    others: FxHashSet<String>,
 }
 
 /// What a node takes on paper: leaves, and levels of brackets.
@@ -50,7 +50,7 @@ impl Plan {
             pieces: Vec::new(),
             named: FxHashMap::default(),
             sliced: FxHashMap::default(),
-            symbols: names.symbols,
+            others: names.others,
         };
         let large = tree_leaves(graph, &order, roots) > WHOLE;
         let uses = uses(graph, &order, roots);
@@ -126,9 +126,9 @@ impl Plan {
         !self.named.contains_key(&id) && !self.sliced.contains_key(&id)
     }
 
-    /// Whether a symbol has this name.
-    pub(super) fn is_symbol(&self, name: &str) -> bool {
-        self.symbols.contains(name)
+    /// Whether the name of a function of time is that of something else, too.
+    pub(super) fn is_ambiguous(&self, name: &str) -> bool {
+        self.others.contains(name)
     }
 }
 
@@ -207,22 +207,22 @@ pub(super) fn is_sign(number: &Number) -> bool {
 
 /// The names in use and one that is free.
 struct Names {
-    symbols: FxHashSet<String>,
+    others: FxHashSet<String>,
     /// A letter such that no name in use is that letter with a number.
     prefix: String,
 }
 
 impl Names {
     fn of(graph: &Graph, order: &[Id]) -> Self {
-        let mut symbols = FxHashSet::default();
+        let mut others = FxHashSet::default();
         let mut taken = BTreeSet::new();
         for &id in order {
             match graph.view(id) {
-                View::Symbol(name, _) => {
-                    symbols.insert(name.to_owned());
+                View::Symbol(name, _) | View::Application { name, .. } => {
+                    others.insert(name.to_owned());
                     taken.insert(name);
                 }
-                View::TimeFunction(name, _) | View::Application { name, .. } => {
+                View::TimeFunction(name, _) => {
                     taken.insert(name);
                 }
                 _ => {}
@@ -232,7 +232,7 @@ impl Names {
         while taken.iter().any(|name| is_numbered(name, &prefix)) {
             prefix.push('z');
         }
-        Self { symbols, prefix }
+        Self { others, prefix }
     }
 }
 

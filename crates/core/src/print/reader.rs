@@ -1,9 +1,11 @@
 //! From the graph to the reader's form.
 
+use crate::function::Function;
 use crate::graph::Graph;
 use crate::node::{Factors, Id, Ids, Terms, View};
 use crate::number::Number;
 
+use super::order;
 use super::plan::{Piece, Plan, is_sign};
 use super::tree::{Base, Sum, Term};
 
@@ -62,7 +64,7 @@ impl<'a> Reader<'a> {
             View::TimeFunction(name, order) => Sum::atom(Base::TimeFunction {
                 name: name.to_owned(),
                 order,
-                explicit: self.plan.is_symbol(name),
+                explicit: self.plan.is_ambiguous(name),
             }),
             View::Application { name, args, orders } => Sum::atom(Base::Application {
                 name: name.to_owned(),
@@ -72,7 +74,13 @@ impl<'a> Reader<'a> {
             View::Scale(factor, child) => self.expression(child).times(self.graph.get_number(factor)),
             View::Sum(terms) => self.sum(terms),
             View::Product(factors) => self.product(factors),
-            View::Function(function, args) => Sum::atom(Base::Function(function, self.arguments(args))),
+            View::Function(function, args) => {
+                let mut args = self.arguments(args);
+                if matches!(function, Function::Min | Function::Max) {
+                    order::sort_sums(&mut args);
+                }
+                Sum::atom(Base::Function(function, args))
+            }
         }
     }
 

@@ -39,7 +39,7 @@ pub(super) enum Base {
     Pi,
     Time,
     Symbol(String),
-    /// A function of time; `explicit` where a symbol has the same name.
+    /// A function of time; `explicit` where the name alone would mean something else.
     TimeFunction {
         name: String,
         order: u32,
