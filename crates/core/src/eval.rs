@@ -4,35 +4,34 @@ use crate::error::Error;
 use crate::tape::{Instruction, Operand, Tape};
 
 /// Bytes of registers in a block of points: what the processor keeps close.
-const BLOCK_BYTES: usize = 128 * 1024;
+const BLOCK_BYTES: usize = 256 * 1024;
 const MOST_LANES: usize = 256;
 const FEWEST_LANES: usize = 16;
 
-/// A tape made ready for evaluation: registers assigned.
+/// A tape made ready for evaluation: everything in numbered slots, constants first, then inputs and registers.
 #[derive(Clone, Debug)]
 pub struct Evaluator {
     inputs: Vec<String>,
     constants: Vec<f64>,
     steps: Vec<Step>,
-    /// Outputs that are computed, in the order of the steps.
+    /// Outputs that are computed, in the order of the steps; before them outputs that are there at once.
     stores: Vec<Store>,
-    /// Outputs that are inputs or constants.
-    copies: Vec<(Operand, usize)>,
     outputs: usize,
     registers: usize,
 }
 
-/// An instruction over registers and where its result goes.
+/// An instruction over slots, and the slot of its result.
 #[derive(Clone, Copy, Debug)]
 struct Step {
-    instruction: Instruction,
+    instruction: Instruction<u32>,
     target: u32,
 }
 
-/// The result of a step that is an output.
+/// An output and the slot where it is found once so many steps are done.
 #[derive(Clone, Copy, Debug)]
 struct Store {
-    step: usize,
+    steps: usize,
+    slot: u32,
     output: usize,
 }
 
@@ -50,28 +49,28 @@ impl Evaluator {
     #[must_use]
     pub fn new(tape: &Tape) -> Self {
         let registers = tape.registers();
-        let in_register = |operand| match operand {
-            Operand::Value(value) => Operand::Value(registers.of[value as usize]),
-            _ => operand,
+        let (first_input, first_register) =
+            (tape.constants.len() as u32, (tape.constants.len() + tape.inputs.len()) as u32);
+        let slot = |operand| match operand {
+            Operand::Constant(constant) => constant,
+            Operand::Input(input) => first_input + input,
+            Operand::Value(value) => first_register + registers.of[value as usize],
         };
-        let step = |(instruction, &target): (&Instruction, &u32)| Step {
-            instruction: instruction.map(in_register),
-            target,
+        let step = |(instruction, register): (&Instruction, &u32)| Step {
+            instruction: instruction.map(slot),
+            target: first_register + register,
         };
-        let (mut stores, mut copies) = (Vec::new(), Vec::new());
-        for (output, &operand) in tape.outputs.iter().enumerate() {
-            match operand {
-                Operand::Value(value) => stores.push(Store { step: value as usize, output }),
-                _ => copies.push((operand, output)),
-            }
-        }
-        stores.sort_by_key(|store| store.step);
+        let store = |(output, &operand): (usize, &Operand)| {
+            let steps = if let Operand::Value(value) = operand { value as usize + 1 } else { 0 };
+            Store { steps, slot: slot(operand), output }
+        };
+        let mut stores: Vec<Store> = tape.outputs.iter().enumerate().map(store).collect();
+        stores.sort_by_key(|store| store.steps);
         Self {
             inputs: tape.inputs.clone(),
             constants: tape.constants.clone(),
             steps: tape.instructions.iter().zip(&registers.of).map(step).collect(),
             stores,
-            copies,
             outputs: tape.outputs.len(),
             registers: registers.count,
         }
@@ -90,24 +89,15 @@ impl Evaluator {
     pub fn evaluate(&self, inputs: &[f64]) -> Result<Vec<f64>, Error> {
         self.check(inputs.len())?;
         let mut out = vec![0.0; self.outputs];
-        let mut registers = vec![0.0; self.registers];
-        let mut stores = self.stores.iter().peekable();
-        for (position, step) in self.steps.iter().enumerate() {
-            let result = step.instruction.evaluate(|operand| match operand {
-                Operand::Input(index) => inputs[index as usize],
-                Operand::Constant(index) => self.constants[index as usize],
-                Operand::Value(register) => registers[register as usize],
-            });
-            registers[step.target as usize] = result;
-            while let Some(store) = stores.next_if(|store| store.step == position) {
-                out[store.output] = result;
+        let mut slots = [&self.constants, inputs].concat();
+        slots.resize(slots.len() + self.registers, 0.0);
+        let mut done = 0;
+        for store in &self.stores {
+            for step in &self.steps[done..store.steps] {
+                slots[step.target as usize] = step.instruction.evaluate(|slot| slots[slot as usize]);
             }
-        }
-        for &(operand, output) in &self.copies {
-            out[output] = match operand {
-                Operand::Input(index) => inputs[index as usize],
-                Operand::Constant(index) | Operand::Value(index) => self.constants[index as usize],
-            };
+            done = store.steps;
+            out[store.output] = slots[store.slot as usize];
         }
         Ok(out)
     }
@@ -137,22 +127,19 @@ impl Evaluator {
     }
 
     fn evaluate_block(&self, block: &Block, registers: &mut [Vec<f64>], out: &mut [f64], points: usize) {
-        let place = |output: usize| {
-            let start = output * points + block.start;
-            start..start + block.len
-        };
-        let mut stores = self.stores.iter().peekable();
-        for (position, step) in self.steps.iter().enumerate() {
-            // No instruction reads the register that it writes, so its lanes can be taken out meanwhile.
-            let mut lanes = std::mem::take(&mut registers[step.target as usize]);
-            block.run(step.instruction, registers, &mut lanes[..block.len]);
-            while let Some(store) = stores.next_if(|store| store.step == position) {
-                out[place(store.output)].copy_from_slice(&lanes[..block.len]);
+        let first_register = self.constants.len() + self.inputs.len();
+        let mut done = 0;
+        for store in &self.stores {
+            for step in &self.steps[done..store.steps] {
+                // No instruction reads the register that it writes, so its lanes can be taken out meanwhile.
+                let target = step.target as usize - first_register;
+                let mut lanes = std::mem::take(&mut registers[target]);
+                block.run(step.instruction, registers, &mut lanes[..block.len]);
+                registers[target] = lanes;
             }
-            registers[step.target as usize] = lanes;
-        }
-        for &(operand, output) in &self.copies {
-            map1(&mut out[place(output)], block.read(operand, registers), |x| x);
+            done = store.steps;
+            let start = store.output * points + block.start;
+            map1(&mut out[start..start + block.len], block.read(store.slot, registers), |x| x);
         }
     }
 
@@ -180,19 +167,21 @@ struct Block<'a> {
 }
 
 impl Block<'_> {
-    fn read<'a>(&'a self, operand: Operand, registers: &'a [Vec<f64>]) -> Column<'a> {
-        match operand {
-            Operand::Input(index) => match self.inputs[index as usize] {
-                Column::Array(array) => Column::Array(&array[self.start..self.start + self.len]),
-                scalar @ Column::Scalar(_) => scalar,
-            },
-            Operand::Constant(index) => Column::Scalar(self.constants[index as usize]),
-            Operand::Value(register) => Column::Array(&registers[register as usize][..self.len]),
+    fn read<'a>(&'a self, slot: u32, registers: &'a [Vec<f64>]) -> Column<'a> {
+        let slot = slot as usize;
+        if let Some(&constant) = self.constants.get(slot) {
+            return Column::Scalar(constant);
+        }
+        let slot = slot - self.constants.len();
+        match self.inputs.get(slot) {
+            Some(&scalar @ Column::Scalar(_)) => scalar,
+            Some(Column::Array(array)) => Column::Array(&array[self.start..self.start + self.len]),
+            None => Column::Array(&registers[slot - self.inputs.len()][..self.len]),
         }
     }
 
-    fn run(&self, instruction: Instruction, registers: &[Vec<f64>], out: &mut [f64]) {
-        let read = |operand| self.read(operand, registers);
+    fn run(&self, instruction: Instruction<u32>, registers: &[Vec<f64>], out: &mut [f64]) {
+        let read = |slot| self.read(slot, registers);
         match instruction {
             Instruction::Add(a, b) => map2(out, read(a), read(b), |x, y| x + y),
             Instruction::Sub(a, b) => map2(out, read(a), read(b), |x, y| x - y),

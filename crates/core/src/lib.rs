@@ -40,6 +40,7 @@ mod rational;
 mod ring;
 mod root;
 mod schedule;
+mod sign;
 mod simplify;
 mod solve;
 mod substitute;

@@ -13,6 +13,7 @@ use crate::function::Function;
 use crate::graph::Graph;
 use crate::node::{Factors, Id, Ids, Kind, Terms, View};
 use crate::schedule::schedule;
+use crate::sign::absorb_signs;
 use crate::tape::{Instruction, Operand, Tape};
 
 /// Integer powers up to this one are multiplied out.
@@ -38,6 +39,7 @@ impl Graph {
             }
         }
         lowering.code.tape.outputs = outputs.iter().map(|&id| lowering.output(id)).collect();
+        absorb_signs(&mut lowering.code.tape);
         Ok(schedule(&lowering.code.tape, &lowering.code.needs))
     }
 
@@ -188,8 +190,16 @@ impl<'a> Lowering<'a> {
         let constant = code.constant(parts.constant);
         let above = code.multiply_all(parts.above);
         let below = code.multiply_all(parts.below);
-        let above = above.map_or(constant, |above| code.multiply(constant, above));
-        below.map_or(above, |below| code.divide(above, below))
+        // The number stays outside, where it meets the numbers of multiples of the product.
+        match (above, below) {
+            (None, None) => constant,
+            (Some(above), None) => code.multiply(constant, above),
+            (None, Some(below)) => code.divide(constant, below),
+            (Some(above), Some(below)) => {
+                let quotient = code.divide(above, below);
+                code.multiply(constant, quotient)
+            }
+        }
     }
 
     fn call(&mut self, function: Function, args: Ids) -> Signed {

@@ -17,40 +17,40 @@ pub enum Operand {
     Value(u32),
 }
 
-/// One operation on doubles.
+/// One operation on doubles; its arguments are operands, or places of another kind.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub enum Instruction {
+pub enum Instruction<P = Operand> {
     /// a + b
-    Add(Operand, Operand),
+    Add(P, P),
     /// a - b
-    Sub(Operand, Operand),
+    Sub(P, P),
     /// a * b
-    Mul(Operand, Operand),
+    Mul(P, P),
     /// a / b
-    Div(Operand, Operand),
+    Div(P, P),
     /// -a
-    Neg(Operand),
+    Neg(P),
     /// The square root of a.
-    Sqrt(Operand),
+    Sqrt(P),
     /// A function of one argument.
-    Unary(Function, Operand),
+    Unary(Function, P),
     /// A function of two arguments: atan2, power, the smaller or the larger of two.
-    Binary(Function, Operand, Operand),
+    Binary(Function, P, P),
     /// One value where the condition is positive, the other elsewhere.
     Select {
         /// What decides.
-        condition: Operand,
+        condition: P,
         /// The value where the condition is positive.
-        positive: Operand,
+        positive: P,
         /// The value where it is zero, negative or no number.
-        otherwise: Operand,
+        otherwise: P,
     },
 }
 
-impl Instruction {
+impl<P: Copy> Instruction<P> {
     /// The arguments; places that an instruction has no use for repeat its first argument.
     #[must_use]
-    pub const fn operands(self) -> [Operand; 3] {
+    pub const fn operands(self) -> [P; 3] {
         match self {
             Self::Add(a, b) | Self::Sub(a, b) | Self::Mul(a, b) | Self::Div(a, b) | Self::Binary(_, a, b) => {
                 [a, b, a]
@@ -62,25 +62,27 @@ impl Instruction {
 
     /// The same operation on other arguments.
     #[must_use]
-    pub fn map(self, mut f: impl FnMut(Operand) -> Operand) -> Self {
+    pub fn map<Q>(self, mut f: impl FnMut(P) -> Q) -> Instruction<Q> {
         match self {
-            Self::Add(a, b) => Self::Add(f(a), f(b)),
-            Self::Sub(a, b) => Self::Sub(f(a), f(b)),
-            Self::Mul(a, b) => Self::Mul(f(a), f(b)),
-            Self::Div(a, b) => Self::Div(f(a), f(b)),
-            Self::Neg(a) => Self::Neg(f(a)),
-            Self::Sqrt(a) => Self::Sqrt(f(a)),
-            Self::Unary(function, a) => Self::Unary(function, f(a)),
-            Self::Binary(function, a, b) => Self::Binary(function, f(a), f(b)),
-            Self::Select { condition, positive, otherwise } => {
-                Self::Select { condition: f(condition), positive: f(positive), otherwise: f(otherwise) }
-            }
+            Self::Add(a, b) => Instruction::Add(f(a), f(b)),
+            Self::Sub(a, b) => Instruction::Sub(f(a), f(b)),
+            Self::Mul(a, b) => Instruction::Mul(f(a), f(b)),
+            Self::Div(a, b) => Instruction::Div(f(a), f(b)),
+            Self::Neg(a) => Instruction::Neg(f(a)),
+            Self::Sqrt(a) => Instruction::Sqrt(f(a)),
+            Self::Unary(function, a) => Instruction::Unary(function, f(a)),
+            Self::Binary(function, a, b) => Instruction::Binary(function, f(a), f(b)),
+            Self::Select { condition, positive, otherwise } => Instruction::Select {
+                condition: f(condition),
+                positive: f(positive),
+                otherwise: f(otherwise),
+            },
         }
     }
 
     /// The result, given the arguments.
     #[must_use]
-    pub fn evaluate(self, read: impl Fn(Operand) -> f64) -> f64 {
+    pub fn evaluate(self, read: impl Fn(P) -> f64) -> f64 {
         match self {
             Self::Add(a, b) => read(a) + read(b),
             Self::Sub(a, b) => read(a) - read(b),

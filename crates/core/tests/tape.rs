@@ -3,7 +3,8 @@
 use std::collections::HashMap;
 
 use symbody_core::{
-    Assumption, Column, Error, Evaluator, Function, Graph, Id, Instruction, Number, NumberId, Operand, View,
+    Assumption, Column, Cost, Error, Evaluator, Function, Graph, Id, Instruction, Number, NumberId, Operand,
+    View,
 };
 
 /// The value of a node, straight from its definition.
@@ -107,6 +108,25 @@ fn tapes_give_the_numbers_of_the_definition() -> Result<(), Error> {
         }
     }
     assert!(compared > 1000, "only {compared} comparisons");
+    Ok(())
+}
+
+#[test]
+fn a_tape_does_no_more_than_its_expressions_cost() -> Result<(), Error> {
+    for seed in 0..60 {
+        let graph = &mut Graph::new();
+        let inputs = variables(graph);
+        let (mut pool, mut random) = (inputs.clone(), Random(seed));
+        for _ in 0..40 {
+            pool.extend(random_node(graph, &pool, &mut random).ok());
+        }
+        for outputs in [&pool[..], &pool[30..], &pool[pool.len() - 1..]] {
+            let (done, expected) = (graph.tape(&inputs, outputs)?.operations(), graph.cost(outputs));
+            let text: Vec<String> = outputs.iter().map(|&id| graph.to_text(id)).collect();
+            let arithmetic = |cost: Cost| cost.total() - cost.functions;
+            assert!(arithmetic(done) <= arithmetic(expected), "seed {seed}: {done:?} {expected:?} {text:?}");
+        }
+    }
     Ok(())
 }
 
