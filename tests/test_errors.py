@@ -73,8 +73,8 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
         errors.FrameError,
         lambda: Frame([[1, 0, 0], [0, 1, 0], [0, 0, 1]]),
         (
-            "Frame: a 3x3 matrix, expected 4x4: the rotation, the origin in the last column, and 0, 0, 0, 1 in the last "
-            "row"
+            "Frame: a 3x3 matrix, expected 4x4: the rotation, the origin in the last column, and 0, 0, 0, 1 in the "
+            "last row"
         ),
     ),
     (
@@ -118,8 +118,8 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
         errors.FrameError,
         lambda: newton_euler(System([Body(natural, m)], coordinates=[x, y], constraints=[x**2 + y**2 - 1])),
         (
-            "newton_euler: TN isn't rigid: the entries of its matrix make no rotation by themselves, only together with "
-            "constraints; use lagrange_equations"
+            "newton_euler: TN isn't rigid: the entries of its matrix make no rotation by themselves, only together "
+            "with constraints; use lagrange_equations"
         ),
     ),
     (

@@ -37,8 +37,7 @@ def check_independent(system: System) -> None:
     pivots: list[tuple[int, dict[int, Expr]]] = []
     phi_q = constraint_jacobian(system)
     for place in range(len(system.constraints)):
-        entries = ((column, phi_q[place, column]) for column in range(len(system.coordinates)))
-        row = {column: entry for column, entry in entries if not entry.is_zero}
+        row = {column: entry for column, entry in enumerate(phi_q.row(place)) if not entry.is_zero}
         combined = []
         for other, (pivot, reduced) in enumerate(pivots, start=1):
             if pivot in row:

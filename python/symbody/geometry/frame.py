@@ -182,7 +182,8 @@ class Frame:
     def pose(self) -> Pose:
         """The rotation matrix and the origin, as seen from the root."""
         with derivation() as current:
-            return along_chain(self, current.cache.setdefault("pose", {}), lambda _: UNMOVED, moved)
+            memo: dict[bytes, Pose] = current.cache.setdefault("pose", {})
+            return along_chain(self, memo, lambda _: UNMOVED, moved)
 
     @property
     def matrix(self) -> Matrix:
@@ -283,7 +284,7 @@ def moving_frame(
     >>> from symbody import Body, linear_momentum, moving_frame, symbols
     >>> V, r, m = symbols("V r m")
     >>> linear_momentum(Body(moving_frame(V, 0, 0, 0, 0, r), m)).components
-    (V*m, 0, 0)
+    (m*V, 0, 0)
     """
     return Frame.root(name or "moving frame", Twist(triple(wx, wy, wz), triple(u, v, w)))
 

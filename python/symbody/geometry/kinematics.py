@@ -30,7 +30,8 @@ class Seen(NamedTuple):
 def twist(frame: Frame) -> Twist:
     """Return the twist of a rigid frame in its own axes."""
     with derivation() as current:
-        return along_chain(frame, current.cache.setdefault("twist", {}), _root_twist, _twist_step)
+        memo: dict[bytes, Twist] = current.cache.setdefault("twist", {})
+        return along_chain(frame, memo, _root_twist, _twist_step)
 
 
 def _root_twist(root: Frame) -> Twist:

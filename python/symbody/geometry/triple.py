@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from fractions import Fraction
 from typing import TypeAlias
 
-from symbody.symbolic import Expr, number
+from symbody.symbolic import Expr, ExprLike, number
 
-Scalar: TypeAlias = Expr | int | float | Fraction
+Scalar: TypeAlias = ExprLike
 """What a user may write where an expression is wanted."""
 
 Triple: TypeAlias = tuple[Expr, Expr, Expr]

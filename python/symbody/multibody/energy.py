@@ -14,10 +14,10 @@ from .selection import Objects, select_bodies
 def kinetic_energy(objects: Objects) -> Expr:
     """Return the kinetic energy: ``T = 1/2 m v_G . v_G + 1/2 w . J w``, summed over the bodies.
 
-    >>> from symbody import Body, functions_of_time, kinetic_energy, symbols, translate
+    >>> from symbody import Body, functions_of_time, symbols, translate
     >>> x, m = functions_of_time("x"), symbols("m")
-    >>> kinetic_energy(Body(translate(x, 0, 0), m)).equals(m * x.diff_time() ** 2 / 2)
-    True
+    >>> kinetic_energy(Body(translate(x, 0, 0), m))
+    m*x'**2/2
     """
     with derivation():
         return sum(

@@ -65,11 +65,9 @@ class _Vectorial(Load):
         self, what: Vector | Frame, components: tuple[Scalar, ...], on: Body, reaction: Body | None, name: str
     ) -> None:
         kind = type(self).__name__
-        if not isinstance(on, Body) or not (reaction is None or isinstance(reaction, Body)):
-            wrong = reaction if isinstance(on, Body) else on
-            raise LoadError(
-                f"{kind}: {wrong!r} isn't a body; give on=body, and reaction=body for the one that reacts"
-            )
+        _expect_body(on, kind)
+        if reaction is not None:
+            _expect_body(reaction, kind)
         if isinstance(what, Vector) and not components:
             self.vector = what
         elif isinstance(what, Frame) and len(components) == 3:
@@ -100,6 +98,13 @@ class _Vectorial(Load):
         """What puts the loads of a set in order."""
         values = b"".join(component.fingerprint for component in self.vector.components)
         return self.name.encode() + self.on.key + self.vector.frame.key + values
+
+
+def _expect_body(thing: object, kind: str) -> None:
+    if not isinstance(thing, Body):
+        raise LoadError(
+            f"{kind}: {thing!r} isn't a body; give on=body, and reaction=body for the one that reacts"
+        )
 
 
 @final

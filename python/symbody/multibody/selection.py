@@ -52,7 +52,7 @@ def select(objects: Objects, where: str, gravity: Vector | None = None) -> Selec
     """Return the bodies and loads of a system, a set or a list; sets are put in an order that runs don't change."""
     if isinstance(objects, System):
         return Selection(objects.bodies, objects.loads, objects.gravity if gravity is None else gravity)
-    things = [objects] if isinstance(objects, Body | Load) else list(objects)
+    things: list[object] = [objects] if isinstance(objects, Body | Load) else list(objects)
     bodies = [thing for thing in things if isinstance(thing, Body)]
     loads = [thing for thing in things if isinstance(thing, Load)]
     strangers = [thing for thing in things if not isinstance(thing, Body | Load)]

@@ -45,7 +45,7 @@ class System:
     ) -> None:
         self.bodies: tuple[Body, ...] = _ordered(bodies)
         self.loads: tuple[Load, ...] = _ordered(loads)
-        self.coordinates = tuple(coordinates)
+        self.coordinates = tuple(expression(coordinate) for coordinate in coordinates)
         self.constraints = tuple(expression(constraint) for constraint in constraints)
         self.gravity = gravity
         self.name = name
@@ -60,11 +60,10 @@ class System:
     def _check(self) -> None:
         if not self.bodies:
             raise ModelError("System: no bodies; give at least one")
-        strangers = [body for body in self.bodies if not isinstance(body, Body)]
-        strangers += [load for load in self.loads if not isinstance(load, Load)]
-        if strangers:
+        misplaced = [*_others(self.bodies, Body), *_others(self.loads, Load)]
+        if misplaced:
             raise ModelError(
-                f"System: {strangers[0]!r} is out of place; bodies go into bodies=, forces and torques into loads="
+                f"System: {misplaced[0]!r} is out of place; bodies go into bodies=, forces and torques into loads="
             )
         self._check_coordinates()
         self._check_constraints()
@@ -75,11 +74,7 @@ class System:
                 "System: no coordinates; give the functions of time that describe the motion, in order"
             )
         for coordinate in self.coordinates:
-            if (
-                not isinstance(coordinate, Expr)
-                or coordinate.kind != "time_function"
-                or coordinate.order != 0
-            ):
+            if coordinate.kind != "time_function" or coordinate.order != 0:
                 raise ModelError(
                     f"System: the coordinate {coordinate} isn't a function of time; make it with functions_of_time"
                 )
@@ -123,6 +118,10 @@ def _ordered(things: Collection[Thing]) -> tuple[Thing, ...]:
         if isinstance(things, set | frozenset)
         else tuple(things)
     )
+
+
+def _others(things: Iterable[object], kind: type) -> list[object]:
+    return [thing for thing in things if not isinstance(thing, kind)]
 
 
 def _multipliers(count: int) -> tuple[Expr, ...]:
