@@ -12,11 +12,11 @@ fn on_a_small_stack(body: fn() -> Result<(), Error>) -> Result<(), Error> {
 }
 
 /// Sums, products, quotients and functions in turn.
-fn tower(g: &mut Graph) -> Result<(Id, Id), Error> {
+fn tower(g: &mut Graph, levels: usize) -> Result<(Id, Id), Error> {
     let x = g.time_function("x", 0);
     let a = g.symbol("a", Assumption::Real);
     let mut node = x;
-    for level in 0..LEVELS {
+    for level in 0..levels {
         node = match level % 4 {
             0 => g.mul(node, a)?,
             1 => g.add(node, x),
@@ -31,7 +31,7 @@ fn tower(g: &mut Graph) -> Result<(Id, Id), Error> {
 fn visits_and_derivatives() -> Result<(), Error> {
     on_a_small_stack(|| {
         let g = &mut Graph::new();
-        let (root, x) = tower(g)?;
+        let (root, x) = tower(g, LEVELS)?;
         assert!(g.post_order(&[root]).len() >= LEVELS);
         let slope = g.diff(root, x)?;
         assert!(g.post_order(&[slope]).len() >= LEVELS);
@@ -45,7 +45,7 @@ fn visits_and_derivatives() -> Result<(), Error> {
 fn substitution_and_derivations() -> Result<(), Error> {
     on_a_small_stack(|| {
         let g = &mut Graph::new();
-        let (root, x) = tower(g)?;
+        let (root, x) = tower(g, LEVELS)?;
         let y = g.symbol("y", Assumption::Real);
         let replaced = g.substitute(&[root], &[(x, y)])?[0];
         let back = g.substitute(&[replaced], &[(y, x)])?[0];
@@ -63,7 +63,7 @@ fn substitution_and_derivations() -> Result<(), Error> {
 fn tapes_costs_and_linear_forms() -> Result<(), Error> {
     on_a_small_stack(|| {
         let g = &mut Graph::new();
-        let (root, x) = tower(g)?;
+        let (root, x) = tower(g, LEVELS)?;
         let a = g.symbol("a", Assumption::Real);
         let tape = g.tape(&[x, a], &[root])?;
         let cost = g.cost(&[root]);
@@ -77,6 +77,36 @@ fn tapes_costs_and_linear_forms() -> Result<(), Error> {
         }
         let solution = g.solve(&[equation], &[u])?;
         assert!(!g.equal(solution[0], Id::ZERO));
+        Ok(())
+    })
+}
+
+#[test]
+fn printing() -> Result<(), Error> {
+    on_a_small_stack(|| {
+        let g = &mut Graph::new();
+        let (root, _) = tower(g, LEVELS)?;
+        for text in [g.to_text(root), g.to_latex(root), g.to_maple(root)] {
+            assert!(!text.is_empty());
+        }
+        Ok(())
+    })
+}
+
+#[test]
+fn rewrites() -> Result<(), Error> {
+    on_a_small_stack(|| {
+        let g = &mut Graph::new();
+        let (root, x) = tower(g, LEVELS)?;
+        let rewritten =
+            [g.expand(root)?, g.collect(root, &[x])?, g.factor_terms(root)?, g.combine_trig(root)?];
+        for id in rewritten {
+            assert!(g.equal(id, root));
+        }
+        // Many rewrites of every node: a tower that would still be too deep for a recursion.
+        let (root, _) = tower(g, LEVELS / 10)?;
+        let simple = g.simplify(root)?;
+        assert!(g.equal(simple, root));
         Ok(())
     })
 }
