@@ -1,6 +1,6 @@
 //! Laws of linear solving: solutions satisfy their equations, and what cannot be solved is named.
 
-use symbody_core::{Assumption, Element, Error, Evaluator, Function, Graph, Id};
+use symbody_core::{Assumption, Element, Error, Evaluator, Function, Graph, Id, Matrix};
 
 fn symbol(g: &mut Graph, name: &str) -> Id {
     g.symbol(name, Assumption::Real)
@@ -79,6 +79,45 @@ fn the_solution_is_that_of_a_numeric_elimination() -> Result<(), Error> {
         let left: f64 = row.iter().zip(&found).map(|(a, x)| a * x).sum();
         assert!((left - right).abs() < 1e-13, "{left} for {right}");
     }
+    Ok(())
+}
+
+#[test]
+fn random_systems_are_solved_exactly_when_their_determinant_is_not_zero() -> Result<(), Error> {
+    let (mut solved, mut singular) = (0, 0);
+    for seed in 0..300_u32 {
+        let g = &mut Graph::new();
+        let n = 2 + seed as usize % 5;
+        let [a, b] = symbols(g, ["a", "b"]);
+        let q = g.time_function("q", 0);
+        let (sine, minus, two) = (g.apply(Function::Sin, &[q])?, g.integer(-1), g.integer(2));
+        let choices = [Id::ZERO, Id::ZERO, Id::ZERO, Id::ONE, minus, two, a, b, sine];
+        let mut state = seed;
+        let mut next = || {
+            state = state.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+            choices[(state >> 16) as usize % choices.len()]
+        };
+        let unknowns: Vec<Id> = (0..n).map(|i| symbol(g, &format!("x{i}"))).collect();
+        let (mut equations, mut entries) = (Vec::new(), Vec::new());
+        for _ in 0..n {
+            let row: Vec<(Id, Id)> = unknowns.iter().map(|&unknown| (next(), unknown)).collect();
+            equations.push(equation(g, &row, next())?);
+            entries.extend(row.iter().map(|&(entry, _)| entry));
+        }
+        let regular = g.determinant(&Matrix::new(n, n, entries)?)? != Id::ZERO;
+        match g.solve(&equations, &unknowns) {
+            Ok(solution) => {
+                assert!(regular && satisfies(g, &equations, &unknowns, &solution)?, "seed {seed}");
+                solved += 1;
+            }
+            Err(Error::Singular(text)) => {
+                assert!(!regular, "seed {seed}: {text}");
+                singular += 1;
+            }
+            Err(error) => return Err(error),
+        }
+    }
+    assert!(solved > 200 && singular > 30, "{solved} solved, {singular} singular");
     Ok(())
 }
 
