@@ -242,12 +242,30 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
     (
         errors.ConstraintError,
         lambda: constrained(x, x - x),
-        "System: constraint 2 is identically zero; leave it out",
+        "System: constraint 2, 0 = 0, is no condition; leave it out",
     ),
     (
         errors.ConstraintError,
         lambda: constrained(a - b),
-        "System: constraint 1, a - b, holds none of the coordinates",
+        "System: constraint 1, a - b = 0, holds none of the coordinates; leave it out, or correct it",
+    ),
+    (
+        errors.ConstraintError,
+        lambda: constrained(time_derivative(x) - a * y),
+        "System: constraint 1, x' - a*y = 0, holds the rate x'; expected an expression of coordinates and time",
+    ),
+    (
+        errors.ModelError,
+        lambda: newton_euler(System([Body(translate(x, time_derivative(x), 0), m)], coordinates=[x])),
+        (
+            "newton_euler: Frame([[1, 0, 0, x], [0, 1, 0, x'], [0, 0, 1, 0], [0, 0, 0, 1]]) holds the rate x'; "
+            "expected frames of coordinates and time alone"
+        ),
+    ),
+    (
+        errors.ModelError,
+        lambda: newton_euler(System([body, Body(vehicle, m)], coordinates=[x, y])),
+        "System: one body hangs on ground, another one on vehicle; build all on the same one",
     ),
     (
         errors.ConstraintError,

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import pytest
 
-from symbody import Cost, Equations, System, cost, lagrange_equations, newton_euler
+from symbody import Body, Cost, Equations, Point, System, cost, lagrange_equations, newton_euler, symbols
 from tests.dynamics.models import cart_pendulum, chain, gimbal_chain
+from tests.worksheets.test_trifilar_seed import gravity_force, solved_frame, system
 
 
 def assembled(equations: Equations) -> Cost:
@@ -14,8 +15,8 @@ def assembled(equations: Equations) -> Cost:
 
 def test_a_chain_of_a_hundred_bodies() -> None:
     """At most 7894 additions and 9590 multiplications, and Lagrange's equations are the same nodes."""
-    system = chain(100)
-    one, two = newton_euler(system), lagrange_equations(system)
+    model = chain(100)
+    one, two = newton_euler(model), lagrange_equations(model)
     assert [e.id for e in one.residuals] == [e.id for e in two.residuals]
     count = cost(one.residuals)
     assert count.additions <= 7894
@@ -39,11 +40,23 @@ def test_pendulum_of_n_links_on_a_cart(n: int, bound: int) -> None:
 
 @pytest.mark.parametrize("make", [chain, gimbal_chain, cart_pendulum])
 def test_both_formalisms_give_the_same_nodes(make: type[System]) -> None:
-    system = make(4)
-    one, two = newton_euler(system), lagrange_equations(system)
+    model = make(4)
+    one, two = newton_euler(model), lagrange_equations(model)
     assert [e.id for e in one.residuals] == [e.id for e in two.residuals]
     assert [e.id for e in one.mass_matrix.entries] == [e.id for e in two.mass_matrix.entries]
     assert [e.id for e in one.bias] == [e.id for e in two.bias]
+
+
+def test_trifilar_pendulum() -> None:
+    """The worksheet's 21 equations; and those of the plate with inertia, its frame being the natural one."""
+    equations = lagrange_equations(system())
+    omega, zeta = symbols("omega zeta")
+    assert cost([*equations.residuals, *equations.baumgarte(omega, zeta)]).total <= 600
+    G = Point(solved_frame(), symbols("l") / 4, 0, 0)
+    turning = Body(G, symbols("m"), *symbols("Jxx Jyy Jzz Jyz Jxz Jxy"))
+    other = System([turning], [gravity_force(turning)], equations.coordinates, equations.constraints)
+    equations = lagrange_equations(other)
+    assert cost([*equations.residuals, *equations.baumgarte(omega, zeta)]).total <= 1500
 
 
 def test_a_chain_of_five_hundred_bodies() -> None:

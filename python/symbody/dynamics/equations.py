@@ -8,7 +8,7 @@ from functools import cached_property
 
 from symbody.geometry import Scalar
 from symbody.multibody import System
-from symbody.symbolic import Expr, Matrix, time_derivative
+from symbody.symbolic import Expr, Matrix, listing, time_derivative
 
 from .baumgarte import stabilized
 from .constraint import constraint_jacobian
@@ -120,6 +120,14 @@ class Equations:
         n, m, names = len(self.residuals), len(self.constraints), ", ".join(map(str, self.coordinates))
         return f"Equations({n} equations of motion, {m} constraints, coordinates {names})"
 
-    def _repr_latex_(self) -> str:
-        rows = [f"{residual.latex()} &= 0" for residual in (*self.residuals, *self.constraints)]
+    def _repr_latex_(self) -> str | None:
+        """Show what is short enough to be read."""
+        definitions, zeros = listing((*self.residuals, *self.constraints), "latex")
+        if len(definitions) + len(zeros) > _READABLE:
+            return None
+        rows = [f"{name} &= {value}" for name, value in definitions] + [f"{zero} &= 0" for zero in zeros]
         return r"$\begin{aligned} " + r" \\ ".join(rows) + r" \end{aligned}$"
+
+
+_READABLE = 60
+"""Lines that a reader may look at."""

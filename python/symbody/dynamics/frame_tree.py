@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
+from symbody.errors import ModelError
 from symbody.geometry import Frame
 from symbody.geometry.motion import Motion
 from symbody.multibody import Action, System
@@ -75,7 +76,11 @@ def _build(system: System) -> FrameTree:
     places, ordered, parents = {root.key: 0}, [root], [0]
     for frame in frames:
         for link in _missing(frame, places):
-            parents.append(0 if link.parent is None else places[link.parent.key])
+            if link.parent is None:
+                raise ModelError(
+                    f"System: one body hangs on {root}, another one on {link}; build all on the same one"
+                )
+            parents.append(places[link.parent.key])
             places[link.key] = len(ordered)
             ordered.append(link)
     coordinates = _dependence(ordered, system.coordinates)

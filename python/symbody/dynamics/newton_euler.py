@@ -7,6 +7,7 @@ from symbody.geometry import Point
 from symbody.geometry.acceleration_field import AccelerationField, Turning
 from symbody.geometry.triple import NULL, Rate, Triple
 from symbody.multibody import Action, Body, System
+from symbody.multibody.system import rate_of_any
 from symbody.symbolic import (
     Expr,
     cross3,
@@ -96,6 +97,12 @@ def checked_tree(system: System, where: str) -> FrameTree:
             "coordinates; use newton_equations and euler_equations"
         )
     tree = frame_tree(system)
+    for frame in tree.frames:
+        rate = None if frame.motion is None else rate_of_any(system.coordinates, frame.motion.leaves)
+        if rate is not None:
+            raise ModelError(
+                f"{where}: {frame} holds the rate {rate}; expected frames of coordinates and time alone"
+            )
     used = {system.coordinates[k] for moving in tree.coordinates for k in moving}
     used.update(leaf for constraint in system.constraints for leaf in constraint.free_symbols)
     for coordinate in system.coordinates:

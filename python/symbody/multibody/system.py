@@ -94,12 +94,9 @@ class System:
                 f"System: {len(self.multipliers)} multipliers for {m} constraints; give one for each"
             )
         for number, constraint in enumerate(self.constraints, start=1):
-            if constraint.is_zero:
-                raise ConstraintError(f"System: constraint {number} is identically zero; leave it out")
-            if not any(coordinate in constraint.free_symbols for coordinate in self.coordinates):
-                raise ConstraintError(
-                    f"System: constraint {number}, {constraint}, holds none of the coordinates"
-                )
+            fault = _fault(constraint, self.coordinates)
+            if fault:
+                raise ConstraintError(f"System: constraint {number}, {constraint} = 0, {fault}")
 
     def __repr__(self) -> str:
         parts = [
@@ -110,6 +107,25 @@ class System:
         if self.constraints:
             parts.append(f"{len(self.constraints)} constraints")
         return f"System({', '.join([self.name, *parts] if self.name else parts)})"
+
+
+def _fault(constraint: Expr, coordinates: Sequence[Expr]) -> str:
+    if constraint.is_zero:
+        return "is no condition; leave it out"
+    leaves = constraint.free_symbols
+    if not any(coordinate in leaves for coordinate in coordinates):
+        return "holds none of the coordinates; leave it out, or correct it"
+    rate = rate_of_any(coordinates, leaves)
+    return "" if rate is None else f"holds the rate {rate}; expected an expression of coordinates and time"
+
+
+def rate_of_any(coordinates: Iterable[Expr], leaves: Iterable[Expr]) -> Expr | None:
+    """Return the first by name of the leaves that are rates of coordinates."""
+    names = {coordinate.name for coordinate in coordinates}
+    rates = (
+        leaf for leaf in leaves if leaf.kind == "time_function" and leaf.order > 0 and leaf.name in names
+    )
+    return min(rates, key=lambda leaf: (leaf.name, leaf.order), default=None)
 
 
 def _ordered(things: Collection[Thing]) -> tuple[Thing, ...]:
