@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from symbody.errors import ModelError
 from symbody.geometry import Frame, Point, Triple, Vector, acceleration
+from symbody.geometry.acceleration_field import Turning
 from symbody.geometry.coordinates import vector_components
 from symbody.geometry.kinematics import spin
 from symbody.geometry.triple import NULL, rates
@@ -11,6 +12,8 @@ from symbody.multibody import Body
 from symbody.multibody.load import Action
 from symbody.multibody.selection import Objects, Selection, select_bodies
 from symbody.symbolic import add3, cross3, derivation, number, scale3, sub3, time_derivatives
+
+from .spin_momentum import spin_momentum_rate
 
 
 def euler_equations(
@@ -56,17 +59,11 @@ def _momentum_rate(body: Body, about: Triple, axes: Frame, gravity: Vector | Non
     if gravity is not None:
         a = sub3(a, gravity.projected(axes).components)
     lever = sub3(body.center_of_mass.projected(axes).coordinates, about)
-    own = vector_components(_spin_momentum_rate(body), body.frame, axes)
-    return add3(cross3(lever, scale3(body.mass, a)), own)
-
-
-def _spin_momentum_rate(body: Body) -> Triple:
-    """Return ``dH_G/dt = J w' + w x J w`` in the body's axes."""
-    if body.is_particle:
-        return NULL
     w = spin(body.frame)
-    steady = cross3(w, body.spin_momentum(w))
-    return add3(body.spin_momentum(rates(w, time_derivatives)), steady)
+    own = vector_components(
+        spin_momentum_rate(body, Turning(w, rates(w, time_derivatives))), body.frame, axes
+    )
+    return add3(cross3(lever, scale3(body.mass, a)), own)
 
 
 def _moment(action: Action, about: Triple, axes: Frame) -> Triple:

@@ -9,6 +9,7 @@ from symbody.geometry import Frame
 from symbody.geometry.motion import Motion
 from symbody.multibody import Action, System
 from symbody.multibody.selection import select
+from symbody.multibody.system import rate_of_any
 from symbody.symbolic import Expr, derivation
 
 from .partial_motion import PartialTwist, partial_twists
@@ -66,6 +67,31 @@ def frame_tree(system: System) -> FrameTree:
         if system not in trees:
             trees[system] = _build(system)
         return trees[system]
+
+
+def checked_tree(system: System, where: str) -> FrameTree:
+    """Return the tree of a system, or raise an error where it can't have equations of motion in its coordinates."""
+    if system.root.carrier is not None:
+        raise ModelError(
+            f"{where}: the bodies hang on the moving master frame {system.root}, whose velocities are no rates of "
+            "coordinates; use newton_equations and euler_equations"
+        )
+    tree = frame_tree(system)
+    for frame in tree.frames:
+        rate = None if frame.motion is None else rate_of_any(system.coordinates, frame.motion.leaves)
+        if rate is not None:
+            raise ModelError(
+                f"{where}: {frame} holds the rate {rate}; expected frames of coordinates and time alone"
+            )
+    used = {system.coordinates[k] for moving in tree.coordinates for k in moving}
+    used.update(leaf for constraint in system.constraints for leaf in constraint.free_symbols)
+    for coordinate in system.coordinates:
+        if coordinate not in used:
+            raise ModelError(
+                f"{where}: the coordinate {coordinate} appears in no frame of a body and in no constraint; "
+                "leave it out of the coordinates, or build a frame with it"
+            )
+    return tree
 
 
 def _build(system: System) -> FrameTree:

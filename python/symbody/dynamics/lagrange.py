@@ -27,8 +27,8 @@ from symbody.symbolic import (
 from .composite_rigid_body import mass_matrix
 from .constraint import check_independent, with_multipliers
 from .equations import Assembly, Equations
-from .frame_tree import FrameTree, frame_tree
-from .newton_euler import at_rest, bias, checked_tree, inverse_dynamics
+from .frame_tree import FrameTree, checked_tree, frame_tree
+from .newton_euler import at_rest, bias, inverse_dynamics
 
 
 def lagrange(L: Expr, q: Expr) -> Expr:

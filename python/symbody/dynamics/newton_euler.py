@@ -2,12 +2,11 @@
 
 from __future__ import annotations
 
-from symbody.errors import FrameError, ModelError
+from symbody.errors import FrameError
 from symbody.geometry import Point
-from symbody.geometry.acceleration_field import AccelerationField, Turning
+from symbody.geometry.acceleration_field import AccelerationField
 from symbody.geometry.triple import NULL, Rate, Triple
 from symbody.multibody import Action, Body, System
-from symbody.multibody.system import rate_of_any
 from symbody.symbolic import (
     Expr,
     cross3,
@@ -22,7 +21,8 @@ from symbody.symbolic import (
 from .composite_rigid_body import mass_matrix
 from .constraint import check_independent, with_multipliers
 from .equations import Assembly, Equations
-from .frame_tree import FrameTree, frame_tree
+from .frame_tree import FrameTree, checked_tree, frame_tree
+from .spin_momentum import spin_momentum_rate
 from .wrench import Wrench, generalized_forces
 
 
@@ -89,31 +89,6 @@ def at_rest(system: System) -> dict[Expr, int]:
     return {time_derivative(q, 2): 0 for q in system.coordinates}
 
 
-def checked_tree(system: System, where: str) -> FrameTree:
-    """Return the tree of a system, or raise an error where it can't have equations of motion in its coordinates."""
-    if system.root.carrier is not None:
-        raise ModelError(
-            f"{where}: the bodies hang on the moving master frame {system.root}, whose velocities are no rates of "
-            "coordinates; use newton_equations and euler_equations"
-        )
-    tree = frame_tree(system)
-    for frame in tree.frames:
-        rate = None if frame.motion is None else rate_of_any(system.coordinates, frame.motion.leaves)
-        if rate is not None:
-            raise ModelError(
-                f"{where}: {frame} holds the rate {rate}; expected frames of coordinates and time alone"
-            )
-    used = {system.coordinates[k] for moving in tree.coordinates for k in moving}
-    used.update(leaf for constraint in system.constraints for leaf in constraint.free_symbols)
-    for coordinate in system.coordinates:
-        if coordinate not in used:
-            raise ModelError(
-                f"{where}: the coordinate {coordinate} appears in no frame of a body and in no constraint; "
-                "leave it out of the coordinates, or build a frame with it"
-            )
-    return tree
-
-
 def _check_rigid(tree: FrameTree) -> None:
     for frame in tree.frames:
         if not frame.is_rigid:
@@ -132,27 +107,7 @@ def _minus_gravity(system: System) -> Triple:
 def _inertia(body: Body, field: AccelerationField) -> Wrench:
     turning, acceleration = field(body.frame)
     force = scale3(body.mass, acceleration)
-    return Wrench(force, NULL if body.is_particle else spin_momentum_rate(body, turning))
-
-
-def spin_momentum_rate(body: Body, turning: Turning) -> Triple:
-    """Return ``dH_G/dt = J al + w x J w`` in the body's axes, by the products that the field F has made already.
-
-    Its x component is ``Ix al_x + (Iz - Iy) w_y w_z + Cxy F_zx - Cxz F_yx + Cyz (F_zz - F_yy)``; the others follow by
-    cyclic exchange.
-    """
-    x, y, z = (_moment_about(axis, body, turning) for axis in range(3))
-    return x, y, z
-
-
-def _moment_about(i: int, body: Body, turning: Turning) -> Expr:
-    j, k = (i + 1) % 3, (i + 2) % 3
-    w, F, I, C = turning.velocity, turning.field, body.moments, body.products
-    moment = I[i] * turning.acceleration[i] + (I[k] - I[j]) * (w[j] * w[k])
-    if not body.has_products:
-        return moment
-    moment += C[k] * F[3 * k + i] - C[j] * F[3 * j + i]
-    return moment + C[i] * (F[4 * k] - F[4 * j])
+    return Wrench(force, spin_momentum_rate(body, turning))
 
 
 def _load(action: Action, anchor: Point) -> Wrench:

@@ -1,6 +1,7 @@
 """Frames, points and vectors, and how they move."""
 
-from .frame import Frame, ground, moving_frame, rotate, translate
+from .elementary import moving_frame, rotate, translate
+from .frame import Frame, ground
 from .point import Point, origin
 from .project import project
 from .triple import Scalar, Triple

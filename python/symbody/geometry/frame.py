@@ -4,16 +4,15 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 from hashlib import blake2b
-from typing import NamedTuple, Protocol, TypeAlias, TypeVar, final
+from typing import NamedTuple, TypeVar, final
 
 from symbody.errors import FrameError
 from symbody.symbolic import Matrix, add3, derivation, dot3, number
 
-from .motion import AXES, Motion, Rotation, Rows, Substitution, Translation
-from .orientation import ROUGH, distance_from_rotation, exact_axis, turns
+from .motion import Motion, Rotation, Rows, Substitution, Translation
+from .orientation import ROUGH, distance_from_rotation, turns
 from .placement import Placement
-from .skew_axis import is_unit, rotation_about
-from .triple import NULL, Scalar, Triple, expression, triple
+from .triple import NULL, Scalar, Triple, triple
 
 State = TypeVar("State")
 
@@ -30,16 +29,6 @@ class Pose(NamedTuple):
 
     rows: Rows
     origin: Triple
-
-
-class HasComponents(Protocol):
-    """Anything with three components, such as a vector."""
-
-    @property
-    def components(self) -> Triple: ...
-
-
-Axis: TypeAlias = str | Sequence[Scalar] | HasComponents
 
 
 @final
@@ -248,75 +237,6 @@ def moved(motion: Motion, pose: Pose) -> Pose:
     rows = (motion.to_child(x), motion.to_child(y), motion.to_child(z)) if motion.rotates else pose.rows
     d = motion.displacement
     return Pose(rows, add3(origin, (dot3(x, d), dot3(y, d), dot3(z, d))))
-
-
-# --- how frames are made ---
-
-
-def translate(x: Scalar, y: Scalar, z: Scalar) -> Frame:
-    """Return the frame displaced by (x, y, z).
-
-    >>> translate(1, 2, 0).matrix[1, 3]
-    2
-    """
-    return ground.then(Translation(triple(x, y, z)))
-
-
-def rotate(axis: Axis, angle: Scalar) -> Frame:
-    """Return the frame rotated about "X", "Y", "Z", a unit triple or a vector; right-handed.
-
-    >>> rotate("Z", 0) == ground
-    True
-    """
-    turn = expression(angle)
-    if isinstance(axis, str):
-        return ground.then(Rotation(_principal(axis), turn))
-    return ground.then(_about(_axis_components(axis), turn))
-
-
-def moving_frame(
-    u: Scalar, v: Scalar, w: Scalar, wx: Scalar, wy: Scalar, wz: Scalar, *, name: str = ""
-) -> Frame:
-    """Return a moving master frame: where it is stays unknown, its velocities in its own axes are given.
-
-    The velocity (u, v, w) is that of the origin, (wx, wy, wz) the angular velocity.
-
-    >>> from symbody import Body, linear_momentum, moving_frame, symbols
-    >>> V, r, m = symbols("V r m")
-    >>> linear_momentum(Body(moving_frame(V, 0, 0, 0, 0, r), m)).components
-    (m*V, 0, 0)
-    """
-    return Frame.root(name or "moving frame", Twist(triple(wx, wy, wz), triple(u, v, w)))
-
-
-def _principal(axis: str) -> int:
-    if len(axis) != 1 or axis.upper() not in AXES:
-        raise FrameError(f"rotate: unknown axis {axis!r}, expected 'X', 'Y', 'Z', a unit triple or a Vector")
-    return AXES.index(axis.upper())
-
-
-def _axis_components(axis: Sequence[Scalar] | HasComponents) -> Triple:
-    components = axis if isinstance(axis, Sequence) else axis.components
-    if len(components) != 3:
-        raise FrameError(
-            f"rotate: an axis of {len(components)} components, expected three, or 'X', 'Y' or 'Z'"
-        )
-    return triple(*components)
-
-
-def _about(axis: Triple, angle: Scalar) -> Motion:
-    turn = expression(angle)
-    shown = f"rotate: the axis ({', '.join(str(component) for component in axis)})"
-    if not all(component.is_constant for component in axis):
-        if not is_unit(axis):
-            raise FrameError(f"{shown} isn't of length 1 whatever its variables; divide it by its length")
-        return rotation_about(axis, turn)
-    numbers = [float(component) for component in axis]
-    length = sum(entry * entry for entry in numbers) ** 0.5
-    if abs(length - 1) > ROUGH:
-        raise FrameError(f"{shown} has length {length:.6g}, expected 1; divide it by its length")
-    exact = axis if is_unit(axis) else exact_axis(*numbers)
-    return rotation_about(exact, turn)
 
 
 def _as_matrix(matrix: Matrix | Sequence[Sequence[Scalar]]) -> Matrix:

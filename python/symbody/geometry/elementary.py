@@ -1,0 +1,90 @@
+"""Frames one motion away from ground: what chains are made of."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Protocol, TypeAlias
+
+from symbody.errors import FrameError
+
+from .frame import Frame, Twist, ground
+from .motion import AXES, Motion, Rotation, Translation
+from .orientation import ROUGH, exact_axis
+from .skew_axis import is_unit, rotation_about
+from .triple import Scalar, Triple, expression, triple
+
+
+class HasComponents(Protocol):
+    """Anything with three components, such as a vector."""
+
+    @property
+    def components(self) -> Triple: ...
+
+
+Axis: TypeAlias = str | Sequence[Scalar] | HasComponents
+
+
+def translate(x: Scalar, y: Scalar, z: Scalar) -> Frame:
+    """Return the frame displaced by (x, y, z).
+
+    >>> translate(1, 2, 0).matrix[1, 3]
+    2
+    """
+    return ground.then(Translation(triple(x, y, z)))
+
+
+def rotate(axis: Axis, angle: Scalar) -> Frame:
+    """Return the frame rotated about "X", "Y", "Z", a unit triple or a vector; right-handed.
+
+    >>> rotate("Z", 0) == ground
+    True
+    """
+    turn = expression(angle)
+    if isinstance(axis, str):
+        return ground.then(Rotation(_principal(axis), turn))
+    return ground.then(_about(_axis_components(axis), turn))
+
+
+def moving_frame(
+    u: Scalar, v: Scalar, w: Scalar, wx: Scalar, wy: Scalar, wz: Scalar, *, name: str = ""
+) -> Frame:
+    """Return a moving master frame: where it is stays unknown, its velocities in its own axes are given.
+
+    The velocity (u, v, w) is that of the origin, (wx, wy, wz) the angular velocity.
+
+    >>> from symbody import Body, linear_momentum, moving_frame, symbols
+    >>> V, r, m = symbols("V r m")
+    >>> linear_momentum(Body(moving_frame(V, 0, 0, 0, 0, r), m)).components
+    (m*V, 0, 0)
+    """
+    return Frame.root(name or "moving frame", Twist(triple(wx, wy, wz), triple(u, v, w)))
+
+
+def _principal(axis: str) -> int:
+    if len(axis) != 1 or axis.upper() not in AXES:
+        raise FrameError(f"rotate: unknown axis {axis!r}, expected 'X', 'Y', 'Z', a unit triple or a Vector")
+    return AXES.index(axis.upper())
+
+
+def _axis_components(axis: Sequence[Scalar] | HasComponents) -> Triple:
+    components: Sequence[Scalar] = getattr(axis, "components", axis)
+    if len(components) != 3:
+        raise FrameError(
+            f"rotate: an axis of {len(components)} components, expected three, or 'X', 'Y' or 'Z'"
+        )
+    return triple(*components)
+
+
+def _about(axis: Triple, angle: Scalar) -> Motion:
+    turn = expression(angle)
+    shown = f"rotate: the axis ({', '.join(str(component) for component in axis)})"
+    if not all(component.is_constant for component in axis):
+        if not is_unit(axis):
+            raise FrameError(f"{shown} isn't of length 1 whatever its variables; divide it by its length")
+        return rotation_about(axis, turn)
+    numbers = [float(component) for component in axis]
+    length = sum(entry * entry for entry in numbers) ** 0.5
+    if abs(length - 1) > ROUGH:
+        raise FrameError(f"{shown} has length {length:.6g}, expected 1; divide it by its length")
+    exact = axis if is_unit(axis) else exact_axis(*numbers)
+    return rotation_about(exact, turn)
