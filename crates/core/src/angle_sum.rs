@@ -2,8 +2,9 @@
 
 use crate::error::Error;
 use crate::function::Function;
+use crate::monomial::Monomial;
 use crate::number::Number;
-use crate::polynomial::{Monomial, Polynomial};
+use crate::polynomial::Polynomial;
 use crate::ring::Ring;
 
 /// Sums of more terms are left alone.
@@ -136,7 +137,7 @@ mod tests {
         let mut ring = Ring::new(g, Budget::new(100, 1000));
         let polynomial = ring.polynomial(expanded, Opening::Products)?;
         let joined = ring.join_angles(&polynomial)?;
-        assert_eq!(ring.to_node(&joined)?, wave);
+        assert_eq!(ring.node_of(&joined)?, wave);
         Ok(())
     }
 

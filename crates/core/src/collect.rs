@@ -6,12 +6,22 @@ use std::collections::BTreeMap;
 use crate::error::Error;
 use crate::expand::Opening;
 use crate::graph::Graph;
-use crate::node::Id;
+use crate::monomial::Monomial;
+use crate::node::{Id, View};
 use crate::number::Number;
-use crate::polynomial::{Budget, Monomial, Polynomial};
+use crate::polynomial::{Budget, Polynomial};
 use crate::ring::Ring;
 
 const BUDGET: Budget = Budget::new(200_000, 5_000_000);
+
+/// The kinds of atoms that a sum may be collected by.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Kind {
+    Acceleration,
+    Speed,
+    Parameter,
+    Wave,
+}
 
 impl Graph {
     /// The sum of powers of the variables times their coefficients; parts without them stay as they are.
@@ -25,7 +35,7 @@ impl Graph {
             let mut parts = Vec::new();
             for (monomial, coefficient) in groups {
                 let coefficient = ring.sum_of_terms(&coefficient)?;
-                let power = ring.to_node(&Polynomial::term(monomial, Number::integer(1)))?;
+                let power = ring.node_of(&Polynomial::term(monomial, Number::integer(1)))?;
                 parts.push(ring.product_of(&[power, coefficient])?);
             }
             Ok(ring.sum_of(&parts))
@@ -82,19 +92,26 @@ impl Ring<'_> {
     fn sum_of_terms(&mut self, polynomial: &Polynomial) -> Result<Id, Error> {
         let mut parts = Vec::new();
         for (monomial, coefficient) in polynomial.iter() {
-            parts.push(self.to_node(&Polynomial::term(monomial.clone(), coefficient.clone()))?);
+            parts.push(self.node_of(&Polynomial::term(monomial.clone(), coefficient.clone()))?);
         }
         Ok(self.sum_of(&parts))
     }
 
-    /// Collect by each choice of atoms in turn; common factors out of the last coefficients.
-    pub(crate) fn collected(
-        &mut self,
-        polynomial: &Polynomial,
-        choices: &[&dyn Fn(&Self, u32) -> bool],
-    ) -> Result<Id, Error> {
-        let Some((choice, others)) = choices.split_first() else { return self.factored(polynomial) };
-        let groups = grouped(polynomial, |atom| choice(self, atom));
+    pub(crate) fn is_kind(&self, atom: u32, kind: Kind) -> bool {
+        match kind {
+            Kind::Wave => self.wave(atom).is_some(),
+            Kind::Acceleration => {
+                matches!(self.graph.view(self.node(atom)), View::TimeFunction(_, order) if order > 1)
+            }
+            Kind::Speed => matches!(self.graph.view(self.node(atom)), View::TimeFunction(_, 1)),
+            Kind::Parameter => matches!(self.graph.view(self.node(atom)), View::Symbol(..)),
+        }
+    }
+
+    /// Collect by each kind of atoms in turn; common factors out of the last coefficients.
+    pub(crate) fn collected(&mut self, polynomial: &Polynomial, kinds: &[Kind]) -> Result<Id, Error> {
+        let Some((&kind, others)) = kinds.split_first() else { return self.factored(polynomial) };
+        let groups = grouped(polynomial, |atom| self.is_kind(atom, kind));
         let mut parts = Vec::new();
         for (multiplier, cofactor) in merged(groups)? {
             let cofactor = self.collected(&cofactor, others)?;
@@ -133,7 +150,7 @@ fn merged(groups: BTreeMap<Monomial, Polynomial>) -> Result<Vec<(Polynomial, Pol
 mod tests {
     use super::*;
     use crate::function::Function;
-    use crate::node::{Assumption, View};
+    use crate::node::Assumption;
 
     #[test]
     fn coefficients_rebuild_the_expression() -> Result<(), Error> {

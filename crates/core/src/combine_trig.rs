@@ -4,9 +4,10 @@ use crate::error::Error;
 use crate::expand::Opening;
 use crate::function::Function;
 use crate::graph::Graph;
+use crate::monomial::Monomial;
 use crate::node::Id;
 use crate::number::Number;
-use crate::polynomial::{Budget, Monomial, Polynomial};
+use crate::polynomial::{Budget, Polynomial};
 use crate::ring::Ring;
 
 const BUDGET: Budget = Budget::new(100_000, 2_000_000);
@@ -24,7 +25,7 @@ impl Graph {
                 let mut ring = Ring::new(graph, BUDGET);
                 let polynomial = ring.polynomial(part, Opening::Products)?;
                 let combined = ring.combined(&polynomial)?;
-                ring.to_node(&combined)
+                ring.node_of(&combined)
             })
         })
     }
@@ -33,12 +34,14 @@ impl Graph {
 /// A wave: coefficient, sine or cosine, angle.
 type Wave = (Number, Function, Polynomial);
 
+type Signed = (i64, Function);
+
 /// f(a) g(b) = (p(a - b) + q(a + b)) / 2: f, g, then p and q with their signs.
-const PRODUCTS: [(Function, Function, (i64, Function), (i64, Function)); 4] = [
-    (Function::Cos, Function::Cos, (1, Function::Cos), (1, Function::Cos)),
-    (Function::Sin, Function::Sin, (1, Function::Cos), (-1, Function::Cos)),
-    (Function::Sin, Function::Cos, (1, Function::Sin), (1, Function::Sin)),
-    (Function::Cos, Function::Sin, (-1, Function::Sin), (1, Function::Sin)),
+const PRODUCTS: [((Function, Function), [Signed; 2]); 4] = [
+    ((Function::Cos, Function::Cos), [(1, Function::Cos), (1, Function::Cos)]),
+    ((Function::Sin, Function::Sin), [(1, Function::Cos), (-1, Function::Cos)]),
+    ((Function::Sin, Function::Cos), [(1, Function::Sin), (1, Function::Sin)]),
+    ((Function::Cos, Function::Sin), [(-1, Function::Sin), (1, Function::Sin)]),
 ];
 
 impl Ring<'_> {
@@ -83,8 +86,8 @@ fn multiplied(waves: &[Wave], shape: Function, angle: &Polynomial) -> Vec<Wave> 
     let half = Number::rational(1, 2);
     let mut products: Vec<Wave> = Vec::new();
     for (coefficient, first, known) in waves {
-        let rule = PRODUCTS.iter().find(|&&(f, g, _, _)| (f, g) == (*first, shape));
-        let Some(&(_, _, difference, sum)) = rule else { continue };
+        let rule = PRODUCTS.iter().find(|(shapes, _)| *shapes == (*first, shape));
+        let Some(&(_, [difference, sum])) = rule else { continue };
         for ((sign, product), step) in [(difference, -1), (sum, 1)] {
             let mut total = known.clone();
             total.add_scaled(angle, &Number::integer(step));

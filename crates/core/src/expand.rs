@@ -1,14 +1,14 @@
 //! Products over sums, and sines and cosines of sums: from nodes to polynomials.
 
-use num_integer::Integer;
 use rustc_hash::{FxHashMap, FxHashSet};
 
 use crate::error::Error;
 use crate::function::Function;
 use crate::graph::Graph;
+use crate::monomial::Monomial;
 use crate::node::{Id, View};
 use crate::number::Number;
-use crate::polynomial::{Budget, Monomial, Polynomial};
+use crate::polynomial::{Budget, Polynomial};
 use crate::ring::{Ring, single_power};
 
 /// What becomes part of the polynomial; each includes the one before.
@@ -24,8 +24,6 @@ pub(crate) enum Opening {
 
 /// Limits of what a user may ask for.
 const BUDGET: Budget = Budget::new(200_000, 5_000_000);
-/// Angles that are larger multiples of their unit stay closed.
-const LARGEST_MULTIPLE: i64 = 8;
 /// Exponents beyond this stay closed.
 const LARGEST_EXPONENT: i64 = 1 << 30;
 
@@ -51,69 +49,9 @@ impl Graph {
             graph.inside_out(id, Self::push_enclosed, &mut |graph, part| {
                 let mut ring = Ring::new(graph, BUDGET);
                 let polynomial = ring.polynomial(part, opening)?;
-                ring.to_node(&polynomial)
+                ring.node_of(&polynomial)
             })
         })
-    }
-
-    /// Work outside of the derivation in progress: a rewrite keeps the form that it makes.
-    pub(crate) fn choose_form<T>(&mut self, rewrite: impl FnOnce(&mut Self) -> T) -> T {
-        let classes = self.leave();
-        let result = rewrite(self);
-        if let Some(classes) = classes {
-            self.enter(classes);
-        }
-        result
-    }
-
-    /// Rewrite the parts that `find` names from the innermost outward, the root last.
-    pub(crate) fn inside_out(
-        &mut self,
-        root: Id,
-        find: impl Fn(&Self, Id, &mut FxHashSet<Id>),
-        rewrite: &mut impl FnMut(&mut Self, Id) -> Result<Id, Error>,
-    ) -> Result<Id, Error> {
-        let order = self.post_order(&[root]);
-        let mut enclosed: FxHashSet<Id> = FxHashSet::default();
-        enclosed.insert(root);
-        for &id in &order {
-            find(self, id, &mut enclosed);
-        }
-        let mut map: FxHashMap<Id, Id> = FxHashMap::default();
-        for id in order {
-            let children = self.children(id);
-            let changed = children.iter().any(|child| map.get(child) != Some(child));
-            let lookup = |_: &Self, child: Id| map.get(&child).copied().unwrap_or(child);
-            let mut new = if changed { self.rebuild(id, &lookup)? } else { id };
-            if enclosed.contains(&id) && !children.is_empty() {
-                new = rewrite(self, new)?;
-            }
-            map.insert(id, new);
-        }
-        Ok(map.get(&root).copied().unwrap_or(root))
-    }
-
-    /// The children of a node that no polynomial reaches: arguments, divisors, radicands.
-    pub(crate) fn push_enclosed(&self, id: Id, out: &mut FxHashSet<Id>) {
-        match self.view(id) {
-            View::Function(_, args) | View::Application { args, .. } => out.extend(args.iter()),
-            View::Product(factors) => {
-                let is_natural = |e| {
-                    let e: &Number = self.get_number(e);
-                    e.is_integer() && !e.is_negative()
-                };
-                out.extend(factors.iter().filter(|&(_, e)| !is_natural(e)).map(|(base, _)| base));
-            }
-            _ => {}
-        }
-    }
-
-    /// Also the sums among the factors of a product.
-    pub(crate) fn push_enclosed_or_factors(&self, id: Id, out: &mut FxHashSet<Id>) {
-        self.push_enclosed(id, out);
-        if let View::Product(factors) = self.view(id) {
-            out.extend(factors.iter().map(|(base, _)| base));
-        }
     }
 }
 
@@ -290,81 +228,6 @@ impl Ring<'_> {
         let one = Polynomial::constant(Number::integer(1));
         self.times(&Polynomial::term(Monomial::power(atom, num), Number::integer(1)), &one)
     }
-
-    /// For each atomic angle, the greatest common divisor of its multiples.
-    fn find_units(&mut self, order: &[Id], units: &mut FxHashMap<Monomial, Number>) -> Result<(), Error> {
-        for &id in order {
-            let View::Function(Function::Sin | Function::Cos | Function::Tan, args) = self.graph.view(id)
-            else {
-                continue;
-            };
-            let argument = args.get(0);
-            for (monomial, coefficient) in self.angle(argument)?.iter() {
-                let unit = match units.get(monomial) {
-                    Some(known) => common_unit(known, coefficient),
-                    None => coefficient.abs(),
-                };
-                units.insert(monomial.clone(), unit);
-            }
-        }
-        Ok(())
-    }
-
-    /// sin, cos or tan of a sum of multiples of units, by the addition theorems.
-    fn expand_wave(
-        &mut self,
-        id: Id,
-        shape: Function,
-        argument: Id,
-        units: &FxHashMap<Monomial, Number>,
-    ) -> Result<Polynomial, Error> {
-        let mut multiples = Vec::new();
-        for (monomial, coefficient) in self.angle(argument)?.iter() {
-            let unit = units.get(monomial).cloned().unwrap_or_else(|| coefficient.abs());
-            let Some(n) = coefficient.mul(&unit.recip()?).to_i64() else { return Ok(self.leaf(id)) };
-            if n.abs() > LARGEST_MULTIPLE || coefficient.is_decimal() {
-                return Ok(self.leaf(id));
-            }
-            multiples.push((Polynomial::term(monomial.clone(), unit), n));
-        }
-        let mut cos = Polynomial::constant(Number::integer(1));
-        let mut sin = Polynomial::default();
-        for (angle, n) in multiples {
-            let c = self.wave_of(Function::Cos, &angle)?;
-            let s = self.wave_of(Function::Sin, &angle)?.scaled(&Number::integer(n.signum()));
-            for _ in 0..n.abs() {
-                (cos, sin) = self.rotate((&cos, &sin), (&c, &s))?;
-            }
-        }
-        match (shape, cos.single().is_some()) {
-            (Function::Sin, _) => Ok(sin),
-            (Function::Cos, _) => Ok(cos),
-            (_, false) => Ok(self.leaf(id)),
-            (_, true) => {
-                let (monomial, factor) = single_power(&cos, -1)?;
-                Ok(sin.shifted(&monomial, &factor))
-            }
-        }
-    }
-
-    /// The cosine and the sine of the sum of two angles.
-    fn rotate(
-        &mut self,
-        (c1, s1): (&Polynomial, &Polynomial),
-        (c2, s2): (&Polynomial, &Polynomial),
-    ) -> Result<(Polynomial, Polynomial), Error> {
-        let mut cos = self.times(c1, c2)?;
-        cos.add_scaled(&self.times(s1, s2)?, &Number::integer(-1));
-        let mut sin = self.times(s1, c2)?;
-        sin.add_scaled(&self.times(c1, s2)?, &Number::integer(1));
-        Ok((cos, sin))
-    }
-}
-
-/// The largest number of which both are whole multiples.
-fn common_unit(a: &Number, b: &Number) -> Number {
-    let num = (a.numerator() * b.denominator()).gcd(&(b.numerator() * a.denominator()));
-    Number::from_big(num, a.denominator() * b.denominator()).unwrap_or_else(|_| a.abs())
 }
 
 #[cfg(test)]
@@ -393,36 +256,18 @@ mod tests {
         Ok(())
     }
 
+    /// (sqrt(a) + b) (sqrt(a) - b) is a - b^2; at the random point that is known of a positive a only.
     #[test]
     fn roots_multiply_to_their_radicand() -> Result<(), Error> {
         let g = &mut Graph::new();
-        let [a, b, _] = symbols(g);
-        let root = g.sqrt(a)?;
-        let (plus, minus) = (g.add(root, b), g.sub(root, b));
-        let product = g.mul(plus, minus)?;
-        let square = g.mul(b, b)?;
-        let expected = g.sub(a, square);
-        assert_eq!(g.expand(product)?, expected);
-        Ok(())
-    }
-
-    #[test]
-    fn angles_open_to_their_common_unit() -> Result<(), Error> {
-        let g = &mut Graph::new();
-        let [a, b, _] = symbols(g);
-        let (half, three) = (g.number_id(&Number::rational(1, 2)), g.number_id(&Number::integer(3)));
-        let angle = g.sum(&[(half, a), (NumberId::MINUS_ONE, b)]);
-        let cosine = g.apply(Function::Cos, &[angle])?;
-        let multiple = g.scale(three, a);
-        let sine = g.apply(Function::Sin, &[multiple])?;
-        let sum = g.add(cosine, sine);
-        let expanded = g.expand_trig(sum)?;
-        assert!(g.equal(sum, expanded));
-        let unit = g.scale(half, a);
-        for node in g.post_order(&[expanded]) {
-            if let View::Function(_, args) = g.view(node) {
-                assert!(args.get(0) == unit || args.get(0) == b);
-            }
+        for assumption in [Assumption::Positive, Assumption::Real] {
+            let [a, b] = ["a", "b"].map(|name| g.symbol(name, assumption));
+            let root = g.sqrt(a)?;
+            let (plus, minus) = (g.add(root, b), g.sub(root, b));
+            let product = g.mul(plus, minus)?;
+            let square = g.mul(b, b)?;
+            let expected = if assumption == Assumption::Positive { g.sub(a, square) } else { product };
+            assert_eq!(g.expand(product)?, expected);
         }
         Ok(())
     }

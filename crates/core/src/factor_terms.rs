@@ -2,16 +2,17 @@
 //!
 //! Rectangles: if the terms hold y q for every y of a set Y and every q of a set Q, they are (sum of Y)
 //! times (sum of Q). The greedy choice takes the rectangle that saves most operations, again and again,
-//! in both factors and in what is left. [Brayton & McMullen 1982, kernels of a sum of products]
+//! in both factors and in what is left. [Brayton et al. 1982, kernels of a sum of products]
 
 use std::collections::BTreeMap;
 
 use crate::error::Error;
 use crate::expand::Opening;
 use crate::graph::Graph;
+use crate::monomial::Monomial;
 use crate::node::{Id, NumberId, View};
 use crate::number::Number;
-use crate::polynomial::{Budget, Monomial, Polynomial};
+use crate::polynomial::{Budget, Polynomial};
 use crate::ring::Ring;
 
 /// Limits of one call.
@@ -54,11 +55,11 @@ impl Ring<'_> {
 
     fn factored_below(&mut self, polynomial: &Polynomial, depth: usize) -> Result<Id, Error> {
         if polynomial.len() < 2 || depth == 0 {
-            return self.to_node(polynomial);
+            return self.node_of(polynomial);
         }
         let (monomial, factor, rest) = content(polynomial)?;
         let sum = self.factored_sum(&rest, depth)?;
-        let content = self.to_node(&Polynomial::term(monomial, factor))?;
+        let content = self.node_of(&Polynomial::term(monomial, factor))?;
         self.product_of(&[content, sum])
     }
 
@@ -79,7 +80,7 @@ impl Ring<'_> {
             let columns = self.factored_below(&columns, depth - 1)?;
             parts.push(self.product_of(&[rows, columns])?);
         }
-        parts.push(self.to_node(&rest)?);
+        parts.push(self.node_of(&rest)?);
         Ok(self.sum_of(&parts))
     }
 
@@ -263,7 +264,7 @@ fn term_cost(monomial: &Monomial, coefficient: &Number) -> i64 {
 }
 
 fn product_cost(all: &Polynomial, rows: &Polynomial, columns: &Polynomial) -> Result<i64, Error> {
-    let cost = |p: &Polynomial| p.iter().map(|(m, c)| term_cost(m, c)).sum::<i64>() + p.len() as i64 - 1;
+    let cost = |p: &Polynomial| p.iter().map(|(m, c)| term_cost(m, c) + 1).sum::<i64>() - 1;
     let mut budget = Budget::new(usize::MAX, usize::MAX);
     let covered = rows.times(columns, &mut budget)?;
     debug_assert!(covered.len() <= all.len());

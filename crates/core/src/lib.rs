@@ -3,6 +3,7 @@
 //! Every node knows its exact value at a random point of a finite field, so equal mathematics is one
 //! node and zero is seen when it is made. No Python, no mechanics, no global state.
 
+mod addition_theorem;
 mod angle;
 mod angle_sum;
 mod apply;
@@ -25,10 +26,12 @@ mod factor_terms;
 mod field;
 mod function;
 mod graph;
+mod inside_out;
 mod linear;
 mod lower;
 mod matrix;
 mod minor;
+mod monomial;
 mod node;
 mod number;
 mod polynomial;

@@ -1,8 +1,9 @@
 //! sin(u)**2 + cos(u)**2 = 1, used in either direction.
 
 use crate::error::Error;
+use crate::monomial::Monomial;
 use crate::number::Number;
-use crate::polynomial::{Monomial, Polynomial};
+use crate::polynomial::Polynomial;
 use crate::ring::Ring;
 
 /// Higher powers are left alone.
@@ -130,7 +131,7 @@ mod tests {
             polynomial.add_scaled(&ring.polynomial(id, Opening::Products)?, &sign);
         }
         let short = ring.shorten(&polynomial)?;
-        let node = ring.to_node(&short)?;
+        let node = ring.node_of(&short)?;
         let square = g.product(&[(c, NumberId::ONE), (sin, two)])?;
         let expected = g.sum(&[(NumberId::ONE, a), (NumberId::ONE, b), (NumberId::ONE, square)]);
         assert_eq!(node, expected);
@@ -149,7 +150,7 @@ mod tests {
         for choose in [|(s, c): Pair| (s, c), |(s, c): Pair| (c, s)] {
             let other = ring.eliminate_all(&polynomial, choose)?;
             assert_ne!(other, polynomial);
-            let node = ring.to_node(&other)?;
+            let node = ring.node_of(&other)?;
             assert!(ring.graph.equal(node, product));
         }
         Ok(())

@@ -2,9 +2,10 @@
 
 use crate::error::Error;
 use crate::expand::Opening;
+use crate::monomial::Monomial;
 use crate::node::{Id, View};
 use crate::number::Number;
-use crate::polynomial::{Monomial, Polynomial};
+use crate::polynomial::Polynomial;
 use crate::ring::Ring;
 
 impl Ring<'_> {
@@ -18,15 +19,15 @@ impl Ring<'_> {
             return Ok(None);
         }
         let numerator = sum.shifted(&divisors.pow(-1), &Number::integer(1));
-        let numerator = self.to_node(&numerator)?;
+        let numerator = self.node_of(&numerator)?;
         let mut numerator = self.polynomial(numerator, Opening::Products)?;
         let mut denominator = Monomial::default();
         for &(atom, exponent) in divisors.factors() {
             let left = self.cancel(&mut numerator, atom, -exponent)?;
             denominator = denominator.times(&Monomial::power(atom, left));
         }
-        let denominator = self.to_node(&Polynomial::term(denominator, Number::integer(1)))?;
-        Ok(Some((self.to_node(&numerator)?, denominator)))
+        let denominator = self.node_of(&Polynomial::term(denominator, Number::integer(1)))?;
+        Ok(Some((self.node_of(&numerator)?, denominator)))
     }
 
     /// Divide by a closed sum as often as it goes; what is left of its exponent.

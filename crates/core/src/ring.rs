@@ -6,9 +6,10 @@ use crate::error::Error;
 use crate::field::Element;
 use crate::function::Function;
 use crate::graph::Graph;
+use crate::monomial::Monomial;
 use crate::node::{Id, NumberId, View};
 use crate::number::Number;
-use crate::polynomial::{Budget, Monomial, Polynomial};
+use crate::polynomial::{Budget, Polynomial};
 
 /// The atoms met so far, numbered in the order in which the expression shows them.
 ///
@@ -99,7 +100,7 @@ impl<'g> Ring<'g> {
 
     /// The sine or cosine of an angle: a multiple of an atom, or a number.
     pub(crate) fn wave_of(&mut self, shape: Function, angle: &Polynomial) -> Result<Polynomial, Error> {
-        let argument = self.to_node(angle)?;
+        let argument = self.node_of(angle)?;
         let node = self.graph.apply(shape, &[argument])?;
         Ok(self.leaf(node))
     }
@@ -120,7 +121,7 @@ impl<'g> Ring<'g> {
     }
 
     /// The flat sum of products.
-    pub(crate) fn to_node(&mut self, polynomial: &Polynomial) -> Result<Id, Error> {
+    pub(crate) fn node_of(&mut self, polynomial: &Polynomial) -> Result<Id, Error> {
         let mut terms = Vec::with_capacity(polynomial.len());
         for (monomial, coefficient) in polynomial.iter() {
             let factors = self.factors(monomial);
@@ -138,7 +139,7 @@ impl<'g> Ring<'g> {
         let content = sum.lowest_powers();
         let factor = sum.iter().next_back().map_or(Number::integer(1), |(_, c)| c.clone());
         let primitive = sum.shifted(&content.pow(-1), &factor.recip()?);
-        let node = self.to_node(&primitive)?;
+        let node = self.node_of(&primitive)?;
         Ok(self.leaf(node).shifted(&content, &factor))
     }
 

@@ -5,11 +5,15 @@
 //! angles. A candidate counts if its value is the same at the random point and it costs no more operations
 //! than the input; of those the one that reads shortest is taken. The search never loops.
 
-use crate::collect::grouped;
+use rustc_hash::{FxHashMap, FxHashSet};
+
+use crate::collect::{Kind, grouped};
+use crate::cost::Cost;
 use crate::error::Error;
 use crate::expand::Opening;
+use crate::factor_terms::content;
 use crate::graph::Graph;
-use crate::node::{Id, NumberId, View};
+use crate::node::{Id, NumberId};
 use crate::number::Number;
 use crate::polynomial::{Budget, Polynomial};
 use crate::ring::Ring;
@@ -18,7 +22,7 @@ use crate::ring::Ring;
 const TERMS: usize = 2_000;
 const WORK: usize = 400_000;
 /// Terms handled and nodes visited for a whole expression.
-const TOTAL_WORK: usize = 4_000_000;
+const TOTAL_WORK: usize = 2_000_000;
 /// Parts with more nodes are left as they are.
 const LARGEST_PART: usize = 4_000;
 /// Coefficients within coefficients that are simplified on their own.
@@ -53,15 +57,6 @@ const POLYNOMIALS: [(Opening, Trigonometry); 8] = [
     (Opening::Angles, Trigonometry::Combined),
 ];
 
-/// The kinds of atoms that a sum is collected by.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Kind {
-    Acceleration,
-    Speed,
-    Parameter,
-    Wave,
-}
-
 /// The orders in which a sum is collected; common factors come out of what is left.
 const ARRANGEMENTS: [&[Kind]; 4] =
     [&[], &[Kind::Acceleration, Kind::Speed], &[Kind::Parameter], &[Kind::Wave]];
@@ -70,8 +65,17 @@ const ARRANGEMENTS: [&[Kind]; 4] =
 const COEFFICIENTS: [&[Kind]; 2] = [&[Kind::Acceleration, Kind::Speed], &[Kind::Parameter]];
 
 /// How long a form reads: operations, an addition as three of them because it makes one more term; among
-/// equals, fewer additions, functions and printed operations.
-type Measure = (u64, u64, u64, u64);
+/// equals, fewer additions, then fewer functions.
+fn length(cost: Cost) -> (u64, u64, u64) {
+    (cost.total().saturating_add(cost.additions.saturating_mul(2)), cost.additions, cost.functions)
+}
+
+/// The state of one simplification.
+struct Search {
+    work: Budget,
+    /// The results so far, by part and by the levels of coefficients that were open to it.
+    known: FxHashMap<(Id, usize), Id>,
+}
 
 impl Graph {
     /// The shortest of a fixed list of forms of an expression.
@@ -80,12 +84,14 @@ impl Graph {
     /// When a part cannot be rebuilt.
     pub fn simplify(&mut self, id: Id) -> Result<Id, Error> {
         self.choose_form(|graph| {
-            let mut work = Budget::new(usize::MAX, TOTAL_WORK);
+            let work = Budget::new(usize::MAX, TOTAL_WORK);
+            let mut search = Search { work, known: FxHashMap::default() };
             let mut best = id;
             for _ in 0..ROUNDS {
-                let parts = |graph: &mut Self, part| Ok(graph.simplest(part, DEEPEST, &mut work));
+                let parts = |graph: &mut Self, part| Ok(graph.simplest(part, DEEPEST, &mut search));
                 let next = graph.inside_out(best, Self::push_enclosed_or_factors, &mut { parts })?;
-                if next == best || !graph.is_better(next, best) {
+                let next = graph.shortest(best, &[next]);
+                if next == best {
                     break;
                 }
                 best = next;
@@ -94,87 +100,100 @@ impl Graph {
         })
     }
 
-    /// Whether a candidate reads better, costs no more operations and has the same value.
-    fn is_better(&self, candidate: Id, known: Id) -> bool {
-        self.value(candidate) == self.value(known)
-            && self.measure(candidate) < self.measure(known)
-            && self.cost(&[candidate]).total() <= self.cost(&[known]).total()
-    }
-
-    fn measure(&self, id: Id) -> Measure {
-        let cost = self.cost(&[id]);
-        let length = cost.total().saturating_add(cost.additions.saturating_mul(2));
-        (length, cost.additions, cost.functions, self.tree_cost(&[id]).total())
-    }
-
-    /// The best candidate for a part, or the part itself.
-    fn simplest(&mut self, part: Id, depth: usize, work: &mut Budget) -> Id {
-        if self.children(part).is_empty() || self.is_large(part, work) {
-            return part;
-        }
-        let allowed = self.cost(&[part]).total();
-        let mut best = (self.measure(part), part);
-        for candidate in self.candidates(part, depth, work) {
-            if self.value(candidate) != self.value(part) || self.cost(&[candidate]).total() > allowed {
+    /// The candidate that reads shortest, of those with the value of `part` that cost no more than it.
+    fn shortest(&self, part: Id, candidates: &[Id]) -> Id {
+        let tree = |id: Id| self.tree_cost(&[id]).total();
+        let bound = self.cost(&[part]);
+        let mut best = (length(bound), part);
+        for &candidate in candidates {
+            let cost = self.cost(&[candidate]);
+            if self.value(candidate) != self.value(part) || cost.total() > bound.total() {
                 continue;
             }
-            let measure = self.measure(candidate);
-            if measure < best.0 {
-                best = (measure, candidate);
+            let order = length(cost).cmp(&best.0);
+            if order.then_with(|| tree(candidate).cmp(&tree(best.1))).is_lt() {
+                best = (length(cost), candidate);
             }
         }
         best.1
     }
 
-    /// Whether a part has more nodes than may be looked at.
-    fn is_large(&self, part: Id, work: &mut Budget) -> bool {
-        let limit = LARGEST_PART.min(work.left());
-        let mut seen: rustc_hash::FxHashSet<Id> = rustc_hash::FxHashSet::default();
+    /// The best candidate for a part, or the part itself.
+    fn simplest(&mut self, part: Id, depth: usize, search: &mut Search) -> Id {
+        if let Some(&known) = search.known.get(&(part, depth)) {
+            return known;
+        }
+        let mut best = part;
+        let size = self.bounded_size(part, LARGEST_PART.min(search.work.left()));
+        let affordable = search.work.spend(size).is_ok() && size <= LARGEST_PART;
+        if affordable && size > 1 {
+            let candidates = self.candidates(part, depth, search);
+            let _ = search.work.spend(size * candidates.len());
+            best = self.shortest(part, &candidates);
+        }
+        search.known.insert((part, depth), best);
+        best
+    }
+
+    /// The number of nodes of a part; of more than `limit` the count stops.
+    fn bounded_size(&self, part: Id, limit: usize) -> usize {
+        let mut seen: FxHashSet<Id> = FxHashSet::default();
         let mut stack = vec![part];
-        while let Some(id) = stack.pop() {
+        while let Some(id) = stack.pop().filter(|_| seen.len() <= limit) {
             if seen.insert(id) {
                 self.push_children(id, &mut stack);
             }
-            if seen.len() > limit {
-                break;
-            }
         }
-        work.spend(seen.len()).is_err() || seen.len() > limit
+        seen.len()
     }
 
-    fn candidates(&mut self, part: Id, depth: usize, work: &mut Budget) -> Vec<Id> {
-        let allowed = WORK.min(work.left());
+    fn candidates(&mut self, part: Id, depth: usize, search: &mut Search) -> Vec<Id> {
+        let allowed = WORK.min(search.work.left());
         let mut ring = Ring::new(self, Budget::new(TERMS, allowed));
-        let mut known: Vec<Polynomial> = Vec::new();
+        let polynomials = ring.polynomials(part);
         let mut candidates = Vec::new();
-        for (opening, trigonometry) in POLYNOMIALS {
+        for polynomial in &polynomials {
             // A form beyond the limits is no candidate.
-            let Ok(polynomial) = ring.form(part, opening, trigonometry) else { continue };
-            if known.contains(&polynomial) {
-                continue;
-            }
-            candidates.extend(ring.to_node(&polynomial));
+            candidates.extend(ring.node_of(polynomial));
             for kinds in ARRANGEMENTS {
-                candidates.extend(ring.arranged(&polynomial, kinds));
+                candidates.extend(ring.arranged(polynomial, kinds));
             }
-            known.push(polynomial);
         }
-        let _ = work.spend(allowed - ring.budget.left());
+        // Beyond the limit nothing is left to spend, which the next part sees.
+        let _ = search.work.spend(allowed - ring.budget.left());
         if depth > 0 {
-            for polynomial in known.iter().take(2) {
+            for polynomial in polynomials.iter().take(2) {
                 for kinds in COEFFICIENTS {
-                    candidates.extend(ring.by_coefficients(polynomial, kinds, depth, work));
+                    candidates.extend(ring.by_coefficients(polynomial, kinds, depth, search));
                 }
-                candidates.extend(ring.as_fraction(polynomial, depth, work));
+                candidates.extend(ring.as_fraction(polynomial, depth, search));
             }
         }
+        let mut seen: FxHashSet<Id> = FxHashSet::default();
+        candidates.retain(|&candidate| seen.insert(candidate));
         candidates
     }
 }
 
 impl Ring<'_> {
-    fn form(&mut self, part: Id, opening: Opening, trigonometry: Trigonometry) -> Result<Polynomial, Error> {
-        let polynomial = self.polynomial(part, opening)?;
+    /// The distinct polynomials of a part that are within the limits.
+    fn polynomials(&mut self, part: Id) -> Vec<Polynomial> {
+        let mut forms: Vec<Polynomial> = Vec::new();
+        let mut opened: Option<(Opening, Polynomial)> = None;
+        for (opening, trigonometry) in POLYNOMIALS {
+            let polynomial = match &opened {
+                Some((known, polynomial)) if *known == opening => Ok(polynomial.clone()),
+                _ => self.polynomial(part, opening),
+            };
+            let Ok(polynomial) = polynomial else { continue };
+            opened = Some((opening, polynomial.clone()));
+            let form = self.form(polynomial, trigonometry);
+            forms.extend(form.ok().filter(|form| !forms.contains(form)));
+        }
+        forms
+    }
+
+    fn form(&mut self, polynomial: Polynomial, trigonometry: Trigonometry) -> Result<Polynomial, Error> {
         match trigonometry {
             Trigonometry::Kept => Ok(polynomial),
             Trigonometry::Shortened => self.shortened(&polynomial),
@@ -185,30 +204,14 @@ impl Ring<'_> {
         }
     }
 
-    fn is_kind(&self, atom: u32, kind: Kind) -> bool {
-        match kind {
-            Kind::Wave => self.wave(atom).is_some(),
-            Kind::Acceleration => {
-                matches!(self.graph.view(self.node(atom)), View::TimeFunction(_, order) if order > 1)
-            }
-            Kind::Speed => matches!(self.graph.view(self.node(atom)), View::TimeFunction(_, 1)),
-            Kind::Parameter => matches!(self.graph.view(self.node(atom)), View::Symbol(..)),
-        }
-    }
-
     fn arranged(&mut self, polynomial: &Polynomial, kinds: &[Kind]) -> Result<Id, Error> {
         if kinds.is_empty() {
             return self.factored(polynomial);
         }
-        let (monomial, factor, rest) = crate::factor_terms::content(polynomial)?;
-        let choices: Vec<Box<dyn Fn(&Self, u32) -> bool>> = kinds
-            .iter()
-            .map(|&kind| Box::new(move |ring: &Self, atom| ring.is_kind(atom, kind)) as Box<_>)
-            .collect();
-        let choices: Vec<&dyn Fn(&Self, u32) -> bool> = choices.iter().map(AsRef::as_ref).collect();
-        let sum = self.collected(&rest, &choices)?;
-        let content = self.to_node(&Polynomial::term(monomial, factor))?;
-        self.product_of(&[content, sum])
+        let (monomial, factor, rest) = content(polynomial)?;
+        let sum = self.collected(&rest, kinds)?;
+        let outside = self.node_of(&Polynomial::term(monomial, factor))?;
+        self.product_of(&[outside, sum])
     }
 
     /// The sum of products of these kinds times coefficients, each coefficient the simplest of its forms.
@@ -217,29 +220,29 @@ impl Ring<'_> {
         polynomial: &Polynomial,
         kinds: &[Kind],
         depth: usize,
-        work: &mut Budget,
+        search: &mut Search,
     ) -> Result<Id, Error> {
-        let (monomial, factor, rest) = crate::factor_terms::content(polynomial)?;
+        let (monomial, factor, rest) = content(polynomial)?;
         let mut parts = Vec::new();
         for (power, coefficient) in grouped(&rest, |atom| kinds.iter().any(|&kind| self.is_kind(atom, kind)))
         {
-            let coefficient = self.to_node(&coefficient)?;
-            let coefficient = self.graph.simplest(coefficient, depth - 1, work);
-            let power = self.to_node(&Polynomial::term(power, Number::integer(1)))?;
+            let coefficient = self.node_of(&coefficient)?;
+            let coefficient = self.graph.simplest(coefficient, depth - 1, search);
+            let power = self.node_of(&Polynomial::term(power, Number::integer(1)))?;
             parts.push(self.product_of(&[power, coefficient])?);
         }
         let sum = self.sum_of(&parts);
         let flat = self.polynomial(sum, Opening::Sums)?;
         let sum = self.factored(&flat)?;
-        let content = self.to_node(&Polynomial::term(monomial, factor))?;
-        self.product_of(&[content, sum])
+        let outside = self.node_of(&Polynomial::term(monomial, factor))?;
+        self.product_of(&[outside, sum])
     }
 
     /// One simplified numerator over one denominator.
-    fn as_fraction(&mut self, polynomial: &Polynomial, depth: usize, work: &mut Budget) -> Option<Id> {
+    fn as_fraction(&mut self, polynomial: &Polynomial, depth: usize, search: &mut Search) -> Option<Id> {
         let (numerator, denominator) = self.fraction(polynomial).ok()??;
-        let numerator = self.graph.simplest(numerator, depth - 1, work);
-        let denominator = self.graph.simplest(denominator, depth - 1, work);
+        let numerator = self.graph.simplest(numerator, depth - 1, search);
+        let denominator = self.graph.simplest(denominator, depth - 1, search);
         self.graph.product(&[(numerator, NumberId::ONE), (denominator, NumberId::MINUS_ONE)]).ok()
     }
 }
