@@ -15,6 +15,7 @@ from symbody.symbolic import (
     Expr,
     Max,
     Min,
+    Piecewise,
     atan,
     atan2,
     collect,
@@ -277,15 +278,17 @@ ONE_ARGUMENT = (
     "log",
     "sqrt",
     "Abs",
+    "sign",
 )
 
 
-@pytest.mark.parametrize("name", [*ONE_ARGUMENT, "atan2", "Max", "Min", "power", "exponent"])
+@pytest.mark.parametrize("name", [*ONE_ARGUMENT, "atan2", "Max", "Min", "Piecewise", "power", "exponent"])
 def test_derivative_of_every_function(name: str) -> None:
     binary: dict[str, Callable[[Expr, Expr], Expr]] = {
         "atan2": atan2,
         "Max": Max,
         "Min": Min,
+        "Piecewise": lambda u, v: Piecewise((u * v, v - u), (u, 1)),
         "power": lambda u, v: u**v,
         "exponent": lambda u, v: 2 ** (u * v),
     }
