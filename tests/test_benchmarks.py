@@ -27,7 +27,7 @@ OPERATION_TARGETS = [
 ]
 
 
-@pytest.fixture(params=PROBLEMS.values(), ids=PROBLEMS)
+@pytest.fixture(params=list(PROBLEMS.values()), ids=list(PROBLEMS))
 def problem(request: pytest.FixtureRequest) -> Problem:
     result: Problem = request.param
     return result
