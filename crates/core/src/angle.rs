@@ -145,9 +145,7 @@ impl Graph {
         }
         let unit = Element::draw_exponential(&Key::new("e")).pow_rational(&linear.number);
         linear.atoms.iter().fold(unit, |value, (atom, coefficient)| {
-            value.mul(
-                Element::draw_exponential(&Key::new("exponent").element(*atom)).pow_rational(coefficient),
-            )
+            value * Element::draw_exponential(&Key::new("exponent").element(*atom)).pow_rational(coefficient)
         })
     }
 
@@ -158,7 +156,7 @@ impl Graph {
         let atoms = linear.atoms.iter().map(|(atom, coefficient)| (*atom, coefficient.clone()));
         let pi = (!linear.pi.is_zero()).then(|| (Element::draw(&Key::new("pi")), linear.pi.clone()));
         atoms.chain(pi).fold(self.power_value(base, &linear.number), |value, (atom, coefficient)| {
-            value.mul(Element::draw_exponential(&key.element(atom)).pow_rational(&coefficient))
+            value * Element::draw_exponential(&key.element(atom)).pow_rational(&coefficient)
         })
     }
 }
@@ -177,7 +175,7 @@ fn multiply_monomials(parts: &[Monomials]) -> Option<Monomials> {
             return None;
         }
         product =
-            product.iter().flat_map(|(a, x)| part.iter().map(move |(b, y)| (a.mul(b), x.mul(*y)))).collect();
+            product.iter().flat_map(|(a, x)| part.iter().map(move |(b, y)| (a.mul(b), *x * *y))).collect();
     }
     Some(product)
 }
@@ -189,7 +187,7 @@ fn torsion(multiple: &Number) -> Circle {
     if turns.is_zero() {
         return Circle::ONE;
     }
-    let steps = turns.mul(&Number::integer(TORSION.cast_signed()));
+    let steps = turns.mul(&Number::rational(i64::try_from(TORSION).unwrap_or(1), 1));
     if let Some(k) = steps.to_i64() {
         return Circle::torsion(k.unsigned_abs());
     }
@@ -205,9 +203,9 @@ fn torsion(multiple: &Number) -> Circle {
 pub(crate) fn prime_root(q: u32) -> Element {
     let cos = |k: u64| Circle::torsion(k).cos;
     match q {
-        2 => cos(TORSION / 8).mul(Element::from_i64(2)),
-        3 => cos(TORSION / 12).mul(Element::from_i64(2)),
-        5 => cos(TORSION / 10).mul(Element::from_i64(4)).sub(Element::ONE),
+        2 => cos(TORSION / 8) * Element::from_i64(2),
+        3 => cos(TORSION / 12) * Element::from_i64(2),
+        5 => cos(TORSION / 10) * Element::from_i64(4) - Element::ONE,
         7 => gauss_sum(7, &[1, 2, 4]),
         11 => gauss_sum(11, &[1, 3, 4, 5, 9]),
         _ => free_root(&Number::integer(q.into())),
@@ -217,7 +215,7 @@ pub(crate) fn prime_root(q: u32) -> Element {
 fn gauss_sum(q: u64, residues: &[u64]) -> Element {
     (1..q).fold(Element::ZERO, |sum, k| {
         let sine = Circle::torsion(TORSION / q * k).sin;
-        if residues.contains(&k) { sum.add(sine) } else { sum.sub(sine) }
+        if residues.contains(&k) { sum + sine } else { sum - sine }
     })
 }
 

@@ -21,7 +21,7 @@ impl Graph {
         if let Some(result) = self.by_parity(function, &args)? {
             return Ok(result);
         }
-        let value = self.function_value(function, &args)?;
+        let value = self.function_value(function, &args);
         let flags = args.iter().map(|&id| self.flags(id)).reduce(Flags::join).unwrap_or_default();
         let words: Vec<u32> = args.iter().map(|id| id.0).collect();
         Ok(self.finish(Kind::Function(function), flags, &words, value))
@@ -42,30 +42,30 @@ impl Graph {
     }
 
     /// The value at the random point: by the group laws where there are any, drawn for opaque functions.
-    fn function_value(&mut self, function: Function, args: &[Id]) -> Result<Element, Error> {
+    fn function_value(&mut self, function: Function, args: &[Id]) -> Element {
         let first = args[0];
         let half = || Element::from_number(&Number::rational(1, 2));
-        Ok(match function {
+        match function {
             Function::Sin => self.circle(first).sin,
             Function::Cos => self.circle(first).cos,
             Function::Tan => {
                 let point = self.circle(first);
-                point.sin.mul(point.cos.inverse())
+                point.sin * point.cos.inverse()
             }
             Function::Exp => self.exponential(first),
             Function::Sinh | Function::Cosh | Function::Tanh => {
                 let exponential = self.exponential(first);
                 let inverse = exponential.inverse();
-                let (sinh, cosh) = (exponential.sub(inverse), exponential.add(inverse));
+                let (sinh, cosh) = (exponential - inverse, exponential + inverse);
                 match function {
-                    Function::Sinh => sinh.mul(half()),
-                    Function::Cosh => cosh.mul(half()),
-                    _ => sinh.mul(cosh.inverse()),
+                    Function::Sinh => sinh * half(),
+                    Function::Cosh => cosh * half(),
+                    _ => sinh * cosh.inverse(),
                 }
             }
             Function::Power => self.general_power(first, args[1]),
             _ => self.opaque_value(function, args),
-        })
+        }
     }
 
     /// A value drawn for the function and its arguments' values, with the function's parity.
@@ -83,6 +83,6 @@ impl Graph {
         }
         let (argument, negated) = self.value(args[0]).unsigned();
         let value = Element::draw(&key.element(argument));
-        if negated && parity == Parity::Odd { value.neg() } else { value }
+        if negated && parity == Parity::Odd { -value } else { value }
     }
 }

@@ -38,7 +38,9 @@ impl Graph {
                 let power = ring.node_of(&Polynomial::term(monomial, Number::integer(1)))?;
                 parts.push(ring.product_of(&[power, coefficient])?);
             }
-            Ok(ring.sum_of(&parts))
+            let collected = ring.sum_of(&parts);
+            // Products of opaque roots may have merged into what the field cannot compare.
+            Ok(if graph.value(collected) == graph.value(id) { collected } else { id })
         })
     }
 

@@ -12,17 +12,48 @@ pub enum Error {
     /// A power whose exact value would fill the memory.
     NumberTooLarge(String),
     /// A function called with the wrong number of arguments.
-    Arity { function: &'static str, expected: &'static str, found: usize },
+    Arity {
+        /// Its name.
+        function: &'static str,
+        /// How many it takes, in words.
+        expected: &'static str,
+        /// How many there were.
+        found: usize,
+    },
     /// A function outside its domain on an exact argument.
-    Domain { function: &'static str, argument: String },
+    Domain {
+        /// Its name.
+        function: &'static str,
+        /// Where it has no value.
+        argument: String,
+    },
     /// Matrices whose shapes do not fit.
-    Shape { operation: &'static str, left: (usize, usize), right: (usize, usize) },
+    Shape {
+        /// What was to be done.
+        operation: &'static str,
+        /// Rows and columns of the first.
+        left: (usize, usize),
+        /// Rows and columns of the second.
+        right: (usize, usize),
+    },
     /// Equations that do not determine their unknowns.
     Singular(String),
     /// Equations that are not linear in an unknown.
-    NotLinear { equation: String, unknown: String },
+    NotLinear {
+        /// The left side of the equation.
+        equation: String,
+        /// The unknown that is not linear in it.
+        unknown: String,
+    },
     /// A request beyond a stated limit.
-    Limit { what: &'static str, limit: usize, found: usize },
+    Limit {
+        /// What is limited.
+        what: &'static str,
+        /// The most there may be.
+        limit: usize,
+        /// How many there were.
+        found: usize,
+    },
     /// A variable of differentiation or substitution that is not one.
     NotAVariable(String),
     /// An input of a compiled function that nobody gave a value.

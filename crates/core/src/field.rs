@@ -9,6 +9,7 @@
 
 use num_bigint::BigInt;
 use num_traits::{Signed, ToPrimitive};
+use std::ops::{Add, Mul, Neg, Sub};
 
 use crate::number::Number;
 
@@ -109,33 +110,16 @@ impl Prime {
 pub struct Element([u64; 2]);
 
 impl Element {
+    /// The value of 0.
     pub const ZERO: Self = Self([0, 0]);
+    /// The value of 1.
     pub const ONE: Self = Self([PRIMES[0].one, PRIMES[1].one]);
 
     fn zip(self, other: Self, op: impl Fn(&Prime, u64, u64) -> u64) -> Self {
         Self([op(&PRIMES[0], self.0[0], other.0[0]), op(&PRIMES[1], self.0[1], other.0[1])])
     }
 
-    #[must_use]
-    pub fn add(self, other: Self) -> Self {
-        self.zip(other, Prime::add)
-    }
-
-    #[must_use]
-    pub fn sub(self, other: Self) -> Self {
-        self.zip(other, Prime::sub)
-    }
-
-    #[must_use]
-    pub fn neg(self) -> Self {
-        Self::ZERO.sub(self)
-    }
-
-    #[must_use]
-    pub fn mul(self, other: Self) -> Self {
-        self.zip(other, Prime::mul)
-    }
-
+    /// Whether the value is zero at both points.
     #[must_use]
     pub fn is_zero(self) -> bool {
         self == Self::ZERO
@@ -179,7 +163,9 @@ impl Element {
         const LARGEST: i64 = 1 << 30;
         let prime = &PRIMES[0];
         let residue = prime.reduce(u128::from(self.0[0]));
-        let (mut r0, mut r1) = (prime.p.cast_signed(), residue.cast_signed());
+        // Both are below 2^62.
+        #[expect(clippy::cast_possible_wrap, reason = "below 2^62")]
+        let (mut r0, mut r1) = (prime.p as i64, residue as i64);
         let (mut t0, mut t1) = (0i64, 1i64);
         while r1 > LARGEST {
             let q = r0 / r1;
@@ -200,6 +186,7 @@ impl Element {
         (root.mul(root) == self).then_some(root)
     }
 
+    /// The image of an integer.
     #[must_use]
     pub fn from_i64(value: i64) -> Self {
         let magnitude = value.unsigned_abs();
@@ -256,6 +243,34 @@ impl Element {
     #[must_use]
     pub fn pow_rational(self, exponent: &Number) -> Self {
         self.zip(self, |prime, a, _| prime.pow(a, residue(exponent, prime.exp_order)))
+    }
+}
+
+impl Add for Element {
+    type Output = Self;
+    fn add(self, other: Self) -> Self {
+        self.zip(other, Prime::add)
+    }
+}
+
+impl Sub for Element {
+    type Output = Self;
+    fn sub(self, other: Self) -> Self {
+        self.zip(other, Prime::sub)
+    }
+}
+
+impl Mul for Element {
+    type Output = Self;
+    fn mul(self, other: Self) -> Self {
+        self.zip(other, Prime::mul)
+    }
+}
+
+impl Neg for Element {
+    type Output = Self;
+    fn neg(self) -> Self {
+        Self::ZERO - self
     }
 }
 

@@ -5,23 +5,37 @@ use crate::error::Error;
 /// A function with a known derivative and a known numeric value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Function {
+    /// The sine.
     Sin,
+    /// The cosine.
     Cos,
+    /// The tangent.
     Tan,
+    /// The angle in [-pi/2, pi/2] with this sine.
     Asin,
+    /// The angle in [0, pi] with this cosine.
     Acos,
+    /// The angle in (-pi/2, pi/2) with this tangent.
     Atan,
     /// atan2(y, x)
     Atan2,
+    /// The hyperbolic sine.
     Sinh,
+    /// The hyperbolic cosine.
     Cosh,
+    /// The hyperbolic tangent.
     Tanh,
+    /// The exponential.
     Exp,
+    /// The natural logarithm.
     Log,
+    /// The absolute value.
     Abs,
     /// -1, 0 or 1
     Sign,
+    /// The least of the arguments.
     Min,
+    /// The greatest of the arguments.
     Max,
     /// base ** exponent, the exponent no number
     Power,

@@ -46,6 +46,7 @@ pub struct Graph {
 }
 
 impl Graph {
+    /// A graph that holds the numbers 0 and 1.
     #[must_use]
     pub fn new() -> Self {
         let mut graph = Self::default();
@@ -71,6 +72,7 @@ impl Graph {
         self.rows.len()
     }
 
+    /// Whether there is no node: never, once it is made by [`Self::new`].
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.rows.is_empty()

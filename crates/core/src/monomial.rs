@@ -125,9 +125,8 @@ mod tests {
 
     #[test]
     fn products_keep_the_order_of_monomials() {
-        let monomials: Vec<Monomial> = [&[(0, 1)][..], &[(0, -1), (1, 2)], &[(1, 1)], &[], &[(2, 3)]]
-            .map(Monomial::of)
-            .to_vec();
+        let monomials: Vec<Monomial> =
+            [&[(0, 1)][..], &[(0, -1), (1, 2)], &[(1, 1)], &[], &[(2, 3)]].map(Monomial::of).to_vec();
         for a in &monomials {
             for b in &monomials {
                 for c in &monomials {

@@ -7,8 +7,9 @@ use crate::function::Function;
 pub struct Id(pub u32);
 
 impl Id {
-    /// The numbers 0 and 1 are the first two nodes of every graph.
+    /// The number 0; it and the number 1 are the first two nodes of every graph.
     pub const ZERO: Self = Self(0);
+    /// The number 1.
     pub const ONE: Self = Self(1);
 
     pub(crate) const fn index(self) -> usize {
@@ -21,7 +22,6 @@ impl Id {
 pub struct NumberId(pub(crate) u32);
 
 impl NumberId {
-    pub(crate) const ZERO: Self = Self(0);
     /// The number 1: the coefficient and exponent of a plain term or factor.
     pub const ONE: Self = Self(1);
     pub(crate) const MINUS_ONE: Self = Self(2);
@@ -67,7 +67,14 @@ pub enum View<'a> {
     /// x(t) or its derivative of the given order.
     TimeFunction(&'a str, u32),
     /// An undefined function of arguments, differentiated `orders[i]` times by argument i.
-    Application { name: &'a str, args: Ids<'a>, orders: &'a [u32] },
+    Application {
+        /// The name of the function.
+        name: &'a str,
+        /// What it is applied to.
+        args: Ids<'a>,
+        /// How often it is differentiated by each argument.
+        orders: &'a [u32],
+    },
     /// A numeric multiple; the child is no number, no `Scale`.
     Scale(NumberId, Id),
     /// Two or more terms, ordered by value; no two have equal or opposite values.
@@ -83,17 +90,21 @@ pub enum View<'a> {
 pub struct Ids<'a>(pub(crate) &'a [u32]);
 
 impl<'a> Ids<'a> {
+    /// In stored order.
     pub fn iter(self) -> impl DoubleEndedIterator<Item = Id> + ExactSizeIterator + 'a {
         self.0.iter().map(|&word| Id(word))
     }
+    /// How many there are.
     #[must_use]
     pub const fn len(self) -> usize {
         self.0.len()
     }
+    /// Whether there is none.
     #[must_use]
     pub const fn is_empty(self) -> bool {
         self.0.is_empty()
     }
+    /// The child at a position.
     #[must_use]
     pub fn get(self, index: usize) -> Id {
         Id(self.0[index])
@@ -105,13 +116,16 @@ impl<'a> Ids<'a> {
 pub struct Terms<'a>(pub(crate) &'a [u32]);
 
 impl<'a> Terms<'a> {
+    /// In stored order.
     pub fn iter(self) -> impl DoubleEndedIterator<Item = (NumberId, Id)> + ExactSizeIterator + 'a {
         self.0.chunks_exact(2).map(|pair| (NumberId(pair[0]), Id(pair[1])))
     }
+    /// How many there are.
     #[must_use]
     pub const fn len(self) -> usize {
         self.0.len() / 2
     }
+    /// Whether there is none.
     #[must_use]
     pub const fn is_empty(self) -> bool {
         self.0.is_empty()
@@ -123,13 +137,16 @@ impl<'a> Terms<'a> {
 pub struct Factors<'a>(pub(crate) &'a [u32]);
 
 impl<'a> Factors<'a> {
+    /// In stored order.
     pub fn iter(self) -> impl DoubleEndedIterator<Item = (Id, NumberId)> + ExactSizeIterator + 'a {
         self.0.chunks_exact(2).map(|pair| (Id(pair[0]), NumberId(pair[1])))
     }
+    /// How many there are.
     #[must_use]
     pub const fn len(self) -> usize {
         self.0.len() / 2
     }
+    /// Whether there is none.
     #[must_use]
     pub const fn is_empty(self) -> bool {
         self.0.is_empty()

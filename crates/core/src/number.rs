@@ -58,6 +58,7 @@ impl Value {
 }
 
 impl Number {
+    /// An integer.
     #[must_use]
     pub const fn integer(value: i64) -> Self {
         Self { value: Value::Small(value, 1), decimal: false }
@@ -100,21 +101,25 @@ impl Number {
         Ok(Self { value: Value::from_big(exact), decimal: true })
     }
 
+    /// Whether the number is 0.
     #[must_use]
     pub fn is_zero(&self) -> bool {
         matches!(self.value, Value::Small(0, _))
     }
 
+    /// Whether the number is 1.
     #[must_use]
     pub fn is_one(&self) -> bool {
         matches!(self.value, Value::Small(1, 1))
     }
 
+    /// Whether the number is -1.
     #[must_use]
     pub fn is_minus_one(&self) -> bool {
         matches!(self.value, Value::Small(-1, 1))
     }
 
+    /// Whether the number is below 0.
     #[must_use]
     pub fn is_negative(&self) -> bool {
         match &self.value {
@@ -123,6 +128,7 @@ impl Number {
         }
     }
 
+    /// Whether the number is an integer.
     #[must_use]
     pub fn is_integer(&self) -> bool {
         match &self.value {
@@ -161,6 +167,7 @@ impl Number {
         }
     }
 
+    /// The numerator in lowest terms.
     #[must_use]
     pub fn numerator(&self) -> BigInt {
         match &self.value {
@@ -169,6 +176,7 @@ impl Number {
         }
     }
 
+    /// The positive denominator in lowest terms.
     #[must_use]
     pub fn denominator(&self) -> BigInt {
         match &self.value {
@@ -179,6 +187,7 @@ impl Number {
 
     /// The nearest double.
     #[must_use]
+    #[expect(clippy::cast_precision_loss, reason = "both are below 2^53, so exact")]
     pub fn to_f64(&self) -> f64 {
         match &self.value {
             // Both exact in a double: one correctly rounded division.
@@ -193,6 +202,7 @@ impl Number {
         self.value == other.value
     }
 
+    /// The sum.
     #[must_use]
     pub fn add(&self, other: &Self) -> Self {
         let decimal = self.decimal || other.decimal;
@@ -210,6 +220,7 @@ impl Number {
         Self { value, decimal }
     }
 
+    /// The opposite.
     #[must_use]
     pub fn neg(&self) -> Self {
         let value = match &self.value {
@@ -219,16 +230,19 @@ impl Number {
         Self { value, decimal: self.decimal }
     }
 
+    /// The absolute value.
     #[must_use]
     pub fn abs(&self) -> Self {
         if self.is_negative() { self.neg() } else { self.clone() }
     }
 
+    /// The difference.
     #[must_use]
     pub fn sub(&self, other: &Self) -> Self {
         self.add(&other.neg())
     }
 
+    /// The product.
     #[must_use]
     pub fn mul(&self, other: &Self) -> Self {
         let decimal = self.decimal || other.decimal;
@@ -291,6 +305,7 @@ impl Number {
         Self { value, decimal: self.decimal }
     }
 
+    /// The order of two numbers.
     #[must_use]
     pub fn compare(&self, other: &Self) -> Ordering {
         match (&self.value, &other.value) {

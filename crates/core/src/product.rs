@@ -4,7 +4,7 @@ use crate::error::Error;
 use crate::field::Element;
 use crate::function::Function;
 use crate::graph::Graph;
-use crate::node::{Flags, Id, Kind, NumberId, View};
+use crate::node::{Factors, Flags, Id, Kind, NumberId, View};
 use crate::number::Number;
 use crate::root::{is_even, square_part};
 
@@ -64,7 +64,7 @@ impl Graph {
             self.collect_power(&mut collector, base, &exponent)?;
         }
         self.open_shared_products(&mut collector);
-        self.finish_product(collector)
+        Ok(self.finish_product(collector))
     }
 
     /// The error that names what was to be divided.
@@ -80,7 +80,7 @@ impl Graph {
         let mut value = Element::ONE;
         for &(base, exponent) in factors {
             let exponent = self.get_number(exponent).to_i64().filter(|e| *e > 0)?;
-            value = value.mul(self.value(base).powi(exponent));
+            value = value * self.value(base).powi(exponent);
         }
         if value.is_zero() {
             return Some(Id::ZERO);
@@ -88,10 +88,10 @@ impl Graph {
         self.known_value(value)
     }
 
-    fn finish_product(&mut self, collector: Collector) -> Result<Id, Error> {
+    fn finish_product(&mut self, collector: Collector) -> Id {
         let Collector { mut coefficient, mut factors, radicand } = collector;
         if coefficient.is_zero() {
-            return Ok(Id::ZERO);
+            return Id::ZERO;
         }
         if let Some(radicand) = radicand {
             let (outside, inside) = square_part(&radicand);
@@ -105,16 +105,16 @@ impl Graph {
         if let [(base, exponent)] = &factors[..]
             && exponent.is_one()
         {
-            return Ok(self.scale(coefficient, *base));
+            return self.scale(coefficient, *base);
         }
         if factors.is_empty() {
-            return Ok(self.number_node(coefficient));
+            return self.number_node(coefficient);
         }
         factors.sort_by_key(|&(base, _)| self.value(base).unsigned().0);
         let mut value = Element::ONE;
         let mut root = false;
         for (base, exponent) in &factors {
-            value = value.mul(self.power_value(*base, exponent));
+            value = value * self.power_value(*base, exponent);
             root |= !exponent.is_integer();
         }
         let mut flags = self.joined_flags(factors.iter().map(|&(base, _)| base));
@@ -125,7 +125,7 @@ impl Graph {
         let words: Vec<u32> = factors.iter().flat_map(|(base, e)| [base.0, self.number_id(e).0]).collect();
         let id = self.finish(Kind::Product, flags, &words, value);
         self.mark_used(factors.iter().map(|&(base, _)| base));
-        Ok(self.scale(coefficient, id))
+        self.scale(coefficient, id)
     }
 
     /// |u|**2k is u**2k.
@@ -267,12 +267,12 @@ impl Graph {
                 && (self.flags(factor.0).has(Flags::ROOT)
                     || self.inner_factors(factor.0).any(|(node, e)| {
                         factors.iter().any(|(other, other_e)| {
-                            (self.same_base(*other, node) && self.merges(&e, other_e))
+                            (self.same_base(*other, node) && Self::merges(&e, other_e))
                                 || (opens(&(*other, other_e.clone()))
                                     && *other != factor.0
                                     && self
                                         .inner_factors(*other)
-                                        .any(|(n, f)| self.same_base(n, node) && self.merges(&e, &f)))
+                                        .any(|(n, f)| self.same_base(n, node) && Self::merges(&e, &f)))
                         })
                     }))
         })
@@ -283,7 +283,7 @@ impl Graph {
             View::Product(factors) => Some(factors),
             _ => None,
         };
-        factors.into_iter().flat_map(|f| f.iter()).map(|(id, e)| (id, self.get_number(e).clone()))
+        factors.into_iter().flat_map(Factors::iter).map(|(id, e)| (id, self.get_number(e).clone()))
     }
 
     fn same_base(&self, a: Id, b: Id) -> bool {
@@ -291,7 +291,7 @@ impl Graph {
     }
 
     /// Whether two exponents of one base are better merged: they cancel in part, or one is a root.
-    fn merges(&self, a: &Number, b: &Number) -> bool {
+    fn merges(a: &Number, b: &Number) -> bool {
         a.is_negative() != b.is_negative() || !a.is_integer() || !b.is_integer()
     }
 }
@@ -310,7 +310,7 @@ impl Collector {
         let value = graph.value(base);
         for (position, (known, total)) in self.factors.iter_mut().enumerate() {
             let same = graph.value(*known) == value;
-            let opposite = !same && graph.value(*known) == value.neg() && exponent.is_integer();
+            let opposite = !same && graph.value(*known) == -value && exponent.is_integer();
             if !(same || opposite) {
                 continue;
             }

@@ -63,7 +63,7 @@ fn reduce(reduced: &mut Reduced, pivots: &BTreeMap<usize, Reduced>, unknowns: us
             return None;
         }
         let Some(pivot) = pivots.get(&leading) else { return Some(leading) };
-        let factor = value.mul(pivot.row[&leading].inverse()).neg();
+        let factor = -(value * pivot.row[&leading].inverse());
         add_multiple(&mut reduced.row, &pivot.row, factor);
         add_multiple(&mut reduced.combination, &pivot.combination, factor);
     }
@@ -71,7 +71,7 @@ fn reduce(reduced: &mut Reduced, pivots: &BTreeMap<usize, Reduced>, unknowns: us
 
 fn add_multiple(row: &mut BTreeMap<usize, Element>, other: &BTreeMap<usize, Element>, factor: Element) {
     for (&position, &value) in other {
-        let sum = row.get(&position).map_or(Element::ZERO, |&known| known).add(value.mul(factor));
+        let sum = row.get(&position).map_or(Element::ZERO, |&known| known) + value * factor;
         if sum.is_zero() {
             row.remove(&position);
         } else {

@@ -78,10 +78,10 @@ impl Graph {
         if let Some(number) = self.as_number(base)
             && fraction == Number::rational(1, 2)
         {
-            return integral.mul(radical_value(number));
+            return integral * radical_value(number);
         }
         let key = Key::new("root").element(self.value(base));
-        integral.mul(Element::draw_exponential(&key).pow_rational(&fraction))
+        integral * Element::draw_exponential(&key).pow_rational(&fraction)
     }
 }
 
@@ -130,12 +130,12 @@ fn radical_value(number: &Number) -> Element {
     for q in 2u32..2000 {
         while (&rest % q).bits() == 0 {
             rest /= q;
-            value = value.mul(crate::angle::prime_root(q));
+            value = value * crate::angle::prime_root(q);
         }
     }
     if rest == num_bigint::BigInt::from(1) {
         return value;
     }
     let rest = Number::from_big(rest, 1.into()).unwrap_or(Number::integer(1));
-    value.mul(crate::angle::free_root(&rest))
+    value * crate::angle::free_root(&rest)
 }

@@ -35,7 +35,7 @@ impl Graph {
                 if self.get_number(factor).is_minus_one() {
                     return self.opposite(id);
                 }
-                let value = self.number_value(factor).mul(self.value(id));
+                let value = self.number_value(factor) * self.value(id);
                 self.finish(Kind::Scale, self.flags(id), &[factor.0, id.0], value)
             }
         }
@@ -50,7 +50,7 @@ impl Graph {
         if factor == NumberId::ONE {
             return child;
         }
-        let (flags, value) = (self.flags(id), self.value(id).neg());
+        let (flags, value) = (self.flags(id), -self.value(id));
         self.intern(Kind::Scale, flags, &[factor.0, child.0], value)
     }
 
@@ -88,11 +88,11 @@ impl Graph {
     }
 
     fn terms_value(&self, terms: &[Term]) -> Element {
-        terms.iter().fold(Element::ZERO, |sum, &(c, id)| sum.add(self.number_value(c).mul(self.value(id))))
+        terms.iter().fold(Element::ZERO, |sum, &(c, id)| sum + self.number_value(c) * self.value(id))
     }
 
     fn sum_of_merged(&mut self, mut terms: Vec<Term>, value: Element) -> Id {
-        if let [] = terms[..] {
+        if terms.is_empty() {
             return Id::ZERO;
         }
         if let [(c, id)] = terms[..] {
@@ -111,7 +111,7 @@ impl Graph {
         }
         let flags = self.joined_flags(terms.iter().map(|&(_, id)| id));
         let words: Vec<u32> = terms.iter().flat_map(|&(c, id)| [c.0, id.0]).collect();
-        let value = if negative { value.neg() } else { value };
+        let value = if negative { -value } else { value };
         let id = self.finish(Kind::Sum, flags, &words, value);
         self.mark_used(terms.iter().map(|&(_, id)| id));
         if negative { self.scale(NumberId::MINUS_ONE, id) } else { id }
@@ -181,9 +181,8 @@ impl Graph {
     fn cancelling_sum(&self, terms: &[Term]) -> Option<(usize, Option<usize>)> {
         let mut seen: Vec<(Element, usize, bool)> = Vec::new();
         for (position, &(factor, id)) in terms.iter().enumerate() {
-            let scaled = |c: NumberId, node: Id| {
-                self.number_value(factor).mul(self.number_value(c)).mul(self.value(node))
-            };
+            let scaled =
+                |c: NumberId, node: Id| self.number_value(factor) * self.number_value(c) * self.value(node);
             seen.push((scaled(NumberId::ONE, id), position, false));
             if let View::Sum(inner) = self.view(id) {
                 seen.extend(inner.iter().map(|(c, node)| (scaled(c, node), position, true)));
@@ -193,7 +192,7 @@ impl Graph {
             }
         }
         for (i, &(value, position, inner)) in seen.iter().enumerate() {
-            let opposite = value.neg();
+            let opposite = -value;
             for &(other, other_position, other_inner) in &seen[..i] {
                 if other == opposite && other_position != position && (inner || other_inner) {
                     return Some(match (inner, other_inner) {
