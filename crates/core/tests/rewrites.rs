@@ -42,7 +42,7 @@ fn random_expression(g: &mut Graph, seed: u64, size: usize) -> Result<Id> {
             8 => g.apply(Function::Sin, &[x])?,
             9 => g.apply(Function::Cos, &[x])?,
             10 => g.pow_number(x, &Number::integer(2))?,
-            11 => sum_of_a_square(g, x, |g, y| g.sqrt(y))?,
+            11 => sum_of_a_square(g, x, Graph::sqrt)?,
             12 => sum_of_a_square(g, x, |g, y| g.apply(Function::Log, &[y]))?,
             13 => g.apply(Function::Exp, &[x])?,
             14 => g.apply(Function::Tan, &[x])?,
