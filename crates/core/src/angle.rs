@@ -101,22 +101,33 @@ impl Graph {
                 steps.push(Step::Add(terms.iter().map(|(c, _)| self.get_number(c).clone()).collect()));
                 steps.extend(terms.iter().rev().map(|(_, node)| Step::Visit(node)));
             }
-            View::Product(factors) => {
-                let mut parts = Vec::new();
-                for (base, exponent) in factors.iter() {
-                    let exponent = self.get_number(exponent);
-                    match (self.view(base), exponent.to_i64()) {
-                        (View::Sum(_) | View::Product(_) | View::Scale(..), Some(n @ 1..=6)) => {
-                            parts.extend((0..n).map(|_| Step::Visit(base)));
-                        }
-                        _ => parts.push(Step::Atom(self.power_value(base, exponent))),
-                    }
-                }
-                steps.push(Step::Multiply(parts.len()));
-                steps.append(&mut parts);
-            }
+            View::Product(_) => self.plan_product(id, steps),
             _ => steps.push(Step::Atom(self.value(id))),
         }
+    }
+
+    /// The steps that expand a product: nested products opened, sums to small powers multiplied out.
+    fn plan_product(&self, id: Id, steps: &mut Vec<Step>) {
+        let mut coefficient = Number::integer(1);
+        let mut parts = Vec::new();
+        let mut open = vec![(id, Number::integer(1))];
+        while let Some((base, exponent)) = open.pop() {
+            match (self.view(base), exponent.to_i64()) {
+                (View::Product(factors), Some(_)) => {
+                    open.extend(factors.iter().map(|(node, e)| (node, self.get_number(e).mul(&exponent))));
+                }
+                (View::Scale(factor, child), Some(n)) => {
+                    coefficient =
+                        coefficient.mul(&self.get_number(factor).powi(n).unwrap_or(Number::integer(1)));
+                    open.push((child, exponent));
+                }
+                (View::Sum(_), Some(n @ 1..=6)) => parts.extend((0..n).map(|_| Step::Visit(base))),
+                _ => parts.push(Step::Atom(self.power_value(base, &exponent))),
+            }
+        }
+        steps.push(Step::Add(vec![coefficient]));
+        steps.push(Step::Multiply(parts.len()));
+        steps.append(&mut parts);
     }
 
     /// The point of the circle group of an angle.

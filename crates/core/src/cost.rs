@@ -113,7 +113,8 @@ impl<'g> Count<'g> {
             View::Scale(factor, child) => self.of_multiple(factor, child),
             View::Function(function, args) => {
                 let functions = match function {
-                    Function::Min | Function::Max | Function::Piecewise => args.len() as u64 / 2,
+                    Function::Min | Function::Max => args.len() as u64 - 1,
+                    Function::Piecewise => args.len() as u64 / 2,
                     _ => 1,
                 };
                 Cost { functions, ..Cost::default() }

@@ -220,7 +220,11 @@ impl Graph {
     }
 
     pub(crate) fn number_node(&mut self, id: NumberId) -> Id {
-        self.intern(Kind::Number, Flags::CONSTANT, &[id.0], self.number_value(id))
+        let node = self.intern(Kind::Number, Flags::CONSTANT, &[id.0], self.number_value(id));
+        if node != Id::ZERO {
+            self.remember(node);
+        }
+        node
     }
 
     /// The node of an integer.

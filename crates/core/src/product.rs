@@ -215,6 +215,7 @@ impl Graph {
             return Ok(());
         }
         let mut rest = Vec::new();
+        let inner = &self.opened(inner);
         for (node, e) in inner {
             if self.is_positive(*node) {
                 self.collect_power(out, *node, &e.mul(exponent))?;
@@ -233,6 +234,23 @@ impl Graph {
             self.collect_power(out, rest, exponent)?;
         }
         Ok(())
+    }
+
+    /// The factors of nested products, as far as their exponents are integers.
+    fn opened(&self, factors: &[(Id, Number)]) -> Vec<(Id, Number)> {
+        let mut out = Vec::new();
+        let mut open: Vec<(Id, Number)> = factors.iter().rev().cloned().collect();
+        while let Some((base, exponent)) = open.pop() {
+            match self.view(base) {
+                View::Product(inner) if exponent.is_integer() => {
+                    open.extend(
+                        inner.iter().rev().map(|(node, e)| (node, self.get_number(e).mul(&exponent))),
+                    );
+                }
+                _ => out.push((base, exponent)),
+            }
+        }
+        out
     }
 
     /// Open child products that share a base with a factor beside them where that cancels or merges roots.

@@ -34,7 +34,6 @@ fn substitute<'py>(
 
 /// The derivatives of several expressions with respect to one variable.
 #[pyfunction]
-#[expect(clippy::needless_pass_by_value, reason = "PyO3 passes extracted arguments by value")]
 fn diff_all<'py>(
     py: Python<'py>,
     expressions: &Bound<'py, PyAny>,
@@ -53,7 +52,6 @@ fn time_derivatives<'py>(py: Python<'py>, expressions: &Bound<'py, PyAny>) -> Py
 
 /// The derivatives of one expression with respect to many variables.
 #[pyfunction]
-#[expect(clippy::needless_pass_by_value, reason = "PyO3 passes extracted arguments by value")]
 fn gradient<'py>(
     py: Python<'py>,
     expression: Operand,

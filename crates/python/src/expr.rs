@@ -142,6 +142,26 @@ impl Expr {
         with_forms(|graph| graph.to_text(self.0))
     }
 
+    /// The value at numbers for the variables, given as a mapping.
+    #[pyo3(signature = (values = None))]
+    fn evaluate(&self, py: Python<'_>, values: Option<&Bound<'_, PyAny>>) -> PyResult<f64> {
+        let (mut inputs, mut numbers) = (Vec::new(), Vec::new());
+        if let Some(values) = values {
+            for item in values.call_method0("items")?.try_iter()? {
+                let (variable, number): (Operand, f64) = item?.extract()?;
+                inputs.push(variable.0);
+                numbers.push(number);
+            }
+        }
+        let tape = raise(py, with_forms(|graph| graph.tape(&inputs, &[self.0])))?;
+        Ok(raise(py, Evaluator::new(&tape).evaluate(&numbers))?[0])
+    }
+
+    /// The same expression in `SymPy`.
+    fn to_sympy<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
+        slf.py().import("symbody.symbolic.sympy_bridge")?.call_method1("to_sympy", (slf,))
+    }
+
     /// LaTeX without the dollar signs.
     fn latex(&self) -> String {
         with_forms(|graph| graph.to_latex(self.0))
@@ -169,13 +189,11 @@ impl Expr {
     }
 
     /// Whether two expressions are equal as mathematics.
-    #[expect(clippy::needless_pass_by_value, reason = "PyO3 passes extracted arguments by value")]
     fn equals(&self, other: Operand) -> bool {
         with_forms(|graph| graph.equal(self.0, other.0))
     }
 
     /// Whether two expressions are one node: the same value in the same form.
-    #[expect(clippy::needless_pass_by_value, reason = "PyO3 passes extracted arguments by value")]
     fn same_form(&self, other: Operand) -> bool {
         self.0 == other.0
     }
@@ -309,14 +327,12 @@ impl Expr {
     }
 
     /// Whether something equal to `part` occurs in the expression.
-    #[expect(clippy::needless_pass_by_value, reason = "PyO3 passes extracted arguments by value")]
     fn has(&self, part: Operand) -> bool {
         with_forms(|graph| graph.has(self.0, part.0))
     }
 
     /// The n-th partial derivative with respect to a variable.
     #[pyo3(signature = (variable, n = 1))]
-    #[expect(clippy::needless_pass_by_value, reason = "PyO3 passes extracted arguments by value")]
     fn diff(&self, py: Python<'_>, variable: Operand, n: u32) -> PyResult<Self> {
         let derive = |graph: &mut Graph| (0..n).try_fold(self.0, |id, _| graph.diff(id, variable.0));
         raise(py, with_graph(derive)).map(Self)

@@ -1,9 +1,16 @@
 //! Python bindings of the expression core: translation only, no mathematics.
 
+#![allow(
+    clippy::needless_pass_by_value,
+    clippy::trivially_copy_pass_by_ref,
+    reason = "PyO3 hands over extracted arguments by value and `self` by reference"
+)]
+
 mod calculus;
 mod convert;
 mod expr;
 mod leaves;
+mod matrix;
 mod nary;
 mod print;
 mod rewrite;
@@ -20,6 +27,7 @@ fn _core(module: &Bound<'_, PyModule>) -> PyResult<()> {
     leaves::register(module)?;
     nary::register(module)?;
     calculus::register(module)?;
+    matrix::register(module)?;
     print::register(module)?;
     rewrite::register(module)?;
     tape::register(module)?;

@@ -34,7 +34,6 @@ impl Tape {
     }
 
     /// The outputs at one point.
-    #[expect(clippy::needless_pass_by_value, reason = "PyO3 passes extracted arguments by value")]
     fn evaluate(&self, py: Python<'_>, inputs: Vec<f64>) -> PyResult<Vec<f64>> {
         raise(py, self.evaluator.evaluate(&inputs))
     }

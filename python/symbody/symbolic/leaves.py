@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, TypeAlias
 
 from symbody.errors import ExpressionError
 from symbody.symbolic import _core
@@ -24,7 +24,7 @@ __all__ = [
 ]
 
 #: What converts to an expression: int, float, Fraction and NumPy scalars do.
-ExprLike = Expr | int | float
+ExprLike: TypeAlias = Expr | int | float
 
 _NAME = re.compile(r"[^\W\d]\w*")
 

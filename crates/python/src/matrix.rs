@@ -1,0 +1,57 @@
+//! Matrices given row by row, and linear systems.
+
+use pyo3::prelude::*;
+use pyo3::types::PyTuple;
+use symbody_core::Matrix;
+
+use crate::expr::{Expr, ids, tuple};
+use crate::session::{raise, with_graph};
+
+/// The product of a rows x inner and an inner x columns matrix.
+#[pyfunction]
+fn matrix_product<'py>(
+    py: Python<'py>,
+    rows: usize,
+    inner: usize,
+    columns: usize,
+    a: &Bound<'py, PyAny>,
+    b: &Bound<'py, PyAny>,
+) -> PyResult<Bound<'py, PyTuple>> {
+    let a = raise(py, Matrix::new(rows, inner, ids(a)?))?;
+    let b = raise(py, Matrix::new(inner, columns, ids(b)?))?;
+    let product = raise(py, with_graph(|graph| graph.matrix_product(&a, &b)))?;
+    tuple(py, product.entries().iter().copied())
+}
+
+/// The determinant of an n x n matrix.
+#[pyfunction]
+fn determinant(py: Python<'_>, n: usize, entries: &Bound<'_, PyAny>) -> PyResult<Expr> {
+    let matrix = raise(py, Matrix::new(n, n, ids(entries)?))?;
+    raise(py, with_graph(|graph| graph.determinant(&matrix))).map(Expr)
+}
+
+/// The inverse of an n x n matrix.
+#[pyfunction]
+fn inverse<'py>(py: Python<'py>, n: usize, entries: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyTuple>> {
+    let matrix = raise(py, Matrix::new(n, n, ids(entries)?))?;
+    let inverse = raise(py, with_graph(|graph| graph.inverse(&matrix)))?;
+    tuple(py, inverse.entries().iter().copied())
+}
+
+/// The values of the unknowns that make the linear equations zero.
+#[pyfunction]
+fn solve<'py>(
+    py: Python<'py>,
+    equations: &Bound<'py, PyAny>,
+    unknowns: &Bound<'py, PyAny>,
+) -> PyResult<Bound<'py, PyTuple>> {
+    let (equations, unknowns) = (ids(equations)?, ids(unknowns)?);
+    tuple(py, raise(py, with_graph(|graph| graph.solve(&equations, &unknowns)))?)
+}
+
+pub fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
+    module.add_function(wrap_pyfunction!(matrix_product, module)?)?;
+    module.add_function(wrap_pyfunction!(determinant, module)?)?;
+    module.add_function(wrap_pyfunction!(inverse, module)?)?;
+    module.add_function(wrap_pyfunction!(solve, module)?)
+}
