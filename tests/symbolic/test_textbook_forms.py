@@ -17,6 +17,7 @@ from symbody import (
     Point,
     System,
     Vector,
+    cos,
     cost,
     functions_of_time,
     ground,
@@ -25,6 +26,7 @@ from symbody import (
     parse,
     rotate,
     simplify,
+    sin,
     symbols,
     translate,
 )
@@ -186,6 +188,15 @@ def test_equations_of_motion(system: type[System], formalism: type[Equations]) -
 def test_the_entry_of_the_double_pendulum_is_printed_as_in_the_book() -> None:
     mass_matrix = lagrange_equations(double_pendulum()).mass_matrix
     assert str(simplify(mass_matrix[0, 1])) == "l1*l2*m2*cos(theta1 - theta2)"
+
+
+@pytest.mark.parametrize("names", ["q1 q2", "alpha beta", "phi1 phi2", "a2 a3", "u v", "phi psi"])
+def test_differences_are_written_in_the_order_of_names(names: str) -> None:
+    first, second = functions_of_time(names)
+    difference = names.replace(" ", " - ")
+    assert str(simplify(cos(first) * cos(second) + sin(first) * sin(second))) == f"cos({difference})"
+    assert str(simplify(sin(first) * cos(second) - cos(first) * sin(second))) == f"sin({difference})"
+    assert str(cos(second - first)) == f"cos({difference})"
 
 
 def test_conserved_momenta_of_the_heavy_top() -> None:
