@@ -10,6 +10,7 @@ use crate::node::{Id, NumberId, View};
 const SEARCH: usize = 24;
 
 type Term = (NumberId, Id);
+type Factor = (Id, NumberId);
 
 impl Graph {
     /// Take common factors out of the fresh products among the terms, the most frequent factor first.
@@ -23,43 +24,58 @@ impl Graph {
             let cofactors: Vec<Term> =
                 with.iter().map(|&(c, id)| (c, self.without_factor(id, factor))).collect();
             let sum = self.sum(&cofactors);
-            let Ok(product) = self.mul(factor, sum) else { break };
+            let Ok(product) = self.product(&[factor, (sum, NumberId::ONE)]) else { break };
             rest.push((NumberId::ONE, product));
             terms = self.merge_terms(rest);
         }
         terms
     }
 
+    /// Of terms that all have one number as coefficient, up to sign: that number, and the terms without it.
+    ///
+    /// 2 a - 2 b becomes 2 (a - b).
+    pub(crate) fn split_content(&mut self, terms: &[Term]) -> Option<(NumberId, Vec<Term>)> {
+        let [(first, _), _, ..] = *terms else { return None };
+        let content = self.get_number(first).abs();
+        if content.is_one()
+            || terms.iter().any(|&(c, id)| id == Id::ONE || self.get_number(c).abs() != content)
+        {
+            return None;
+        }
+        let sign = |c| if self.get_number(c).is_negative() { NumberId::MINUS_ONE } else { NumberId::ONE };
+        let bare = terms.iter().map(|&(c, id)| (sign(c), id)).collect();
+        Some((self.number_id(&content), bare))
+    }
+
     /// The factor that occurs in most of the fresh products, in two at least; ties go by value.
-    fn most_shared_factor(&self, terms: &[Term]) -> Option<Id> {
-        let mut counted: Vec<(Id, usize)> = Vec::new();
+    fn most_shared_factor(&self, terms: &[Term]) -> Option<Factor> {
+        let mut counted: Vec<(Factor, usize)> = Vec::new();
         for &(_, id) in terms {
             if !self.is_fresh_product(id) {
                 continue;
             }
             let View::Product(factors) = self.view(id) else { continue };
-            for (base, exponent) in factors.iter().filter(|&(_, e)| e == NumberId::ONE) {
-                debug_assert_eq!(exponent, NumberId::ONE);
-                match counted.iter_mut().find(|(known, _)| *known == base) {
+            for factor in factors.iter() {
+                match counted.iter_mut().find(|(known, _)| *known == factor) {
                     Some((_, count)) => *count += 1,
-                    None => counted.push((base, 1)),
+                    None => counted.push((factor, 1)),
                 }
             }
         }
-        let (factor, count) = counted.into_iter().max_by_key(|&(id, count)| (count, self.value(id)))?;
+        let (factor, count) = counted.into_iter().max_by_key(|&((id, _), count)| (count, self.value(id)))?;
         (count >= 2).then_some(factor)
     }
 
-    fn has_factor(&self, product: Id, factor: Id) -> bool {
+    fn has_factor(&self, product: Id, factor: Factor) -> bool {
         match self.view(product) {
-            View::Product(factors) => factors.iter().any(|(base, e)| base == factor && e == NumberId::ONE),
+            View::Product(factors) => factors.iter().any(|known| known == factor),
             _ => false,
         }
     }
 
-    fn without_factor(&mut self, product: Id, factor: Id) -> Id {
+    fn without_factor(&mut self, product: Id, factor: Factor) -> Id {
         let View::Product(factors) = self.view(product) else { return product };
-        let rest: Vec<_> = factors.iter().filter(|&(base, e)| (base, e) != (factor, NumberId::ONE)).collect();
+        let rest: Vec<_> = factors.iter().filter(|&known| known != factor).collect();
         // Taking a factor away divides by nothing.
         self.product(&rest).unwrap_or(product)
     }

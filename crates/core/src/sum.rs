@@ -84,6 +84,12 @@ impl Graph {
         let terms = self.merge_terms(terms);
         let terms = self.cancel_terms(terms);
         let terms = if self.classes.is_some() { self.factor_fresh_products(terms) } else { terms };
+        if self.classes.is_some()
+            && let Some((content, bare)) = self.split_content(&terms)
+        {
+            let sum = self.sum(&bare);
+            return self.scale(content, sum);
+        }
         self.sum_of_merged(terms, value)
     }
 
