@@ -6,6 +6,8 @@ use crate::function::{Function, Parity};
 use crate::graph::Graph;
 use crate::node::{Flags, Id, Kind, NumberId, View};
 use crate::number::Number;
+use crate::print::compare_names;
+use std::cmp::Ordering;
 
 impl Graph {
     /// A function of the table applied to arguments.
@@ -27,18 +29,40 @@ impl Graph {
         Ok(self.finish(Kind::Function(function), flags, &words, value))
     }
 
-    /// f(-x) = -f(x) or f(x): arguments have a positive leading sign.
+    /// f(-x) = -f(x) or f(x): an argument begins with a positive term where it is read.
     fn by_parity(&mut self, function: Function, args: &[Id]) -> Result<Option<Id>, Error> {
         let parity = function.parity();
-        let View::Scale(factor, child) = self.view(args[0]) else { return Ok(None) };
-        if parity == Parity::Neither || !self.get_number(factor).is_negative() {
+        if parity == Parity::Neither || !self.reads_negative(args[0]) {
             return Ok(None);
         }
-        let factor = self.get_number(factor).neg();
-        let factor = self.number_id(&factor);
-        let argument = self.scale(factor, child);
+        let argument = self.opposite(args[0]);
         let result = self.apply(function, &[argument])?;
         Ok(Some(if parity == Parity::Odd { self.scale(NumberId::MINUS_ONE, result) } else { result }))
+    }
+
+    /// Whether a reader meets a minus sign first: `b - a` is -(a - b), as names are ordered.
+    fn reads_negative(&self, id: Id) -> bool {
+        match self.view(id) {
+            View::Number(number) => self.get_number(number).is_negative(),
+            View::Scale(factor, child) => self.get_number(factor).is_negative() != self.reads_negative(child),
+            View::Sum(terms) => {
+                let first =
+                    terms.iter().min_by(|a, b| compare_name_lists(&self.names(a.1), &self.names(b.1)));
+                first.is_some_and(|(factor, _)| self.get_number(factor).is_negative())
+            }
+            _ => false,
+        }
+    }
+
+    /// The names of the variables in a node, in the reader's order.
+    fn names(&self, id: Id) -> Vec<&str> {
+        let name = |id| match self.view(id) {
+            View::Symbol(name, _) | View::TimeFunction(name, _) | View::Application { name, .. } => name,
+            _ => "t",
+        };
+        let mut names: Vec<&str> = self.variables(&[id]).into_iter().map(name).collect();
+        names.sort_by(|a, b| compare_names(a, b));
+        names
     }
 
     /// The value at the random point: by the group laws where there are any, drawn for opaque functions.
@@ -85,4 +109,10 @@ impl Graph {
         let value = Element::draw(&key.element(argument));
         if negated && parity == Parity::Odd { -value } else { value }
     }
+}
+
+/// Lists compare name by name; one without names, a constant, comes last.
+fn compare_name_lists(a: &[&str], b: &[&str]) -> Ordering {
+    let by_name = a.iter().zip(b).map(|(x, y)| compare_names(x, y)).find(|order| order.is_ne());
+    a.is_empty().cmp(&b.is_empty()).then(by_name.unwrap_or(Ordering::Equal)).then(a.len().cmp(&b.len()))
 }

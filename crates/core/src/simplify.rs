@@ -13,7 +13,7 @@ use crate::error::Error;
 use crate::expand::Opening;
 use crate::factor_terms::content;
 use crate::graph::Graph;
-use crate::node::{Id, NumberId};
+use crate::node::{Id, NumberId, View};
 use crate::number::Number;
 use crate::polynomial::{Budget, Polynomial};
 use crate::ring::Ring;
@@ -65,7 +65,7 @@ const ARRANGEMENTS: [&[Kind]; 4] =
 const COEFFICIENTS: [&[Kind]; 2] = [&[Kind::Acceleration, Kind::Speed], &[Kind::Parameter]];
 
 /// How long a form reads: operations, an addition as three of them because it makes one more term; among
-/// equals, fewer additions, then fewer functions.
+/// equals, fewer additions, then fewer functions. (Then the smaller tree, then fewer terms outside brackets.)
 fn length(cost: Cost) -> (u64, u64, u64) {
     (cost.total().saturating_add(cost.additions.saturating_mul(2)), cost.additions, cost.functions)
 }
@@ -102,7 +102,7 @@ impl Graph {
 
     /// The candidate that reads shortest, of those with the value of `part` that cost no more than it.
     fn shortest(&self, part: Id, candidates: &[Id]) -> Id {
-        let tree = |id: Id| self.tree_cost(&[id]).total();
+        let tree = |id: Id| (self.tree_cost(&[id]).total(), self.outer_terms(id));
         let bound = self.cost(&[part]);
         let mut best = (length(bound), part);
         for &candidate in candidates {
@@ -116,6 +116,14 @@ impl Graph {
             }
         }
         best.1
+    }
+
+    /// The terms that a reader meets first, before any bracket is opened.
+    fn outer_terms(&self, id: Id) -> usize {
+        match self.view(id) {
+            View::Sum(terms) => terms.len(),
+            _ => 1,
+        }
     }
 
     /// The best candidate for a part, or the part itself.

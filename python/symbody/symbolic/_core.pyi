@@ -4,7 +4,47 @@ from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from typing import Any, TypeAlias, final
 
-__all__: list[str]
+__all__ = [
+    "Expr",
+    "Tape",
+    "add3",
+    "application",
+    "apply",
+    "begin_derivation",
+    "coeff",
+    "collect",
+    "cost",
+    "cross3",
+    "determinant",
+    "diff_all",
+    "dot3",
+    "end_derivation",
+    "function_names",
+    "gradient",
+    "inverse",
+    "jacobian",
+    "listing",
+    "matrix_product",
+    "matvec3",
+    "matvec3_transposed",
+    "node_count",
+    "number",
+    "pi",
+    "product",
+    "rewrite",
+    "rotate3",
+    "rotate_back3",
+    "scale3",
+    "solve",
+    "sqrt",
+    "sub3",
+    "substitute",
+    "sum",
+    "symbol",
+    "time",
+    "time_derivatives",
+    "time_function",
+]
 
 _Number: TypeAlias = int | float | Fraction
 _Operand: TypeAlias = Expr | _Number

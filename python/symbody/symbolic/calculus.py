@@ -34,7 +34,7 @@ def time_derivative(expression: ExprLike, n: int = 1) -> Expr:
     >>> from symbody import functions_of_time, time_derivative
     >>> x = functions_of_time("x")
     >>> time_derivative(x**2, 2)
-    2*x*x'' + 2*x'**2
+    2*(x*x'' + x'**2)
     """
     result = _core.number(expression)
     for _ in range(n):

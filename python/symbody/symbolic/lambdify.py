@@ -92,8 +92,8 @@ def lambdify(arguments: Expr | Sequence[Expr | Sequence[Expr]], expressions: Out
     >>> x, a = symbols("x a")
     >>> f = lambdify([x, a], [a * x, cos(x)])
     >>> f([0.0, 1.0], 2.0)
-    array([[0.       , 2.       ],
-           [1.       , 0.5403023]])
+    array([[0.        , 2.        ],
+           [1.        , 0.54030231]])
     """
     if isinstance(arguments, Expr):
         arguments = [arguments]

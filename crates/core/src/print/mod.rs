@@ -17,6 +17,7 @@ mod tree;
 use crate::graph::Graph;
 use crate::node::Id;
 
+pub(crate) use name::compare as compare_names;
 use plan::Plan;
 use reader::Reader;
 use tree::Sum;

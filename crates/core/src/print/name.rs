@@ -3,7 +3,7 @@
 use std::cmp::Ordering;
 
 /// Natural order: l2 before l10, letters without regard to case, then exactly.
-pub(super) fn compare(a: &str, b: &str) -> Ordering {
+pub(crate) fn compare(a: &str, b: &str) -> Ordering {
     let (mut x, mut y) = (a, b);
     while !x.is_empty() && !y.is_empty() {
         let (left, right) = (chunk(x), chunk(y));
@@ -16,7 +16,7 @@ pub(super) fn compare(a: &str, b: &str) -> Ordering {
         }
         (x, y) = (&x[left.len()..], &y[right.len()..]);
     }
-    x.len().cmp(&y.len()).then(a.cmp(b))
+    x.len().cmp(&y.len()).then(a.len().cmp(&b.len())).then(a.cmp(b))
 }
 
 /// The longest beginning made of digits only, or of no digit.
