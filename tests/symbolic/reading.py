@@ -9,6 +9,7 @@ from __future__ import annotations
 import ast
 import random
 from collections.abc import Callable, Mapping
+from functools import cache
 from typing import Any
 
 import mpmath
@@ -104,6 +105,7 @@ def expression(text: str) -> Any:
     return _value(text, _Constants(), _symbolic_names())
 
 
+@cache
 def agrees(left: str, right: str) -> bool:
     """Return whether mpmath finds the two texts equal at every random point where both exist."""
     met = False
