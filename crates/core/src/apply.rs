@@ -9,6 +9,9 @@ use crate::number::Number;
 use crate::print::compare_names;
 use std::cmp::Ordering;
 
+/// Nodes of a term that are searched for names: arguments may be graphs of any size.
+const NAMES_SEARCH: usize = 64;
+
 impl Graph {
     /// A function of the table applied to arguments.
     ///
@@ -45,6 +48,7 @@ impl Graph {
         match self.view(id) {
             View::Number(number) => self.get_number(number).is_negative(),
             View::Scale(factor, child) => self.get_number(factor).is_negative() != self.reads_negative(child),
+            View::Sum(terms) if terms.len() > NAMES_SEARCH => false,
             View::Sum(terms) => {
                 let first =
                     terms.iter().min_by(|a, b| compare_name_lists(&self.names(a.1), &self.names(b.1)));
@@ -54,13 +58,19 @@ impl Graph {
         }
     }
 
-    /// The names of the variables in a node, in the reader's order.
+    /// The names of the variables near the top of a node, in the reader's order.
     fn names(&self, id: Id) -> Vec<&str> {
-        let name = |id| match self.view(id) {
-            View::Symbol(name, _) | View::TimeFunction(name, _) | View::Application { name, .. } => name,
-            _ => "t",
-        };
-        let mut names: Vec<&str> = self.variables(&[id]).into_iter().map(name).collect();
+        let (mut names, mut stack, mut visited) = (Vec::new(), vec![id], 0);
+        while let Some(id) = stack.pop().filter(|_| visited < NAMES_SEARCH) {
+            visited += 1;
+            match self.view(id) {
+                View::Symbol(name, _) | View::TimeFunction(name, _) | View::Application { name, .. } => {
+                    names.push(name);
+                }
+                View::Time => names.push("t"),
+                _ => self.push_children(id, &mut stack),
+            }
+        }
         names.sort_by(|a, b| compare_names(a, b));
         names
     }

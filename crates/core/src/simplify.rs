@@ -120,10 +120,15 @@ impl Graph {
 
     /// The terms that a reader meets first, before any bracket is opened.
     fn outer_terms(&self, id: Id) -> usize {
-        match self.view(id) {
-            View::Sum(terms) => terms.len(),
-            _ => 1,
+        let mut stack = vec![id];
+        let mut count = 0;
+        while let Some(id) = stack.pop() {
+            match self.view(id) {
+                View::Sum(terms) => stack.extend(terms.iter().map(|(_, term)| term)),
+                _ => count += 1,
+            }
         }
+        count
     }
 
     /// The best candidate for a part, or the part itself.
