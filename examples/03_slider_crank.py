@@ -1,0 +1,77 @@
+"""A slider-crank: a closed loop as a constraint, whose multipliers are the forces in the pin of the slider.
+
+A motor turns the crank OA; the rod AB pulls the slider B along the x axis. The loop O-A-B is opened at B: where the
+rod ends and where the slider is are written apart, and two constraints bring them together.
+"""
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.integrate import solve_ivp
+
+import symbody as sb
+from symbody import Body, Point, System, Torque, Vector, ground, project, rotate, translate
+
+r, l, m1, m2, m3, I1, I2, g, tau = sb.symbols("r l m1 m2 m3 I1 I2 g tau")
+phi, beta, s = q = sb.functions_of_time("phi beta s")
+
+crank_frame = rotate("Z", phi)
+rod_frame = crank_frame * translate(r, 0, 0) * rotate("Z", -beta - phi)  # the rod leans down by beta
+crank = Body(Point(crank_frame, r / 2, 0, 0), m1, 0, 0, I1, name="crank")
+rod = Body(Point(rod_frame, l / 2, 0, 0), m2, 0, 0, I2, name="rod")
+slider = Body(translate(s, 0, 0), m3, name="slider")
+motor = Torque(ground, 0, 0, tau, on=crank)
+
+gap = project(Point(rod_frame, l, 0, 0) - Point(ground, s, 0, 0), ground)
+engine = System(
+    bodies=[crank, rod, slider],
+    loads=[motor],
+    coordinates=q,
+    constraints=gap.components[:2],
+    gravity=Vector(ground, 0, -g, 0),
+)
+equations = sb.lagrange_equations(engine)
+print("constraints")
+for constraint in equations.constraints:
+    print("   ", sb.simplify(constraint), "= 0")
+print("equations of motion")
+for residual in equations.residuals:
+    print("   ", sb.simplify(residual), "= 0")
+lambda1, lambda2 = equations.multipliers
+assert equations.residuals[2] == m3 * s.diff(sb.t, 2) + lambda1
+print("so -lambda1 is the force with which the rod pulls the slider")
+
+# M q'' - phi_q^T lambda = forcing, and the constraints in Baumgarte's form: linear in q'' and lambda.
+rows = [*equations.residuals, *equations.baumgarte(20, 1)]
+unknowns = [*equations.accelerations, *equations.multipliers]
+known = sb.substitute(rows, dict.fromkeys(unknowns, 0))
+parameters = {r: 0.1, l: 0.3, m1: 1.0, m2: 0.5, m3: 0.8, I1: 1e-3, I2: 4e-3, g: 9.81, tau: 0.5}
+values = list(parameters.values())
+linear_system = sb.lambdify([q, equations.speeds, list(parameters)], [sb.jacobian(rows, unknowns), known])
+checks = sb.lambdify(
+    [q, equations.speeds, list(parameters)], [*gap.components[:2], sb.mechanical_energy(engine)]
+)
+
+
+def solved(state: NDArray[np.float64]) -> NDArray[np.float64]:
+    A, b = linear_system(state[:3], state[3:], values)
+    return np.linalg.solve(A, -b)
+
+
+start = [np.pi / 2, np.arcsin(1 / 3), 0.3 * np.cos(np.arcsin(1 / 3)), 0, 0, 0]
+motion = solve_ivp(
+    lambda _, y: np.concatenate([y[3:], solved(y)[:3]]),
+    (0, 3),
+    start,
+    method="DOP853",
+    rtol=1e-11,
+    atol=1e-12,
+)
+*violations, energy = checks(motion.y[:3], motion.y[3:], values)
+work = parameters[tau] * (motion.y[0] - motion.y[0, 0])
+pull = [-solved(y)[3] for y in motion.y.T]
+print(f"after {motion.t[-1]:g} s the crank has made {motion.y[0, -1] / (2 * np.pi):.1f} turns")
+print(f"the rod has pulled the slider with {min(pull):.1f} to {max(pull):.1f} N")
+print(f"constraints within {np.abs(violations).max():.1e} m")
+print(f"energy gained less work of the motor: {np.abs(energy - energy[0] - work).max():.1e} J")
+assert np.abs(violations).max() < 1e-10
+assert np.abs(energy - energy[0] - work).max() < 1e-8
