@@ -60,7 +60,7 @@ def solved(state: NDArray[np.float64]) -> NDArray[np.float64]:
 start = [np.pi / 2, np.arcsin(1 / 3), 0.3 * np.cos(np.arcsin(1 / 3)), 0, 0, 0]
 motion = solve_ivp(
     lambda _, y: np.concatenate([y[3:], solved(y)[:3]]),
-    (0, 3),
+    (0, 1),
     start,
     method="DOP853",
     rtol=1e-11,

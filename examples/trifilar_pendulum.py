@@ -179,20 +179,21 @@ def hanging(side: int) -> Array:
     return placed(np.array([[0, 0, 0], [x, y, 0], [x, -y, 0]]), [0, 0, -side])
 
 
-def displaced_state(numbers: Numbers, angle: float = 0.9, velocity: Sequence[float] = (0, 0.5, 0)) -> Array:
+def displaced_state(
+    numbers: Numbers, angle: float = 0.9, push: float = 0.15, velocity: Sequence[float] = (0, 0.5, 0)
+) -> Array:
     """Return a state on the constraints: the plate turned about the vertical, pushed aside and let go with a swing.
 
     What is asked for is moved onto the constraints by the shortest way: Newton's steps of least norm.
     """
     vertices = hanging(-1)[:9].reshape(3, 3)
     centre, (c, s) = vertices.mean(axis=0), (np.cos(angle), np.sin(angle))
-    turned = (vertices - centre) @ np.array([[c, s, 0], [-s, c, 0], [0, 0, 1]]) + centre + [0.15, 0, 0]
+    turned = (vertices - centre) @ np.array([[c, s, 0], [-s, c, 0], [0, 0, 1]]) + centre + [push, 0, 0]
     q, u = placed(turned, [0, 0, 1]), placed(np.tile(velocity, (3, 1)), [0, 0, 0])
     for _ in range(20):
-        q -= np.linalg.pinv(numbers.phi_q(q, u)) @ numbers.phi(q, u)
+        q = q - np.linalg.pinv(numbers.phi_q(q, u)) @ numbers.phi(q, u)
     phi_q = numbers.phi_q(q, u)
-    u -= np.linalg.pinv(phi_q) @ (phi_q @ u)
-    return np.concatenate([q, u])
+    return np.concatenate([q, u - np.linalg.pinv(phi_q) @ (phi_q @ u)])
 
 
 @dataclass(frozen=True)
