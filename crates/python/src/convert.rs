@@ -24,7 +24,7 @@ impl<'a, 'py> FromPyObject<'a, 'py> for Operand {
     }
 }
 
-/// A Python or NumPy number: exact integers and fractions, doubles as the decimals that print them.
+/// A Python or `NumPy` number: exact integers and fractions, doubles as the decimals that print them.
 pub fn number(object: &Bound<'_, PyAny>) -> PyResult<Number> {
     let py = object.py();
     if object.is_instance_of::<PyBool>() {

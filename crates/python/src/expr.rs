@@ -27,13 +27,9 @@ fn binary(left: &Bound<'_, PyAny>, right: &Bound<'_, PyAny>, operation: Binary) 
     Ok(Expr(id).into_pyobject(py)?.into_any().unbind())
 }
 
-fn add(graph: &mut Graph, a: Id, b: Id) -> Result<Id, Error> {
-    Ok(graph.add(a, b))
-}
-
-fn sub(graph: &mut Graph, a: Id, b: Id) -> Result<Id, Error> {
-    Ok(graph.sub(a, b))
-}
+/// An operation that can't fail, as one that can.
+const ADD: Binary = |graph, a, b| Ok(graph.add(a, b));
+const SUBTRACT: Binary = |graph, a, b| Ok(graph.sub(a, b));
 
 fn power(graph: &mut Graph, base: Id, exponent: Id) -> Result<Id, Error> {
     match graph.as_number(exponent).cloned() {
@@ -45,19 +41,19 @@ fn power(graph: &mut Graph, base: Id, exponent: Id) -> Result<Id, Error> {
 #[pymethods]
 impl Expr {
     fn __add__(slf: &Bound<'_, Self>, other: &Bound<'_, PyAny>) -> PyResult<Py<PyAny>> {
-        binary(slf.as_any(), other, add)
+        binary(slf.as_any(), other, ADD)
     }
 
     fn __radd__(slf: &Bound<'_, Self>, other: &Bound<'_, PyAny>) -> PyResult<Py<PyAny>> {
-        binary(other, slf.as_any(), add)
+        binary(other, slf.as_any(), ADD)
     }
 
     fn __sub__(slf: &Bound<'_, Self>, other: &Bound<'_, PyAny>) -> PyResult<Py<PyAny>> {
-        binary(slf.as_any(), other, sub)
+        binary(slf.as_any(), other, SUBTRACT)
     }
 
     fn __rsub__(slf: &Bound<'_, Self>, other: &Bound<'_, PyAny>) -> PyResult<Py<PyAny>> {
-        binary(other, slf.as_any(), sub)
+        binary(other, slf.as_any(), SUBTRACT)
     }
 
     fn __mul__(slf: &Bound<'_, Self>, other: &Bound<'_, PyAny>) -> PyResult<Py<PyAny>> {
@@ -121,7 +117,7 @@ impl Expr {
     /// Agrees with `==`.
     fn __hash__(&self) -> isize {
         let [a, b] = with_forms(|graph| graph.value(self.0).words());
-        (a ^ b.rotate_left(32)) as isize
+        isize::from_ne_bytes((a ^ b.rotate_left(32)).to_ne_bytes())
     }
 
     fn __bool__(&self) -> bool {
@@ -220,10 +216,9 @@ impl Expr {
             View::Time | View::Symbol(..) => "symbol",
             View::TimeFunction(..) => "time_function",
             View::Application { .. } => "application",
-            View::Scale(..) => "product",
             View::Sum(_) => "sum",
             View::Product(factors) if factors.len() == 1 => "power",
-            View::Product(_) => "product",
+            View::Product(_) | View::Scale(..) => "product",
             View::Function(Function::Power, _) => "power",
             View::Function(..) => "function",
         })
@@ -364,24 +359,23 @@ fn constant_value(graph: &Graph, id: Id) -> Result<f64, Error> {
 
 /// The parts of a node as expressions of their own.
 fn parts(graph: &mut Graph, id: Id) -> Result<Vec<Id>, Error> {
-    let (terms, factors): (Vec<(NumberId, Id)>, Vec<(Id, NumberId)>) = match graph.view(id) {
-        View::Sum(terms) => (terms.iter().collect(), Vec::new()),
+    let factors: Vec<(Id, NumberId)> = match graph.view(id) {
+        View::Sum(terms) => {
+            let terms: Vec<_> = terms.iter().collect();
+            return Ok(terms.into_iter().map(|(factor, node)| graph.scale(factor, node)).collect());
+        }
         View::Scale(factor, child) => {
             let number = graph.get_number(factor).clone();
             return Ok(vec![graph.number(&number), child]);
         }
-        View::Product(factors) => (Vec::new(), factors.iter().collect()),
+        View::Product(factors) => factors.iter().collect(),
         _ => return Ok(graph.children(id)),
     };
     if let [(base, exponent)] = factors[..] {
         let exponent = graph.get_number(exponent).clone();
         return Ok(vec![base, graph.number(&exponent)]);
     }
-    let mut out: Vec<Id> = terms.into_iter().map(|(factor, node)| graph.scale(factor, node)).collect();
-    for factor in factors {
-        out.push(graph.product(&[factor])?);
-    }
-    Ok(out)
+    factors.into_iter().map(|factor| graph.product(&[factor])).collect()
 }
 
 /// Expressions or numbers of any Python sequence.
@@ -390,7 +384,7 @@ pub fn ids(sequence: &Bound<'_, PyAny>) -> PyResult<Vec<Id>> {
 }
 
 /// The ids as a Python tuple of expressions.
-pub fn tuple<'py>(py: Python<'py>, ids: impl IntoIterator<Item = Id>) -> PyResult<Bound<'py, PyTuple>> {
+pub fn tuple(py: Python<'_>, ids: impl IntoIterator<Item = Id>) -> PyResult<Bound<'_, PyTuple>> {
     let items: Vec<Py<Expr>> = ids.into_iter().map(|id| Py::new(py, Expr(id))).collect::<PyResult<_>>()?;
     PyTuple::new(py, items)
 }

@@ -70,13 +70,13 @@ fn sqrt(py: Python<'_>, value: crate::convert::Operand) -> PyResult<Expr> {
 /// The independent variable t.
 #[pyfunction]
 fn time() -> Expr {
-    Expr(with_graph(|graph| graph.time()))
+    Expr(with_graph(symbody_core::Graph::time))
 }
 
 /// The circle constant.
 #[pyfunction]
 fn pi() -> Expr {
-    Expr(with_graph(|graph| graph.pi()))
+    Expr(with_graph(symbody_core::Graph::pi))
 }
 
 /// The names of the functions of the table.

@@ -8,19 +8,19 @@ use crate::session::{raise, with_graph};
 
 /// The sum of expressions.
 #[pyfunction]
-fn sum(terms: &Bound<'_, PyAny>) -> PyResult<Expr> {
+fn sum_of(terms: &Bound<'_, PyAny>) -> PyResult<Expr> {
     let terms: Vec<_> = ids(terms)?.into_iter().map(|id| (NumberId::ONE, id)).collect();
     Ok(Expr(with_graph(|graph| graph.sum(&terms))))
 }
 
 /// The product of expressions.
 #[pyfunction]
-fn product(py: Python<'_>, factors: &Bound<'_, PyAny>) -> PyResult<Expr> {
+fn product_of(py: Python<'_>, factors: &Bound<'_, PyAny>) -> PyResult<Expr> {
     let factors: Vec<_> = ids(factors)?.into_iter().map(|id| (id, NumberId::ONE)).collect();
     raise(py, with_graph(|graph| graph.product(&factors))).map(Expr)
 }
 
 pub fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
-    module.add_function(wrap_pyfunction!(sum, module)?)?;
-    module.add_function(wrap_pyfunction!(product, module)?)
+    module.add_function(wrap_pyfunction!(sum_of, module)?)?;
+    module.add_function(wrap_pyfunction!(product_of, module)?)
 }

@@ -7,17 +7,20 @@ use symbody_core::{Format, Listing};
 use crate::expr::ids;
 use crate::session::with_forms;
 
+/// Names and what they stand for.
+type Definitions = Vec<(String, String)>;
+
 /// Expressions printed together: the named intermediate quantities, if any, and the results.
 #[pyfunction]
-fn listing(expressions: &Bound<'_, PyAny>, format: &str) -> PyResult<(Vec<(String, String)>, Vec<String>)> {
+fn listing(expressions: &Bound<'_, PyAny>, notation: &str) -> PyResult<(Definitions, Vec<String>)> {
     let roots = ids(expressions)?;
-    let format = match format {
+    let format = match notation {
         "text" => Format::Text,
         "latex" => Format::Latex,
         "maple" => Format::Maple,
         _ => {
             return Err(PyValueError::new_err(format!(
-                "{format} is no format; expected text, latex or maple"
+                "{notation} is no notation; expected text, latex or maple"
             )));
         }
     };

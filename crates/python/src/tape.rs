@@ -1,4 +1,4 @@
-//! Straight-line code and its evaluation on NumPy arrays.
+//! Straight-line code and its evaluation on `NumPy` arrays.
 
 use pyo3::buffer::PyBuffer;
 use pyo3::prelude::*;

@@ -67,7 +67,7 @@ def _principal(axis: str) -> int:
 
 
 def _axis_components(axis: Sequence[Scalar] | HasComponents) -> Triple:
-    components: Sequence[Scalar] = getattr(axis, "components", axis)
+    components = axis.components if hasattr(axis, "components") else axis
     if len(components) != 3:
         raise FrameError(
             f"rotate: an axis of {len(components)} components, expected three, or 'X', 'Y' or 'Z'"

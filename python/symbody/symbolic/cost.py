@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
+from typing import TypeAlias
 
 from symbody.symbolic import _core
 from symbody.symbolic.leaves import ExprLike
-from symbody.symbolic.matrix import Matrix
 
 __all__ = ["Cost", "cost"]
 
@@ -27,15 +27,18 @@ class Cost:
         return self.additions + self.multiplications + self.divisions + self.functions
 
     def __str__(self) -> str:
-        parts = [
-            f"{count} {name}"
-            for name, count in vars(self).items()
-            if count or name in ("additions", "multiplications")
-        ]
+        counts = {"addition": self.additions, "multiplication": self.multiplications}
+        rare = {"division": self.divisions, "function": self.functions}
+        counts |= {name: count for name, count in rare.items() if count}
+        parts = [f"{count} {name}{'' if count == 1 else 's'}" for name, count in counts.items()]
         return " + ".join(parts) + f" = {self.total} operations"
 
 
-def cost(*expressions: ExprLike | Iterable[ExprLike] | Matrix, tree: bool = False) -> Cost:
+#: Expressions, or sequences and matrices of them, nested as deep as they come.
+Costed: TypeAlias = "ExprLike | Iterable[Costed]"
+
+
+def cost(*expressions: Costed, tree: bool = False) -> Cost:
     """Return the operations that evaluate expressions, sequences of them and matrices together.
 
     Counted on the shared graph, each node once; with ``tree=True`` as the expressions are written.
@@ -43,15 +46,14 @@ def cost(*expressions: ExprLike | Iterable[ExprLike] | Matrix, tree: bool = Fals
     >>> from symbody import cost, sin, symbols
     >>> a, b = symbols("a b")
     >>> print(cost(sin(a + b) * (a + b)))
-    1 additions + 1 multiplications + 1 functions = 3 operations
+    1 addition + 1 multiplication + 1 function = 3 operations
     """
-    roots: list[ExprLike] = []
-    for item in expressions:
-        if isinstance(item, Matrix):
-            roots.extend(item.entries)
-        elif isinstance(item, Iterable):
-            for inner in item:
-                roots.extend(inner.entries if isinstance(inner, Matrix) else (inner,))
+    return Cost(*_core.cost(list(_flat(expressions)), tree))
+
+
+def _flat(items: Iterable[Costed]) -> Iterator[ExprLike]:
+    for item in items:
+        if isinstance(item, Iterable):
+            yield from _flat(item)
         else:
-            roots.append(item)
-    return Cost(*_core.cost(roots, tree))
+            yield item

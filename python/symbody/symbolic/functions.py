@@ -94,7 +94,7 @@ def sqrt(x: ExprLike) -> Expr:
     return _core.sqrt(x)
 
 
-def Abs(x: ExprLike) -> Expr:  # noqa: N802 - the name of SymPy and of the printed form
+def Abs(x: ExprLike) -> Expr:
     """Return the absolute value."""
     return _core.apply("Abs", (x,))
 
@@ -104,17 +104,17 @@ def sign(x: ExprLike) -> Expr:
     return _core.apply("sign", (x,))
 
 
-def Min(*args: ExprLike) -> Expr:  # noqa: N802 - the name of SymPy and of the printed form
+def Min(*args: ExprLike) -> Expr:
     """Return the least of the arguments."""
     return _core.apply("Min", args)
 
 
-def Max(*args: ExprLike) -> Expr:  # noqa: N802 - the name of SymPy and of the printed form
+def Max(*args: ExprLike) -> Expr:
     """Return the greatest of the arguments."""
     return _core.apply("Max", args)
 
 
-def Piecewise(*branches: tuple[ExprLike, ExprLike], otherwise: ExprLike = 0) -> Expr:  # noqa: N802
+def Piecewise(*branches: tuple[ExprLike, ExprLike], otherwise: ExprLike = 0) -> Expr:
     """Return the value of the first branch ``(value, condition)`` whose condition is positive.
 
     >>> from symbody import Piecewise, symbols
@@ -125,7 +125,7 @@ def Piecewise(*branches: tuple[ExprLike, ExprLike], otherwise: ExprLike = 0) -> 
     """
     flat: list[ExprLike] = []
     for branch in branches:
-        if not isinstance(branch, tuple) or len(branch) != 2:
+        if not isinstance(branch, tuple) or len(branch) != 2:  # type: ignore[redundant-expr]  # users may err
             raise ExpressionError(f"a branch of Piecewise is a pair (value, condition > 0), found {branch!r}")
         flat.extend(branch)
     return _core.apply("Piecewise", (*flat, otherwise))

@@ -35,20 +35,17 @@ class Matrix:
                     f"row {i + 1} of the matrix has {len(row)} entries, the first has {width}; "
                     "all rows need the same number"
                 )
-        self._set(len(rows), width, tuple(_core.number(entry) for row in rows for entry in row))
-
-    def _set(self, rows: int, columns: int, entries: tuple[Expr, ...]) -> None:
-        object.__setattr__(self, "rows", rows)
-        object.__setattr__(self, "columns", columns)
-        object.__setattr__(self, "entries", entries)
+        _fill(self, len(rows), width, tuple(_core.number(entry) for row in rows for entry in row))
 
     @classmethod
     def from_entries(cls, rows: int, columns: int, entries: Sequence[ExprLike]) -> Matrix:
         """Return the matrix of these entries, given row by row."""
         if len(entries) != rows * columns:
-            raise ExpressionError(f"a {rows}x{columns} matrix has {rows * columns} entries, found {len(entries)}")
+            raise ExpressionError(
+                f"a {rows}x{columns} matrix has {rows * columns} entries, found {len(entries)}"
+            )
         matrix = cls.__new__(cls)
-        matrix._set(rows, columns, tuple(_core.number(entry) for entry in entries))
+        _fill(matrix, rows, columns, tuple(_core.number(entry) for entry in entries))
         return matrix
 
     @classmethod
@@ -62,7 +59,7 @@ class Matrix:
         return self.rows, self.columns
 
     @property
-    def T(self) -> Matrix:  # noqa: N802 - the name of NumPy
+    def T(self) -> Matrix:
         """The transpose."""
         entries = [self.entries[i * self.columns + j] for j in range(self.columns) for i in range(self.rows)]
         return Matrix.from_entries(self.columns, self.rows, entries)
@@ -76,7 +73,7 @@ class Matrix:
         return [list(self.row(i)) for i in range(self.rows)]
 
     def __getitem__(self, key: tuple[int | slice, int | slice]) -> Expr | Matrix:
-        if not (isinstance(key, tuple) and len(key) == 2):
+        if not isinstance(key, tuple) or len(key) != 2:  # type: ignore[redundant-expr]  # users may err
             raise ExpressionError(f"a matrix takes two indices, row and column, found {key!r}")
         i, j = key
         if isinstance(i, int) and isinstance(j, int):
@@ -185,6 +182,11 @@ class Matrix:
 
     def _repr_latex_(self) -> str:
         return f"$\\displaystyle {self.latex()}$"
+
+
+def _fill(matrix: Matrix, rows: int, columns: int, entries: tuple[Expr, ...]) -> None:
+    for name, value in (("rows", rows), ("columns", columns), ("entries", entries)):
+        object.__setattr__(matrix, name, value)  # the one time that a frozen matrix is written
 
 
 def identity(n: int) -> Matrix:

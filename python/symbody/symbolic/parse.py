@@ -174,10 +174,10 @@ class _Builder(Transformer_NonRecursive[Token, Expr]):
         return time_derivative(function, len(primes))
 
     def sum(self, *terms: Expr) -> Expr:
-        return _core.sum(terms)
+        return _core.sum_of(terms)
 
     def product(self, *factors: Expr) -> Expr:
-        return _core.product(factors)
+        return _core.product_of(factors)
 
     def reciprocal(self, divisor: Expr) -> Expr:
         return 1 / divisor

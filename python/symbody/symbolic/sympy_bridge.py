@@ -189,9 +189,9 @@ class _FromSympy:
         sympy = self._sympy
         match s:
             case sympy.Add():
-                return _core.sum(self._all(s.args))
+                return _core.sum_of(self._all(s.args))
             case sympy.Mul():
-                return _core.product(self._all(s.args))
+                return _core.product_of(self._all(s.args))
             case sympy.Pow():
                 base, exponent = self._all(s.args)
                 return base**exponent
