@@ -20,5 +20,5 @@ def mass_matrix_and_bias(formalism: Formalism, system: System) -> list[Expr]:
     """Return the upper triangle of M, row by row, and the bias h, with ``M q'' + h = 0``."""
     equations = formalism(system)
     n = len(system.coordinates)
-    triangle = [equations.mass_matrix[i, j] for i in range(n) for j in range(i, n)]
+    triangle = [entry for i in range(n) for entry in equations.mass_matrix.row(i)[i:]]
     return triangle + list(equations.bias)
