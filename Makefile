@@ -70,7 +70,7 @@ format: $(STAMPS)/develop  ## put the sources into the project's format
 	$(BIN)/ruff check --fix --exit-zero .
 	$(BIN)/ruff format .
 
-bench: $(STAMPS)/build $(STAMPS)/bench  ## measure against the rivals (half an hour), write docs/benchmarks/
+bench: $(STAMPS)/build $(STAMPS)/bench  ## measure against the rivals (ten minutes), write docs/benchmarks/
 	$(BIN)/python -m benchmarks.derive.run
 
 docs: $(STAMPS)/build $(STAMPS)/docs $(STAMPS)/develop  ## check the documents, write the API reference into site/

@@ -23,6 +23,8 @@ const TERMS: usize = 2_000;
 const WORK: usize = 400_000;
 /// Terms handled and nodes visited for a whole expression.
 const TOTAL_WORK: usize = 2_000_000;
+const LEAST_WORK: usize = 4_000;
+const WORK_PER_NODE: usize = 3_000;
 /// Parts with more nodes are left as they are.
 const LARGEST_PART: usize = 4_000;
 /// Coefficients within coefficients that are simplified on their own.
@@ -84,7 +86,7 @@ impl Graph {
     /// When a part cannot be rebuilt.
     pub fn simplify(&mut self, id: Id) -> Result<Id, Error> {
         self.choose_form(|graph| {
-            let work = Budget::new(usize::MAX, TOTAL_WORK);
+            let work = Budget::new(usize::MAX, graph.total_work(id));
             let mut search = Search { work, known: FxHashMap::default() };
             let mut best = id;
             for _ in 0..ROUNDS {
@@ -116,6 +118,11 @@ impl Graph {
             }
         }
         best.1
+    }
+
+    /// What a simplification may spend: in proportion to the size of what is simplified.
+    fn total_work(&self, id: Id) -> usize {
+        TOTAL_WORK.min(LEAST_WORK + WORK_PER_NODE * self.bounded_size(id, TOTAL_WORK / WORK_PER_NODE))
     }
 
     /// The terms that a reader meets first, before any bracket is opened.

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from typing import overload
 
 from symbody.errors import ExpressionError
 from symbody.symbolic import _core
@@ -72,6 +73,10 @@ class Matrix:
         """Return the rows as lists."""
         return [list(self.row(i)) for i in range(self.rows)]
 
+    @overload
+    def __getitem__(self, key: tuple[int, int]) -> Expr: ...
+    @overload
+    def __getitem__(self, key: tuple[int | slice, slice] | tuple[slice, int]) -> Matrix: ...
     def __getitem__(self, key: tuple[int | slice, int | slice]) -> Expr | Matrix:
         if not isinstance(key, tuple) or len(key) != 2:  # type: ignore[redundant-expr]  # users may err
             raise ExpressionError(f"a matrix takes two indices, row and column, found {key!r}")
