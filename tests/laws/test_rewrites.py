@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import random
 from collections.abc import Callable
+from time import process_time
 
 import mpmath
 import pytest
@@ -155,6 +156,15 @@ def test_simplify_is_never_costlier_and_always_the_same(seed: int) -> None:
     assert cost(simplified).total <= cost(expression).total
     assert simplify(expression).same_form(simplified)
     assert cost(simplify(simplified)).total <= cost(simplified).total
+
+
+@pytest.mark.parametrize("seed", [1076, 1211, 1225, 1250, 1361, 1418])
+def test_simplify_works_in_proportion(seed: int) -> None:
+    """Of 600 expressions these took a search without a budget longest: up to ten seconds, for twenty operations."""
+    expression = random_expression(random.Random(seed), 2 + seed % 3)
+    started = process_time()
+    simplify(expression)
+    assert process_time() - started < 1 + 0.02 * cost(expression).total
 
 
 @pytest.mark.parametrize("seed", SEEDS)
