@@ -77,6 +77,9 @@ impl Graph {
     /// The derivation's node for a product of integer powers, found by its value alone.
     fn known_product(&mut self, factors: &[Factor]) -> Option<Id> {
         self.classes.as_ref()?;
+        if factors.iter().all(|&(base, _)| self.as_number(base).is_some()) {
+            return None;
+        }
         let mut value = Element::ONE;
         for &(base, exponent) in factors {
             let exponent = self.get_number(exponent).to_i64().filter(|e| *e > 0)?;
