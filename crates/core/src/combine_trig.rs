@@ -13,6 +13,8 @@ use crate::ring::Ring;
 const BUDGET: Budget = Budget::new(100_000, 2_000_000);
 /// More factors than this in one product stay as they are: each doubles the terms.
 const MOST_FACTORS: u64 = 12;
+/// A wave is a node of its own to make, some fifty times the work of a term.
+const WAVE_WORK: usize = 50;
 
 impl Graph {
     /// Write products and powers of sines and cosines as sums of sines and cosines.
@@ -69,7 +71,7 @@ impl Ring<'_> {
             let Some((shape, argument)) = self.wave(atom) else { continue };
             let angle = self.angle(argument)?;
             for _ in 0..exponent {
-                self.budget.spend(waves.len())?;
+                self.budget.spend(waves.len() * WAVE_WORK)?;
                 waves = multiplied(&waves, shape, &angle);
             }
         }

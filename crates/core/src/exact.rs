@@ -284,8 +284,8 @@ impl Graph {
     }
 
     fn simple_power(&mut self, base: Id, exponent: Id) -> Result<Option<Id>, Error> {
-        if base == Id::ONE {
-            return Ok(Some(Id::ONE));
+        if self.as_number(base).is_some_and(Number::is_one) {
+            return Ok(Some(base));
         }
         if let Some(number) = self.as_number(exponent).cloned() {
             return self.pow_number(base, &number).map(Some);

@@ -10,6 +10,7 @@
 use num_bigint::BigInt;
 use num_traits::{Signed, ToPrimitive};
 use std::ops::{Add, Mul, Neg, Sub};
+use std::sync::LazyLock;
 
 use crate::number::Number;
 
@@ -345,11 +346,13 @@ impl Circle {
     /// The angle 2 pi k / 110880.
     #[must_use]
     pub fn torsion(k: u64) -> Self {
-        // A generator: the first drawn point whose cofactor power has full order in the torsion group.
-        Self::ONE.map(|prime, _| prime.circle_pow(torsion_generator(prime), k % TORSION))
+        static GENERATORS: LazyLock<Circle> =
+            LazyLock::new(|| Circle::ONE.map(|prime, _| torsion_generator(prime)));
+        GENERATORS.map(|prime, generator| prime.circle_pow(generator, k % TORSION))
     }
 }
 
+/// The first point whose cofactor power has full order in the group of torsion angles.
 fn torsion_generator(prime: &Prime) -> (u64, u64) {
     let cofactor = (prime.p + 1) / TORSION;
     let mut t = prime.add(prime.one, prime.one);
