@@ -104,7 +104,7 @@ impl Graph {
 
     /// A value drawn for the function and its arguments' values, with the function's parity.
     fn opaque_value(&self, function: Function, args: &[Id]) -> Element {
-        if function == Function::Abs {
+        if function == Function::Abs && self.is_real(args[0]) {
             // |u| is the root of u^2, whatever form that has.
             let square = self.value(args[0]).powi(2);
             let key = Key::new("root").element(square);

@@ -20,8 +20,8 @@ impl Graph {
             _ => None,
         };
         Ok(match (function, inner) {
-            (Function::Log, Some((Function::Exp, x)))
-            | (Function::Exp, Some((Function::Log, x)))
+            (Function::Log, Some((Function::Exp, x))) if self.is_real(x) => Some(x),
+            (Function::Exp, Some((Function::Log, x)))
             | (Function::Sin, Some((Function::Asin, x)))
             | (Function::Cos, Some((Function::Acos, x)))
             | (Function::Tan, Some((Function::Atan, x))) => Some(x),

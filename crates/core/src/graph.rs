@@ -251,7 +251,8 @@ impl Graph {
             Assumption::Positive => Element::draw_exponential(&key),
             Assumption::Real | Assumption::None => Element::draw(&key),
         };
-        self.intern(Kind::Symbol(assumption), Flags::default(), &[name_id], value)
+        let flags = if assumption == Assumption::None { Flags::COMPLEX } else { Flags::default() };
+        self.intern(Kind::Symbol(assumption), flags, &[name_id], value)
     }
 
     /// The function of time `name`, differentiated `order` times.

@@ -164,6 +164,8 @@ impl Flags {
     pub(crate) const TIME: Self = Self(2);
     /// A product with a root among its factors (which other products must merge with).
     pub(crate) const ROOT: Self = Self(4);
+    /// Contains a symbol that may be complex: |z|^2 is not z^2, log(exp z) is not z.
+    pub(crate) const COMPLEX: Self = Self(8);
 
     pub(crate) const fn has(self, other: Self) -> bool {
         self.0 & other.0 != 0
@@ -174,7 +176,8 @@ impl Flags {
     /// The flags of a node from those of two children.
     pub(crate) const fn join(self, other: Self) -> Self {
         let level = if self.level() > other.level() { self.level() } else { other.level() };
-        let joined = (self.0 & other.0 & Self::CONSTANT.0) | ((self.0 | other.0) & Self::TIME.0);
+        let joined =
+            (self.0 & other.0 & Self::CONSTANT.0) | ((self.0 | other.0) & (Self::TIME.0 | Self::COMPLEX.0));
         Self(joined).at_level(level)
     }
 

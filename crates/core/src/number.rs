@@ -377,6 +377,9 @@ impl std::fmt::Display for Number {
         if self.decimal {
             let value = self.to_f64();
             let magnitude = value.abs();
+            if magnitude.is_infinite() || (magnitude == 0.0 && !self.is_zero()) {
+                return f.write_str(&scientific(&self.value.to_big()));
+            }
             if magnitude != 0.0 && !(1e-4..1e16).contains(&magnitude) {
                 return write!(f, "{value:e}");
             }
@@ -388,6 +391,24 @@ impl std::fmt::Display for Number {
             Value::Big(value) => write!(f, "{value}"),
         }
     }
+}
+
+/// Seventeen significant digits of a number beyond the doubles, and its power of ten.
+fn scientific(value: &BigRational) -> String {
+    const DIGITS: usize = 17;
+    let (num, den) = (value.numer().abs(), value.denom());
+    let length = |n: &BigInt| i64::try_from(n.to_string().len()).unwrap_or(i64::MAX);
+    // One digit more than is printed, whichever of the two lengths the quotient has.
+    let shift = 19 - (length(&num) - length(den));
+    let ten = BigInt::from(10).pow(u32::try_from(shift.unsigned_abs()).unwrap_or(u32::MAX));
+    let quotient = if shift >= 0 { num * ten / den } else { num / (den * ten) };
+    let digits = quotient.to_string();
+    let exponent = i64::try_from(digits.len()).unwrap_or(0) - 1 - shift;
+    let mantissa = digits[..DIGITS.min(digits.len())].trim_end_matches('0');
+    let (first, rest) = mantissa.split_at(1);
+    let sign = if value.is_negative() { "-" } else { "" };
+    let point = if rest.is_empty() { "" } else { "." };
+    format!("{sign}{first}{point}{rest}e{exponent}")
 }
 
 #[cfg(test)]

@@ -136,6 +136,7 @@ impl Graph {
         for (base, exponent) in factors {
             if let View::Function(Function::Abs, args) = self.view(*base)
                 && is_even(exponent)
+                && self.is_real(*base)
             {
                 *base = args.get(0);
             }
@@ -186,7 +187,7 @@ impl Graph {
                 out.push(self, power, &Number::integer(1));
                 Ok(())
             }
-            View::Function(Function::Abs, args) if is_even(exponent) => {
+            View::Function(Function::Abs, args) if is_even(exponent) && self.is_real(base) => {
                 let argument = args.get(0);
                 self.collect_power(out, argument, exponent)
             }
@@ -222,7 +223,7 @@ impl Graph {
         for (node, e) in inner {
             if self.is_positive(*node) {
                 self.collect_power(out, *node, &e.mul(exponent))?;
-            } else if single && is_even(e) {
+            } else if single && is_even(e) && self.is_real(*node) {
                 // (u**2k)**r = |u|**(2kr) for real u.
                 let modulus = self.apply(Function::Abs, &[*node])?;
                 out.push(self, modulus, &e.mul(exponent));

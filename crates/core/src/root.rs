@@ -7,11 +7,16 @@ use crate::error::Error;
 use crate::field::{Element, Key};
 use crate::function::Function;
 use crate::graph::Graph;
-use crate::node::{Assumption, Id, Kind, View};
+use crate::node::{Assumption, Flags, Id, Kind, View};
 use crate::number::Number;
 use crate::product::Collector;
 
 impl Graph {
+    /// Whether no symbol below may be complex.
+    pub(crate) fn is_real(&self, id: Id) -> bool {
+        !self.flags(id).has(Flags::COMPLEX)
+    }
+
     /// Whether the node is positive by what the user promised.
     pub(crate) fn is_positive(&self, id: Id) -> bool {
         match self.view(id) {

@@ -53,7 +53,7 @@ def cost(*expressions: Costed, tree: bool = False) -> Cost:
 
 def _flat(items: Iterable[Costed]) -> Iterator[ExprLike]:
     for item in items:
-        if isinstance(item, Iterable):
+        if isinstance(item, Iterable) and not isinstance(item, str):
             yield from _flat(item)
         else:
             yield item

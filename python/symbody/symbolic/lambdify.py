@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 from symbody.errors import ExpressionError, ParameterError
 from symbody.symbolic import _core
 from symbody.symbolic._core import Expr
-from symbody.symbolic.leaves import ExprLike
+from symbody.symbolic.leaves import ExprLike, number
 from symbody.symbolic.matrix import Matrix
 
 __all__ = ["CompiledFunction", "lambdify"]
@@ -112,6 +112,8 @@ def _flatten(expressions: Outputs) -> tuple[list[ExprLike], tuple[_Shape, ...] |
         return [expressions], _Shape(0, 1, ())
     if isinstance(expressions, Matrix):
         return list(expressions.entries), _Shape(0, len(expressions.entries), expressions.shape)
+    if isinstance(expressions, str) or not isinstance(expressions, Iterable):
+        return [number(expressions)], _Shape(0, 1, ())
     items = list(expressions)
     if all(_is_scalar(item) for item in items):
         return items, _Shape(0, len(items), (len(items),))

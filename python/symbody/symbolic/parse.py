@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Mapping
+from fractions import Fraction
 from functools import cache
+from math import isinf
 from typing import TypeAlias
 
 from lark import Lark, Token, UnexpectedCharacters, UnexpectedToken, v_args
@@ -155,7 +157,11 @@ class _Builder(Transformer_NonRecursive[Token, Expr]):
         self._names = names
 
     def number(self, token: Token) -> Expr:
-        return _core.number(int(token) if token.isdecimal() else float(token))
+        if token.isdecimal():
+            return _core.number(int(token))
+        value = float(token)
+        beyond = isinf(value) or (value == 0.0 and Fraction(token) != 0)
+        return _core.number(Fraction(token) if beyond else value)
 
     def name(self, token: Token) -> Expr:
         meaning = self._names.get(token)

@@ -89,7 +89,7 @@ fn closed(base: &Base) -> String {
         Base::Function(function, _) => !matches!(function, Function::Abs),
         Base::Number(number) => is_fraction(number),
         Base::TimeFunction { order, .. } => *order > DOTS,
-        Base::Pi | Base::Time | Base::Symbol(_) => false,
+        Base::Pi | Base::Time | Base::Symbol(..) => false,
     };
     if brackets_needed { brackets(&bare(base)) } else { bare(base) }
 }
@@ -112,7 +112,7 @@ fn bare(base: &Base) -> String {
         Base::Number(number) => decimal(&number.to_string()),
         Base::Pi => "\\pi".into(),
         Base::Time => "t".into(),
-        Base::Symbol(name) => name::to_latex(name, ""),
+        Base::Symbol(name, _) => name::to_latex(name, ""),
         Base::TimeFunction { name, order, explicit } => {
             let argument = if *explicit { "\\left(t\\right)" } else { "" };
             time_function(name, *order) + argument

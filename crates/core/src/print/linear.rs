@@ -128,7 +128,7 @@ impl<D: Dialect> Writer<'_, D> {
             Base::Number(number) => self.out.push_str(&number.to_string()),
             Base::Pi => self.out.push_str(D::PI),
             Base::Time => self.out.push('t'),
-            Base::Symbol(name) => self.out.push_str(&self.dialect.name(name)),
+            Base::Symbol(name, _) => self.out.push_str(&self.dialect.name(name)),
             Base::TimeFunction { name, order, explicit } => {
                 self.out.push_str(&self.dialect.time_function(name, *order, *explicit));
             }

@@ -2,7 +2,7 @@
 
 use crate::function::Function;
 use crate::graph::Graph;
-use crate::node::{Factors, Id, Ids, Terms, View};
+use crate::node::{Assumption, Factors, Id, Ids, Terms, View};
 use crate::number::Number;
 
 use super::order;
@@ -23,7 +23,7 @@ impl<'a> Reader<'a> {
     /// A node, by its name if it has one.
     pub(super) fn expression(&self, id: Id) -> Sum {
         match self.plan.name(id) {
-            Some(name) => Sum::atom(Base::Symbol(name.to_owned())),
+            Some(name) => Sum::atom(Base::Symbol(name.to_owned(), Assumption::Real)),
             None => self.opened(id),
         }
     }
@@ -60,7 +60,7 @@ impl<'a> Reader<'a> {
             View::Number(number) => Sum::number(self.graph.get_number(number).clone()),
             View::Pi => Sum::atom(Base::Pi),
             View::Time => Sum::atom(Base::Time),
-            View::Symbol(name, _) => Sum::atom(Base::Symbol(name.to_owned())),
+            View::Symbol(name, assumption) => Sum::atom(Base::Symbol(name.to_owned(), assumption)),
             View::TimeFunction(name, order) => Sum::atom(Base::TimeFunction {
                 name: name.to_owned(),
                 order,
@@ -125,5 +125,5 @@ impl<'a> Reader<'a> {
 }
 
 fn symbol(piece: &Piece) -> Sum {
-    Sum::atom(Base::Symbol(piece.name.clone()))
+    Sum::atom(Base::Symbol(piece.name.clone(), Assumption::Real))
 }

@@ -6,6 +6,7 @@
 use std::cmp::Ordering;
 
 use crate::function::Function;
+use crate::node::Assumption;
 use crate::number::Number;
 
 use super::order;
@@ -38,7 +39,8 @@ pub(super) enum Base {
     Number(Number),
     Pi,
     Time,
-    Symbol(String),
+    /// A symbol: of one name there may be several, with other assumptions.
+    Symbol(String, Assumption),
     /// A function of time; `explicit` where the name alone would mean something else.
     TimeFunction {
         name: String,
