@@ -12,6 +12,7 @@ mod block;
 mod build;
 mod classes;
 mod collect;
+mod collector;
 mod combine_trig;
 mod content;
 mod cost;

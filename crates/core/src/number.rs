@@ -137,6 +137,12 @@ impl Number {
         }
     }
 
+    /// Whether the number is an even integer.
+    #[must_use]
+    pub fn is_even(&self) -> bool {
+        self.is_integer() && self.numerator().is_even()
+    }
+
     /// Whether the number prints as a double.
     #[must_use]
     pub const fn is_decimal(&self) -> bool {

@@ -1,12 +1,13 @@
 //! Products and powers: equal bases merge by value, numbers come out, signs come out.
 
+use crate::collector::Collector;
 use crate::error::Error;
 use crate::field::Element;
 use crate::function::Function;
 use crate::graph::Graph;
 use crate::node::{Factors, Flags, Id, Kind, NumberId, View};
 use crate::number::Number;
-use crate::root::{is_even, square_part};
+use crate::root::square_part;
 
 /// Factors up to this count are searched for ones that merge with those of child products.
 const MERGE_SEARCH: usize = 48;
@@ -135,7 +136,7 @@ impl Graph {
     fn open_even_moduli(&self, factors: &mut [(Id, Number)]) {
         for (base, exponent) in factors {
             if let View::Function(Function::Abs, args) = self.view(*base)
-                && is_even(exponent)
+                && exponent.is_even()
                 && self.is_real(*base)
             {
                 *base = args.get(0);
@@ -187,7 +188,7 @@ impl Graph {
                 out.push(self, power, &Number::integer(1));
                 Ok(())
             }
-            View::Function(Function::Abs, args) if is_even(exponent) && self.is_real(base) => {
+            View::Function(Function::Abs, args) if exponent.is_even() && self.is_real(base) => {
                 let argument = args.get(0);
                 self.collect_power(out, argument, exponent)
             }
@@ -223,7 +224,7 @@ impl Graph {
         for (node, e) in inner {
             if self.is_positive(*node) {
                 self.collect_power(out, *node, &e.mul(exponent))?;
-            } else if single && is_even(e) && self.is_real(*node) {
+            } else if single && e.is_even() && self.is_real(*node) {
                 // (u**2k)**r = |u|**(2kr) for real u.
                 let modulus = self.apply(Function::Abs, &[*node])?;
                 out.push(self, modulus, &e.mul(exponent));
@@ -315,36 +316,5 @@ impl Graph {
     /// Whether two exponents of one base are better merged: they cancel in part, or one is a root.
     fn merges(a: &Number, b: &Number) -> bool {
         a.is_negative() != b.is_negative() || !a.is_integer() || !b.is_integer()
-    }
-}
-
-/// The parts of a product while it is collected.
-pub(crate) struct Collector {
-    pub(crate) coefficient: Number,
-    factors: Vec<(Id, Number)>,
-    /// The product of all numbers under a square root.
-    pub(crate) radicand: Option<Number>,
-}
-
-impl Collector {
-    /// Multiply by base ** exponent; a base with the same or the opposite value takes the exponent.
-    pub(crate) fn push(&mut self, graph: &Graph, base: Id, exponent: &Number) {
-        let value = graph.value(base);
-        for (position, (known, total)) in self.factors.iter_mut().enumerate() {
-            let same = graph.value(*known) == value;
-            let opposite = !same && graph.value(*known) == -value && exponent.is_integer();
-            if !(same || opposite) {
-                continue;
-            }
-            if opposite && !is_even(exponent) {
-                self.coefficient = self.coefficient.neg();
-            }
-            *total = total.add(exponent);
-            if total.is_zero() {
-                self.factors.remove(position);
-            }
-            return;
-        }
-        self.factors.push((base, exponent.clone()));
     }
 }

@@ -3,13 +3,13 @@
 //! A root of a symbolic argument is an opaque value: `sqrt(x**2)` must not become `x`. Numbers leave their
 //! square factors outside; positive symbols leave as they are.
 
+use crate::collector::Collector;
 use crate::error::Error;
 use crate::field::{Element, Key};
 use crate::function::Function;
 use crate::graph::Graph;
 use crate::node::{Assumption, Flags, Id, Kind, View};
 use crate::number::Number;
-use crate::product::Collector;
 
 impl Graph {
     /// Whether no symbol below may be complex.
@@ -88,10 +88,6 @@ impl Graph {
         let key = Key::new("root").element(self.value(base));
         integral * Element::draw_exponential(&key).pow_rational(&fraction)
     }
-}
-
-pub(crate) fn is_even(exponent: &Number) -> bool {
-    exponent.to_i64().is_some_and(|n| n % 2 == 0)
 }
 
 /// number = outside^2 * inside, with a square-free integer inside as far as trial division tells.
