@@ -23,7 +23,7 @@ const TERMS: usize = 2_000;
 const WORK: usize = 400_000;
 /// Terms handled and nodes visited for a whole expression.
 const TOTAL_WORK: usize = 2_000_000;
-const LEAST_WORK: usize = 4_000;
+const LEAST_WORK: usize = 100_000;
 const WORK_PER_NODE: usize = 5_000;
 /// Parts with more nodes are left as they are.
 const LARGEST_PART: usize = 4_000;
