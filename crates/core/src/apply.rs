@@ -98,8 +98,23 @@ impl Graph {
                 }
             }
             Function::Power => self.general_power(first, args[1]),
+            Function::Piecewise => self.piecewise_value(args),
             _ => self.opaque_value(function, args),
         }
+    }
+
+    /// The sum of the branches times indicators: which of the conditions is the first to be positive.
+    ///
+    /// Indicators are drawn for the conditions' values; so a derivative of a piecewise function is the
+    /// same value by branches and by partial derivatives.
+    fn piecewise_value(&self, args: &[Id]) -> Element {
+        let (mut value, mut not_yet) = (Element::ZERO, Element::ONE);
+        for pair in args[..args.len() - 1].chunks_exact(2) {
+            let positive = Element::draw(&Key::new("indicator").element(self.value(pair[1])));
+            value = value + not_yet * positive * self.value(pair[0]);
+            not_yet = not_yet * (Element::ONE - positive);
+        }
+        value + not_yet * self.value(args[args.len() - 1])
     }
 
     /// A value drawn for the function and its arguments' values, with the function's parity.

@@ -25,7 +25,7 @@ pub(crate) enum Opening {
 /// Limits of what a user may ask for.
 const BUDGET: Budget = Budget::new(200_000, 5_000_000);
 /// Exponents beyond this stay closed.
-const LARGEST_EXPONENT: i64 = 1 << 30;
+const LARGEST_EXPONENT: i64 = 257;
 
 impl Graph {
     /// Multiply products and powers of sums out, also in arguments and denominators.

@@ -122,7 +122,10 @@ impl Graph {
             root |= !exponent.is_integer();
         }
         let mut flags = self.joined_flags(factors.iter().map(|&(base, _)| base));
-        root |= factors.iter().any(|&(base, _)| self.flags(base).has(Flags::ROOT));
+        // Moduli merge to squares as roots do.
+        root |= factors.iter().any(|&(base, _)| {
+            self.flags(base).has(Flags::ROOT) || self.kind(base) == Kind::Function(Function::Abs)
+        });
         if root {
             flags = flags.with(Flags::ROOT);
         }

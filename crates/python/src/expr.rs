@@ -114,10 +114,13 @@ impl Expr {
         Ok((equal == matches!(op, CompareOp::Eq)).into_pyobject(py)?.to_owned().into_any().unbind())
     }
 
-    /// Agrees with `==`.
+    /// Agrees with `==`, and for simple numbers with Python's own numbers.
     fn __hash__(&self) -> isize {
-        let [a, b] = with_forms(|graph| graph.value(self.0).words());
-        isize::from_ne_bytes((a ^ b.rotate_left(32)).to_ne_bytes())
+        let value = with_forms(|graph| graph.value(self.0));
+        value.to_simple_rational().and_then(|number| rational_hash(&number)).unwrap_or_else(|| {
+            let [a, b] = value.words();
+            isize::from_ne_bytes((a ^ b.rotate_left(32)).to_ne_bytes())
+        })
     }
 
     fn __bool__(&self) -> bool {
@@ -339,6 +342,23 @@ impl Expr {
         let replaced = raise(py, with_forms(|graph| graph.substitute(&[self.0], &pairs)))?;
         Ok(Self(replaced[0]))
     }
+}
+
+/// Python's hash of a rational: num / den modulo the prime 2^61 - 1, with the sign of num.
+fn rational_hash(number: &Number) -> Option<isize> {
+    const PRIME: u128 = (1 << 61) - 1;
+    let (num, den) = number.to_small()?;
+    let (mut inverse, mut power, mut exponent) = (1, u128::from(den.unsigned_abs()), PRIME - 2);
+    while den != 1 && exponent > 0 {
+        if exponent & 1 == 1 {
+            inverse = inverse * power % PRIME;
+        }
+        power = power * power % PRIME;
+        exponent >>= 1;
+    }
+    let magnitude = isize::try_from(u128::from(num.unsigned_abs()) % PRIME * inverse % PRIME).ok()?;
+    let hash = if num < 0 { -magnitude } else { magnitude };
+    Some(if hash == -1 { -2 } else { hash })
 }
 
 /// The value of an expression without symbols.

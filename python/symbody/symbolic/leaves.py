@@ -26,6 +26,10 @@ __all__ = [
 #: What converts to an expression: int, float, Fraction and NumPy scalars do.
 ExprLike: TypeAlias = Expr | int | float
 
+#: Names that print as something else.
+_TAKEN = {"t": "time, symbody.t", "pi": "the circle constant, symbody.pi"} | {
+    name: f"the function symbody.{name}" for name in (*_core.function_names(), "sqrt") if name != "Power"
+}
 _NAME = re.compile(r"[^\W\d]\w*")
 
 t: Expr = _core.time()
@@ -47,6 +51,8 @@ def _names(text: str) -> list[str]:
             raise ExpressionError(
                 f"{name!r} is no name; expected letters, digits and underscores, not starting with a digit"
             )
+        if name in _TAKEN:
+            raise ExpressionError(f"the name {name!r} stands for {_TAKEN[name]}; choose another name")
     return names
 
 

@@ -6,6 +6,9 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import overload
 
+import numpy as np
+from numpy.typing import NDArray
+
 from symbody.errors import ExpressionError
 from symbody.symbolic import _core
 from symbody.symbolic._core import Expr
@@ -29,7 +32,7 @@ class Matrix:
     entries: tuple[Expr, ...]
 
     def __init__(self, rows: Sequence[Sequence[ExprLike]]) -> None:
-        width = len(rows[0]) if rows else 0
+        width = len(rows[0]) if len(rows) else 0
         for i, row in enumerate(rows):
             if len(row) != width:
                 raise ExpressionError(
@@ -87,6 +90,11 @@ class Matrix:
         picked_columns = range(self.columns)[j] if isinstance(j, slice) else [range(self.columns)[j]]
         entries = [self.entries[a * self.columns + b] for a in picked_rows for b in picked_columns]
         return Matrix.from_entries(len(picked_rows), len(picked_columns), entries)
+
+    def __array__(self, dtype: object = None, copy: bool | None = None) -> NDArray[np.object_]:
+        array = np.empty(self.shape, dtype=object)
+        array[...] = self.tolist()
+        return array
 
     def __iter__(self) -> Iterator[Expr]:
         return iter(self.entries)
