@@ -13,6 +13,10 @@ class ExpressionError(SymbodyError, ValueError):
     """An expression was asked for something that it can't do."""
 
 
+class ArgumentError(ExpressionError, TypeError):
+    """Something that is no expression, number or list of them, where one is needed."""
+
+
 class DivisionByZeroError(SymbodyError, ZeroDivisionError):
     """A division by an expression that is identically zero."""
 
