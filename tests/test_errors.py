@@ -16,22 +16,33 @@ from symbody import (
     System,
     Torque,
     Vector,
+    angular_momentum,
+    angular_velocity,
+    center_of_mass,
+    dot,
     errors,
     euler_equations,
+    frozen_velocity,
     functions_of_time,
     generalized_force,
     gravitational_energy,
     ground,
     kinetic_energy,
+    lagrange,
     lagrange_equations,
     moving_frame,
     newton_equations,
     newton_euler,
+    power,
     project,
     rotate,
+    show,
+    sin,
     symbols,
+    t,
     time_derivative,
     translate,
+    velocity,
 )
 
 m, a, b, F = symbols("m a b F")
@@ -39,6 +50,7 @@ x, y, z, phi = functions_of_time("x y z phi")
 body = Body(translate(x, y, 0), m, name="bead")
 other = Body(translate(x, 0, 0), m, name="cart")
 G = body.center_of_mass
+push = Force(ground, F, 0, 0, at=G, on=body, name="push")
 vehicle = moving_frame(a, 0, 0, 0, 0, b, name="vehicle")
 natural = Frame([[x, -y, 0, 0], [y, x, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]).named("TN")
 
@@ -124,36 +136,90 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
     ),
     (
         errors.FrameError,
-        lambda: Point(a, 1, 2, 3),  # type: ignore[arg-type]
-        "Point: a isn't a frame; write Point(frame, x, y, z)",
+        lambda: Point(a, 1, 2, 3),
+        ("Point: frame = a is an Expr; expected a frame, such as ground or rotate('Z', angle)"),
     ),
     (
         errors.FrameError,
-        lambda: Vector(body, 1, 2, 3),  # type: ignore[arg-type]
-        "Vector: bead isn't a frame; write Vector(frame, x, y, z)",
+        lambda: Vector(body, 1, 2, 3),
+        ("Vector: frame = bead is a Body; expected a frame, such as ground or rotate('Z', angle)"),
+    ),
+    (
+        errors.FrameError,
+        lambda: Vector(ground, 1, 0, 0) * Vector(ground, 1, 0, 0),
+        (
+            "Vector.__mul__: factor = Vector(ground, 1, 0, 0) is a Vector; expected an expression or a "
+            "number; two vectors multiply by dot and cross"
+        ),
+    ),
+    (
+        errors.FrameError,
+        lambda: translate("x", 0, 0),
+        ("translate: x = 'x' is a str; expected an expression, such as symbols('a'), or a finite number"),
+    ),
+    (
+        errors.FrameError,
+        lambda: rotate(3, phi),
+        ("rotate: axis = 3 is an int; expected 'X', 'Y', 'Z', a unit triple or a Vector"),
+    ),
+    (
+        errors.FrameError,
+        lambda: rotate("Z", None),
+        ("rotate: angle = None; expected an expression, such as symbols('a'), or a finite number"),
+    ),
+    (
+        errors.FrameError,
+        lambda: Frame(3),
+        ("Frame: matrix = 3 is an int; expected a 4x4 matrix: four rows of four entries each"),
+    ),
+    (
+        errors.FrameError,
+        lambda: dot(Vector(ground, 1, 2, 3), G),
+        (
+            "dot: v = Point(Frame([[1, 0, 0, x], [0, 1, 0, y], [0, 0, 1, 0], [0, 0, 0, 1]]), 0, 0, 0) is a "
+            "Point; expected a vector, such as Vector(frame, x, y, z)"
+        ),
+    ),
+    (
+        errors.FrameError,
+        lambda: project(1, ground),
+        ("project: thing = 1 is an int; expected a point, a vector, a force or a torque"),
+    ),
+    (
+        errors.FrameError,
+        lambda: project(G, G),
+        (
+            "project: frame = Point(Frame([[1, 0, 0, x], [0, 1, 0, y], [0, 0, 1, 0], [0, 0, 0, 1]]), 0, 0, "
+            "0) is a Point; expected a frame, such as ground or rotate('Z', angle)"
+        ),
+    ),
+    (
+        errors.FrameError,
+        lambda: velocity(body),
+        (
+            "velocity: thing = bead is a Body; expected a point, such as Point(frame, x, y, z) or "
+            "center_of_mass(body), or a vector, such as Vector(frame, x, y, z)"
+        ),
+    ),
+    (
+        errors.FrameError,
+        lambda: velocity(G, "absolute"),
+        ("velocity: frame = 'absolute' is a str; expected a frame, such as ground or rotate('Z', angle)"),
+    ),
+    (
+        errors.FrameError,
+        lambda: angular_velocity(body),
+        ("angular_velocity: frame = bead is a Body; expected a frame, such as ground or rotate('Z', angle)"),
+    ),
+    (
+        errors.FrameError,
+        lambda: frozen_velocity(ground, G),
+        (
+            "frozen_velocity: point = ground is a Frame; expected a point, such as Point(frame, x, y, z) or "
+            "center_of_mass(body)"
+        ),
     ),
     # --- bodies and loads ---
-    (
-        errors.BodyError,
-        lambda: Body(m, a),  # type: ignore[arg-type]
-        (
-            "Body: m is neither a point nor a frame, so that the body has no centre of mass; "
-            "write Body(Point(frame, x, y, z), mass) or Body(frame, mass)"
-        ),
-    ),
-    (
-        errors.LoadError,
-        lambda: Force(ground, F, 0, 0, at=G, on=G),  # type: ignore[arg-type]
-        (
-            "Force: Point(Frame([[1, 0, 0, x], [0, 1, 0, y], [0, 0, 1, 0], [0, 0, 0, 1]]), 0, 0, 0) isn't a body; "
-            "give on=body, and reaction=body for the one that reacts"
-        ),
-    ),
-    (
-        errors.LoadError,
-        lambda: Torque(ground, F, 0, 0, on=body, reaction=ground),  # type: ignore[arg-type]
-        "Torque: ground isn't a body; give on=body, and reaction=body for the one that reacts",
-    ),
     (
         errors.LoadError,
         lambda: Force(ground, F, 0, at=G, on=body),
@@ -161,24 +227,85 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
     ),
     (
         errors.LoadError,
-        lambda: Force(ground, F, 0, 0, at=body, on=body),  # type: ignore[arg-type]
-        "Force: bead isn't a point; give at=Point(frame, x, y, z)",
+        lambda: Torque(ground, F, 0, 0, on=body, reaction=body),
+        "Torque: acts and reacts on the same body bead; name two bodies, or leave reaction out",
+    ),
+    (
+        errors.BodyError,
+        lambda: Body(m, a),
+        (
+            "Body: place = m is an Expr; expected the centre of mass: a point, such as Point(frame, x, y, "
+            "z), or a frame whose origin it is"
+        ),
+    ),
+    (
+        errors.BodyError,
+        lambda: Body(ground, "m"),
+        ("Body: mass = 'm' is a str; expected an expression, such as symbols('a'), or a finite number"),
+    ),
+    (
+        errors.BodyError,
+        lambda: Body(ground, x * m),
+        (
+            "Body: mass = m*x depends on time; expected a constant, such as symbols('m'): bodies are rigid "
+            "and neither gain nor lose mass; make several bodies of parts that move in each other"
+        ),
+    ),
+    (
+        errors.BodyError,
+        lambda: Body(ground, m, Iz=sin(t)),
+        (
+            "Body: Iz = sin(t) depends on time; expected a constant, such as symbols('m'): bodies are rigid "
+            "and neither gain nor lose mass; make several bodies of parts that move in each other"
+        ),
+    ),
+    (
+        errors.BodyError,
+        lambda: center_of_mass([body]),
+        ("center_of_mass: body = [bead] is a list; expected a body, such as Body(frame, mass)"),
     ),
     (
         errors.LoadError,
-        lambda: Torque(ground, F, 0, 0, on=body, reaction=body),
-        "Torque: acts and reacts on the same body bead; name two bodies, or leave reaction out",
+        lambda: Force(ground, F, 0, 0, at=G, on=G),
+        (
+            "Force: on = Point(Frame([[1, 0, 0, x], [0, 1, 0, y], [0, 0, 1, 0], [0, 0, 0, 1]]), 0, 0, 0) is "
+            "a Point; expected a body, such as Body(frame, mass)"
+        ),
+    ),
+    (
+        errors.LoadError,
+        lambda: Torque(ground, F, 0, 0, on=body, reaction=ground),
+        ("Torque: reaction = ground is a Frame; expected a body, such as Body(frame, mass)"),
+    ),
+    (
+        errors.LoadError,
+        lambda: Force(ground, F, 0, 0, at=body, on=body),
+        (
+            "Force: at = bead is a Body; expected a point, such as Point(frame, x, y, z) or "
+            "center_of_mass(body)"
+        ),
+    ),
+    (
+        errors.LoadError,
+        lambda: Force(ground, "F", 0, 0, at=G, on=body),
+        (
+            "Force: components = 'F' is a str; expected an expression, such as symbols('a'), or a finite "
+            "number"
+        ),
+    ),
+    (
+        errors.LoadError,
+        lambda: power(body),
+        (
+            "power: load = bead is a Body; expected a force or a torque, such as Force(frame, x, y, z, "
+            "at=point, on=body)"
+        ),
     ),
     # --- sets ---
     (
         errors.ModelError,
         lambda: newton_equations([]),
         "newton_equations: no body among the objects; give at least one",
-    ),
-    (
-        errors.ModelError,
-        lambda: kinetic_energy([body, m]),  # type: ignore[list-item]
-        "kinetic_energy: m is neither a body nor a load; give bodies, forces and torques",
     ),
     (
         errors.ModelError,
@@ -192,11 +319,6 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
     ),
     # --- systems ---
     (errors.ModelError, lambda: System([], coordinates=[x]), "System: no bodies; give at least one"),
-    (
-        errors.ModelError,
-        lambda: System([Force(ground, F, 0, 0, at=G, on=body, name="push")], coordinates=[x]),  # type: ignore[list-item]
-        "System: push is out of place; bodies go into bodies=, forces and torques into loads=",
-    ),
     (
         errors.ModelError,
         lambda: System([body]),
@@ -214,11 +336,6 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
     ),
     (
         errors.ModelError,
-        lambda: System([body], coordinates=[x, y, x]),
-        "System: the coordinate x is given twice",
-    ),
-    (
-        errors.ModelError,
         lambda: newton_euler(System([body], coordinates=[x, phi])),
         (
             "newton_euler: the coordinate phi appears in no frame of a body and in no constraint; leave it out of the "
@@ -231,6 +348,218 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
         (
             "lagrange_equations: the bodies hang on the moving master frame vehicle, whose velocities are no rates of "
             "coordinates; use newton_equations and euler_equations"
+        ),
+    ),
+    (
+        errors.ModelError,
+        lambda: kinetic_energy([body, m]),
+        (
+            "kinetic_energy: in objects, m is an Expr; expected a system, a body, a load, or a set or list "
+            "of bodies and loads"
+        ),
+    ),
+    (
+        errors.ModelError,
+        lambda: kinetic_energy(ground),
+        (
+            "kinetic_energy: objects = ground is a Frame; expected a system, a body, a load, or a set or "
+            "list of bodies and loads"
+        ),
+    ),
+    (
+        errors.ModelError,
+        lambda: gravitational_energy(body, a),
+        ("gravitational_energy: gravity = a is an Expr; expected a vector, such as Vector(frame, x, y, z)"),
+    ),
+    (
+        errors.ModelError,
+        lambda: angular_momentum(body, ground),
+        (
+            "angular_momentum: point = ground is a Frame; expected a point, such as Point(frame, x, y, z) "
+            "or center_of_mass(body)"
+        ),
+    ),
+    (
+        errors.ModelError,
+        lambda: newton_equations({body}, G),
+        (
+            "newton_equations: frame = Point(Frame([[1, 0, 0, x], [0, 1, 0, y], [0, 0, 1, 0], [0, 0, 0, "
+            "1]]), 0, 0, 0) is a Point; expected a frame, such as ground or rotate('Z', angle)"
+        ),
+    ),
+    (
+        errors.ModelError,
+        lambda: newton_equations({body}, gravity=9.81),
+        ("newton_equations: gravity = 9.81 is a float; expected a vector, such as Vector(frame, x, y, z)"),
+    ),
+    (
+        errors.ModelError,
+        lambda: euler_equations({body}, ground),
+        (
+            "euler_equations: point = ground is a Frame; expected a point, such as Point(frame, x, y, z) or "
+            "center_of_mass(body)"
+        ),
+    ),
+    (
+        errors.ModelError,
+        lambda: generalized_force(body, x),
+        ("generalized_force: loads = bead is a Body; expected a force, a torque, or a list of them"),
+    ),
+    (
+        errors.ModelError,
+        lambda: generalized_force(push, 3),
+        ("generalized_force: q = 3 is an int; expected a coordinate, or a list of them"),
+    ),
+    (
+        errors.ModelError,
+        lambda: lagrange(body, x),
+        ("lagrange: L = bead is a Body; expected an expression, such as symbols('a')"),
+    ),
+    (
+        errors.ModelError,
+        lambda: lagrange(x**2, a),
+        ("lagrange: the coordinate a isn't a function of time; make it with functions_of_time"),
+    ),
+    (
+        errors.ModelError,
+        lambda: lagrange_equations(body),
+        (
+            "lagrange_equations: system = bead is a Body; expected a system, such as System(bodies, loads, "
+            "coordinates)"
+        ),
+    ),
+    (
+        errors.ModelError,
+        lambda: newton_euler(3),
+        ("newton_euler: system = 3 is an int; expected a system, such as System(bodies, loads, coordinates)"),
+    ),
+    (
+        errors.ModelError,
+        lambda: show(3),
+        (
+            "show: thing = 3 is an int; expected a frame, point, vector, body, load, system, equations of "
+            "motion, an expression or a matrix"
+        ),
+    ),
+    (
+        errors.ModelError,
+        lambda: System([push], coordinates=[x]),
+        ("System: in bodies, push is a Force; expected a list of bodies, such as [Body(frame, mass)]"),
+    ),
+    (
+        errors.ModelError,
+        lambda: System(body, coordinates=[x]),
+        ("System: bodies = bead is a Body; expected a list of bodies, such as [Body(frame, mass)]"),
+    ),
+    (
+        errors.ModelError,
+        lambda: System([body], coordinates=x),
+        (
+            "System: coordinates = x is an Expr; expected a list of functions of time, such as "
+            "functions_of_time('x y')"
+        ),
+    ),
+    (
+        errors.ModelError,
+        lambda: System([body], coordinates=["x"]),
+        (
+            "System: in coordinates, 'x' is a str; expected a list of functions of time, such as "
+            "functions_of_time('x y')"
+        ),
+    ),
+    (
+        errors.ModelError,
+        lambda: System([body], coordinates=[x], gravity=9.81),
+        ("System: gravity = 9.81 is a float; expected a vector, such as Vector(frame, x, y, z)"),
+    ),
+    (
+        errors.ModelError,
+        lambda: System([body], push, [x, y]),
+        (
+            "System: loads = push is a Force; expected a list of forces and torques, such as [Torque(frame, "
+            "x, y, z, on=body)]"
+        ),
+    ),
+    (
+        errors.ModelError,
+        lambda: System([body, body], coordinates=[x]),
+        ("System: the body bead is given twice; give it once"),
+    ),
+    (
+        errors.ModelError,
+        lambda: System([body], [push, push], [x]),
+        ("System: the load push is given twice; give it once"),
+    ),
+    (
+        errors.ModelError,
+        lambda: System([body], coordinates=[x, y, x]),
+        ("System: the coordinate x is given twice; give it once"),
+    ),
+    (
+        errors.ModelError,
+        lambda: System([body], coordinates=[x, y], constraints=x - y),
+        (
+            "System: constraints = x - y is an Expr; expected a list of expressions that are zero, such as "
+            "[x**2 + y**2 - l**2]"
+        ),
+    ),
+    (
+        errors.ModelError,
+        lambda: System([body], coordinates=[x, y], constraints=[x], multipliers=[a]),
+        ("System: the multiplier a isn't a function of time; make it with functions_of_time"),
+    ),
+    (
+        errors.ModelError,
+        lambda: System(
+            [Body(translate(x, y, z), m)], coordinates=[x, y, z], constraints=[x, y], multipliers=[phi, phi]
+        ),
+        ("System: the multiplier phi is given twice; give it once"),
+    ),
+    (
+        errors.ConstraintError,
+        lambda: System([body], coordinates=[x, y], constraints=[x], multipliers=[y]),
+        (
+            "System: the multiplier y is a coordinate, or in a frame, a load or a constraint; expected a "
+            "function of time of its own, such as functions_of_time('lambda1')"
+        ),
+    ),
+    (
+        errors.ConstraintError,
+        lambda: System([body], [Force(ground, phi, 0, 0, at=G, on=body)], [x, y], [x], multipliers=[phi]),
+        (
+            "System: the multiplier phi is a coordinate, or in a frame, a load or a constraint; expected a "
+            "function of time of its own, such as functions_of_time('lambda1')"
+        ),
+    ),
+    (
+        errors.ModelError,
+        lambda: newton_euler(
+            System(
+                [body],
+                [Force(ground, F * time_derivative(x, 2) ** 2, 0, 0, at=G, on=body, name="push")],
+                [x, y],
+            )
+        ),
+        (
+            "newton_euler: push isn't linear in the acceleration x''; give a function of time for the load, "
+            "and its law as an equation beside those of motion"
+        ),
+    ),
+    (
+        errors.ModelError,
+        lambda: lagrange_equations(
+            System(
+                [body], [Force(ground, F * time_derivative(x, 3), 0, 0, at=G, on=body, name="push")], [x, y]
+            )
+        ),
+        ("lagrange_equations: push holds x'''; expected coordinates, speeds and accelerations at most"),
+    ),
+    (
+        errors.ModelError,
+        lambda: newton_euler(System([body], [], [x, y], gravity=Vector(ground, 0, time_derivative(x, 2), 0))),
+        (
+            "newton_euler: the gravity holds the acceleration x''; expected coordinates, speeds and time; "
+            "make forces of what depends on accelerations"
         ),
     ),
     # --- constraints ---
@@ -298,7 +627,10 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
     (
         errors.DivisionByZeroError,
         lambda: a / (x - x),
-        "a is divided by an expression that is identically zero",
+        (
+            "a is divided by an expression that is identically zero; check the divisor: its terms cancel, or what was "
+            "substituted makes it zero"
+        ),
     ),
 ]
 

@@ -22,6 +22,7 @@ from symbody import (
     linear_momentum,
     moving_frame,
     newton_equations,
+    number,
     pi,
     project,
     rotate,
@@ -228,3 +229,15 @@ def translate_on(vehicle: Frame) -> Frame:
 def test_exact_radicals_are_recognised_as_angles() -> None:
     half = sqrt(2) / 2
     assert Frame([[half, -half, 0, 0], [half, half, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]) == rotate("Z", pi / 4)
+
+
+def test_an_exact_rotation_matrix_is_kept() -> None:
+    """Exactly orthonormal entries are better than angles; where the angles give them back, angles merge."""
+    c, s = number(3) / 5, number(4) / 5
+    rows = [[c, -s, 0, 1], [s, c, 0, 2], [0, 0, 1, 3], [0, 0, 0, 1]]
+    frame = Frame(rows)
+    assert frame.is_rigid
+    assert frame.matrix.tolist() == rows
+    assert frame.matrix[0, 0] == c
+    assert (frame * frame.inverse()).matrix.tolist() == ground.matrix.tolist()
+    assert Frame([[0, -1, 0, 0], [1, 0, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]) == rotate("Z", pi / 2)

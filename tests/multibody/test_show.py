@@ -8,14 +8,17 @@ from symbody import (
     Body,
     Force,
     Point,
+    System,
     Torque,
     Vector,
     describe,
     functions_of_time,
     ground,
+    newton_euler,
     rotate,
     show,
     symbols,
+    translate,
 )
 
 m, a, F = symbols("m a F")
@@ -57,3 +60,31 @@ def test_expressions_are_shown_as_they_are() -> None:
 def test_show_prints(capsys: pytest.CaptureFixture[str]) -> None:
     show(body, synthetic=True)
     assert capsys.readouterr().out == describe(body, synthetic=True) + "\n"
+
+
+def test_system_and_equations() -> None:
+    """A line for each part, and one for each equation."""
+    x, y = functions_of_time("x y")
+    bead = Body(translate(x, y, 0), m, name="bead")
+    push = Force(ground, F, 0, 0, at=bead.center_of_mass, on=bead, name="push")
+    gravity = Vector(ground, 0, -a, 0)
+    system = System([bead], [push], [x, y], [x - 2 * y], gravity, name="slope")
+    frame = "[[1, 0, 0, x], [0, 1, 0, y], [0, 0, 1, 0], [0, 0, 0, 1]]"
+    assert describe(system).splitlines() == [
+        "slope = SYSTEM",
+        "    coordinates: x, y",
+        f"    body: bead = BODY(frame = {frame}, mass = m, inertia = [[0, 0, 0], [0, 0, 0], [0, 0, 0]])",
+        (
+            "    load: push = FORCE(frame = ground, comps = [F, 0, 0], "
+            f"applied = POINT(frame = {frame}, coords = [0, 0, 0]), acting = bead)"
+        ),
+        "    gravity: VECTOR(frame = ground, comps = [0, -a, 0])",
+        "    constraint: x - 2*y = 0, multiplier lambda1",
+    ]
+    equations = newton_euler(system)
+    assert describe(equations).splitlines() == [
+        "EQUATIONS OF MOTION of x, y",
+        *(f"    {residual} = 0" for residual in equations.residuals),
+        "    constraint: x - 2*y = 0",
+    ]
+    assert equations.latex().count(r"\\") == 2

@@ -46,3 +46,13 @@ def test_multipliers_of_the_users_choice() -> None:
 def test_a_system_tells_its_size() -> None:
     system = System([Body(translate(x, y, 0), m)], coordinates=[x, y], constraints=[y], name="bead")
     assert repr(system) == "System(bead, 1 bodies, 0 loads, 2 coordinates, 1 constraints)"
+
+
+def test_multipliers_keep_clear_of_names_in_use() -> None:
+    """In coordinates, frames, loads and constraints, as functions of time or as symbols."""
+    lambda1, lambda2 = functions_of_time("lambda1 lambda2")
+    lambda3, lambda4 = symbols("lambda3 lambda4")
+    body = Body(translate(lambda1, y, lambda3), m)
+    push = Force(ground, lambda2, 0, 0, at=body.center_of_mass, on=body)
+    system = System([body], [push], [lambda1, y], [lambda1 - lambda4 * y])
+    assert system.multipliers == (functions_of_time("lambda5"),)

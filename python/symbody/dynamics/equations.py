@@ -6,7 +6,9 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property
 
+from symbody.errors import ModelError
 from symbody.geometry import Scalar
+from symbody.geometry.argument import checked
 from symbody.multibody import System
 from symbody.symbolic import Expr, Matrix, listing, time_derivative
 
@@ -77,7 +79,7 @@ class Equations:
 
     @property
     def mass_matrix(self) -> Matrix:
-        """The mass matrix M, symmetric, n x n."""
+        """The mass matrix M, n x n; symmetric but for loads that depend on accelerations."""
         return self._assembly.mass_matrix
 
     @property
@@ -107,6 +109,7 @@ class Equations:
     def _leaves(self) -> frozenset[Expr]:
         return frozenset().union(*(entry.free_symbols for entry in (*self.residuals, *self.constraints)))
 
+    @checked(ModelError)
     def baumgarte(self, omega: Scalar, zeta: Scalar) -> tuple[Expr, ...]:
         """Return the stabilised constraints ``phi'' + 2 zeta omega phi' + omega^2 phi``, linear in the accelerations.
 
@@ -120,13 +123,32 @@ class Equations:
         n, m, names = len(self.residuals), len(self.constraints), ", ".join(map(str, self.coordinates))
         return f"Equations({n} equations of motion, {m} constraints, coordinates {names})"
 
+    def description(self) -> str:
+        """Return the equations line by line, after what they share: what `show` prints."""
+        definitions, zeros = self._listing("text")
+        n = len(self.residuals)
+        return "\n    ".join(
+            [
+                f"EQUATIONS OF MOTION of {', '.join(map(str, self.coordinates))}",
+                *(f"{name} := {value}" for name, value in definitions),
+                *(f"{zero} = 0" for zero in zeros[:n]),
+                *(f"constraint: {zero} = 0" for zero in zeros[n:]),
+            ]
+        )
+
+    def latex(self) -> str:
+        """Return the equations and constraints in LaTeX, one a row, after what they share."""
+        definitions, zeros = self._listing("latex")
+        rows = [f"{name} &= {value}" for name, value in definitions] + [f"{zero} &= 0" for zero in zeros]
+        return r"\begin{aligned} " + r" \\ ".join(rows) + r" \end{aligned}"
+
+    def _listing(self, notation: str) -> tuple[list[tuple[str, str]], list[str]]:
+        return listing((*self.residuals, *self.constraints), notation)
+
     def _repr_latex_(self) -> str | None:
         """Show what is short enough to be read."""
-        definitions, zeros = listing((*self.residuals, *self.constraints), "latex")
-        if len(definitions) + len(zeros) > _READABLE:
-            return None
-        rows = [f"{name} &= {value}" for name, value in definitions] + [f"{zero} &= 0" for zero in zeros]
-        return r"$\begin{aligned} " + r" \\ ".join(rows) + r" \end{aligned}$"
+        definitions, zeros = self._listing("text")
+        return f"${self.latex()}$" if len(definitions) + len(zeros) <= _READABLE else None
 
 
 _READABLE = 60

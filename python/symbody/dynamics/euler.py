@@ -5,6 +5,7 @@ from __future__ import annotations
 from symbody.errors import ModelError
 from symbody.geometry import Frame, Point, Triple, Vector, acceleration
 from symbody.geometry.acceleration_field import Turning
+from symbody.geometry.argument import checked
 from symbody.geometry.coordinates import vector_components
 from symbody.geometry.kinematics import spin
 from symbody.geometry.triple import NULL, rates
@@ -16,6 +17,7 @@ from symbody.symbolic import add3, cross3, derivation, number, scale3, sub3, tim
 from .spin_momentum import spin_momentum_rate
 
 
+@checked(ModelError)
 def euler_equations(
     objects: Objects, point: Point | None = None, frame: Frame | None = None, *, gravity: Vector | None = None
 ) -> Vector:

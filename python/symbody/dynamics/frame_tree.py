@@ -12,6 +12,7 @@ from symbody.multibody.selection import select
 from symbody.multibody.system import rate_of_any
 from symbody.symbolic import Expr, derivation
 
+from .added_mass import check_loads
 from .partial_motion import PartialTwist, partial_twists
 
 
@@ -91,6 +92,7 @@ def checked_tree(system: System, where: str) -> FrameTree:
                 f"{where}: the coordinate {coordinate} appears in no frame of a body and in no constraint; "
                 "leave it out of the coordinates, or build a frame with it"
             )
+    check_loads(system, where)
     return tree
 
 

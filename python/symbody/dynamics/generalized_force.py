@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Collection, Sequence
 from functools import partial
-from typing import overload
+from typing import Annotated, TypeAlias, overload
 
+from symbody.errors import ModelError
+from symbody.geometry.argument import checked
 from symbody.geometry.kinematics import displacement_rate, pose_from
 from symbody.geometry.placement import axial_rate
 from symbody.multibody import Action, Load
@@ -13,12 +15,16 @@ from symbody.symbolic import Expr, derivation, dot3, number
 
 from .partial_motion import slope
 
+Loads: TypeAlias = Annotated[Load | Collection[Load], "a force, a torque, or a list of them"]
+Coordinates: TypeAlias = Annotated[Expr | Sequence[Expr], "a coordinate, or a list of them"]
+
 
 @overload
-def generalized_force(loads: Load | Iterable[Load], q: Expr) -> Expr: ...
+def generalized_force(loads: Loads, q: Expr) -> Expr: ...
 @overload
-def generalized_force(loads: Load | Iterable[Load], q: Sequence[Expr]) -> list[Expr]: ...
-def generalized_force(loads: Load | Iterable[Load], q: Expr | Sequence[Expr]) -> Expr | list[Expr]:
+def generalized_force(loads: Loads, q: Sequence[Expr]) -> list[Expr]: ...
+@checked(ModelError)
+def generalized_force(loads: Loads, q: Coordinates) -> Expr | list[Expr]:
     """Return the virtual work of loads per unit change of coordinates, ``F . dr_P/dq + M . w_q``.
 
     P is the material point of the body on which the force acts, and ``w_q`` the vector of ``R^T dR/dq``. A coordinate
@@ -43,11 +49,12 @@ def generalized_force(loads: Load | Iterable[Load], q: Expr | Sequence[Expr]) ->
         forces = [number(0)] * len(coordinates)
         for action in (action for load in several for action in load.actions):
             for k, coordinate in enumerate(coordinates):
-                forces[k] += _work(action, coordinate)
+                forces[k] += virtual_work(action, coordinate)
     return forces[0] if isinstance(q, Expr) else forces
 
 
-def _work(action: Action, coordinate: Expr) -> Expr:
+def virtual_work(action: Action, coordinate: Expr) -> Expr:
+    """Return the virtual work of one action per unit change of a coordinate."""
     rate = partial(slope, coordinate)
     anchor = action.anchor if action.is_force else action.body.center_of_mass
     root = anchor.frame.ancestor

@@ -5,9 +5,12 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from typing import final
 
+from symbody.errors import ModelError
+from symbody.geometry.argument import checked
 from symbody.geometry.triple import NULL, Triple
 from symbody.multibody import Body, System, kinetic_energy
 from symbody.multibody.load import action_velocity
+from symbody.multibody.system import check_function_of_time
 from symbody.symbolic import (
     Expr,
     Matrix,
@@ -24,6 +27,7 @@ from symbody.symbolic import (
     time_derivatives,
 )
 
+from .added_mass import with_added_mass
 from .composite_rigid_body import mass_matrix
 from .constraint import check_independent, with_multipliers
 from .equations import Assembly, Equations
@@ -31,6 +35,7 @@ from .frame_tree import FrameTree, checked_tree, frame_tree
 from .newton_euler import at_rest, bias, inverse_dynamics
 
 
+@checked(ModelError)
 def lagrange(L: Expr, q: Expr) -> Expr:
     """Return ``d/dt dL/dq' - dL/dq``; the equation of motion subtracts the generalised force.
 
@@ -39,11 +44,13 @@ def lagrange(L: Expr, q: Expr) -> Expr:
     >>> lagrange(m * time_derivative(x) ** 2 / 2 - k * x**2 / 2, x) == m * time_derivative(x, 2) + k * x
     True
     """
+    check_function_of_time(q, "lagrange: the coordinate")
     with derivation():
         momentum, force = gradient(L, [time_derivative(q), q])
         return time_derivative(momentum) - force
 
 
+@checked(ModelError)
 def lagrange_equations(system: System) -> Equations:
     """Return the equations of motion by differentiating ``T - V``: ``d/dt dL/dq' - dL/dq - Q - phi_q^T lambda``.
 
@@ -72,9 +79,9 @@ def _assemble(system: System) -> Assembly:
         tree = frame_tree(system)
         if tree.is_rigid:
             bias(system, tree)
-            mass_matrix(system, tree)
+            with_added_mass(mass_matrix(system, tree), system)
         momenta = _momenta(system)
-        M = jacobian(momenta, [time_derivative(q) for q in system.coordinates])
+        M = with_added_mass(jacobian(momenta, [time_derivative(q) for q in system.coordinates]), system)
         rest = Matrix([_residuals(system)]).subs(at_rest(system)).entries
         return Assembly(M, tuple(entry + 0 for entry in rest))  # the sum takes the value's node
 

@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
-from symbody.errors import FrameError
+from collections.abc import Mapping
+
+from symbody.errors import FrameError, ModelError
 from symbody.geometry import Point
 from symbody.geometry.acceleration_field import AccelerationField
+from symbody.geometry.argument import checked
 from symbody.geometry.triple import NULL, Rate, Triple
 from symbody.multibody import Action, Body, System
 from symbody.symbolic import (
@@ -18,6 +21,7 @@ from symbody.symbolic import (
     time_derivatives,
 )
 
+from .added_mass import with_added_mass
 from .composite_rigid_body import mass_matrix
 from .constraint import check_independent, with_multipliers
 from .equations import Assembly, Equations
@@ -26,6 +30,7 @@ from .spin_momentum import spin_momentum_rate
 from .wrench import Wrench, generalized_forces
 
 
+@checked(ModelError)
 def newton_euler(system: System) -> Equations:
     """Return the equations of motion by recursion over the tree of frames.
 
@@ -55,18 +60,20 @@ def _assemble(system: System) -> Assembly:
     with derivation():
         tree = frame_tree(system)
         forces = bias(system, tree)
-        return Assembly(mass_matrix(system, tree), forces)
+        return Assembly(with_added_mass(mass_matrix(system, tree), system), forces)
 
 
-def inverse_dynamics(system: System, tree: FrameTree, rate: Rate = time_derivatives) -> tuple[Expr, ...]:
+def inverse_dynamics(
+    system: System, tree: FrameTree, rest: Mapping[Expr, int] | None = None
+) -> tuple[Expr, ...]:
     """Return the forces on the coordinates that the motion needs beyond weight and loads: the residuals.
 
     Args:
         system: bodies, loads and gravity.
         tree: the frames of the system.
-        rate: the time derivative that makes accelerations of velocities.
+        rest: what stands for accelerations, if not they themselves: in the inertia as in the loads.
     """
-    field = AccelerationField(_minus_gravity(system), rate)
+    field = AccelerationField(_minus_gravity(system), _rate(rest) if rest else time_derivatives)
     wrenches = [Wrench(NULL, NULL)] * len(tree.frames)
     for body in system.bodies:
         place = tree.index(body.frame)
@@ -74,14 +81,18 @@ def inverse_dynamics(system: System, tree: FrameTree, rate: Rate = time_derivati
     for action in tree.actions:
         anchor = action.anchor
         place = tree.index(anchor.frame)
-        wrenches[place] = wrenches[place].minus(_load(action, anchor))
+        wrenches[place] = wrenches[place].minus(_load(action, anchor, rest or {}))
     return generalized_forces(tree, wrenches)
 
 
 def bias(system: System, tree: FrameTree) -> tuple[Expr, ...]:
     """Return the residuals at zero accelerations of the coordinates."""
-    rest = at_rest(system)
-    return inverse_dynamics(system, tree, lambda values: substitute(time_derivatives(values), rest))
+    return inverse_dynamics(system, tree, at_rest(system))
+
+
+def _rate(rest: Mapping[Expr, int]) -> Rate:
+    """Return the time derivative, with other values for the accelerations."""
+    return lambda values: substitute(time_derivatives(values), rest)
 
 
 def at_rest(system: System) -> dict[Expr, int]:
@@ -110,6 +121,7 @@ def _inertia(body: Body, field: AccelerationField) -> Wrench:
     return Wrench(force, spin_momentum_rate(body, turning))
 
 
-def _load(action: Action, anchor: Point) -> Wrench:
-    vector = action.components(anchor.frame)
-    return Wrench(vector, cross3(anchor.coordinates, vector)) if action.is_force else Wrench(NULL, vector)
+def _load(action: Action, anchor: Point, rest: Mapping[Expr, int]) -> Wrench:
+    x, y, z, u, v, w = substitute((*action.components(anchor.frame), *anchor.coordinates), rest)
+    force = (x, y, z)
+    return Wrench(force, cross3((u, v, w), force)) if action.is_force else Wrench(NULL, force)

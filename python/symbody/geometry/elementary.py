@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Protocol, TypeAlias
+from typing import Annotated, Protocol, TypeAlias, runtime_checkable
 
 from symbody.errors import FrameError
 
+from .argument import checked
 from .frame import Frame, Twist, ground
 from .motion import AXES, Motion, Rotation, Translation
 from .orientation import ROUGH, exact_axis
@@ -14,6 +15,7 @@ from .skew_axis import is_unit, rotation_about
 from .triple import Scalar, Triple, expression, triple
 
 
+@runtime_checkable
 class HasComponents(Protocol):
     """Anything with three components, such as a vector."""
 
@@ -21,9 +23,12 @@ class HasComponents(Protocol):
     def components(self) -> Triple: ...
 
 
-Axis: TypeAlias = str | Sequence[Scalar] | HasComponents
+Axis: TypeAlias = Annotated[
+    str | Sequence[Scalar] | HasComponents, "'X', 'Y', 'Z', a unit triple or a Vector"
+]
 
 
+@checked(FrameError)
 def translate(x: Scalar, y: Scalar, z: Scalar) -> Frame:
     """Return the frame displaced by (x, y, z).
 
@@ -33,6 +38,7 @@ def translate(x: Scalar, y: Scalar, z: Scalar) -> Frame:
     return ground.then(Translation(triple(x, y, z)))
 
 
+@checked(FrameError)
 def rotate(axis: Axis, angle: Scalar) -> Frame:
     """Return the frame rotated about "X", "Y", "Z", a unit triple or a vector; right-handed.
 
@@ -45,6 +51,7 @@ def rotate(axis: Axis, angle: Scalar) -> Frame:
     return ground.then(_about(_axis_components(axis), turn))
 
 
+@checked(FrameError)
 def moving_frame(
     u: Scalar, v: Scalar, w: Scalar, wx: Scalar, wy: Scalar, wz: Scalar, *, name: str = ""
 ) -> Frame:

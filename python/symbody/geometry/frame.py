@@ -4,17 +4,21 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 from hashlib import blake2b
-from typing import NamedTuple, TypeVar, final
+from typing import Annotated, NamedTuple, TypeAlias, TypeVar, final
 
 from symbody.errors import FrameError
 from symbody.symbolic import Matrix, add3, derivation, dot3, number
 
+from .argument import checked
 from .motion import Motion, Rotation, Rows, Substitution, Translation
 from .orientation import ROUGH, distance_from_rotation, turns
-from .placement import Placement
+from .placement import Placement, is_rotation
 from .triple import NULL, Scalar, Triple, triple
 
 State = TypeVar("State")
+Rows4: TypeAlias = Annotated[
+    Matrix | Sequence[Sequence[Scalar]], "a 4x4 matrix: four rows of four entries each"
+]
 
 
 class Twist(NamedTuple):
@@ -56,7 +60,8 @@ class Frame:
     """A digest of the chain: equal for chains that place a frame in the same way."""
     name: str
 
-    def __init__(self, matrix: Matrix | Sequence[Sequence[Scalar]], *, name: str = "") -> None:
+    @checked(FrameError)
+    def __init__(self, matrix: Rows4, *, name: str = "") -> None:
         frame = _from_matrix(_as_matrix(matrix))
         self._set(frame.parent, frame.motion, name)
 
@@ -239,7 +244,7 @@ def moved(motion: Motion, pose: Pose) -> Pose:
     return Pose(rows, add3(origin, (dot3(x, d), dot3(y, d), dot3(z, d))))
 
 
-def _as_matrix(matrix: Matrix | Sequence[Sequence[Scalar]]) -> Matrix:
+def _as_matrix(matrix: Rows4) -> Matrix:
     result = matrix if isinstance(matrix, Matrix) else Matrix([list(row) for row in matrix])
     if result.shape != (4, 4):
         raise FrameError(
@@ -267,4 +272,5 @@ def _from_matrix(matrix: Matrix) -> Frame:
     frame = ground.then(Translation(origin))
     for axis, angle in turns(numbers):
         frame = frame.then(Rotation(axis, angle))
-    return frame
+    exact = is_rotation(rows) and frame.pose.rows != rows
+    return ground.then(Placement(rows, origin)) if exact else frame

@@ -7,6 +7,7 @@ from typing import final, overload
 from symbody.errors import FrameError
 from symbody.symbolic import add3, sub3
 
+from .argument import checked
 from .coordinates import point_coordinates
 from .frame import Frame
 from .motion import Substitution
@@ -26,13 +27,13 @@ class Point:
 
     __slots__ = ("coordinates", "frame", "name")
 
+    @checked(FrameError)
     def __init__(self, frame: Frame, x: Scalar, y: Scalar, z: Scalar, *, name: str = "") -> None:
-        if not isinstance(frame, Frame):
-            raise FrameError(f"Point: {frame!r} isn't a frame; write Point(frame, x, y, z)")
         self.frame = frame
         self.coordinates: Triple = triple(x, y, z)
         self.name = name
 
+    @checked(FrameError)
     def projected(self, frame: Frame) -> Point:
         """Return the same point, by its coordinates in another frame."""
         if frame == self.frame:
@@ -71,6 +72,7 @@ class Point:
         return column(self.coordinates)
 
 
+@checked(FrameError)
 def origin(frame: Frame) -> Point:
     """Return the origin of a frame."""
     return Point(frame, *NULL)

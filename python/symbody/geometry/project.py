@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
-from typing import Protocol, Self, TypeVar
+from typing import Protocol, Self, TypeVar, runtime_checkable
 
+from symbody.errors import FrameError
+
+from .argument import checked
 from .frame import Frame
 
 
+@runtime_checkable
 class Projectable(Protocol):
     """A point, a vector, a force or a torque."""
 
@@ -16,6 +20,7 @@ class Projectable(Protocol):
 Thing = TypeVar("Thing", bound=Projectable)
 
 
+@checked(FrameError)
 def project(thing: Thing, frame: Frame) -> Thing:
     """Return the same point, vector, force or torque by its components in another frame.
 

@@ -2,15 +2,18 @@
 
 from __future__ import annotations
 
-from typing import final
+from typing import Annotated, TypeAlias, final
 
 from symbody.errors import FrameError
 from symbody.symbolic import Expr, add3, cross3, dot3, number, scale3, sub3
 
+from .argument import checked
 from .coordinates import vector_components
 from .frame import Frame
 from .motion import Substitution
 from .triple import Scalar, Triple, expression, triple
+
+Factor: TypeAlias = Annotated[Scalar, "an expression or a number; two vectors multiply by dot and cross"]
 
 
 @final
@@ -26,13 +29,13 @@ class Vector:
 
     __slots__ = ("components", "frame", "name")
 
+    @checked(FrameError)
     def __init__(self, frame: Frame, x: Scalar, y: Scalar, z: Scalar, *, name: str = "") -> None:
-        if not isinstance(frame, Frame):
-            raise FrameError(f"Vector: {frame!r} isn't a frame; write Vector(frame, x, y, z)")
         self.frame = frame
         self.components: Triple = triple(x, y, z)
         self.name = name
 
+    @checked(FrameError)
     def projected(self, frame: Frame) -> Vector:
         """Return the same vector, by its components in another frame."""
         if frame == self.frame:
@@ -54,12 +57,14 @@ class Vector:
             return NotImplemented
         return Vector(self.frame, *sub3(self.components, other.projected(self.frame).components))
 
-    def __mul__(self, factor: Scalar) -> Vector:
+    @checked(FrameError)
+    def __mul__(self, factor: Factor) -> Vector:
         return Vector(self.frame, *scale3(expression(factor), self.components))
 
     __rmul__ = __mul__
 
-    def __truediv__(self, divisor: Scalar) -> Vector:
+    @checked(FrameError)
+    def __truediv__(self, divisor: Factor) -> Vector:
         return self * (number(1) / expression(divisor))
 
     def __neg__(self) -> Vector:
@@ -78,11 +83,13 @@ def column(components: Triple) -> str:
     return rf"$\begin{{bmatrix}} {entries} \end{{bmatrix}}$"
 
 
+@checked(FrameError)
 def dot(u: Vector, v: Vector) -> Expr:
     """Return the scalar product."""
     return dot3(u.components, v.projected(u.frame).components)
 
 
+@checked(FrameError)
 def cross(u: Vector, v: Vector) -> Vector:
     """Return the vector product, in the frame of the first."""
     return Vector(u.frame, *cross3(u.components, v.projected(u.frame).components))

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from symbody.errors import FrameError
 from symbody.symbolic import add3, cross3, derivation, time_derivatives
 
+from .argument import checked
 from .frame import Frame
 from .kinematics import material_velocity, spin
 from .point import Point
@@ -11,6 +13,7 @@ from .triple import Triple, rates
 from .vector import Vector
 
 
+@checked(FrameError)
 def velocity(thing: Point | Vector, frame: Frame | None = None) -> Vector:
     """Return the velocity of a point, or the rate of a vector, as seen from a frame and in its axes.
 
@@ -29,6 +32,7 @@ def velocity(thing: Point | Vector, frame: Frame | None = None) -> Vector:
         return Vector(observer, *_velocity(thing, observer))
 
 
+@checked(FrameError)
 def acceleration(thing: Point | Vector, frame: Frame | None = None) -> Vector:
     """Return the acceleration of a point, or the second rate of a vector, as seen from a frame and in its axes."""
     observer = thing.frame.ancestor if frame is None else frame
@@ -50,6 +54,7 @@ def _rate(components: Triple, observer: Frame) -> Triple:
     return change if observer.carrier is None else add3(change, cross3(observer.carrier.angular, components))
 
 
+@checked(FrameError)
 def angular_velocity(frame: Frame) -> Vector:
     """Return the angular velocity of a frame, in its own axes.
 
@@ -60,6 +65,7 @@ def angular_velocity(frame: Frame) -> Vector:
     return Vector(frame, *spin(frame))
 
 
+@checked(FrameError)
 def frozen_velocity(point: Point, frame: Frame) -> Vector:
     """Return the velocity of the material point of a frame that coincides with a point, in the root's axes."""
     with derivation():

@@ -3,13 +3,18 @@
 from __future__ import annotations
 
 from functools import cached_property
-from typing import final
+from typing import Annotated, TypeAlias, final
 
 from symbody.errors import BodyError
 from symbody.geometry import Frame, Point, Scalar, Triple, origin
+from symbody.geometry.argument import checked
 from symbody.geometry.motion import Translation
 from symbody.geometry.triple import expression, triple
 from symbody.symbolic import Expr, Matrix, matvec3
+
+Place: TypeAlias = Annotated[
+    Point | Frame, "the centre of mass: a point, such as Point(frame, x, y, z), or a frame whose origin it is"
+]
 
 
 @final
@@ -25,9 +30,10 @@ class Body:
     m
     """
 
+    @checked(BodyError)
     def __init__(
         self,
-        place: Point | Frame,
+        place: Place,
         mass: Scalar,
         Ix: Scalar = 0,
         Iy: Scalar = 0,
@@ -38,16 +44,22 @@ class Body:
         *,
         name: str = "",
     ) -> None:
-        if not isinstance(place, Point | Frame):
-            raise BodyError(
-                f"Body: {place!r} is neither a point nor a frame, so that the body has no centre of mass; "
-                "write Body(Point(frame, x, y, z), mass) or Body(frame, mass)"
-            )
         self.frame = place.frame.then(Translation(place.coordinates)) if isinstance(place, Point) else place
         self.mass = expression(mass)
         self.moments = triple(Ix, Iy, Iz)
         self.products = triple(Cyz, Cxz, Cxy)
         self.name = name
+        self._check_constant()
+
+    def _check_constant(self) -> None:
+        """A mass that changes would take momentum with it, and no equation here knows where to."""
+        names = ("mass", "Ix", "Iy", "Iz", "Cyz", "Cxz", "Cxy")
+        for name, value in zip(names, (self.mass, *self.moments, *self.products), strict=True):
+            if value.depends_on_time:
+                raise BodyError(
+                    f"Body: {name} = {value} depends on time; expected a constant, such as symbols('m'): bodies are "
+                    "rigid and neither gain nor lose mass; make several bodies of parts that move in each other"
+                )
 
     @property
     def inertia(self) -> Matrix:
@@ -90,6 +102,7 @@ class Body:
         return self.name or f"Body({self.frame}, {self.mass})"
 
 
+@checked(BodyError)
 def center_of_mass(body: Body) -> Point:
     """Return the centre of mass of a body."""
     return body.center_of_mass

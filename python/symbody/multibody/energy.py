@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from symbody.errors import ModelError
 from symbody.geometry import Vector
+from symbody.geometry.argument import checked
 from symbody.geometry.kinematics import origin_velocity, spin
 from symbody.symbolic import Expr, derivation, dot3, number
 
@@ -11,6 +12,7 @@ from .body import Body
 from .selection import Objects, select_bodies
 
 
+@checked(ModelError)
 def kinetic_energy(objects: Objects) -> Expr:
     """Return the kinetic energy: ``T = 1/2 m v_G . v_G + 1/2 w . J w``, summed over the bodies.
 
@@ -34,6 +36,7 @@ def _kinetic(body: Body) -> Expr:
     return twice / 2
 
 
+@checked(ModelError)
 def gravitational_energy(objects: Objects, gravity: Vector | None = None) -> Expr:
     """Return the potential energy of weight: ``-m g . r_G``, summed over the bodies.
 
@@ -55,6 +58,7 @@ def _weight_energy(body: Body, g: tuple[Expr, Expr, Expr]) -> Expr:
     return -(body.mass * dot3(g, body.frame.pose.origin))
 
 
+@checked(ModelError)
 def mechanical_energy(objects: Objects, gravity: Vector | None = None) -> Expr:
     """Return the kinetic energy, plus the potential energy of weight where there is gravity."""
     selection = select_bodies(objects, "mechanical_energy", gravity)

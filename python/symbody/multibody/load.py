@@ -8,6 +8,7 @@ from typing import final
 
 from symbody.errors import LoadError
 from symbody.geometry import Frame, Point, Scalar, Triple, Vector
+from symbody.geometry.argument import checked
 from symbody.geometry.coordinates import path
 from symbody.geometry.kinematics import Seen, material_velocity, spin
 from symbody.symbolic import Expr, derivation, dot3, number
@@ -65,9 +66,6 @@ class _Vectorial(Load):
         self, what: Vector | Frame, components: tuple[Scalar, ...], on: Body, reaction: Body | None, name: str
     ) -> None:
         kind = type(self).__name__
-        _expect_body(on, kind)
-        if reaction is not None:
-            _expect_body(reaction, kind)
         if isinstance(what, Vector) and not components:
             self.vector = what
         elif isinstance(what, Frame) and len(components) == 3:
@@ -100,13 +98,6 @@ class _Vectorial(Load):
         return self.name.encode() + self.on.key + self.vector.frame.key + values
 
 
-def _expect_body(thing: object, kind: str) -> None:
-    if not isinstance(thing, Body):
-        raise LoadError(
-            f"{kind}: {thing!r} isn't a body; give on=body, and reaction=body for the one that reacts"
-        )
-
-
 @final
 class Force(_Vectorial):
     """A force at a point of a body: ``Force(vector, at=P, on=body)`` or ``Force(frame, x, y, z, at=P, on=body)``.
@@ -115,6 +106,7 @@ class Force(_Vectorial):
     that is there. The reaction acts at the same place on the reaction body.
     """
 
+    @checked(LoadError)
     def __init__(
         self,
         what: Vector | Frame,
@@ -125,8 +117,6 @@ class Force(_Vectorial):
         name: str = "",
     ) -> None:
         super().__init__(what, components, on, reaction, name)
-        if not isinstance(at, Point):
-            raise LoadError(f"Force: {at!r} isn't a point; give at=Point(frame, x, y, z)")
         self.at = at
 
     @property
@@ -134,6 +124,7 @@ class Force(_Vectorial):
         direct = Action(self.on, self.vector, self.at)
         return (direct,) if self.reaction is None else (direct, Action(self.reaction, -self.vector, self.at))
 
+    @checked(LoadError)
     def projected(self, frame: Frame) -> Force:
         """Return the same force, by its components in another frame."""
         vector = self.vector.projected(frame)
@@ -147,6 +138,7 @@ class Force(_Vectorial):
 class Torque(_Vectorial):
     """A torque on a body: ``Torque(vector, on=body)`` or ``Torque(frame, x, y, z, on=body)``."""
 
+    @checked(LoadError)
     def __init__(
         self,
         what: Vector | Frame,
@@ -162,6 +154,7 @@ class Torque(_Vectorial):
         direct = Action(self.on, self.vector)
         return (direct,) if self.reaction is None else (direct, Action(self.reaction, -self.vector))
 
+    @checked(LoadError)
     def projected(self, frame: Frame) -> Torque:
         """Return the same torque, by its components in another frame."""
         return Torque(self.vector.projected(frame), on=self.on, reaction=self.reaction, name=self.name)
@@ -170,6 +163,7 @@ class Torque(_Vectorial):
         return self.name or f"Torque({self.vector}, on={self.on})"
 
 
+@checked(LoadError)
 def power(load: Load) -> Expr:
     """Return the power of a load: ``F . v + M . w``, summed over the bodies on which it acts.
 

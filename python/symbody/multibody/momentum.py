@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from symbody.errors import ModelError
 from symbody.geometry import Point, Triple, Vector, velocity
+from symbody.geometry.argument import checked
 from symbody.geometry.coordinates import vector_components
 from symbody.geometry.kinematics import origin_velocity, spin
 from symbody.geometry.triple import NULL
@@ -12,6 +14,7 @@ from .body import Body
 from .selection import Objects, select_bodies
 
 
+@checked(ModelError)
 def linear_momentum(objects: Objects) -> Vector:
     """Return the linear momentum ``m v_G``, summed over the bodies, in ground (or the moving master frame)."""
     selection = select_bodies(objects, "linear_momentum")
@@ -22,6 +25,7 @@ def linear_momentum(objects: Objects) -> Vector:
     return Vector(selection.root, *total)
 
 
+@checked(ModelError)
 def angular_momentum(objects: Objects, point: Point | None = None) -> Vector:
     """Return the angular momentum about a point: ``J w + PG x m v_G``, summed over the bodies.
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import warnings
 from collections.abc import Iterable
 from dataclasses import dataclass
-from typing import TypeAlias
+from typing import Annotated, TypeAlias
 
 from symbody.errors import ModelError, ModelNotice
 from symbody.geometry import Frame, Vector
@@ -14,7 +14,10 @@ from .body import Body
 from .load import Action, Load
 from .system import System
 
-Objects: TypeAlias = System | Body | Load | Iterable[Body | Load]
+Objects: TypeAlias = Annotated[
+    System | Body | Load | Iterable[Body | Load],
+    "a system, a body, a load, or a set or list of bodies and loads",
+]
 """A system, a body, a load, or a set or list of bodies and loads."""
 
 

@@ -4,22 +4,37 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Iterable
-from typing import TypeAlias
+from typing import Annotated, Protocol, TypeAlias, runtime_checkable
 
+from symbody.errors import ModelError
 from symbody.geometry import Frame, Point, Vector
+from symbody.geometry.argument import checked
 from symbody.symbolic import Expr, Matrix
 
 from .body import Body
-from .load import Force, Torque
+from .load import Force, Load, Torque
+from .system import System
 
-Shown: TypeAlias = Frame | Point | Vector | Body | Force | Torque | Expr | Matrix
+
+@runtime_checkable
+class Described(Protocol):
+    """A thing that describes itself, such as equations of motion."""
+
+    def description(self) -> str: ...
 
 
+Shown: TypeAlias = Annotated[
+    Frame | Point | Vector | Body | Load | System | Described | Expr | Matrix,
+    "a frame, point, vector, body, load, system, equations of motion, an expression or a matrix",
+]
+
+
+@checked(ModelError)
 def show(thing: Shown, *, synthetic: bool = False) -> None:
     """Print a thing with all its fields.
 
     Args:
-        thing: a frame, point, vector, body, force or torque.
+        thing: a frame, point, vector, body, load, system, equations of motion, or an expression.
         synthetic: whether to print frames by their names alone.
 
     >>> from symbody import Point, ground, show
@@ -29,8 +44,13 @@ def show(thing: Shown, *, synthetic: bool = False) -> None:
     sys.stdout.write(describe(thing, synthetic=synthetic) + "\n")
 
 
+@checked(ModelError)
 def describe(thing: Shown, *, synthetic: bool = False) -> str:
     """Return what `show` prints."""
+    if isinstance(thing, Described):
+        return thing.description()
+    if isinstance(thing, System):
+        return _system(thing, synthetic=synthetic)
     name = getattr(thing, "name", "")
     fields = _fields(thing, synthetic=synthetic)
     if not fields:
@@ -62,6 +82,19 @@ def _load_fields(load: Force | Torque, *, synthetic: bool) -> list[tuple[str, st
     if load.reaction is not None:
         fields.append(("reacting", _body(load.reaction)))
     return fields
+
+
+def _system(system: System, *, synthetic: bool) -> str:
+    """Return one line for each part of a system."""
+    lines = ["SYSTEM" if not system.name else f"{system.name} = SYSTEM"]
+    lines.append(f"coordinates: {', '.join(map(str, system.coordinates))}")
+    lines += [f"body: {describe(body, synthetic=synthetic)}" for body in system.bodies]
+    lines += [f"load: {describe(load, synthetic=synthetic)}" for load in system.loads]
+    if system.gravity is not None:
+        lines.append(f"gravity: {describe(system.gravity, synthetic=synthetic)}")
+    for multiplier, constraint in zip(system.multipliers, system.constraints, strict=True):
+        lines.append(f"constraint: {constraint} = 0, multiplier {multiplier}")
+    return "\n    ".join(lines)
 
 
 def _body(body: Body) -> str:

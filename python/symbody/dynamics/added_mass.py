@@ -1,0 +1,86 @@
+"""Loads that depend on accelerations, such as the drag of a fluid pushed along: their share of the mass matrix."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from symbody.errors import ModelError
+from symbody.multibody import Action, System
+from symbody.symbolic import Expr, Matrix, jacobian, number, time_derivative
+
+from .generalized_force import virtual_work
+
+
+def with_added_mass(mass_matrix: Matrix, system: System) -> Matrix:
+    """Return ``M - dQ/dq''``, Q being the generalised forces of the loads.
+
+    It is symmetric if the loads see to it: a force on one coordinate by the acceleration of another is none that a
+    mass could exert.
+    """
+    actions = [
+        action
+        for load in system.loads
+        for action in load.actions
+        if action.body in system.bodies and _holds_acceleration(action, system)
+    ]
+    return mass_matrix - _slopes(actions, system) if actions else mass_matrix
+
+
+def check_loads(system: System, where: str) -> None:
+    """Raise an error that names the first load, or the gravity, for which the equations can't be solved."""
+    for load in system.loads:
+        actions = [a for a in load.actions if a.body in system.bodies and _holds_acceleration(a, system)]
+        if not actions:
+            continue
+        jerk = _rate(_leaves(actions), system, 3)
+        if jerk is not None:
+            raise ModelError(
+                f"{where}: {load} holds {jerk}; expected coordinates, speeds and accelerations at most"
+            )
+        slopes = _slopes(actions, system)
+        acceleration = _rate(_union(slopes.entries), system, 2)
+        if acceleration is not None:
+            raise ModelError(
+                f"{where}: {load} isn't linear in the acceleration {acceleration}; give a function of time for the "
+                "load, and its law as an equation beside those of motion"
+            )
+    if system.gravity is not None:
+        acceleration = _rate(_union(system.gravity.components), system, 2)
+        if acceleration is not None:
+            raise ModelError(
+                f"{where}: the gravity holds the acceleration {acceleration}; expected coordinates, speeds and time; "
+                "make forces of what depends on accelerations"
+            )
+
+
+def _slopes(actions: Iterable[Action], system: System) -> Matrix:
+    """Return ``dQ/dq''``."""
+    forces = [number(0)] * len(system.coordinates)
+    for action in actions:
+        for k, coordinate in enumerate(system.coordinates):
+            forces[k] += virtual_work(action, coordinate)
+    return jacobian(forces, [time_derivative(q, 2) for q in system.coordinates])
+
+
+def _holds_acceleration(action: Action, system: System) -> bool:
+    return _rate(_leaves([action]), system, 2) is not None
+
+
+def _leaves(actions: Iterable[Action]) -> frozenset[Expr]:
+    """Return what stands in forces and torques, and in the places where they act, as seen from their bodies."""
+    return _union(
+        value
+        for action in actions
+        for value in (*action.components(action.anchor.frame), *action.anchor.coordinates)
+    )
+
+
+def _union(values: Iterable[Expr]) -> frozenset[Expr]:
+    return frozenset().union(*(value.free_symbols for value in values))
+
+
+def _rate(leaves: Iterable[Expr], system: System, order: int) -> Expr | None:
+    """Return the first rate of a coordinate, by name, that is of this order or a higher one."""
+    names = {coordinate.name for coordinate in system.coordinates}
+    rates = (x for x in leaves if x.kind == "time_function" and x.name in names and x.order >= order)
+    return min(rates, key=lambda rate: (rate.name, rate.order), default=None)

@@ -1,0 +1,191 @@
+"""Arguments of public functions, held against their annotations at the door.
+
+A wrong type or a wrong order is told where it is made, in the user's words, and not by what fails inside.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Sized
+from functools import cache, wraps
+from inspect import Parameter, signature
+from types import NoneType, UnionType
+from typing import Annotated, Any, NamedTuple, ParamSpec, TypeVar, Union, get_args, get_origin, get_type_hints
+
+from symbody.errors import SymbodyError
+from symbody.symbolic import Expr, ExprLike, number
+
+P = ParamSpec("P")
+R = TypeVar("R")
+
+#: How each kind of thing is called, and written.
+_WRITTEN = {
+    "Body": "a body, such as Body(frame, mass)",
+    "Expr": "an expression, such as symbols('a')",
+    "Frame": "a frame, such as ground or rotate('Z', angle)",
+    "Load": "a force or a torque, such as Force(frame, x, y, z, at=point, on=body)",
+    "Projectable": "a point, a vector, a force or a torque",
+    "Point": "a point, such as Point(frame, x, y, z) or center_of_mass(body)",
+    "System": "a system, such as System(bodies, loads, coordinates)",
+    "Vector": "a vector, such as Vector(frame, x, y, z)",
+    "str": "a text",
+}
+_SCALAR = "an expression, such as symbols('a'), or a finite number"
+_SHOWN = 80
+"""Characters of an argument that a message quotes."""
+
+
+def checked(error: type[SymbodyError]) -> Callable[[Callable[P, R]], Callable[P, R]]:
+    """Return a decorator: arguments that don't fit the annotations of the function raise this error.
+
+    An annotation ``Annotated[kind, "words"]`` says in its own words what is expected.
+
+    >>> from symbody import ground, origin, velocity
+    >>> velocity(ground)
+    Traceback (most recent call last):
+    ...
+    symbody.errors.FrameError: velocity: thing = ground is a Frame; expected a point, such as Point(frame, x, y, z) or \
+center_of_mass(body), or a vector, such as Vector(frame, x, y, z)
+    """
+
+    def decorate(function: Callable[P, R]) -> Callable[P, R]:
+        door = cache(lambda: _Door.of(function, error))
+
+        @wraps(function)
+        def call(*args: P.args, **kwargs: P.kwargs) -> R:
+            door().check(args, kwargs)
+            return function(*args, **kwargs)
+
+        return call
+
+    return decorate
+
+
+class _Door(NamedTuple):
+    """The arguments of one function, by what their annotations expect."""
+
+    where: str
+    error: type[SymbodyError]
+    positional: tuple[tuple[str, Any], ...]
+    repeated: tuple[str, Any] | None
+    """The argument that takes all further ones."""
+    named: dict[str, Any]
+
+    @classmethod
+    def of(cls, function: Callable[..., object], error: type[SymbodyError]) -> _Door:
+        hints = get_type_hints(function, include_extras=True)
+        parameters = signature(function).parameters.values()
+        named = {p.name: hints.get(p.name, object) for p in parameters}
+        in_order = [p.name for p in parameters if p.kind is Parameter.POSITIONAL_OR_KEYWORD]
+        repeated = [p.name for p in parameters if p.kind is Parameter.VAR_POSITIONAL]
+        return cls(
+            function.__qualname__.removesuffix(".__init__"),
+            error,
+            tuple((name, named[name]) for name in in_order),
+            (repeated[0], named[repeated[0]]) if repeated else None,
+            named,
+        )
+
+    def check(self, args: tuple[object, ...], kwargs: dict[str, object]) -> None:
+        for (name, hint), value in zip(self.positional, args, strict=False):
+            self._check(name, hint, value)
+        if self.repeated is not None:
+            for value in args[len(self.positional) :]:
+                self._check(*self.repeated, value)
+        for name, value in kwargs.items():
+            if name in self.named:
+                self._check(name, self.named[name], value)
+
+    def _check(self, name: str, hint: Any, value: object) -> None:
+        if type(value) is hint or (type(value) is Expr and hint is ExprLike) or accepts(hint, value):
+            return
+        found = _stranger(hint, value)
+        told = f"{name} = {_told(value)}" if found is None else f"in {name}, {_told(found.value)}"
+        raise self.error(f"{self.where}: {told}; expected {_wanted(hint)}")
+
+
+class _Stranger(NamedTuple):
+    """An entry of a collection that doesn't fit."""
+
+    value: object
+
+
+def accepts(hint: Any, value: object) -> bool:
+    """Tell whether a value is what an annotation says."""
+    origin, parts = get_origin(hint), get_args(hint)
+    if origin is Annotated:
+        return accepts(parts[0], value)
+    if hint == ExprLike:
+        return _is_scalar(value)
+    if origin in (Union, UnionType):
+        return any(accepts(part, value) for part in parts)
+    if isinstance(hint, TypeVar):
+        return hint.__bound__ is None or accepts(hint.__bound__, value)
+    if origin is not None and issubclass(origin, Iterable):
+        return _is_collection(value, origin) and _strangers(hint, value) == []
+    return not isinstance(hint, type) or isinstance(value, hint)
+
+
+def _is_scalar(value: Any) -> bool:
+    if isinstance(value, Expr):
+        return True
+    try:
+        number(value)
+    except (TypeError, ValueError):
+        return False
+    return True
+
+
+def _is_collection(value: object, origin: type) -> bool:
+    """Tell whether a value can be gone through; once is enough only where the annotation says so."""
+    if isinstance(value, str | bytes):
+        return False
+    return isinstance(value, Iterable) and (origin is Iterable or isinstance(value, Sized))
+
+
+def _strangers(hint: Any, value: object) -> list[object]:
+    """Return the entries of a collection that don't fit; what can be gone through once only is left alone."""
+    if not (isinstance(value, Iterable) and isinstance(value, Sized)):
+        return []
+    entry = get_args(hint)[0]
+    return [item for item in value if not accepts(entry, item)]
+
+
+def _stranger(hint: Any, value: object) -> _Stranger | None:
+    """Return the first entry of a collection that doesn't fit, where a collection would."""
+    for part in _parts(hint):
+        origin = get_origin(part)
+        if isinstance(origin, type) and issubclass(origin, Iterable) and _is_collection(value, origin):
+            return _Stranger(_strangers(part, value)[0])
+    return None
+
+
+def _parts(hint: Any) -> tuple[Any, ...]:
+    """Return the alternatives of an annotation."""
+    origin, parts = get_origin(hint), get_args(hint)
+    if origin is Annotated:
+        return _parts(parts[0])
+    return parts if origin in (Union, UnionType) else (hint,)
+
+
+def _told(value: object) -> str:
+    shown, kind = repr(value), type(value).__name__
+    if len(shown) > _SHOWN:
+        shown = f"{shown[:_SHOWN]}..."
+    if value is None:
+        return shown
+    return f"{shown} is {'an' if kind[0] in 'AEIOaeio' else 'a'} {kind}"
+
+
+def _wanted(hint: Any) -> str:
+    origin, parts = get_origin(hint), get_args(hint)
+    if origin is Annotated:
+        return str(parts[1])
+    if hint == ExprLike:
+        return _SCALAR
+    if origin in (Union, UnionType):
+        return ", or ".join(_wanted(part) for part in parts if part is not NoneType)
+    if isinstance(hint, TypeVar):
+        return _wanted(hint.__bound__)
+    if origin is not None:
+        return f"a list, each entry {_wanted(parts[0])}"
+    return _WRITTEN.get(hint.__name__, f"a {hint.__name__}")
