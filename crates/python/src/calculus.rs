@@ -4,18 +4,29 @@ use pyo3::prelude::*;
 use pyo3::types::PyTuple;
 use symbody_core::Id;
 
-use crate::convert::Operand;
-use crate::expr::{ids, tuple};
+use crate::convert::{mistake, operand, operands, optional};
+use crate::expr::tuple;
 use crate::session::{raise, with_forms, with_graph};
 
 /// The items of a mapping or of a sequence of pairs.
 pub fn pairs(mapping: &Bound<'_, PyAny>) -> PyResult<Vec<(Id, Id)>> {
+    let expected = "a mapping of expressions to expressions, such as {x: 1}";
     let items = if mapping.hasattr("items")? { mapping.call_method0("items")? } else { mapping.clone() };
+    let Ok(items) = items.try_iter() else {
+        return Err(mistake(mapping, "subs", expected));
+    };
     items
-        .try_iter()?
         .map(|item| {
-            let (key, value): (Operand, Operand) = item?.extract()?;
-            Ok((key.0, value.0))
+            let item = item?;
+            let Ok((key, value)) = item.extract::<(Bound<'_, PyAny>, Bound<'_, PyAny>)>() else {
+                return Err(mistake(&item, "subs", expected));
+            };
+            let place = || key.str().map(|name| format!("subs: the replacement of {name}"));
+            let id = operand(&key, "subs")?;
+            match optional(&value)? {
+                Some(value) => Ok((id, value)),
+                None => Ok((id, operand(&value, &place()?)?)),
+            }
         })
         .collect()
 }
@@ -27,7 +38,7 @@ fn substitute<'py>(
     expressions: &Bound<'py, PyAny>,
     mapping: &Bound<'py, PyAny>,
 ) -> PyResult<Bound<'py, PyTuple>> {
-    let (roots, pairs) = (ids(expressions)?, pairs(mapping)?);
+    let (roots, pairs) = (operands(expressions, "subs")?, pairs(mapping)?);
     let replaced = raise(py, with_forms(|graph| graph.substitute(&roots, &pairs)))?;
     tuple(py, replaced)
 }
@@ -37,16 +48,16 @@ fn substitute<'py>(
 fn diff_all<'py>(
     py: Python<'py>,
     expressions: &Bound<'py, PyAny>,
-    variable: Operand,
+    variable: &Bound<'py, PyAny>,
 ) -> PyResult<Bound<'py, PyTuple>> {
-    let roots = ids(expressions)?;
-    tuple(py, raise(py, with_graph(|graph| graph.diff_all(&roots, variable.0)))?)
+    let (roots, variable) = (operands(expressions, "diff")?, operand(variable, "diff, variable")?);
+    tuple(py, raise(py, with_graph(|graph| graph.diff_all(&roots, variable)))?)
 }
 
 /// The total time derivatives of several expressions.
 #[pyfunction]
 fn time_derivatives<'py>(py: Python<'py>, expressions: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyTuple>> {
-    let roots = ids(expressions)?;
+    let roots = operands(expressions, "time_derivative")?;
     tuple(py, raise(py, with_graph(|graph| graph.time_derivatives(&roots)))?)
 }
 
@@ -54,11 +65,12 @@ fn time_derivatives<'py>(py: Python<'py>, expressions: &Bound<'py, PyAny>) -> Py
 #[pyfunction]
 fn gradient<'py>(
     py: Python<'py>,
-    expression: Operand,
+    expression: &Bound<'py, PyAny>,
     variables: &Bound<'py, PyAny>,
 ) -> PyResult<Bound<'py, PyTuple>> {
-    let variables = ids(variables)?;
-    tuple(py, raise(py, with_graph(|graph| graph.gradient(expression.0, &variables)))?)
+    let root = operand(expression, "gradient, expression")?;
+    let variables = operands(variables, "gradient, variables")?;
+    tuple(py, raise(py, with_graph(|graph| graph.gradient(root, &variables)))?)
 }
 
 /// The rows of the Jacobian of expressions with respect to variables.
@@ -68,7 +80,8 @@ fn jacobian<'py>(
     expressions: &Bound<'py, PyAny>,
     variables: &Bound<'py, PyAny>,
 ) -> PyResult<Vec<Bound<'py, PyTuple>>> {
-    let (roots, variables) = (ids(expressions)?, ids(variables)?);
+    let roots = operands(expressions, "jacobian, expressions")?;
+    let variables = operands(variables, "jacobian, variables")?;
     let rows = raise(py, with_graph(|graph| graph.jacobian(&roots, &variables)))?;
     rows.into_iter().map(|row| tuple(py, row)).collect()
 }

@@ -1,13 +1,15 @@
 //! Python values as expressions and numbers as Python values.
 
 use num_bigint::BigInt;
-use pyo3::exceptions::PyTypeError;
 use pyo3::prelude::*;
-use pyo3::types::{PyBool, PyFloat, PyInt};
+use pyo3::types::{PyBool, PyFloat, PyInt, PyString};
 use symbody_core::{Id, Number};
 
 use crate::expr::Expr;
-use crate::session::{raise, with_graph};
+use crate::session::{argument_error, raise, with_graph};
+
+/// What is expected where an expression is.
+const EXPRESSION: &str = "an expression or a number (int, float, Fraction, NumPy scalar)";
 
 /// An argument that may be an expression or a number.
 pub struct Operand(pub Id);
@@ -16,31 +18,56 @@ impl<'a, 'py> FromPyObject<'a, 'py> for Operand {
     type Error = PyErr;
 
     fn extract(object: Borrowed<'a, 'py, PyAny>) -> PyResult<Self> {
-        if let Ok(expr) = object.cast::<Expr>() {
-            return Ok(Self(expr.get().0));
+        match optional(&object)? {
+            Some(id) => Ok(Self(id)),
+            None => Err(mistake(&object, "", EXPRESSION)),
         }
-        let number = number(&object)?;
-        Ok(Self(with_graph(|graph| graph.number(&number))))
     }
 }
 
+/// The expression of an argument; `place` names the function and the argument in the error.
+pub fn operand(object: &Bound<'_, PyAny>, place: &str) -> PyResult<Id> {
+    optional(object)?.ok_or_else(|| mistake(object, place, EXPRESSION))
+}
+
+/// The expressions of an argument: of any sequence, or one alone.
+pub fn operands(sequence: &Bound<'_, PyAny>, place: &str) -> PyResult<Vec<Id>> {
+    if let Ok(expr) = sequence.cast::<Expr>() {
+        return Ok(vec![expr.get().0]);
+    }
+    match sequence.try_iter() {
+        Ok(items) if !sequence.is_instance_of::<PyString>() => {
+            items.map(|item| operand(&item?, place)).collect()
+        }
+        _ => Err(mistake(sequence, place, "a list of expressions")),
+    }
+}
+
+/// The expression of what is one or is a number, none for anything else; an error for nan and infinity.
+pub fn optional(object: &Bound<'_, PyAny>) -> PyResult<Option<Id>> {
+    if let Ok(expr) = object.cast::<Expr>() {
+        return Ok(Some(expr.get().0));
+    }
+    Ok(number(object)?.map(|number| with_graph(|graph| graph.number(&number))))
+}
+
 /// A Python or `NumPy` number: exact integers and fractions, doubles as the decimals that print them.
-pub fn number(object: &Bound<'_, PyAny>) -> PyResult<Number> {
+fn number(object: &Bound<'_, PyAny>) -> PyResult<Option<Number>> {
     let py = object.py();
     if object.is_instance_of::<PyBool>() {
-        return Err(not_a_number(object));
+        return Ok(None);
     }
     if let Ok(value) = object.cast::<PyFloat>() {
-        return raise(py, Number::from_f64(value.extract()?));
+        return raise(py, Number::from_f64(value.extract()?)).map(Some);
     }
     if object.is_instance_of::<PyInt>() {
-        return integer(object);
+        return integer(object).map(Some);
     }
     if let (Ok(num), Ok(den)) = (object.getattr("numerator"), object.getattr("denominator")) {
         let num: Result<BigInt, _> = num.extract();
         let den: Result<BigInt, _> = den.extract();
         if let (Ok(num), Ok(den)) = (num, den) {
-            return raise(py, Number::from_big(num, den));
+            return raise(py, Number::from_big(num, den)).map(Some);
         }
     }
     if object.hasattr("dtype")? && object.getattr("ndim")?.extract::<usize>()? == 0 {
@@ -49,7 +76,7 @@ pub fn number(object: &Bound<'_, PyAny>) -> PyResult<Number> {
             return number(&plain);
         }
     }
-    Err(not_a_number(object))
+    Ok(None)
 }
 
 fn integer(object: &Bound<'_, PyAny>) -> PyResult<Number> {
@@ -59,10 +86,28 @@ fn integer(object: &Bound<'_, PyAny>) -> PyResult<Number> {
     raise(object.py(), Number::from_big(object.extract()?, 1.into()))
 }
 
-fn not_a_number(object: &Bound<'_, PyAny>) -> PyErr {
-    let kind = object.get_type().name().map_or_else(|_| "object".to_owned(), |name| name.to_string());
+/// The error for an argument that is something else than expected: where, what was found, the way out.
+pub fn mistake(object: &Bound<'_, PyAny>, place: &str, expected: &str) -> PyErr {
+    let class = object.get_type();
+    let kind = class.name().map_or_else(|_| "object".to_owned(), |name| name.to_string());
+    let article =
+        if kind.starts_with(['a', 'e', 'i', 'o', 'u', 'A', 'E', 'I', 'O', 'U']) { "an" } else { "a" };
     let text = object.repr().map_or_else(|_| String::new(), |repr| repr.to_string());
-    PyTypeError::new_err(format!(
-        "{text} is a {kind}; expected an expression or a number (int, float, Fraction, NumPy scalar)"
-    ))
+    let text = if object.is_none() { text } else { format!("{text} is {article} {kind}") };
+    let place = if place.is_empty() { String::new() } else { format!("{place}: ") };
+    argument_error(object.py(), format!("{place}{text}; expected {expected}{}", way_out(object)))
+}
+
+/// How what was found becomes an expression.
+fn way_out(object: &Bound<'_, PyAny>) -> &'static str {
+    if object.is_instance_of::<PyString>() {
+        return "; parse reads texts";
+    }
+    if is_sympy(object) { "; from_sympy converts it" } else { "" }
+}
+
+/// Whether an object is one of `SymPy`'s.
+pub fn is_sympy(object: &Bound<'_, PyAny>) -> bool {
+    let module = object.get_type().module();
+    module.is_ok_and(|module| module.to_str().is_ok_and(|name| name.starts_with("sympy.")))
 }

@@ -2,13 +2,13 @@
 
 use num_bigint::BigInt;
 use pyo3::basic::CompareOp;
-use pyo3::exceptions::{PyAttributeError, PyTypeError};
+use pyo3::exceptions::PyAttributeError;
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyFrozenSet, PyTuple};
 use symbody_core::{Error, Evaluator, Function, Graph, Id, Number, NumberId, View};
 
-use crate::convert::{self, Operand};
-use crate::session::{raise, with_forms, with_graph};
+use crate::convert::{is_sympy, mistake, operand, optional};
+use crate::session::{argument_error, raise, with_forms, with_graph};
 
 /// An immutable expression. Comparison is by value: equal mathematics is equal.
 #[pyclass(frozen, module = "symbody", name = "Expr")]
@@ -17,10 +17,16 @@ pub struct Expr(pub Id);
 
 type Binary = fn(&mut Graph, Id, Id) -> Result<Id, Error>;
 
-/// A binary operator: Python's `NotImplemented` for operands that are no expressions.
+/// A binary operator: Python's `NotImplemented` for operands that are no expressions, so that vectors and
+/// matrices take over. `SymPy` would take over too, and ask for the value of a symbol.
 fn binary(left: &Bound<'_, PyAny>, right: &Bound<'_, PyAny>, operation: Binary) -> PyResult<Py<PyAny>> {
     let py = left.py();
-    let (Ok(Operand(a)), Ok(Operand(b))) = (left.extract(), right.extract()) else {
+    let (Some(a), Some(b)) = (optional(left)?, optional(right)?) else {
+        for other in [left, right] {
+            if is_sympy(other) {
+                return Err(mistake(other, "arithmetic with expressions", "an expression or a number"));
+            }
+        }
         return Ok(py.NotImplemented());
     };
     let id = raise(py, with_graph(|graph| operation(graph, a, b)))?;
@@ -78,7 +84,8 @@ impl Expr {
         modulo: Option<&Bound<'_, PyAny>>,
     ) -> PyResult<Py<PyAny>> {
         if modulo.is_some() {
-            return Err(PyTypeError::new_err("an expression has no power modulo a number"));
+            let message = "pow takes an expression and an exponent; there is no power modulo a number";
+            return Err(argument_error(slf.py(), message.to_owned()));
         }
         binary(slf.as_any(), other, power)
     }
@@ -105,10 +112,8 @@ impl Expr {
 
     fn __richcmp__(slf: &Bound<'_, Self>, other: &Bound<'_, PyAny>, op: CompareOp) -> PyResult<Py<PyAny>> {
         let py = slf.py();
-        let equal = match (op, other.extract::<Operand>()) {
-            (CompareOp::Eq | CompareOp::Ne, Ok(Operand(id))) => {
-                with_forms(|graph| graph.equal(slf.get().0, id))
-            }
+        let equal = match (op, optional(other)) {
+            (CompareOp::Eq | CompareOp::Ne, Ok(Some(id))) => with_forms(|graph| graph.equal(slf.get().0, id)),
             _ => return Ok(py.NotImplemented()),
         };
         Ok((equal == matches!(op, CompareOp::Eq)).into_pyobject(py)?.to_owned().into_any().unbind())
@@ -131,10 +136,10 @@ impl Expr {
         raise(py, with_forms(|graph| constant_value(graph, self.0)))
     }
 
-    fn __int__(&self) -> PyResult<BigInt> {
+    fn __int__(&self, py: Python<'_>) -> PyResult<BigInt> {
         let number =
             with_forms(|graph| graph.as_number(self.0).filter(|n| n.is_integer()).map(Number::numerator));
-        number.ok_or_else(|| PyTypeError::new_err(format!("{} is no integer", self.__str__())))
+        number.ok_or_else(|| argument_error(py, format!("int: {} is no integer", self.__str__())))
     }
 
     fn __str__(&self) -> String {
@@ -146,10 +151,15 @@ impl Expr {
     fn evaluate(&self, py: Python<'_>, values: Option<&Bound<'_, PyAny>>) -> PyResult<f64> {
         let (mut inputs, mut numbers) = (Vec::new(), Vec::new());
         if let Some(values) = values {
-            for item in values.call_method0("items")?.try_iter()? {
-                let (variable, number): (Operand, f64) = item?.extract()?;
-                inputs.push(variable.0);
-                numbers.push(number);
+            let Ok(items) = values.call_method0("items") else {
+                let expected = "a mapping of variables to numbers, such as {x: 1.0}";
+                return Err(mistake(values, "evaluate", expected));
+            };
+            for item in items.try_iter()? {
+                let (variable, value): (Bound<'_, PyAny>, Bound<'_, PyAny>) = item?.extract()?;
+                inputs.push(operand(&variable, "evaluate")?);
+                let place = format!("evaluate: the value of {variable}");
+                numbers.push(value.extract().map_err(|_| mistake(&value, &place, "a number"))?);
             }
         }
         let tape = raise(py, with_forms(|graph| graph.tape(&inputs, &[self.0])))?;
@@ -188,13 +198,14 @@ impl Expr {
     }
 
     /// Whether two expressions are equal as mathematics.
-    fn equals(&self, other: Operand) -> bool {
-        with_forms(|graph| graph.equal(self.0, other.0))
+    fn equals(&self, other: &Bound<'_, PyAny>) -> PyResult<bool> {
+        let other = operand(other, "equals")?;
+        Ok(with_forms(|graph| graph.equal(self.0, other)))
     }
 
     /// Whether two expressions are one node: the same value in the same form.
-    fn same_form(&self, other: Operand) -> bool {
-        self.0 == other.0
+    fn same_form(&self, other: &Bound<'_, PyAny>) -> PyResult<bool> {
+        Ok(self.0 == operand(other, "same_form")?)
     }
 
     /// The node of this form.
@@ -314,10 +325,14 @@ impl Expr {
         with_forms(|graph| graph.depends_on_time(self.0))
     }
 
-    /// The symbols, functions of time and their derivatives in the expression.
+    /// The symbols, functions of time and their derivatives in the expression; of `f(q)`, the leaf q alone.
     #[getter]
     fn free_symbols<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyFrozenSet>> {
-        let variables = with_forms(|graph| graph.variables(&[self.0]));
+        let variables = with_forms(|graph| {
+            let mut leaves = graph.variables(&[self.0]);
+            leaves.retain(|&id| !matches!(graph.view(id), View::Application { .. }));
+            leaves
+        });
         PyFrozenSet::new(
             py,
             variables.into_iter().map(|id| Py::new(py, Expr(id))).collect::<PyResult<Vec<_>>>()?,
@@ -325,14 +340,21 @@ impl Expr {
     }
 
     /// Whether something equal to `part` occurs in the expression.
-    fn has(&self, part: Operand) -> bool {
-        with_forms(|graph| graph.has(self.0, part.0))
+    fn has(&self, part: &Bound<'_, PyAny>) -> PyResult<bool> {
+        let part = operand(part, "has")?;
+        Ok(with_forms(|graph| graph.has(self.0, part)))
+    }
+
+    /// Pickled node by node: the form is built again, in whatever process.
+    fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
+        slf.py().import("symbody.symbolic.encoding")?.call_method1("reduced", (slf,))
     }
 
     /// The n-th partial derivative with respect to a variable.
-    #[pyo3(signature = (variable, n = 1))]
-    fn diff(&self, py: Python<'_>, variable: Operand, n: u32) -> PyResult<Self> {
-        let derive = |graph: &mut Graph| (0..n).try_fold(self.0, |id, _| graph.diff(id, variable.0));
+    #[pyo3(signature = (variable, n = Times(1)), text_signature = "($self, variable, n=1)")]
+    fn diff(&self, py: Python<'_>, variable: &Bound<'_, PyAny>, n: Times) -> PyResult<Self> {
+        let variable = operand(variable, "diff, variable")?;
+        let derive = |graph: &mut Graph| (0..n.0).try_fold(self.0, |id, _| graph.diff(id, variable));
         raise(py, with_graph(derive)).map(Self)
     }
 
@@ -341,6 +363,21 @@ impl Expr {
         let pairs = crate::calculus::pairs(mapping)?;
         let replaced = raise(py, with_forms(|graph| graph.substitute(&[self.0], &pairs)))?;
         Ok(Self(replaced[0]))
+    }
+}
+
+/// How often to differentiate.
+struct Times(u32);
+
+impl<'a, 'py> FromPyObject<'a, 'py> for Times {
+    type Error = PyErr;
+
+    fn extract(object: Borrowed<'a, 'py, PyAny>) -> PyResult<Self> {
+        let times: Option<u32> = object.extract().ok();
+        times.map(Self).ok_or_else(|| {
+            let text = object.repr().map_or_else(|_| String::new(), |repr| repr.to_string());
+            argument_error(object.py(), format!("diff: n is {text}; expected 0, 1, 2, ... derivatives"))
+        })
     }
 }
 
@@ -398,23 +435,15 @@ fn parts(graph: &mut Graph, id: Id) -> Result<Vec<Id>, Error> {
     factors.into_iter().map(|factor| graph.product(&[factor])).collect()
 }
 
-/// Expressions or numbers of any Python sequence.
-pub fn ids(sequence: &Bound<'_, PyAny>) -> PyResult<Vec<Id>> {
-    sequence.try_iter()?.map(|item| Ok(item?.extract::<Operand>()?.0)).collect()
-}
-
 /// The ids as a Python tuple of expressions.
 pub fn tuple(py: Python<'_>, ids: impl IntoIterator<Item = Id>) -> PyResult<Bound<'_, PyTuple>> {
     let items: Vec<Py<Expr>> = ids.into_iter().map(|id| Py::new(py, Expr(id))).collect::<PyResult<_>>()?;
     PyTuple::new(py, items)
 }
 
-/// The number of a Python value as an expression.
+/// The number of a Python value as an expression; `place` names the argument in the error.
 #[pyfunction]
-pub fn number(value: &Bound<'_, PyAny>) -> PyResult<Expr> {
-    if let Ok(expr) = value.cast::<Expr>() {
-        return Ok(*expr.get());
-    }
-    let number = convert::number(value)?;
-    Ok(Expr(with_graph(|graph| graph.number(&number))))
+#[pyo3(signature = (value, place = ""))]
+pub fn number(value: &Bound<'_, PyAny>, place: &str) -> PyResult<Expr> {
+    operand(value, place).map(Expr)
 }

@@ -4,7 +4,8 @@ use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use symbody_core::{Assumption, Function};
 
-use crate::expr::{Expr, ids};
+use crate::convert::{operand, operands};
+use crate::expr::Expr;
 use crate::session::{raise, with_graph};
 
 /// The Python name of an assumption.
@@ -39,7 +40,7 @@ fn time_function(name: &str, order: u32) -> Expr {
 #[pyfunction]
 #[pyo3(signature = (name, args, orders = None))]
 fn application(name: &str, args: &Bound<'_, PyAny>, orders: Option<Vec<u32>>) -> PyResult<Expr> {
-    let args = ids(args)?;
+    let args = operands(args, name)?;
     let orders = orders.unwrap_or_else(|| vec![0; args.len()]);
     if orders.len() != args.len() {
         return Err(PyValueError::new_err(format!(
@@ -54,7 +55,7 @@ fn application(name: &str, args: &Bound<'_, PyAny>, orders: Option<Vec<u32>>) ->
 /// A function of the table, by name.
 #[pyfunction]
 fn apply(py: Python<'_>, name: &str, args: &Bound<'_, PyAny>) -> PyResult<Expr> {
-    let args = ids(args)?;
+    let args = operands(args, name)?;
     let Some(function) = Function::by_name(name) else {
         return Err(PyValueError::new_err(format!("{name} is not a function of the table")));
     };
@@ -63,8 +64,9 @@ fn apply(py: Python<'_>, name: &str, args: &Bound<'_, PyAny>) -> PyResult<Expr> 
 
 /// The square root.
 #[pyfunction]
-fn sqrt(py: Python<'_>, value: crate::convert::Operand) -> PyResult<Expr> {
-    raise(py, with_graph(|graph| graph.sqrt(value.0))).map(Expr)
+fn sqrt(py: Python<'_>, value: &Bound<'_, PyAny>) -> PyResult<Expr> {
+    let root = operand(value, "sqrt")?;
+    raise(py, with_graph(|graph| graph.sqrt(root))).map(Expr)
 }
 
 /// The independent variable t.

@@ -4,7 +4,8 @@ use pyo3::prelude::*;
 use pyo3::types::PyTuple;
 use symbody_core::Matrix;
 
-use crate::expr::{Expr, ids, tuple};
+use crate::convert::operands;
+use crate::expr::{Expr, tuple};
 use crate::session::{raise, with_graph};
 
 /// The product of a rows x inner and an inner x columns matrix.
@@ -17,8 +18,8 @@ fn matrix_product<'py>(
     a: &Bound<'py, PyAny>,
     b: &Bound<'py, PyAny>,
 ) -> PyResult<Bound<'py, PyTuple>> {
-    let a = raise(py, Matrix::new(rows, inner, ids(a)?))?;
-    let b = raise(py, Matrix::new(inner, columns, ids(b)?))?;
+    let a = raise(py, Matrix::new(rows, inner, operands(a, "Matrix")?))?;
+    let b = raise(py, Matrix::new(inner, columns, operands(b, "Matrix")?))?;
     let product = raise(py, with_graph(|graph| graph.matrix_product(&a, &b)))?;
     tuple(py, product.entries().iter().copied())
 }
@@ -26,14 +27,14 @@ fn matrix_product<'py>(
 /// The determinant of an n x n matrix.
 #[pyfunction]
 fn determinant(py: Python<'_>, n: usize, entries: &Bound<'_, PyAny>) -> PyResult<Expr> {
-    let matrix = raise(py, Matrix::new(n, n, ids(entries)?))?;
+    let matrix = raise(py, Matrix::new(n, n, operands(entries, "Matrix")?))?;
     raise(py, with_graph(|graph| graph.determinant(&matrix))).map(Expr)
 }
 
 /// The inverse of an n x n matrix.
 #[pyfunction]
 fn inverse<'py>(py: Python<'py>, n: usize, entries: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyTuple>> {
-    let matrix = raise(py, Matrix::new(n, n, ids(entries)?))?;
+    let matrix = raise(py, Matrix::new(n, n, operands(entries, "Matrix")?))?;
     let inverse = raise(py, with_graph(|graph| graph.inverse(&matrix)))?;
     tuple(py, inverse.entries().iter().copied())
 }
@@ -45,7 +46,8 @@ fn solve<'py>(
     equations: &Bound<'py, PyAny>,
     unknowns: &Bound<'py, PyAny>,
 ) -> PyResult<Bound<'py, PyTuple>> {
-    let (equations, unknowns) = (ids(equations)?, ids(unknowns)?);
+    let equations = operands(equations, "solve, equations")?;
+    let unknowns = operands(unknowns, "solve, unknowns")?;
     tuple(py, raise(py, with_graph(|graph| graph.solve(&equations, &unknowns)))?)
 }
 

@@ -3,20 +3,21 @@
 use pyo3::prelude::*;
 use symbody_core::NumberId;
 
-use crate::expr::{Expr, ids};
+use crate::convert::operands;
+use crate::expr::Expr;
 use crate::session::{raise, with_graph};
 
 /// The sum of expressions.
 #[pyfunction]
 fn sum_of(terms: &Bound<'_, PyAny>) -> PyResult<Expr> {
-    let terms: Vec<_> = ids(terms)?.into_iter().map(|id| (NumberId::ONE, id)).collect();
+    let terms: Vec<_> = operands(terms, "sum")?.into_iter().map(|id| (NumberId::ONE, id)).collect();
     Ok(Expr(with_graph(|graph| graph.sum(&terms))))
 }
 
 /// The product of expressions.
 #[pyfunction]
 fn product_of(py: Python<'_>, factors: &Bound<'_, PyAny>) -> PyResult<Expr> {
-    let factors: Vec<_> = ids(factors)?.into_iter().map(|id| (id, NumberId::ONE)).collect();
+    let factors: Vec<_> = operands(factors, "product")?.into_iter().map(|id| (id, NumberId::ONE)).collect();
     raise(py, with_graph(|graph| graph.product(&factors))).map(Expr)
 }
 

@@ -4,7 +4,7 @@ use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use symbody_core::{Format, Listing};
 
-use crate::expr::ids;
+use crate::convert::operands;
 use crate::session::with_forms;
 
 /// Names and what they stand for.
@@ -13,7 +13,7 @@ type Definitions = Vec<(String, String)>;
 /// Expressions printed together: the named intermediate quantities, if any, and the results.
 #[pyfunction]
 fn listing(expressions: &Bound<'_, PyAny>, notation: &str) -> PyResult<(Definitions, Vec<String>)> {
-    let roots = ids(expressions)?;
+    let roots = operands(expressions, "listing")?;
     let format = match notation {
         "text" => Format::Text,
         "latex" => Format::Latex,

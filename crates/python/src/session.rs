@@ -46,11 +46,32 @@ fn exception(py: Python<'_>, error: &Error) -> PyErr {
         Error::MissingInput(_) => "ParameterError",
         _ => "ExpressionError",
     };
-    let made = py
+    made(py, class, format!("{error}{}", way_out(error)))
+}
+
+/// What the user may do about an error, where the error itself doesn't say it.
+const fn way_out(error: &Error) -> &'static str {
+    match error {
+        Error::DivisionByZero(_) => {
+            "; check the divisor: its terms cancel, or what was substituted makes it zero"
+        }
+        Error::Domain { .. } => "; check the argument, or keep a symbol there and give its value later",
+        _ => "",
+    }
+}
+
+/// The exception for an argument that is something else than expected.
+pub fn argument_error(py: Python<'_>, message: String) -> PyErr {
+    made(py, "ArgumentError", message)
+}
+
+/// An exception of the module `symbody.errors`.
+fn made(py: Python<'_>, class: &str, message: String) -> PyErr {
+    let instance = py
         .import("symbody.errors")
         .and_then(|errors| errors.getattr(class))
-        .and_then(|class| class.call1((error.to_string(),)));
-    match made {
+        .and_then(|class| class.call1((message,)));
+    match instance {
         Ok(instance) => PyErr::from_value(instance),
         Err(failure) => failure,
     }

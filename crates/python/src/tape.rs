@@ -4,7 +4,7 @@ use pyo3::buffer::PyBuffer;
 use pyo3::prelude::*;
 use symbody_core::{Column, Evaluator};
 
-use crate::expr::ids;
+use crate::convert::operands;
 use crate::session::{raise, with_forms};
 
 /// Expressions lowered to straight-line code, ready for evaluation.
@@ -23,7 +23,8 @@ pub struct Tape {
 impl Tape {
     #[new]
     fn new(py: Python<'_>, inputs: &Bound<'_, PyAny>, outputs: &Bound<'_, PyAny>) -> PyResult<Self> {
-        let (inputs, outputs) = (ids(inputs)?, ids(outputs)?);
+        let inputs = operands(inputs, "lambdify, arguments")?;
+        let outputs = operands(outputs, "lambdify, expressions")?;
         let tape = raise(py, with_forms(|graph| graph.tape(&inputs, &outputs)))?;
         let count = tape.operations();
         Ok(Self {

@@ -6,6 +6,7 @@ from collections.abc import Mapping, Sequence
 
 from symbody.symbolic import _core
 from symbody.symbolic._core import Expr
+from symbody.symbolic.arguments import size
 from symbody.symbolic.leaves import ExprLike
 from symbody.symbolic.matrix import Matrix
 
@@ -25,7 +26,7 @@ def diff(expression: ExprLike, variable: Expr, n: int = 1) -> Expr:
     >>> diff(sin(x) ** 2, x)
     2*sin(x)*cos(x)
     """
-    return _core.number(expression).diff(variable, n)
+    return _core.number(expression, "diff, expression").diff(variable, n)
 
 
 def time_derivative(expression: ExprLike, n: int = 1) -> Expr:
@@ -36,8 +37,8 @@ def time_derivative(expression: ExprLike, n: int = 1) -> Expr:
     >>> time_derivative(x**2, 2)
     2*(x*x'' + x'**2)
     """
-    result = _core.number(expression)
-    for _ in range(n):
+    result = _core.number(expression, "time_derivative, expression")
+    for _ in range(size(n, "time_derivative: n", "derivatives")):
         (result,) = _core.time_derivatives((result,))
     return result
 
@@ -53,8 +54,8 @@ def time_derivatives(expressions: Sequence[ExprLike]) -> tuple[Expr, ...]:
     return _core.time_derivatives(expressions)
 
 
-def gradient(expression: ExprLike, variables: Sequence[Expr]) -> tuple[Expr, ...]:
-    """Return the partial derivatives with respect to many variables, by one reverse sweep.
+def gradient(expression: ExprLike, variables: Expr | Sequence[Expr]) -> tuple[Expr, ...]:
+    """Return the partial derivatives with respect to many variables (or one), by one reverse sweep.
 
     >>> from symbody import gradient, symbols
     >>> x, y = symbols("x y")
@@ -64,19 +65,18 @@ def gradient(expression: ExprLike, variables: Sequence[Expr]) -> tuple[Expr, ...
     return _core.gradient(expression, variables)
 
 
-def jacobian(expressions: Sequence[ExprLike], variables: Sequence[Expr]) -> Matrix:
-    """Return the matrix of partial derivatives, a row for each expression.
+def jacobian(expressions: Expr | Sequence[ExprLike], variables: Expr | Sequence[Expr]) -> Matrix:
+    """Return the matrix of partial derivatives, a row for each expression; one alone is a list of one.
 
     >>> from symbody import jacobian, symbols
     >>> x, y = symbols("x y")
     >>> jacobian([x * y, x + y], [x, y])
     Matrix([[y, x], [1, 1]])
     """
-    return Matrix.from_entries(
-        len(expressions),
-        len(variables),
-        [entry for row in _core.jacobian(expressions, variables) for entry in row],
-    )
+    rows = _core.jacobian(expressions, variables)
+    if not rows:
+        return Matrix.from_entries(0, 1 if isinstance(variables, Expr) else len(variables), ())
+    return Matrix(rows)
 
 
 def subs(expression: ExprLike, mapping: Mapping[Expr, ExprLike]) -> Expr:
@@ -90,7 +90,7 @@ def subs(expression: ExprLike, mapping: Mapping[Expr, ExprLike]) -> Expr:
     >>> subs(time_derivative(x), {x: sin(t)})
     cos(t)
     """
-    return _core.number(expression).subs(mapping)
+    return _core.number(expression, "subs, expression").subs(mapping)
 
 
 def substitute(expressions: Sequence[ExprLike], mapping: Mapping[Expr, ExprLike]) -> tuple[Expr, ...]:

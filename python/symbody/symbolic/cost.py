@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from typing import TypeAlias
 
-from symbody.errors import ExpressionError
+from symbody.errors import ArgumentError
 from symbody.symbolic import _core
 from symbody.symbolic.leaves import ExprLike
 
@@ -55,7 +55,7 @@ def cost(*expressions: Costed, tree: bool = False) -> Cost:
 def _flat(items: Iterable[Costed]) -> Iterator[ExprLike]:
     for item in items:
         if isinstance(item, str):
-            raise ExpressionError(f"cost counts expressions, found the text {item!r}; parse it first")
+            raise ArgumentError(f"cost counts expressions, found the text {item!r}; parse it first")
         if isinstance(item, Iterable):
             yield from _flat(item)
         else:

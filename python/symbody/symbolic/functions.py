@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from symbody.errors import ExpressionError
+from symbody.errors import ArgumentError
 from symbody.symbolic import _core
 from symbody.symbolic._core import Expr
 from symbody.symbolic.leaves import ExprLike
@@ -126,6 +126,6 @@ def Piecewise(*branches: tuple[ExprLike, ExprLike], otherwise: ExprLike = 0) -> 
     flat: list[ExprLike] = []
     for branch in branches:
         if not isinstance(branch, tuple) or len(branch) != 2:  # type: ignore[redundant-expr]  # users may err
-            raise ExpressionError(f"a branch of Piecewise is a pair (value, condition > 0), found {branch!r}")
+            raise ArgumentError(f"a branch of Piecewise is a pair (value, condition > 0), found {branch!r}")
         flat.extend(branch)
     return _core.apply("Piecewise", (*flat, otherwise))

@@ -2,17 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
+from functools import cached_property
+from itertools import islice
 from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from symbody.errors import ExpressionError, ParameterError
+from symbody.errors import ArgumentError, ExpressionError, ParameterError, SymbodyError
 from symbody.symbolic import _core
 from symbody.symbolic._core import Expr
-from symbody.symbolic.leaves import ExprLike, number
+from symbody.symbolic.arguments import described
+from symbody.symbolic.encoding import Encoded, decode, encode
 from symbody.symbolic.matrix import Matrix
 
 __all__ = ["CompiledFunction", "lambdify"]
@@ -35,13 +38,24 @@ class CompiledFunction:
     """A function of the arguments given to :func:`lambdify`, broadcasting over their trailing axes."""
 
     arguments: tuple[tuple[Expr, ...] | Expr, ...]
-    tape: _core.Tape
+    expressions: tuple[Expr, ...]
     shapes: tuple[_Shape, ...] | _Shape
+
+    @cached_property
+    def tape(self) -> _core.Tape:
+        """The straight-line code of the expressions, made once."""
+        return _core.Tape(_flat(self.arguments), self.expressions)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        """Pickle the expressions, all in one encoding; where they are read, the code is made again."""
+        leaves = _flat(self.arguments)
+        counts = tuple(None if isinstance(a, Expr) else len(a) for a in self.arguments)
+        return _decoded, (counts, encode([*leaves, *self.expressions]), self.shapes)
 
     def __call__(self, *values: ArrayLike) -> Any:
         """Evaluate. An argument that was a list takes an array with that many rows."""
         inputs = self._columns(values)
-        batch = np.broadcast_shapes(*(column.shape for column in inputs)) if inputs else ()
+        batch = _batch([column.shape for column in inputs])
         points = int(np.prod(batch))
         flat = [
             np.ascontiguousarray(c if c.size == 1 else np.broadcast_to(c, batch)).reshape(-1) for c in inputs
@@ -58,17 +72,45 @@ class CompiledFunction:
             raise ParameterError(f"the function takes {len(self.arguments)} arguments, found {len(values)}")
         columns: list[NDArray[np.float64]] = []
         for argument, value in zip(self.arguments, values, strict=True):
-            array = np.asarray(value, dtype=np.float64)
+            array = _real(argument, value)
             if isinstance(argument, Expr):
                 columns.append(array)
                 continue
             if array.ndim == 0 or array.shape[0] != len(argument):
-                names = ", ".join(map(str, argument[:8])) + (", ..." if len(argument) > 8 else "")
                 raise ParameterError(
-                    f"the argument [{names}] takes an array of {len(argument)} rows, found shape {array.shape}"
+                    f"the argument {_named(argument)} takes an array of {len(argument)} rows, "
+                    f"found shape {array.shape}"
                 )
             columns.extend(array)
         return columns
+
+
+def _named(argument: tuple[Expr, ...] | Expr) -> str:
+    if isinstance(argument, Expr):
+        return str(argument)
+    return "[" + ", ".join(map(str, argument[:8])) + (", ...]" if len(argument) > 8 else "]")
+
+
+def _real(argument: tuple[Expr, ...] | Expr, value: ArrayLike) -> NDArray[np.float64]:
+    """Return an array of doubles; NumPy would take None for nan, texts for numbers, and drop imaginary parts."""
+    try:
+        array = np.asarray(value)
+        if array.dtype.kind in "iuf" or (array.dtype.kind == "O" and all(x is not None for x in array.flat)):
+            return array.astype(np.float64, copy=False)
+    except (ValueError, TypeError, SymbodyError):
+        pass
+    raise ArgumentError(f"the argument {_named(argument)} takes real numbers, found {value!r}")
+
+
+def _batch(shapes: Sequence[tuple[int, ...]]) -> tuple[int, ...]:
+    try:
+        return np.broadcast_shapes(*shapes)
+    except ValueError:
+        found = ", ".join(map(str, dict.fromkeys(shapes)))
+        raise ParameterError(
+            f"the arguments have values of the shapes {found}, which don't broadcast; "
+            "expected as many points for each"
+        ) from None
 
 
 def _cut(outputs: NDArray[np.float64], shape: _Shape) -> Any:
@@ -82,8 +124,10 @@ def lambdify(arguments: Expr | Sequence[Expr | Sequence[Expr]], expressions: Out
 
     Args:
         arguments: variables, or lists of variables, which become arrays with a row for each.
-        expressions: an expression (the function returns an array of the batch's shape), a list of n
-            expressions (n rows), a matrix (rows x columns), or a list of lists and matrices (a tuple).
+        expressions: what the function returns has their structure. An expression: an array of the
+            batch's shape; a list of n expressions: n rows; a ``Matrix`` or a NumPy array of
+            expressions: an array that begins with its shape; a list of lists, matrices and arrays: a
+            tuple with an array for each, lists of equal length included.
 
     Raises:
         ParameterError: an expression contains a variable that is no argument.
@@ -95,29 +139,55 @@ def lambdify(arguments: Expr | Sequence[Expr | Sequence[Expr]], expressions: Out
     array([[0.        , 2.        ],
            [1.        , 0.54030231]])
     """
-    if isinstance(arguments, Expr):
-        arguments = [arguments]
-    structure = tuple(a if isinstance(a, Expr) else tuple(a) for a in arguments)
-    inputs = [v for a in structure for v in ((a,) if isinstance(a, Expr) else a)]
+    structure = tuple(map(_argument, [arguments] if isinstance(arguments, Expr) else _listed(arguments)))
     outputs, shapes = _flatten(expressions)
-    return CompiledFunction(structure, _core.Tape(inputs, outputs), shapes)
+    function = CompiledFunction(structure, tuple(outputs), shapes)
+    function.tape  # noqa: B018 - made now, so that a variable without a value is found now
+    return function
+
+
+def _listed(arguments: object) -> list[Any]:
+    if isinstance(arguments, str) or not isinstance(arguments, Iterable):
+        raise ArgumentError(f"lambdify, arguments: {described(arguments)}; expected a list of variables")
+    return list(arguments)
+
+
+def _argument(argument: object) -> tuple[Expr, ...] | Expr:
+    if isinstance(argument, Expr) and argument.is_variable:
+        return argument
+    if isinstance(argument, Iterable) and not isinstance(argument, str):
+        listed = tuple(argument)
+        if all(isinstance(leaf, Expr) and leaf.is_variable for leaf in listed):
+            return listed
+    raise ArgumentError(
+        f"lambdify, arguments: {argument!r} is not a variable; "
+        "expected symbols, functions of time, their derivatives, or lists of these"
+    )
+
+
+def _flat(arguments: Iterable[tuple[Expr, ...] | Expr]) -> list[Expr]:
+    return [leaf for a in arguments for leaf in ((a,) if isinstance(a, Expr) else a)]
 
 
 def _is_scalar(item: object) -> bool:
-    return isinstance(item, Expr | int | float)
+    return isinstance(item, str | Mapping) or not isinstance(item, Iterable)
 
 
-def _flatten(expressions: Outputs) -> tuple[list[ExprLike], tuple[_Shape, ...] | _Shape]:
-    if _is_scalar(expressions):
-        return [expressions], _Shape(0, 1, ())
+def _scalar(item: object) -> Expr:
+    return _core.number(item, "lambdify, expressions")
+
+
+def _flatten(expressions: Outputs) -> tuple[list[Expr], tuple[_Shape, ...] | _Shape]:
     if isinstance(expressions, Matrix):
         return list(expressions.entries), _Shape(0, len(expressions.entries), expressions.shape)
-    if isinstance(expressions, str) or not isinstance(expressions, Iterable):
-        return [number(expressions)], _Shape(0, 1, ())
+    if isinstance(expressions, np.ndarray):
+        return [_scalar(item) for item in expressions.flat], _Shape(0, expressions.size, expressions.shape)
+    if _is_scalar(expressions):
+        return [_scalar(expressions)], _Shape(0, 1, ())
     items = list(expressions)
     if all(_is_scalar(item) for item in items):
-        return items, _Shape(0, len(items), (len(items),))
-    outputs: list[ExprLike] = []
+        return [_scalar(item) for item in items], _Shape(0, len(items), (len(items),))
+    outputs: list[Expr] = []
     shapes: list[_Shape] = []
     for item in items:
         part, shape = _flatten(item)
@@ -126,3 +196,11 @@ def _flatten(expressions: Outputs) -> tuple[list[ExprLike], tuple[_Shape, ...] |
         shapes.append(_Shape(len(outputs), shape.count, shape.dimensions))
         outputs.extend(part)
     return outputs, tuple(shapes)
+
+
+def _decoded(
+    counts: Iterable[int | None], encoded: Encoded, shapes: tuple[_Shape, ...] | _Shape
+) -> CompiledFunction:
+    made = iter(decode(encoded))
+    arguments = tuple(next(made) if n is None else tuple(islice(made, n)) for n in counts)
+    return CompiledFunction(arguments, tuple(made), shapes)

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from typing import Any, TypeAlias
 
-from symbody.errors import ExpressionError
+from symbody.errors import ArgumentError, ExpressionError
 from symbody.symbolic import _core
 from symbody.symbolic._core import Expr
+from symbody.symbolic.arguments import described, size
 
 __all__ = [
     "ExprLike",
@@ -38,26 +39,49 @@ t: Expr = _core.time()
 pi: Expr = _core.pi()
 """The circle constant."""
 
-number = _core.number
 symbol = _core.symbol
 
 
-def _names(text: str) -> list[str]:
-    names = text.replace(",", " ").split()
-    if not names:
-        raise ExpressionError(f"no name in {text!r}; expected names separated by blanks, such as 'm g l1'")
-    for name in names:
-        if not _NAME.fullmatch(name):
-            raise ExpressionError(
-                f"{name!r} is no name; expected letters, digits and underscores, not starting with a digit"
-            )
-        if name in _TAKEN:
-            raise ExpressionError(f"the name {name!r} stands for {_TAKEN[name]}; choose another name")
-    return names
+def number(value: ExprLike) -> Expr:
+    """Return a number as an expression; doubles keep the decimals that print them.
+
+    >>> from fractions import Fraction
+    >>> number(Fraction(1, 3)) + number(0.5)
+    0.8333333333333334
+    """
+    return _core.number(value, "number")
 
 
-def symbols(names: str, *, positive: bool = False, real: bool = True) -> Any:
-    """Return the symbols of these names, one alone or a tuple.
+def _names(names: str | Iterable[str], place: str) -> list[str]:
+    """Return the names in a text or in a list of texts."""
+    texts = [names] if isinstance(names, str) or not isinstance(names, Iterable) else list(names)
+    for text in texts:
+        if not isinstance(text, str):
+            raise ArgumentError(f"{place}: {described(text)}; expected names in a text, such as 'm g l1'")
+    found = [name for text in texts for name in text.replace(",", " ").split()]
+    if not found:
+        raise ExpressionError(f"no name in {names!r}; expected names separated by blanks, such as 'm g l1'")
+    for name in found:
+        check_name(name)
+    return found
+
+
+def check_name(name: str) -> None:
+    """Raise an error for a name that prints as something else."""
+    if not _NAME.fullmatch(name):
+        raise ExpressionError(
+            f"{name!r} is no name; expected letters, digits and underscores, not starting with a digit"
+        )
+    if name in _TAKEN:
+        raise ExpressionError(f"the name {name!r} stands for {_TAKEN[name]}; choose another name")
+
+
+def _one_or_all(names: str | Iterable[str], made: tuple[Expr, ...]) -> Any:
+    return made[0] if isinstance(names, str) and len(made) == 1 else made
+
+
+def symbols(names: str | Iterable[str], *, positive: bool = False, real: bool = True) -> Any:
+    """Return the symbols of these names: one alone or a tuple for a text, a tuple for a list of names.
 
     A symbol is real unless ``real=False``; the roots of a ``positive`` one are taken exactly.
 
@@ -67,20 +91,23 @@ def symbols(names: str, *, positive: bool = False, real: bool = True) -> Any:
     >>> sqrt(length**2)
     length
     """
-    made = tuple(_core.symbol(name, positive=positive, real=real) for name in _names(names))
-    return made[0] if len(made) == 1 else made
+    for option, value in (("positive", positive), ("real", real)):
+        if not isinstance(value, bool):
+            raise ArgumentError(f"symbols: {option} is {value!r}; expected True or False")
+    made = [_core.symbol(name, positive=positive, real=real) for name in _names(names, "symbols")]
+    return _one_or_all(names, tuple(made))
 
 
-def functions_of_time(names: str) -> Any:
-    """Return functions of time of these names, one alone or a tuple; primes denote their derivatives.
+def functions_of_time(names: str | Iterable[str]) -> Any:
+    """Return functions of time of these names, as ``symbols`` does; primes denote their derivatives.
 
     >>> from symbody import functions_of_time, time_derivative
     >>> x, y = functions_of_time("x y")
     >>> time_derivative(x * y)
     x*y' + x'*y
     """
-    made = tuple(_core.time_function(name) for name in _names(names))
-    return made[0] if len(made) == 1 else made
+    made = tuple(_core.time_function(name) for name in _names(names, "functions_of_time"))
+    return _one_or_all(names, made)
 
 
 @dataclass(frozen=True)
@@ -96,7 +123,12 @@ class UndefinedFunction:
 
     def derivative(self, orders: Sequence[int], *args: ExprLike) -> Expr:
         """Return the partial derivative of the given orders, one for each argument."""
-        return _core.application(self.name, args, list(orders))
+        checked = [size(n, f"{self.name}.derivative: an order", "derivatives") for n in orders]
+        if len(checked) != len(args):
+            raise ExpressionError(
+                f"{self.name}.derivative: {len(checked)} orders for {len(args)} arguments; expected one for each"
+            )
+        return _core.application(self.name, args, checked)
 
 
 def function(name: str) -> UndefinedFunction:
@@ -108,5 +140,7 @@ def function(name: str) -> UndefinedFunction:
     >>> f(x * y, y).diff(x)
     y*D[1](f)(x*y, y)
     """
-    (checked,) = _names(name)
-    return UndefinedFunction(checked)
+    checked = _names(name, "function")
+    if len(checked) > 1:
+        raise ExpressionError(f"function: {len(checked)} names in {name!r}; expected one, such as 'f'")
+    return UndefinedFunction(checked[0])

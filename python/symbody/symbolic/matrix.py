@@ -2,16 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from typing import overload
+from typing import Any, overload
 
 import numpy as np
 from numpy.typing import NDArray
 
-from symbody.errors import ExpressionError
+from symbody.errors import ArgumentError, ExpressionError
 from symbody.symbolic import _core
 from symbody.symbolic._core import Expr
+from symbody.symbolic.arguments import described, size
+from symbody.symbolic.encoding import Encoded, decode, encode
 from symbody.symbolic.leaves import ExprLike
 
 __all__ = ["Matrix", "identity", "zeros"]
@@ -32,14 +34,15 @@ class Matrix:
     entries: tuple[Expr, ...]
 
     def __init__(self, rows: Sequence[Sequence[ExprLike]]) -> None:
-        width = len(rows[0]) if len(rows) else 0
-        for i, row in enumerate(rows):
+        listed = _rows(rows)
+        width = len(listed[0]) if listed else 0
+        for i, row in enumerate(listed):
             if len(row) != width:
                 raise ExpressionError(
                     f"row {i + 1} of the matrix has {len(row)} entries, the first has {width}; "
                     "all rows need the same number"
                 )
-        _fill(self, len(rows), width, tuple(_core.number(entry) for row in rows for entry in row))
+        _fill(self, len(listed), width, _numbers([entry for row in listed for entry in row], width))
 
     @classmethod
     def from_entries(cls, rows: int, columns: int, entries: Sequence[ExprLike]) -> Matrix:
@@ -49,7 +52,7 @@ class Matrix:
                 f"a {rows}x{columns} matrix has {rows * columns} entries, found {len(entries)}"
             )
         matrix = cls.__new__(cls)
-        _fill(matrix, rows, columns, tuple(_core.number(entry) for entry in entries))
+        _fill(matrix, rows, columns, _numbers(entries, columns))
         return matrix
 
     @classmethod
@@ -85,13 +88,15 @@ class Matrix:
             raise ExpressionError(f"a matrix takes two indices, row and column, found {key!r}")
         i, j = key
         if isinstance(i, int) and isinstance(j, int):
-            return self.entries[range(self.rows)[i] * self.columns + range(self.columns)[j]]
-        picked_rows = range(self.rows)[i] if isinstance(i, slice) else [range(self.rows)[i]]
-        picked_columns = range(self.columns)[j] if isinstance(j, slice) else [range(self.columns)[j]]
+            return self.entries[
+                _place(i, self.rows, "rows") * self.columns + _place(j, self.columns, "columns")
+            ]
+        picked_rows = _places(i, self.rows, "rows")
+        picked_columns = _places(j, self.columns, "columns")
         entries = [self.entries[a * self.columns + b] for a in picked_rows for b in picked_columns]
         return Matrix.from_entries(len(picked_rows), len(picked_columns), entries)
 
-    def __array__(self, dtype: object = None, copy: bool | None = None) -> NDArray[np.object_]:
+    def __array__(self, dtype: object = None, copy: bool | None = None) -> NDArray[np.object_]:  # noqa: FBT001 - NumPy's
         array = np.empty(self.shape, dtype=object)
         array[...] = self.tolist()
         return array
@@ -169,7 +174,7 @@ class Matrix:
     def diff(self, variable: Expr, n: int = 1) -> Matrix:
         """Return the matrix of partial derivatives with respect to one variable."""
         entries = self.entries
-        for _ in range(n):
+        for _ in range(size(n, "Matrix.diff: n", "derivatives")):
             entries = _core.diff_all(entries, variable)
         return self._like(entries)
 
@@ -188,6 +193,10 @@ class Matrix:
     def __repr__(self) -> str:
         return f"Matrix({self.tolist()})"
 
+    def __reduce__(self) -> tuple[Any, ...]:
+        """Pickle the entries together, for they share much."""
+        return _decoded, (self.rows, self.columns, encode(self.entries))
+
     def latex(self) -> str:
         """Return the matrix in LaTeX."""
         rows = r" \\ ".join(" & ".join(entry.latex() for entry in self.row(i)) for i in range(self.rows))
@@ -202,11 +211,53 @@ def _fill(matrix: Matrix, rows: int, columns: int, entries: tuple[Expr, ...]) ->
         object.__setattr__(matrix, name, value)  # the one time that a frozen matrix is written
 
 
+def _rows(rows: object) -> list[Sequence[ExprLike]]:
+    if isinstance(rows, str | Expr | Matrix) or not isinstance(rows, Iterable):
+        raise ArgumentError(
+            f"Matrix: {described(rows)}; expected a list of rows, as in Matrix([[a, b], [c, d]])"
+        )
+    listed: list[Any] = list(rows)
+    for i, row in enumerate(listed):
+        if isinstance(row, str) or not hasattr(row, "__len__"):
+            raise ArgumentError(
+                f"Matrix, row {i + 1}: {described(row)}; expected a list of entries. "
+                "One column is Matrix.column([a, b]), one row Matrix([[a, b]])"
+            )
+    return listed
+
+
+def _numbers(entries: Sequence[ExprLike], columns: int) -> tuple[Expr, ...]:
+    return tuple(
+        entry
+        if isinstance(entry, Expr)
+        else _core.number(entry, f"Matrix, row {k // columns + 1}, column {k % columns + 1}")
+        for k, entry in enumerate(entries)
+    )
+
+
+def _place(index: int, count: int, what: str) -> int:
+    if not isinstance(index, int):
+        raise ArgumentError(f"the index {index!r} of a matrix; expected whole numbers or slices")
+    if not -count <= index < count:
+        raise ExpressionError(f"the index {index} of a matrix of {count} {what}; the first has the index 0")
+    return index % count
+
+
+def _places(index: int | slice, count: int, what: str) -> Sequence[int]:
+    return range(count)[index] if isinstance(index, slice) else [_place(index, count, what)]
+
+
+def _decoded(rows: int, columns: int, encoded: Encoded) -> Matrix:
+    return Matrix.from_entries(rows, columns, decode(encoded))
+
+
 def identity(n: int) -> Matrix:
     """Return the n x n identity."""
+    n = size(n, "identity: n", "rows")
     return Matrix([[int(i == j) for j in range(n)] for i in range(n)])
 
 
 def zeros(rows: int, columns: int) -> Matrix:
     """Return a matrix of zeros."""
+    rows, columns = size(rows, "zeros: rows", "rows"), size(columns, "zeros: columns", "columns")
     return Matrix.from_entries(rows, columns, [0] * (rows * columns))

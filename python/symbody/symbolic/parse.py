@@ -13,9 +13,10 @@ from lark import Lark, Token, UnexpectedCharacters, UnexpectedToken, v_args
 from lark.exceptions import VisitError
 from lark.visitors import Transformer_NonRecursive
 
-from symbody.errors import ParseError
+from symbody.errors import ArgumentError, ParseError
 from symbody.symbolic import _core
 from symbody.symbolic._core import Expr
+from symbody.symbolic.arguments import described
 from symbody.symbolic.calculus import time_derivative
 from symbody.symbolic.functions import sqrt
 from symbody.symbolic.leaves import ExprLike, UndefinedFunction, pi, t
@@ -46,6 +47,8 @@ def parse(text: str, names: Mapping[str, Meaning] | None = None) -> Expr:
     >>> parse("sqrt(length**2)", names={"length": length})
     length
     """
+    if not isinstance(text, str):
+        raise ArgumentError(f"parse: {described(text)}; expected a text, such as 'm*x + k*x'")
     known: dict[str, Meaning] = {"pi": pi, "t": t}
     known |= {name: _core.time_function(name) for name in _functions_of_time(text)}
     known |= names or {}
@@ -169,7 +172,7 @@ class _Builder(Transformer_NonRecursive[Token, Expr]):
             return _core.symbol(str(token))
         if isinstance(meaning, UndefinedFunction):
             raise _Mistake(token, f"{token} is a function; it needs arguments, as in {token}(x)")
-        return _core.number(meaning)
+        return _core.number(meaning, f"parse, the meaning of {token}")
 
     def derivative(self, token: Token, primes: Token) -> Expr:
         function = self.name(token)

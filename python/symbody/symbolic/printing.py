@@ -20,7 +20,7 @@ def latex(expression: ExprLike | Matrix) -> str:
     >>> print(latex(time_derivative(sin(theta))))
     \dot{\theta} \cos\left(\theta\right)
     """
-    return expression.latex() if isinstance(expression, Matrix) else _core.number(expression).latex()
+    return expression.latex() if isinstance(expression, Matrix) else _core.number(expression, "latex").latex()
 
 
 def maple(expression: ExprLike) -> str:
@@ -31,7 +31,7 @@ def maple(expression: ExprLike) -> str:
     >>> maple(time_derivative(x, 2))
     'diff(x(t),`$`(t,2))'
     """
-    return _core.number(expression).maple()
+    return _core.number(expression, "maple").maple()
 
 
 def listing(expressions: Iterable[Expr], notation: str = "text") -> tuple[list[tuple[str, str]], list[str]]:

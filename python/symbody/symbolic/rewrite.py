@@ -36,8 +36,8 @@ def expand_trig(expression: ExprLike) -> Expr:
     return _core.rewrite("expand_trig", expression)
 
 
-def collect(expression: ExprLike, variables: Sequence[ExprLike]) -> Expr:
-    """Write an expression as a polynomial in the variables, the first one outermost.
+def collect(expression: ExprLike, variables: Expr | Sequence[ExprLike]) -> Expr:
+    """Write an expression as a polynomial in the variables (or one), the first one outermost.
 
     >>> from symbody import collect, symbols
     >>> x, a, b = symbols("x a b")

@@ -11,11 +11,11 @@ from symbody.symbolic.leaves import ExprLike
 __all__ = ["solve"]
 
 
-def solve(equations: Sequence[ExprLike], unknowns: Sequence[Expr]) -> dict[Expr, Expr]:
+def solve(equations: Expr | Sequence[ExprLike], unknowns: Expr | Sequence[Expr]) -> dict[Expr, Expr]:
     """Solve equations, each an expression that is to be zero, that are linear in the unknowns.
 
-    Unknowns may be symbols, functions of time and their derivatives. What can be solved on its own is
-    solved first; at most six unknowns may be coupled.
+    An equation or an unknown alone needs no list. Unknowns may be symbols, functions of time and their
+    derivatives. What can be solved on its own is solved first; at most six unknowns may be coupled.
 
     Raises:
         ExpressionError: an equation is not linear, the equations contradict each other or leave
@@ -26,4 +26,5 @@ def solve(equations: Sequence[ExprLike], unknowns: Sequence[Expr]) -> dict[Expr,
     >>> solve([x + y - a, x - y], [x, y])
     {x: a/2, y: a/2}
     """
-    return dict(zip(unknowns, _core.solve(equations, unknowns), strict=True))
+    values = _core.solve(equations, unknowns)
+    return dict(zip([unknowns] if isinstance(unknowns, Expr) else unknowns, values, strict=True))

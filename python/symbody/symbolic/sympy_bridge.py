@@ -2,16 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
-from typing import Any, TypeVar
+from collections.abc import Iterable, Mapping, Sequence
+from typing import Any
 
-from symbody.errors import ExpressionError
+from symbody.errors import ArgumentError, ExpressionError
 from symbody.symbolic import _core
 from symbody.symbolic._core import Expr
+from symbody.symbolic.arguments import described
+from symbody.symbolic.leaves import ExprLike, check_name
+from symbody.symbolic.matrix import Matrix
+from symbody.symbolic.traverse import post_order
 
 __all__ = ["from_sympy", "to_sympy"]
-
-Node = TypeVar("Node")
 
 #: The functions that both sides call by the same name.
 _COMMON = frozenset(_core.function_names()) - {"Power", "Piecewise"}
@@ -20,14 +22,15 @@ _COMMON = frozenset(_core.function_names()) - {"Power", "Piecewise"}
 _RECIPROCALS = {"sec": "cos", "csc": "sin", "cot": "tan", "sech": "cosh", "csch": "sinh", "coth": "tanh"}
 
 
-def to_sympy(expression: Expr, names: Mapping[str, Any] | None = None) -> Any:
-    """Return the expression as SymPy has it; what is shared here is one object there.
+def to_sympy(expression: ExprLike | Matrix, names: Mapping[str, Any] | None = None) -> Any:
+    """Return the expression or matrix as SymPy has it; what is shared here is one object there.
 
     Functions of time become ``x(t)`` as ``dynamicsymbols`` makes them, symbols keep their assumptions.
     ``names`` gives SymPy's object for a name where another one is wanted.
 
     Raises:
         ImportError: SymPy isn't installed.
+        ExpressionError: the expression is deeper than SymPy's recursions reach.
 
     >>> from symbody import functions_of_time, symbols, time_derivative
     >>> m = symbols("m")
@@ -35,7 +38,17 @@ def to_sympy(expression: Expr, names: Mapping[str, Any] | None = None) -> Any:
     >>> to_sympy(m * time_derivative(x, 2))
     m*Derivative(x(t), (t, 2))
     """
-    return _ToSympy(_sympy(), names or {}).convert(expression)
+    sympy = _sympy()
+    bridge = _ToSympy(sympy, names or {})
+    try:
+        if isinstance(expression, Matrix):
+            return sympy.Matrix(*expression.shape, [bridge.convert(entry) for entry in expression.entries])
+        return bridge.convert(_core.number(expression, "to_sympy"))
+    except RecursionError:
+        raise ExpressionError(
+            "to_sympy: the expression is nested deeper than SymPy, which recurses, can go; "
+            "raise the limit with sys.setrecursionlimit, or convert parts of it"
+        ) from None
 
 
 def from_sympy(expression: Any, names: Mapping[str, Expr] | None = None) -> Expr:
@@ -54,6 +67,17 @@ def from_sympy(expression: Any, names: Mapping[str, Expr] | None = None) -> Expr
     sin(x)**2
     """
     sympy = _sympy()
+    if isinstance(expression, Expr):
+        return expression
+    if isinstance(expression, str):
+        raise ArgumentError(f"from_sympy: {described(expression)}; parse reads texts")
+    if isinstance(expression, sympy.MatrixBase):
+        raise ArgumentError(
+            "from_sympy: found a matrix of SymPy's; convert its entries, "
+            "as in Matrix([[from_sympy(e) for e in row] for row in A.tolist()])"
+        )
+    if not isinstance(expression, sympy.Expr | int | float):
+        raise ArgumentError(f"from_sympy: {described(expression)}; expected an expression of SymPy's")
     return _FromSympy(sympy, names or {}).convert(sympy.sympify(expression))
 
 
@@ -65,24 +89,6 @@ def _sympy() -> Any:
     return sympy
 
 
-def _post_order(
-    root: Node, parts: Callable[[Node], Iterable[Node]], key: Callable[[Node], int]
-) -> list[Node]:
-    """Return the nodes below the root, parts first, each once; a loop, for expressions are deep."""
-    order: list[Node] = []
-    seen: set[int] = set()
-    stack = [(root, False)]
-    while stack:
-        node, expanded = stack.pop()
-        if expanded:
-            order.append(node)
-        elif key(node) not in seen:
-            seen.add(key(node))
-            stack.append((node, True))
-            stack.extend((part, False) for part in parts(node))
-    return order
-
-
 class _ToSympy:
     def __init__(self, sympy: Any, names: Mapping[str, Any]) -> None:
         self._sympy, self._names = sympy, names
@@ -90,7 +96,7 @@ class _ToSympy:
         self._t = names.get("t", sympy.Symbol("t"))
 
     def convert(self, root: Expr) -> Any:
-        for node in _post_order(root, lambda e: e.args, lambda e: e.id):
+        for node in post_order([root], lambda e: e.args, lambda e: e.id):
             self._made[node.id] = self._node(node, [self._made[arg.id] for arg in node.args])
         return self._made[root.id]
 
@@ -164,7 +170,7 @@ class _FromSympy:
 
     def convert(self, root: Any) -> Expr:
         # Keyed by object: the parts of a tuple held by their parent live as long as the root.
-        for node in _post_order(root, self._parts, id):
+        for node in post_order([root], self._parts, id):
             self._made[id(node)] = self._node(node)
         return self._of(root)
 
@@ -226,11 +232,12 @@ class _FromSympy:
 
     def _symbol(self, s: Any) -> Expr:
         if isinstance(s, self._sympy.Dummy):
-            return _core.symbol(f"{s.name}_{s.dummy_index}")
+            return _core.symbol(_checked(f"{s.name}_{s.dummy_index % 2**64}"))
         if s.name in self._names:
             return self._names[s.name]
         if s.name == "t":
             return _core.time()
+        _checked(s.name)
         return _core.symbol(s.name, positive=bool(s.is_positive), real=bool(s.is_real) or not s.is_complex)
 
     def _function(self, s: Any) -> Expr:
@@ -238,7 +245,7 @@ class _FromSympy:
         if name in self._names and args == [_core.time()]:
             return self._names[name]
         if isinstance(s, self._sympy.core.function.AppliedUndef):
-            return _core.application(name, args)
+            return _core.application(_checked(name), args)
         if name in _COMMON:
             return _core.apply(name, args)
         if name in _RECIPROCALS:
@@ -307,3 +314,14 @@ def _first(value: Expr, condition: Expr, otherwise: Expr) -> Expr:
 
 def _no_counterpart(s: Any) -> ExpressionError:
     return ExpressionError(f"SymPy's {type(s).__name__} has no counterpart here: {s}")
+
+
+def _checked(name: str) -> str:
+    """Return a name of SymPy's that prints as a name here too."""
+    try:
+        check_name(name)
+    except ExpressionError as error:
+        raise ExpressionError(
+            f"from_sympy: {error}; say what it stands for, as in names={{{name!r}: symbols('a')}}"
+        ) from None
+    return name

@@ -1,0 +1,21 @@
+"""What functions accept besides expressions, and what they say to anything else."""
+
+from __future__ import annotations
+
+from symbody.errors import ArgumentError
+
+__all__ = ["described", "size"]
+
+
+def described(value: object) -> str:
+    """Return what was found in words: ``3 is an int``."""
+    kind = type(value).__name__
+    article = "an" if kind[0] in "aeiouAEIOU" else "a"
+    return "None" if value is None else f"{value!r} is {article} {kind}"
+
+
+def size(value: int, place: str, what: str) -> int:
+    """Return a number of rows, of derivatives: a whole number, not negative."""
+    if isinstance(value, bool) or not hasattr(value, "__index__") or value.__index__() < 0:
+        raise ArgumentError(f"{place} is {value!r}; expected 0, 1, 2, ... {what}")
+    return value.__index__()
