@@ -3,7 +3,7 @@
 use crate::error::Error;
 use crate::field::{Element, Key};
 use crate::function::{Function, Parity};
-use crate::graph::Graph;
+use crate::graph::{Graph, LONGEST};
 use crate::node::{Flags, Id, Kind, NumberId, View};
 use crate::number::Number;
 use crate::print::compare_names;
@@ -19,6 +19,9 @@ impl Graph {
     /// When the number of arguments is wrong, or the value is not defined there.
     pub fn apply(&mut self, function: Function, args: &[Id]) -> Result<Id, Error> {
         function.check_arity(args.len())?;
+        if args.len() > LONGEST {
+            return Err(Error::Limit { what: "arguments of a function", limit: LONGEST, found: args.len() });
+        }
         let args: Vec<Id> = args.iter().map(|&id| self.adopt(id)).collect();
         if let Some(exact) = self.exact_value(function, &args)? {
             return Ok(exact);
@@ -99,7 +102,35 @@ impl Graph {
             }
             Function::Power => self.general_power(first, args[1]),
             Function::Piecewise => self.piecewise_value(args),
+            Function::Acos => {
+                // acos x = pi/2 - asin x
+                let quarter = Element::draw(&Key::new("pi")) * half();
+                quarter - self.opaque_value(Function::Asin, args)
+            }
             _ => self.opaque_value(function, args),
+        }
+    }
+
+    /// The real functions that the modulus gives: |u| is the root of u^2, whatever form that has.
+    ///
+    /// sign u = u/|u|, max(a, b) = (a + b + |a - b|)/2, and the like for the least of two.
+    fn value_by_modulus(&self, function: Function, args: &[Id]) -> Option<Element> {
+        let modulus = |value: Element| {
+            let key = Key::new("root").element(value.powi(2));
+            Element::draw_exponential(&key).pow_rational(&Number::rational(1, 2))
+        };
+        let first = self.value(args[0]);
+        match (function, args) {
+            (Function::Abs, _) => Some(modulus(first)),
+            (Function::Sign, _) => Some(first * modulus(first).inverse()),
+            (Function::Min | Function::Max, &[_, second]) => {
+                let second = self.value(second);
+                let distance = modulus(first - second);
+                let sum = first + second;
+                let twice = if function == Function::Max { sum + distance } else { sum - distance };
+                Some(twice * Element::from_i64(2).inverse())
+            }
+            _ => None,
         }
     }
 
@@ -119,11 +150,10 @@ impl Graph {
 
     /// A value drawn for the function and its arguments' values, with the function's parity.
     fn opaque_value(&self, function: Function, args: &[Id]) -> Element {
-        if function == Function::Abs && self.is_real(args[0]) {
-            // |u| is the root of u^2, whatever form that has.
-            let square = self.value(args[0]).powi(2);
-            let key = Key::new("root").element(square);
-            return Element::draw_exponential(&key).pow_rational(&Number::rational(1, 2));
+        if args.iter().all(|&arg| self.is_real(arg))
+            && let Some(value) = self.value_by_modulus(function, args)
+        {
+            return value;
         }
         let parity = function.parity();
         let key = Key::new("function").text(function.name());

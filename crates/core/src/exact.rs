@@ -1,10 +1,14 @@
 //! Exact values: rules that replace a function by something simpler.
 
+use crate::collector::Collector;
 use crate::error::Error;
 use crate::function::Function;
 use crate::graph::Graph;
 use crate::node::{Id, NumberId, View};
 use crate::number::Number;
+
+/// Longer products stay in their modulus as they are.
+const LONGEST_MODULUS: usize = 48;
 
 impl Graph {
     /// Rules that replace the function by something simpler.
@@ -38,6 +42,7 @@ impl Graph {
                         Some(self.scale(factor, modulus))
                     }
                 }
+                View::Product(_) if self.is_real(first) => self.modulus_of_product(first)?,
                 _ => None,
             },
             (Function::Sign, _) if self.is_positive(first) => Some(Id::ONE),
@@ -53,6 +58,38 @@ impl Graph {
             (Function::Piecewise, _) => self.decided_piecewise(args)?,
             _ => None,
         })
+    }
+
+    /// |a**2 b| = a**2 |b|: even powers leave a modulus.
+    fn modulus_of_product(&mut self, product: Id) -> Result<Option<Id>, Error> {
+        let one = Number::integer(1);
+        let opened = self.opened(&[(product, one.clone())]);
+        if opened.len() > LONGEST_MODULUS {
+            return Ok(None);
+        }
+        let mut collected = Collector { coefficient: one.clone(), factors: Vec::new(), radicand: None };
+        for (base, exponent) in opened {
+            collected.push(self, base, &exponent);
+        }
+        let factors = collected.factors;
+        if factors.iter().all(|(_, e)| e.is_one() || !e.is_integer()) {
+            return Ok(None);
+        }
+        let (mut outside, mut inside) = (Vec::new(), Vec::new());
+        for (base, exponent) in factors {
+            let integral = exponent.is_integer();
+            let even = if exponent.is_even() { exponent.clone() } else { exponent.sub(&one) };
+            if integral {
+                outside.push((base, self.number_id(&even)));
+            }
+            if !exponent.is_even() {
+                let left = if integral { one.clone() } else { exponent };
+                inside.push((base, self.number_id(&left)));
+            }
+        }
+        let inside = self.product(&inside)?;
+        outside.push((self.apply(Function::Abs, &[inside])?, NumberId::ONE));
+        self.product(&outside).map(Some)
     }
 
     fn at_number(&mut self, function: Function, number: &Number, args: &[Id]) -> Result<Option<Id>, Error> {

@@ -4,7 +4,7 @@ use crate::collector::Collector;
 use crate::error::Error;
 use crate::field::Element;
 use crate::function::Function;
-use crate::graph::Graph;
+use crate::graph::{Graph, LONGEST};
 use crate::node::{Factors, Flags, Id, Kind, NumberId, View};
 use crate::number::Number;
 use crate::root::square_part;
@@ -65,6 +65,7 @@ impl Graph {
             self.collect_power(&mut collector, base, &exponent)?;
         }
         self.open_shared_products(&mut collector);
+        self.merge_moduli(&mut collector)?;
         Ok(self.finish_product(collector))
     }
 
@@ -104,7 +105,6 @@ impl Graph {
                 factors.push((self.number(&inside), Number::rational(1, 2)));
             }
         }
-        self.open_even_moduli(&mut factors);
         let coefficient = self.number_id(&coefficient);
         if let [(base, exponent)] = &factors[..]
             && exponent.is_one()
@@ -115,6 +115,12 @@ impl Graph {
             return self.number_node(coefficient);
         }
         factors.sort_by_key(|&(base, _)| self.value(base).unsigned().0);
+        while factors.len() * 2 > LONGEST {
+            let factors_of_part = factors.split_off(factors.len() - LONGEST / 4);
+            let part =
+                Collector { coefficient: Number::integer(1), factors: factors_of_part, radicand: None };
+            factors.push((self.finish_product(part), Number::integer(1)));
+        }
         let mut value = Element::ONE;
         let mut root = false;
         for (base, exponent) in &factors {
@@ -135,16 +141,42 @@ impl Graph {
         self.scale(coefficient, id)
     }
 
-    /// |u|**2k is u**2k.
-    fn open_even_moduli(&self, factors: &mut [(Id, Number)]) {
-        for (base, exponent) in factors {
-            if let View::Function(Function::Abs, args) = self.view(*base)
-                && exponent.is_even()
-                && self.is_real(*base)
-            {
-                *base = args.get(0);
+    /// One modulus at most: |a| |b| is |a b|, |a|**3 is a**2 |a|. So equal moduli are one value in every form.
+    fn merge_moduli(&mut self, out: &mut Collector) -> Result<(), Error> {
+        let is_modulus = |graph: &Self, (base, exponent): &(Id, Number)| {
+            graph.kind(*base) == Kind::Function(Function::Abs)
+                && graph.is_real(*base)
+                && exponent.is_integer()
+        };
+        let (moduli, rest): (Vec<_>, Vec<_>) =
+            out.factors.drain(..).partition(|factor| is_modulus(self, factor));
+        out.factors = rest;
+        if let [(modulus, exponent)] = &moduli[..]
+            && exponent.is_one()
+        {
+            out.push(self, *modulus, exponent);
+            return Ok(());
+        }
+        let mut inside = Vec::new();
+        for (modulus, exponent) in &moduli {
+            let View::Function(_, args) = self.view(*modulus) else { continue };
+            let (argument, odd) = (args.get(0), !exponent.is_even());
+            let even = if odd { exponent.sub(&Number::integer(1)) } else { exponent.clone() };
+            self.collect_power(out, argument, &even)?;
+            if odd {
+                inside.push((argument, NumberId::ONE));
             }
         }
+        if !inside.is_empty() {
+            let inside = self.product(&inside)?;
+            let modulus = self.apply(Function::Abs, &[inside])?;
+            let (factor, modulus) = self.split_multiple(NumberId::ONE, modulus);
+            out.coefficient = out.coefficient.mul(self.get_number(factor));
+            if modulus != Id::ONE {
+                out.push(self, modulus, &Number::integer(1));
+            }
+        }
+        Ok(())
     }
 
     /// Take base ** exponent into the collector: numbers out, inner powers and multiples resolved.
@@ -210,9 +242,8 @@ impl Graph {
         inner: &[(Id, Number)],
         exponent: &Number,
     ) -> Result<(), Error> {
-        let single = inner.len() == 1;
         if exponent.is_integer() {
-            let distribute = single || self.flags(base).has(Flags::ROOT);
+            let distribute = inner.len() == 1 || self.flags(base).has(Flags::ROOT);
             if !distribute {
                 out.push(self, base, exponent);
                 return Ok(());
@@ -227,10 +258,10 @@ impl Graph {
         for (node, e) in inner {
             if self.is_positive(*node) {
                 self.collect_power(out, *node, &e.mul(exponent))?;
-            } else if single && e.is_even() && self.is_real(*node) {
+            } else if inner.len() == 1 && e.is_even() && self.is_real(*node) {
                 // (u**2k)**r = |u|**(2kr) for real u.
                 let modulus = self.apply(Function::Abs, &[*node])?;
-                out.push(self, modulus, &e.mul(exponent));
+                self.collect_power(out, modulus, &e.mul(exponent))?;
             } else {
                 rest.push((*node, self.number_id(e)));
             }
@@ -245,7 +276,7 @@ impl Graph {
     }
 
     /// The factors of nested products, as far as their exponents are integers.
-    fn opened(&self, factors: &[(Id, Number)]) -> Vec<(Id, Number)> {
+    pub(crate) fn opened(&self, factors: &[(Id, Number)]) -> Vec<(Id, Number)> {
         let mut out = Vec::new();
         let mut open: Vec<(Id, Number)> = factors.iter().rev().cloned().collect();
         while let Some((base, exponent)) = open.pop() {

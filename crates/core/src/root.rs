@@ -21,9 +21,8 @@ impl Graph {
     pub(crate) fn is_positive(&self, id: Id) -> bool {
         match self.view(id) {
             View::Number(number) => !self.get_number(number).is_negative() && id != Id::ZERO,
-            View::Pi
-            | View::Symbol(_, Assumption::Positive)
-            | View::Function(Function::Exp | Function::Cosh, _) => true,
+            View::Pi | View::Symbol(_, Assumption::Positive) => true,
+            View::Function(Function::Exp | Function::Cosh, _) => self.is_real(id),
             View::Scale(number, child) => {
                 !self.get_number(number).is_negative()
                     && matches!(self.kind(child), Kind::Symbol(Assumption::Positive) | Kind::Pi)
