@@ -39,7 +39,7 @@ def checked(error: type[SymbodyError]) -> Callable[[Callable[P, R]], Callable[P,
 
     An annotation ``Annotated[kind, "words"]`` says in its own words what is expected.
 
-    >>> from symbody import ground, origin, velocity
+    >>> from symbody import ground, velocity
     >>> velocity(ground)
     Traceback (most recent call last):
     ...
