@@ -28,7 +28,7 @@ from symbody import (
     project,
     symbols,
 )
-from symbody.symbolic import Expr, derivation, t
+from symbody.symbolic import Expr, t
 from tests.reference.robot import NAMES, Robot, robot
 
 TOLERANCE = 1e-12
@@ -97,9 +97,8 @@ def test_forward_dynamics(name: str, formalism: Formalism) -> None:
 
 @pytest.mark.parametrize("name", NAMES)
 def test_both_formalisms_give_the_same_ids(name: str) -> None:
-    with derivation():
-        derived = [formalism(robot(name).system) for formalism in FORMALISMS]
-        entries = [[*e.residuals, *e.mass_matrix.entries, *e.forcing] for e in derived]
+    derived = [formalism(robot(name).system) for formalism in FORMALISMS]
+    entries = [[*e.residuals, *e.mass_matrix.entries, *e.forcing] for e in derived]
     one, two = ([entry.id for entry in column] for column in entries)
     assert one == two
 

@@ -3,28 +3,27 @@
 use std::cell::RefCell;
 use std::sync::{LazyLock, Mutex, PoisonError};
 
-use pyo3::exceptions::PyRuntimeError;
 use pyo3::prelude::*;
 use symbody_core::{Classes, Error, Graph};
 
 static GRAPH: LazyLock<Mutex<Graph>> = LazyLock::new(|| Mutex::new(Graph::new()));
 
 thread_local! {
-    /// The classes of the derivation that this thread is in.
-    static CLASSES: RefCell<Option<Box<Classes>>> = const { RefCell::new(None) };
+    /// The classes of the derivations that this thread is in; the last one takes values, the others wait for its end.
+    static CLASSES: RefCell<Vec<Box<Classes>>> = const { RefCell::new(Vec::new()) };
 }
 
 /// Work on the graph within the derivation of this thread, if it is in one.
 pub fn with_graph<T>(work: impl FnOnce(&mut Graph) -> T) -> T {
     let mut graph = GRAPH.lock().unwrap_or_else(PoisonError::into_inner);
-    let classes = CLASSES.take();
+    let classes = CLASSES.with_borrow_mut(Vec::pop);
     let derives = classes.is_some();
     if let Some(classes) = classes {
         graph.enter(classes);
     }
     let result = work(&mut graph);
     if derives {
-        CLASSES.set(graph.leave());
+        CLASSES.with_borrow_mut(|waiting| waiting.extend(graph.leave()));
     }
     result
 }
@@ -77,22 +76,16 @@ fn made(py: Python<'_>, class: &str, message: String) -> PyErr {
     }
 }
 
-/// Begin a derivation in this thread; one must not be in progress.
+/// Begin a derivation in this thread; one in progress waits for its end.
 #[pyfunction]
-fn begin_derivation() -> PyResult<()> {
-    CLASSES.with_borrow_mut(|classes| {
-        if classes.is_some() {
-            return Err(PyRuntimeError::new_err("a derivation is in progress in this thread"));
-        }
-        *classes = Some(Box::default());
-        Ok(())
-    })
+fn begin_derivation() {
+    CLASSES.with_borrow_mut(|classes| classes.push(Box::default()));
 }
 
-/// End the derivation of this thread.
+/// End the derivation of this thread and take up the one that waited for it.
 #[pyfunction]
 fn end_derivation() {
-    CLASSES.set(None);
+    CLASSES.with_borrow_mut(Vec::pop);
 }
 
 /// The number of nodes in the graph of this process.

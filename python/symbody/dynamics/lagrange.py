@@ -66,7 +66,7 @@ def lagrange_equations(system: System) -> Equations:
     True
     """
     check_independent(system)
-    with derivation():
+    with derivation(fresh=True):
         tree = checked_tree(system, "lagrange_equations")
         if tree.is_rigid:
             inverse_dynamics(system, tree)
@@ -75,7 +75,7 @@ def lagrange_equations(system: System) -> Equations:
 
 
 def _assemble(system: System) -> Assembly:
-    with derivation():
+    with derivation(fresh=True):
         tree = frame_tree(system)
         if tree.is_rigid:
             bias(system, tree)

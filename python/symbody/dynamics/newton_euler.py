@@ -49,7 +49,7 @@ def newton_euler(system: System) -> Equations:
     True
     """
     check_independent(system)
-    with derivation():
+    with derivation(fresh=True):
         tree = checked_tree(system, "newton_euler")
         _check_rigid(tree)
         residuals = with_multipliers(inverse_dynamics(system, tree), system)
@@ -57,7 +57,7 @@ def newton_euler(system: System) -> Equations:
 
 
 def _assemble(system: System) -> Assembly:
-    with derivation():
+    with derivation(fresh=True):
         tree = frame_tree(system)
         forces = bias(system, tree)
         return Assembly(with_added_mass(mass_matrix(system, tree), system), forces)

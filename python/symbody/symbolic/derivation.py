@@ -33,11 +33,12 @@ def current_derivation() -> Derivation | None:
 
 
 @contextmanager
-def derivation() -> Iterator[Derivation]:
+def derivation(*, fresh: bool = False) -> Iterator[Derivation]:
     """Derive: an expression whose value was built before is the node that was built.
 
     The classes of equal values belong to this one derivation, so its results depend on the model alone
-    and never on what else the process has computed. A derivation inside another one joins it.
+    and never on what else the process has computed. A derivation inside another one joins it, unless it is to be a
+    ``fresh`` one, as formalisms take: the outer one then waits for its end.
 
     >>> from symbody.symbolic import derivation, symbols
     >>> a, b, c = symbols("a b c")
@@ -47,7 +48,7 @@ def derivation() -> Iterator[Derivation]:
     True
     """
     outer = _current.derivation
-    if outer is not None:
+    if outer is not None and not fresh:
         yield outer
         return
     _core.begin_derivation()
@@ -55,5 +56,5 @@ def derivation() -> Iterator[Derivation]:
     try:
         yield _current.derivation
     finally:
-        _current.derivation = None
+        _current.derivation = outer
         _core.end_derivation()
