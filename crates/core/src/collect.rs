@@ -59,6 +59,22 @@ impl Graph {
         })
     }
 
+    /// How often a coordinate is differentiated; of a sum of rates alike too.
+    pub(crate) fn rate_order(&self, id: Id) -> Option<u32> {
+        let order = |id: Id| match self.view(id) {
+            View::TimeFunction(_, order) => Some(order),
+            _ => None,
+        };
+        match self.view(id) {
+            View::Sum(terms) => {
+                let mut orders = terms.iter().map(|(_, term)| order(term));
+                let first = orders.next().flatten()?;
+                orders.all(|other| other == Some(first)).then_some(first)
+            }
+            _ => order(id),
+        }
+    }
+
     /// The nodes at or below `root` that do not depend on the variables, and the variables.
     fn free_of(&self, root: Id, variables: &[Id]) -> FxHashSet<Id> {
         let is_variable = |id: Id| variables.iter().any(|&v| self.equal(v, id));
@@ -102,10 +118,8 @@ impl Ring<'_> {
     pub(crate) fn is_kind(&self, atom: u32, kind: Kind) -> bool {
         match kind {
             Kind::Wave => self.wave(atom).is_some(),
-            Kind::Acceleration => {
-                matches!(self.graph.view(self.node(atom)), View::TimeFunction(_, order) if order > 1)
-            }
-            Kind::Speed => matches!(self.graph.view(self.node(atom)), View::TimeFunction(_, 1)),
+            Kind::Acceleration => self.graph.rate_order(self.node(atom)).is_some_and(|order| order > 1),
+            Kind::Speed => self.graph.rate_order(self.node(atom)) == Some(1),
             Kind::Parameter => matches!(self.graph.view(self.node(atom)), View::Symbol(..)),
         }
     }
@@ -138,7 +152,7 @@ pub(crate) fn grouped(polynomial: &Polynomial, pick: impl Fn(u32) -> bool) -> BT
 fn merged(groups: BTreeMap<Monomial, Polynomial>) -> Result<Vec<(Polynomial, Polynomial)>, Error> {
     let mut merged: Vec<(Polynomial, Polynomial)> = Vec::new();
     for (monomial, cofactor) in groups {
-        let factor = cofactor.iter().next_back().map_or(Number::integer(1), |(_, c)| c.clone());
+        let factor = proportion(&cofactor);
         let cofactor = cofactor.scaled(&factor.recip()?);
         match merged.iter_mut().find(|(_, known)| *known == cofactor) {
             Some((sum, _)) => sum.add_term(monomial, &factor),
@@ -146,6 +160,14 @@ fn merged(groups: BTreeMap<Monomial, Polynomial>) -> Result<Vec<(Polynomial, Pol
         }
     }
     Ok(merged)
+}
+
+/// The number that cofactors in one proportion differ by; integers stay integers without it.
+fn proportion(cofactor: &Polynomial) -> Number {
+    if cofactor.iter().any(|(_, c)| c.is_decimal()) {
+        return cofactor.iter().next_back().map_or(Number::integer(1), |(_, c)| c.clone());
+    }
+    cofactor.numeric_content()
 }
 
 #[cfg(test)]

@@ -25,7 +25,7 @@ const SQUARE_SEARCH: usize = 64;
 const DEEPEST: usize = 40;
 
 impl Graph {
-    /// Take common factors out of sums, at every level; nothing is multiplied out.
+    /// Take common factors out of sums, at every level, whole numbers too; nothing is multiplied out.
     ///
     /// # Errors
     /// When the expression has too many terms.
@@ -34,7 +34,13 @@ impl Graph {
             graph.inside_out(id, Self::push_enclosed_or_factors, &mut |graph, part| {
                 let mut ring = Ring::new(graph, BUDGET);
                 let polynomial = ring.polynomial(part, Opening::Sums)?;
-                ring.factored(&polynomial)
+                let number = polynomial.numeric_content().abs();
+                if polynomial.len() < 2 || !number.is_integer() || number.is_one() {
+                    return ring.factored(&polynomial);
+                }
+                let rest = ring.factored(&polynomial.scaled(&number.recip()?))?;
+                let number = ring.graph.number(&number);
+                ring.product_of(&[number, rest])
             })
         })
     }
@@ -229,6 +235,7 @@ fn common_monomial(polynomial: &Polynomial) -> Monomial {
 }
 
 /// The magnitude that most coefficients share, when one multiplication by it saves two or more; else 1.
+/// One that leaves integers is taken also when it saves nothing.
 fn common_factor(polynomial: &Polynomial) -> Number {
     let one = Number::integer(1);
     let mut candidates: Vec<Number> = Vec::new();
@@ -245,14 +252,22 @@ fn common_factor(polynomial: &Polynomial) -> Number {
         let not_unit = |c: &Number| !c.abs().same_value(factor);
         polynomial.iter().filter(|&(m, c)| not_unit(c) && !m.is_one()).count()
     };
-    let mut best = (multiplications(&one), one);
+    let whole = polynomial.numeric_content().abs();
+    if !whole.is_integer() && !candidates.iter().any(|known| known.same_value(&whole)) {
+        candidates.push(whole);
+    }
+    let fractions = |factor: &Number| {
+        let over = |c: &Number| factor.recip().is_ok_and(|f| !c.is_decimal() && !c.mul(&f).is_integer());
+        polynomial.iter().filter(|(_, c)| over(c)).count()
+    };
+    let mut best = (multiplications(&one), fractions(&one), one);
     for candidate in candidates {
-        let count = multiplications(&candidate) + 1;
-        if count < best.0 {
-            best = (count, candidate);
+        let order = (multiplications(&candidate) + 1, fractions(&candidate));
+        if order < (best.0, best.1) {
+            best = (order.0, order.1, candidate);
         }
     }
-    best.1
+    best.2
 }
 
 /// The multiplications of a term, and the operations that a rectangle saves.

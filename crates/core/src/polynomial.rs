@@ -1,5 +1,7 @@
 //! Sparse polynomials over numbered atoms, with exact coefficients; exponents may be negative.
 
+use num_bigint::BigInt;
+use num_integer::Integer;
 use std::collections::BTreeMap;
 
 use crate::error::Error;
@@ -161,6 +163,23 @@ impl Polynomial {
         self.atoms()
             .into_iter()
             .fold(Monomial::default(), |floor, atom| floor.times(&Monomial::power(atom, lowest(atom))))
+    }
+
+    /// The number that leaves integers without a common divisor, signed so that the last one is positive:
+    /// the common divisor of the numerators over the common multiple of the denominators. One for decimals.
+    pub(crate) fn numeric_content(&self) -> Number {
+        let (mut above, mut below) = (BigInt::from(0), BigInt::from(1));
+        for coefficient in self.0.values() {
+            if coefficient.is_decimal() {
+                return Number::integer(1);
+            }
+            above = above.gcd(&coefficient.numerator());
+            below = below.lcm(&coefficient.denominator());
+        }
+        if self.leading().is_some_and(|(_, coefficient)| coefficient.is_negative()) {
+            above = -above;
+        }
+        Number::from_big(above, below).ok().filter(|n| !n.is_zero()).unwrap_or_else(|| Number::integer(1))
     }
 
     fn leading(&self) -> Option<(&Monomial, &Number)> {

@@ -13,6 +13,7 @@ use crate::error::Error;
 use crate::expand::Opening;
 use crate::factor_terms::content;
 use crate::graph::Graph;
+use crate::monomial::Monomial;
 use crate::node::{Id, NumberId, View};
 use crate::number::Number;
 use crate::polynomial::{Budget, Polynomial};
@@ -29,6 +30,8 @@ const WORK_PER_NODE: usize = 5_000;
 const LARGEST_PART: usize = 4_000;
 /// Coefficients within coefficients that are simplified on their own.
 const DEEPEST: usize = 2;
+/// Sums of speeds that take the place of a speed.
+const MOST_SUMS: usize = 16;
 /// Repetitions while the result gets cheaper.
 const ROUNDS: usize = 3;
 
@@ -79,6 +82,12 @@ struct Search {
     known: FxHashMap<(Id, usize), Id>,
 }
 
+impl Search {
+    fn new(work: usize) -> Self {
+        Self { work: Budget::new(usize::MAX, work), known: FxHashMap::default() }
+    }
+}
+
 impl Graph {
     /// The shortest of a fixed list of forms of an expression.
     ///
@@ -86,9 +95,12 @@ impl Graph {
     /// When a part cannot be rebuilt.
     pub fn simplify(&mut self, id: Id) -> Result<Id, Error> {
         self.choose_form(|graph| {
-            let work = Budget::new(usize::MAX, graph.total_work(id));
-            let mut search = Search { work, known: FxHashMap::default() };
-            let mut best = id;
+            let work = graph.total_work(id);
+            // The whole on its own first: where its form is short, the parts take little.
+            let mut search = Search::new(work / 2);
+            let whole = graph.simplest(id, DEEPEST, &mut search);
+            let mut best = graph.shortest(id, &[whole]);
+            let mut search = Search::new(work);
             for _ in 0..ROUNDS {
                 let parts = |graph: &mut Self, part| Ok(graph.simplest(part, DEEPEST, &mut search));
                 let next = graph.inside_out(best, Self::push_enclosed_or_factors, &mut { parts })?;
@@ -150,9 +162,110 @@ impl Graph {
             let candidates = self.candidates(part, depth, search);
             let _ = search.work.spend(size * candidates.len());
             best = self.shortest(part, &candidates);
+            best = self.without_fractions(best);
         }
         search.known.insert((part, depth), best);
         best
+    }
+
+    /// The form with whole coefficients in all its sums, unless it reads longer.
+    fn without_fractions(&mut self, part: Id) -> Id {
+        match self.whole(part) {
+            Ok(whole)
+                if self.value(whole) == self.value(part)
+                    && length(self.cost(&[whole])) <= length(self.cost(&[part])) =>
+            {
+                whole
+            }
+            _ => part,
+        }
+    }
+
+    /// Take the fractions among the coefficients of a sum out of it, from the innermost sums outward.
+    fn whole(&mut self, root: Id) -> Result<Id, Error> {
+        let mut known: FxHashMap<Id, (Number, Id)> = FxHashMap::default();
+        let look_up = |known: &FxHashMap<Id, (Number, Id)>, id: Id| {
+            known.get(&id).cloned().unwrap_or_else(|| (Number::integer(1), id))
+        };
+        for id in self.post_order(&[root]) {
+            let whole = match self.view(id) {
+                View::Scale(factor, child) => {
+                    let factor = self.get_number(factor).clone();
+                    let (inner, node) = look_up(&known, child);
+                    (factor.mul(&inner), node)
+                }
+                View::Sum(terms) => {
+                    let terms: Vec<_> =
+                        terms.iter().map(|(c, node)| (self.get_number(c).clone(), node)).collect();
+                    self.whole_sum(&terms, |id| look_up(&known, id))?
+                }
+                View::Product(factors) => {
+                    let factors: Vec<_> =
+                        factors.iter().map(|(base, e)| (base, self.get_number(e).clone())).collect();
+                    self.whole_product(&factors, |id| look_up(&known, id))?
+                }
+                _ => continue,
+            };
+            known.insert(id, whole);
+        }
+        let (factor, node) = look_up(&known, root);
+        let factor = self.number_id(&factor);
+        Ok(self.scale(factor, node))
+    }
+
+    fn whole_sum(
+        &mut self,
+        terms: &[(Number, Id)],
+        look_up: impl Fn(Id) -> (Number, Id),
+    ) -> Result<(Number, Id), Error> {
+        let mut coefficients = Polynomial::default();
+        let mut parts = Vec::new();
+        for (position, (coefficient, node)) in terms.iter().enumerate() {
+            let (inner, node) = look_up(*node);
+            let coefficient = coefficient.mul(&inner);
+            coefficients.add_term(Monomial::power(position as u32, 1), &coefficient);
+            parts.push((coefficient, node));
+        }
+        let is_fraction = |(c, _): &(Number, Id)| !c.is_integer() && !c.is_decimal();
+        let factor = if parts.iter().any(is_fraction) {
+            coefficients.numeric_content().abs()
+        } else {
+            Number::integer(1)
+        };
+        let inverse = factor.recip()?;
+        let parts: Vec<_> = parts.iter().map(|(c, node)| (self.number_id(&c.mul(&inverse)), *node)).collect();
+        Ok((factor, self.sum(&parts)))
+    }
+
+    fn whole_product(
+        &mut self,
+        factors: &[(Id, Number)],
+        look_up: impl Fn(Id) -> (Number, Id),
+    ) -> Result<(Number, Id), Error> {
+        let mut factor = Number::integer(1);
+        let mut parts = Vec::new();
+        for (base, exponent) in factors {
+            let (inner, node) = look_up(*base);
+            match exponent.to_i64() {
+                Some(n) => {
+                    factor = factor.mul(&inner.powi(n)?);
+                    parts.push((node, self.number_id(exponent)));
+                }
+                None => parts.push((*base, self.number_id(exponent))),
+            }
+        }
+        Ok((factor, self.product(&parts)?))
+    }
+
+    /// The sums of speeds alone, or of accelerations alone, that occur; shorter ones first.
+    fn sums_of_rates(&self, part: Id) -> Vec<Id> {
+        let is_sum = |id: &Id| {
+            matches!(self.view(*id), View::Sum(_)) && self.rate_order(*id).is_some_and(|order| order > 0)
+        };
+        let mut sums: Vec<Id> = self.post_order(&[part]).into_iter().filter(is_sum).collect();
+        sums.sort_by_key(|&sum| self.children(sum).len());
+        sums.truncate(MOST_SUMS);
+        sums
     }
 
     /// The number of nodes of a part; of more than `limit` the count stops.
@@ -170,7 +283,9 @@ impl Graph {
     fn candidates(&mut self, part: Id, depth: usize, search: &mut Search) -> Vec<Id> {
         let allowed = WORK.min(search.work.left());
         let mut ring = Ring::new(self, Budget::new(TERMS, allowed));
-        let polynomials = ring.polynomials(part);
+        let mut polynomials = ring.polynomials(part);
+        let sums = ring.graph.sums_of_rates(part);
+        polynomials.extend(ring.over_sums(&polynomials, &sums));
         let mut candidates = Vec::new();
         for polynomial in &polynomials {
             // A form beyond the limits is no candidate.
@@ -211,6 +326,78 @@ impl Ring<'_> {
             forms.extend(form.ok().filter(|form| !forms.contains(form)));
         }
         forms
+    }
+
+    /// The polynomials written in sums of rates, such as the speed of rotation of each link of a chain.
+    fn over_sums(&mut self, polynomials: &[Polynomial], sums: &[Id]) -> Vec<Polynomial> {
+        let rules = self.rules(sums);
+        let mut forms: Vec<Polynomial> = Vec::new();
+        for polynomial in polynomials.iter().filter(|_| !rules.is_empty()) {
+            let mut form = Ok(polynomial.clone());
+            for (atom, rule) in &rules {
+                form = form.and_then(|form| self.replaced(&form, *atom, rule));
+            }
+            forms.extend(form.ok().filter(|form| !polynomials.contains(form) && !forms.contains(form)));
+        }
+        forms
+    }
+
+    /// For each sum one of its rates, the one that fewest sums have, as the sum minus the others.
+    fn rules(&mut self, sums: &[Id]) -> Vec<(u32, Polynomial)> {
+        let mut flat: Vec<(Polynomial, Polynomial)> = Vec::new();
+        for &sum in sums {
+            let View::Sum(terms) = self.graph.view(sum) else { continue };
+            let terms: Vec<_> =
+                terms.iter().map(|(c, node)| (self.graph.get_number(c).clone(), node)).collect();
+            let mut rates = Polynomial::default();
+            for (coefficient, node) in terms {
+                rates.add_scaled(&self.leaf(node), &coefficient);
+            }
+            flat.push((self.leaf(sum), rates));
+        }
+        let mut rules: Vec<(u32, Polynomial)> = Vec::new();
+        for (sum, rates) in &flat {
+            let mut rest = rates.clone();
+            for (atom, rule) in &rules {
+                let Ok(next) = self.replaced(&rest, *atom, rule) else { return Vec::new() };
+                rest = next;
+            }
+            let uses = |atom: &u32| flat.iter().filter(|(_, rates)| rates.atoms().contains(atom)).count();
+            let is_rate = |atom: &u32| matches!(self.graph.view(self.node(*atom)), View::TimeFunction(..));
+            let rare = rest.atoms().into_iter().rev().filter(is_rate).min_by_key(uses);
+            let Some(atom) = rare else { continue };
+            let Some(factor) = rest.coefficient(&Monomial::power(atom, 1)).and_then(|c| c.recip().ok())
+            else {
+                continue;
+            };
+            // sum = ... + c rate, so rate = (sum - ...) / c.
+            rest.add_scaled(sum, &Number::integer(-1));
+            let mut rule = rest.scaled(&factor.neg());
+            rule.add_term(Monomial::power(atom, 1), &Number::integer(1));
+            rules.push((atom, rule));
+        }
+        rules
+    }
+
+    /// A polynomial with an atom replaced; its negative powers stay.
+    fn replaced(
+        &mut self,
+        polynomial: &Polynomial,
+        atom: u32,
+        rule: &Polynomial,
+    ) -> Result<Polynomial, Error> {
+        let mut result = Polynomial::default();
+        for (power, cofactor) in grouped(polynomial, |other| other == atom) {
+            let exponent = power.exponent(atom);
+            let term = if exponent > 0 {
+                let power = self.power(rule, exponent.unsigned_abs())?;
+                self.times(&cofactor, &power)?
+            } else {
+                cofactor.shifted(&power, &Number::integer(1))
+            };
+            result.add_scaled(&term, &Number::integer(1));
+        }
+        Ok(result)
     }
 
     fn form(&mut self, polynomial: Polynomial, trigonometry: Trigonometry) -> Result<Polynomial, Error> {

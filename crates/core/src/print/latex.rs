@@ -55,6 +55,7 @@ fn product(number: &str, factors: &[&Factor]) -> String {
 /// 1.5e-7 is 1.5 times a power of ten.
 fn decimal(number: &str) -> String {
     match number.split_once('e') {
+        Some(("1", exponent)) => format!("10^{{{exponent}}}"),
         Some((mantissa, exponent)) => format!("{mantissa} \\cdot 10^{{{exponent}}}"),
         None => number.to_owned(),
     }
@@ -146,7 +147,14 @@ fn function_of(function: Function, args: &[Sum]) -> String {
         Function::Abs => format!("\\left|{}\\right|", write(&args[0])),
         Function::Exp => format!("e^{{{}}}", write(&args[0])),
         Function::Power => {
-            let base = args[0].as_base().map_or_else(|| brackets(&write(&args[0])), closed);
+            let plain = |number: &&Number| {
+                !number.is_negative() && !is_fraction(number) && !number.to_string().contains('e')
+            };
+            let base = match (args[0].as_base(), args[0].as_number().filter(plain)) {
+                (Some(base), _) => closed(base),
+                (None, Some(number)) => number.to_string(),
+                (None, None) => brackets(&write(&args[0])),
+            };
             format!("{base}^{{{}}}", write(&args[1]))
         }
         Function::Piecewise => piecewise(args),

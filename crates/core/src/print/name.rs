@@ -50,7 +50,15 @@ fn split_subscript(name: &str) -> (&str, Vec<String>) {
     let end = name.char_indices().skip(1).find(|&(_, c)| c == '_' || c.is_ascii_digit());
     let end = end.map_or(name.len(), |(position, _)| position);
     let (head, rest) = name.split_at(end);
-    let parts = rest.split('_').filter(|part| !part.is_empty()).map(|part| symbol(part, false));
+    // Underscores that no reader would miss are shown: x_1 is not x1, and x_ is not x.
+    let shown = |(position, part): (usize, &str)| match part.chars().next() {
+        None => Some("\\_".to_owned()).filter(|_| position > 0),
+        Some(c) if position == 1 && c.is_ascii_digit() && rest.starts_with('_') => {
+            Some(format!("\\_{}", symbol(part, false)))
+        }
+        Some(_) => Some(symbol(part, false)),
+    };
+    let parts = rest.split('_').enumerate().filter_map(shown);
     (head, parts.collect())
 }
 
@@ -73,11 +81,159 @@ fn symbol(part: &str, italic: bool) -> String {
     }
 }
 
-/// The name in Maple, in backquotes unless it is made of letters, digits and underscores.
+/// Words of Maple's language: in backquotes they are names like any other.
+const MAPLE_WORDS: [&str; 48] = [
+    "and",
+    "assuming",
+    "break",
+    "by",
+    "catch",
+    "description",
+    "do",
+    "done",
+    "elif",
+    "else",
+    "end",
+    "error",
+    "export",
+    "fi",
+    "finally",
+    "for",
+    "from",
+    "global",
+    "if",
+    "implies",
+    "in",
+    "intersect",
+    "local",
+    "minus",
+    "mod",
+    "module",
+    "next",
+    "not",
+    "od",
+    "option",
+    "options",
+    "or",
+    "proc",
+    "quit",
+    "read",
+    "return",
+    "save",
+    "stop",
+    "subset",
+    "then",
+    "to",
+    "try",
+    "union",
+    "until",
+    "use",
+    "uses",
+    "while",
+    "xor",
+];
+
+/// Names to which Maple gives a meaning, in backquotes too.
+const MAPLE_MEANINGS: [&str; 84] = [
+    "I",
+    "D",
+    "O",
+    "Pi",
+    "gamma",
+    "Catalan",
+    "infinity",
+    "undefined",
+    "true",
+    "false",
+    "FAIL",
+    "NULL",
+    "Digits",
+    "Order",
+    "GAMMA",
+    "Beta",
+    "Zeta",
+    "Psi",
+    "Ei",
+    "Li",
+    "Si",
+    "Ci",
+    "Chi",
+    "Shi",
+    "Re",
+    "Im",
+    "W",
+    "LambertW",
+    "sin",
+    "cos",
+    "tan",
+    "cot",
+    "sec",
+    "csc",
+    "sinh",
+    "cosh",
+    "tanh",
+    "arcsin",
+    "arccos",
+    "arctan",
+    "exp",
+    "ln",
+    "log",
+    "sqrt",
+    "root",
+    "abs",
+    "signum",
+    "min",
+    "max",
+    "floor",
+    "ceil",
+    "round",
+    "trunc",
+    "frac",
+    "piecewise",
+    "diff",
+    "Diff",
+    "int",
+    "Int",
+    "sum",
+    "Sum",
+    "product",
+    "Product",
+    "limit",
+    "Limit",
+    "series",
+    "solve",
+    "subs",
+    "eval",
+    "evalf",
+    "simplify",
+    "expand",
+    "factor",
+    "collect",
+    "coeff",
+    "normal",
+    "map",
+    "seq",
+    "op",
+    "type",
+    "time",
+    "rhs",
+    "lhs",
+    "norm",
+];
+
+/// The name in Maple: in backquotes unless it is made of letters, digits and underscores and no word of the
+/// language; a name with a meaning gets one underscore more (`I` is `I_`, and `I_` is `I__`).
 pub(super) fn to_maple(name: &str) -> String {
+    if MAPLE_MEANINGS.contains(&name.trim_end_matches('_')) {
+        return format!("{name}_");
+    }
     let letter = |c: char| c.is_ascii_alphabetic() || c == '_';
     let plain = name.starts_with(letter) && name.chars().all(|c| letter(c) || c.is_ascii_digit());
-    if plain { name.to_owned() } else { format!("`{}`", name.replace('`', "``")) }
+    if plain && !MAPLE_WORDS.contains(&name) {
+        name.to_owned()
+    } else {
+        format!("`{}`", name.replace('`', "``"))
+    }
 }
 
 #[cfg(test)]
@@ -97,5 +253,13 @@ mod tests {
         assert_eq!(to_latex("omega_NB", ""), "\\omega_{\\mathrm{NB}}");
         assert_eq!(to_latex("lc12", ""), "\\mathit{lc}_{12}");
         assert_eq!(to_latex("_gravity", ""), "\\mathit{\\_gravity}");
+        let shown = ["x", "x1", "x_1", "x_", "x__1"].map(|name| to_latex(name, ""));
+        assert_eq!(shown, ["x", "x_{1}", "x_{\\_1}", "x_{\\_}", "x_{\\_,1}"]);
+    }
+
+    #[test]
+    fn maple_names_mean_nothing_else() {
+        let names = ["q1", "in", "I", "I_", "gamma", "D", "a b"].map(to_maple);
+        assert_eq!(names, ["q1", "`in`", "I_", "I__", "gamma_", "D_", "`a b`"]);
     }
 }
