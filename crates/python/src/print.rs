@@ -1,11 +1,10 @@
 //! Expressions as text.
 
-use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use symbody_core::{Format, Listing};
 
 use crate::convert::operands;
-use crate::session::with_forms;
+use crate::session::{argument_error, with_forms};
 
 /// Names and what they stand for.
 type Definitions = Vec<(String, String)>;
@@ -19,9 +18,10 @@ fn listing(expressions: &Bound<'_, PyAny>, notation: &str) -> PyResult<(Definiti
         "latex" => Format::Latex,
         "maple" => Format::Maple,
         _ => {
-            return Err(PyValueError::new_err(format!(
-                "{notation} is no notation; expected text, latex or maple"
-            )));
+            return Err(argument_error(
+                expressions.py(),
+                format!("listing: {notation} is no notation; expected text, latex or maple"),
+            ));
         }
     };
     let Listing { definitions, results } = with_forms(|graph| graph.listing(&roots, format));

@@ -4,7 +4,7 @@ use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use symbody_core::{Error, Graph, Id};
 
-use crate::convert::{operand, operands};
+use crate::convert::{mistake, operand, operands};
 use crate::expr::Expr;
 use crate::session::{raise, with_forms};
 
@@ -45,9 +45,10 @@ fn coeff(
     py: Python<'_>,
     expression: &Bound<'_, PyAny>,
     variable: &Bound<'_, PyAny>,
-    n: i64,
+    n: &Bound<'_, PyAny>,
 ) -> PyResult<Expr> {
     let (root, variable) = (operand(expression, "coeff, expression")?, operand(variable, "coeff, variable")?);
+    let n = n.extract().map_err(|_| mistake(n, "coeff, n", "a whole number"))?;
     raise(py, with_forms(|graph| graph.coeff(root, variable, n))).map(Expr)
 }
 

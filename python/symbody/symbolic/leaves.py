@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
+from fractions import Fraction
 from typing import Any, TypeAlias
 
 from symbody.errors import ArgumentError, ExpressionError
@@ -42,7 +43,7 @@ pi: Expr = _core.pi()
 symbol = _core.symbol
 
 
-def number(value: ExprLike) -> Expr:
+def number(value: ExprLike | Fraction) -> Expr:
     """Return a number as an expression; doubles keep the decimals that print them.
 
     >>> from fractions import Fraction

@@ -129,12 +129,14 @@ class Matrix:
     def __mul__(self, factor: ExprLike) -> Matrix:
         if isinstance(factor, Matrix):
             raise ExpressionError("the product of two matrices is written A @ B")
-        return self._like([a * factor for a in self.entries])
+        scalar = _core.number(factor, "Matrix * factor")
+        return self._like([a * scalar for a in self.entries])
 
     __rmul__ = __mul__
 
     def __truediv__(self, divisor: ExprLike) -> Matrix:
-        return self._like([a / divisor for a in self.entries])
+        scalar = _core.number(divisor, "Matrix / divisor")
+        return self._like([a / scalar for a in self.entries])
 
     def __matmul__(self, other: Matrix) -> Matrix:
         if not isinstance(other, Matrix):

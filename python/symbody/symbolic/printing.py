@@ -34,10 +34,12 @@ def maple(expression: ExprLike) -> str:
     return _core.number(expression, "maple").maple()
 
 
-def listing(expressions: Iterable[Expr], notation: str = "text") -> tuple[list[tuple[str, str]], list[str]]:
+def listing(
+    expressions: Iterable[Expr] | Expr, notation: str = "text"
+) -> tuple[list[tuple[str, str]], list[str]]:
     """Return several expressions printed together: named intermediate quantities, then the results.
 
     What is large and shared is named once, so the listing grows with the graph and not with the tree.
     """
-    definitions, results = _core.listing(list(expressions), notation)
+    definitions, results = _core.listing(expressions, notation)
     return definitions, results

@@ -189,7 +189,8 @@ class _FromSympy:
         if isinstance(s, sympy.Piecewise):
             sides = [side for _, condition in s.args for side in _sides(sympy, condition)]
             return [*(value for value, _ in s.args), *sides]
-        return list(s.args)
+        known = isinstance(s, sympy.Add | sympy.Mul | sympy.Pow | sympy.core.function.Application)
+        return list(s.args) if known else []
 
     def _node(self, s: Any) -> Expr:
         sympy = self._sympy
