@@ -10,6 +10,7 @@ static GRAPH: LazyLock<Mutex<Graph>> = LazyLock::new(|| Mutex::new(Graph::new())
 
 thread_local! {
     /// The classes of the derivations that this thread is in; the last one takes values, the others wait for its end.
+    #[expect(clippy::vec_box, reason = "the graph holds the classes in progress by their box: moving it is moving a pointer")]
     static CLASSES: RefCell<Vec<Box<Classes>>> = const { RefCell::new(Vec::new()) };
 }
 
