@@ -97,7 +97,7 @@ impl Graph {
         self.choose_form(|graph| {
             let work = graph.total_work(id);
             // The whole on its own first: where its form is short, the parts take little.
-            let mut search = Search::new(work / 2);
+            let mut search = Search::new(work / 4);
             let whole = graph.simplest(id, DEEPEST, &mut search);
             let mut best = graph.shortest(id, &[whole]);
             let mut search = Search::new(work);

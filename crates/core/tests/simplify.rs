@@ -357,3 +357,23 @@ fn assert_length(
     assert!(cost <= textbook, "{coordinate}: {cost} operations: {text}");
     Ok(())
 }
+
+#[test]
+fn whole_numbers_come_out_and_no_fraction_stays_inside() -> Result<()> {
+    let m = &mut Model::new();
+    let [x, y] = m.symbols(["x", "y"]);
+    let (four, six) = (m.g.integer(4), m.g.integer(6));
+    let (left, right) = (m.g.mul(four, x)?, m.g.mul(six, y)?);
+    let sum = m.g.add(left, right);
+    let factored = m.g.factor_terms(sum)?;
+    assert_eq!(m.g.to_text(factored), "2*(2*x + 3*y)");
+    let half = m.g.number(&Number::rational(1, 2));
+    let (cos, two) = (m.g.apply(Function::Cos, &[x])?, m.g.integer(2));
+    let square = m.g.mul(cos, cos)?;
+    let inner = m.g.sub(half, square);
+    let product = m.g.mul(y, inner)?;
+    let product = m.g.mul(two, product)?;
+    let text = m.simplified(product)?;
+    assert!(!text.contains('/'), "{text}");
+    Ok(())
+}
