@@ -80,7 +80,7 @@ def test_maple_reads_back(seed: int) -> None:
     text = re.sub(r"`\$`\(t,(\d+)\)", r"t,\1", text)
     for ours, theirs in (("atan", "arctan"), ("sign", "signum"), ("pi", "Pi")):
         text = re.sub(rf"\b{theirs}\b", ours, text)
-    assert parse(text, NAMES) == e
+    assert parse(text, NAMES | {"D_": NAMES["D"]}) == e  # D is Maple's own
 
 
 def test_a_large_expression_is_no_wall_of_text() -> None:
