@@ -68,3 +68,10 @@ def test_symbols_of_one_name_stay_apart_in_print() -> None:
     positive = symbols("x", positive=True)
     assert str(positive - x) != "0"
     assert str(positive / x) != "1"
+
+
+def test_derivatives_of_extrema_agree_with_the_modulus() -> None:
+    assert (Max(x, y) + Min(x, y)).diff(x) == 1
+    assert (Max(x, y) - Min(x, y)).diff(x) == Abs(x - y).diff(x)
+    assert [Max(x, y).diff(x).evaluate({x: a, y: 2.0}) for a in (1.0, 3.0)] == [0.0, 1.0]
+    assert [Min(x, y).diff(x).evaluate({x: a, y: 2.0}) for a in (1.0, 3.0)] == [1.0, 0.0]

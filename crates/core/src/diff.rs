@@ -213,12 +213,7 @@ impl Graph {
             }
             Function::Abs => self.apply(Function::Sign, args),
             Function::Sign => Ok(Id::ZERO),
-            Function::Min | Function::Max => {
-                // One where the argument is the extremum, zero where it is beyond.
-                let beyond =
-                    if function == Function::Min { self.sub(args[k], id) } else { self.sub(id, args[k]) };
-                self.apply(Function::Piecewise, &[Id::ZERO, beyond, Id::ONE])
-            }
+            Function::Min | Function::Max => self.extremum_partial(function, args, k, id),
             Function::Power if k == 0 => {
                 let quotient = self.div(id, x)?;
                 self.mul(args[1], quotient)
@@ -227,23 +222,36 @@ impl Graph {
                 let logarithm = self.apply(Function::Log, &[x])?;
                 self.mul(id, logarithm)
             }
-            Function::Piecewise => {
-                let chosen = |j: usize| {
-                    if j % 2 == 1 {
-                        args[j]
-                    } else if j == k {
-                        Id::ONE
-                    } else {
-                        Id::ZERO
-                    }
-                };
-                if k % 2 == 1 && k + 1 < args.len() {
-                    return Ok(Id::ZERO);
-                }
-                let branches: Vec<Id> = (0..args.len()).map(chosen).collect();
-                self.apply(Function::Piecewise, &branches)
-            }
+            Function::Piecewise => self.branch_partial(args, k),
         }
+    }
+
+    /// Of two: max(a, b) = (a + b + |a - b|)/2, so (1 + sign(a - b))/2. Of more: one where the argument is the
+    /// extremum, zero where it is beyond.
+    fn extremum_partial(&mut self, function: Function, args: &[Id], k: usize, id: Id) -> Result<Id, Error> {
+        if let &[a, b] = args {
+            let ahead = if (k == 0) == (function == Function::Max) { self.sub(a, b) } else { self.sub(b, a) };
+            let sign = self.apply(Function::Sign, &[ahead])?;
+            let half = self.number_id(&Number::rational(1, 2));
+            return Ok(self.sum(&[(half, Id::ONE), (half, sign)]));
+        }
+        let beyond = if function == Function::Min { self.sub(args[k], id) } else { self.sub(id, args[k]) };
+        self.apply(Function::Piecewise, &[Id::ZERO, beyond, Id::ONE])
+    }
+
+    /// One where the branch is chosen; conditions have no influence but by the choice.
+    fn branch_partial(&mut self, args: &[Id], k: usize) -> Result<Id, Error> {
+        let is_condition = |j: usize| j % 2 == 1 && j + 1 < args.len();
+        if is_condition(k) {
+            return Ok(Id::ZERO);
+        }
+        let branch = |j: usize| match j {
+            _ if is_condition(j) => args[j],
+            _ if j == k => Id::ONE,
+            _ => Id::ZERO,
+        };
+        let branches: Vec<Id> = (0..args.len()).map(branch).collect();
+        self.apply(Function::Piecewise, &branches)
     }
 
     /// 1 + sign * x^2

@@ -13,6 +13,7 @@ from typing import Annotated, Any, NamedTuple, ParamSpec, TypeVar, Union, get_ar
 
 from symbody.errors import SymbodyError
 from symbody.symbolic import Expr, ExprLike, number
+from symbody.symbolic.arguments import described
 
 P = ParamSpec("P")
 R = TypeVar("R")
@@ -30,8 +31,6 @@ _WRITTEN = {
     "str": "a text",
 }
 _SCALAR = "an expression, such as symbols('a'), or a finite number"
-_SHOWN = 80
-"""Characters of an argument that a message quotes."""
 
 
 def checked(error: type[SymbodyError]) -> Callable[[Callable[P, R]], Callable[P, R]]:
@@ -99,7 +98,7 @@ class _Door(NamedTuple):
         if type(value) is hint or (type(value) is Expr and hint is ExprLike) or accepts(hint, value):
             return
         found = _stranger(hint, value)
-        told = f"{name} = {_told(value)}" if found is None else f"in {name}, {_told(found.value)}"
+        told = f"{name} = {described(value)}" if found is None else f"in {name}, {described(found.value)}"
         raise self.error(f"{self.where}: {told}; expected {_wanted(hint)}")
 
 
@@ -165,15 +164,6 @@ def _parts(hint: Any) -> tuple[Any, ...]:
     if origin is Annotated:
         return _parts(parts[0])
     return parts if origin in (Union, UnionType) else (hint,)
-
-
-def _told(value: object) -> str:
-    shown, kind = repr(value), type(value).__name__
-    if len(shown) > _SHOWN:
-        shown = f"{shown[:_SHOWN]}..."
-    if value is None:
-        return shown
-    return f"{shown} is {'an' if kind[0] in 'AEIOaeio' else 'a'} {kind}"
 
 
 def _wanted(hint: Any) -> str:

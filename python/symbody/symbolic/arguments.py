@@ -7,11 +7,17 @@ from symbody.errors import ArgumentError
 __all__ = ["described", "size"]
 
 
+_SHOWN = 80
+"""Characters of an argument that a message quotes."""
+
+
 def described(value: object) -> str:
-    """Return what was found in words: ``3 is an int``."""
-    kind = type(value).__name__
+    """Return what was found in words: ``3 is an int``; of a long thing only the beginning."""
+    shown, kind = repr(value), type(value).__name__
+    if len(shown) > _SHOWN:
+        shown = f"{shown[:_SHOWN]}..."
     article = "an" if kind[0] in "aeiouAEIOU" else "a"
-    return "None" if value is None else f"{value!r} is {article} {kind}"
+    return shown if value is None else f"{shown} is {article} {kind}"
 
 
 def size(value: int, place: str, what: str) -> int:
