@@ -49,5 +49,13 @@ class ParameterError(SymbodyError, ValueError):
     """A parameter without a value, or a value without a parameter."""
 
 
+class ProgramError(SymbodyError, ValueError):
+    """A program that can't be generated: names that clash, variables without a value."""
+
+
+class CodegenError(SymbodyError, OSError):
+    """Generated code that can't be written, compiled or run on this machine."""
+
+
 class ModelNotice(UserWarning):
     """Something was left out of a result, on purpose, and the user should know."""

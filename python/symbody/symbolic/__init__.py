@@ -47,6 +47,7 @@ from symbody.symbolic.leaves import (
 from symbody.symbolic.matrix import Matrix, identity, zeros
 from symbody.symbolic.parse import parse
 from symbody.symbolic.printing import latex, listing, maple
+from symbody.symbolic.program import STAGES, Argument, Program, Result, Routine
 from symbody.symbolic.rewrite import coeff, collect, combine_trig, expand, expand_trig, factor_terms, simplify
 from symbody.symbolic.solve import solve
 from symbody.symbolic.sympy_bridge import from_sympy, to_sympy
@@ -63,7 +64,9 @@ from symbody.symbolic.triple import (
 )
 
 __all__ = [
+    "STAGES",
     "Abs",
+    "Argument",
     "CompiledFunction",
     "Cost",
     "Derivation",
@@ -73,6 +76,9 @@ __all__ = [
     "Max",
     "Min",
     "Piecewise",
+    "Program",
+    "Result",
+    "Routine",
     "UndefinedFunction",
     "acos",
     "add3",

@@ -1,0 +1,1 @@
+"""Code for any target: compiled in the process, or written as text."""
