@@ -4,7 +4,7 @@ use rustc_hash::FxHashMap;
 use std::cmp::Reverse;
 
 use crate::schedule::need;
-use crate::tape::{Instruction, Operand, Tape};
+use crate::tape::{Factorization, Instruction, Operand, Solution, Tape};
 
 /// An operand, or its opposite.
 #[derive(Clone, Copy)]
@@ -97,7 +97,7 @@ impl Emitter {
 
     /// The result of an instruction, which is a constant when its operands are.
     pub fn emit(&mut self, instruction: Instruction) -> Signed {
-        if instruction.operands().iter().all(|&operand| self.stored_in(operand).is_some()) {
+        if instruction.operands().all(|operand| self.stored_in(operand).is_some()) {
             let result = instruction.evaluate(|operand| self.stored_in(operand).unwrap_or(f64::NAN));
             return self.constant(result);
         }
@@ -118,10 +118,36 @@ impl Emitter {
         if let Some(&known) = self.written.get(&instruction) {
             return known;
         }
-        let result = Operand::Value(self.tape.instructions.len() as u32);
-        self.needs.push(need(instruction.operands(), &self.needs));
-        self.tape.instructions.push(instruction);
+        let need = need(instruction.operands(), &self.needs);
+        let result = self.append(instruction, need);
         self.written.insert(instruction, result);
+        result
+    }
+
+    /// A matrix to be factorised.
+    pub fn factor(&mut self, size: usize, entries: Vec<Operand>) -> Operand {
+        let needs = self.need_of_all(&entries);
+        self.tape.factorizations.push(Factorization { size, entries });
+        self.append(Instruction::Factor(self.tape.factorizations.len() as u32 - 1), needs)
+    }
+
+    /// A linear system to be solved.
+    pub fn solve(&mut self, factorization: Operand, right: Vec<Operand>) -> Operand {
+        let needs = self.need_of_all(&right);
+        self.tape.solutions.push(Solution { factorization, right });
+        self.append(Instruction::Solve(self.tape.solutions.len() as u32 - 1), needs)
+    }
+
+    /// What a list holds at a time: its entries live until all are there, however many they are.
+    fn need_of_all(&self, operands: &[Operand]) -> u32 {
+        let needs = operands.iter().map(|&operand| self.need_of(Signed::plus(operand)));
+        needs.max().unwrap_or(0) + operands.len() as u32
+    }
+
+    fn append(&mut self, instruction: Instruction, need: u32) -> Operand {
+        let result = Operand::Value(self.tape.instructions.len() as u32);
+        self.needs.push(need);
+        self.tape.instructions.push(instruction);
         result
     }
 

@@ -1,6 +1,7 @@
 //! Evaluation of a tape in doubles: at one point, or at many points, a block of them at a time.
 
 use crate::error::Error;
+use crate::linear_systems::{LinearSystems, Memory, solution_of};
 use crate::tape::{Instruction, Operand, Tape};
 
 /// Bytes of registers in a block of points: what the processor keeps close.
@@ -18,9 +19,10 @@ pub struct Evaluator {
     stores: Vec<Store>,
     outputs: usize,
     registers: usize,
+    systems: LinearSystems,
 }
 
-/// An instruction over slots, and the slot of its result.
+/// An instruction over slots, and the slot of its result; a component names the number of its solution.
 #[derive(Clone, Copy, Debug)]
 struct Step {
     instruction: Instruction<u32>,
@@ -57,7 +59,12 @@ impl Evaluator {
             Operand::Value(value) => first_register + registers.of[value as usize],
         };
         let step = |(instruction, register): (&Instruction, &u32)| Step {
-            instruction: instruction.map(slot),
+            instruction: match *instruction {
+                Instruction::Component(solution, index) => {
+                    Instruction::Component(solution_of(tape, solution), index)
+                }
+                other => other.map(slot),
+            },
             target: first_register + register,
         };
         let store = |(output, &operand): (usize, &Operand)| {
@@ -73,6 +80,7 @@ impl Evaluator {
             stores,
             outputs: tape.outputs.len(),
             registers: registers.count,
+            systems: LinearSystems::new(tape, slot),
         }
     }
 
@@ -91,15 +99,28 @@ impl Evaluator {
         let mut out = vec![0.0; self.outputs];
         let mut slots = [&self.constants, inputs].concat();
         slots.resize(slots.len() + self.registers, 0.0);
+        let mut memory = self.systems.memory(1);
         let mut done = 0;
         for store in &self.stores {
             for step in &self.steps[done..store.steps] {
-                slots[step.target as usize] = step.instruction.evaluate(|slot| slots[slot as usize]);
+                slots[step.target as usize] = self.run(step.instruction, &slots, &mut memory);
             }
             done = store.steps;
             out[store.output] = slots[store.slot as usize];
         }
         Ok(out)
+    }
+
+    /// One instruction at one point.
+    fn run(&self, instruction: Instruction<u32>, slots: &[f64], memory: &mut Memory) -> f64 {
+        let read = |slot: u32, _: usize| slots[slot as usize];
+        match instruction {
+            Instruction::Factor(number) => self.systems.factor(number, 1, memory, read),
+            Instruction::Solve(number) => self.systems.solve(number, 1, memory, read),
+            Instruction::Component(number, index) => return self.systems.component(number, index, 0, memory),
+            _ => return instruction.evaluate(|slot| slots[slot as usize]),
+        }
+        0.0
     }
 
     /// The outputs at many points: all points of the first output, then all of the second, and so on.
@@ -119,14 +140,23 @@ impl Evaluator {
         let mut out = vec![0.0; self.outputs * points];
         let lanes = (BLOCK_BYTES / (8 * self.registers.max(1))).clamp(FEWEST_LANES, MOST_LANES);
         let mut registers = vec![vec![0.0; lanes]; self.registers];
+        let mut memory = self.systems.memory(lanes);
         for start in (0..points).step_by(lanes) {
-            let block = Block { inputs, constants: &self.constants, start, len: lanes.min(points - start) };
-            self.evaluate_block(&block, &mut registers, &mut out, points);
+            let (len, systems) = (lanes.min(points - start), &self.systems);
+            let block = Block { inputs, constants: &self.constants, systems, start, len };
+            self.evaluate_block(&block, &mut registers, &mut memory, &mut out, points);
         }
         Ok(out)
     }
 
-    fn evaluate_block(&self, block: &Block, registers: &mut [Vec<f64>], out: &mut [f64], points: usize) {
+    fn evaluate_block(
+        &self,
+        block: &Block,
+        registers: &mut [Vec<f64>],
+        memory: &mut Memory,
+        out: &mut [f64],
+        points: usize,
+    ) {
         let first_register = self.constants.len() + self.inputs.len();
         let mut done = 0;
         for store in &self.stores {
@@ -134,7 +164,7 @@ impl Evaluator {
                 // No instruction reads the register that it writes, so its lanes can be taken out meanwhile.
                 let target = step.target as usize - first_register;
                 let mut lanes = std::mem::take(&mut registers[target]);
-                block.run(step.instruction, registers, &mut lanes[..block.len]);
+                block.run(step.instruction, registers, memory, &mut lanes[..block.len]);
                 registers[target] = lanes;
             }
             done = store.steps;
@@ -162,6 +192,7 @@ impl Evaluator {
 struct Block<'a> {
     inputs: &'a [Column<'a>],
     constants: &'a [f64],
+    systems: &'a LinearSystems,
     start: usize,
     len: usize,
 }
@@ -180,7 +211,14 @@ impl Block<'_> {
         }
     }
 
-    fn run(&self, instruction: Instruction<u32>, registers: &[Vec<f64>], out: &mut [f64]) {
+    fn run(
+        &self,
+        instruction: Instruction<u32>,
+        registers: &[Vec<f64>],
+        memory: &mut Memory,
+        out: &mut [f64],
+    ) {
+        let at = |slot: u32, lane: usize| self.read(slot, registers).at(lane);
         let read = |slot| self.read(slot, registers);
         match instruction {
             Instruction::Add(a, b) => map2(out, read(a), read(b), |x, y| x + y),
@@ -197,6 +235,13 @@ impl Block<'_> {
                 // First the choice's default, then the lanes where the condition holds.
                 map1(out, read(otherwise), |x| x);
                 select(out, read(condition), read(positive));
+            }
+            Instruction::Factor(number) => self.systems.factor(number, self.len, memory, at),
+            Instruction::Solve(number) => self.systems.solve(number, self.len, memory, at),
+            Instruction::Component(number, index) => {
+                for (lane, out) in out.iter_mut().enumerate() {
+                    *out = self.systems.component(number, index, lane, memory);
+                }
             }
         }
     }

@@ -9,21 +9,18 @@ use crate::function::Function;
 use crate::tape::{Instruction, Operand, Tape};
 
 /// The number of values held at a time while a tree is computed: larger where two sides are equal.
-pub(crate) fn need(operands: [Operand; 3], needs: &[u32]) -> u32 {
-    let [a, b, c] = operands;
-    let of = |operand| match operand {
-        Operand::Value(value) => needs[value as usize],
-        _ => 0,
-    };
+pub(crate) fn need(operands: impl Iterator<Item = Operand>, needs: &[u32]) -> u32 {
+    let of = |operand: Operand| operand.value().map_or(0, |value| needs[value as usize]);
     let join = |x: u32, y: u32| if x == y { x + 1 } else { x.max(y) };
-    let mut total = of(a).max(1);
-    if b != a {
-        total = join(of(a), of(b));
+    let mut seen = Vec::new();
+    let mut total = None;
+    for operand in operands {
+        if !seen.contains(&operand) {
+            seen.push(operand);
+            total = Some(total.map_or(of(operand), |total| join(total, of(operand))));
+        }
     }
-    if c != a && c != b {
-        total = join(total, of(c));
-    }
-    total
+    total.unwrap_or(0).max(1)
 }
 
 /// Reorder the instructions of a tape, and drop those that no output needs.
@@ -33,31 +30,7 @@ pub(crate) fn schedule(tape: &Tape, needs: &[u32]) -> Tape {
     for output in &tape.outputs {
         order.visit(*output, tape, needs, &partners);
     }
-    let mut constants = Constants { place: vec![None; tape.constants.len()], kept: Vec::new() };
-    let mut moved = |operand| match operand {
-        Operand::Input(_) => operand,
-        Operand::Constant(constant) => constants.keep(constant, tape),
-        Operand::Value(value) => Operand::Value(order.place[value as usize].unwrap_or(value)),
-    };
-    let instructions =
-        order.sequence.iter().map(|&old| tape.instructions[old as usize].map(&mut moved)).collect();
-    let outputs = tape.outputs.iter().map(|&output| moved(output)).collect();
-    Tape { inputs: tape.inputs.clone(), constants: constants.kept, instructions, outputs }
-}
-
-/// The constants that the code refers to, in the order of their first use.
-struct Constants {
-    place: Vec<Option<u32>>,
-    kept: Vec<f64>,
-}
-
-impl Constants {
-    fn keep(&mut self, constant: u32, tape: &Tape) -> Operand {
-        Operand::Constant(*self.place[constant as usize].get_or_insert_with(|| {
-            self.kept.push(tape.constants[constant as usize]);
-            self.kept.len() as u32 - 1
-        }))
-    }
+    tape.reordered(&order.sequence)
 }
 
 /// The instructions in their new order.
@@ -71,7 +44,7 @@ impl Order {
     /// Place everything an operand needs, and then the operand.
     fn visit(&mut self, root: Operand, tape: &Tape, needs: &[u32], partners: &Partners) {
         let mut stack: Vec<(u32, bool)> = Vec::new();
-        stack.extend(value_of(root).map(|value| (value, false)));
+        stack.extend(root.value().map(|value| (value, false)));
         while let Some((value, ready)) = stack.pop() {
             if self.place[value as usize].is_some() {
                 continue;
@@ -85,11 +58,11 @@ impl Order {
                 continue;
             }
             stack.push((value, true));
-            let mut operands = instruction.operands().map(value_of);
+            let mut operands: Vec<u32> = tape.reads(value as usize).filter_map(Operand::value).collect();
             // The last one pushed is computed first; a stable order where the needs are equal.
             operands.reverse();
-            operands.sort_by_key(|operand| operand.map(|v| needs[v as usize]));
-            stack.extend(operands.into_iter().flatten().map(|operand| (operand, false)));
+            operands.sort_by_key(|&operand| needs[operand as usize]);
+            stack.extend(operands.into_iter().map(|operand| (operand, false)));
         }
     }
 
@@ -98,13 +71,6 @@ impl Order {
             self.place[value as usize] = u32::try_from(self.sequence.len()).ok();
             self.sequence.push(value);
         }
-    }
-}
-
-const fn value_of(operand: Operand) -> Option<u32> {
-    match operand {
-        Operand::Value(value) => Some(value),
-        _ => None,
     }
 }
 
@@ -138,12 +104,12 @@ impl Partners {
 /// Which instructions the outputs need.
 fn needed(tape: &Tape) -> Vec<bool> {
     let mut needed = vec![false; tape.instructions.len()];
-    for value in tape.outputs.iter().copied().filter_map(value_of) {
+    for value in tape.outputs.iter().copied().filter_map(Operand::value) {
         needed[value as usize] = true;
     }
     for value in (0..needed.len()).rev() {
         if needed[value] {
-            for operand in tape.instructions[value].operands().into_iter().filter_map(value_of) {
+            for operand in tape.reads(value).filter_map(Operand::value) {
                 needed[operand as usize] = true;
             }
         }

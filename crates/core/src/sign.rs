@@ -49,8 +49,8 @@ fn uses(tape: &Tape) -> Vec<u32> {
             uses[value as usize] += 1;
         }
     };
-    for instruction in &tape.instructions {
-        let _ = instruction.map(&mut count);
+    for position in 0..tape.instructions.len() {
+        tape.reads(position).for_each(&mut count);
     }
     tape.outputs.iter().copied().for_each(count);
     uses

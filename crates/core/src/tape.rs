@@ -17,6 +17,17 @@ pub enum Operand {
     Value(u32),
 }
 
+impl Operand {
+    /// The number of the instruction whose result it is.
+    #[must_use]
+    pub const fn value(self) -> Option<u32> {
+        match self {
+            Self::Value(value) => Some(value),
+            _ => None,
+        }
+    }
+}
+
 /// One operation on doubles; its arguments are operands, or places of another kind.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Instruction<P = Operand> {
@@ -45,19 +56,28 @@ pub enum Instruction<P = Operand> {
         /// The value where it is zero, negative or no number.
         otherwise: P,
     },
+    /// The factorisation of this number in the tape's list.
+    Factor(u32),
+    /// The solution of this number in the tape's list.
+    Solve(u32),
+    /// A component of a solution.
+    Component(P, u32),
 }
 
 impl<P: Copy> Instruction<P> {
-    /// The arguments; places that an instruction has no use for repeat its first argument.
-    #[must_use]
-    pub const fn operands(self) -> [P; 3] {
-        match self {
+    /// The arguments that stand in the instruction; those of factorisations and solutions are in the tape's lists.
+    pub fn operands(self) -> impl DoubleEndedIterator<Item = P> {
+        let [a, b, c] = match self {
             Self::Add(a, b) | Self::Sub(a, b) | Self::Mul(a, b) | Self::Div(a, b) | Self::Binary(_, a, b) => {
-                [a, b, a]
+                [Some(a), Some(b), None]
             }
-            Self::Neg(a) | Self::Sqrt(a) | Self::Unary(_, a) => [a, a, a],
-            Self::Select { condition, positive, otherwise } => [condition, positive, otherwise],
-        }
+            Self::Neg(a) | Self::Sqrt(a) | Self::Unary(_, a) | Self::Component(a, _) => [Some(a), None, None],
+            Self::Select { condition, positive, otherwise } => {
+                [Some(condition), Some(positive), Some(otherwise)]
+            }
+            Self::Factor(_) | Self::Solve(_) => [None, None, None],
+        };
+        [a, b, c].into_iter().flatten()
     }
 
     /// The same operation on other arguments.
@@ -77,10 +97,13 @@ impl<P: Copy> Instruction<P> {
                 positive: f(positive),
                 otherwise: f(otherwise),
             },
+            Self::Factor(number) => Instruction::Factor(number),
+            Self::Solve(number) => Instruction::Solve(number),
+            Self::Component(a, index) => Instruction::Component(f(a), index),
         }
     }
 
-    /// The result, given the arguments.
+    /// The result, given the arguments; none for linear systems, which aren't solved by one operation.
     #[must_use]
     pub fn evaluate(self, read: impl Fn(P) -> f64) -> f64 {
         match self {
@@ -99,8 +122,27 @@ impl<P: Copy> Instruction<P> {
                     read(otherwise)
                 }
             }
+            Self::Factor(_) | Self::Solve(_) | Self::Component(..) => f64::NAN,
         }
     }
+}
+
+/// A matrix to be factorised at run time.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub struct Factorization {
+    /// The number of rows and columns.
+    pub size: usize,
+    /// The entries, row by row.
+    pub entries: Vec<Operand>,
+}
+
+/// A linear system to be solved at run time.
+#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+pub struct Solution {
+    /// The factorised matrix: the result of an instruction.
+    pub factorization: Operand,
+    /// The right side.
+    pub right: Vec<Operand>,
 }
 
 /// Straight-line code from inputs to outputs.
@@ -116,6 +158,10 @@ pub struct Tape {
     pub instructions: Vec<Instruction>,
     /// Where the outputs are found.
     pub outputs: Vec<Operand>,
+    /// The matrices of the linear systems in the code.
+    pub factorizations: Vec<Factorization>,
+    /// The linear systems in the code.
+    pub solutions: Vec<Solution>,
 }
 
 /// A register for each value: values that live at the same time are in different registers.
@@ -127,20 +173,93 @@ pub struct Registers {
     pub count: usize,
 }
 
+/// The operations of an elimination: a reciprocal, a column of multipliers and an update for each pivot.
+const fn factoring(n: usize) -> Cost {
+    let n = n as u64;
+    let (multipliers, updates) = (n * (n - 1) / 2, n * (n - 1) * (2 * n - 1) / 6);
+    Cost { additions: updates, multiplications: multipliers + updates, divisions: n, functions: 0 }
+}
+
+/// The operations of two substitutions.
+const fn solving(n: usize) -> Cost {
+    let n = n as u64;
+    Cost { additions: n * (n - 1), multiplications: n * n, divisions: 0, functions: 0 }
+}
+
 impl Tape {
     /// The operations of the code, counted as those of expressions are: a lone change of sign is an addition.
     #[must_use]
     pub fn operations(&self) -> Cost {
         let mut cost = Cost::default();
-        for instruction in &self.instructions {
-            match instruction {
-                Instruction::Add(..) | Instruction::Sub(..) | Instruction::Neg(_) => cost.additions += 1,
-                Instruction::Mul(..) => cost.multiplications += 1,
-                Instruction::Div(..) => cost.divisions += 1,
-                _ => cost.functions += 1,
-            }
+        for position in 0..self.instructions.len() {
+            cost += self.cost_of(position);
         }
         cost
+    }
+
+    /// The operations of the instruction at a position.
+    pub(crate) fn cost_of(&self, position: usize) -> Cost {
+        let none = Cost::default();
+        match self.instructions[position] {
+            Instruction::Add(..) | Instruction::Sub(..) | Instruction::Neg(_) => {
+                Cost { additions: 1, ..none }
+            }
+            Instruction::Mul(..) => Cost { multiplications: 1, ..none },
+            Instruction::Div(..) => Cost { divisions: 1, ..none },
+            Instruction::Factor(number) => factoring(self.factorizations[number as usize].size),
+            Instruction::Solve(number) => solving(self.solutions[number as usize].right.len()),
+            Instruction::Component(..) => none,
+            _ => Cost { functions: 1, ..none },
+        }
+    }
+
+    /// The instructions in another order, without those that are not in it; an argument comes before its uses.
+    pub(crate) fn reordered(&self, sequence: &[u32]) -> Self {
+        let mut places = Places::new(self, sequence);
+        let mut tape = Self { inputs: self.inputs.clone(), ..Self::default() };
+        for &old in sequence {
+            let instruction = match self.instructions[old as usize] {
+                Instruction::Factor(number) => {
+                    let Factorization { size, entries } = &self.factorizations[number as usize];
+                    let entries = entries.iter().map(|&entry| places.of(entry)).collect();
+                    tape.factorizations.push(Factorization { size: *size, entries });
+                    Instruction::Factor(tape.factorizations.len() as u32 - 1)
+                }
+                Instruction::Solve(number) => {
+                    let Solution { factorization, right } = &self.solutions[number as usize];
+                    let right = right.iter().map(|&entry| places.of(entry)).collect();
+                    tape.solutions.push(Solution { factorization: places.of(*factorization), right });
+                    Instruction::Solve(tape.solutions.len() as u32 - 1)
+                }
+                other => other.map(|operand| places.of(operand)),
+            };
+            tape.instructions.push(instruction);
+        }
+        tape.outputs = self.outputs.iter().map(|&output| places.of(output)).collect();
+        tape.constants = places.constants;
+        tape
+    }
+
+    /// What the instruction at a position reads.
+    pub fn reads(&self, position: usize) -> impl DoubleEndedIterator<Item = Operand> {
+        let instruction = self.instructions[position];
+        let (first, rest): (Option<Operand>, &[Operand]) = match instruction {
+            Instruction::Factor(number) => (None, &self.factorizations[number as usize].entries),
+            Instruction::Solve(number) => {
+                let solution = &self.solutions[number as usize];
+                (Some(solution.factorization), &solution.right)
+            }
+            _ => (None, &[]),
+        };
+        first.into_iter().chain(rest.iter().copied()).chain(instruction.operands())
+    }
+
+    /// The values that the instruction at a position reads, each once, by number.
+    pub fn values_read(&self, position: usize) -> Vec<u32> {
+        let mut values: Vec<u32> = self.reads(position).filter_map(Operand::value).collect();
+        values.sort_unstable();
+        values.dedup();
+        values
     }
 
     /// Assign registers by a linear scan; an output is taken from its register as soon as it is there.
@@ -150,20 +269,19 @@ impl Tape {
         let mut of: Vec<u32> = Vec::with_capacity(self.instructions.len());
         let mut free: Vec<u32> = Vec::new();
         let mut count = 0;
-        for (position, instruction) in self.instructions.iter().enumerate() {
+        for position in 0..self.instructions.len() {
             let register = free.pop().unwrap_or_else(|| {
                 count += 1;
                 count - 1
             });
             of.push(register);
-            let mut dead = instruction.operands().map(|operand| match operand {
-                Operand::Value(value) if last_use[value as usize] == position => Some(of[value as usize]),
-                _ => None,
-            });
+            let values = self.values_read(position).into_iter();
+            let mut dead: Vec<u32> = values
+                .filter(|&value| last_use[value as usize] == position)
+                .map(|value| of[value as usize])
+                .collect();
             dead.sort_unstable();
-            free.extend(
-                dead.iter().enumerate().filter(|&(i, r)| i == 0 || dead[i - 1] != *r).filter_map(|(_, r)| *r),
-            );
+            free.extend(dead);
             if last_use[position] == position {
                 free.push(register);
             }
@@ -174,13 +292,43 @@ impl Tape {
     /// The last instruction that reads each value; the value's own place when none does.
     fn last_uses(&self) -> Vec<usize> {
         let mut last: Vec<usize> = (0..self.instructions.len()).collect();
-        for (position, instruction) in self.instructions.iter().enumerate() {
-            for operand in instruction.operands() {
-                if let Operand::Value(value) = operand {
-                    last[value as usize] = position;
-                }
+        for position in 0..self.instructions.len() {
+            for value in self.reads(position).filter_map(Operand::value) {
+                last[value as usize] = position;
             }
         }
         last
+    }
+}
+
+/// Where the operands of a tape are in another order of its instructions.
+struct Places<'a> {
+    tape: &'a Tape,
+    values: Vec<Option<u32>>,
+    /// The new place of each constant that has one: in the order of first use.
+    kept: Vec<Option<u32>>,
+    constants: Vec<f64>,
+}
+
+impl<'a> Places<'a> {
+    fn new(tape: &'a Tape, sequence: &[u32]) -> Self {
+        let mut values = vec![None; tape.instructions.len()];
+        for (new, &old) in (0..).zip(sequence) {
+            values[old as usize] = Some(new);
+        }
+        Self { tape, values, kept: vec![None; tape.constants.len()], constants: Vec::new() }
+    }
+
+    fn of(&mut self, operand: Operand) -> Operand {
+        match operand {
+            Operand::Input(_) => operand,
+            Operand::Value(value) => Operand::Value(self.values[value as usize].unwrap_or(value)),
+            Operand::Constant(constant) => {
+                Operand::Constant(*self.kept[constant as usize].get_or_insert_with(|| {
+                    self.constants.push(self.tape.constants[constant as usize]);
+                    self.constants.len() as u32 - 1
+                }))
+            }
+        }
     }
 }

@@ -1,0 +1,49 @@
+//! Stages: instructions in the order of how often what they depend on changes.
+//!
+//! Parameters change seldom, accelerations at every call: what comes first in the code can leave the hot path.
+
+use crate::cost::Cost;
+use crate::tape::{Operand, Tape};
+
+/// A tape whose instructions are sorted by stage.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Staged {
+    /// The code; within a stage in the order of the schedule.
+    pub tape: Tape,
+    /// The stage of each instruction: the last of those of what it reads.
+    pub stages: Vec<u8>,
+}
+
+impl Tape {
+    /// Sort the instructions by stage, given the stage of each input (of the last one for those that have none).
+    #[must_use]
+    pub fn staged(&self, inputs: &[u8]) -> Staged {
+        let mut stages: Vec<u8> = Vec::with_capacity(self.instructions.len());
+        for position in 0..self.instructions.len() {
+            let stage = |operand: Operand| match operand {
+                Operand::Constant(_) => 0,
+                Operand::Input(input) => inputs.get(input as usize).copied().unwrap_or(0),
+                Operand::Value(value) => stages[value as usize],
+            };
+            let stage = self.reads(position).map(stage).max().unwrap_or(0);
+            stages.push(stage);
+        }
+        let mut sequence: Vec<u32> = (0..self.instructions.len() as u32).collect();
+        sequence.sort_by_key(|&value| stages[value as usize]);
+        stages.sort_unstable();
+        Staged { tape: self.reordered(&sequence), stages }
+    }
+}
+
+impl Staged {
+    /// The operations of each stage up to the last one that has any.
+    #[must_use]
+    pub fn operations(&self) -> Vec<Cost> {
+        let count = self.stages.last().map_or(0, |&stage| usize::from(stage) + 1);
+        let mut costs = vec![Cost::default(); count];
+        for (position, &stage) in self.stages.iter().enumerate() {
+            costs[usize::from(stage)] += self.tape.cost_of(position);
+        }
+        costs
+    }
+}
