@@ -26,6 +26,16 @@ def with_added_mass(mass_matrix: Matrix, system: System) -> Matrix:
     return mass_matrix - _slopes(actions, system) if actions else mass_matrix
 
 
+def has_added_mass(system: System) -> bool:
+    """Tell whether some load depends on accelerations of the coordinates."""
+    return any(
+        _holds_acceleration(action, system)
+        for load in system.loads
+        for action in load.actions
+        if action.body in system.bodies
+    )
+
+
 def check_loads(system: System, where: str) -> None:
     """Raise an error that names the first load, or the gravity, for which the equations can't be solved."""
     for load in system.loads:

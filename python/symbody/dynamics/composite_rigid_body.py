@@ -117,7 +117,7 @@ class _MassMatrix:
         self._wrenches: list[dict[int, Wrench]] = [{} for _ in tree.frames]
         self._sliding: dict[int, list[int]] = {}
         for body in system.bodies:
-            self._join(tree.index(body.frame), _composite(body))
+            self._join(tree.index(body.frame), composite(body))
 
     def matrix(self) -> Matrix:
         for place in range(len(self._tree.frames) - 1, -1, -1):
@@ -192,7 +192,8 @@ class _MassMatrix:
         self._entries[j][k] = self._entries[k][j] = total
 
 
-def _composite(body: Body) -> Composite:
+def composite(body: Body) -> Composite:
+    """Return a body as seen from its own frame."""
     (xx, yy, zz), (yz, xz, xy) = body.moments, body.products
     return Composite(body.mass, NULL, (xx, yy, zz, -yz, -xz, -xy))
 

@@ -73,6 +73,11 @@ def inverse_dynamics(
         tree: the frames of the system.
         rest: what stands for accelerations, if not they themselves: in the inertia as in the loads.
     """
+    return generalized_forces(tree, needed_wrenches(system, tree, rest))
+
+
+def needed_wrenches(system: System, tree: FrameTree, rest: Mapping[Expr, int] | None = None) -> list[Wrench]:
+    """Return, frame by frame, the wrench that the motion needs beyond weight and loads."""
     field = AccelerationField(_minus_gravity(system), _rate(rest) if rest else time_derivatives)
     wrenches = [Wrench(NULL, NULL)] * len(tree.frames)
     for body in system.bodies:
@@ -82,7 +87,7 @@ def inverse_dynamics(
         anchor = action.anchor
         place = tree.index(anchor.frame)
         wrenches[place] = wrenches[place].minus(_load(action, anchor, rest or {}))
-    return generalized_forces(tree, wrenches)
+    return wrenches
 
 
 def bias(system: System, tree: FrameTree) -> tuple[Expr, ...]:
