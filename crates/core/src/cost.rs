@@ -3,6 +3,7 @@
 use rustc_hash::{FxHashMap, FxHashSet};
 use std::ops::AddAssign;
 
+use crate::divisor::{lone_divisor, shared_divisors};
 use crate::function::Function;
 use crate::graph::Graph;
 use crate::node::{Factors, Id, NumberId, Terms, View};
@@ -14,7 +15,7 @@ pub struct Cost {
     pub additions: u64,
     /// Products; an integer power counts as its repeated squaring.
     pub multiplications: u64,
-    /// Divisions; all divisors of one product share one.
+    /// Divisions; all divisors of one product share one, and products with one and the same divisor its reciprocal.
     pub divisions: u64,
     /// Functions and roots.
     pub functions: u64,
@@ -82,11 +83,24 @@ struct Count<'g> {
     uses: Option<FxHashMap<Id, u32>>,
     /// Powers counted so far: products share them as they share nodes.
     powers: FxHashSet<(Id, NumberId)>,
+    /// Divisors of several products: one reciprocal, counted with the first of them, serves all.
+    shared_divisors: FxHashSet<(Id, NumberId)>,
+    /// Those whose reciprocal has been counted.
+    reciprocals: FxHashSet<(Id, NumberId)>,
+    /// Matrices factorised so far: the systems that have one share it.
+    matrices: FxHashSet<Vec<Id>>,
 }
 
 impl<'g> Count<'g> {
     fn tree(graph: &'g Graph) -> Self {
-        Self { graph, uses: None, powers: FxHashSet::default() }
+        Self {
+            graph,
+            uses: None,
+            powers: FxHashSet::default(),
+            shared_divisors: FxHashSet::default(),
+            reciprocals: FxHashSet::default(),
+            matrices: FxHashSet::default(),
+        }
     }
 
     fn shared(graph: &'g Graph, roots: &[Id], order: &[Id]) -> Self {
@@ -98,7 +112,15 @@ impl<'g> Count<'g> {
         for child in children {
             *uses.entry(child).or_default() += 1;
         }
-        Self { graph, uses: Some(uses), powers: FxHashSet::default() }
+        let shared_divisors = shared_divisors(graph, order, |id| id);
+        Self {
+            graph,
+            uses: Some(uses),
+            powers: FxHashSet::default(),
+            shared_divisors,
+            reciprocals: FxHashSet::default(),
+            matrices: FxHashSet::default(),
+        }
     }
 
     fn used_once(&self, id: Id) -> bool {
@@ -120,9 +142,19 @@ impl<'g> Count<'g> {
                 Cost { functions, ..Cost::default() }
             }
             View::Application { .. } => Cost { functions: 1, ..Cost::default() },
-            View::Number(_) | View::Pi | View::Time | View::Symbol(..) | View::TimeFunction(..) => {
-                Cost::default()
+            View::LinearSystem { matrix, right } => {
+                let mut cost = solving(right.len());
+                if self.uses.is_none() || self.matrices.insert(matrix.iter().collect()) {
+                    cost += factoring(right.len());
+                }
+                cost
             }
+            View::Solution(..)
+            | View::Number(_)
+            | View::Pi
+            | View::Time
+            | View::Symbol(..)
+            | View::TimeFunction(..) => Cost::default(),
         }
     }
 
@@ -197,6 +229,16 @@ impl<'g> Count<'g> {
             }
         }
         above += u64::from(constant);
+        if let Some(divisor) = lone_divisor(self.graph, factors)
+            && self.shared_divisors.contains(&divisor)
+        {
+            let first = self.reciprocals.insert(divisor);
+            return Cost {
+                multiplications: cost.multiplications + above,
+                divisions: u64::from(first),
+                ..cost
+            };
+        }
         cost.multiplications += above.saturating_sub(1) + below.saturating_sub(1);
         cost.divisions += u64::from(below > 0);
         cost
@@ -213,6 +255,19 @@ impl<'g> Count<'g> {
             _ => Cost { functions: 1, ..Cost::default() },
         }
     }
+}
+
+/// The operations of an elimination: a reciprocal, a column of multipliers and an update for each pivot.
+pub(crate) const fn factoring(n: usize) -> Cost {
+    let n = n as u64;
+    let (multipliers, updates) = (n * (n - 1) / 2, n * (n - 1) * (2 * n - 1) / 6);
+    Cost { additions: updates, multiplications: multipliers + updates, divisions: n, functions: 0 }
+}
+
+/// The operations of two substitutions.
+pub(crate) const fn solving(n: usize) -> Cost {
+    let n = n as u64;
+    Cost { additions: n * (n - 1), multiplications: n * n, divisions: 0, functions: 0 }
 }
 
 /// Multiplications in x**n by repeated squaring.

@@ -136,6 +136,13 @@ impl Graph {
                 .collect();
             return self.apply(Function::Piecewise, &branches);
         }
+        match self.view(id) {
+            View::LinearSystem { .. } => return self.system_tangent(id, tangent),
+            View::Solution(system, index) => {
+                return Ok(of(system).map_or(Id::ZERO, |tangent| self.solution(tangent, index)));
+            }
+            _ => {}
+        }
         let mut terms = Vec::new();
         for (k, child) in self.children(id).into_iter().enumerate() {
             let Some(derivative) = of(child) else { continue };
@@ -174,9 +181,13 @@ impl Graph {
                 let partial = self.function_partial(function, &args, k, id)?;
                 Ok(self.split_multiple(one, partial))
             }
-            View::Number(_) | View::Pi | View::Time | View::Symbol(..) | View::TimeFunction(..) => {
-                Ok((one, Id::ZERO))
-            }
+            View::Number(_)
+            | View::Pi
+            | View::Time
+            | View::Symbol(..)
+            | View::TimeFunction(..)
+            | View::LinearSystem { .. }
+            | View::Solution(..) => Ok((one, Id::ZERO)),
         }
     }
 
@@ -276,9 +287,18 @@ impl Graph {
     fn adjoints(&mut self, root: Id, dependence: &Dependence, variables: &[Id]) -> Result<Vec<Id>, Error> {
         let mut contributions: FxHashMap<Id, Vec<(NumberId, Id)>> = FxHashMap::default();
         let mut result: FxHashMap<_, Id> = FxHashMap::default();
+        let mut of_solutions: FxHashMap<Id, Vec<(u32, Id)>> = FxHashMap::default();
         contributions.insert(root, vec![(NumberId::ONE, Id::ONE)]);
         for &id in dependence.order.iter().rev() {
             if !dependence.is_active(id) {
+                continue;
+            }
+            if let Some(adjoints) = of_solutions.remove(&id) {
+                for (part, share) in self.system_adjoints(id, &adjoints)? {
+                    if dependence.is_active(part) && share != Id::ZERO {
+                        contributions.entry(part).or_default().push((NumberId::ONE, share));
+                    }
+                }
                 continue;
             }
             let Some(terms) = contributions.remove(&id) else { continue };
@@ -288,6 +308,10 @@ impl Graph {
             }
             if self.is_variable(id) {
                 result.insert(self.value(id), adjoint);
+            }
+            if let View::Solution(system, index) = self.view(id) {
+                of_solutions.entry(system).or_default().push((index, adjoint));
+                continue;
             }
             for (k, child) in self.children(id).into_iter().enumerate() {
                 if dependence.is_active(child) {

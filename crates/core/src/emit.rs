@@ -31,6 +31,7 @@ pub(crate) struct Emitter {
     pub needs: Vec<u32>,
     written: FxHashMap<Instruction, Operand>,
     constants: FxHashMap<u64, u32>,
+    factorized: FxHashMap<Vec<Operand>, Operand>,
 }
 
 impl Emitter {
@@ -124,11 +125,16 @@ impl Emitter {
         result
     }
 
-    /// A matrix to be factorised.
+    /// A matrix to be factorised, once.
     pub fn factor(&mut self, size: usize, entries: Vec<Operand>) -> Operand {
+        if let Some(&known) = self.factorized.get(&entries) {
+            return known;
+        }
         let needs = self.need_of_all(&entries);
-        self.tape.factorizations.push(Factorization { size, entries });
-        self.append(Instruction::Factor(self.tape.factorizations.len() as u32 - 1), needs)
+        self.tape.factorizations.push(Factorization { size, entries: entries.clone() });
+        let result = self.append(Instruction::Factor(self.tape.factorizations.len() as u32 - 1), needs);
+        self.factorized.insert(entries, result);
+        result
     }
 
     /// A linear system to be solved.
@@ -136,6 +142,11 @@ impl Emitter {
         let needs = self.need_of_all(&right);
         self.tape.solutions.push(Solution { factorization, right });
         self.append(Instruction::Solve(self.tape.solutions.len() as u32 - 1), needs)
+    }
+
+    /// A component of a solution.
+    pub fn component(&mut self, solution: Operand, index: u32) -> Signed {
+        Signed::plus(self.write(Instruction::Component(solution, index)))
     }
 
     /// What a list holds at a time: its entries live until all are there, however many they are.

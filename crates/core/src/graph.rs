@@ -41,6 +41,8 @@ pub struct Graph {
     pub(crate) plain_values: FxHashMap<Element, NumberId>,
     /// Points of the circle of arguments seen before; a cache, derived from the graph alone.
     pub(crate) angles: FxHashMap<Id, Circle>,
+    /// Values of solutions of linear systems; a cache, derived from the graph alone.
+    pub(crate) solutions: FxHashMap<Id, Vec<Element>>,
     /// The classes of the derivation in progress, if there is one.
     pub(crate) classes: Option<Box<Classes>>,
 }
@@ -111,6 +113,12 @@ impl Graph {
             Kind::Sum => View::Sum(Terms(words)),
             Kind::Product => View::Product(Factors(words)),
             Kind::Function(function) => View::Function(function, Ids(words)),
+            Kind::LinearSystem => {
+                let n = words.len().isqrt();
+                let (matrix, right) = words.split_at(n * n);
+                View::LinearSystem { matrix: Ids(matrix), right: Ids(right) }
+            }
+            Kind::Solution => View::Solution(Id(words[0]), words[1]),
         }
     }
 
@@ -143,7 +151,8 @@ impl Graph {
     pub fn push_children(&self, id: Id, out: &mut Vec<Id>) {
         match self.view(id) {
             View::Application { args, .. } | View::Function(_, args) => out.extend(args.iter()),
-            View::Scale(_, child) => out.push(child),
+            View::Scale(_, child) | View::Solution(child, _) => out.push(child),
+            View::LinearSystem { matrix, right } => out.extend(matrix.iter().chain(right.iter())),
             View::Sum(terms) => out.extend(terms.iter().map(|(_, node)| node)),
             View::Product(factors) => out.extend(factors.iter().map(|(node, _)| node)),
             View::Number(_) | View::Pi | View::Time | View::Symbol(..) | View::TimeFunction(..) => {}

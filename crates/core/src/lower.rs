@@ -1,17 +1,19 @@
 //! Lowering: expressions to the straight-line code of a tape.
 //!
 //! Every value is computed once, whatever forms it has. Signs travel with the values and end in
-//! subtractions; constants are folded; the negative exponents of a product end in one division.
+//! subtractions; constants are folded; the negative exponents of a product end in one division, and products
+//! with one and the same divisor share its reciprocal.
 
-use rustc_hash::FxHashMap;
+use rustc_hash::{FxHashMap, FxHashSet};
 use std::cmp::Reverse;
 
+use crate::divisor::{lone_divisor, shared_divisors};
 use crate::emit::{Emitter, Signed};
 use crate::error::Error;
 use crate::field::Element;
 use crate::function::Function;
 use crate::graph::Graph;
-use crate::node::{Factors, Id, Ids, Kind, Terms, View};
+use crate::node::{Factors, Id, Ids, Kind, NumberId, Terms, View};
 use crate::schedule::schedule;
 use crate::sign::absorb_signs;
 use crate::tape::{Instruction, Operand, Tape};
@@ -30,6 +32,7 @@ impl Graph {
     pub fn tape(&self, inputs: &[Id], outputs: &[Id]) -> Result<Tape, Error> {
         let mut lowering = Lowering::new(self, inputs)?;
         let order = self.post_order_where(outputs, |id| !lowering.is_input(id));
+        lowering.shared_divisors = shared_divisors(self, &order, |base| self.value(base));
         for id in order {
             if !lowering.knows(id) {
                 let Some(value) = lowering.lower(id) else {
@@ -72,6 +75,10 @@ struct Lowering<'a> {
     /// What is computed, by value up to sign.
     known: FxHashMap<Element, Signed>,
     inputs: FxHashMap<Element, u32>,
+    /// Bases, by value, and negative exponents.
+    shared_divisors: FxHashSet<(Element, NumberId)>,
+    /// Linear systems, by value.
+    systems: FxHashMap<Element, Operand>,
     code: Emitter,
 }
 
@@ -81,6 +88,8 @@ impl<'a> Lowering<'a> {
             graph,
             known: FxHashMap::default(),
             inputs: FxHashMap::default(),
+            shared_divisors: FxHashSet::default(),
+            systems: FxHashMap::default(),
             code: Emitter::default(),
         };
         for (&input, position) in inputs.iter().zip(0..) {
@@ -136,6 +145,15 @@ impl<'a> Lowering<'a> {
             View::Sum(terms) => self.sum(terms),
             View::Product(factors) => self.product(factors),
             View::Function(function, args) => self.call(function, args),
+            View::LinearSystem { matrix, right } => {
+                let system = self.linear_system(matrix, right);
+                self.systems.insert(self.graph.value(id), system);
+                Signed::plus(system)
+            }
+            View::Solution(system, index) => {
+                let system = *self.systems.get(&self.graph.value(system))?;
+                self.code.component(system, index)
+            }
         })
     }
 
@@ -182,6 +200,13 @@ impl<'a> Lowering<'a> {
             };
             quotient.push(power, self.code.number_in(power), exponent.is_negative());
         }
+        let shared = lone_divisor(self.graph, factors)
+            .is_some_and(|(base, e)| self.shared_divisors.contains(&(self.graph.value(base), e)));
+        if shared && let [divisor] = quotient.below[..] {
+            let one = self.code.constant(1.0);
+            quotient.above.push(self.code.divide(one, divisor));
+            quotient.below.clear();
+        }
         self.quotient(quotient)
     }
 
@@ -200,6 +225,14 @@ impl<'a> Lowering<'a> {
                 code.multiply(constant, quotient)
             }
         }
+    }
+
+    /// Solutions that share a matrix share its factorisation.
+    fn linear_system(&mut self, matrix: Ids, right: Ids) -> Operand {
+        let matrix: Vec<Operand> = matrix.iter().map(|entry| self.output(entry)).collect();
+        let right: Vec<Operand> = right.iter().map(|entry| self.output(entry)).collect();
+        let factorization = self.code.factor(right.len(), matrix);
+        self.code.solve(factorization, right)
     }
 
     fn call(&mut self, function: Function, args: Ids) -> Signed {

@@ -51,6 +51,10 @@ pub(crate) enum Kind {
     Sum,
     Product,
     Function(Function),
+    /// Words: the matrix row by row, then the right side. Not a number: only `Solution` may refer to it.
+    LinearSystem,
+    /// Words: the linear system, the index of the component.
+    Solution,
 }
 
 /// A node with its parts.
@@ -83,6 +87,15 @@ pub enum View<'a> {
     Product(Factors<'a>),
     /// A function of the table.
     Function(Function, Ids<'a>),
+    /// A linear system A x = b: no value by itself, a part of its solutions.
+    LinearSystem {
+        /// The entries of A, row by row.
+        matrix: Ids<'a>,
+        /// The entries of b.
+        right: Ids<'a>,
+    },
+    /// A component of the solution of a linear system.
+    Solution(Id, u32),
 }
 
 /// Child nodes.

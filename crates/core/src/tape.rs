@@ -3,7 +3,7 @@
 //! An instruction defines one value and refers to earlier ones (static single assignment). The order keeps
 //! live ranges short, and [`Tape::registers`] maps the values onto few registers.
 
-use crate::cost::Cost;
+use crate::cost::{Cost, factoring, solving};
 use crate::function::Function;
 
 /// Where an instruction takes an argument from.
@@ -171,19 +171,6 @@ pub struct Registers {
     pub of: Vec<u32>,
     /// How many registers there are.
     pub count: usize,
-}
-
-/// The operations of an elimination: a reciprocal, a column of multipliers and an update for each pivot.
-const fn factoring(n: usize) -> Cost {
-    let n = n as u64;
-    let (multipliers, updates) = (n * (n - 1) / 2, n * (n - 1) * (2 * n - 1) / 6);
-    Cost { additions: updates, multiplications: multipliers + updates, divisions: n, functions: 0 }
-}
-
-/// The operations of two substitutions.
-const fn solving(n: usize) -> Cost {
-    let n = n as u64;
-    Cost { additions: n * (n - 1), multiplications: n * n, divisions: 0, functions: 0 }
 }
 
 impl Tape {

@@ -70,6 +70,15 @@ impl Graph {
                 let args: Vec<Id> = args.iter().map(|arg| map(self, arg)).collect();
                 self.apply(function, &args)
             }
+            View::LinearSystem { matrix, right } => {
+                let matrix: Vec<Id> = matrix.iter().map(|entry| map(self, entry)).collect();
+                let right: Vec<Id> = right.iter().map(|entry| map(self, entry)).collect();
+                self.linear_system(&matrix, &right)
+            }
+            View::Solution(system, index) => {
+                let system = map(self, system);
+                Ok(self.solution(system, index))
+            }
         }
     }
 }

@@ -221,7 +221,7 @@ impl Expr {
         PyBytes::new(py, &[a.to_le_bytes(), b.to_le_bytes()].concat())
     }
 
-    /// What the node is: number, constant, symbol, `time_function`, application, sum, product, power, function.
+    /// What the node is: number, constant, symbol, `time_function`, application, sum, product, power, function, solution.
     #[getter]
     fn kind(&self) -> &'static str {
         with_forms(|graph| match graph.view(self.0) {
@@ -235,6 +235,7 @@ impl Expr {
             View::Product(_) | View::Scale(..) => "product",
             View::Function(Function::Power, _) => "power",
             View::Function(..) => "function",
+            View::Solution(..) | View::LinearSystem { .. } => "solution",
         })
     }
 
@@ -426,6 +427,11 @@ fn parts(graph: &mut Graph, id: Id) -> Result<Vec<Id>, Error> {
             return Ok(vec![graph.number(&number), child]);
         }
         View::Product(factors) => factors.iter().collect(),
+        // The system is no expression: its parts follow the number of the component.
+        View::Solution(system, index) => {
+            let parts = graph.children(system);
+            return Ok(std::iter::once(graph.integer(i64::from(index))).chain(parts).collect());
+        }
         _ => return Ok(graph.children(id)),
     };
     if let [(base, exponent)] = factors[..] {

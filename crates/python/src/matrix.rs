@@ -51,9 +51,22 @@ fn solve<'py>(
     tuple(py, raise(py, with_graph(|graph| graph.solve(&equations, &unknowns)))?)
 }
 
+/// The solution of A x = b, A given row by row: solved at run time, by pivoting.
+#[pyfunction]
+fn linear_solve<'py>(
+    py: Python<'py>,
+    matrix: &Bound<'py, PyAny>,
+    right: &Bound<'py, PyAny>,
+) -> PyResult<Bound<'py, PyTuple>> {
+    let matrix = operands(matrix, "linear_solve, matrix")?;
+    let right = operands(right, "linear_solve, right side")?;
+    tuple(py, raise(py, with_graph(|graph| graph.linear_solve(&matrix, &right)))?)
+}
+
 pub fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(matrix_product, module)?)?;
     module.add_function(wrap_pyfunction!(determinant, module)?)?;
     module.add_function(wrap_pyfunction!(inverse, module)?)?;
+    module.add_function(wrap_pyfunction!(linear_solve, module)?)?;
     module.add_function(wrap_pyfunction!(solve, module)?)
 }

@@ -130,7 +130,7 @@ impl Tape {
 }
 
 impl Tape {
-    const fn place(&self, operand: Operand) -> u32 {
+    fn place(&self, operand: Operand) -> u32 {
         let tape = &self.staged.tape;
         let first_input = tape.constants.len() as u32;
         match operand {

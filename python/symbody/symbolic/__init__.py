@@ -44,6 +44,7 @@ from symbody.symbolic.leaves import (
     symbols,
     t,
 )
+from symbody.symbolic.linear_solve import linear_solve
 from symbody.symbolic.matrix import Matrix, identity, zeros
 from symbody.symbolic.parse import parse
 from symbody.symbolic.printing import latex, listing, maple
@@ -108,6 +109,7 @@ __all__ = [
     "jacobian",
     "lambdify",
     "latex",
+    "linear_solve",
     "listing",
     "log",
     "maple",

@@ -8,6 +8,7 @@ from typing import Any, TypeAlias
 
 from symbody.symbolic import _core
 from symbody.symbolic._core import Expr
+from symbody.symbolic.linear_solution import linear_solution
 from symbody.symbolic.traverse import post_order
 
 __all__ = ["Encoded", "decode", "encode", "reduced"]
@@ -76,6 +77,8 @@ def _node(kind: str, parts: list[Expr], data: tuple[Any, ...]) -> Expr:
             return base**exponent
         case "function":
             return _core.apply(data[0], parts)
+        case "solution":
+            return linear_solution(*parts)
         case "application":
             name, orders = data
             return _core.application(name, parts, orders)

@@ -29,9 +29,11 @@ __all__ = [
 ExprLike: TypeAlias = Expr | int | float
 
 #: Names that print as something else.
-_TAKEN = {"t": "time, symbody.t", "pi": "the circle constant, symbody.pi"} | {
-    name: f"the function symbody.{name}" for name in (*_core.function_names(), "sqrt") if name != "Power"
-}
+_TAKEN = (
+    {"t": "time, symbody.t", "pi": "the circle constant, symbody.pi"}
+    | {name: f"the function symbody.{name}" for name in (*_core.function_names(), "sqrt") if name != "Power"}
+    | {"linear_solution": "a component of a solution, symbody.linear_solve"}
+)
 _NAME = re.compile(r"[^\W\d]\w*")
 
 t: Expr = _core.time()

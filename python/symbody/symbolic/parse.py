@@ -20,6 +20,7 @@ from symbody.symbolic.arguments import described
 from symbody.symbolic.calculus import time_derivative
 from symbody.symbolic.functions import sqrt
 from symbody.symbolic.leaves import ExprLike, UndefinedFunction, pi, t
+from symbody.symbolic.linear_solution import linear_solution
 
 __all__ = ["parse"]
 
@@ -211,6 +212,8 @@ class _Builder(Transformer_NonRecursive[Token, Expr]):
             return _differentiated(token, *args)
         if name == "sqrt" and len(args) == 1:
             return sqrt(args[0])
+        if name == "linear_solution":
+            return linear_solution(*args)
         name = _SPELLINGS.get(name, name)
         return _core.apply(name, args) if name in _FUNCTIONS else _core.application(name, args)
 

@@ -111,6 +111,11 @@ class _ToSympy:
                 return sympy.Pow(*args)
             case "application":
                 return self._application(e, args)
+            case "solution":
+                raise ExpressionError(
+                    "to_sympy: the expression holds the solution of a linear system, which has no counterpart in "
+                    "SymPy; solve the system there, or evaluate it with lambdify"
+                )
             case "function":
                 return self._piecewise(args) if e.name == "Piecewise" else getattr(sympy, e.name)(*args)
             case _:

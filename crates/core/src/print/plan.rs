@@ -133,7 +133,10 @@ impl Plan {
 }
 
 fn may_be_named(graph: &Graph, id: Id) -> bool {
-    matches!(graph.view(id), View::Sum(_) | View::Product(_) | View::Function(..) | View::Application { .. })
+    matches!(
+        graph.view(id),
+        View::Sum(_) | View::Product(_) | View::Function(..) | View::Application { .. } | View::Solution(..)
+    )
 }
 
 /// The leaves of the unfolded tree, saturating: a shared graph has exponentially many.
@@ -158,7 +161,7 @@ fn uses(graph: &Graph, order: &[Id], roots: &[Id]) -> FxHashMap<Id, usize> {
     let mut children = Vec::new();
     for &id in order.iter().rev() {
         let times = match graph.view(id) {
-            View::Scale(..) => uses.get(&id).copied().unwrap_or(1),
+            View::Scale(..) | View::LinearSystem { .. } => uses.get(&id).copied().unwrap_or(1),
             _ => 1,
         };
         children.clear();

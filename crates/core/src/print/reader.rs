@@ -81,7 +81,20 @@ impl<'a> Reader<'a> {
                 }
                 Sum::atom(Base::Function(function, args))
             }
+            View::Solution(system, index) => self.solution(system, index),
+            View::LinearSystem { .. } => {
+                Sum::atom(Base::Symbol(String::from("linear_system"), Assumption::Real))
+            }
         }
+    }
+
+    /// linear_solution(i, a11, a12, ..., b1, b2, ...)
+    fn solution(&self, system: Id, index: u32) -> Sum {
+        let index = Sum::number(Number::integer(i64::from(index)));
+        let parts = self.graph.children(system).into_iter().map(|part| self.expression(part));
+        let args: Vec<Sum> = std::iter::once(index).chain(parts).collect();
+        let orders = vec![0; args.len()];
+        Sum::atom(Base::Application { name: String::from("linear_solution"), args, orders })
     }
 
     fn arguments(&self, args: Ids<'_>) -> Vec<Sum> {

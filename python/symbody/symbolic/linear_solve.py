@@ -1,0 +1,46 @@
+"""Linear systems that are solved at run time: opaque values with a known derivative."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from symbody.errors import ExpressionError
+from symbody.symbolic import _core
+from symbody.symbolic._core import Expr
+from symbody.symbolic.leaves import ExprLike
+from symbody.symbolic.matrix import Matrix
+
+__all__ = ["linear_solve"]
+
+
+def linear_solve(
+    matrix: Matrix | Sequence[Sequence[ExprLike]], right: Sequence[ExprLike]
+) -> tuple[Expr, ...]:
+    """Return the solution x of ``A x = b`` as values that are computed at run time, by elimination with pivoting.
+
+    No symbolic pivot can vanish: the pivots are chosen among the numbers. Where A is singular, x is the solution of
+    least norm (of least squares where there is none). The derivative is ``dx = A^-1 (db - dA x)``, right where
+    the rank of A is constant. Solutions with one matrix share its factorisation.
+
+    Args:
+        matrix: A, n x n.
+        right: b, n entries.
+
+    Raises:
+        ExpressionError: the matrix isn't square, or has another number of rows than b.
+
+    >>> from symbody import Matrix, linear_solve, symbols
+    >>> a, b, c = symbols("a b c")
+    >>> x, y = linear_solve(Matrix([[a, b], [b, -a]]), [c, 0])
+    >>> a * x + b * y == c
+    True
+    >>> x == a * c / (a**2 + b**2)
+    True
+    """
+    square = matrix if isinstance(matrix, Matrix) else Matrix(matrix)
+    if square.rows != square.columns or square.rows != len(right):
+        raise ExpressionError(
+            f"linear_solve: the matrix is {square.rows}x{square.columns} and the right side has {len(right)} entries; "
+            "expected a square matrix and as many entries as it has rows"
+        )
+    return _core.linear_solve(square.entries, list(right))
