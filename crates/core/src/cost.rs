@@ -3,7 +3,6 @@
 use rustc_hash::{FxHashMap, FxHashSet};
 use std::ops::AddAssign;
 
-use crate::divisor::{lone_divisor, shared_divisors};
 use crate::function::Function;
 use crate::graph::Graph;
 use crate::node::{Factors, Id, NumberId, Terms, View};
@@ -15,7 +14,7 @@ pub struct Cost {
     pub additions: u64,
     /// Products; an integer power counts as its repeated squaring.
     pub multiplications: u64,
-    /// Divisions; all divisors of one product share one, and products with one and the same divisor its reciprocal.
+    /// Divisions; all divisors of one product share one.
     pub divisions: u64,
     /// Functions and roots.
     pub functions: u64,
@@ -45,13 +44,23 @@ impl Graph {
     /// The operations that evaluate the roots together, each node once.
     #[must_use]
     pub fn cost(&self, roots: &[Id]) -> Cost {
+        let mut total = Cost::default();
+        for cost in self.cost_by_level(roots) {
+            total += cost;
+        }
+        total
+    }
+
+    /// The same, by what the operations depend on: parameters alone, time and positions, speeds, accelerations.
+    #[must_use]
+    pub fn cost_by_level(&self, roots: &[Id]) -> [Cost; 4] {
         let order = self.post_order_where(roots, |id| !self.is_constant(id));
         let mut count = Count::shared(self, roots, &order);
-        let mut cost = Cost::default();
+        let mut costs = [Cost::default(); 4];
         for &id in &order {
-            cost += count.of_node(id);
+            costs[usize::from(self.flags(id).level())] += count.of_node(id);
         }
-        cost
+        costs
     }
 
     /// The operations that evaluate the roots as they are written, shared parts again at each use.
@@ -83,24 +92,13 @@ struct Count<'g> {
     uses: Option<FxHashMap<Id, u32>>,
     /// Powers counted so far: products share them as they share nodes.
     powers: FxHashSet<(Id, NumberId)>,
-    /// Divisors of several products: one reciprocal, counted with the first of them, serves all.
-    shared_divisors: FxHashSet<(Id, NumberId)>,
-    /// Those whose reciprocal has been counted.
-    reciprocals: FxHashSet<(Id, NumberId)>,
     /// Matrices factorised so far: the systems that have one share it.
     matrices: FxHashSet<Vec<Id>>,
 }
 
 impl<'g> Count<'g> {
     fn tree(graph: &'g Graph) -> Self {
-        Self {
-            graph,
-            uses: None,
-            powers: FxHashSet::default(),
-            shared_divisors: FxHashSet::default(),
-            reciprocals: FxHashSet::default(),
-            matrices: FxHashSet::default(),
-        }
+        Self { graph, uses: None, powers: FxHashSet::default(), matrices: FxHashSet::default() }
     }
 
     fn shared(graph: &'g Graph, roots: &[Id], order: &[Id]) -> Self {
@@ -112,15 +110,7 @@ impl<'g> Count<'g> {
         for child in children {
             *uses.entry(child).or_default() += 1;
         }
-        let shared_divisors = shared_divisors(graph, order, |id| id);
-        Self {
-            graph,
-            uses: Some(uses),
-            powers: FxHashSet::default(),
-            shared_divisors,
-            reciprocals: FxHashSet::default(),
-            matrices: FxHashSet::default(),
-        }
+        Self { graph, uses: Some(uses), powers: FxHashSet::default(), matrices: FxHashSet::default() }
     }
 
     fn used_once(&self, id: Id) -> bool {
@@ -229,16 +219,6 @@ impl<'g> Count<'g> {
             }
         }
         above += u64::from(constant);
-        if let Some(divisor) = lone_divisor(self.graph, factors)
-            && self.shared_divisors.contains(&divisor)
-        {
-            let first = self.reciprocals.insert(divisor);
-            return Cost {
-                multiplications: cost.multiplications + above,
-                divisions: u64::from(first),
-                ..cost
-            };
-        }
         cost.multiplications += above.saturating_sub(1) + below.saturating_sub(1);
         cost.divisions += u64::from(below > 0);
         cost

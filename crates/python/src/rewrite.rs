@@ -8,12 +8,21 @@ use crate::convert::{mistake, operand, operands};
 use crate::expr::Expr;
 use crate::session::{raise, with_forms};
 
-/// Additions, multiplications, divisions and functions of expressions, on the graph or as trees.
+/// Additions, multiplications, divisions and functions of expressions: on the graph by what they depend on
+/// (parameters alone, time and positions, speeds, accelerations), or as trees in one sum.
 #[pyfunction]
-fn cost(expressions: &Bound<'_, PyAny>, tree: bool) -> PyResult<(u64, u64, u64, u64)> {
+fn cost(expressions: &Bound<'_, PyAny>, tree: bool) -> PyResult<Vec<(u64, u64, u64, u64)>> {
     let roots = operands(expressions, "cost")?;
-    let cost = with_forms(|graph| if tree { graph.tree_cost(&roots) } else { graph.cost(&roots) });
-    Ok((cost.additions, cost.multiplications, cost.divisions, cost.functions))
+    let costs =
+        with_forms(
+            |graph| {
+                if tree { vec![graph.tree_cost(&roots)] } else { graph.cost_by_level(&roots).to_vec() }
+            },
+        );
+    Ok(costs
+        .iter()
+        .map(|cost| (cost.additions, cost.multiplications, cost.divisions, cost.functions))
+        .collect())
 }
 
 /// A rewrite without further arguments, by name.

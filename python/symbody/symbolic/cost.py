@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import TypeAlias
 
 from symbody.errors import ArgumentError
@@ -13,14 +13,22 @@ from symbody.symbolic.leaves import ExprLike
 __all__ = ["Cost", "cost"]
 
 
+_STAGES = ("parameters", "positions", "velocities", "accelerations")
+
+
 @dataclass(frozen=True)
 class Cost:
-    """Operations of an evaluation. Constants are free: they are folded once."""
+    """Operations of an evaluation. Constants are free: they are folded once.
+
+    ``stages`` has the same operations by what they depend on: ``parameters`` alone (done once for all states),
+    ``positions`` (and time), ``velocities`` and ``accelerations``.
+    """
 
     additions: int
     multiplications: int
     divisions: int
     functions: int
+    stages: dict[str, Cost] = field(default_factory=dict, compare=False, repr=False)
 
     @property
     def total(self) -> int:
@@ -48,8 +56,14 @@ def cost(*expressions: Costed, tree: bool = False) -> Cost:
     >>> a, b = symbols("a b")
     >>> print(cost(sin(a + b) * (a + b)))
     1 addition + 1 multiplication + 1 function = 3 operations
+    >>> from symbody import functions_of_time
+    >>> q = functions_of_time("q")
+    >>> print(cost(a * b * sin(q)).stages["parameters"])
+    0 additions + 1 multiplication = 1 operation
     """
-    return Cost(*_core.cost(list(_flat(expressions)), tree))
+    counts = _core.cost(list(_flat(expressions)), tree)
+    stages = {} if tree else {name: Cost(*c) for name, c in zip(_STAGES, counts, strict=True)}
+    return Cost(*map(sum, zip(*counts, strict=True)), stages)
 
 
 def _flat(items: Iterable[Costed]) -> Iterator[ExprLike]:
