@@ -1,19 +1,17 @@
 //! Lowering: expressions to the straight-line code of a tape.
 //!
 //! Every value is computed once, whatever forms it has. Signs travel with the values and end in
-//! subtractions; constants are folded; the negative exponents of a product end in one division, and products
-//! with one and the same divisor share its reciprocal.
+//! subtractions; constants are folded; the negative exponents of a product end in one division.
 
-use rustc_hash::{FxHashMap, FxHashSet};
+use rustc_hash::FxHashMap;
 use std::cmp::Reverse;
 
-use crate::divisor::{lone_divisor, shared_divisors};
 use crate::emit::{Emitter, Signed};
 use crate::error::Error;
 use crate::field::Element;
 use crate::function::Function;
 use crate::graph::Graph;
-use crate::node::{Factors, Id, Ids, Kind, NumberId, Terms, View};
+use crate::node::{Factors, Id, Ids, Kind, Terms, View};
 use crate::schedule::schedule;
 use crate::sign::absorb_signs;
 use crate::tape::{Instruction, Operand, Tape};
@@ -32,7 +30,6 @@ impl Graph {
     pub fn tape(&self, inputs: &[Id], outputs: &[Id]) -> Result<Tape, Error> {
         let mut lowering = Lowering::new(self, inputs)?;
         let order = self.post_order_where(outputs, |id| !lowering.is_input(id));
-        lowering.shared_divisors = shared_divisors(self, &order, |base| self.value(base));
         for id in order {
             if !lowering.knows(id) {
                 let Some(value) = lowering.lower(id) else {
@@ -75,8 +72,6 @@ struct Lowering<'a> {
     /// What is computed, by value up to sign.
     known: FxHashMap<Element, Signed>,
     inputs: FxHashMap<Element, u32>,
-    /// Bases, by value, and negative exponents.
-    shared_divisors: FxHashSet<(Element, NumberId)>,
     /// Linear systems, by value.
     systems: FxHashMap<Element, Operand>,
     code: Emitter,
@@ -88,7 +83,6 @@ impl<'a> Lowering<'a> {
             graph,
             known: FxHashMap::default(),
             inputs: FxHashMap::default(),
-            shared_divisors: FxHashSet::default(),
             systems: FxHashMap::default(),
             code: Emitter::default(),
         };
@@ -199,13 +193,6 @@ impl<'a> Lowering<'a> {
                 }
             };
             quotient.push(power, self.code.number_in(power), exponent.is_negative());
-        }
-        let shared = lone_divisor(self.graph, factors)
-            .is_some_and(|(base, e)| self.shared_divisors.contains(&(self.graph.value(base), e)));
-        if shared && let [divisor] = quotient.below[..] {
-            let one = self.code.constant(1.0);
-            quotient.above.push(self.code.divide(one, divisor));
-            quotient.below.clear();
         }
         self.quotient(quotient)
     }

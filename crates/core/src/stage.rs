@@ -16,22 +16,38 @@ pub struct Staged {
 
 impl Tape {
     /// Sort the instructions by stage, given the stage of each input (of the last one for those that have none).
+    ///
+    /// Where stages are given, divisions become products with reciprocals.
     #[must_use]
     pub fn staged(&self, inputs: &[u8]) -> Staged {
-        let mut stages: Vec<u8> = Vec::with_capacity(self.instructions.len());
-        for position in 0..self.instructions.len() {
-            let stage = |operand: Operand| match operand {
-                Operand::Constant(_) => 0,
-                Operand::Input(input) => inputs.get(input as usize).copied().unwrap_or(0),
-                Operand::Value(value) => stages[value as usize],
-            };
-            let stage = self.reads(position).map(stage).max().unwrap_or(0);
-            stages.push(stage);
+        if inputs.is_empty() {
+            return Staged { tape: self.clone(), stages: vec![0; self.instructions.len()] };
         }
-        let mut sequence: Vec<u32> = (0..self.instructions.len() as u32).collect();
+        let stages = self.stages(inputs);
+        let tape = self.with_reciprocals(|operand| stage_of(operand, inputs, &stages));
+        let mut stages = tape.stages(inputs);
+        let mut sequence: Vec<u32> = (0..tape.instructions.len() as u32).collect();
         sequence.sort_by_key(|&value| stages[value as usize]);
         stages.sort_unstable();
-        Staged { tape: self.reordered(&sequence), stages }
+        Staged { tape: tape.reordered(&sequence), stages }
+    }
+
+    /// The stage of each instruction.
+    fn stages(&self, inputs: &[u8]) -> Vec<u8> {
+        let mut stages: Vec<u8> = Vec::with_capacity(self.instructions.len());
+        for position in 0..self.instructions.len() {
+            let stage = self.reads(position).map(|operand| stage_of(operand, inputs, &stages)).max();
+            stages.push(stage.unwrap_or(0));
+        }
+        stages
+    }
+}
+
+fn stage_of(operand: Operand, inputs: &[u8], values: &[u8]) -> u8 {
+    match operand {
+        Operand::Constant(_) => 0,
+        Operand::Input(input) => inputs.get(input as usize).copied().unwrap_or(0),
+        Operand::Value(value) => values[value as usize],
     }
 }
 
