@@ -150,11 +150,11 @@ def _carried(twist: tuple[Triple, Triple], motion: Motion) -> tuple[Triple, Trip
 
 def _response(joint: _Joint, angular: Triple, linear: Triple) -> Expr:
     """Return ``own - G . a``; first what the joint doesn't move itself, which is then its frame's own new component."""
-    pairs = [*zip(joint.share.moment, angular, joint.spin), *zip(joint.share.force, linear, joint.drift)]
-    pairs.sort(key=lambda pair: not pair[2].is_zero)
+    share = (*joint.share.moment, *joint.share.force)
+    own = (*joint.spin, *joint.drift)
     rate = joint.own
-    for share, acceleration, _ in pairs:
-        rate -= share * acceleration
+    for k in sorted(range(6), key=lambda k: not own[k].is_zero):
+        rate -= share[k] * (*angular, *linear)[k]
     return rate
 
 

@@ -6,7 +6,7 @@ from typing import NamedTuple, TypeAlias
 
 from symbody.geometry.motion import Motion, Rotation
 from symbody.geometry.triple import NULL, Triple, is_null
-from symbody.symbolic import Expr, add3, cos, cross3, dot3, matvec3, matvec3_transposed, scale3, sin, sub3
+from symbody.symbolic import Expr, add3, cos, cross3, matvec3, matvec3_transposed, sin
 
 from .composite_rigid_body import Composite, Tensor, tensor_times, turned_tensor
 from .wrench import Wrench
@@ -74,11 +74,9 @@ class ArticulatedInertia(NamedTuple):
         coupling = tuple(B[3 * i + j] + columns[j][i] for i in range(3) for j in range(3))
         before = [cross3(d, (B[3 * i], B[3 * i + 1], B[3 * i + 2])) for i in range(3)]
         after = [cross3(d, (coupling[3 * i], coupling[3 * i + 1], coupling[3 * i + 2])) for i in range(3)]
-        rotational = tuple(
-            J[k] + (before[i][j] + after[j][i])
-            for k, (i, j) in enumerate(((0, 0), (1, 1), (2, 2), (1, 2), (0, 2), (0, 1)))
-        )
-        return ArticulatedInertia(rotational, coupling, C)
+        places = ((0, 0), (1, 1), (2, 2), (1, 2), (0, 2), (0, 1))
+        xx, yy, zz, yz, xz, xy = (before[i][j] + after[j][i] for i, j in places)
+        return ArticulatedInertia(_sum(J, (xx, yy, zz, yz, xz, xy)), coupling, C)
 
 
 def _sum(a: Tensor, b: Tensor) -> Tensor:

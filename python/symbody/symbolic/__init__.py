@@ -33,6 +33,7 @@ from symbody.symbolic.functions import (
     tanh,
 )
 from symbody.symbolic.lambdify import CompiledFunction, lambdify
+from symbody.symbolic.ldl import ldl_solve
 from symbody.symbolic.leaves import (
     ExprLike,
     UndefinedFunction,
@@ -109,6 +110,7 @@ __all__ = [
     "jacobian",
     "lambdify",
     "latex",
+    "ldl_solve",
     "linear_solve",
     "listing",
     "log",

@@ -19,7 +19,7 @@ def ldl_solve(matrix: Matrix, right: Matrix) -> Matrix: ...
 @overload
 def ldl_solve(matrix: Matrix, right: Sequence[ExprLike]) -> tuple[Expr, ...]: ...
 def ldl_solve(matrix: Matrix, right: Matrix | Sequence[ExprLike]) -> Matrix | tuple[Expr, ...]:
-    """Return x with ``A x = b`` for a symmetric A, as ordinary expressions: ``A = L^T D L`` [Featherstone 2008, sec. 6.5].
+    """Return x with ``A x = b`` for a symmetric A, as expressions, by ``A = L^T D L`` [Featherstone 2008, sec. 6.5].
 
     Rows are eliminated from the last one to the first, unless another order leaves more zeros: the mass matrix of a
     tree keeps all of its zeros. Each pivot is divided by once. Pivots that may become zero as numbers, such as those

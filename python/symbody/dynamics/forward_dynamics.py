@@ -1,0 +1,171 @@
+"""Forward dynamics: the accelerations by positions, speeds and loads, as expressions."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import Annotated, TypeAlias
+
+from symbody.errors import ConstraintError, ModelError
+from symbody.geometry import Scalar
+from symbody.geometry.argument import checked
+from symbody.symbolic import (
+    Expr,
+    Matrix,
+    cost,
+    derivation,
+    ldl_solve,
+    linear_solve,
+    number,
+    substitute,
+    time_derivatives,
+)
+
+from . import articulated_body
+from .equations import Equations
+from .frame_tree import frame_tree
+from .newton_euler import at_rest
+
+Damping: TypeAlias = Annotated[
+    tuple[Scalar, Scalar] | None,
+    "the frequency and the damping ratio of Baumgarte's stabilisation, (omega, zeta)",
+]
+Speeds: TypeAlias = Annotated[Sequence[Expr], "a list of speeds, such as time_derivative(x)"]
+
+
+@dataclass(frozen=True)
+class ForwardDynamics:
+    """What a motion does next.
+
+    Attributes:
+        accelerations: the second rates of the coordinates, in their order.
+        multipliers: the multipliers, in the order of the constraints.
+        method: how they were found.
+    """
+
+    accelerations: tuple[Expr, ...]
+    multipliers: tuple[Expr, ...]
+    method: str
+
+
+@checked(ModelError)
+def forward_dynamics(eqs: Equations, *, method: str = "auto", baumgarte: Damping = None) -> ForwardDynamics:
+    """Return the accelerations and multipliers that solve ``M q'' = forcing + phi_q^T lambda`` and ``phi'' = 0``.
+
+    Args:
+        eqs: the equations of motion.
+        method: "articulated_body", a recursion whose length is proportional to the number of bodies, for a tree
+            whose every coordinate drives one motion; "ldl", elimination in the mass matrix, for unconstrained
+            equations; "pivoted", a linear system that is solved at run time, for any; "auto", the shortest.
+        baumgarte: omega and zeta of ``phi'' + 2 zeta omega phi' + omega^2 phi = 0``, which keeps the constraints.
+
+    Raises:
+        ModelError: the method isn't for these equations, or a coordinate moves no mass.
+
+    >>> from symbody import Body, Force, System, functions_of_time, ground, newton_euler, symbols, translate
+    >>> x, (m, F) = functions_of_time("x"), symbols("m F")
+    >>> body = Body(translate(x, 0, 0), m)
+    >>> push = Force(ground, F, 0, 0, at=body.center_of_mass, on=body)
+    >>> forward_dynamics(newton_euler(System([body], [push], [x]))).accelerations
+    (F/m,)
+    """
+    if method not in ("auto", *_METHODS):
+        raise ModelError(
+            f"forward_dynamics: the method {method!r}; expected one of {', '.join(('auto', *_METHODS))}"
+        )
+    if baumgarte is not None and not eqs.constraints:
+        raise ModelError("forward_dynamics: Baumgarte's stabilisation of no constraints; leave baumgarte out")
+    names = _applicable(eqs) if method == "auto" else (method,)
+    found = [_METHODS[name](eqs, baumgarte) for name in names]
+    return min(found, key=lambda result: cost(result.accelerations).total)
+
+
+def _applicable(eqs: Equations) -> tuple[str, ...]:
+    if eqs.constraints or eqs.mass_matrix != eqs.mass_matrix.T:
+        return ("pivoted",)
+    with derivation(fresh=True):
+        tree = frame_tree(eqs.system)
+        recursive = articulated_body.is_applicable(eqs.system, tree)
+    return ("articulated_body", "ldl") if recursive else ("ldl",)
+
+
+def _articulated_body(eqs: Equations, _: Damping) -> ForwardDynamics:
+    with derivation(fresh=True):
+        tree = frame_tree(eqs.system)
+        if not articulated_body.is_applicable(eqs.system, tree):
+            raise ModelError(
+                "forward_dynamics: the articulated-body recursion is for trees without constraints, each coordinate "
+                "of which drives one rigid motion alone, and loads without accelerations; use method='auto'"
+            )
+        return ForwardDynamics(articulated_body.accelerations(eqs.system, tree), (), "articulated_body")
+
+
+def _ldl(eqs: Equations, _: Damping) -> ForwardDynamics:
+    M = eqs.mass_matrix
+    if eqs.constraints or M != M.T:
+        raise ModelError(
+            "forward_dynamics: elimination without pivoting is for symmetric mass matrices and no constraints; "
+            "use method='pivoted'"
+        )
+    with derivation(fresh=True):
+        return ForwardDynamics(ldl_solve(M, eqs.forcing), (), "ldl")
+
+
+def _pivoted(eqs: Equations, baumgarte: Damping) -> ForwardDynamics:
+    """Solve ``[[M, -phi_q^T], [phi_q, 0]] (q'', lambda) = (forcing, -bias of phi'')``."""
+    n, m = len(eqs.coordinates), len(eqs.constraints)
+    J, M = eqs.constraint_jacobian, eqs.mass_matrix
+    omega, zeta = baumgarte or (0, 0)
+    with derivation(fresh=True):
+        upper = [[*M.row(i), *(-J[k, i] for k in range(m))] for i in range(n)]
+        lower = [[*J.row(k), *[number(0)] * m] for k in range(m)]
+        bias = substitute(eqs.baumgarte(omega, zeta), at_rest(eqs.system)) if m else ()
+        solution = linear_solve(Matrix([*upper, *lower]), [*eqs.forcing, *(-entry for entry in bias)])
+    return ForwardDynamics(solution[:n], solution[n:], "pivoted")
+
+
+_METHODS: dict[str, Callable[[Equations, Damping], ForwardDynamics]] = {
+    "articulated_body": _articulated_body,
+    "ldl": _ldl,
+    "pivoted": _pivoted,
+}
+
+
+@checked(ModelError)
+def dependent_speeds(eqs: Equations, dependent: Speeds) -> dict[Expr, Expr]:
+    """Return the dependent speeds by the others, from ``phi' = 0``, as values that are computed at run time.
+
+    Args:
+        eqs: the equations of motion.
+        dependent: as many speeds as there are constraints; the others are independent.
+
+    Raises:
+        ConstraintError: too few or too many, or the constraints leave them undetermined.
+
+    >>> from symbody import Body, System, functions_of_time, newton_euler, symbols, time_derivative, translate
+    >>> (x, y), (m, l) = functions_of_time("x y"), symbols("m l")
+    >>> circle = System([Body(translate(x, y, 0), m)], coordinates=[x, y], constraints=[x**2 + y**2 - l**2])
+    >>> speed = time_derivative(y)
+    >>> dependent_speeds(newton_euler(circle), [speed])[speed] == -x * time_derivative(x) / y
+    True
+    """
+    columns = [_column(eqs, speed) for speed in dependent]
+    if len(set(columns)) != len(eqs.constraints) or len(columns) != len(eqs.constraints):
+        raise ConstraintError(
+            f"dependent_speeds: {len(set(columns))} speeds, {len(eqs.constraints)} constraints; expected one speed a "
+            "constraint"
+        )
+    with derivation(fresh=True):
+        rates = substitute(time_derivatives(eqs.constraints), dict.fromkeys(dependent, 0))
+        J = eqs.constraint_jacobian
+        matrix = Matrix([[J[k, column] for column in columns] for k in range(len(columns))])
+        values = linear_solve(matrix, [-rate for rate in rates])
+    return dict(zip(dependent, values, strict=True))
+
+
+def _column(eqs: Equations, speed: Expr) -> int:
+    if speed not in eqs.speeds:
+        raise ConstraintError(
+            f"dependent_speeds: {speed} is no speed; expected some of {', '.join(map(str, eqs.speeds))}"
+        )
+    return eqs.speeds.index(speed)
