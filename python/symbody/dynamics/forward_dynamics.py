@@ -6,7 +6,7 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Annotated, TypeAlias
 
-from symbody.errors import ConstraintError, ModelError
+from symbody.errors import ConstraintError, ExpressionError, ModelError
 from symbody.geometry import Scalar
 from symbody.geometry.argument import checked
 from symbody.symbolic import (
@@ -75,8 +75,20 @@ def forward_dynamics(eqs: Equations, *, method: str = "auto", baumgarte: Damping
         )
     if baumgarte is not None and not eqs.constraints:
         raise ModelError("forward_dynamics: Baumgarte's stabilisation of no constraints; leave baumgarte out")
-    names = _applicable(eqs) if method == "auto" else (method,)
-    found = [_METHODS[name](eqs, baumgarte) for name in names]
+    return _METHODS[method](eqs, baumgarte) if method != "auto" else _shortest(eqs, baumgarte)
+
+
+def _shortest(eqs: Equations, baumgarte: Damping) -> ForwardDynamics:
+    """Return the shortest of what the applicable methods find; one of them may meet a pivot that is zero."""
+    found: list[ForwardDynamics] = []
+    failures: list[ModelError] = []
+    for name in _applicable(eqs):
+        try:
+            found.append(_METHODS[name](eqs, baumgarte))
+        except ModelError as failure:
+            failures.append(failure)
+    if not found:
+        raise failures[0]
     return min(found, key=lambda result: cost(result.accelerations).total)
 
 
@@ -108,7 +120,14 @@ def _ldl(eqs: Equations, _: Damping) -> ForwardDynamics:
             "use method='pivoted'"
         )
     with derivation(fresh=True):
-        return ForwardDynamics(ldl_solve(M, eqs.forcing), (), "ldl")
+        try:
+            return ForwardDynamics(ldl_solve(M, eqs.forcing), (), "ldl")
+        except ExpressionError as failure:
+            names = ", ".join(map(str, eqs.coordinates))
+            raise ModelError(
+                f"forward_dynamics: the mass matrix of {names}: {failure}; give every coordinate some mass to move, or "
+                "use method='pivoted'"
+            ) from failure
 
 
 def _pivoted(eqs: Equations, baumgarte: Damping) -> ForwardDynamics:
