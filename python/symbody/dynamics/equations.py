@@ -5,15 +5,20 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property
+from typing import TYPE_CHECKING
 
 from symbody.errors import ModelError
 from symbody.geometry import Scalar
 from symbody.geometry.argument import checked
 from symbody.multibody import System
-from symbody.symbolic import Expr, Matrix, listing, time_derivative
+from symbody.symbolic import Expr, Matrix, Program, listing, time_derivative
 
 from .baumgarte import stabilized
 from .constraint import constraint_jacobian
+
+if TYPE_CHECKING:
+    from .forward_dynamics import Damping
+    from .program import Outputs
 
 
 @dataclass(frozen=True)
@@ -118,6 +123,19 @@ class Equations:
             zeta: its damping ratio; 1 is critical.
         """
         return stabilized(self.constraints, omega, zeta)
+
+    def program(
+        self,
+        *,
+        name: str = "model",
+        outputs: Outputs | None = None,
+        baumgarte: Damping = None,
+        method: str = "auto",
+    ) -> Program:
+        """Return the routines of which code is generated; see `symbody.dynamics.program.program`."""
+        from .program import program  # noqa: PLC0415 - a program needs the forward dynamics, which needs equations
+
+        return program(self, name=name, outputs=outputs, baumgarte=baumgarte, method=method)
 
     def __repr__(self) -> str:
         n, m, names = len(self.residuals), len(self.constraints), ", ".join(map(str, self.coordinates))

@@ -1,0 +1,244 @@
+"""Programs of equations of motion: the routines of which code is generated."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from typing import Annotated, TypeAlias
+
+from symbody.errors import ArgumentError, ModelError, ProgramError
+from symbody.geometry import Vector
+from symbody.geometry.argument import checked
+from symbody.multibody import gravitational_energy, kinetic_energy
+from symbody.symbolic import Argument, Expr, ExprLike, Matrix, Program, Result, Routine, number, t
+
+from .equations import Equations
+from .forward_dynamics import Damping, forward_dynamics
+
+Output: TypeAlias = Expr | Vector | Matrix | Sequence[ExprLike]
+Outputs: TypeAlias = Annotated[
+    Mapping[str, Output], "a dictionary of expressions, vectors or matrices by name, such as {'force': k * x}"
+]
+
+_ALWAYS = {
+    "mass_matrix": ("p", "t", "r", "q"),
+    "forcing": ("p", "t", "r", "q", "u"),
+    "residuals": ("p", "t", "r", "q", "u", "a", "lambda_"),
+    "constraints": ("p", "t", "r", "q"),
+    "constraint_jacobian": ("p", "t", "r", "q"),
+    "forward_dynamics": ("p", "t", "r", "q", "u"),
+    "right_hand_side": ("p", "t", "r", "q", "u"),
+    "energies": ("p", "t", "r", "q", "u"),
+    "outputs": ("p", "t", "r", "q", "u"),
+}
+"""What a routine takes whether or not it needs it, so that a model's change doesn't change the calls."""
+
+
+@checked(ModelError)
+def program(
+    eqs: Equations,
+    *,
+    name: str = "model",
+    outputs: Outputs | None = None,
+    baumgarte: Damping = None,
+    method: str = "auto",
+) -> Program:
+    """Return the routines of the equations of motion, of which code is generated.
+
+    Args:
+        eqs: the equations of motion.
+        name: what the generated code is called.
+        outputs: what else the code computes: expressions, vectors or matrices by name.
+        baumgarte: omega and zeta of the stabilisation in the forward dynamics.
+        method: how the forward dynamics is solved; see `forward_dynamics`.
+
+    Returns:
+        A program of the routines mass_matrix, forcing, residuals, constraints, constraint_jacobian, forward_dynamics,
+        right_hand_side, energies and outputs (but those that have nothing to compute). Their arguments are p
+        (parameters), t, r (inputs), q, u (speeds), a (accelerations) and lambda_ (multipliers), in this order.
+
+    Raises:
+        ProgramError: an output isn't a function of these, or a name can't stand in code.
+
+    >>> from symbody import Body, System, Vector, functions_of_time, ground, newton_euler, rotate, symbols, translate
+    >>> theta, (m, l, g) = functions_of_time("theta"), symbols("m l g")
+    >>> bob = Body(rotate("Z", theta) * translate(0, -l, 0), m)
+    >>> pendulum = System([bob], coordinates=[theta], gravity=Vector(ground, 0, -g, 0))
+    >>> model = program(newton_euler(pendulum), name="pendulum")
+    >>> [argument.name for argument in model.arguments]
+    ['p', 'q', 'u', 'a']
+    """
+    routines = [
+        *_equations_of_motion(eqs),
+        *_forward(eqs, method, baumgarte),
+        Routine("energies", "energies of the bodies", (), _energies(eqs)),
+    ]
+    if outputs:
+        _check_time_functions(outputs, eqs, routines)
+        routines.append(Routine("outputs", "what else was asked for", (), _outputs(outputs)))
+    arguments = _arguments(eqs, _leaves(routines))
+    meaning = f"the equations of motion of {', '.join(map(str, eqs.coordinates))}"
+    completed = tuple(_with_arguments(routine, arguments) for routine in routines)
+    return Program(name, meaning, tuple(arguments), completed)
+
+
+def _equations_of_motion(eqs: Equations) -> list[Routine]:
+    n, m = len(eqs.residuals), len(eqs.constraints)
+    routines = [
+        _routine("mass_matrix", "the mass matrix", _matrix("M", eqs.mass_matrix)),
+        _routine(
+            "forcing",
+            "the forces of speeds, weight and loads: M a = f + phi_q^T lambda",
+            _vector("f", eqs.forcing),
+        ),
+        _routine(
+            "residuals",
+            f"the {n} equations of motion: zero along a motion",
+            _vector("residuals", eqs.residuals),
+        ),
+    ]
+    if m:
+        routines.append(
+            _routine("constraints", f"the {m} constraints, which are zero", _vector("phi", eqs.constraints))
+        )
+        jacobian = _matrix("phi_q", eqs.constraint_jacobian)
+        routines.append(_routine("constraint_jacobian", "the derivatives of the constraints by q", jacobian))
+    return routines
+
+
+def _forward(eqs: Equations, method: str, baumgarte: Damping) -> list[Routine]:
+    solution = forward_dynamics(eqs, method=method, baumgarte=baumgarte)
+    found = [_vector("a", solution.accelerations, "the accelerations")]
+    if solution.multipliers:
+        found.append(_vector("lambda_", solution.multipliers, "the multipliers"))
+    rates = _vector(
+        "rates", (*eqs.kinematics.values(), *solution.accelerations), "the rates of q, then those of u"
+    )
+    return [
+        _routine("forward_dynamics", f"the accelerations ({solution.method})", *found),
+        _routine("right_hand_side", "the rates of the state (q, u)", rates),
+    ]
+
+
+def _energies(eqs: Equations) -> tuple[Result, ...]:
+    bodies, gravity = eqs.system.bodies, eqs.system.gravity
+    kinetic = Result("kinetic", "the kinetic energy", (kinetic_energy(bodies),), ())
+    if gravity is None:
+        return (kinetic,)
+    weight = gravitational_energy(bodies, gravity)
+    return kinetic, Result("potential", "the potential energy of weight", (weight,), ())
+
+
+def _outputs(outputs: Mapping[str, Output]) -> tuple[Result, ...]:
+    results = []
+    for name, value in outputs.items():
+        if name in _MEANINGS:
+            raise ProgramError(
+                f"program: the output {name} has the name of an argument, {_MEANINGS[name][0]}; choose another name"
+            )
+        results.append(_result(name, value))
+    return tuple(results)
+
+
+def _result(name: str, value: Output) -> Result:
+    if isinstance(value, Matrix):
+        return _matrix(name, value)
+    if isinstance(value, Vector):
+        return _vector(name, value.components, f"components in {value.frame}")
+    if isinstance(value, Sequence):
+        return _vector(name, [_scalar(name, entry) for entry in value])
+    expression = _scalar(name, value)
+    return Result(name, _shown(expression), (expression,), ())
+
+
+def _scalar(name: str, value: ExprLike) -> Expr:
+    try:
+        return number(value)
+    except ArgumentError as failure:
+        raise ProgramError(
+            f"program: the output {name} is or holds {value!r}; expected an expression, a vector, a matrix or a list of "
+            "expressions"
+        ) from failure
+
+
+def _shown(expression: Expr) -> str:
+    text = str(expression)
+    return text if len(text) <= _SHORT else ""
+
+
+_SHORT = 60
+"""Characters of an expression that a comment may repeat."""
+
+
+def _routine(name: str, meaning: str, *results: Result) -> Routine:
+    return Routine(name, meaning, (), results)
+
+
+def _vector(name: str, values: Sequence[Expr], meaning: str = "") -> Result:
+    return Result(name, meaning, tuple(values), (len(values),))
+
+
+def _matrix(name: str, matrix: Matrix, meaning: str = "") -> Result:
+    return Result(name, meaning, matrix.entries, matrix.shape)
+
+
+_MEANINGS = {
+    "p": ("parameters", "parameters"),
+    "t": ("time", "time and inputs"),
+    "r": ("inputs", "time and inputs"),
+    "q": ("coordinates", "positions"),
+    "u": ("speeds", "velocities"),
+    "a": ("accelerations", "accelerations"),
+    "lambda_": ("multipliers", "accelerations"),
+}
+"""Arguments: what they are, and their stage."""
+
+
+def _arguments(eqs: Equations, leaves: frozenset[Expr]) -> list[Argument]:
+    known = {*eqs.coordinates, *eqs.speeds, *eqs.accelerations, *eqs.multipliers, t}
+    others = sorted(leaves - known, key=_by_name)
+    variables: dict[str, Sequence[Expr]] = {
+        "p": [leaf for leaf in others if not leaf.depends_on_time],
+        "t": [t] if t in leaves else [],
+        "r": [leaf for leaf in others if leaf.depends_on_time],
+        "q": eqs.coordinates,
+        "u": eqs.speeds,
+        "a": eqs.accelerations,
+        "lambda_": eqs.multipliers,
+    }
+    return [
+        Argument(
+            name, f"{_MEANINGS[name][0]}: {', '.join(map(str, values))}", tuple(values), _MEANINGS[name][1]
+        )
+        for name, values in variables.items()
+        if values
+    ]
+
+
+def _by_name(leaf: Expr) -> tuple[str, int]:
+    return leaf.name, leaf.order if leaf.kind == "time_function" else 0
+
+
+def _with_arguments(routine: Routine, arguments: Sequence[Argument]) -> Routine:
+    leaves, always = _leaves([routine]), _ALWAYS[routine.name]
+    names = [a.name for a in arguments if a.name in always or not leaves.isdisjoint(a.variables)]
+    return Routine(routine.name, routine.meaning, tuple(names), routine.results)
+
+
+def _leaves(routines: Iterable[Routine]) -> frozenset[Expr]:
+    expressions = (expression for routine in routines for expression in routine.expressions)
+    return frozenset().union(*(expression.free_symbols for expression in expressions))
+
+
+def _check_time_functions(outputs: Mapping[str, Output], eqs: Equations, routines: Iterable[Routine]) -> None:
+    """Raise an error that names the first output with a function of time that the equations don't know."""
+    known = {*_leaves(routines), *eqs.accelerations, *eqs.multipliers, t}
+    for name, value in outputs.items():
+        strange = {
+            leaf for leaf in _leaves([_routine("outputs", "", _result(name, value))]) if leaf.depends_on_time
+        } - known
+        if strange:
+            first = min(strange, key=_by_name)
+            raise ProgramError(
+                f"program: the output {name} holds {first}, of which the equations of motion know nothing; expected "
+                "an expression of coordinates, speeds, accelerations, multipliers, parameters, inputs and time"
+            )
