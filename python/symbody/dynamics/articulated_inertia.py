@@ -69,14 +69,24 @@ class ArticulatedInertia(NamedTuple):
 
     def displaced(self, d: Triple) -> ArticulatedInertia:
         """Return the inertia after a displacement d: ``B' = B + [d x] C``, ``J' = J - B [d x] + [d x] B'^T``."""
-        J, B, C = self
-        columns = [cross3(d, row) for row in _rows(C)]
-        coupling = tuple(B[3 * i + j] + columns[j][i] for i in range(3) for j in range(3))
-        before = [cross3(d, (B[3 * i], B[3 * i + 1], B[3 * i + 2])) for i in range(3)]
-        after = [cross3(d, (coupling[3 * i], coupling[3 * i + 1], coupling[3 * i + 2])) for i in range(3)]
-        places = ((0, 0), (1, 1), (2, 2), (1, 2), (0, 2), (0, 1))
-        xx, yy, zz, yz, xz, xy = (before[i][j] + after[j][i] for i, j in places)
-        return ArticulatedInertia(_sum(J, (xx, yy, zz, yz, xz, xy)), coupling, C)
+        columns = [cross3(d, row) for row in _rows(self.linear)]
+        coupling = tuple(self.coupling[3 * i + j] + columns[j][i] for i in range(3) for j in range(3))
+        change = _change(d, self.coupling, coupling)
+        return ArticulatedInertia(_sum(self.rotational, change), coupling, self.linear)
+
+
+def _change(d: Triple, before: Nine, after: Nine) -> Tensor:
+    """Return ``-B [d x] + [d x] B'^T``, which is symmetric, with few products."""
+    entries = []
+    for k in range(3):
+        i, j = (k + 1) % 3, (k + 2) % 3
+        ki, kj = (before[3 * k + other] + after[3 * k + other] for other in (i, j))
+        entries.append(d[i] * kj - d[j] * ki)
+    for k in range(3):
+        i, j = (k + 1) % 3, (k + 2) % 3
+        mixed = d[k] * (before[4 * i] - after[4 * j])
+        entries.append(mixed + (d[j] * after[3 * j + k] - d[i] * before[3 * i + k]))
+    return entries[0], entries[1], entries[2], entries[3], entries[4], entries[5]
 
 
 def _sum(a: Tensor, b: Tensor) -> Tensor:

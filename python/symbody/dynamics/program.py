@@ -155,8 +155,8 @@ def _scalar(name: str, value: ExprLike) -> Expr:
         return number(value)
     except ArgumentError as failure:
         raise ProgramError(
-            f"program: the output {name} is or holds {value!r}; expected an expression, a vector, a matrix or a list of "
-            "expressions"
+            f"program: the output {name} is or holds {value!r}; expected an expression, a vector, a matrix or a list "
+            "of expressions"
         ) from failure
 
 
