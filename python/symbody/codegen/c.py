@@ -1,0 +1,232 @@
+"""C99: a header, a source, a self-check and a Makefile."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from symbody.codegen.expression import wrapped
+from symbody.codegen.language import Language, functions, number_text
+from symbody.codegen.linear_systems import factor_size, runtime_text
+from symbody.codegen.module import Array, Function, Module
+from symbody.codegen.printer import block_lines, head, head_of_function, mark
+from symbody.codegen.target import Target
+
+__all__ = ["C"]
+
+_KEYWORDS = """
+auto break case char const continue default do double else enum extern float for goto if inline int long register
+restrict return short signed sizeof static struct switch typedef union unsigned void volatile while
+main errno NULL sin cos tan asin acos atan atan2 sinh cosh tanh exp log log2 log10 sqrt pow fabs floor ceil y0 y1 yn
+j0 j1 jn gamma lgamma tgamma erf erfc fmin fmax fma div abs index signbit isnan isinf isfinite nan round trunc hypot
+sign_of least greatest compare failures printf I
+"""
+
+LANGUAGE = Language(
+    comment=("/*", "*/"),
+    declare="const double {name} = {value};",
+    assign="{place} = {value};",
+    functions=functions(
+        Abs="fabs({})",
+        sign="sign_of({})",
+        Min="least({}, {})",
+        Max="greatest({}, {})",
+        Power="pow({}, {})",
+        select="({} > 0.0 ? {} : {})",
+    ),
+    reserved=frozenset(_KEYWORDS.split()),
+    literal=lambda value: {"inf": "INFINITY", "-inf": "-INFINITY", "nan": "NAN"}.get(
+        repr(value), number_text(value)
+    ),
+    scalar="*{}",
+    factor="symbody_factor({n}, {work});",
+    solve="symbody_solve({n}, {work}, {x});",
+)
+
+_HELPERS = {
+    "sign": "static double sign_of(double x) { return (x > 0.0) - (x < 0.0); }",
+    "Min": "static double least(double a, double b) { return a < b || a != a ? a : b; }",
+    "Max": "static double greatest(double a, double b) { return a > b || a != a ? a : b; }",
+}
+
+
+def _files(module: Module) -> dict[str, str]:
+    return {
+        f"{module.name}.h": _header(module),
+        f"{module.name}.c": _source(module),
+        f"{module.name}_check.c": _check(module),
+        "Makefile": _makefile(module),
+    }
+
+
+def _comment(lines: Sequence[str]) -> list[str]:
+    """Return lines as one comment."""
+    starred = [f" * {line}".rstrip() for line in lines[1:]]
+    return [f"/* {lines[0]}{'' if starred else ' */'}", *starred, *([" */"] if starred else [])]
+
+
+def _parameter(array: Array, *, is_result: bool) -> str:
+    constant = "" if is_result else "const "
+    if array.is_scalar:
+        return f"double *{array.name}" if is_result else f"{constant}double {array.name}"
+    return f"{constant}double {array.name}[{array.size}]"
+
+
+def _signature(module: Module, function: Function) -> str:
+    parameters = [_parameter(a, is_result=False) for a in function.arguments]
+    parameters += [_parameter(r, is_result=True) for r in function.results]
+    return f"void {module.name}_{function.name}({', '.join(parameters)})"
+
+
+def _header(module: Module) -> str:
+    guard = f"{module.name.upper()}_H"
+    title = "Functions of the model; results come last. Matrices are stored row by row."
+    lines = [*_comment(head(module, title, 0)), f"#ifndef {guard}", f"#define {guard}", ""]
+    lines += ["#ifdef __cplusplus", 'extern "C" {', "#endif"]
+    for function in module.functions:
+        lines += ["", *_comment(head_of_function(function)), f"{_signature(module, function)};"]
+    lines += ["", "#ifdef __cplusplus", "}", "#endif", "", "#endif"]
+    return "\n".join(lines) + "\n"
+
+
+def _source(module: Module) -> str:
+    lines = [*_comment([mark(module)]), f'#include "{module.name}.h"', "", "#include <math.h>"]
+    helpers = [text for name, text in _HELPERS.items() if name in module.operations]
+    lines += ["", *helpers] if helpers else []
+    if "factor" in module.operations:
+        lines += ["", runtime_text("linear_solve.c").rstrip()]
+    for function in module.functions:
+        lines += ["", *_function(module, function)]
+    return "\n".join(lines) + "\n"
+
+
+def _function(module: Module, function: Function) -> list[str]:
+    blocks = function.composition.blocks
+    used = frozenset().union(*(block.mentions for block in blocks))
+    arrays = [f"    double {name}[{size}];" for name, size in _working(function) if name in used]
+    unused = [f"    (void){a.name};" for a in function.arguments if a.name not in used]
+    if len(blocks) == 1:
+        parts, body = [], block_lines(blocks[0], LANGUAGE, function.scalars)
+    else:
+        parts = [line for k in range(len(blocks)) for line in [*_part(function, k), ""]]
+        body = [line for k in range(len(blocks)) for line in wrapped(_call(function, k), LANGUAGE, "    ")]
+    return [*parts, *wrapped(_signature(module, function), LANGUAGE, ""), "{", *arrays, *body, *unused, "}"]
+
+
+def _working(function: Function) -> tuple[tuple[str, int], ...]:
+    """Return the names and sizes of the working arrays."""
+    made = function.composition
+    return (*((name, factor_size(size)) for name, size in made.matrices), *made.solutions, made.workspace)
+
+
+def _part(function: Function, number: int) -> list[str]:
+    """Return one block as a function of the arrays that it uses."""
+    block = function.composition.blocks[number]
+    parameters = {a.name: _parameter(a, is_result=False) for a in function.arguments}
+    parameters |= {a.name: _parameter(a, is_result=True) for a in function.results}
+    parameters |= {name: f"double {name}[{size}]" for name, size in _working(function)}
+    listed = ", ".join(text for name, text in parameters.items() if name in block.mentions)
+    title = f"static void {function.name}_part{number + 1}({listed})"
+    return [*wrapped(title, LANGUAGE, ""), "{", *block_lines(block, LANGUAGE, function.scalars), "}"]
+
+
+def _call(function: Function, number: int) -> str:
+    mentioned = function.composition.blocks[number].mentions
+    names = [array.name for array in (*function.arguments, *function.results)]
+    names += [name for name, _ in _working(function)]
+    return f"{function.name}_part{number + 1}({', '.join(name for name in names if name in mentioned)});"
+
+
+_COMPARE = """
+static int failures = 0;
+
+/* Compare an array with its reference: the largest difference, relative to the largest entry. */
+static void compare(const char *what, int n, const double *value, const double *reference)
+{
+    double largest = 0.0, error = 0.0;
+    int i, same = 1;
+    for (i = 0; i < n; ++i) {
+        if (!(fabs(reference[i]) <= largest)) largest = fabs(reference[i]);
+        if (!(fabs(value[i] - reference[i]) <= error)) error = fabs(value[i] - reference[i]);
+    }
+    same = error <= 1e-12*largest;
+    failures += !same;
+    printf("  %-44s %5d %10.1e  %s\\n", what, n, largest > 0.0 ? error/largest : error, same ? "ok" : "DIFFERS");
+}
+"""
+
+
+def _check(module: Module) -> str:
+    title = [mark(module), "", "Evaluates every routine at one state and compares with reference values."]
+    lines = [*_comment(title), f'#include "{module.name}.h"', "", "#include <math.h>", "#include <stdio.h>"]
+    lines += [*_COMPARE.rstrip().splitlines(), "", "int main(void)", "{"]
+    lines += [line for name, values in module.values.items() for line in _values(module, name, values)]
+    if module.prepare:
+        lines += [f"    double {r.name}[{r.size}];" for r in module.prepare.results]
+    lines += ["", f'    printf("{module.name}: entries, largest relative error\\n");']
+    lines += [f"    {_call_of(module, module.prepare)}"] if module.prepare else []
+    for function, references in zip(module.routines, module.references, strict=True):
+        lines += ["", *_comparison(module, function, references)]
+    lines += ["", "    return failures > 0;", "}"]
+    return "\n".join(lines) + "\n"
+
+
+def _values(module: Module, name: str, values: Sequence[float]) -> list[str]:
+    literals = ", ".join(map(LANGUAGE.literal, values))
+    is_scalar = any(a.name == name and a.is_scalar for a in module.arguments)
+    text = f"const double {name} = {literals};" if is_scalar else f"const double {name}[] = {{{literals}}};"
+    return wrapped(text, LANGUAGE, "    ")
+
+
+def _comparison(module: Module, function: Function, references: Sequence[Sequence[float]]) -> list[str]:
+    """Return a block that calls a routine and compares its results."""
+    lines = ["{"]
+    for result, reference in zip(function.results, references, strict=True):
+        literals = ", ".join(map(LANGUAGE.literal, reference))
+        lines += [f"    double {result.name}[{result.size}];"]
+        lines += wrapped(f"const double {result.name}_reference[] = {{{literals}}};", LANGUAGE, "    ")
+    lines += wrapped(_call_of(module, function), LANGUAGE, "    ")
+    for r in function.results:
+        what = f"{function.name}: {r.name}"
+        lines += wrapped(f'compare("{what}", {r.size}, {r.name}, {r.name}_reference);', LANGUAGE, "    ")
+    return [f"    {line}" for line in [*lines, "}"]]
+
+
+def _call_of(module: Module, function: Function) -> str:
+    names = ", ".join(array.name for array in (*function.arguments, *function.results))
+    return f"{module.name}_{function.name}({names});"
+
+
+def _makefile(module: Module) -> str:
+    name = module.name
+    return f"""\
+# {mark(module)}
+# make: compile; make check: compile and compare with the reference values.
+
+CC     ?= cc
+CFLAGS ?= -std=c99 -O2 -Wall -Wextra -pedantic
+
+all: {name}.o
+
+{name}.o: {name}.c {name}.h
+\t$(CC) $(CFLAGS) -c {name}.c -o $@
+
+{name}_check: {name}_check.c {name}.o {name}.h
+\t$(CC) $(CFLAGS) {name}_check.c {name}.o -lm -o $@
+
+check: {name}_check
+\t./{name}_check
+
+clean:
+\trm -f {name}.o {name}_check
+
+.PHONY: all check clean
+"""
+
+
+C = Target(
+    name="c",
+    title="C99",
+    language=LANGUAGE,
+    files=_files,
+    check=("make check",),
+)

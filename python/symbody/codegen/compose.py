@@ -1,0 +1,216 @@
+"""From straight-line code to statements: values that are used once stand where they are used, others get names."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass, field
+
+from symbody.codegen.block import Cut, cut
+from symbody.codegen.count import section_titles
+from symbody.codegen.expression import Tree, entry, name, number
+from symbody.codegen.names import Scope
+from symbody.codegen.statement import Block, Factor, Let, Read, Section, Solve, Statement, Store
+from symbody.codegen.straight_line import Code, Instruction, operands
+
+__all__ = ["Composition", "compose"]
+
+LONGEST_EXPRESSION = 12
+"""Operations in one statement, so that a reader can follow it."""
+
+LONGEST_NAME = 24
+"""Letters of a name that says what it is; longer ones are numbered instead."""
+
+
+@dataclass(frozen=True)
+class Composition:
+    """The blocks of a routine and the working arrays that they share, with their sizes."""
+
+    blocks: tuple[Block, ...]
+    workspace: tuple[str, int]
+    matrices: tuple[tuple[str, int], ...]
+    solutions: tuple[tuple[str, int], ...]
+
+
+def compose(
+    code: Code,
+    scope: Scope,
+    notes: Sequence[str],
+    targets: Sequence[tuple[str, int]],
+    *,
+    scalars: frozenset[str] = frozenset(),
+    limit: int | None = None,
+) -> Composition:
+    """Return the statements of a routine.
+
+    Args:
+        code: what it computes.
+        scope: the names that its locals must not take.
+        notes: what each input is, where its name doesn't say it, otherwise empty.
+        targets: the array and the index of each result.
+        scalars: the arguments that are one number and no array.
+        limit: the largest number of operations of a block, if there is any.
+    """
+    return _Composer(code, scope, notes, targets, scalars, _cut(code, limit)).composition()
+
+
+@dataclass
+class _Composer:
+    code: Code
+    scope: Scope
+    notes: Sequence[str]
+    targets: Sequence[tuple[str, int]]
+    scalars: frozenset[str]
+    cut: Cut
+    _trees: dict[int, Tree] = field(default_factory=dict)
+    _sizes: dict[int, int] = field(default_factory=dict)
+    _matrices: dict[int, tuple[str, int]] = field(default_factory=dict)
+    _solutions: dict[int, tuple[str, int]] = field(default_factory=dict)
+    _numbered: int = 0
+
+    def __post_init__(self) -> None:
+        self.workspace = self.scope.claim("w")
+        self.titles = section_titles(self.code)
+        self.readers, self.results = _uses(self.code)
+        self._trees = {place: number(value) for place, value in enumerate(self.code.constants)}
+        for place, read in enumerate(self.code.inputs, self.code.first_input):
+            is_scalar = read.array in self.scalars
+            self._trees[place] = name(read.array if is_scalar else self.scope.claim(read.name))
+
+    def composition(self) -> Composition:
+        parts = [list(self._statements(block)) for block in range(len(self.cut.starts) - 1)]
+        parts[-1] += self._results_without_work()
+        return Composition(
+            tuple(Block(self._reads(k), tuple(part)) for k, part in enumerate(parts)),
+            (self.workspace, self.cut.size),
+            tuple(self._matrices.values()),
+            tuple(self._solutions.values()),
+        )
+
+    def _statements(self, block: int) -> Iterator[Statement]:
+        start, end = self.cut.starts[block : block + 2]
+        stage = None
+        for number_ in range(start, end):
+            if self.code.stages[number_] != stage:
+                stage = self.code.stages[number_]
+                yield Section(self._title(number_, stage))
+            place = self.code.first_instruction + number_
+            yield from self._instruction(place, self.code.instructions[number_])
+
+    def _title(self, first: int, stage: int) -> str:
+        goes_on = first > 0 and self.code.stages[first - 1] == stage
+        return self.titles[stage].split(":")[0] + ", continued" if goes_on else self.titles[stage]
+
+    def _instruction(self, place: int, row: Instruction) -> Iterator[Statement]:
+        if row[0] == "factor":
+            yield from self._factor(place, row)
+        elif row[0] == "solve":
+            yield from self._solve(place, row)
+        elif row[0] == "component":
+            self._trees[place] = entry(self._solutions[row[1]][0], row[2])
+            yield from self._stores(place)
+        else:
+            yield from self._value(place, row)
+
+    def _factor(self, place: int, row: Instruction) -> Iterator[Statement]:
+        matrix = self._matrices[place] = (self.scope.claim("A"), row[1])
+        yield from self._filled(matrix[0], row[2:])
+        yield Factor(*matrix)
+
+    def _solve(self, place: int, row: Instruction) -> Iterator[Statement]:
+        matrix, right = self._matrices[row[1]], row[2:]
+        solution = self._solutions[place] = (self.scope.claim("x"), len(right))
+        yield from self._filled(solution[0], right)
+        yield Solve(matrix[0], *solution)
+
+    def _filled(self, array: str, places: Iterable[int]) -> Iterator[Statement]:
+        return (Store(array, index, self._trees[place]) for index, place in enumerate(places))
+
+    def _value(self, place: int, row: Instruction) -> Iterator[Statement]:
+        tree = (row[0], *(self._trees[operand] for operand in row[1:]))
+        size = 1 + sum(self._sizes.get(operand, 0) for operand in row[1:])
+        results, readers = self.results.get(place, []), self.readers.get(place, [])
+        if len(results) == 1 and not readers:
+            yield Store(*self.targets[results[0]], tree)
+            return
+        if not results and self._stands_inside(place, readers) and size < LONGEST_EXPRESSION:
+            self._trees[place], self._sizes[place] = tree, size
+            return
+        self._trees[place] = name(self.scope.claim(self._name(tree)))
+        yield Let(self._trees[place][1], tree)
+        if place in self.cut.slots:
+            yield Store(self.workspace, self.cut.slots[place], self._trees[place])
+        yield from self._stores(place)
+
+    def _stands_inside(self, place: int, readers: Sequence[int]) -> bool:
+        """Whether the value can stand in the one expression that uses it: in the same block and stage."""
+        if len(readers) != 1:
+            return False
+        own, reader = place - self.code.first_instruction, readers[0]
+        return self.code.stages[own] == self.code.stages[reader] and place not in self.cut.slots
+
+    def _name(self, tree: Tree) -> str:
+        """Return a name that says what a value is, as ``sin_theta``; or a number."""
+        words: list[str] = []
+        if all(part[0] == "name" for part in tree[1:]):
+            names = [part[1] for part in tree[1:]]
+            if len(names) == 1 and tree[0] != "neg":
+                words = [tree[0].lower(), *names]
+            elif tree[0] == "mul" and names[0] == names[1]:
+                words = [names[0], "squared"]
+        text = "_".join(words)
+        if text and len(text) <= LONGEST_NAME:
+            return text
+        self._numbered += 1
+        return f"v{self._numbered}"
+
+    def _stores(self, place: int) -> Iterator[Statement]:
+        for result in self.results.get(place, []):
+            yield Store(*self.targets[result], self._trees[place])
+
+    def _results_without_work(self) -> list[Statement]:
+        results = [
+            (r, place) for r, place in enumerate(self.code.results) if place < self.code.first_instruction
+        ]
+        stores = [Store(*self.targets[result], self._trees[place]) for result, place in results]
+        return [Section("entries that need no computation"), *stores] if stores else []
+
+    def _reads(self, block: int) -> tuple[Read, ...]:
+        """Return the local names of the inputs that a block uses, and of values of earlier blocks."""
+        start, end = (self.code.first_instruction + n for n in self.cut.starts[block : block + 2])
+        rows = range(start, end)
+        used = {
+            p for row in rows for p in operands(self.code.instructions[row - self.code.first_instruction])
+        }
+        if block == len(self.cut.starts) - 2:
+            used |= {place for place in self.results if place < self.code.first_instruction}
+        first = self.code.first_input
+        inputs = sorted(place for place in used if first <= place < self.code.first_instruction)
+        saved = sorted(place for place in used if place in self.cut.slots and place < start)
+        return (
+            *(read for place in inputs if (read := self._input(place)).array not in self.scalars),
+            *(Read(self._trees[p][1], self.workspace, self.cut.slots[p]) for p in saved),
+        )
+
+    def _input(self, place: int) -> Read:
+        number_ = place - self.code.first_input
+        read = self.code.inputs[number_]
+        return Read(self._trees[place][1], read.array, read.index, self.notes[number_])
+
+
+def _cut(code: Code, limit: int | None) -> Cut:
+    """Cut code; linear systems are kept in arrays of their own."""
+    rows = enumerate(code.instructions, code.first_instruction)
+    held = {place for place, row in rows if row[0] in {"factor", "solve", "component"}}
+    return cut([operands(row) for row in code.instructions], code.first_instruction, limit, held)
+
+
+def _uses(code: Code) -> tuple[dict[int, list[int]], dict[int, list[int]]]:
+    """Return the instructions that read each place, as often as they read it, and the results that are it."""
+    readers: dict[int, list[int]] = {}
+    results: dict[int, list[int]] = {}
+    for reader, row in enumerate(code.instructions):
+        for place in operands(row):
+            readers.setdefault(place, []).append(reader)
+    for result, place in enumerate(code.results):
+        results.setdefault(place, []).append(result)
+    return readers, results

@@ -1,0 +1,41 @@
+"""Operation counts of straight-line code, stage by stage, in words."""
+
+from __future__ import annotations
+
+from collections import Counter
+
+from symbody.codegen.straight_line import Code
+from symbody.symbolic import STAGES
+
+__all__ = ["counts_by_stage", "section_titles"]
+
+_KINDS = {
+    "add": "addition",
+    "sub": "addition",
+    "neg": "addition",
+    "mul": "multiplication",
+    "div": "division",
+    "factor": "factorisation",
+    "solve": "linear system",
+    "component": "",
+}
+_WORDS = ("addition", "multiplication", "division", "function", "factorisation", "linear system")
+
+
+def counts_by_stage(code: Code) -> dict[str, str]:
+    """Return the operations of each stage that has some, as ``2 additions, 1 function``."""
+    counts: dict[int, Counter[str]] = {}
+    for row, stage in zip(code.instructions, code.stages, strict=True):
+        counts.setdefault(stage, Counter())[_KINDS.get(row[0], "function")] += 1
+    return {STAGES[stage]: _in_words(count) for stage, count in sorted(counts.items())}
+
+
+def _in_words(count: Counter[str]) -> str:
+    return ", ".join(
+        f"{count[word]} {word}{'s' if count[word] != 1 else ''}" for word in _WORDS if count[word]
+    )
+
+
+def section_titles(code: Code) -> dict[int, str]:
+    """Return a title for each stage, by its number: the stage and its operations."""
+    return {STAGES.index(stage): f"{stage}: {words}" for stage, words in counts_by_stage(code).items()}

@@ -1,0 +1,168 @@
+"""Generate: the files of a target for a model, written whole or not at all."""
+
+from __future__ import annotations
+
+import os
+import tempfile
+from collections.abc import Iterable
+from dataclasses import replace
+from pathlib import Path
+from typing import Any, Protocol
+
+from symbody.codegen.c import C
+from symbody.codegen.module import module_of
+from symbody.codegen.printer import MARK
+from symbody.codegen.target import Target
+from symbody.errors import CodegenError, ProgramError
+from symbody.symbolic import Program
+
+__all__ = ["TARGETS", "Programmable", "generate", "program_of", "source", "target_of"]
+
+TARGETS = {target.name: target for target in (C,)}
+"""All targets by name."""
+
+
+class Programmable(Protocol):
+    """What a program can be made of, as the equations of motion."""
+
+    def program(self) -> Program:
+        """Return the program."""
+        ...
+
+
+def generate(
+    model: Program | Programmable,
+    target: str = "c",
+    path: str | os.PathLike[str] = ".",
+    *,
+    name: str | None = None,
+) -> tuple[Path, ...]:
+    """Write the code of a model into a folder: the routines, and a self-check with reference values.
+
+    Either all files are written or none. Files that symbody has generated for the same program are replaced.
+
+    Args:
+        model: a program, or equations of motion, whose program is taken.
+        target: the language: one of ``TARGETS``.
+        path: the folder, which is made if there is none.
+        name: another name for the program.
+
+    Returns:
+        The files.
+
+    Raises:
+        CodegenError: the target isn't known, or the folder can't be written.
+        ProgramError: the model can't be a program.
+
+    >>> import tempfile
+    >>> from symbody.symbolic import Argument, Program, Result, Routine, sin, symbols
+    >>> x, a = symbols("x a")
+    >>> arguments = (Argument("p", "parameters", (a,), "parameters"), Argument("q", "position", (x,), "positions"))
+    >>> wave = Routine("wave", "a sine wave", ("p", "q"), (Result("y", "height", (a * sin(x),), ()),))
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     [file.name for file in generate(Program("demo", "An example.", arguments, (wave,)), "c", folder)]
+    ['demo.h', 'demo.c', 'demo_check.c', 'Makefile']
+    """
+    texts = source(model, target, name=name)
+    folder = Path(path)
+    _check_folder(folder, target)
+    first = next(iter(texts))
+    for file, text in texts.items():
+        _check_replaceable(folder / file, text, first)
+    try:
+        _write(folder, texts)
+    except OSError as error:
+        raise CodegenError(
+            f"generate: the folder {folder} can't be written ({error.strerror}); nothing was changed there. "
+            "Choose another folder as path"
+        ) from error
+    return tuple(folder / file for file in texts)
+
+
+def source(model: Program | Programmable, target: str = "c", *, name: str | None = None) -> dict[str, str]:
+    """Return the texts of the files that :func:`generate` would write, by file name."""
+    program = program_of(model)
+    if name is not None:
+        program = replace(program, name=name)
+    chosen = target_of(target)
+    return dict(chosen.files(module_of(program, chosen.language, chosen.limit)))
+
+
+def target_of(name: str) -> Target:
+    """Return the target of a name."""
+    if name not in TARGETS:
+        raise CodegenError(f"generate: there is no target {name!r}; expected one of {', '.join(TARGETS)}")
+    return TARGETS[name]
+
+
+def program_of(model: Any) -> Program:
+    """Return a program, or the program of something that has one."""
+    if isinstance(model, Program):
+        return model
+    if hasattr(model, "program"):
+        program = model.program()
+        if isinstance(program, Program):
+            return program
+    raise ProgramError(
+        f"generate: {type(model).__name__} has no program; expected a Program, or equations of motion "
+        "as lagrange_equations(system) returns them"
+    )
+
+
+def _check_folder(folder: Path, target: str) -> None:
+    if folder.exists() and not folder.is_dir():
+        raise CodegenError(
+            f"generate: {folder} is a file, and the target {target} has several; expected a folder as path"
+        )
+
+
+def _check_replaceable(file: Path, text: str, first: str) -> None:
+    """Raise an error for a file that isn't ours: its first lines would name the same program."""
+    if not file.exists():
+        return
+    ours = next(line for line in text.splitlines() if MARK in line).split(MARK)[0]
+    with file.open(encoding="utf-8", errors="replace") as lines:
+        beginning = [line for line, _ in zip(lines, range(4), strict=False)]
+    if not any(ours + MARK in line for line in beginning):
+        raise CodegenError(
+            f"generate: {file} exists and was not generated for this program ({first}); "
+            "nothing was written. Choose another folder as path, or remove the file"
+        )
+
+
+def _write(folder: Path, texts: dict[str, str]) -> None:
+    """Write all files beside their places and rename them at the end; remove what was written if that fails."""
+    created = _created(folder)
+    temporary: list[tuple[str, Path]] = []
+    try:
+        for file, text in texts.items():
+            handle, name = tempfile.mkstemp(prefix=f".{file}.", dir=folder)
+            temporary.append((name, folder / file))
+            with os.fdopen(handle, "w", encoding="utf-8", newline="\n") as stream:
+                stream.write(text)
+            Path(name).chmod(0o666 & ~_umask())
+        for name, file_path in temporary:
+            Path(name).replace(file_path)
+    except BaseException:
+        for name, _ in temporary:
+            Path(name).unlink(missing_ok=True)
+        _remove(created)
+        raise
+
+
+def _created(folder: Path) -> list[Path]:
+    """Make a folder and those that it is in; return the new ones, the innermost first."""
+    missing = [path for path in (folder, *folder.parents) if not path.exists()]
+    folder.mkdir(parents=True, exist_ok=True)
+    return missing
+
+
+def _remove(folders: Iterable[Path]) -> None:
+    for folder in folders:
+        folder.rmdir()
+
+
+def _umask() -> int:
+    mask = os.umask(0)
+    os.umask(mask)
+    return mask

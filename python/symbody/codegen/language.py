@@ -1,0 +1,74 @@
+"""What the printer knows of a language's syntax: a table for each target."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+
+__all__ = ["FUNCTIONS", "Language", "functions", "number_text"]
+
+FUNCTIONS = (
+    "sqrt", "sin", "cos", "tan", "asin", "acos", "atan", "atan2", "sinh", "cosh", "tanh", "exp", "log",
+    "Abs", "sign", "Min", "Max", "Power", "select",
+)  # fmt: skip
+"""The functions of the tape; each language has a text for each of them."""
+
+
+@dataclass(frozen=True)
+class Language:
+    """The syntax of a language.
+
+    Attributes:
+        comment: what stands before and after the text of a comment of one line.
+        declare: a new local name, of ``{name}`` and ``{value}``.
+        assign: a new value of an entry, of ``{place}`` and ``{value}``.
+        factor: the call that factorises the matrix in an array, of ``{n}`` and ``{work}``.
+        solve: the call that solves for the right side in an array, of ``{n}``, ``{work}`` and ``{x}``.
+        functions: a text for each of :data:`FUNCTIONS`, as ``sin({})``.
+        literal: the text of a double that reads back as the same double.
+        entry: an entry of an array, as ``{}[{}]``.
+        scalar: a result that is one number, where it is assigned.
+        reserved: words that can't be names, those of the functions included.
+        continuation: what ends a line that goes on in the next one.
+    """
+
+    comment: tuple[str, str]
+    declare: str
+    assign: str
+    functions: Mapping[str, str]
+    reserved: frozenset[str]
+    literal: Callable[[float], str]
+    entry: str = "{}[{}]"
+    scalar: str = "{}"
+    first_index: int = 0
+    factor: str = ""
+    solve: str = ""
+    case_sensitive: bool = True
+    continuation: str = ""
+    width: int = 100
+    indent: str = "    "
+
+    def entry_text(self, array: str, index: int) -> str:
+        """Return an entry of an array, counted from zero here and from the first index there."""
+        return self.entry.format(array, index + self.first_index)
+
+    def comment_text(self, text: str) -> str:
+        """Return a comment of one line."""
+        return f"{self.comment[0]} {text} {self.comment[1]}".rstrip()
+
+
+def functions(**other: str) -> dict[str, str]:
+    """Return the texts of the functions: their own names, where no other text is given."""
+    return {
+        function: other.get(function, f"{function}({', '.join(['{}'] * _arity(function))})")
+        for function in FUNCTIONS
+    }
+
+
+def _arity(function: str) -> int:
+    return {"select": 3, "atan2": 2, "Min": 2, "Max": 2, "Power": 2}.get(function, 1)
+
+
+def number_text(value: float) -> str:
+    """Return the shortest text that reads back as the same double: the literal of most languages."""
+    return repr(value)

@@ -1,0 +1,229 @@
+"""Modules: a program's routines as statements, with the names of one language."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from math import prod
+
+from symbody.codegen.compose import Composition, compose
+from symbody.codegen.count import counts_by_stage
+from symbody.codegen.describe import described
+from symbody.codegen.language import Language
+from symbody.codegen.names import Scope, identifier
+from symbody.codegen.preparation import Preparation
+from symbody.codegen.sample import sample_of
+from symbody.codegen.straight_line import Code, Input, code_of
+from symbody.symbolic import Argument, Program, Routine, t
+
+__all__ = ["Array", "Function", "Module", "module_of"]
+
+
+@dataclass(frozen=True)
+class Array:
+    """An argument or a result of a function.
+
+    Attributes:
+        name: its identifier.
+        meaning: what it is.
+        entries: what each entry is, in the user's names; results have none.
+        shape: () for a single number, (n,) or (rows, columns), row by row.
+    """
+
+    name: str
+    meaning: str
+    entries: tuple[str, ...]
+    shape: tuple[int, ...]
+
+    @property
+    def size(self) -> int:
+        """The number of entries."""
+        return prod(self.shape)
+
+    @property
+    def is_scalar(self) -> bool:
+        """Whether it is one number and no array."""
+        return not self.shape
+
+
+@dataclass(frozen=True)
+class Function:
+    """A routine as statements.
+
+    Attributes:
+        name: its identifier.
+        meaning: what it computes.
+        arguments: what it takes, in order.
+        results: what it returns, in order.
+        composition: its statements in blocks.
+        counts: its operations in words, by stage.
+        operations: the names of the operations that occur in it.
+    """
+
+    name: str
+    meaning: str
+    arguments: tuple[Array, ...]
+    results: tuple[Array, ...]
+    composition: Composition
+    counts: Mapping[str, str]
+    operations: frozenset[str]
+
+    @property
+    def scalars(self) -> frozenset[str]:
+        """The names of arguments and results that are one number."""
+        return frozenset(array.name for array in (*self.arguments, *self.results) if array.is_scalar)
+
+    @property
+    def arrays(self) -> dict[str, int]:
+        """The sizes of all arrays by name: arguments, results, and the working arrays."""
+        made = self.composition
+        working = (made.workspace, *made.solutions)
+        return {a.name: a.size for a in (*self.arguments, *self.results)} | dict(working)
+
+
+@dataclass(frozen=True)
+class Module:
+    """What a target prints.
+
+    Attributes:
+        name: the identifier of the program.
+        meaning: what it models.
+        arguments: all arrays that functions take, the constants of the model included.
+        prepare: the function that computes the constants of the model from parameters, if there are any.
+        routines: the functions of the state.
+        values: values of the program's arguments for the self-check, by array.
+        references: the results there, in the order of the routines and of their results.
+    """
+
+    name: str
+    meaning: str
+    arguments: tuple[Array, ...]
+    prepare: Function | None
+    routines: tuple[Function, ...]
+    values: Mapping[str, tuple[float, ...]]
+    references: tuple[tuple[tuple[float, ...], ...], ...]
+
+    @property
+    def functions(self) -> tuple[Function, ...]:
+        """All functions, the preparation first."""
+        return (self.prepare, *self.routines) if self.prepare else self.routines
+
+    @property
+    def operations(self) -> frozenset[str]:
+        """The names of the operations that occur in it."""
+        return frozenset().union(*(function.operations for function in self.functions))
+
+
+def module_of(program: Program, language: Language, limit: int | None = 1000) -> Module:
+    """Return the program as statements, with functions of at most ``limit`` operations."""
+    return _Modeler(program, language, limit).module()
+
+
+class _Modeler:
+    """Names are claimed in one order: program, routines, arguments, then results and locals of each routine."""
+
+    def __init__(self, program: Program, language: Language, limit: int | None) -> None:
+        self.program, self.language, self.limit = program, language, limit
+        self.scope = Scope(language.reserved, language.case_sensitive)
+        self.name = self.scope.claim(program.name)
+        self.routines = {routine.name: self.scope.claim(routine.name) for routine in program.routines}
+        self.arrays = {argument.name: self._argument(argument) for argument in program.arguments}
+        self.constants: list[tuple[str, str]] = []
+        self.order: dict[int, int] = {}
+        self.constants_name = ""
+
+    def module(self) -> Module:
+        program, sample = self.program, sample_of(self.program)
+        constants, prepare, codes = self._prepared() or (None, None, list(map(self._code, program.routines)))
+        routines = tuple(
+            self._routine(routine, code, self._taken(routine, constants))
+            for routine, code in zip(program.routines, codes, strict=True)
+        )
+        arguments = tuple(self.arrays.values())
+        if prepare and constants:
+            arguments = (*prepare.arguments, constants, *(a for a in arguments if a not in prepare.arguments))
+        values = {
+            self.arrays[a.name].name: v for a, v in zip(program.arguments, sample.arguments, strict=True)
+        }
+        return Module(self.name, program.meaning, arguments, prepare, routines, values, sample.results)
+
+    def _argument(self, argument: Argument) -> Array:
+        names = tuple(map(str, argument.variables))
+        shape = () if argument.variables == (t,) else (len(names),)
+        return Array(self.scope.claim(argument.name), argument.meaning, names, shape)
+
+    def _code(self, routine: Routine) -> Code:
+        return code_of(self.program.arguments_of(routine), routine.expressions)
+
+    def _taken(self, routine: Routine, constants: Array | None) -> tuple[Array, ...]:
+        """Return the arguments of a routine, the constants of the model in the place of parameters."""
+        taken: dict[str, Array] = {}
+        for argument in self.program.arguments_of(routine):
+            is_replaced = constants is not None and argument.stage == "parameters"
+            array = constants if constants and is_replaced else self.arrays[argument.name]
+            taken[array.name] = array
+        return tuple(taken.values())
+
+    def _prepared(self) -> tuple[Array, Function, list[Code]] | None:
+        """Return the constants of the model, the function that computes them, and what is left to the routines."""
+        parameters = tuple(a for a in self.program.arguments if a.stage == "parameters")
+        preparation = Preparation(parameters)
+        codes = [preparation.without_parameters(self._code(routine)) for routine in self.program.routines]
+        code = preparation.code()
+        if not code.results:
+            return None
+        prepare = self.scope.claim("prepare")
+        self.constants_name = self.scope.claim("c")
+        texts = described(code, self.language)
+        direct = [self._parameter(code, place) for place in code.results]
+        self.order = {k: position for position, k in enumerate(preparation.order)}
+        self.constants = list(zip(direct, texts, strict=True))
+        entries = tuple(d or text or "see prepare" for d, text in zip(direct, texts, strict=True))
+        meaning = "constants of the model, computed from the parameters"
+        constants = Array(self.constants_name, meaning, entries, (len(entries),))
+        result = replace(constants, entries=())
+        arguments = tuple(self.arrays[parameter.name] for parameter in parameters)
+        function = self._function(
+            prepare, "compute what the other routines need of the parameters", arguments, (result,), code
+        )
+        return constants, function, codes
+
+    def _parameter(self, code: Code, place: int) -> str:
+        number = place - code.first_input
+        return code.inputs[number].name if 0 <= number < len(code.inputs) else ""
+
+    def _routine(self, routine: Routine, code: Code, arguments: tuple[Array, ...]) -> Function:
+        scope = self.scope.inner()
+        results = tuple(Array(scope.claim(r.name), r.meaning, (), r.shape) for r in routine.results)
+        return self._function(self.routines[routine.name], routine.meaning, arguments, results, code)
+
+    def _function(
+        self,
+        name: str,
+        meaning: str,
+        arguments: tuple[Array, ...],
+        results: tuple[Array, ...],
+        code: Code,
+    ) -> Function:
+        scope = self.scope.inner(array.name for array in results)
+        inputs = tuple(self._input(read) for read in code.inputs)
+        composition = compose(
+            replace(code, inputs=tuple(read for read, _ in inputs)),
+            scope,
+            [note for _, note in inputs],
+            [(result.name, index) for result in results for index in range(result.size)],
+            scalars=frozenset(array.name for array in arguments if array.is_scalar),
+            limit=self.limit,
+        )
+        operations = frozenset(row[0] for row in code.instructions)
+        return Function(name, meaning, arguments, results, composition, counts_by_stage(code), operations)
+
+    def _input(self, read: Input) -> tuple[Input, str]:
+        """Return an input with its array's identifier, and a note where its name doesn't say what it is."""
+        if not read.array:
+            index = self.order[read.index]
+            name, formula = self.constants[index]
+            name, note = (name, "") if name else (f"k{index + self.language.first_index}", formula)
+            return Input(self.constants_name, index, name), note
+        note = "" if identifier(read.name) == read.name else read.name
+        return replace(read, array=self.arrays[read.array].name), note

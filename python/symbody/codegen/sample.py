@@ -1,0 +1,67 @@
+"""Reference values for self-checks: a state, and what the evaluator of the expressions gives there."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from itertools import count, islice
+from math import isfinite
+from typing import TypeAlias
+
+from symbody.symbolic import Program, Routine
+from symbody.symbolic.tape import Tape
+
+__all__ = ["Sample", "sample_of"]
+
+_Values: TypeAlias = tuple[tuple[float, ...], ...]
+_GOLDEN_RATIO = 0.6180339887498949
+_ATTEMPTS = 100
+
+
+@dataclass(frozen=True)
+class Sample:
+    """Values of the arguments, and of the results of each routine, in the program's order.
+
+    The state is no measured one: equally distributed numbers between 0.3 and 1.3, with three decimals, the first
+    sequence of them at which all results are finite.
+    """
+
+    arguments: _Values
+    results: tuple[_Values, ...]
+
+
+def sample_of(program: Program) -> Sample:
+    """Return a state and the results there, from the evaluator, not from the code that is to be checked."""
+    tapes = [_tape(program, routine) for routine in program.routines]
+    samples = [_sample(program, tapes, 0)]
+    while not _is_finite(samples[-1]) and len(samples) < _ATTEMPTS:
+        samples.append(_sample(program, tapes, len(samples)))
+    return samples[-1] if _is_finite(samples[-1]) else samples[0]
+
+
+def _tape(program: Program, routine: Routine) -> Tape:
+    variables = [v for argument in program.arguments_of(routine) for v in argument.variables]
+    return Tape(variables, routine.expressions, None, "generate")
+
+
+def _is_finite(sample: Sample) -> bool:
+    return all(isfinite(v) for results in sample.results for result in results for v in result)
+
+
+def _sample(program: Program, tapes: Iterable[Tape], start: int) -> Sample:
+    numbers = (round(0.3 + (k * _GOLDEN_RATIO) % 1.0, 3) for k in count(1 + start))
+    values = {a.name: tuple(islice(numbers, len(a.variables))) for a in program.arguments}
+    return Sample(
+        tuple(values.values()),
+        tuple(_results(routine, tape, values) for routine, tape in zip(program.routines, tapes, strict=True)),
+    )
+
+
+def _results(routine: Routine, tape: Tape, values: Mapping[str, tuple[float, ...]]) -> _Values:
+    flat = iter(tape.evaluate([value for name in routine.arguments for value in values[name]]))
+    return tuple(tuple(_rounded(v) for v in islice(flat, len(r.expressions))) for r in routine.results)
+
+
+def _rounded(value: float) -> float:
+    """Return a value to 15 digits, so that the last bit of a machine's sine doesn't show in the files."""
+    return float(f"{value:.15g}")
