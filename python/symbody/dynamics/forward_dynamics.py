@@ -121,7 +121,8 @@ def _ldl(eqs: Equations, _: Damping) -> ForwardDynamics:
         )
     with derivation(fresh=True):
         try:
-            return ForwardDynamics(ldl_solve(M, eqs.forcing), (), "ldl")
+            opposite = ldl_solve(M, eqs.bias)
+            return ForwardDynamics(tuple(-entry for entry in opposite), (), "ldl")
         except ExpressionError as failure:
             names = ", ".join(map(str, eqs.coordinates))
             raise ModelError(

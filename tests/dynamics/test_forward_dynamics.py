@@ -1,0 +1,227 @@
+"""Forward dynamics: against the numbers of other programs, by all methods; its length; constraints; mistakes."""
+
+from __future__ import annotations
+
+from functools import cache
+
+import numpy as np
+import pytest
+
+from symbody import (
+    Body,
+    Force,
+    Point,
+    System,
+    Vector,
+    cos,
+    cost,
+    dependent_speeds,
+    forward_dynamics,
+    functions_of_time,
+    ground,
+    lagrange_equations,
+    lambdify,
+    newton_euler,
+    rotate,
+    sin,
+    symbols,
+    t,
+    time_derivative,
+    translate,
+)
+from symbody.dynamics import Equations
+from symbody.errors import ConstraintError, ModelError
+from tests.dynamics.models import cart_pendulum, chain, gimbal_chain
+from tests.dynamics.test_equations import bead
+from tests.reference.robot import NAMES, robot
+
+METHODS = ("articulated_body", "ldl", "pivoted")
+TOLERANCE = 1e-12
+m, l, g, k, W = symbols("m l g k W")
+x, y, theta, phi = functions_of_time("x y theta phi")
+
+
+@cache
+def equations(name: str) -> Equations:
+    return newton_euler(robot(name).system)
+
+
+@pytest.mark.parametrize("method", METHODS)
+@pytest.mark.parametrize("name", NAMES)
+def test_robots(name: str, method: str) -> None:
+    """Accelerations at zero joint torques, against M^-1 (tau - bias) of the references at the same states."""
+    model, eqs = robot(name), equations(name)
+    function = lambdify([eqs.coordinates, eqs.speeds], forward_dynamics(eqs, method=method).accelerations)
+    for state in model.states:
+        found = np.array(function(state["joint_q"], state["joint_v"]))
+        torques = np.linalg.solve(np.array(state["mass_matrix"]), np.array(state["tau"]))
+        reference = np.array(state["forward_dynamics"])
+        assert np.max(np.abs(found + torques - reference)) <= TOLERANCE * max(
+            np.max(np.abs(reference)), np.max(np.abs(found))
+        )
+
+
+@pytest.mark.parametrize("make", [chain, gimbal_chain])
+def test_both_methods_give_the_same_values(make: object) -> None:
+    eqs = newton_euler(make(4))  # type: ignore[operator]
+    one, two = (forward_dynamics(eqs, method=method).accelerations for method in METHODS[:2])
+    assert one == two
+    assert forward_dynamics(lagrange_equations(make(4))).accelerations == one  # type: ignore[operator]
+
+
+def test_the_panda() -> None:
+    """Less than the 2653 operations of CasADi's code of Pinocchio's recursion in local axes."""
+    count = cost(forward_dynamics(equations("panda_7dof")).accelerations).total
+    assert count <= 1444
+
+
+def test_a_chain_of_thirty() -> None:
+    """Less than the 17746 operations of CasADi's code of Pinocchio's recursion."""
+    solution = forward_dynamics(newton_euler(chain(30)))
+    assert solution.method == "articulated_body"
+    assert cost(solution.accelerations).total <= 10549
+
+
+@pytest.mark.parametrize("make", [chain, gimbal_chain])
+def test_articulated_bodies_are_linear(make: object) -> None:
+    def count(n: int) -> int:
+        solution = forward_dynamics(newton_euler(make(n)), method="articulated_body")  # type: ignore[operator]
+        return cost(solution.accelerations).total
+
+    assert abs((count(15) - count(10)) - (count(10) - count(5))) <= 0.04 * (count(10) - count(5))
+
+
+def test_a_driven_frame() -> None:
+    """A bead in a tube that is turned as given: r'' = W^2 r, wherever the tube's axle is taken."""
+    tube = translate(sin(t), 0, 0) * rotate("Z", W * t)
+    eqs = newton_euler(System([Body(tube * translate(x, 0, 0), m)], coordinates=[x]))
+    expected = W**2 * x + sin(t) * cos(W * t)
+    for method in METHODS:
+        assert forward_dynamics(eqs, method=method).accelerations == (expected,)
+
+
+def test_a_translation_along_three_coordinates() -> None:
+    z = functions_of_time("z")
+    frame = translate(x, y, z) * rotate("X", phi) * rotate("Z", theta)
+    body = Body(Point(frame, *symbols("cx cy cz")), m, *symbols("Ix Iy Iz"))
+    push = Force(ground, k * x, 0, time_derivative(z), at=Point(frame, l, 0, 0), on=body)
+    system = System([body], [push], [x, phi, theta, z, y], gravity=Vector(ground, 0, 0, -g))
+    eqs = newton_euler(system)
+    one, two = (forward_dynamics(eqs, method=method).accelerations for method in METHODS[:2])
+    assert one == two
+
+
+def test_coordinates_of_several_motions_are_eliminated() -> None:
+    """Absolute angles in expressions: no recursion, but the mass matrix."""
+    solution = forward_dynamics(newton_euler(cart_pendulum(3)))
+    assert solution.method == "ldl"
+
+
+def test_loads_with_accelerations_are_pivoted_where_the_matrix_is_not_symmetric() -> None:
+    body = Body(translate(x, y, 0), m)
+    drag = Force(ground, -k * time_derivative(y, 2), 0, 0, at=body.center_of_mass, on=body)
+    weight = Force(ground, 0, -m * g, 0, at=body.center_of_mass, on=body)
+    solution = forward_dynamics(newton_euler(System([body], [drag, weight], [x, y])))
+    assert solution.method == "pivoted"
+    assert solution.accelerations == (k * g / m, -g)
+
+
+def test_constrained() -> None:
+    """The residuals vanish, and so does the second rate of the constraint."""
+    eqs = newton_euler(bead())
+    solution = forward_dynamics(eqs)
+    known = dict(
+        zip(
+            (*eqs.accelerations, *eqs.multipliers),
+            (*solution.accelerations, *solution.multipliers),
+            strict=True,
+        )
+    )
+    assert solution.method == "pivoted"
+    assert all(residual.subs(known) == 0 for residual in eqs.residuals)
+    assert time_derivative(eqs.constraints[0], 2).subs(known) == 0
+
+
+def test_stabilised_constraints() -> None:
+    omega, zeta = symbols("omega zeta")
+    eqs = newton_euler(bead())
+    solution = forward_dynamics(eqs, baumgarte=(omega, zeta))
+    known = dict(zip(eqs.accelerations, solution.accelerations, strict=True))
+    (stabilised,) = eqs.baumgarte(omega, zeta)
+    assert stabilised.subs(known) == 0
+
+
+def test_dependent_speeds() -> None:
+    """A constraint that moves: x = l cos(W t) leaves x' = -l W sin(W t)."""
+    system = System([Body(translate(x, y, 0), m)], coordinates=[x, y], constraints=[x - l * cos(W * t)])
+    speed = time_derivative(x)
+    assert dependent_speeds(newton_euler(system), [speed]) == {speed: -l * W * sin(W * t)}
+
+
+MISTAKES = [
+    (
+        ModelError,
+        lambda: forward_dynamics(newton_euler(bead()), method="magic"),
+        "forward_dynamics: the method 'magic'; expected one of auto, articulated_body, ldl, pivoted",
+    ),
+    (
+        ModelError,
+        lambda: forward_dynamics(newton_euler(bead()), method="articulated_body"),
+        (
+            "forward_dynamics: the articulated-body recursion is for trees without constraints, each coordinate "
+            "of which drives one rigid motion alone, and loads without accelerations; use method='auto'"
+        ),
+    ),
+    (
+        ModelError,
+        lambda: forward_dynamics(newton_euler(bead()), method="ldl"),
+        (
+            "forward_dynamics: elimination without pivoting is for symmetric mass matrices and no constraints; "
+            "use method='pivoted'"
+        ),
+    ),
+    (
+        ModelError,
+        lambda: forward_dynamics(newton_euler(chain(2)), baumgarte=(1, 1)),
+        "forward_dynamics: Baumgarte's stabilisation of no constraints; leave baumgarte out",
+    ),
+    (
+        ModelError,
+        lambda: forward_dynamics(
+            newton_euler(System([Body(translate(x, 0, 0) * rotate("X", phi), m)], coordinates=[x, phi]))
+        ),
+        (
+            "forward_dynamics: the coordinate phi moves no inertia; expected bodies with mass beyond its motion, or "
+            "leave it out of the coordinates"
+        ),
+    ),
+    (
+        ModelError,
+        lambda: forward_dynamics(
+            newton_euler(System([Body(translate(x, 0, 0) * rotate("X", phi), m)], coordinates=[x, phi])),
+            method="ldl",
+        ),
+        (
+            "forward_dynamics: the mass matrix of x, phi: ldl_solve: row 2 of the 2x2 matrix has no pivot: on the "
+            "diagonal elimination leaves what is identically zero; expected a positive definite matrix; give every "
+            "coordinate some mass to move, or use method='pivoted'"
+        ),
+    ),
+    (
+        ConstraintError,
+        lambda: dependent_speeds(newton_euler(bead()), []),
+        "dependent_speeds: 0 speeds, 1 constraints; expected one speed a constraint",
+    ),
+    (
+        ConstraintError,
+        lambda: dependent_speeds(newton_euler(bead()), [x]),
+        "dependent_speeds: x is no speed; expected some of x', y'",
+    ),
+]
+
+
+@pytest.mark.parametrize(("kind", "mistake", "message"), MISTAKES)
+def test_mistakes(kind: type[ModelError], mistake: object, message: str) -> None:
+    with pytest.raises(kind) as caught:
+        mistake()  # type: ignore[operator]
+    assert str(caught.value) == message
