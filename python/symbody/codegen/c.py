@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 from symbody.codegen.expression import wrapped
 from symbody.codegen.language import Language, functions, number_text
-from symbody.codegen.linear_systems import factor_size, runtime_text
+from symbody.codegen.linear_systems import runtime_text
 from symbody.codegen.module import Array, Function, Module
 from symbody.codegen.printer import block_lines, head, head_of_function, mark
 from symbody.codegen.target import Target
@@ -38,6 +38,7 @@ LANGUAGE = Language(
         repr(value), number_text(value)
     ),
     scalar="*{}",
+    qualified=True,
     factor="symbody_factor({n}, {work});",
     solve="symbody_solve({n}, {work}, {x});",
 )
@@ -101,21 +102,14 @@ def _source(module: Module) -> str:
 
 def _function(module: Module, function: Function) -> list[str]:
     blocks = function.composition.blocks
-    used = frozenset().union(*(block.mentions for block in blocks))
-    arrays = [f"    double {name}[{size}];" for name, size in _working(function) if name in used]
-    unused = [f"    (void){a.name};" for a in function.arguments if a.name not in used]
+    arrays = [f"    double {name}[{size}];" for name, size in function.working]
+    unused = [f"    (void){a.name};" for a in function.arguments if a.name not in function.mentions]
     if len(blocks) == 1:
-        parts, body = [], block_lines(blocks[0], LANGUAGE, function.scalars)
+        parts, body = [], block_lines(blocks[0], LANGUAGE, function.shapes)
     else:
         parts = [line for k in range(len(blocks)) for line in [*_part(function, k), ""]]
         body = [line for k in range(len(blocks)) for line in wrapped(_call(function, k), LANGUAGE, "    ")]
     return [*parts, *wrapped(_signature(module, function), LANGUAGE, ""), "{", *arrays, *body, *unused, "}"]
-
-
-def _working(function: Function) -> tuple[tuple[str, int], ...]:
-    """Return the names and sizes of the working arrays."""
-    made = function.composition
-    return (*((name, factor_size(size)) for name, size in made.matrices), *made.solutions, made.workspace)
 
 
 def _part(function: Function, number: int) -> list[str]:
@@ -123,32 +117,34 @@ def _part(function: Function, number: int) -> list[str]:
     block = function.composition.blocks[number]
     parameters = {a.name: _parameter(a, is_result=False) for a in function.arguments}
     parameters |= {a.name: _parameter(a, is_result=True) for a in function.results}
-    parameters |= {name: f"double {name}[{size}]" for name, size in _working(function)}
+    parameters |= {name: f"double {name}[{size}]" for name, size in function.working}
     listed = ", ".join(text for name, text in parameters.items() if name in block.mentions)
     title = f"static void {function.name}_part{number + 1}({listed})"
-    return [*wrapped(title, LANGUAGE, ""), "{", *block_lines(block, LANGUAGE, function.scalars), "}"]
+    return [*wrapped(title, LANGUAGE, ""), "{", *block_lines(block, LANGUAGE, function.shapes), "}"]
 
 
 def _call(function: Function, number: int) -> str:
     mentioned = function.composition.blocks[number].mentions
     names = [array.name for array in (*function.arguments, *function.results)]
-    names += [name for name, _ in _working(function)]
+    names += [name for name, _ in function.working]
     return f"{function.name}_part{number + 1}({', '.join(name for name in names if name in mentioned)});"
 
 
 _COMPARE = """
 static int failures = 0;
 
-/* Compare an array with its reference: the largest difference, relative to the largest entry. */
+/* Compare an array with its reference, relative to the largest entry; zeros may differ by rounding. */
 static void compare(const char *what, int n, const double *value, const double *reference)
 {
     double largest = 0.0, error = 0.0;
     int i, same = 1;
+    for (i = 0; i < n; ++i)
+        if (fabs(reference[i]) > largest) largest = fabs(reference[i]);
     for (i = 0; i < n; ++i) {
-        if (!(fabs(reference[i]) <= largest)) largest = fabs(reference[i]);
-        if (!(fabs(value[i] - reference[i]) <= error)) error = fabs(value[i] - reference[i]);
+        const double difference = fabs(value[i] - reference[i]);
+        if (!(difference <= 1e-12*largest + 1e-15)) same = 0;
+        if (!(difference <= error)) error = difference;
     }
-    same = error <= 1e-12*largest;
     failures += !same;
     printf("  %-44s %5d %10.1e  %s\\n", what, n, largest > 0.0 ? error/largest : error, same ? "ok" : "DIFFERS");
 }

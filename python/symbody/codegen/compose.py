@@ -95,6 +95,12 @@ class _Composer:
                 yield Section(self._title(number_, stage))
             place = self.code.first_instruction + number_
             yield from self._instruction(place, self.code.instructions[number_])
+        first = self.code.first_instruction
+        kept = [place for place in range(first + start, first + end) if place in self.cut.slots]
+        if kept:
+            yield Section("what later parts read")
+        for place in kept:
+            yield Store(self.workspace, self.cut.slots[place], self._trees[place])
 
     def _title(self, first: int, stage: int) -> str:
         goes_on = first > 0 and self.code.stages[first - 1] == stage
@@ -137,8 +143,6 @@ class _Composer:
             return
         self._trees[place] = name(self.scope.claim(self._name(tree)))
         yield Let(self._trees[place][1], tree)
-        if place in self.cut.slots:
-            yield Store(self.workspace, self.cut.slots[place], self._trees[place])
         yield from self._stores(place)
 
     def _stands_inside(self, place: int, readers: Sequence[int]) -> bool:

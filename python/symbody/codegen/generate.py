@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import Any, Protocol
 
 from symbody.codegen.c import C
+from symbody.codegen.fortran import FORTRAN
 from symbody.codegen.module import module_of
 from symbody.codegen.printer import MARK
 from symbody.codegen.target import Target
@@ -18,7 +19,7 @@ from symbody.symbolic import Program
 
 __all__ = ["TARGETS", "Programmable", "generate", "program_of", "source", "target_of"]
 
-TARGETS = {target.name: target for target in (C,)}
+TARGETS = {target.name: target for target in (C, FORTRAN)}
 """All targets by name."""
 
 

@@ -27,8 +27,10 @@ class Language:
         functions: a text for each of :data:`FUNCTIONS`, as ``sin({})``.
         literal: the text of a double that reads back as the same double.
         entry: an entry of an array, as ``{}[{}]``.
+        matrix: an entry of a matrix, as ``{}({}, {})``; none where matrices are arrays, row by row.
         scalar: a result that is one number, where it is assigned.
         reserved: words that can't be names, those of the functions included.
+        qualified: whether the names of functions begin with that of the program.
         continuation: what ends a line that goes on in the next one.
     """
 
@@ -39,18 +41,29 @@ class Language:
     reserved: frozenset[str]
     literal: Callable[[float], str]
     entry: str = "{}[{}]"
+    matrix: str = ""
     scalar: str = "{}"
     first_index: int = 0
     factor: str = ""
     solve: str = ""
     case_sensitive: bool = True
     continuation: str = ""
+    qualified: bool = False
     width: int = 100
     indent: str = "    "
 
     def entry_text(self, array: str, index: int) -> str:
         """Return an entry of an array, counted from zero here and from the first index there."""
         return self.entry.format(array, index + self.first_index)
+
+    def place_text(self, array: str, index: int, shape: tuple[int, ...]) -> str:
+        """Return an entry of a result, where it is assigned; matrices are counted row by row."""
+        if not shape:
+            return self.scalar.format(array)
+        if len(shape) == 1 or not self.matrix:
+            return self.entry_text(array, index)
+        row, column = divmod(index, shape[1])
+        return self.matrix.format(array, row + self.first_index, column + self.first_index)
 
     def comment_text(self, text: str) -> str:
         """Return a comment of one line."""

@@ -10,6 +10,7 @@ from symbody.codegen.compose import Composition, compose
 from symbody.codegen.count import counts_by_stage
 from symbody.codegen.describe import described
 from symbody.codegen.language import Language
+from symbody.codegen.linear_systems import factor_size
 from symbody.codegen.names import Scope, identifier
 from symbody.codegen.preparation import Preparation
 from symbody.codegen.sample import sample_of
@@ -69,16 +70,25 @@ class Function:
     operations: frozenset[str]
 
     @property
-    def scalars(self) -> frozenset[str]:
-        """The names of arguments and results that are one number."""
-        return frozenset(array.name for array in (*self.arguments, *self.results) if array.is_scalar)
+    def shapes(self) -> dict[str, tuple[int, ...]]:
+        """The shapes of the results, by name."""
+        return {result.name: result.shape for result in self.results}
 
     @property
-    def arrays(self) -> dict[str, int]:
-        """The sizes of all arrays by name: arguments, results, and the working arrays."""
+    def working(self) -> tuple[tuple[str, int], ...]:
+        """The names and sizes of the working arrays: matrices, solutions, what later parts read."""
         made = self.composition
-        working = (made.workspace, *made.solutions)
-        return {a.name: a.size for a in (*self.arguments, *self.results)} | dict(working)
+        arrays = (
+            *((name, factor_size(size)) for name, size in made.matrices),
+            *made.solutions,
+            made.workspace,
+        )
+        return tuple((name, size) for name, size in arrays if size)
+
+    @property
+    def mentions(self) -> frozenset[str]:
+        """The names of all arrays that occur in it."""
+        return frozenset().union(*(block.mentions for block in self.composition.blocks))
 
 
 @dataclass(frozen=True)
@@ -193,9 +203,15 @@ class _Modeler:
         return code.inputs[number].name if 0 <= number < len(code.inputs) else ""
 
     def _routine(self, routine: Routine, code: Code, arguments: tuple[Array, ...]) -> Function:
-        scope = self.scope.inner()
-        results = tuple(Array(scope.claim(r.name), r.meaning, (), r.shape) for r in routine.results)
-        return self._function(self.routines[routine.name], routine.meaning, arguments, results, code)
+        name = self.routines[routine.name]
+        scope = Scope(self.language.reserved, self.language.case_sensitive)
+        scope = scope.inner(
+            [*(array.name for array in arguments), *([] if self.language.qualified else [name])]
+        )
+        results = tuple(
+            Array(scope.claim(r.name, f"{r.name}_out"), r.meaning, (), r.shape) for r in routine.results
+        )
+        return self._function(name, routine.meaning, arguments, results, code)
 
     def _function(
         self,
@@ -205,7 +221,7 @@ class _Modeler:
         results: tuple[Array, ...],
         code: Code,
     ) -> Function:
-        scope = self.scope.inner(array.name for array in results)
+        scope = self.scope.inner(array.name for array in (*arguments, *results))
         inputs = tuple(self._input(read) for read in code.inputs)
         composition = compose(
             replace(code, inputs=tuple(read for read, _ in inputs)),
@@ -225,5 +241,6 @@ class _Modeler:
             name, formula = self.constants[index]
             name, note = (name, "") if name else (f"k{index + self.language.first_index}", formula)
             return Input(self.constants_name, index, name), note
-        note = "" if identifier(read.name) == read.name else read.name
+        plain = read.name.rstrip("'")
+        note = "" if identifier(plain) == plain else read.name
         return replace(read, array=self.arrays[read.array].name), note

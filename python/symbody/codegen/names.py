@@ -60,16 +60,21 @@ class Scope:
     def __post_init__(self) -> None:
         self.reserved = frozenset(map(self._key, self.reserved))
 
-    def claim(self, name: str) -> str:
-        """Return the identifier of a name, which nothing else in the scope has."""
+    def claim(self, name: str, otherwise: str = "") -> str:
+        """Return the identifier of a name, which nothing else in the scope has; or of another one, if it is taken."""
         wanted = identifier(name)
         candidate = f"{wanted}_" if self._key(wanted) in self.reserved else wanted
+        if otherwise and not self._is_free(candidate):
+            wanted = candidate = identifier(otherwise)
         number = 1
-        while self._key(candidate) in self._taken or self._key(candidate) in self.reserved:
+        while not self._is_free(candidate):
             number += 1
             candidate = f"{wanted}_{number}"
         self._taken.add(self._key(candidate))
         return candidate
+
+    def _is_free(self, candidate: str) -> bool:
+        return self._key(candidate) not in self._taken and self._key(candidate) not in self.reserved
 
     def inner(self, names: Iterable[str] = ()) -> Scope:
         """Return a scope inside this one, with further names taken: what is claimed there is free here."""
