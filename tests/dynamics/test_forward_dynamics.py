@@ -91,6 +91,13 @@ def test_articulated_bodies_are_linear(make: object) -> None:
     assert abs((count(15) - count(10)) - (count(10) - count(5))) <= 0.04 * (count(10) - count(5))
 
 
+def test_a_long_chain_needs_no_mass_matrix() -> None:
+    """Elimination alone would take more than the recursion: its n^2 entries are never made."""
+    eqs = newton_euler(chain(40))
+    assert forward_dynamics(eqs).method == "articulated_body"
+    assert "_assembly" not in vars(eqs)
+
+
 def test_a_driven_frame() -> None:
     """A bead in a tube that is turned as given: r'' = W^2 r, wherever the tube's axle is taken."""
     tube = translate(sin(t), 0, 0) * rotate("Z", W * t)

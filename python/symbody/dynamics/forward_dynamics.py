@@ -23,7 +23,7 @@ from symbody.symbolic import (
 
 from . import articulated_body
 from .equations import Equations
-from .frame_tree import frame_tree
+from .frame_tree import FrameTree, frame_tree
 from .newton_euler import at_rest
 
 Damping: TypeAlias = Annotated[
@@ -69,36 +69,46 @@ def forward_dynamics(eqs: Equations, *, method: str = "auto", baumgarte: Damping
     >>> forward_dynamics(newton_euler(System([body], [push], [x]))).accelerations
     (F/m,)
     """
-    if method not in ("auto", *_METHODS):
-        raise ModelError(
-            f"forward_dynamics: the method {method!r}; expected one of {', '.join(('auto', *_METHODS))}"
-        )
+    if method not in _METHODS:
+        raise ModelError(f"forward_dynamics: the method {method!r}; expected one of {', '.join(_METHODS)}")
     if baumgarte is not None and not eqs.constraints:
         raise ModelError("forward_dynamics: Baumgarte's stabilisation of no constraints; leave baumgarte out")
-    return _METHODS[method](eqs, baumgarte) if method != "auto" else _shortest(eqs, baumgarte)
+    return _METHODS[method](eqs, baumgarte)
 
 
 def _shortest(eqs: Equations, baumgarte: Damping) -> ForwardDynamics:
-    """Return the shortest of what the applicable methods find; one of them may meet a pivot that is zero."""
-    found: list[ForwardDynamics] = []
-    failures: list[ModelError] = []
-    for name in _applicable(eqs):
-        try:
-            found.append(_METHODS[name](eqs, baumgarte))
-        except ModelError as failure:
-            failures.append(failure)
-    if not found:
-        raise failures[0]
-    return min(found, key=lambda result: cost(result.accelerations).total)
-
-
-def _applicable(eqs: Equations) -> tuple[str, ...]:
-    if eqs.constraints or eqs.mass_matrix != eqs.mass_matrix.T:
-        return ("pivoted",)
+    if eqs.constraints:
+        return _pivoted(eqs, baumgarte)
     with derivation(fresh=True):
         tree = frame_tree(eqs.system)
         recursive = articulated_body.is_applicable(eqs.system, tree)
-    return ("articulated_body", "ldl") if recursive else ("ldl",)
+    if recursive:
+        return _shortest_for_tree(eqs, tree)
+    return _ldl(eqs, None) if eqs.mass_matrix == eqs.mass_matrix.T else _pivoted(eqs, None)
+
+
+def _shortest_for_tree(eqs: Equations, tree: FrameTree) -> ForwardDynamics:
+    """Return the shorter of two; if one meets a pivot that is identically zero, the other."""
+    try:
+        recursion = _articulated_body(eqs, None)
+    except ModelError:
+        return _ldl(eqs, None)
+    shortest = cost(recursion.accelerations).total
+    if _least_elimination(tree) >= shortest:
+        return recursion
+    elimination = _ldl(eqs, None)
+    return elimination if cost(elimination.accelerations).total < shortest else recursion
+
+
+def _least_elimination(tree: FrameTree) -> int:
+    """Return how many operations elimination takes at least: ``k (k + 5)`` for a coordinate beyond k others."""
+    beyond, total = [0] * len(tree.frames), 0
+    for place in range(1, len(tree.frames)):
+        beyond[place] = beyond[tree.parents[place]]
+        for _ in tree.coordinates[place]:
+            total += beyond[place] * (beyond[place] + 5)
+            beyond[place] += 1
+    return total
 
 
 def _articulated_body(eqs: Equations, _: Damping) -> ForwardDynamics:
@@ -145,6 +155,7 @@ def _pivoted(eqs: Equations, baumgarte: Damping) -> ForwardDynamics:
 
 
 _METHODS: dict[str, Callable[[Equations, Damping], ForwardDynamics]] = {
+    "auto": _shortest,
     "articulated_body": _articulated_body,
     "ldl": _ldl,
     "pivoted": _pivoted,
