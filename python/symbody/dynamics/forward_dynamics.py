@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from contextlib import suppress
 from dataclasses import dataclass
 from typing import Annotated, TypeAlias
 
@@ -91,8 +92,10 @@ def _shortest_for_tree(eqs: Equations, tree: FrameTree) -> ForwardDynamics:
     """Return the shorter of two; if one meets a pivot that is identically zero, the other."""
     try:
         recursion = _articulated_body(eqs, None)
-    except ModelError:
-        return _ldl(eqs, None)
+    except ModelError as failure:
+        with suppress(ModelError):
+            return _ldl(eqs, None)
+        raise failure from None
     shortest = cost(recursion.accelerations).total
     if _least_elimination(tree) >= shortest:
         return recursion
