@@ -6,9 +6,9 @@ from collections.abc import Iterable, Sequence
 
 from symbody.codegen.expression import wrapped
 from symbody.codegen.language import Language, functions, number_text
-from symbody.codegen.linear_systems import runtime_text
 from symbody.codegen.module import Array, Function, Module
 from symbody.codegen.printer import block_lines, comment_block, head, head_of_function, in_rows, mark
+from symbody.codegen.runtime import runtime_text
 from symbody.codegen.target import Target
 
 __all__ = ["FORTRAN"]

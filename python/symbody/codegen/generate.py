@@ -11,15 +11,18 @@ from typing import Any, Protocol
 
 from symbody.codegen.c import C
 from symbody.codegen.fortran import FORTRAN
+from symbody.codegen.julia import JULIA
+from symbody.codegen.matlab import MATLAB
 from symbody.codegen.module import module_of
 from symbody.codegen.printer import MARK
+from symbody.codegen.rust import RUST
 from symbody.codegen.target import Target
 from symbody.errors import CodegenError, ProgramError
 from symbody.symbolic import Program
 
 __all__ = ["TARGETS", "Programmable", "generate", "program_of", "source", "target_of"]
 
-TARGETS = {target.name: target for target in (C, FORTRAN)}
+TARGETS = {target.name: target for target in (C, FORTRAN, JULIA, MATLAB, RUST)}
 """All targets by name."""
 
 
@@ -137,7 +140,8 @@ def _write(folder: Path, texts: dict[str, str]) -> None:
     temporary: list[tuple[str, Path]] = []
     try:
         for file, text in texts.items():
-            handle, name = tempfile.mkstemp(prefix=f".{file}.", dir=folder)
+            (folder / file).parent.mkdir(exist_ok=True)
+            handle, name = tempfile.mkstemp(prefix=f".{Path(file).name}.", dir=(folder / file).parent)
             temporary.append((name, folder / file))
             with os.fdopen(handle, "w", encoding="utf-8", newline="\n") as stream:
                 stream.write(text)

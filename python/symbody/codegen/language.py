@@ -22,7 +22,7 @@ class Language:
         comment: what stands before and after the text of a comment of one line.
         declare: a new local name, of ``{name}`` and ``{value}``.
         assign: a new value of an entry, of ``{place}`` and ``{value}``.
-        factor: the call that factorises the matrix in an array, of ``{n}`` and ``{work}``.
+        factor: the call that factorises the matrix in an array, of ``{n}`` and ``{work}``; none where ``solve`` does.
         solve: the call that solves for the right side in an array, of ``{n}``, ``{work}`` and ``{x}``.
         functions: a text for each of :data:`FUNCTIONS`, as ``sin({})``.
         literal: the text of a double that reads back as the same double.

@@ -10,9 +10,9 @@ from symbody.codegen.compose import Composition, compose
 from symbody.codegen.count import counts_by_stage
 from symbody.codegen.describe import described
 from symbody.codegen.language import Language
-from symbody.codegen.linear_systems import factor_size
 from symbody.codegen.names import Scope, identifier
 from symbody.codegen.preparation import Preparation
+from symbody.codegen.runtime import factor_size
 from symbody.codegen.sample import sample_of
 from symbody.codegen.straight_line import Code, Input, code_of
 from symbody.symbolic import Argument, Program, Routine, t
@@ -59,6 +59,7 @@ class Function:
         composition: its statements in blocks.
         counts: its operations in words, by stage.
         operations: the names of the operations that occur in it.
+        working: the names and sizes of the working arrays: matrices, solutions, what later parts read.
     """
 
     name: str
@@ -68,22 +69,12 @@ class Function:
     composition: Composition
     counts: Mapping[str, str]
     operations: frozenset[str]
+    working: tuple[tuple[str, int], ...]
 
     @property
     def shapes(self) -> dict[str, tuple[int, ...]]:
         """The shapes of the results, by name."""
         return {result.name: result.shape for result in self.results}
-
-    @property
-    def working(self) -> tuple[tuple[str, int], ...]:
-        """The names and sizes of the working arrays: matrices, solutions, what later parts read."""
-        made = self.composition
-        arrays = (
-            *((name, factor_size(size)) for name, size in made.matrices),
-            *made.solutions,
-            made.workspace,
-        )
-        return tuple((name, size) for name, size in arrays if size)
 
     @property
     def mentions(self) -> frozenset[str]:
@@ -232,7 +223,17 @@ class _Modeler:
             limit=self.limit,
         )
         operations = frozenset(row[0] for row in code.instructions)
-        return Function(name, meaning, arguments, results, composition, counts_by_stage(code), operations)
+        working = self._working(composition)
+        return Function(
+            name, meaning, arguments, results, composition, counts_by_stage(code), operations, working
+        )
+
+    def _working(self, made: Composition) -> tuple[tuple[str, int], ...]:
+        """Return the working arrays; matrices are larger where their factorisation takes their place."""
+        matrices = tuple(
+            (name, factor_size(n) if self.language.factor else n * n) for name, n in made.matrices
+        )
+        return tuple((name, size) for name, size in (*matrices, *made.solutions, made.workspace) if size)
 
     def _input(self, read: Input) -> tuple[Input, str]:
         """Return an input with its array's identifier, and a note where its name doesn't say what it is."""

@@ -35,7 +35,8 @@ def block_lines(block: Block, language: Language, shapes: Shapes, indent: str | 
     for statement in block.statements:
         if isinstance(statement, Section) and lines:
             lines.append("")
-        lines += wrapped(statement_text(statement, language, shapes), language, indent)
+        text = statement_text(statement, language, shapes)
+        lines += wrapped(text, language, indent) if text else []
     return lines
 
 

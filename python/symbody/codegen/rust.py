@@ -1,0 +1,204 @@
+"""Rust: a module without dependencies, and a self-check that rustc alone compiles."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from symbody.codegen.expression import wrapped
+from symbody.codegen.language import Language, functions, number_text
+from symbody.codegen.module import Array, Function, Module
+from symbody.codegen.printer import block_lines, comment_block, head, head_of_function, mark
+from symbody.codegen.runtime import runtime_text
+from symbody.codegen.target import Target
+
+__all__ = ["RUST"]
+
+_NAMES = """
+as break const continue crate else enum extern false fn for if impl in let loop match mod move mut pub ref return self
+Self static struct super trait true type unsafe use where while async await dyn abstract become box do final macro
+override priv typeof unsized virtual yield try union f64 main sign_of least greatest factor solve compare failures
+reference gen std
+"""
+
+_METHODS = ("sqrt", "sin", "cos", "tan", "asin", "acos", "atan", "sinh", "cosh", "tanh", "exp")
+
+LANGUAGE = Language(
+    comment=("//", ""),
+    declare="let {name} = {value};",
+    assign="{place} = {value};",
+    functions=functions(
+        **{name: f"f64::{name}({{}})" for name in _METHODS},
+        atan2="f64::atan2({}, {})",
+        log="f64::ln({})",
+        Abs="f64::abs({})",
+        sign="sign_of({})",
+        Min="least({}, {})",
+        Max="greatest({}, {})",
+        Power="f64::powf({}, {})",
+        select="(if {} > 0.0 {{ {} }} else {{ {} }})",
+    ),
+    reserved=frozenset(_NAMES.split()),
+    literal=lambda value: {"inf": "f64::INFINITY", "-inf": "-f64::INFINITY", "nan": "f64::NAN"}.get(
+        repr(value), number_text(value)
+    ),
+    matrix="{}[{}][{}]",
+    scalar="*{}",
+    factor="factor({n}, &mut {work});",
+    solve="solve({n}, &{work}, &mut {x});",
+)
+
+_HELPERS = {
+    "sign": """
+fn sign_of(x: f64) -> f64 {
+    f64::from(i8::from(x > 0.0) - i8::from(x < 0.0))
+}
+""",
+    "Min": """
+fn least(a: f64, b: f64) -> f64 {
+    if a < b || a.is_nan() { a } else { b }
+}
+""",
+    "Max": """
+fn greatest(a: f64, b: f64) -> f64 {
+    if a > b || a.is_nan() { a } else { b }
+}
+""",
+}
+
+
+def _files(module: Module) -> dict[str, str]:
+    return {f"{module.name}.rs": _source(module), f"{module.name}_check.rs": _check(module)}
+
+
+def _source(module: Module) -> str:
+    title = "Functions of the model; results come last. Matrices are arrays of rows."
+    lines = [*comment_block(head(module, title, 0), "//!"), ""]
+    lines += ["#![allow(non_snake_case, unused_parens, dead_code, clippy::all)]"]
+    for function in module.functions:
+        lines += ["", *_function(function)]
+    lines += [
+        line
+        for name, text in _HELPERS.items()
+        if name in module.operations
+        for line in text.rstrip().split("\n")
+    ]
+    if "factor" in module.operations:
+        lines += ["", runtime_text("linear_solve.rs").rstrip()]
+    return "\n".join(lines) + "\n"
+
+
+def _type(array: Array) -> str:
+    text = "f64"
+    for size in reversed(array.shape):
+        text = f"[{text}; {size}]"
+    return text
+
+
+def _declared(function: Function) -> dict[str, str]:
+    """Return the parameters of a function by name."""
+    declared = {a.name: f"{a.name}: {'' if a.is_scalar else '&'}{_type(a)}" for a in function.arguments}
+    return declared | {r.name: f"{r.name}: &mut {_type(r)}" for r in function.results}
+
+
+def _function(function: Function) -> list[str]:
+    """Return a function; if it is long, one that calls its parts, and these."""
+    lines = comment_block(head_of_function(function), "///")
+    blocks = function.composition.blocks
+    arrays = [f"    let mut {name} = [0.0; {size}];" for name, size in function.working]
+    unused = [f"    let _ = {a.name};" for a in function.arguments if a.name not in function.mentions]
+    title = f"pub fn {function.name}({', '.join(_declared(function).values())}) {{"
+    if len(blocks) == 1:
+        body, parts = block_lines(blocks[0], LANGUAGE, function.shapes), []
+    else:
+        body = [line for k in range(len(blocks)) for line in wrapped(_call(function, k), LANGUAGE, "    ")]
+        parts = [line for k in range(len(blocks)) for line in ["", *_part(function, k)]]
+    return [*lines, *wrapped(title, LANGUAGE, ""), *arrays, *body, *unused, "}", *parts]
+
+
+def _part(function: Function, number: int) -> list[str]:
+    """Return one block as a function of the arrays that it uses."""
+    block = function.composition.blocks[number]
+    declared = _declared(function)
+    declared |= {name: f"{name}: &mut [f64; {size}]" for name, size in function.working}
+    used = ", ".join(text for name, text in declared.items() if name in block.mentions)
+    title = f"fn {function.name}_part{number + 1}({used}) {{"
+    return [*wrapped(title, LANGUAGE, ""), *block_lines(block, LANGUAGE, function.shapes), "}"]
+
+
+def _call(function: Function, number: int) -> str:
+    names = {array.name: array.name for array in (*function.arguments, *function.results)}
+    names |= {name: f"&mut {name}" for name, _ in function.working}
+    mentioned = function.composition.blocks[number].mentions
+    used = ", ".join(text for name, text in names.items() if name in mentioned)
+    return f"{function.name}_part{number + 1}({used});"
+
+
+_COMPARE = """
+/// Compare numbers with their reference, relative to the largest; zeros may differ by rounding.
+fn compare(what: &str, value: &[f64], reference: &[f64]) -> bool {
+    let largest = reference.iter().fold(0.0, |largest, r| f64::max(largest, r.abs()));
+    let differences = value.iter().zip(reference).map(|(v, r)| (v - r).abs());
+    let error = differences.fold(0.0, |error, d| if d <= error { error } else { d });
+    let same = error <= 1e-12 * largest + 1e-15 && value.len() == reference.len();
+    let relative = if largest > 0.0 { error / largest } else { error };
+    let verdict = if same { "ok" } else { "DIFFERS" };
+    println!("  {what:<44} {:>5} {relative:>10.1e}  {verdict}", reference.len());
+    same
+}
+"""
+
+
+def _check(module: Module) -> str:
+    title = [mark(module), "", "Evaluates every routine at one state and compares with reference values."]
+    lines = [*comment_block(title, "//!"), "", "#![allow(non_snake_case, clippy::all)]", ""]
+    lines += [f'#[path = "{module.name}.rs"]', f"mod {module.name};", "", "fn main() {"]
+    for array in module.arguments:
+        if array.name in module.values:
+            literals = ", ".join(map(LANGUAGE.literal, module.values[array.name]))
+            value = literals if array.is_scalar else f"[{literals}]"
+            lines += wrapped(f"let {array.name} = {value};", LANGUAGE, "    ")
+    lines += ["    let mut failures = 0;", f'    println!("{module.name}: entries, largest relative error");']
+    lines += _call_of(module, module.prepare) if module.prepare else []
+    for function, references in zip(module.routines, module.references, strict=True):
+        lines += ["", *_comparison(module, function, references)]
+    lines += ["", "    std::process::exit(i32::from(failures > 0));", "}"]
+    return "\n".join([*lines, *_COMPARE.rstrip().split("\n")]) + "\n"
+
+
+def _call_of(module: Module, function: Function) -> list[str]:
+    """Return the lines that make room for the results and call a function."""
+    zeros = [f"    let mut {r.name}: {_type(r)} = {_zeros(r)};" for r in function.results]
+    names = [a.name if a.is_scalar else f"&{a.name}" for a in function.arguments]
+    names += [f"&mut {result.name}" for result in function.results]
+    call = f"{module.name}::{function.name}({', '.join(names)});"
+    return [*zeros, *wrapped(call, LANGUAGE, "    ")]
+
+
+def _zeros(array: Array) -> str:
+    text = "0.0"
+    for size in reversed(array.shape):
+        text = f"[{text}; {size}]"
+    return text
+
+
+def _comparison(module: Module, function: Function, references: Sequence[Sequence[float]]) -> list[str]:
+    """Return a block that calls a routine and compares its results."""
+    lines = ["    {", *(f"    {line}" for line in _call_of(module, function))]
+    for result, reference in zip(function.results, references, strict=True):
+        literals = ", ".join(map(LANGUAGE.literal, reference))
+        lines += [f"    {line}" for line in wrapped(f"let reference = [{literals}];", LANGUAGE, "    ")]
+        flat = {0: f"&[{result.name}]", 1: f"&{result.name}", 2: f"&{result.name}.concat()"}[
+            len(result.shape)
+        ]
+        call = f'compare("{function.name}: {result.name}", {flat}, &reference)'
+        lines.append(f"        failures += i32::from(!{call});")
+    return [*lines, "    }"]
+
+
+RUST = Target(
+    name="rust",
+    title="Rust",
+    language=LANGUAGE,
+    files=_files,
+    check=("rustc --edition=2021 -O {name}_check.rs -o {name}_check", "./{name}_check"),
+)
