@@ -24,7 +24,7 @@ mod eval;
 mod exact;
 mod expand;
 mod factor_terms;
-mod factorization;
+pub mod factorization;
 mod field;
 mod function;
 mod graph;
