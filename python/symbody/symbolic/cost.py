@@ -63,7 +63,8 @@ def cost(*expressions: Costed, tree: bool = False) -> Cost:
     """
     counts = _core.cost(list(_flat(expressions)), tree)
     stages = {} if tree else {name: Cost(*c) for name, c in zip(_STAGES, counts, strict=True)}
-    return Cost(*map(sum, zip(*counts, strict=True)), stages)
+    a, m, d, f = (sum(column) for column in zip(*counts, strict=True))
+    return Cost(a, m, d, f, stages)
 
 
 def _flat(items: Iterable[Costed]) -> Iterator[ExprLike]:
