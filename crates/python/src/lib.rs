@@ -9,6 +9,7 @@
 mod calculus;
 mod convert;
 mod expr;
+mod kernel;
 mod leaves;
 mod matrix;
 mod nary;
@@ -27,6 +28,7 @@ fn _core(module: &Bound<'_, PyModule>) -> PyResult<()> {
     leaves::register(module)?;
     nary::register(module)?;
     calculus::register(module)?;
+    kernel::register(module)?;
     matrix::register(module)?;
     print::register(module)?;
     rewrite::register(module)?;
