@@ -10,11 +10,15 @@ from pathlib import Path
 from typing import Any, Protocol
 
 from symbody.codegen.c import C
+from symbody.codegen.casadi import CASADI
 from symbody.codegen.fortran import FORTRAN
+from symbody.codegen.jax import JAX
 from symbody.codegen.julia import JULIA
 from symbody.codegen.matlab import MATLAB
+from symbody.codegen.modelica import MODELICA
 from symbody.codegen.module import module_of
 from symbody.codegen.printer import MARK
+from symbody.codegen.python import PYTHON
 from symbody.codegen.rust import RUST
 from symbody.codegen.target import Target
 from symbody.errors import CodegenError, ProgramError
@@ -22,7 +26,7 @@ from symbody.symbolic import Program
 
 __all__ = ["TARGETS", "Programmable", "generate", "program_of", "source", "target_of"]
 
-TARGETS = {target.name: target for target in (C, FORTRAN, JULIA, MATLAB, RUST)}
+TARGETS = {target.name: target for target in (C, FORTRAN, MATLAB, PYTHON, JULIA, JAX, CASADI, MODELICA, RUST)}
 """All targets by name."""
 
 
