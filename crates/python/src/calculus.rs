@@ -1,11 +1,11 @@
 //! Derivatives and substitution of many expressions at once.
 
 use pyo3::prelude::*;
-use pyo3::types::PyTuple;
+use pyo3::types::{PyFrozenSet, PyTuple};
 use symbody_core::Id;
 
 use crate::convert::{mistake, operand, operands, optional};
-use crate::expr::tuple;
+use crate::expr::{leaves, tuple};
 use crate::session::{raise, with_forms, with_graph};
 
 /// The items of a mapping or of a sequence of pairs.
@@ -61,6 +61,12 @@ fn time_derivatives<'py>(py: Python<'py>, expressions: &Bound<'py, PyAny>) -> Py
     tuple(py, raise(py, with_graph(|graph| graph.time_derivatives(&roots)))?)
 }
 
+/// The leaves of several expressions, found in one walk.
+#[pyfunction]
+fn free_symbols<'py>(py: Python<'py>, expressions: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyFrozenSet>> {
+    leaves(py, &operands(expressions, "free_symbols")?)
+}
+
 /// The derivatives of one expression with respect to many variables.
 #[pyfunction]
 fn gradient<'py>(
@@ -89,6 +95,7 @@ fn jacobian<'py>(
 pub fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(substitute, module)?)?;
     module.add_function(wrap_pyfunction!(diff_all, module)?)?;
+    module.add_function(wrap_pyfunction!(free_symbols, module)?)?;
     module.add_function(wrap_pyfunction!(time_derivatives, module)?)?;
     module.add_function(wrap_pyfunction!(gradient, module)?)?;
     module.add_function(wrap_pyfunction!(jacobian, module)?)

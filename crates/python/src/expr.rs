@@ -329,15 +329,7 @@ impl Expr {
     /// The symbols, functions of time and their derivatives in the expression; of `f(q)`, the leaf q alone.
     #[getter]
     fn free_symbols<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyFrozenSet>> {
-        let variables = with_forms(|graph| {
-            let mut leaves = graph.variables(&[self.0]);
-            leaves.retain(|&id| !matches!(graph.view(id), View::Application { .. }));
-            leaves
-        });
-        PyFrozenSet::new(
-            py,
-            variables.into_iter().map(|id| Py::new(py, Expr(id))).collect::<PyResult<Vec<_>>>()?,
-        )
+        leaves(py, &[self.0])
     }
 
     /// Whether something equal to `part` occurs in the expression.
@@ -439,6 +431,16 @@ fn parts(graph: &mut Graph, id: Id) -> Result<Vec<Id>, Error> {
         return Ok(vec![base, graph.number(&exponent)]);
     }
     factors.into_iter().map(|factor| graph.product(&[factor])).collect()
+}
+
+/// The symbols, functions of time and their derivatives in several expressions.
+pub fn leaves<'py>(py: Python<'py>, roots: &[Id]) -> PyResult<Bound<'py, PyFrozenSet>> {
+    let variables = with_forms(|graph| {
+        let mut variables = graph.variables(roots);
+        variables.retain(|&id| !matches!(graph.view(id), View::Application { .. }));
+        variables
+    });
+    PyFrozenSet::new(py, variables.into_iter().map(|id| Py::new(py, Expr(id))).collect::<PyResult<Vec<_>>>()?)
 }
 
 /// The ids as a Python tuple of expressions.

@@ -11,7 +11,7 @@ from symbody.errors import ModelError
 from symbody.geometry import Scalar
 from symbody.geometry.argument import checked
 from symbody.multibody import System
-from symbody.symbolic import Expr, Matrix, Program, listing, time_derivative
+from symbody.symbolic import Expr, Matrix, Program, free_symbols, listing, time_derivative
 
 from .baumgarte import stabilized
 from .constraint import constraint_jacobian
@@ -112,7 +112,7 @@ class Equations:
 
     @cached_property
     def _leaves(self) -> frozenset[Expr]:
-        return frozenset().union(*(entry.free_symbols for entry in (*self.residuals, *self.constraints)))
+        return free_symbols((*self.residuals, *self.constraints))
 
     @checked(ModelError)
     def baumgarte(self, omega: Scalar, zeta: Scalar) -> tuple[Expr, ...]:

@@ -9,7 +9,18 @@ from symbody.errors import ArgumentError, ModelError, ProgramError
 from symbody.geometry import Vector
 from symbody.geometry.argument import checked
 from symbody.multibody import gravitational_energy, kinetic_energy
-from symbody.symbolic import Argument, Expr, ExprLike, Matrix, Program, Result, Routine, number, t
+from symbody.symbolic import (
+    Argument,
+    Expr,
+    ExprLike,
+    Matrix,
+    Program,
+    Result,
+    Routine,
+    free_symbols,
+    number,
+    t,
+)
 
 from .equations import Equations
 from .forward_dynamics import Damping, forward_dynamics
@@ -225,8 +236,7 @@ def _with_arguments(routine: Routine, arguments: Sequence[Argument]) -> Routine:
 
 
 def _leaves(routines: Iterable[Routine]) -> frozenset[Expr]:
-    expressions = (expression for routine in routines for expression in routine.expressions)
-    return frozenset().union(*(expression.free_symbols for expression in expressions))
+    return free_symbols([expression for routine in routines for expression in routine.expressions])
 
 
 def _check_time_functions(outputs: Mapping[str, Output], eqs: Equations, routines: Iterable[Routine]) -> None:

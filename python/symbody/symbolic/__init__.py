@@ -3,6 +3,7 @@
 from symbody.symbolic._core import Expr
 from symbody.symbolic.calculus import (
     diff,
+    free_symbols,
     gradient,
     jacobian,
     subs,
@@ -102,6 +103,7 @@ __all__ = [
     "expand",
     "expand_trig",
     "factor_terms",
+    "free_symbols",
     "from_sympy",
     "function",
     "functions_of_time",

@@ -10,7 +10,16 @@ from symbody.symbolic.arguments import size
 from symbody.symbolic.leaves import ExprLike
 from symbody.symbolic.matrix import Matrix
 
-__all__ = ["diff", "gradient", "jacobian", "subs", "substitute", "time_derivative", "time_derivatives"]
+__all__ = [
+    "diff",
+    "free_symbols",
+    "gradient",
+    "jacobian",
+    "subs",
+    "substitute",
+    "time_derivative",
+    "time_derivatives",
+]
 
 
 def diff(expression: ExprLike, variable: Expr, n: int = 1) -> Expr:
@@ -27,6 +36,18 @@ def diff(expression: ExprLike, variable: Expr, n: int = 1) -> Expr:
     2*sin(x)*cos(x)
     """
     return _core.number(expression, "diff, expression").diff(variable, n)
+
+
+def free_symbols(expressions: Sequence[ExprLike]) -> frozenset[Expr]:
+    """Return the symbols, functions of time and their derivatives in several expressions, found in one walk.
+
+    >>> from symbody import symbols
+    >>> from symbody.symbolic import free_symbols
+    >>> a, b = symbols("a b")
+    >>> sorted(map(str, free_symbols([a, a * b])))
+    ['a', 'b']
+    """
+    return _core.free_symbols(expressions)
 
 
 def time_derivative(expression: ExprLike, n: int = 1) -> Expr:

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from math import prod
 
 from symbody.errors import ProgramError
-from symbody.symbolic._core import Expr
+from symbody.symbolic._core import Expr, free_symbols
 
 __all__ = ["STAGES", "Argument", "Program", "Result", "Routine"]
 
@@ -125,7 +125,7 @@ def _check_closed(routine: Routine, arguments: Iterable[Argument]) -> None:
     """Raise an error that names each result with a variable that is no argument."""
     given = {variable for argument in arguments for variable in argument.variables}
     for result in routine.results:
-        leaves = frozenset().union(*(expression.free_symbols for expression in result.expressions))
+        leaves = free_symbols(result.expressions)
         missing = sorted(str(leaf) for leaf in leaves - given)
         if missing:
             names = ", ".join(argument.name for argument in arguments)
