@@ -197,6 +197,10 @@ impl Graph {
     }
 
     pub(crate) fn number_id(&mut self, number: &Number) -> NumberId {
+        if number.is_zero() && number.is_decimal() {
+            // There is one zero, so that `is_zero` sees each.
+            return self.number_id(&number.with_decimal(false));
+        }
         if let Some(&id) = self.number_index.get(number) {
             return NumberId(id);
         }

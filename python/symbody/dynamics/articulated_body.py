@@ -22,7 +22,8 @@ from symbody.symbolic import Expr, add3, cross3, dot3, number, scale3
 
 from .added_mass import has_added_mass
 from .articulated_inertia import ArticulatedInertia
-from .composite_rigid_body import Composite, composite
+from .base_inertia import base_inertias
+from .composite import Composite
 from .frame_tree import FrameTree
 from .newton_euler import at_rest, needed_wrenches
 from .wrench import Wrench
@@ -66,22 +67,23 @@ class _ArticulatedBody:
         self._rigid: list[Composite | None] = [None] * len(tree.frames)
         self._articulated: list[ArticulatedInertia | None] = [None] * len(tree.frames)
         self._joints: list[list[_Joint]] = [[] for _ in tree.frames]
-        for body in system.bodies:
-            self._join_rigid(tree.index(body.frame), composite(body))
+        for place, body in base_inertias(system, tree).all():
+            self._join_rigid(place, body)
 
     def accelerations(self, wrenches: Sequence[Wrench]) -> tuple[Expr, ...]:
         bias = list(wrenches)
-        for place in range(len(bias) - 1, 0, -1):
+        for place in range(len(bias) - 1, -1, -1):
             if self._tree.carried[place]:
                 self._inward(place, bias)
         return self._outward()
 
     def _inward(self, place: int, bias: list[Wrench]) -> None:
-        parent, motion = self._tree.parents[place], self._tree.motion(place)
         for k in self._tree.coordinates[place]:
             bias[place] = self._give_way(place, k, bias[place])
-        if not self._tree.carried[parent]:
+        parent = self._tree.parents[place]
+        if place == 0 or not self._tree.carried[parent]:
             return
+        motion = self._tree.motion(place)
         bias[parent] = bias[parent].plus(bias[place].to_parent(motion))
         rigid, articulated = self._rigid[place], self._articulated[place]
         if rigid is not None:
@@ -100,7 +102,8 @@ class _ArticulatedBody:
     def _give_way(self, place: int, k: int, bias: Wrench) -> Wrench:
         """Take the joint's freedom out of the inertia and the bias of its frame."""
         spin, drift = self._tree.partial_twists(place)[k]
-        drift = self._tree.motion(place).to_child(drift)
+        if place > 0:
+            drift = self._tree.motion(place).to_child(drift)
         inertia = self._inertia(place)
         needed = NOTHING if inertia is None else inertia.wrench(spin, drift)
         pivot = _power(spin, drift, needed)
@@ -127,8 +130,10 @@ class _ArticulatedBody:
     def _outward(self) -> tuple[Expr, ...]:
         result = [number(0)] * len(self._system.coordinates)
         twists = [(NULL, NULL)] * len(self._tree.frames)
-        for place in range(1, len(twists)):
-            angular, linear = _carried(twists[self._tree.parents[place]], self._tree.motion(place))
+        for place in range(len(twists)):
+            angular, linear = twists[0]
+            if place > 0:
+                angular, linear = _carried(twists[self._tree.parents[place]], self._tree.motion(place))
             for joint in reversed(self._joints[place]):
                 result[joint.coordinate] = rate = _response(joint, angular, linear)
                 angular = add3(angular, scale3(rate, joint.spin))

@@ -8,7 +8,7 @@ from symbody.geometry.motion import Motion, Rotation
 from symbody.geometry.triple import NULL, Triple, is_null
 from symbody.symbolic import Expr, add3, cos, cross3, matvec3, matvec3_transposed, sin
 
-from .composite_rigid_body import Composite, Tensor, tensor_times, turned_tensor
+from .composite import Composite, Tensor, tensor_times, turned_tensor
 from .wrench import Wrench
 
 Nine: TypeAlias = tuple[Expr, ...]

@@ -9,12 +9,11 @@ from symbody.geometry import Point
 from symbody.geometry.acceleration_field import AccelerationField
 from symbody.geometry.argument import checked
 from symbody.geometry.triple import NULL, Rate, Triple
-from symbody.multibody import Action, Body, System
+from symbody.multibody import Action, System
 from symbody.symbolic import (
     Expr,
     cross3,
     derivation,
-    scale3,
     sub3,
     substitute,
     time_derivative,
@@ -22,11 +21,12 @@ from symbody.symbolic import (
 )
 
 from .added_mass import with_added_mass
+from .base_inertia import base_inertias
 from .composite_rigid_body import mass_matrix
 from .constraint import check_independent, with_multipliers
 from .equations import Assembly, Equations
 from .frame_tree import FrameTree, checked_tree, frame_tree
-from .spin_momentum import spin_momentum_rate
+from .inertia_wrench import inertia_wrenches
 from .wrench import Wrench, generalized_forces
 
 
@@ -80,9 +80,8 @@ def needed_wrenches(system: System, tree: FrameTree, rest: Mapping[Expr, int] | 
     """Return, frame by frame, the wrench that the motion needs beyond weight and loads."""
     field = AccelerationField(_minus_gravity(system), _rate(rest) if rest else time_derivatives)
     wrenches = [Wrench(NULL, NULL)] * len(tree.frames)
-    for body in system.bodies:
-        place = tree.index(body.frame)
-        wrenches[place] = wrenches[place].plus(_inertia(body, field))
+    for place, wrench in inertia_wrenches(base_inertias(system, tree, particles=True), tree, field):
+        wrenches[place] = wrenches[place].plus(wrench)
     for action in tree.actions:
         anchor = action.anchor
         place = tree.index(anchor.frame)
@@ -118,12 +117,6 @@ def _minus_gravity(system: System) -> Triple:
     if system.gravity is None:
         return NULL
     return sub3(NULL, system.gravity.projected(system.root).components)
-
-
-def _inertia(body: Body, field: AccelerationField) -> Wrench:
-    turning, acceleration = field(body.frame)
-    force = scale3(body.mass, acceleration)
-    return Wrench(force, spin_momentum_rate(body, turning))
 
 
 def _load(action: Action, anchor: Point, rest: Mapping[Expr, int]) -> Wrench:

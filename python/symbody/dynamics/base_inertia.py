@@ -1,0 +1,196 @@
+"""Base inertias: mass kept in the frames where it takes fewest operations [Mayeda, Yoshida & Osuka 1990].
+
+Mass on the axis of a joint is at rest in both links that the joint connects. For the z axis such a line of mass has
+any mass m, moment h_z and second moment S_zz. Kept in the link before the joint it leaves the equations as they are,
+and 7 of 10 inertial parameters are left beyond the joint [Gautier & Khalil 1990]. What has no mass may be kept before a
+sliding joint. Bodies on fixed joints are one.
+
+A mass may also be taken out of a body, and put where the acceleration is known anyway: at the origin of a frame that
+the body carries. It is chosen so that one component of the body's moment vanishes. What is then missing on the axis of
+the joint is missing in the link before, like any other mass there.
+
+Only numbers are moved, since they fold: sums of symbols would have to be computed, and hide what they are made of.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+from typing import NamedTuple, final
+
+from symbody.geometry.motion import Rotation, Translation
+from symbody.geometry.triple import NULL, Triple, is_null
+from symbody.multibody import Body, System
+from symbody.symbolic import Expr, number, scale3
+
+from .composite import Composite, composite, particle, rotor
+from .frame_tree import FrameTree
+from .link import Links
+
+_ZERO = number(0)
+_NOTHING = rotor((_ZERO, _ZERO, _ZERO, _ZERO, _ZERO, _ZERO))
+
+
+class Particle(NamedTuple):
+    """A mass at a place in a frame."""
+
+    mass: Expr
+    position: Triple
+
+
+@dataclass(frozen=True)
+class BaseInertias:
+    """What is moved with each frame, by the frame's place in the tree.
+
+    Attributes:
+        bodies: those that are kept as they are.
+        composites: what the others have become.
+        particles: masses taken out of composites.
+    """
+
+    bodies: list[tuple[int, Body]] = field(default_factory=list)
+    composites: dict[int, Composite] = field(default_factory=dict)
+    particles: list[tuple[int, Particle]] = field(default_factory=list)
+
+    def all(self) -> Iterator[tuple[int, Composite]]:
+        """Return every inertia as a composite."""
+        yield from ((place, composite(body)) for place, body in self.bodies)
+        yield from sorted(self.composites.items())
+        yield from ((place, particle(*taken)) for place, taken in self.particles)
+
+
+def base_inertias(system: System, tree: FrameTree, *, particles: bool = False) -> BaseInertias:
+    """Return the inertias of a system, those that are numbers where they take fewest operations.
+
+    Args:
+        system: the bodies.
+        tree: the frames of the system.
+        particles: whether masses may be taken out of bodies, by which the wrenches of a motion gain.
+    """
+    regrouping = _Regrouping(system, tree)
+    regrouping.run(particles=particles)
+    return regrouping.result
+
+
+class _Way(NamedTuple):
+    """A way to see a body: without a particle, which is put at a frame."""
+
+    operations: int
+    left: Composite
+    taken: tuple[tuple[int, Particle], ...] = ()
+
+
+@final
+class _Regrouping:
+    """From the leaves to the root."""
+
+    def __init__(self, system: System, tree: FrameTree) -> None:
+        self._tree, self._links = tree, Links(tree)
+        self._mass = 0.0
+        self.result = BaseInertias()
+        for body in system.bodies:
+            place, whole = tree.index(body.frame), composite(body)
+            if whole.is_numeric:
+                self._keep(place, whole)
+                self._mass += abs(float(body.mass))
+            else:
+                self.result.bodies.append((place, body))
+        self._owners = set(self.result.composites)
+
+    def run(self, *, particles: bool) -> None:
+        composites = self.result.composites
+        for place in sorted(composites, reverse=True):
+            if not self._tree.carried[place]:
+                del composites[place]
+                continue
+            way = min(self._ways(place), key=lambda way: way.operations) if particles else self._whole(place)
+            line = self._line(place, way.left)
+            composites[place] = way.left.minus(line)
+            if composites[place].is_null:
+                del composites[place]
+            self.result.particles.extend(way.taken)
+            if self._tree.carried[self._links.before(place)]:
+                self._keep(self._tree.parents[place], line)
+
+    def _keep(self, place: int, inertia: Composite) -> None:
+        """Add an inertia to the link of a frame."""
+        if inertia.is_null:
+            return
+        while place != self._links.home[place]:
+            inertia = inertia.to_parent(self._tree.motion(place))
+            place = self._tree.parents[place]
+        known = self.result.composites.get(place)
+        self.result.composites[place] = inertia if known is None else known.plus(inertia)
+
+    def _line(self, place: int, whole: Composite) -> Composite:
+        """Return what of a body may be kept in the link before; one without inertia stays without."""
+        before = self._links.before(place)
+        if self._tree.carried[before] and before not in self._owners:
+            return _NOTHING
+        match self._tree.motion(place):
+            case Rotation(axis=axis):
+                return _on_axis(whole, axis)
+            case Translation():
+                return rotor(whole.inertia)
+            case _:
+                return _NOTHING
+
+    # --- particles ---
+
+    def _ways(self, place: int) -> Iterator[_Way]:
+        """Return the ways to see a body: as a whole, and without a mass at its centre or at a branch."""
+        whole = self.result.composites[place]
+        yield self._whole(place)
+        if not whole.mass.is_zero:
+            center = Particle(whole.mass, scale3(1 / whole.mass, whole.moment))
+            yield self._without(place, center.position, place, center)
+        for branch in self._links.branches(place):
+            d = self._tree.motion(branch).displacement
+            for h, r in zip(whole.moment, d, strict=True):
+                if not h.is_zero and not r.is_zero and abs(float(h / r)) <= self._mass:
+                    yield self._without(place, d, branch, Particle(h / r, NULL))
+
+    def _whole(self, place: int) -> _Way:
+        whole = self.result.composites[place]
+        return _Way(self._operations(place, whole), whole)
+
+    def _without(self, place: int, position: Triple, at: int, taken: Particle) -> _Way:
+        left = self.result.composites[place].minus(particle(taken.mass, position))
+        moved = 6 + 10 * _count(taken.position)
+        return _Way(moved + self._operations(place, left), left, ((at, taken),))
+
+    def _operations(self, place: int, whole: Composite) -> int:
+        """Count the operations of the wrench of a body without what the link before keeps.
+
+        A mass takes a product and a sum for each component of the force; a component of the moment these, and two
+        each for the torque; an entry of the second moments two or three each.
+        """
+        left = whole.minus(self._line(place, whole))
+        travels = self._links.travels[place]
+        x, y, z = left.second_moments
+        pairs = [2 * _count(pair) for pair in ((x, y), (y, z), (z, x))]
+        return (
+            (6 if travels else 0) * _count((left.mass,))
+            + (10 if travels else 4) * _count(left.moment)
+            + 6 * _count(left.inertia[3:])
+            + sum(pairs)
+        )
+
+
+def _count(entries: tuple[Expr, ...]) -> int:
+    return sum(not entry.is_zero for entry in entries)
+
+
+def _on_axis(whole: Composite, k: int) -> Composite:
+    """Return the line of mass on an axis through the origin without which least is left.
+
+    What turns like a wheel about the axis keeps nothing but its moment of inertia about it.
+    """
+    i, j = (k + 1) % 3, (k + 2) % 3
+    J, h, zero = whole.inertia, whole.moment, _ZERO
+    is_wheel = J[i] == J[j] and is_null((J[3], J[4], J[5])) and h[i].is_zero and h[j].is_zero
+    spread = J[i] if is_wheel else whole.second_moments[k]
+    moment, inertia = [zero] * 3, [zero] * 6
+    moment[k], inertia[i], inertia[j] = h[k], spread, spread
+    x, y, z, u, v, w = inertia
+    return Composite(whole.mass, (moment[0], moment[1], moment[2]), (x, y, z, u, v, w))

@@ -1,0 +1,130 @@
+"""A rigid body seen from a frame: one body, or several that are frozen together."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+from symbody.geometry.motion import Motion, Rotation
+from symbody.geometry.triple import NULL, Triple, is_null
+from symbody.multibody import Body
+from symbody.symbolic import Expr, add3, cos, cross3, matvec3, number, scale3, sin, sub3
+
+from .wrench import Wrench
+
+Tensor = tuple[Expr, Expr, Expr, Expr, Expr, Expr]
+"""A symmetric 3x3 matrix: xx, yy, zz, yz, xz, xy."""
+
+_ZERO = number(0)
+_NO_INERTIA: Tensor = (_ZERO, _ZERO, _ZERO, _ZERO, _ZERO, _ZERO)
+
+
+class Composite(NamedTuple):
+    """A rigid body seen from a frame."""
+
+    mass: Expr
+    moment: Triple
+    """The first moment, mass times position of the centre of mass."""
+    inertia: Tensor
+    """About the frame's origin."""
+
+    def plus(self, other: Composite) -> Composite:
+        """Return both bodies as one."""
+        a, b = self.inertia, other.inertia
+        x, y, z = add3((a[0], a[1], a[2]), (b[0], b[1], b[2]))
+        u, v, w = add3((a[3], a[4], a[5]), (b[3], b[4], b[5]))
+        return Composite(self.mass + other.mass, add3(self.moment, other.moment), (x, y, z, u, v, w))
+
+    def minus(self, other: Composite) -> Composite:
+        """Return what is left without the other."""
+        x, y, z, u, v, w = (a - b for a, b in zip(self.inertia, other.inertia, strict=True))
+        return Composite(self.mass - other.mass, sub3(self.moment, other.moment), (x, y, z, u, v, w))
+
+    @property
+    def is_numeric(self) -> bool:
+        """Whether there is no symbol in it."""
+        return all(entry.is_constant for entry in (self.mass, *self.moment, *self.inertia))
+
+    @property
+    def is_null(self) -> bool:
+        """Whether there is nothing."""
+        return all(entry.is_zero for entry in (self.mass, *self.moment, *self.inertia))
+
+    @property
+    def second_moments(self) -> Triple:
+        """The second moments of mass along the axes: the integrals of x^2, y^2 and z^2."""
+        xx, yy, zz, *_ = self.inertia
+        half = number(1) / 2
+        return half * (yy + zz - xx), half * (zz + xx - yy), half * (xx + yy - zz)
+
+    def to_parent(self, motion: Motion) -> Composite:
+        """Return the body as seen from the parent."""
+        turned = Composite(self.mass, motion.to_parent(self.moment), turned_tensor(self.inertia, motion))
+        return turned if is_null(motion.displacement) else turned.displaced(motion.displacement)
+
+    def displaced(self, d: Triple) -> Composite:
+        """Return the body after a displacement d.
+
+        With the new moment ``h' = h + m d`` the inertia grows by ``(d . s) 1 - sym(d s)`` for ``s = h + h'``,
+        written so that the products are few.
+        """
+        h = self.moment
+        moment = add3(h, scale3(self.mass, d))
+        x, y, z = (d[k] * (h[k] + moment[k]) for k in range(3))
+        xx, yy, zz, yz, xz, xy = self.inertia
+        cross = [d[i] * moment[j] + d[j] * h[i] for i, j in ((1, 2), (0, 2), (0, 1))]
+        inertia = (xx + (y + z), yy + (x + z), zz + (x + y), yz - cross[0], xz - cross[1], xy - cross[2])
+        return Composite(self.mass, moment, inertia)
+
+    def wrench(self, spin: Triple, linear: Triple) -> Wrench:
+        """Return the wrench that gives the body an angular acceleration, and its origin a linear one, from rest."""
+        force = add3(scale3(self.mass, linear), cross3(spin, self.moment))
+        return Wrench(force, add3(tensor_times(self.inertia, spin), cross3(self.moment, linear)))
+
+
+def tensor_times(tensor: Tensor, v: Triple) -> Triple:
+    """Return the product of a symmetric matrix and a vector."""
+    xx, yy, zz, yz, xz, xy = tensor
+    return matvec3((xx, xy, xz, xy, yy, yz, xz, yz, zz), v)
+
+
+def turned_tensor(tensor: Tensor, motion: Motion) -> Tensor:
+    """Return ``R J R^T``."""
+    if not motion.rotates or all(entry.is_zero for entry in tensor):
+        return tensor
+    if isinstance(motion, Rotation):
+        return _turned_about(tensor, motion.axis, cos(motion.angle), sin(motion.angle))
+    xx, yy, zz, yz, xz, xy = tensor
+    columns = [motion.to_parent(row) for row in ((xx, xy, xz), (xy, yy, yz), (xz, yz, zz))]
+    x, y, z = (motion.to_parent((columns[0][k], columns[1][k], columns[2][k])) for k in range(3))
+    return x[0], y[1], z[2], y[2], x[2], x[1]
+
+
+def _turned_about(tensor: Tensor, axis: int, c: Expr, s: Expr) -> Tensor:
+    """Turn in the plane (i, j): with ``p = c (J_ii - J_jj) - 2 s J_ij`` its entries change by c p and s p."""
+    i, j = (axis + 1) % 3, (axis + 2) % 3
+    entries = list(tensor)
+    mixed = 3 + axis
+    p = c * (tensor[i] - tensor[j]) - s * (2 * tensor[mixed])
+    cp = c * p
+    entries[i], entries[j], entries[mixed] = tensor[j] + cp, tensor[i] - cp, tensor[mixed] + s * p
+    entries[3 + j], entries[3 + i] = (
+        c * tensor[3 + j] - s * tensor[3 + i],
+        s * tensor[3 + j] + c * tensor[3 + i],
+    )
+    return entries[0], entries[1], entries[2], entries[3], entries[4], entries[5]
+
+
+def composite(body: Body) -> Composite:
+    """Return a body as seen from its own frame."""
+    (xx, yy, zz), (yz, xz, xy) = body.moments, body.products
+    return Composite(body.mass, NULL, (xx, yy, zz, -yz, -xz, -xy))
+
+
+def particle(mass: Expr, place: Triple) -> Composite:
+    """Return a mass at a place."""
+    return Composite(mass, NULL, _NO_INERTIA).displaced(place)
+
+
+def rotor(inertia: Tensor) -> Composite:
+    """Return what only resists rotation: it has no mass, wherever it is."""
+    return Composite(_ZERO, NULL, inertia)

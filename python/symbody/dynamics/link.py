@@ -1,0 +1,45 @@
+"""Links: the frames of a tree that are fixed in each other at numbers, the first of them the link's own."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import final
+
+from symbody.geometry.triple import is_null
+
+from .frame_tree import FrameTree
+
+
+@final
+class Links:
+    """The links of a tree.
+
+    Attributes:
+        home: by frame, the first frame of its link.
+        travels: by frame, whether its origin moves with coordinates.
+    """
+
+    def __init__(self, tree: FrameTree) -> None:
+        self._tree = tree
+        self.home, self.travels = [0], [False]
+        self._bears = [False] * len(tree.frames)
+        for place in range(1, len(tree.frames)):
+            motion, parent = tree.motion(place), tree.parents[place]
+            fixed = all(variable.is_constant for variable in motion.variables)
+            self.home.append(self.home[parent] if fixed else place)
+            displaced = tree.carried[place] and not is_null(motion.displacement)
+            self.travels.append(self.travels[parent] or displaced)
+        for place in range(len(tree.frames) - 1, 0, -1):
+            if self._bears[place] or self.home[place] == place:
+                self._bears[tree.parents[place]] = True
+
+    def before(self, place: int) -> int:
+        """Return the first frame of the link that carries a link."""
+        return self.home[self._tree.parents[place]]
+
+    def branches(self, home: int) -> Iterator[int]:
+        """Return the frames fixed in the first one of a link, at another origin, that bear other links."""
+        for place in range(home + 1, len(self.home)):
+            beside = self._tree.parents[place] == home and self.home[place] == home
+            if beside and self._bears[place] and not is_null(self._tree.motion(place).displacement):
+                yield place
