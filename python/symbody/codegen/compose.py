@@ -118,13 +118,13 @@ class _Composer:
             yield from self._value(place, row)
 
     def _factor(self, place: int, row: Instruction) -> Iterator[Statement]:
-        matrix = self._matrices[place] = (self.scope.claim("A"), row[1])
+        matrix = self._matrices[place] = (self.scope.claim("matrix"), row[1])
         yield from self._filled(matrix[0], row[2:])
         yield Factor(*matrix)
 
     def _solve(self, place: int, row: Instruction) -> Iterator[Statement]:
         matrix, right = self._matrices[row[1]], row[2:]
-        solution = self._solutions[place] = (self.scope.claim("x"), len(right))
+        solution = self._solutions[place] = (self.scope.claim("solution"), len(right))
         yield from self._filled(solution[0], right)
         yield Solve(matrix[0], *solution)
 

@@ -232,7 +232,7 @@ def _makefile(module: Module) -> str:
 ifeq ($(origin FC),default)
 FC = gfortran
 endif
-FFLAGS ?= -std=f2008 -O2 -Wall -pedantic
+FFLAGS ?= -std=f2008 -O1 -Wall -pedantic
 
 all: {name}.o
 
@@ -258,4 +258,5 @@ FORTRAN = Target(
     language=LANGUAGE,
     files=_files,
     check=("make check",),
+    tools=("gfortran",),
 )

@@ -45,7 +45,7 @@ def _files(module: Module) -> dict[str, str]:
 
 
 def _source(module: Module) -> str:
-    title = "Functions of the model; of vectors; they return vectors, matrices and numbers of the arguments' type."
+    title = "Functions of the model, of vectors and numbers; they return arrays and numbers of the arguments' type."
     lines = [*comment_block(head(module, title, 1), "#"), f"module {module.name}", ""]
     exported = ", ".join(function.name for function in module.functions)
     lines += wrapped(f"export {exported}", LANGUAGE, "")

@@ -182,6 +182,6 @@ MATLAB = Target(
     title="MATLAB and Octave",
     language=LANGUAGE,
     files=_files,
-    check=("octave-cli --no-gui --norc --eval {name}_check",),
+    check=("octave-cli --norc --no-history --eval {name}_check",),
     limit=None,
 )

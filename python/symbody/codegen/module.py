@@ -13,11 +13,11 @@ from symbody.codegen.language import Language
 from symbody.codegen.names import Scope, identifier
 from symbody.codegen.preparation import Preparation
 from symbody.codegen.runtime import factor_size
-from symbody.codegen.sample import sample_of
+from symbody.codegen.sample import Sample, sample_of
 from symbody.codegen.straight_line import Code, Input, code_of
 from symbody.symbolic import Argument, Program, Routine, t
 
-__all__ = ["Array", "Function", "Module", "module_of"]
+__all__ = ["Array", "Function", "Module", "module_name", "module_of"]
 
 
 @dataclass(frozen=True)
@@ -115,9 +115,19 @@ class Module:
         return frozenset().union(*(function.operations for function in self.functions))
 
 
-def module_of(program: Program, language: Language, limit: int | None = 1000) -> Module:
-    """Return the program as statements, with functions of at most ``limit`` operations."""
-    return _Modeler(program, language, limit).module()
+def module_of(
+    program: Program, language: Language, limit: int | None = 1000, sample: Sample | None = None
+) -> Module:
+    """Return the program as statements, with functions of at most ``limit`` operations.
+
+    The self-check compares with ``sample``, or with what the evaluator gives at some state.
+    """
+    return _Modeler(program, language, limit).module(sample or sample_of(program))
+
+
+def module_name(name: str, language: Language) -> str:
+    """Return the identifier of a program of this name, which its files are called by."""
+    return Scope(language.reserved, language.case_sensitive).claim(name)
 
 
 class _Modeler:
@@ -126,15 +136,15 @@ class _Modeler:
     def __init__(self, program: Program, language: Language, limit: int | None) -> None:
         self.program, self.language, self.limit = program, language, limit
         self.scope = Scope(language.reserved, language.case_sensitive)
-        self.name = self.scope.claim(program.name)
+        self.name = self.scope.claim(program.name)  # the first of all, as in `module_name`
         self.routines = {routine.name: self.scope.claim(routine.name) for routine in program.routines}
         self.arrays = {argument.name: self._argument(argument) for argument in program.arguments}
         self.constants: list[tuple[str, str]] = []
         self.order: dict[int, int] = {}
         self.constants_name = ""
 
-    def module(self) -> Module:
-        program, sample = self.program, sample_of(self.program)
+    def module(self, sample: Sample) -> Module:
+        program = self.program
         constants, prepare, codes = self._prepared() or (None, None, list(map(self._code, program.routines)))
         routines = tuple(
             self._routine(routine, code, self._taken(routine, constants))

@@ -74,11 +74,15 @@ def _aligned(reads: Sequence[Read], language: Language) -> list[str]:
 
 def head(module: Module, title: str, first_index: int) -> list[str]:
     """Return the head of a file, without comment signs: the model, the arguments, the routines."""
-    lines = [mark(module), "", *sentences(title), "", *sentences(module.meaning), ""]
+    lines = [mark(module), "", *sentences(title), "", *sentences(_capital(module.meaning)), ""]
     lines += ["Arguments:"]
     for array in module.arguments:
         lines += ["", *argument_lines(array, first_index)]
     return lines
+
+
+def _capital(text: str) -> str:
+    return text[:1].upper() + text[1:]
 
 
 def sentences(text: str, width: int = 96) -> list[str]:
@@ -104,7 +108,7 @@ def table(rows: Iterable[tuple[str, ...]]) -> list[str]:
 
 def head_of_function(function: Function) -> list[str]:
     """Return what stands above a function, without comment signs: what it computes, and of which size."""
-    lines = sentences(function.meaning[:1].upper() + function.meaning[1:] + ".") if function.meaning else []
+    lines = sentences(_capital(function.meaning) + ".") if function.meaning else []
     results = [(f"  {result.name}", _shape_text(result), result.meaning) for result in function.results]
     counts = [(f"  {stage}:", words, "") for stage, words in function.counts.items()]
     return [*lines, *table(results), *(["Operations:", *table(counts)] if counts else [])]

@@ -136,10 +136,10 @@ def _call(function: Function, number: int) -> str:
 _COMPARE = """
 /// Compare numbers with their reference, relative to the largest; zeros may differ by rounding.
 fn compare(what: &str, value: &[f64], reference: &[f64]) -> bool {
-    let largest = reference.iter().fold(0.0, |largest, r| f64::max(largest, r.abs()));
-    let differences = value.iter().zip(reference).map(|(v, r)| (v - r).abs());
-    let error = differences.fold(0.0, |error, d| if d <= error { error } else { d });
-    let same = error <= 1e-12 * largest + 1e-15 && value.len() == reference.len();
+    let largest = reference.iter().fold(0.0_f64, |largest, r| largest.max(r.abs()));
+    let error = value.iter().zip(reference).fold(0.0_f64, |error, (v, r)| error.max((v - r).abs()));
+    let is_close = |(v, r): (&f64, &f64)| (v - r).abs() <= 1e-12 * largest + 1e-15;
+    let same = value.iter().zip(reference).all(is_close);
     let relative = if largest > 0.0 { error / largest } else { error };
     let verdict = if same { "ok" } else { "DIFFERS" };
     println!("  {what:<44} {:>5} {relative:>10.1e}  {verdict}", reference.len());

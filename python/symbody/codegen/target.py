@@ -21,7 +21,8 @@ class Target:
         language: its syntax.
         files: the texts of a module's files, by file name.
         check: the commands that build and run the self-check in the folder of the files, of ``{name}``; in each,
-            the first word is a tool of :mod:`symbody.codegen.toolchain`.
+            the first word is a tool of :mod:`symbody.codegen.toolchain`, or ``python``.
+        tools: the tools that these commands call in turn.
         limit: the largest number of operations of a function, where compilers want small ones.
     """
 
@@ -30,4 +31,5 @@ class Target:
     language: Language
     files: Callable[[Module], Mapping[str, str]]
     check: tuple[str, ...]
+    tools: tuple[str, ...] = ()
     limit: int | None = 1000

@@ -1,0 +1,203 @@
+"""Programs for the tests of generated code: small ones that hold everything, robots at the states of other tools."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from functools import cache
+
+import numpy as np
+
+from symbody import (
+    Abs,
+    Body,
+    Max,
+    Min,
+    Piecewise,
+    System,
+    Vector,
+    acos,
+    asin,
+    atan,
+    atan2,
+    cosh,
+    exp,
+    functions_of_time,
+    ground,
+    lagrange_equations,
+    linear_solve,
+    log,
+    newton_euler,
+    rotate,
+    sign,
+    sin,
+    sinh,
+    sqrt,
+    symbols,
+    tan,
+    tanh,
+    translate,
+)
+from symbody.codegen.sample import Sample
+from symbody.symbolic import Argument, Expr, Matrix, Program, Result, Routine, t
+from tests.reference.robot import robot
+from tests.worksheets import test_trifilar_seed as trifilar
+
+
+def state(*, parameters: tuple[Expr, ...], positions: tuple[Expr, ...]) -> tuple[Argument, ...]:
+    """The arguments p, t, q and u of these parameters and positions."""
+    return (
+        Argument("p", "parameters", parameters, "parameters"),
+        Argument("t", "time", (t,), "time and inputs"),
+        Argument("q", "coordinates", positions, "positions"),
+        Argument("u", "speeds", tuple(q.diff(t) for q in positions), "velocities"),
+    )
+
+
+@cache
+def pendulum() -> Program:
+    """A driven pendulum with a Greek angle and reserved words for parameters: the golden files show it."""
+    m, length, lambda_, g = symbols("m l lambda g")
+    (theta,) = functions_of_time(["θ"])
+    pivot = translate(lambda_ * sin(t), 0, 0)
+    bob = Body(pivot * rotate("Z", theta) * translate(0, -length, 0), m)
+    equations = newton_euler(System([bob], coordinates=[theta], gravity=Vector(ground, 0, -g, 0)))
+    arguments = state(parameters=(m, length, lambda_, g), positions=(theta,))
+    mass_matrix = Result("M", "mass matrix", equations.mass_matrix.entries, (1, 1))
+    forcing = Result("f", "forces and inertia forces of speeds", tuple(equations.forcing), (1,))
+    tension = Result("tension", "along the rod", (m * length * theta.diff(t) ** 2 / 2,), ())
+    return Program(
+        "pendulum",
+        "A pendulum whose pivot swings along x.",
+        arguments,
+        (
+            Routine(
+                "equations",
+                "mass matrix and forcing: M θ'' = f",
+                ("p", "t", "q", "u"),
+                (mass_matrix, forcing),
+            ),
+            Routine("tension", "a rough tension of the rod", ("p", "q", "u"), (tension,)),
+        ),
+    )
+
+
+@cache
+def everything() -> Program:
+    """All operations of the tape, names that clash, results that are constants and inputs, several linear systems."""
+    a, b, capital, while_ = symbols("m b M while")
+    x, y = functions_of_time("x y")
+    arguments = state(parameters=(a, b, capital, while_), positions=(x, y))
+    one = [f(x / 3) for f in (sin, tan, asin, acos, atan, sinh, cosh, tanh, exp, log, sqrt)]
+    two = [
+        atan2(y, x),
+        Min(x, y, a),
+        Max(x, y * b),
+        x**y,
+        Abs(x - y),
+        sign(y - x),
+        Piecewise((x, y - a), otherwise=y * while_),
+    ]
+    order = [
+        x - (y - a),
+        x / (y * a),
+        x * (y / a),
+        -(x + y) * a,
+        x - (-y) * b,
+        -x * y,
+        2 - x**2,
+        (x - y) / (a - 5),
+    ]
+    matrix, constant = Matrix([[x + 3, y, a], [y, capital, 1], [0, x, b]]), Matrix([[a, 1], [2, -b]])
+    systems = [
+        *linear_solve(matrix, [1, y, x]),
+        *linear_solve(matrix, [a, b, 0]),
+        *linear_solve(constant, [a, b]),
+    ]
+    deficient = linear_solve(Matrix([[x, y], [2 * x, 2 * y]]), [1, 2])
+    q = ("p", "t", "q")
+    return Program(
+        "class",
+        "Nothing physical.",
+        arguments,
+        (
+            Routine(
+                "functions", "functions", q, (Result("y", "their values", (*one, *two), (len(one + two),)),)
+            ),
+            Routine(
+                "return", "operations", ("q", "p"), (Result("q_dot", "", tuple(order), (2, len(order) // 2)),)
+            ),
+            Routine("systems", "solutions", q, (Result("x", "", (*systems, *deficient), (10,)),)),
+            Routine(
+                "plain",
+                "what needs no computation",
+                (*q, "u"),
+                (
+                    Result("numbers", "", (sqrt(2) * 0 + 3, a, x, t, a * b), (5,)),
+                    Result("zero", "", (x * 0,), ()),
+                    Result("speed", "", (x.diff(t),), ()),
+                ),
+            ),
+        ),
+    )
+
+
+@cache
+def long() -> Program:
+    """A chain that is cut into parts."""
+    angles = functions_of_time(" ".join(f"q{k}" for k in range(1, 9)))
+    m, length, g = symbols("m l g")
+    frame, bodies = ground, []
+    for k, angle in enumerate(angles):
+        frame = frame * rotate("XYZ"[k % 3], angle) * translate(0, 0, length)
+        bodies.append(Body(frame, m, m, m / 2, m / 3))
+    return newton_euler(System(bodies, coordinates=angles, gravity=Vector(ground, 0, 0, -g))).program(
+        name="chain"
+    )
+
+
+@cache
+def double_pendulum() -> Program:
+    m1, m2, l1, l2, g = symbols("m1 m2 l1 l2 g")
+    theta1, theta2 = functions_of_time("theta1 theta2")
+    elbow = rotate("Y", theta1) * translate(0, 0, l1)
+    bodies = [Body(elbow, m1), Body(elbow * rotate("Y", theta2 - theta1) * translate(0, 0, l2), m2)]
+    system = System(bodies, coordinates=[theta1, theta2], gravity=Vector(ground, 0, 0, g))
+    return lagrange_equations(system).program(name="double_pendulum")
+
+
+@cache
+def trifilar_pendulum() -> Program:
+    return lagrange_equations(trifilar.system()).program(name="trifilar", baumgarte=(3, 1))
+
+
+@cache
+def robot_program(name: str) -> Program:
+    return newton_euler(robot(name).system).program(name=name)
+
+
+PROGRAMS = {
+    "pendulum": pendulum,
+    "everything": everything,
+    "long": long,
+    "double_pendulum": double_pendulum,
+    "trifilar": trifilar_pendulum,
+    "panda_7dof": lambda: robot_program("panda_7dof"),
+}
+
+
+def at_reference_state(name: str) -> tuple[Program, Sample]:
+    """The routines of which other programs have computed the values, and these values: nothing of ours is in them."""
+    program, reference = robot_program(name), robot(name).states[0]
+    zero_damping = -np.asarray(reference["bias"])
+    values = {
+        "mass_matrix": [np.ravel(reference["mass_matrix"])],
+        "forcing": [zero_damping],
+        "residuals": [reference["inverse_dynamics"]],
+        "energies": [[reference["kinetic_energy"]], [reference["potential_energy"]]],
+    }
+    routines = tuple(routine for routine in program.routines if routine.name in values)
+    given = {"q": reference["joint_q"], "u": reference["joint_v"], "a": reference["joint_a"]}
+    return replace(program, routines=routines), Sample(
+        tuple(tuple(map(float, given[argument.name])) for argument in program.arguments),
+        tuple(tuple(tuple(map(float, result)) for result in values[routine.name]) for routine in routines),
+    )

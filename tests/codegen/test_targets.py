@@ -1,0 +1,105 @@
+"""Every target: its code is compiled, run, and compared with the evaluator and with other programs' results.
+
+The comparison is the generated self-check, to 1e-12 of the largest entry of each result; that it finds mistakes is
+tested as well. Golden files show what a person reads: after a wanted change, write them anew with
+
+    SYMBODY_GOLDEN=update .venv/bin/python -m pytest tests/codegen/test_targets.py
+"""
+
+from __future__ import annotations
+
+import hashlib
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from symbody.codegen.generate import TARGETS, source
+from symbody.codegen.module import module_name, module_of
+from symbody.codegen.target import Target
+from symbody.codegen.toolchain import check, check_files, missing_tools
+from symbody.errors import CodegenError
+from tests.codegen.programs import PROGRAMS, at_reference_state, double_pendulum, pendulum
+
+ROOT = Path(__file__).parents[2]
+GOLDEN = ROOT / "tests" / "golden"
+RUN_WHERE_AT_HAND = ("julia", "modelica")
+"""Their tools come with no package of the system: golden files always, runs where there is one."""
+
+
+def at_hand(name: str) -> Target:
+    target = TARGETS[name]
+    if name in RUN_WHERE_AT_HAND and missing_tools(target):
+        pytest.skip(f"{missing_tools(target)[0]} isn't installed")
+    return target
+
+
+@pytest.mark.parametrize("target", TARGETS)
+@pytest.mark.parametrize("program", PROGRAMS)
+def test_against_the_evaluator(program: str, target: str) -> None:
+    at_hand(target)
+    report = check(PROGRAMS[program](), target)
+    results = [result for routine in PROGRAMS[program]().routines for result in routine.results]
+    assert report.count("  ok") == len(results)
+
+
+@pytest.mark.parametrize("name", TARGETS)
+@pytest.mark.parametrize("robot", ["double_pendulum", "furuta", "gimbal_gyro", "panda_7dof"])
+def test_against_other_programs(robot: str, name: str) -> None:
+    target = at_hand(name)
+    program, sample = at_reference_state(robot)
+    module = module_of(program, target.language, target.limit, sample)
+    check_files(target, module.name, target.files(module))
+
+
+@pytest.mark.parametrize("name", TARGETS)
+def test_a_mistake_is_found(name: str) -> None:
+    target, program = at_hand(name), double_pendulum()
+    texts = source(program, name)
+    wrong = {file: text if "check" in file else text.replace("sin(", "cos(") for file, text in texts.items()}
+    assert wrong != texts
+    with pytest.raises(CodegenError, match="DIFFERS"):
+        check_files(target, module_name(program.name, target.language), wrong)
+
+
+@pytest.mark.parametrize("name", TARGETS)
+def test_golden_files(name: str) -> None:
+    for file, text in source(pendulum(), name).items():
+        golden = GOLDEN / name / file
+        if os.environ.get("SYMBODY_GOLDEN") == "update":
+            golden.parent.mkdir(parents=True, exist_ok=True)
+            golden.write_text(text, encoding="utf-8")
+        assert text == golden.read_text(encoding="utf-8"), f"{golden} differs; see this file's first lines"
+
+
+def digest() -> str:
+    """The digest of all files of all programs and targets."""
+    sums = hashlib.sha256()
+    for make in PROGRAMS.values():
+        for name in TARGETS:
+            for file, text in source(make(), name).items():
+                sums.update(f"{file}\n{text}".encode())
+    return sums.hexdigest()
+
+
+@pytest.mark.parametrize("seed", ["1", "2"])
+def test_same_bytes_in_every_process(seed: str) -> None:
+    code = "from tests.codegen.test_targets import digest; print(digest())"
+    environment = os.environ | {"PYTHONHASHSEED": seed}
+    done = subprocess.run(
+        [sys.executable, "-c", code], cwd=ROOT, env=environment, capture_output=True, text=True, check=True
+    )
+    assert done.stdout.strip() == digest()
+
+
+@pytest.mark.parametrize("name", TARGETS)
+def test_lines_have_an_end(name: str) -> None:
+    """A person reads it: lines of at most 120 columns, no tabs but in Makefiles, no blanks at their ends."""
+    for make in PROGRAMS.values():
+        for file, text in source(make(), name).items():
+            for line in text.splitlines():
+                assert len(line) <= 120, (file, line)
+                assert line == line.rstrip(), (file, line)
+                assert "\t" not in line or file == "Makefile"
