@@ -11,6 +11,7 @@ mod associate;
 mod block;
 mod build;
 mod classes;
+mod coefficient;
 mod collect;
 mod collector;
 mod combine_trig;

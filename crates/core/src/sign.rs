@@ -42,7 +42,7 @@ fn turn_around(tape: &mut Tape, uses: &[u32], value: u32) -> bool {
 }
 
 /// How often each value is read, outputs included.
-fn uses(tape: &Tape) -> Vec<u32> {
+pub(crate) fn uses(tape: &Tape) -> Vec<u32> {
     let mut uses = vec![0; tape.instructions.len()];
     let mut count = |operand: Operand| {
         if let Operand::Value(value) = operand {

@@ -17,14 +17,16 @@ pub struct Staged {
 impl Tape {
     /// Sort the instructions by stage, given the stage of each input (of the last one for those that have none).
     ///
-    /// Where stages are given, divisions become products with reciprocals.
+    /// Where stages are given, the code is for many calls: products share coefficients, and divisions become products
+    /// with reciprocals.
     #[must_use]
     pub fn staged(&self, inputs: &[u8]) -> Staged {
         if inputs.is_empty() {
             return Staged { tape: self.clone(), stages: vec![0; self.instructions.len()] };
         }
-        let stages = self.stages(inputs);
-        let tape = self.with_reciprocals(|operand| stage_of(operand, inputs, &stages));
+        let tape = self.with_shared_coefficients();
+        let stages = tape.stages(inputs);
+        let tape = tape.with_reciprocals(|operand| stage_of(operand, inputs, &stages));
         let mut stages = tape.stages(inputs);
         let mut sequence: Vec<u32> = (0..tape.instructions.len() as u32).collect();
         sequence.sort_by_key(|&value| stages[value as usize]);

@@ -134,8 +134,7 @@ def _ldl(eqs: Equations, _: Damping) -> ForwardDynamics:
         )
     with derivation(fresh=True):
         try:
-            opposite = ldl_solve(M, eqs.bias)
-            return ForwardDynamics(tuple(-entry for entry in opposite), (), "ldl")
+            return ForwardDynamics(ldl_solve(M, [-entry for entry in eqs.bias]), (), "ldl")
         except ExpressionError as failure:
             names = ", ".join(map(str, eqs.coordinates))
             raise ModelError(
