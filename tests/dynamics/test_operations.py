@@ -23,6 +23,10 @@ def test_a_chain_of_a_hundred_bodies() -> None:
     assert count.multiplications <= 9590
 
 
+def test_a_chain_of_thirty_bodies() -> None:
+    assert cost(newton_euler(chain(30)).residuals).total <= 4425
+
+
 @pytest.mark.parametrize("make", [chain, gimbal_chain])
 def test_inverse_dynamics_is_linear(make: type[System]) -> None:
     five, ten, fifteen = (cost(newton_euler(make(n)).residuals).total for n in (5, 10, 15))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 from symbody.errors import ModelError
@@ -13,6 +14,7 @@ from symbody.multibody.system import rate_of_any
 from symbody.symbolic import Expr, derivation
 
 from .added_mass import check_loads
+from .meeting_axis import with_meeting_axes
 from .partial_motion import PartialTwist, partial_twists
 
 
@@ -98,11 +100,24 @@ def checked_tree(system: System, where: str) -> FrameTree:
 
 def _build(system: System) -> FrameTree:
     actions = tuple(select(system, "System").actions("System"))
-    frames = [body.frame for body in system.bodies]
-    frames += [action.anchor.frame for action in actions if action.is_force]
-    root = system.root
+    targets = [body.frame for body in system.bodies]
+    targets += [action.anchor.frame for action in actions if action.is_force]
+    given, _ = _ordered(system.root, targets)
+    moved = with_meeting_axes(given, targets)
+    ordered, parents = _ordered(system.root, [moved[frame.key] for frame in targets])
+    places = {frame.key: place for place, frame in enumerate(ordered)}
+    places |= {key: places[frame.key] for key, frame in moved.items() if frame.key in places}
+    coordinates = _dependence(ordered, system.coordinates)
+    carried = [False]
+    for place in range(1, len(ordered)):
+        carried.append(carried[parents[place]] or bool(coordinates[place]))
+    return FrameTree(tuple(ordered), tuple(parents), coordinates, tuple(carried), actions, places, system)
+
+
+def _ordered(root: Frame, targets: Sequence[Frame]) -> tuple[list[Frame], list[int]]:
+    """Return the frames up to the targets, and the places of their parents."""
     places, ordered, parents = {root.key: 0}, [root], [0]
-    for frame in frames:
+    for frame in targets:
         for link in _missing(frame, places):
             if link.parent is None:
                 raise ModelError(
@@ -111,11 +126,7 @@ def _build(system: System) -> FrameTree:
             parents.append(places[link.parent.key])
             places[link.key] = len(ordered)
             ordered.append(link)
-    coordinates = _dependence(ordered, system.coordinates)
-    carried = [False]
-    for place in range(1, len(ordered)):
-        carried.append(carried[parents[place]] or bool(coordinates[place]))
-    return FrameTree(tuple(ordered), tuple(parents), coordinates, tuple(carried), actions, places, system)
+    return ordered, parents
 
 
 def _missing(frame: Frame, places: dict[bytes, int]) -> list[Frame]:
