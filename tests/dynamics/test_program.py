@@ -5,14 +5,18 @@ from __future__ import annotations
 import pytest
 
 from symbody import (
+    Body,
     Matrix,
+    System,
     Vector,
     functions_of_time,
     ground,
     lagrange_equations,
     newton_euler,
+    rotate,
     symbols,
     time_derivative,
+    translate,
 )
 from symbody.errors import ProgramError
 from symbody.symbolic import Program, lambdify
@@ -65,6 +69,18 @@ def test_what_an_unconstrained_system_leaves_out() -> None:
     names = [found.name for found in newton_euler(chain(2)).program().routines]
     assert "constraints" not in names
     assert "outputs" not in names
+
+
+def test_a_system_without_forward_dynamics() -> None:
+    """A coordinate that moves no mass has an equation, but no acceleration."""
+    phi = functions_of_time("phi")
+    equations = newton_euler(System([Body(translate(x, 0, 0) * rotate("X", phi), k)], coordinates=[x, phi]))
+    assert [found.name for found in equations.program(method=None).routines] == [
+        "mass_matrix",
+        "forcing",
+        "residuals",
+        "energies",
+    ]
 
 
 def test_outputs() -> None:

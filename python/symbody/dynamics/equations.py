@@ -130,7 +130,7 @@ class Equations:
         name: str = "model",
         outputs: Outputs | None = None,
         baumgarte: Damping = None,
-        method: str = "auto",
+        method: str | None = "auto",
     ) -> Program:
         """Return the routines of which code is generated; see `symbody.dynamics.program.program`."""
         from .program import program  # noqa: PLC0415 - a program needs the forward dynamics, which needs equations

@@ -51,7 +51,7 @@ def program(
     name: str = "model",
     outputs: Outputs | None = None,
     baumgarte: Damping = None,
-    method: str = "auto",
+    method: str | None = "auto",
 ) -> Program:
     """Return the routines of the equations of motion, of which code is generated.
 
@@ -60,7 +60,7 @@ def program(
         name: what the generated code is called.
         outputs: what else the code computes: expressions, vectors or matrices by name.
         baumgarte: omega and zeta of the stabilisation in the forward dynamics.
-        method: how the forward dynamics is solved; see `forward_dynamics`.
+        method: how the forward dynamics is solved, see `forward_dynamics`; None leaves it out, and the right-hand side.
 
     Returns:
         A program of the routines mass_matrix, forcing, residuals, constraints, constraint_jacobian, forward_dynamics,
@@ -80,7 +80,7 @@ def program(
     """
     routines = [
         *_equations_of_motion(eqs),
-        *_forward(eqs, method, baumgarte),
+        *(() if method is None else _forward(eqs, method, baumgarte)),
         Routine("energies", "energies of the bodies", (), _energies(eqs)),
     ]
     if outputs:
