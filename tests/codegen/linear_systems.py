@@ -111,12 +111,17 @@ def inconsistent(n: int, draw: np.random.Generator) -> System:
     return System("inconsistent", a, b, x, dependent, _condition(a, n - len(dependent)))
 
 
+def weights(a: np.ndarray) -> np.ndarray:
+    """For each equation the power of two that brings its largest coefficient between 1 and 2."""
+    sizes = np.abs(a).max(axis=1)
+    return np.asarray(2.0 ** -np.floor(np.log2(np.where(sizes > 0, sizes, 1.0))))
+
+
 def weighted(n: int, draw: np.random.Generator) -> System:
     """Contradictory equations in any units are each divided by the power of two below their largest coefficient."""
     system = inconsistent(n, draw)
     a, b = _rescale(system.a, system.b, draw, columns=0)
-    sizes = np.abs(a).max(axis=1)
-    weight = 2.0 ** -np.floor(np.log2(np.where(sizes > 0, sizes, 1.0)))
+    weight = weights(a)
     condition = _condition(weight[:, None] * a, len(a) - len(system.dependent))
     x = scipy.linalg.lstsq(weight[:, None] * a, weight * b, cond=1e-11)[0]
     return System("weighted", a, b, x, system.dependent, condition)

@@ -4,7 +4,9 @@ from __future__ import annotations
 
 from importlib.resources import files
 
-__all__ = ["factor_size", "runtime_text"]
+from symbody.codegen.runtime.snippets import SNIPPETS
+
+__all__ = ["SNIPPETS", "factor_size", "runtime_text"]
 
 
 def runtime_text(name: str) -> str:

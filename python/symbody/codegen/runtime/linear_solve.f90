@@ -1,0 +1,275 @@
+! Linear systems A x = b. The workspace, of 2 n n + 5 n + 1 numbers, holds A row by row before symbody_factor and its
+! factorisation afterwards; symbody_solve puts x in the place of b. Each equation is divided by the power of two below
+! its largest coefficient. A = P L U by partial pivoting; where a pivot vanishes against its column, the complete
+! orthogonal decomposition A = Q [T 0; 0 0] Z gives the least x among those that fit best (Golub & Van Loan, Matrix
+! Computations, 4th ed., 3.4 and 5.4.7). The last number is then the rank; where it is less than n, the n numbers
+! before it mark with 1 the equations that follow from the others. Coefficients that are no numbers make solutions
+! that are no numbers. In what follows f(:, i) is row i.
+pure subroutine symbody_factor(n, work)
+    integer, intent(in) :: n
+    real(dp), intent(inout) :: work(2*n*n + 5*n + 1)
+    integer :: f, v
+    f = n*n + 1
+    v = 2*n*n + 1
+    call symbody_decompose(n, work(1), work(f), work(v), work(v + n), work(v + 2*n), work(v + 3*n), &
+                           work(v + 4*n), work(v + 5*n))
+end subroutine symbody_factor
+
+pure subroutine symbody_solve(n, work, x)
+    integer, intent(in) :: n
+    real(dp), intent(in) :: work(2*n*n + 5*n + 1)
+    real(dp), intent(inout) :: x(n)
+    integer :: f, v
+    f = n*n + 1
+    v = 2*n*n + 1
+    x = x*work(v:v + n - 1)
+    if (work(v + 5*n) == -1.0_dp) then
+        call symbody_solve_triangular(n, work(f), work(v + n), work(v + 2*n), x)
+    else if (work(v + 5*n) >= 0.0_dp) then
+        call symbody_solve_orthogonal(n, int(work(v + 5*n)), work(f), work(v + n), work(v + 2*n), work(v + 3*n), x)
+    else
+        x = work(v + 5*n)
+    end if
+end subroutine symbody_solve
+
+pure subroutine symbody_decompose(n, a, f, weight, swap, pivot, sums, column, state)
+    integer, intent(in) :: n
+    real(dp), intent(inout) :: a(n, n)
+    real(dp), intent(out) :: f(n, n), weight(n), swap(n), pivot(n), sums(n), column(n), state
+    integer :: i, rank
+    logical :: certain
+    call symbody_weigh(n, a, f, weight, column)
+    state = -1.0_dp
+    call symbody_eliminate(n, f, swap, pivot, column, certain)
+    if (certain) return
+    call symbody_weigh(n, a, f, weight, column)
+    state = sum(0.0_dp*f)
+    if (.not. state == 0.0_dp) return
+    column = symbody_weight(column)
+    do i = 1, n
+        f(:, i) = f(:, i)*column
+    end do
+    call symbody_reflect_columns(n, f, swap, pivot, sums, column, rank)
+    state = rank
+    if (rank == n) return
+    call symbody_mark(n, rank, f, a, pivot, sums, column)
+    call symbody_reflect_rows(n, rank, f, sums)
+end subroutine symbody_decompose
+
+! The power of two that brings a magnitude into [1, 2); 1 for nothing.
+elemental real(dp) function symbody_weight(magnitude) result(weight)
+    real(dp), intent(in) :: magnitude
+    if (magnitude < tiny(1.0_dp)) then
+        weight = 1.0_dp
+    else if (magnitude <= huge(1.0_dp)) then
+        weight = scale(1.0_dp, 1 - exponent(magnitude))
+    else
+        weight = magnitude - magnitude
+    end if
+end function symbody_weight
+
+! Copy the equations, each times its weight; find the largest coefficients of the columns.
+pure subroutine symbody_weigh(n, a, f, weight, column)
+    integer, intent(in) :: n
+    real(dp), intent(in) :: a(n, n)
+    real(dp), intent(out) :: f(n, n), weight(n), column(n)
+    real(dp) :: most
+    integer :: i, j
+    column = 0.0_dp
+    do i = 1, n
+        most = 0.0_dp
+        do j = 1, n
+            if (abs(a(j, i)) > most) most = abs(a(j, i))
+        end do
+        weight(i) = symbody_weight(most)
+        f(:, i) = a(:, i)*weight(i)
+        column = merge(abs(f(:, i)), column, abs(f(:, i)) > column)
+    end do
+end subroutine symbody_weigh
+
+! P A = L U in place; not certain where a pivot is so small against its column that it may be a rounding error.
+pure subroutine symbody_eliminate(n, f, swap, pivot, column, certain)
+    integer, intent(in) :: n
+    real(dp), intent(inout) :: f(n, n)
+    real(dp), intent(in) :: column(n)
+    real(dp), intent(out) :: swap(n), pivot(n)
+    logical, intent(out) :: certain
+    integer :: i, k, best
+    do k = 1, n
+        best = k
+        do i = k + 1, n
+            if (abs(f(k, i)) > abs(f(k, best))) best = i
+        end do
+        certain = abs(f(k, best)) > 1e-11_dp*column(k)
+        if (.not. certain) return
+        swap(k) = best
+        if (best > k) call symbody_swap(f(:, k), f(:, best))
+        pivot(k) = 1.0_dp/f(k, k)
+        do i = k + 1, n
+            f(k, i) = f(k, i)*pivot(k)
+            if (f(k, i) /= 0.0_dp) f(k + 1:, i) = f(k + 1:, i) - f(k, i)*f(k + 1:, k)
+        end do
+    end do
+    certain = .true.
+end subroutine symbody_eliminate
+
+elemental subroutine symbody_swap(x, y)
+    real(dp), intent(inout) :: x, y
+    real(dp) :: kept
+    kept = x
+    x = y
+    y = kept
+end subroutine symbody_swap
+
+! A P = Q R by reflections of the columns, the longest first; R is that of the unweighted columns.
+pure subroutine symbody_reflect_columns(n, f, swap, tau, sums, column, rank)
+    integer, intent(in) :: n
+    real(dp), intent(inout) :: f(n, n), swap(n), tau(n), sums(n), column(n)
+    integer, intent(out) :: rank
+    real(dp) :: norm, first
+    integer :: i, k, longest
+    first = 0.0_dp
+    do rank = 0, n - 1
+        k = rank + 1
+        sums(k:) = 0.0_dp
+        do i = k, n
+            sums(k:) = sums(k:) + f(k:, i)**2
+        end do
+        longest = rank + maxloc(sums(k:), 1)
+        norm = sqrt(sums(longest))
+        if (k == 1) first = norm
+        if (norm <= 64*epsilon(norm)*n*first) exit
+        swap(k) = longest
+        if (longest > k) then
+            call symbody_swap(column(k), column(longest))
+            call symbody_swap(f(k, :), f(longest, :))
+        end if
+        call symbody_reflection(norm, f(k, k), tau(k))
+        sums(k + 1:) = f(k + 1:, k)
+        do i = k + 1, n
+            f(k, i) = f(k, i)/norm
+            sums(k + 1:) = sums(k + 1:) + f(k, i)*f(k + 1:, i)
+        end do
+        f(k + 1:, k) = f(k + 1:, k) - tau(k)*sums(k + 1:)
+        do i = k + 1, n
+            f(k + 1:, i) = f(k + 1:, i) - (tau(k)*f(k, i))*sums(k + 1:)
+        end do
+    end do
+    do i = 1, rank
+        f(i:, i) = f(i:, i)/column(i:)
+    end do
+end subroutine symbody_reflect_columns
+
+! The reflection that leaves of a vector only its head; the rest of the vector has to be divided by norm.
+elemental subroutine symbody_reflection(norm, head, tau)
+    real(dp), intent(inout) :: norm, head
+    real(dp), intent(out) :: tau
+    real(dp) :: reflected
+    reflected = -sign(norm, head)
+    tau = (reflected - head)/reflected
+    norm = head - reflected
+    head = reflected
+end subroutine symbody_reflection
+
+! [T1 T2] = [T 0] Z by reflections of the rows.
+pure subroutine symbody_reflect_rows(n, rank, f, tau)
+    integer, intent(in) :: n, rank
+    real(dp), intent(inout) :: f(n, n)
+    real(dp), intent(out) :: tau(n)
+    real(dp) :: norm, along
+    integer :: i, k
+    do k = rank, 1, -1
+        norm = sqrt(f(k, k)**2 + sum(f(rank + 1:, k)**2))
+        call symbody_reflection(norm, f(k, k), tau(k))
+        f(rank + 1:, k) = f(rank + 1:, k)/norm
+        do i = 1, k - 1
+            along = tau(k)*(f(k, i) + dot_product(f(rank + 1:, k), f(rank + 1:, i)))
+            f(k, i) = f(k, i) - along
+            f(rank + 1:, i) = f(rank + 1:, i) - along*f(rank + 1:, k)
+        end do
+    end do
+end subroutine symbody_reflect_rows
+
+! Mark the equations that follow from the others, late ones rather than early ones: the last columns of Q are the
+! combinations c of equations that vanish; elimination leaves each of them an equation.
+pure subroutine symbody_mark(n, rank, f, c, tau, sums, mark)
+    integer, intent(in) :: n, rank
+    real(dp), intent(in) :: f(n, n), tau(n)
+    real(dp), intent(out) :: c(n - rank, n), sums(n - rank), mark(n)
+    integer :: i, j, k, late, pivot
+    c = 0.0_dp
+    mark = 0.0_dp
+    do j = 1, n - rank
+        c(j, rank + j) = 1.0_dp
+    end do
+    do k = rank, 1, -1
+        sums = c(:, k)
+        do i = k + 1, n
+            sums = sums + f(k, i)*c(:, i)
+        end do
+        c(:, k) = c(:, k) - tau(k)*sums
+        do i = k + 1, n
+            c(:, i) = c(:, i) - (tau(k)*f(k, i))*sums
+        end do
+    end do
+    do j = 1, n - rank
+        do late = n, 2, -1
+            if (maxval(abs(c(j:, late))) >= 1e-3_dp*maxval(abs(c(j:, :)))) exit
+        end do
+        mark(late) = 1.0_dp
+        pivot = j - 1 + maxloc(abs(c(j:, late)), 1)
+        if (pivot > j) call symbody_swap(c(j, :), c(pivot, :))
+        do k = j + 1, n - rank
+            c(k, :) = c(k, :) - (c(k, late)/c(j, late))*c(j, :)
+        end do
+    end do
+end subroutine symbody_mark
+
+pure subroutine symbody_solve_triangular(n, f, swap, pivot, x)
+    integer, intent(in) :: n
+    real(dp), intent(in) :: f(n, n), swap(n), pivot(n)
+    real(dp), intent(inout) :: x(n)
+    real(dp) :: kept
+    integer :: k
+    do k = 1, n
+        kept = x(int(swap(k)))
+        x(int(swap(k))) = x(k)
+        x(k) = kept
+    end do
+    do k = 2, n
+        x(k) = x(k) - dot_product(f(:k - 1, k), x(:k - 1))
+    end do
+    do k = n, 1, -1
+        x(k) = (x(k) - dot_product(f(k + 1:, k), x(k + 1:)))*pivot(k)
+    end do
+end subroutine symbody_solve_triangular
+
+pure subroutine symbody_solve_orthogonal(n, rank, f, swap, tau, row_tau, x)
+    integer, intent(in) :: n, rank
+    real(dp), intent(in) :: f(n, n), swap(n), tau(n), row_tau(n)
+    real(dp), intent(inout) :: x(n)
+    real(dp) :: along, kept
+    integer :: k
+    do k = 1, rank
+        along = tau(k)*(x(k) + dot_product(f(k, k + 1:), x(k + 1:)))
+        x(k) = x(k) - along
+        x(k + 1:) = x(k + 1:) - along*f(k, k + 1:)
+    end do
+    ! What is no number in b is not lost with the equations that are left out.
+    x(rank + 1:) = sum(0.0_dp*x(rank + 1:))
+    do k = rank, 1, -1
+        x(k) = (x(k) - dot_product(f(k + 1:rank, k), x(k + 1:rank)))/f(k, k)
+    end do
+    if (rank < n) then
+        do k = 1, rank
+            along = row_tau(k)*(x(k) + dot_product(f(rank + 1:, k), x(rank + 1:)))
+            x(k) = x(k) - along
+            x(rank + 1:) = x(rank + 1:) - along*f(rank + 1:, k)
+        end do
+    end if
+    do k = rank, 1, -1
+        kept = x(int(swap(k)))
+        x(int(swap(k))) = x(k)
+        x(k) = kept
+    end do
+end subroutine symbody_solve_orthogonal

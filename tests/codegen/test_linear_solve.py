@@ -1,0 +1,177 @@
+"""Linear systems at run time, in the process and in the languages of generated code, against SciPy and many digits."""
+
+import ctypes
+from collections import defaultdict
+from collections.abc import Callable, Sequence
+from pathlib import Path
+from typing import Any
+
+import casadi
+import jax
+import jax.numpy as jnp
+import numpy as np
+import pytest
+
+from symbody.codegen.runtime import SNIPPETS, factor_size, runtime_text
+from symbody.symbolic import _core  # noqa: TID251 - the kernel itself is what is tested
+from tests.codegen.linear_solve_drivers import COMPILED, LIBRARIES, Solved, solved_by
+from tests.codegen.linear_systems import System, systems, weights
+
+ROOT = Path(__file__).parents[2]
+
+factor = ctypes.CFUNCTYPE(None, ctypes.c_int64, ctypes.c_void_p, ctypes.c_int64)(
+    _core.kernel_address("factor")
+)
+solve = ctypes.CFUNCTYPE(None, ctypes.c_int64, ctypes.c_void_p, ctypes.c_void_p)(
+    _core.kernel_address("solve")
+)
+
+
+def solved_by_kernel(a: np.ndarray, b: np.ndarray, tag: int = 0) -> np.ndarray:
+    work, x = np.zeros(_core.kernel_workspace(len(b))), b.copy()
+    work[: a.size] = a.ravel()
+    factor(len(b), work.ctypes.data, tag)
+    solve(len(b), work.ctypes.data, x.ctypes.data)
+    return x
+
+
+def assert_solved(given: Sequence[System], solutions: Sequence[np.ndarray]) -> None:
+    worst: dict[str, float] = defaultdict(float)
+    for system, x in zip(given, solutions, strict=True):
+        worst[system.kind] = max(worst[system.kind], system.error(x) / system.tolerance)
+    assert all(error < 1 for error in worst.values()), dict(worst)
+
+
+def test_two_hundred_systems() -> None:
+    assert len(systems()) == 200
+    assert len({system.kind for system in systems()}) == 8
+
+
+def test_kernel() -> None:
+    assert _core.take_deficiencies() == []
+    assert_solved(systems(), [solved_by_kernel(s.a, s.b, tag) for tag, s in enumerate(systems())])
+    expected = [(tag, list(s.dependent)) for tag, s in enumerate(systems()) if s.dependent]
+    assert _core.take_deficiencies() == expected
+    assert _core.take_deficiencies() == []
+
+
+@pytest.fixture(scope="module", params=[*COMPILED, *LIBRARIES])
+def language(
+    request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory
+) -> tuple[str, list[str], Path]:
+    folder = tmp_path_factory.mktemp(request.param)
+    return request.param, (COMPILED | LIBRARIES)[request.param](folder), folder
+
+
+def test_languages(language: tuple[str, list[str], Path]) -> None:
+    name, program, folder = language
+    solved: Solved = solved_by(program, [(s.a, s.b) for s in systems()], folder)
+    assert_solved(systems(), [x for x, _ in solved])
+    if name in COMPILED:
+        assert [named for _, named in solved] == [s.dependent for s in systems()]
+
+
+BAD = [
+    (np.array([[1.0, 2.0], [3.0, np.nan]]), np.ones(2)),
+    (np.array([[np.inf, 2.0], [3.0, 4.0]]), np.ones(2)),
+    (np.array([[1.0, 2.0], [3.0, 4.0]]), np.array([np.nan, 1.0])),
+    (np.array([[1.0, 1.0], [1.0, 1.0]]), np.array([np.nan, 1.0])),
+    (np.full((5, 5), np.nan), np.ones(5)),
+]
+
+
+def test_no_numbers_give_no_numbers(language: tuple[str, list[str], Path]) -> None:
+    _, program, folder = language
+    assert all(np.isnan(x).all() for x, _ in solved_by(program, BAD, folder))
+
+
+def test_no_numbers_in_the_kernel() -> None:
+    assert all(np.isnan(solved_by_kernel(a, b)).all() for a, b in BAD)
+    _core.take_deficiencies()
+
+
+def test_languages_agree_with_the_kernel_in_every_bit_but_the_last(
+    language: tuple[str, list[str], Path],
+) -> None:
+    name, program, folder = language
+    regular = [(s.a, s.b) for s in systems() if s.kind == "saddle point"]
+    if name in COMPILED:
+        for (a, b), (x, _) in zip(regular, solved_by(program, regular, folder), strict=True):
+            assert np.allclose(x, solved_by_kernel(a, b), rtol=1e-12, atol=1e-12 * np.abs(x).max())
+
+
+def test_rust_text_is_the_kernel() -> None:
+    core = (ROOT / "crates/core/src/factorization.rs").read_text().split("\n#[cfg(test)]")[0]
+    lines = runtime_text("linear_solve.rs").splitlines()
+    assert (lines[0], lines[-2:]) == ("mod linear_solve {", ["}", "use linear_solve::{factor, solve};"])
+    assert [line.removeprefix("    ") for line in lines[1:-2]] == core.rstrip().splitlines()
+
+
+def test_sizes_agree() -> None:
+    assert [factor_size(n) for n in range(9)] == [_core.kernel_workspace(n) for n in range(9)]
+
+
+# --- what is traced, in a few sizes ----------------------------------------------------------------------------------
+
+FEW = [system for system in systems() if len(system.b) in {3, 7}]
+
+
+def linear_solve_of(language: str) -> Callable[..., Any]:
+    names: dict[str, Any] = {"jax": jax, "jnp": jnp, "ca": casadi, "np": np}
+    exec(SNIPPETS[language], names)
+    solver: Callable[..., Any] = names["linear_solve"]
+    return solver
+
+
+def test_jax() -> None:
+    with jax.enable_x64(True):
+        compiled = jax.jit(linear_solve_of("jax"))
+        assert_solved(FEW, [np.asarray(compiled(jnp.array(s.a), list(s.b))) for s in FEW])
+        assert np.isnan(compiled(jnp.array(BAD[0][0]), [1.0, 1.0])).all()
+
+
+@pytest.mark.parametrize("redundant", [False, True])
+def test_jax_differentiates(redundant: bool) -> None:
+    """Where an equation repeats another one for every t, too; and mapped over many t."""
+    with jax.enable_x64(True):
+        linear_solve = linear_solve_of("jax")
+
+        def total(t: jax.Array) -> jax.Array:
+            last = [2 * t, 2.0, 2 * t**2] if redundant else [1.0, t, 3.0]
+            rows = jnp.array([[t, 1.0, t**2], [jnp.sin(t), 2.0, -1.0], last])
+            return jnp.sum(linear_solve(rows, [1.0, t, 2.0]))
+
+        t, h = 0.7, 1e-6
+        expected = (total(jnp.array(t + h)) - total(jnp.array(t - h))) / (2 * h)
+        slopes = [jax.grad(total)(t), jax.jacfwd(total)(t), jax.vmap(jax.grad(total))(jnp.array([t]))[0]]
+        assert np.allclose(slopes, expected, rtol=1e-8)
+
+
+def casadi_function(n: int) -> Any:
+    """Return x and its derivative by b as a function of A and b."""
+    a, b = casadi.MX.sym("a", n * n), casadi.MX.sym("b", n)
+    x = linear_solve_of("casadi")(casadi.reshape(a, n, n).T, casadi.vertsplit(b))
+    arguments: Any = [a, b]
+    return casadi.Function("x", arguments, [x, casadi.jacobian(x, b)])
+
+
+def test_casadi() -> None:
+    """Units of unknowns are not made up for: orthogonal rows are those of the matrix as it is."""
+    given = [s for s in FEW if "badly scaled" not in s.kind]
+    functions = {n: casadi_function(n) for n in {len(s.b) for s in given}}
+    values = [functions[len(s.b)](s.a.ravel(), s.b) for s in given]
+    assert_solved(given, [x.full()[:, 0] for x, _ in values])
+    for system, (_, slope) in zip(given, values, strict=True):
+        weight = weights(system.a)
+        inverse = np.linalg.pinv(weight[:, None] * system.a, 1e-11) * weight
+        assert np.allclose(slope.full(), inverse, rtol=1e-9, atol=1e-9 * np.abs(inverse).max())
+
+
+def test_numpy_solves_batches() -> None:
+    draw = np.random.default_rng(5)
+    a, b = draw.standard_normal((7, 3, 4, 4)), draw.standard_normal((4, 7, 3))
+    a[2, 1, 3] = a[2, 1, 0]
+    x = linear_solve_of("numpy")(a, list(b))
+    for batch in np.ndindex(7, 3):
+        assert np.allclose(x[:, *batch], solved_by_kernel(a[batch], b[:, *batch]), rtol=1e-10, atol=1e-12)
+    assert _core.take_deficiencies() == [(0, [3])]
