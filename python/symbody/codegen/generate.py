@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 import os
+import re
 import tempfile
 from collections.abc import Iterable
 from dataclasses import replace
+from itertools import islice
 from pathlib import Path
 from typing import Any, Protocol
 
@@ -73,10 +75,12 @@ def generate(
     """
     texts = source(model, target, name=name)
     folder = Path(path)
-    _check_folder(folder, target)
-    first = next(iter(texts))
+    if folder.exists() and not folder.is_dir():
+        raise CodegenError(
+            f"generate: {folder} is a file, and several files are to be written; expected a folder as path"
+        )
     for file, text in texts.items():
-        _check_replaceable(folder / file, text, first)
+        _check_replaceable(folder / file, text)
     try:
         _write(folder, texts)
     except OSError as error:
@@ -117,61 +121,35 @@ def program_of(model: Any) -> Program:
     )
 
 
-def _check_folder(folder: Path, target: str) -> None:
-    if folder.exists() and not folder.is_dir():
-        raise CodegenError(
-            f"generate: {folder} is a file, and the target {target} has several; expected a folder as path"
-        )
-
-
-def _check_replaceable(file: Path, text: str, first: str) -> None:
-    """Raise an error for a file that isn't ours: its first lines would name the same program."""
+def _check_replaceable(file: Path, text: str) -> None:
+    """Raise an error for a file that isn't ours: in one of its first lines, ours names the program."""
     if not file.exists():
         return
-    ours = next(line for line in text.splitlines() if MARK in line).split(MARK)[0]
-    with file.open(encoding="utf-8", errors="replace") as lines:
-        beginning = [line for line, _ in zip(lines, range(4), strict=False)]
-    if not any(ours + MARK in line for line in beginning):
-        raise CodegenError(
-            f"generate: {file} exists and was not generated for this program ({first}); "
-            "nothing was written. Choose another folder as path, or remove the file"
-        )
+    ours = _marked(text.splitlines())
+    if file.is_file():
+        with file.open(encoding="utf-8", errors="replace") as lines:
+            if _marked(islice(lines, 4)) == ours:
+                return
+    raise CodegenError(
+        f"generate: {file} exists and was not generated for the program {ours}; nothing was written. "
+        "Choose another folder as path, or remove it"
+    )
+
+
+def _marked(lines: Iterable[str]) -> str:
+    """Return the name of the program that a file was generated for, if it was."""
+    marked = next((line for line in lines if MARK in line), "")
+    return re.sub(r"^\W*|\W*$", "", marked.split(MARK)[0])
 
 
 def _write(folder: Path, texts: dict[str, str]) -> None:
-    """Write all files beside their places and rename them at the end; remove what was written if that fails."""
-    created = _created(folder)
-    temporary: list[tuple[str, Path]] = []
-    try:
+    """Write all files into a temporary folder, and move them to their places when all is written."""
+    home = next(path for path in (folder, *folder.absolute().parents) if path.exists())
+    with tempfile.TemporaryDirectory(prefix=".symbody-", dir=home) as temporary:
         for file, text in texts.items():
-            (folder / file).parent.mkdir(exist_ok=True)
-            handle, name = tempfile.mkstemp(prefix=f".{Path(file).name}.", dir=(folder / file).parent)
-            temporary.append((name, folder / file))
-            with os.fdopen(handle, "w", encoding="utf-8", newline="\n") as stream:
-                stream.write(text)
-            Path(name).chmod(0o666 & ~_umask())
-        for name, file_path in temporary:
-            Path(name).replace(file_path)
-    except BaseException:
-        for name, _ in temporary:
-            Path(name).unlink(missing_ok=True)
-        _remove(created)
-        raise
-
-
-def _created(folder: Path) -> list[Path]:
-    """Make a folder and those that it is in; return the new ones, the innermost first."""
-    missing = [path for path in (folder, *folder.parents) if not path.exists()]
-    folder.mkdir(parents=True, exist_ok=True)
-    return missing
-
-
-def _remove(folders: Iterable[Path]) -> None:
-    for folder in folders:
-        folder.rmdir()
-
-
-def _umask() -> int:
-    mask = os.umask(0)
-    os.umask(mask)
-    return mask
+            path = Path(temporary) / file
+            path.parent.mkdir(exist_ok=True)
+            path.write_text(text, encoding="utf-8", newline="\n")
+        for file in texts:
+            (folder / file).parent.mkdir(parents=True, exist_ok=True)
+            (Path(temporary) / file).replace(folder / file)

@@ -14,10 +14,11 @@ from symbody.codegen.target import Target
 __all__ = ["MATLAB"]
 
 _NAMES = """
-break case catch classdef continue else elseif end for function global if otherwise parfor persistent return spmd
-switch try while do until unwind_protect endfunction endif endfor endwhile end_try_catch
-i j I J e pi eps Inf NaN inf nan ans zeros abs acos asin atan atan2 cos cosh exp log max min power sign sin sinh sqrt
-tan tanh isnan select least greatest compare fprintf error reshape linear_solve
+break case catch classdef continue else elseif end for function global if otherwise parfor persistent return
+spmd switch try while do until unwind_protect endfunction endif endfor endwhile end_try_catch i j I J e pi eps
+Inf NaN inf nan ans class double char size numel all any isequal functions ones zeros abs acos asin atan atan2
+cos cosh exp log max min power sign sin sinh sqrt tan tanh isnan select least greatest compare fprintf error
+reshape linear_solve
 """
 
 LANGUAGE = Language(
@@ -36,11 +37,10 @@ LANGUAGE = Language(
 
 _HELPERS = {
     "select": """
-function value = select(condition, positive, otherwise)
+function value = select(condition, positive, other)
+    value = other;
     if condition > 0.0
         value = positive;
-    else
-        value = otherwise;
     end
 end
 """,

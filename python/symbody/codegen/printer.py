@@ -109,7 +109,7 @@ def table(rows: Iterable[tuple[str, ...]]) -> list[str]:
 def head_of_function(function: Function) -> list[str]:
     """Return what stands above a function, without comment signs: what it computes, and of which size."""
     lines = sentences(_capital(function.meaning) + ".") if function.meaning else []
-    results = [(f"  {result.name}", _shape_text(result), result.meaning) for result in function.results]
+    results = [(f"  {r.name}", _shape_text(r), " ".join(r.meaning.split())) for r in function.results]
     counts = [(f"  {stage}:", words, "") for stage, words in function.counts.items()]
     return [*lines, *table(results), *(["Operations:", *table(counts)] if counts else [])]
 
