@@ -40,7 +40,7 @@ class Cost:
         rare = {"division": self.divisions, "function": self.functions}
         counts |= {name: count for name, count in rare.items() if count}
         parts = [f"{count} {name}{'' if count == 1 else 's'}" for name, count in counts.items()]
-        return " + ".join(parts) + f" = {self.total} operations"
+        return " + ".join(parts) + f" = {self.total} operation{'' if self.total == 1 else 's'}"
 
 
 #: Expressions, or sequences and matrices of them, nested as deep as they come.
