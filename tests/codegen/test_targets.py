@@ -28,6 +28,8 @@ GOLDEN = ROOT / "tests" / "golden"
 RUN_WHERE_AT_HAND = ("julia", "modelica")
 """Their tools come with no package of the system: golden files always, runs where there is one."""
 
+COMPILES_LONG = ("long", "trifilar", "panda_7dof")
+
 
 def at_hand(name: str) -> Target:
     target = TARGETS[name]
@@ -36,8 +38,16 @@ def at_hand(name: str) -> Target:
     return target
 
 
-@pytest.mark.parametrize("target", TARGETS)
-@pytest.mark.parametrize("program", PROGRAMS)
+RUNS = [
+    pytest.param(
+        program, target, marks=pytest.mark.slow if target == "jax" and program in COMPILES_LONG else ()
+    )
+    for program in PROGRAMS
+    for target in TARGETS
+]
+
+
+@pytest.mark.parametrize(("program", "target"), RUNS)
 def test_against_the_evaluator(program: str, target: str) -> None:
     at_hand(target)
     report = check(PROGRAMS[program](), target)

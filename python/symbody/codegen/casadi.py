@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from symbody.codegen import runtime
+from symbody.codegen.expression import wrapped
 from symbody.codegen.module import Function, Module
 from symbody.codegen.python import Library, check_text, module_text, python_language
 from symbody.codegen.target import Target
@@ -60,7 +61,8 @@ def _function(function: Function) -> list[str]:
     """Return the lines that make a function of the body of the same name."""
     arguments = ", ".join(f'("{a.name}", {None if a.is_scalar else a.size})' for a in function.arguments)
     results = ", ".join(f'"{r.name}"' for r in function.results)
-    return [f'{function.name} = function("{function.name}", {function.name}, [{arguments}], [{results}])']
+    line = f'{function.name} = function("{function.name}", {function.name}, [{arguments}], [{results}])'
+    return wrapped(line, LANGUAGE, "")
 
 
 def _files(module: Module) -> dict[str, str]:

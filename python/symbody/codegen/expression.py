@@ -67,7 +67,7 @@ def _bracketed(text: str) -> str:
     return f"({text})"
 
 
-_AFTER_SIGNS = re.compile(r"(?<=[-+,?:] )")
+_AFTER_SIGNS = re.compile(r"(?<=[-+,?] )|(?<= : )")
 _AFTER_FACTORS = re.compile(r"(?<=[*/])")
 
 

@@ -8,7 +8,15 @@ from symbody.codegen import runtime
 from symbody.codegen.expression import wrapped
 from symbody.codegen.language import Language, functions, number_text
 from symbody.codegen.module import Array, Function, Module
-from symbody.codegen.printer import block_lines, comment_block, head, head_of_function, in_rows
+from symbody.codegen.printer import (
+    block_lines,
+    comment_block,
+    head,
+    head_of_function,
+    in_rows,
+    mark,
+    sentences,
+)
 from symbody.codegen.target import Target
 
 __all__ = ["MODELICA"]
@@ -45,16 +53,33 @@ LANGUAGE = Language(
 
 def _files(module: Module) -> dict[str, str]:
     title = "Functions of the model; arguments are vectors, results are vectors, matrices and numbers."
-    lines = [
-        f'package {module.name} "{_quoted(module.meaning.splitlines()[0] if module.meaning else module.name)}"'
-    ]
+    lines = [f'package {module.name} "{_quoted(_first_line(module))}"']
     lines += [f"  {line}" for line in comment_block(head(module, title, 1), "//")]
     if "factor" in module.operations:
         lines += ["", *(f"  {line}".rstrip() for line in _systems())]
     for function in module.functions:
         lines += ["", *(f"  {line}".rstrip() for line in _function(function))]
     lines += ["", *(f"  {line}".rstrip() for line in _check(module)), f"end {module.name};"]
-    return {f"{module.name}.mo": "\n".join(lines) + "\n"}
+    return {f"{module.name}.mo": "\n".join(lines) + "\n", f"{module.name}_check.mos": _script(module)}
+
+
+def _first_line(module: Module) -> str:
+    """Return what the model is, as far as it stands in one line."""
+    return (sentences(module.meaning) or [module.name])[0]
+
+
+def _script(module: Module) -> str:
+    """Return a script of OpenModelica that loads the package and runs its self-check."""
+    return f"""\
+// {mark(module)}
+loadFile("{module.name}.mo");
+if {module.name}.self_check() then
+  print("{module.name}: ok\\n");
+else
+  print("{module.name}: DIFFERS from the reference\\n");
+  exit(1);
+end if;
+"""
 
 
 def _systems() -> list[str]:
@@ -66,7 +91,7 @@ def _quoted(text: str) -> str:
 
 
 def _declaration(kind: str, array: Array) -> str:
-    meaning = f' "{_quoted(array.meaning)}"' if array.meaning else ""
+    meaning = f' "{_quoted(sentences(array.meaning, 70)[0])}"' if array.meaning.strip() else ""
     return f"  {kind}{_typed(array.name, array.shape)}{meaning};"
 
 

@@ -12,7 +12,17 @@ from symbody.codegen.language import Language
 from symbody.codegen.module import Array, Function, Module
 from symbody.codegen.statement import Block, Factor, Let, Read, Section, Solve, Statement, Store
 
-__all__ = ["MARK", "block_lines", "comment_block", "head", "head_of_function", "in_rows", "mark", "table"]
+__all__ = [
+    "MARK",
+    "block_lines",
+    "comment_block",
+    "head",
+    "head_of_function",
+    "in_rows",
+    "mark",
+    "sentences",
+    "table",
+]
 
 Shapes: TypeAlias = Mapping[str, tuple[int, ...]]
 

@@ -57,8 +57,8 @@ pub fn prepare(p: &[f64; 4], c: &mut [f64; 6]) {
 /// Operations:
 ///   time and inputs:  1 multiplication, 1 function
 ///   positions:        1 addition, 4 multiplications, 2 functions
-pub fn equations(c: &[f64; 6], t: f64, q: &[f64; 1], u: &[f64; 1], M: &mut [[f64; 1]; 1], f:
-    &mut [f64; 1]) {
+pub fn equations(c: &[f64; 6], t: f64, q: &[f64; 1], u: &[f64; 1], M: &mut [[f64; 1]; 1],
+    f: &mut [f64; 1]) {
     let theta  = q[0];  // θ
     let m      = c[0];
     let l      = c[1];

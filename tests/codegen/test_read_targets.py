@@ -1,0 +1,37 @@
+"""Julia and Modelica without their tools: read by parsers that aren't ours, and Modelica evaluated."""
+
+from __future__ import annotations
+
+import pytest
+import tree_sitter_julia
+from tree_sitter import Language, Parser
+
+from symbody.codegen import source
+from symbody.codegen.generate import TARGETS
+from symbody.codegen.module import module_of
+from tests.codegen.modelica_reader import Package
+from tests.codegen.programs import PROGRAMS, at_reference_state
+
+JULIA = Parser(Language(tree_sitter_julia.language()))
+
+
+@pytest.mark.parametrize("program", PROGRAMS)
+def test_julia_is_julia(program: str) -> None:
+    for text in source(PROGRAMS[program](), "julia").values():
+        assert not JULIA.parse(text.encode()).root_node.has_error
+        assert JULIA.parse("".join(text.rsplit(")", 1)).encode()).root_node.has_error
+
+
+@pytest.mark.parametrize("program", PROGRAMS)
+def test_modelica_gives_the_values_of_the_evaluator(program: str) -> None:
+    text = next(iter(source(PROGRAMS[program](), "modelica").values()))
+    assert Package(text).call("self_check")
+
+
+@pytest.mark.parametrize("robot", ["double_pendulum", "panda_7dof"])
+def test_modelica_gives_the_values_of_other_programs(robot: str) -> None:
+    target = TARGETS["modelica"]
+    program, sample = at_reference_state(robot)
+    text = next(iter(target.files(module_of(program, target.language, target.limit, sample)).values()))
+    assert Package(text).call("self_check")
+    assert not Package(text.replace("cos(", "sin(")).call("self_check")
