@@ -109,7 +109,7 @@ class _Regrouping:
             if composites[place].is_null:
                 del composites[place]
             self.result.particles.extend(way.taken)
-            if self._tree.carried[self._links.before(place)]:
+            if place and self._tree.carried[self._links.before(place)]:
                 self._keep(self._tree.parents[place], line)
 
     def _keep(self, place: int, inertia: Composite) -> None:
@@ -125,7 +125,7 @@ class _Regrouping:
     def _line(self, place: int, whole: Composite) -> Composite:
         """Return what of a body may be kept in the link before; one without inertia stays without."""
         before = self._links.before(place)
-        if self._tree.carried[before] and before not in self._owners:
+        if place == 0 or (self._tree.carried[before] and before not in self._owners):
             return _NOTHING
         match self._tree.motion(place):
             case Rotation(axis=axis):

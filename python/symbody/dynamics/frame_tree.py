@@ -8,14 +8,14 @@ from dataclasses import dataclass, field
 from symbody.errors import ModelError
 from symbody.geometry import Frame
 from symbody.geometry.motion import Motion
-from symbody.multibody import Action, System
+from symbody.multibody import Action, Body, System
 from symbody.multibody.selection import select
 from symbody.multibody.system import rate_of_any
 from symbody.symbolic import Expr, derivation
 
 from .added_mass import check_loads
-from .meeting_axis import with_meeting_axes
 from .partial_motion import PartialTwist, partial_twists
+from .shifted_origin import with_shifted_origins
 
 
 @dataclass(frozen=True)
@@ -103,7 +103,9 @@ def _build(system: System) -> FrameTree:
     targets = [body.frame for body in system.bodies]
     targets += [action.anchor.frame for action in actions if action.is_force]
     given, _ = _ordered(system.root, targets)
-    moved = with_meeting_axes(given, targets)
+    numeric = all(_is_numeric(body) for body in system.bodies)
+    needed = targets[len(system.bodies) :] if numeric else targets
+    moved = with_shifted_origins(given, needed, numeric=numeric)
     ordered, parents = _ordered(system.root, [moved[frame.key] for frame in targets])
     places = {frame.key: place for place, frame in enumerate(ordered)}
     places |= {key: places[frame.key] for key, frame in moved.items() if frame.key in places}
@@ -112,6 +114,10 @@ def _build(system: System) -> FrameTree:
     for place in range(1, len(ordered)):
         carried.append(carried[parents[place]] or bool(coordinates[place]))
     return FrameTree(tuple(ordered), tuple(parents), coordinates, tuple(carried), actions, places, system)
+
+
+def _is_numeric(body: Body) -> bool:
+    return all(entry.is_constant for entry in (body.mass, *body.moments, *body.products))
 
 
 def _ordered(root: Frame, targets: Sequence[Frame]) -> tuple[list[Frame], list[int]]:

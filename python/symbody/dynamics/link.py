@@ -21,7 +21,7 @@ class Links:
 
     def __init__(self, tree: FrameTree) -> None:
         self._tree = tree
-        self.home, self.travels = [0], [False]
+        self.home, self.travels = [0], [tree.carried[0]]
         self._bears = [False] * len(tree.frames)
         for place in range(1, len(tree.frames)):
             motion, parent = tree.motion(place), tree.parents[place]

@@ -1,0 +1,172 @@
+"""Where frames begin on their axes of rotation.
+
+A displacement along the axis of the rotation that follows is the same one before and behind it. Put behind it, it may
+make two axes meet in a point at rest, as in a shoulder: no force beyond has a moment about the first axis then. And
+where all inertias are numbers, it may join the displacement that follows, or vanish in those of the last bodies.
+"""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Sequence
+from typing import NamedTuple, final
+
+from symbody.geometry import Frame, Triple
+from symbody.geometry.motion import Motion, Rotation, Translation, along
+from symbody.geometry.triple import is_null
+from symbody.symbolic import add3, cross3, dot3, number, sub3
+
+
+def with_shifted_origins(
+    frames: Sequence[Frame], needed: Sequence[Frame], *, numeric: bool
+) -> dict[bytes, Frame]:
+    """Return, by the keys of frames, frames at the same places with displacements behind rotations.
+
+    Args:
+        frames: parents before their children.
+        needed: those that carry more than bodies of numbers.
+        numeric: whether all bodies are numbers.
+    """
+    shifting = _Shifting(frames, needed, numeric=numeric)
+    for frame in frames:
+        shifting.add(frame)
+    return shifting.moved
+
+
+class _Run(NamedTuple):
+    """What comes before a rotation: a displacement of a frame, and turns by numbers."""
+
+    start: Frame
+    displacement: Triple
+    turns: tuple[Motion, ...]
+
+
+@final
+class _Shifting:
+    """From the root to the leaves."""
+
+    def __init__(self, frames: Sequence[Frame], needed: Sequence[Frame], *, numeric: bool) -> None:
+        self.moved: dict[bytes, Frame] = {}
+        self._numeric = numeric
+        self._needed = {frame.key for frame in needed}
+        self._forks, self._following = _forks(frames, self._needed)
+        self._loose: set[bytes] = set()
+        """Frames that end with a displacement put behind a rotation."""
+        self._turned: dict[bytes, bool] = {}
+        self._rests: dict[bytes, bool] = {}
+        """Whether anything before or at a frame moves, and whether its origin does not."""
+
+    def add(self, frame: Frame) -> None:
+        parent, motion = frame.parent, frame.motion
+        if parent is None or motion is None:
+            self._turned[frame.key], self._rests[frame.key] = frame.carrier is not None, frame.carrier is None
+            self.moved[frame.key] = frame
+            return
+        base = self.moved[parent.key]
+        result = self._shifted(frame) if isinstance(motion, Rotation) else None
+        if result is None and base.key in self._loose and isinstance(motion, Translation):
+            result = self._joined(base, motion)
+        if result is None:
+            result = self._then(base, motion) if base is not parent else self._seen(frame, base, motion)
+        self.moved[frame.key] = result if result is frame else result.named(frame.name)
+
+    def _shifted(self, frame: Frame) -> Frame | None:
+        """Return the frame with the displacement along its axis put behind the rotation, if that is better."""
+        rotation, run = frame.motion, self._run(frame)
+        if run is None or not isinstance(rotation, Rotation) or rotation.is_constant:
+            return None
+        d, k = run.displacement, rotation.axis
+        for turn in run.turns:
+            d = turn.to_child(d)
+        behind = along(k, d[k])
+        before = sub3(d, behind)
+        meets = is_null(before) and self._rests[run.start.key]
+        folds = self._numeric and _is_numeric(run.displacement) and self._is_absorbed(frame, rotation.axis)
+        if d[k].is_zero or not self._turned[run.start.key] or not (meets or folds):
+            return None
+        for turn in reversed(run.turns):
+            before = turn.to_parent(before)
+        chain = (*run.turns, rotation, Translation(behind))
+        return self._chained(run.start, chain if is_null(before) else (Translation(before), *chain))
+
+    def _chained(self, start: Frame, motions: Sequence[Motion]) -> Frame | None:
+        """Return the frame reached by motions; None if some of them merge, which would hide a coordinate."""
+        result = start
+        for motion in motions:
+            result = self._then(result, motion)
+        if result.depth != start.depth + len(motions):
+            return None
+        self._loose.add(result.key)
+        return result
+
+    def _joined(self, base: Frame, motion: Translation) -> Frame | None:
+        if base.parent is None or base.motion is None:
+            return None
+        d, beyond = base.motion.displacement, motion.displacement
+        if not (self._numeric and _is_numeric(d) and _is_numeric(beyond)):
+            return None
+        total = add3(d, beyond)
+        return base.parent if is_null(total) else self._then(base.parent, Translation(total))
+
+    def _run(self, frame: Frame) -> _Run | None:
+        """Return what is there before a rotation for it alone."""
+        turns = list[Motion]()
+        before = frame.parent
+        while before is not None and isinstance(before.motion, Rotation) and before.motion.is_constant:
+            if not self._is_alone(before):
+                return None
+            turns.append(before.motion)
+            before = before.parent
+        if before is None or not self._is_alone(before):
+            return None
+        place = self.moved[before.key]
+        if place.parent is None or not isinstance(place.motion, Translation) or not place.motion.is_constant:
+            return None
+        return _Run(place.parent, place.motion.displacement, tuple(reversed(turns)))
+
+    def _is_absorbed(self, frame: Frame, axis: int) -> bool:
+        """Tell whether a displacement along an axis of a frame joins one that follows, or nothing but bodies."""
+        e = along(axis, number(1))
+        while self._forks[frame.key]:
+            if not self._is_alone(frame):
+                return False
+            frame = self._following[frame.key]
+            match frame.motion:
+                case Translation(displacement=d) if _is_numeric(d):
+                    if not dot3(e, d).is_zero:
+                        return True
+                case Rotation(axis=k, is_constant=fixed) as turn if fixed or is_null(
+                    cross3(along(k, number(1)), e)
+                ):
+                    e = turn.to_child(e)
+                case _:
+                    return False
+        return True
+
+    def _is_alone(self, frame: Frame) -> bool:
+        return self._forks[frame.key] == 1 and frame.key not in self._needed
+
+    def _then(self, base: Frame, motion: Motion) -> Frame:
+        return self._seen(base.then(motion), base, motion)
+
+    def _seen(self, frame: Frame, base: Frame, motion: Motion) -> Frame:
+        turned = self._turned[base.key] or not motion.is_constant
+        self._turned[frame.key] = turned
+        self._rests[frame.key] = self._rests[base.key] and (is_null(motion.displacement) or not turned)
+        return frame
+
+
+def _forks(frames: Sequence[Frame], needed: set[bytes]) -> tuple[Counter[bytes], dict[bytes, Frame]]:
+    """Return, by frame, how many of those that hang on it lead to motions or to needed frames, and one of them."""
+    forks, following = Counter[bytes](), dict[bytes, Frame]()
+    for frame in reversed(frames):
+        if frame.parent is None or frame.motion is None:
+            continue
+        if frame.key in needed or not frame.motion.is_constant or forks[frame.key]:
+            forks[frame.parent.key] += 1
+            following[frame.parent.key] = frame
+    return forks, following
+
+
+def _is_numeric(displacement: Triple) -> bool:
+    return all(component.is_constant for component in displacement)
