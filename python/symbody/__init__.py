@@ -3,6 +3,7 @@
 The public names, layer by layer; ``import symbody as sb`` or import them from here.
 """
 
+from symbody.codegen import CompiledFunction, generate, lambdify
 from symbody.dynamics import (
     Equations,
     ForwardDynamics,
@@ -50,7 +51,6 @@ from symbody.multibody import (
 )
 from symbody.symbolic import (
     Abs,
-    CompiledFunction,
     Cost,
     Expr,
     Matrix,
@@ -81,7 +81,6 @@ from symbody.symbolic import (
     gradient,
     identity,
     jacobian,
-    lambdify,
     latex,
     ldl_solve,
     linear_solve,
@@ -162,6 +161,7 @@ __all__ = [
     "function",
     "functions_of_time",
     "generalized_force",
+    "generate",
     "gradient",
     "gravitational_energy",
     "ground",

@@ -18,8 +18,9 @@ from symbody import (
     time_derivative,
     translate,
 )
+from symbody.codegen import lambdify
 from symbody.errors import ProgramError
-from symbody.symbolic import Program, lambdify
+from symbody.symbolic import Program
 from tests.dynamics.models import chain
 from tests.dynamics.test_equations import bead
 

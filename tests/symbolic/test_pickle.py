@@ -10,13 +10,13 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from symbody.codegen import lambdify
 from symbody.symbolic import (
     Expr,
     Matrix,
     cost,
     function,
     functions_of_time,
-    lambdify,
     number,
     pi,
     sin,

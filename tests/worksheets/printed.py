@@ -7,7 +7,8 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
-from symbody.symbolic import Expr, functions_of_time, lambdify, symbols, t
+from symbody.codegen import lambdify
+from symbody.symbolic import Expr, functions_of_time, symbols, t
 
 RESULTS = json.loads(
     (Path(__file__).parents[1] / "reference" / "seed_worksheets.json").read_text(encoding="utf-8")

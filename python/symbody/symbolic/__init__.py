@@ -33,7 +33,6 @@ from symbody.symbolic.functions import (
     tan,
     tanh,
 )
-from symbody.symbolic.lambdify import CompiledFunction, lambdify
 from symbody.symbolic.ldl import ldl_solve
 from symbody.symbolic.leaves import (
     ExprLike,
@@ -70,7 +69,6 @@ __all__ = [
     "STAGES",
     "Abs",
     "Argument",
-    "CompiledFunction",
     "Cost",
     "Derivation",
     "Expr",
@@ -110,7 +108,6 @@ __all__ = [
     "gradient",
     "identity",
     "jacobian",
-    "lambdify",
     "latex",
     "ldl_solve",
     "linear_solve",

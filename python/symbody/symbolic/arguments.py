@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 from symbody.errors import ArgumentError
+from symbody.symbolic import _core
+from symbody.symbolic._core import Expr
 
-__all__ = ["described", "size"]
+__all__ = ["described", "expression", "size"]
 
 
 _SHOWN = 80
@@ -25,3 +27,8 @@ def size(value: int, place: str, what: str) -> int:
     if isinstance(value, bool) or not hasattr(value, "__index__") or value.__index__() < 0:
         raise ArgumentError(f"{place} is {value!r}; expected 0, 1, 2, ... {what}")
     return value.__index__()
+
+
+def expression(value: object, place: str) -> Expr:
+    """Return the expression of a number or an expression; ``place`` names the argument in the error."""
+    return _core.number(value, place)

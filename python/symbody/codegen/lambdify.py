@@ -11,14 +11,19 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from symbody.codegen.deficiency import notice_deficiencies
+from symbody.codegen.jit import is_available, lanes
+from symbody.codegen.machine_code import MachineCode
 from symbody.errors import ArgumentError, ExpressionError, ParameterError, SymbodyError
-from symbody.symbolic import _core
-from symbody.symbolic._core import Expr
-from symbody.symbolic.arguments import described
+from symbody.symbolic import Expr, Matrix
+from symbody.symbolic.arguments import described, expression
 from symbody.symbolic.encoding import Encoded, decode, encode
-from symbody.symbolic.matrix import Matrix
+from symbody.symbolic.tape import Tape
 
 __all__ = ["CompiledFunction", "lambdify"]
+
+_WORTH = 20_000
+"""Operations of a call for which compiling pays: machine code needs a tenth of the time, and some ms to be made."""
 
 #: A structure of outputs: one expression, a sequence of expressions, a matrix, or a sequence of these.
 Outputs = Any
@@ -40,17 +45,26 @@ class CompiledFunction:
     arguments: tuple[tuple[Expr, ...] | Expr, ...]
     expressions: tuple[Expr, ...]
     shapes: tuple[_Shape, ...] | _Shape
+    compile: bool | None = None
+    threads: int = 1
+    equation_names: tuple[str, ...] = ()
 
     @cached_property
-    def tape(self) -> _core.Tape:
+    def tape(self) -> Tape:
         """The straight-line code of the expressions, made once."""
-        return _core.Tape(_flat(self.arguments), self.expressions)
+        return Tape(_flat(self.arguments), self.expressions)
+
+    @cached_property
+    def machine_code(self) -> MachineCode:
+        """The machine code of the expressions, for loops outside Python; compiled at its first use."""
+        return MachineCode(tuple(_flat(self.arguments)), self.expressions)
 
     def __reduce__(self) -> tuple[Any, ...]:
         """Pickle the expressions, all in one encoding; where they are read, the code is made again."""
         leaves = _flat(self.arguments)
         counts = tuple(None if isinstance(a, Expr) else len(a) for a in self.arguments)
-        return _decoded, (counts, encode([*leaves, *self.expressions]), self.shapes)
+        options = (self.shapes, self.compile, self.threads, self.equation_names)
+        return _decoded, (counts, encode([*leaves, *self.expressions]), options)
 
     def __call__(self, *values: ArrayLike) -> Any:
         """Evaluate. An argument that was a list takes an array with that many rows."""
@@ -60,12 +74,32 @@ class CompiledFunction:
         flat = [
             np.ascontiguousarray(c if c.size == 1 else np.broadcast_to(c, batch)).reshape(-1) for c in inputs
         ]
-        out = np.empty(self.tape.outputs * points)
-        self.tape.evaluate_columns(flat, points, out)
-        outputs = out.reshape((self.tape.outputs, *batch))
+        outputs = self._evaluated(flat, points).reshape((self.tape.outputs, *batch))
         if isinstance(self.shapes, _Shape):
             return _cut(outputs, self.shapes)
         return tuple(_cut(outputs, shape) for shape in self.shapes)
+
+    def _evaluated(self, columns: list[NDArray[np.float64]], points: int) -> NDArray[np.float64]:
+        """Return the outputs, a row for each."""
+        out = np.empty((self.tape.outputs, points))
+        if not self._is_compiled_for(points):
+            self.tape.evaluate_columns(columns, points, out.reshape(-1))
+        elif points < lanes():
+            states = np.stack(np.broadcast_arrays(*columns, np.empty(points)), axis=-1)
+            rows = np.empty((points, self.tape.outputs))
+            self.machine_code.evaluate(np.ascontiguousarray(states), rows)
+            out = np.ascontiguousarray(rows.T)
+        else:
+            self.machine_code.evaluate_columns(columns, points, out, self.threads)
+        if self.tape.factorizations:
+            notice_deficiencies(self.machine_code.tag, self.equation_names)
+        return out
+
+    def _is_compiled_for(self, points: int) -> bool:
+        if self.compile is None:
+            is_worth = points * sum(self.tape.operations) >= _WORTH
+            return points > 0 and (is_worth or bool(self.tape.factorizations)) and is_available()
+        return points > 0 and self.compile
 
     def _columns(self, values: Sequence[ArrayLike]) -> list[NDArray[np.float64]]:
         if len(values) != len(self.arguments):
@@ -119,8 +153,19 @@ def _cut(outputs: NDArray[np.float64], shape: _Shape) -> Any:
     return result[()] if result.ndim == 0 else result
 
 
-def lambdify(arguments: Expr | Sequence[Expr | Sequence[Expr]], expressions: Outputs) -> CompiledFunction:
+def lambdify(
+    arguments: Expr | Sequence[Expr | Sequence[Expr]],
+    expressions: Outputs,
+    *,
+    compile: bool | None = None,  # noqa: A002 - what it does
+    threads: int = 1,
+    equation_names: Sequence[str] = (),
+) -> CompiledFunction:
     """Return a fast function of the arguments that evaluates the expressions.
+
+    Calls of 20 000 operations or more (operations times points) run in machine code, several points at a time; small
+    ones run without being compiled. What runs a call depends on its size alone, so equal calls have equal results; the
+    two ways agree to rounding. A linear system of deficient rank gets its solution of least norm, and a notice.
 
     Args:
         arguments: variables, or lists of variables, which become arrays with a row for each.
@@ -128,6 +173,9 @@ def lambdify(arguments: Expr | Sequence[Expr | Sequence[Expr]], expressions: Out
             batch's shape; a list of n expressions: n rows; a ``Matrix`` or a NumPy array of
             expressions: an array that begins with its shape; a list of lists, matrices and arrays: a
             tuple with an array for each, lists of equal length included.
+        compile: whether all calls run in machine code, or none.
+        threads: how many share the points of a call.
+        equation_names: what to call the equations of linear systems in notices.
 
     Raises:
         ParameterError: an expression contains a variable that is no argument.
@@ -141,9 +189,17 @@ def lambdify(arguments: Expr | Sequence[Expr | Sequence[Expr]], expressions: Out
     """
     structure = tuple(map(_argument, [arguments] if isinstance(arguments, Expr) else _listed(arguments)))
     outputs, shapes = _flatten(expressions)
-    function = CompiledFunction(structure, tuple(outputs), shapes)
+    _check_threads(threads)
+    function = CompiledFunction(
+        structure, tuple(outputs), shapes, compile, threads, tuple(map(str, equation_names))
+    )
     function.tape  # noqa: B018 - made now, so that a variable without a value is found now
     return function
+
+
+def _check_threads(threads: int) -> None:
+    if threads < 1:
+        raise ArgumentError(f"lambdify, threads: {threads!r}; expected a whole number from 1")
 
 
 def _listed(arguments: object) -> list[Any]:
@@ -174,7 +230,7 @@ def _is_scalar(item: object) -> bool:
 
 
 def _scalar(item: object) -> Expr:
-    return _core.number(item, "lambdify, expressions")
+    return expression(item, "lambdify, expressions")
 
 
 def _flatten(expressions: Outputs) -> tuple[list[Expr], tuple[_Shape, ...] | _Shape]:
@@ -198,9 +254,7 @@ def _flatten(expressions: Outputs) -> tuple[list[Expr], tuple[_Shape, ...] | _Sh
     return outputs, tuple(shapes)
 
 
-def _decoded(
-    counts: Iterable[int | None], encoded: Encoded, shapes: tuple[_Shape, ...] | _Shape
-) -> CompiledFunction:
+def _decoded(counts: Iterable[int | None], encoded: Encoded, options: tuple[Any, ...]) -> CompiledFunction:
     made = iter(decode(encoded))
     arguments = tuple(next(made) if n is None else tuple(islice(made, n)) for n in counts)
-    return CompiledFunction(arguments, tuple(made), shapes)
+    return CompiledFunction(arguments, tuple(made), *options)

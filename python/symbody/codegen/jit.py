@@ -1,0 +1,86 @@
+"""Compilation in the process: text of LLVM's intermediate representation to machine code."""
+
+from __future__ import annotations
+
+import ctypes
+from dataclasses import dataclass
+from functools import cache
+from typing import Any
+
+try:
+    import llvmlite.binding as llvm
+except ImportError:  # machines without it evaluate the tape
+    llvm = None
+
+from symbody.symbolic.tape import kernel_address
+
+__all__ = ["Compiled", "compiled", "is_available", "lanes"]
+
+
+def is_available() -> bool:
+    """Return whether this machine compiles."""
+    return llvm is not None
+
+
+@dataclass(frozen=True, eq=False)
+class Compiled:
+    """Machine code; it lives as long as this object.
+
+    Attributes:
+        address: where the function begins.
+        engine: what owns the memory.
+    """
+
+    address: int
+    engine: Any
+
+    def function(self, *arguments: Any) -> Any:
+        """Return the function for Python, of these types of C and without a result; it runs without the interpreter."""
+        return ctypes.CFUNCTYPE(None, *arguments)(self.address)
+
+
+@cache
+def _target() -> Any:
+    """Return the kind of processor that this is; what compiled code calls is made known once."""
+    llvm.initialize_native_target()
+    llvm.initialize_native_asmprinter()
+    for name in ("factor", "solve"):
+        llvm.add_symbol(f"symbody_{name}", kernel_address(name))
+    return llvm.Target.from_default_triple()
+
+
+def _machine() -> Any:
+    """Return this processor; a new one for each engine, which takes it over."""
+    # Numbers are found relative to the code, as in a shared library: absolute addresses take a register each.
+    return _target().create_target_machine(
+        cpu=llvm.get_host_cpu_name(),
+        features=llvm.get_host_cpu_features().flatten(),
+        opt=2,
+        jit=True,
+        reloc="pic",
+        codemodel="small",
+    )
+
+
+@cache
+def lanes() -> int:
+    """Return how many doubles the processor takes at a time."""
+    features = llvm.get_host_cpu_features()
+    if features.get("avx512dq"):
+        return 8
+    return 4 if features.get("avx2") else 2
+
+
+def compiled(text: str, name: str, *, level: int = 2) -> Compiled:
+    """Return the machine code of one function of a module."""
+    machine = _machine()
+    module = llvm.parse_assembly(text)
+    module.triple, module.data_layout = machine.triple, str(machine.target_data)
+    options = llvm.create_pipeline_tuning_options(speed_level=level)
+    options.slp_vectorization = False
+    options.loop_vectorization = False
+    builder = llvm.create_pass_builder(machine, options)
+    builder.getModulePassManager().run(module, builder)
+    engine = llvm.create_mcjit_compiler(module, machine)
+    engine.finalize_object()
+    return Compiled(engine.get_function_address(name), engine)

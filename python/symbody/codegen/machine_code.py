@@ -1,0 +1,99 @@
+"""Machine code of expressions: compiled when it is first needed, for one state and for many."""
+
+from __future__ import annotations
+
+import ctypes
+from collections.abc import Sequence
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass, field
+from itertools import count, pairwise
+
+import numpy as np
+from numpy.typing import NDArray
+
+from symbody.codegen import jit
+from symbody.codegen.llvm import batch_text, code_of, scalar_text
+from symbody.symbolic import Expr
+from symbody.symbolic.tape import Tape
+
+__all__ = ["MachineCode"]
+
+_TAGS = count(1)
+_POINTER, _INTEGER = ctypes.c_void_p, ctypes.c_int64
+
+
+@dataclass(frozen=True, eq=False)
+class MachineCode:
+    """Functions of machine code that evaluate expressions.
+
+    One state: ``void f(const double *inputs, double *outputs)``, at :attr:`address`. Many states, several in a vector:
+    ``void f(const double *const *inputs, double *outputs, int64 first, int64 last, int64 stride)``, at
+    :meth:`batch_address`; input k of state i is ``inputs[k][i]``, or ``inputs[k][0]`` where it is uniform, output j is
+    ``outputs[j*stride + i]``, and there are at least :func:`symbody.codegen.jit.lanes` states.
+
+    Attributes:
+        inputs: the variables.
+        expressions: the outputs.
+        tag: what tells the linear systems of this code from those of others.
+    """
+
+    inputs: tuple[Expr, ...]
+    expressions: tuple[Expr, ...]
+    tag: int = field(default_factory=lambda: next(_TAGS) << 16)
+    _batches: dict[tuple[bool, ...], jit.Compiled] = field(default_factory=dict)
+    _scalars: list[jit.Compiled] = field(default_factory=list)
+
+    @property
+    def address(self) -> int:
+        """Where the function of one state begins."""
+        return self._scalar().address
+
+    def batch_address(self, uniform: Sequence[bool]) -> int:
+        """Return where the function of many states begins, some of whose inputs are the same for all states."""
+        return self._batch(tuple(uniform)).address
+
+    def evaluate(self, states: NDArray[np.float64], out: NDArray[np.float64]) -> None:
+        """Evaluate a row of inputs after the other into rows of outputs."""
+        function = self._scalar().function(_POINTER, _POINTER)
+        for state, row in zip(states, out, strict=True):
+            function(state.ctypes.data, row.ctypes.data)
+
+    def evaluate_columns(
+        self, columns: Sequence[NDArray[np.float64]], points: int, out: NDArray[np.float64], threads: int = 1
+    ) -> None:
+        """Evaluate many states: a column for each input, with one value where it is the same for all."""
+        compiled = self._batch(tuple(column.size == 1 for column in columns))
+        function = compiled.function(_POINTER, _POINTER, _INTEGER, _INTEGER, _INTEGER)
+        pointers = (_POINTER * len(columns))(*(column.ctypes.data for column in columns))
+
+        def run(start: int, end: int) -> None:
+            function(pointers, out.ctypes.data, start, end, points)
+
+        parts = _parts(points, threads)
+        if len(parts) == 1:
+            run(*parts[0])
+            return
+        with ThreadPoolExecutor(len(parts)) as pool:
+            list(pool.map(lambda part: run(*part), parts))
+
+    def _scalar(self) -> jit.Compiled:
+        if not self._scalars:
+            code = code_of(Tape(self.inputs, self.expressions), self.tag)
+            self._scalars.append(jit.compiled(scalar_text(code, "scalar", jit.lanes()), "scalar"))
+        return self._scalars[0]
+
+    def _batch(self, uniform: tuple[bool, ...]) -> jit.Compiled:
+        if uniform not in self._batches:
+            stages = [0 if is_uniform else 1 for is_uniform in uniform]
+            code = code_of(Tape(self.inputs, self.expressions, stages), self.tag)
+            text = batch_text(code, "batch", jit.lanes(), uniform)
+            self._batches[uniform] = jit.compiled(text, "batch")
+        return self._batches[uniform]
+
+
+def _parts(points: int, threads: int) -> list[tuple[int, int]]:
+    """Return the states of each thread: whole vectors but for the last one, and at least one vector."""
+    width = jit.lanes()
+    vectors = max(points // width, 1)
+    bounds = [vectors * k // threads * width for k in range(threads)] + [points]
+    return [(start, end) for start, end in pairwise(bounds) if end > start]
