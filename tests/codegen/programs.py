@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 from functools import cache
+from typing import Any, TypeAlias
 
 import numpy as np
 
@@ -40,8 +41,11 @@ from symbody import (
 )
 from symbody.codegen.sample import Sample
 from symbody.symbolic import Argument, Expr, Matrix, Program, Result, Routine, t
+from tests.reference.floating_base import floating_state
 from tests.reference.robot import robot
 from tests.worksheets import test_trifilar_seed as trifilar
+
+Values: TypeAlias = dict[str, Any]
 
 
 def state(*, parameters: tuple[Expr, ...], positions: tuple[Expr, ...]) -> tuple[Argument, ...]:
@@ -184,26 +188,45 @@ PROGRAMS = {
     "double_pendulum": double_pendulum,
     "trifilar": trifilar_pendulum,
     "panda_7dof": lambda: robot_program("panda_7dof"),
+    "solo12_floating": lambda: robot_program("solo12_floating"),
 }
+
+
+REFERENCES = ("double_pendulum", "furuta", "gimbal_gyro", "panda_7dof", "solo12_floating")
+"""Robots of which Pinocchio and MuJoCo have computed the dynamics."""
 
 
 def at_reference_state(name: str) -> tuple[Program, Sample]:
     """The routines of which other programs have computed the values, and these values: nothing of ours is in them."""
-    program, reference = robot_program(name), robot(name).states[0]
-    zero_damping = -np.asarray(reference["bias"])
-    values = {
-        "mass_matrix": [np.ravel(reference["mass_matrix"])],
-        "forcing": [zero_damping],
-        "residuals": [reference["inverse_dynamics"]],
-        "energies": [[reference["kinetic_energy"]]],  # the others' potential energy leaves the root link out
-    }
+    program, model = robot_program(name), robot(name)
+    given, values = _floating(model.states[0]) if "floating" in name else _fixed(model.states[0])
     routines = tuple(
         replace(routine, results=routine.results[: len(values[routine.name])])
         for routine in program.routines
         if routine.name in values
     )
-    given = {"q": reference["joint_q"], "u": reference["joint_v"], "a": reference["joint_a"]}
     return replace(program, routines=routines), Sample(
         tuple(tuple(map(float, given[argument.name])) for argument in program.arguments),
         tuple(tuple(tuple(map(float, result)) for result in values[routine.name]) for routine in routines),
     )
+
+
+def _fixed(state: dict[str, Any]) -> tuple[Values, dict[str, list[Any]]]:
+    given = {"q": state["joint_q"], "u": state["joint_v"], "a": state["joint_a"]}
+    return given, {
+        "forward_dynamics": [np.linalg.solve(state["mass_matrix"], -np.asarray(state["bias"]))],
+        "mass_matrix": [np.ravel(state["mass_matrix"])],
+        "forcing": [-np.asarray(state["bias"])],
+        "residuals": [state["inverse_dynamics"]],
+        "energies": [[state["kinetic_energy"]]],  # the others' potential energy leaves the root link out
+    }
+
+
+def _floating(reference: dict[str, Any]) -> tuple[Values, dict[str, list[Any]]]:
+    state = floating_state(reference)
+    return {"q": state.q, "u": state.u, "a": state.a}, {
+        "mass_matrix": [state.mass_matrix.ravel()],
+        "forcing": [state.forcing],
+        "residuals": [state.inverse_dynamics],
+        "energies": [[state.kinetic_energy], [state.potential_energy]],
+    }

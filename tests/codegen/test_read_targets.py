@@ -10,7 +10,7 @@ from symbody.codegen import source
 from symbody.codegen.generate import TARGETS
 from symbody.codegen.module import module_of
 from tests.codegen.modelica_reader import Package
-from tests.codegen.programs import PROGRAMS, at_reference_state
+from tests.codegen.programs import PROGRAMS, REFERENCES, at_reference_state
 
 JULIA = Parser(Language(tree_sitter_julia.language()))
 
@@ -28,7 +28,7 @@ def test_modelica_gives_the_values_of_the_evaluator(program: str) -> None:
     assert Package(text).call("self_check")
 
 
-@pytest.mark.parametrize("robot", ["double_pendulum", "panda_7dof"])
+@pytest.mark.parametrize("robot", REFERENCES)
 def test_modelica_gives_the_values_of_other_programs(robot: str) -> None:
     target = TARGETS["modelica"]
     program, sample = at_reference_state(robot)

@@ -21,14 +21,14 @@ from symbody.codegen.module import module_name, module_of
 from symbody.codegen.target import Target
 from symbody.codegen.toolchain import check, check_files, missing_tools
 from symbody.errors import CodegenError
-from tests.codegen.programs import PROGRAMS, at_reference_state, double_pendulum, pendulum
+from tests.codegen.programs import PROGRAMS, REFERENCES, at_reference_state, double_pendulum, pendulum
 
 ROOT = Path(__file__).parents[2]
 GOLDEN = ROOT / "tests" / "golden"
 RUN_WHERE_AT_HAND = ("julia", "modelica")
 """Their tools come with no package of the system: golden files always, runs where there is one."""
 
-COMPILES_LONG = ("long", "trifilar", "panda_7dof")
+COMPILES_LONG = ("long", "trifilar", "panda_7dof", "solo12_floating")
 
 
 def at_hand(name: str) -> Target:
@@ -56,7 +56,7 @@ def test_against_the_evaluator(program: str, target: str) -> None:
 
 
 @pytest.mark.parametrize("name", TARGETS)
-@pytest.mark.parametrize("robot", ["double_pendulum", "furuta", "gimbal_gyro", "panda_7dof"])
+@pytest.mark.parametrize("robot", REFERENCES)
 def test_against_other_programs(robot: str, name: str) -> None:
     target = at_hand(name)
     program, sample = at_reference_state(robot)
