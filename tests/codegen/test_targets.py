@@ -85,11 +85,11 @@ def test_golden_files(name: str) -> None:
 
 
 def digest() -> str:
-    """The digest of all files of all programs and targets."""
+    """The digest of all files of some programs, in all targets."""
     sums = hashlib.sha256()
-    for make in PROGRAMS.values():
+    for program in ("everything", "double_pendulum", "trifilar", "panda_7dof"):
         for name in TARGETS:
-            for file, text in source(make(), name).items():
+            for file, text in source(PROGRAMS[program](), name).items():
                 sums.update(f"{file}\n{text}".encode())
     return sums.hexdigest()
 
