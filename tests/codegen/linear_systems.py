@@ -155,7 +155,7 @@ def badly_scaled(n: int, draw: np.random.Generator) -> System:
 def redundant_badly_scaled(n: int, draw: np.random.Generator) -> System:
     """The least x that fits the independent equations, x = B^T (B B^T)^-1 c: the units of the unknowns matter."""
     system = redundant(n, draw)
-    a, b = _rescale(system.a, system.b, draw, columns=4)
+    a, b = _rescale(system.a, system.b, draw, columns=8)
     kept = np.setdiff1d(np.arange(len(b)), system.dependent)
     with mpmath.workdps(150):
         rows = mpmath.matrix(a[kept].tolist())

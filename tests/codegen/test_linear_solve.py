@@ -1,6 +1,7 @@
 """Linear systems at run time, in the process and in the languages of generated code, against SciPy and many digits."""
 
 import ctypes
+import re
 from collections import defaultdict
 from collections.abc import Callable, Sequence
 from pathlib import Path
@@ -12,7 +13,7 @@ import jax.numpy as jnp
 import numpy as np
 import pytest
 
-from symbody.codegen.runtime import SNIPPETS, factor_size, runtime_text
+from symbody.codegen.runtime import NAMES, SNIPPETS, factor_size, runtime_text
 from symbody.symbolic import _core  # noqa: TID251 - the kernel itself is what is tested
 from tests.codegen.linear_solve_drivers import COMPILED, LIBRARIES, Solved, solved_by
 from tests.codegen.linear_systems import System, systems, weights
@@ -111,6 +112,45 @@ def test_sizes_agree() -> None:
     assert [factor_size(n) for n in range(9)] == [_core.kernel_workspace(n) for n in range(9)]
 
 
+SMALL_MASSES = [1e-9, 1e-13, 1e-25]
+
+
+def small_masses(m: float) -> list[tuple[np.ndarray, np.ndarray]]:
+    """Two masses held together by a constraint, and by two: small against the geometry, and no rounding errors."""
+    once = np.array([[m, 0, -1], [0, m, -1], [1, 1, 0]])
+    twice = np.array([[m, 0, -1, -1], [0, m, -1, -1], [1, 1, 0, 0], [1, 1, 0, 0]])
+    return [(once, np.array([3 * m, m, 0])), (twice, np.array([3 * m, m, 0, 0]))]
+
+
+def assert_small_masses(m: float, once: np.ndarray, twice: np.ndarray) -> None:
+    assert np.allclose(once / [1, 1, m], [1, -1, -2], rtol=1e-12)
+    assert np.allclose(twice / [1, 1, m, m], [1, -1, -1, -1], rtol=1e-12)
+
+
+@pytest.mark.parametrize("m", SMALL_MASSES)
+def test_small_masses_in_languages(m: float, language: tuple[str, list[str], Path]) -> None:
+    _, program, folder = language
+    assert_small_masses(m, *(x for x, _ in solved_by(program, small_masses(m), folder)))
+
+
+@pytest.mark.parametrize("m", SMALL_MASSES)
+def test_small_masses_in_jax(m: float) -> None:
+    with jax.enable_x64(True):
+        linear_solve = jax.jit(linear_solve_of("jax"))
+        assert_small_masses(m, *(np.asarray(linear_solve(jnp.array(a), list(b))) for a, b in small_masses(m)))
+
+
+def test_names_of_snippets_are_listed() -> None:
+    pattern = r"^(?:def|function)\s+(?:\w+ = )?(\w+)|^(\w+)\(\w+\) = "
+    found = {
+        name
+        for text in SNIPPETS.values()
+        for pair in re.findall(pattern, text, re.MULTILINE)
+        for name in pair
+    }
+    assert found - {""} == NAMES
+
+
 # --- what is traced, in a few sizes ----------------------------------------------------------------------------------
 
 FEW = [system for system in systems() if len(system.b) in {3, 7}]
@@ -136,6 +176,7 @@ def test_jax_differentiates(redundant: bool) -> None:
     with jax.enable_x64(True):
         linear_solve = linear_solve_of("jax")
 
+        @jax.jit
         def total(t: jax.Array) -> jax.Array:
             last = [2 * t, 2.0, 2 * t**2] if redundant else [1.0, t, 3.0]
             rows = jnp.array([[t, 1.0, t**2], [jnp.sin(t), 2.0, -1.0], last])
@@ -143,7 +184,12 @@ def test_jax_differentiates(redundant: bool) -> None:
 
         t, h = 0.7, 1e-6
         expected = (total(jnp.array(t + h)) - total(jnp.array(t - h))) / (2 * h)
-        slopes = [jax.grad(total)(t), jax.jacfwd(total)(t), jax.vmap(jax.grad(total))(jnp.array([t]))[0]]
+        reverse = jax.grad(total)
+        slopes = [
+            jax.jit(reverse)(t),
+            jax.jit(jax.jacfwd(total))(t),
+            jax.jit(jax.vmap(reverse))(jnp.array([t]))[0],
+        ]
         assert np.allclose(slopes, expected, rtol=1e-8)
 
 

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from importlib.resources import files
 
-from symbody.codegen.runtime.snippets import SNIPPETS
+from symbody.codegen.runtime.snippets import NAMES, SNIPPETS
 
-__all__ = ["SNIPPETS", "factor_size", "runtime_text"]
+__all__ = ["NAMES", "SNIPPETS", "factor_size", "runtime_text"]
 
 
 def runtime_text(name: str) -> str:

@@ -1,9 +1,10 @@
 /* Linear systems A x = b. The workspace, of 2 n n + 5 n + 1 numbers, holds A row by row before symbody_factor and its
  * factorisation afterwards; symbody_solve puts x in the place of b. Each equation is divided by the power of two below
- * its largest coefficient. A = P L U by partial pivoting; where a pivot vanishes against its column, the complete
- * orthogonal decomposition A = Q [T 0; 0 0] Z gives the least x among those that fit best (Golub & Van Loan, Matrix
- * Computations, 4th ed., 3.4 and 5.4.7), and symbody_factor returns how many equations follow from the others: those
- * with 1 in the n places from 2 n n + 4 n on. Coefficients that are no numbers make solutions that are no numbers. */
+ * its largest coefficient. A = P L U by partial pivoting; where a pivot vanishes against its column, A P = Q [R S; 0 0]
+ * by reflections, with the largest columns first (Golub & Van Loan, Matrix Computations, 4th ed., 3.4 and 5.4.2): of
+ * the x that fit best the least is taken, by removing its part along the directions in which nothing changes, and
+ * symbody_factor returns how many equations follow from the others: those with 1 in the n places from 2 n n + 4 n on.
+ * Coefficients that are no numbers make solutions that are no numbers. */
 #include <float.h>
 #include <math.h>
 
@@ -72,6 +73,31 @@ static void symbody_weigh(int n, const double *a, double *restrict f, double *we
     }
 }
 
+/* The geometric mean of the largest and the least magnitude of x y, or x / y, that is not 0; 1 if there is none. */
+static double symbody_middle(int n, int stride, const double *x, const double *y, int divide)
+{
+    double least = DBL_MAX, most = 0.0;
+    for (int i = 0; i < n; i++) {
+        const double size = fabs(divide ? x[i * stride] / y[i] : x[i * stride] * y[i]);
+        if (size > 0.0) least = fmin(least, size);
+        most = fmax(most, size);
+    }
+    return most > 0.0 ? sqrt(least) * sqrt(most) : 1.0;
+}
+
+/* Measure the unknowns in units, powers of 2^20, that bring the coefficients of each equation closer together: masses
+ * may be small against the geometry in constraints, and are none the less no rounding errors. */
+static void symbody_take_units(int n, double *a, double *unit, double *middle)
+{
+    for (int j = 0; j < n; j++) unit[j] = 1.0;
+    for (int pass = 0; pass < 3; pass++) {
+        for (int i = 0; i < n; i++) middle[i] = symbody_middle(n, 1, a + i * n, unit, 0);
+        for (int j = 0; j < n; j++) unit[j] = 1.0 / symbody_middle(n, n, a + j, middle, 1);
+    }
+    for (int j = 0; j < n; j++) unit[j] = exp2(20.0 * round(log2(unit[j]) / 20.0));
+    for (int i = 0; i < n * n; i++) a[i] *= unit[i % n];
+}
+
 /* P A = L U in place; 0 where a pivot is so small against its column that it may be a rounding error. */
 static int symbody_eliminate(int n, double *f, double *swap, double *pivot, const double *column)
 {
@@ -92,7 +118,7 @@ static int symbody_eliminate(int n, double *f, double *swap, double *pivot, cons
     return 1;
 }
 
-/* A P = Q R by reflections of the columns, the longest first; R is that of the unweighted columns. Return the rank. */
+/* A P = Q R by reflections of the columns, the longest first, until rounding errors are left. Return the rank. */
 static int symbody_reflect_columns(int n, double *f, double *swap, double *tau, double *sum, double *column)
 {
     double first = 0.0;
@@ -124,36 +150,47 @@ static int symbody_reflect_columns(int n, double *f, double *swap, double *tau, 
         for (int i = k + 1; i < n; i++)
             symbody_add(n - k - 1, f + i * n + k + 1, -tau[k] * f[i * n + k], sum + k + 1);
     }
-    for (int i = 0; i < k; i++)
-        for (int j = i; j < n; j++) f[i * n + j] /= column[j];
     return k;
 }
 
-/* [T1 T2] = [T 0] Z by reflections of the rows. */
-static void symbody_reflect_rows(int n, int rank, double *f, double *tau)
+/* R x = b in place, with 0 from the rank on. */
+static void symbody_back_substitute(int n, int rank, const double *f, double *x)
 {
-    for (int k = rank - 1; k >= 0; k--) {
-        double *row = f + k * n, *tail = row + rank;
-        const double norm = -copysign(sqrt(row[k] * row[k] + symbody_dot(n - rank, tail, tail)), row[k]);
-        const double scale = 1.0 / (row[k] - norm);
-        tau[k] = (norm - row[k]) / norm;
-        row[k] = norm;
-        for (int j = 0; j < n - rank; j++) tail[j] *= scale;
-        for (double *other = f; other < row; other += n) {
-            const double sum = tau[k] * (other[k] + symbody_dot(n - rank, tail, other + rank));
-            other[k] -= sum;
-            symbody_add(n - rank, other + rank, -sum, tail);
-        }
+    for (int k = rank - 1; k >= 0; k--)
+        x[k] = (x[k] - symbody_dot(n - k - 1, f + k * n + k + 1, x + k + 1)) / f[k * n + k];
+}
+
+static void symbody_normalize(int n, double *x)
+{
+    const double size = symbody_largest(n, x);
+    double sum = 0.0;
+    for (int i = 0; i < n; i++) sum += (x[i] / size) * (x[i] / size);
+    for (int i = 0; i < n; i++) x[i] /= size * sqrt(sum);
+}
+
+/* Orthonormal directions of x in which nothing changes: [-R^-1 S; 1], without what is rounding error in them. */
+static void symbody_find_directions(int n, int rank, const double *f, const double *unit, double *direction)
+{
+    double *x = direction;
+    for (int c = rank; c < n; c++, x += n) {
+        for (int i = 0; i < n; i++) x[i] = i == c;
+        symbody_back_substitute(n, rank, f, x);
+        const double rounding = 64.0 * DBL_EPSILON * n * symbody_largest(n, x);
+        for (int i = 0; i < n; i++) x[i] = fabs(x[i]) > rounding ? x[i] * unit[i] : 0.0;
+        symbody_normalize(n, x);
+        for (int pass = 0; pass < 2; pass++)
+            for (double *other = direction; other < x; other += n) symbody_add(n, x, -symbody_dot(n, other, x), other);
+        symbody_normalize(n, x);
     }
 }
 
 /* Mark the equations that follow from the others, late ones rather than early ones: the last columns of Q are the
  * combinations c of equations that vanish; elimination leaves each of them an equation. */
-static void symbody_mark(int n, int rank, const double *f, double *c, const double *tau, double *sum, double *mark)
+static void symbody_mark(int n, int rank, const double *f, double *c, const double *tau, double *mark)
 {
     const int count = n - rank;
+    double *sum = mark;
     for (int i = 0; i < n * count; i++) c[i] = 0.0;
-    for (int i = 0; i < n; i++) mark[i] = 0.0;
     for (int j = 0; j < count; j++) c[(rank + j) * count + j] = 1.0;
     for (int k = rank - 1; k >= 0; k--) {
         for (int j = 0; j < count; j++) sum[j] = c[k * count + j];
@@ -161,6 +198,7 @@ static void symbody_mark(int n, int rank, const double *f, double *c, const doub
         symbody_add(count, c + k * count, -tau[k], sum);
         for (int i = k + 1; i < n; i++) symbody_add(count, c + i * count, -tau[k] * f[i * n + k], sum);
     }
+    for (int i = 0; i < n; i++) mark[i] = 0.0;
     for (int j = 0; j < count; j++) {
         double most = 0.0;
         int late = n - 1, pivot = j;
@@ -180,22 +218,25 @@ static void symbody_mark(int n, int rank, const double *f, double *c, const doub
 static int symbody_factor(int n, double *work)
 {
     double *f = work + n * n, *weight = f + n * n, *swap = weight + n, *pivot = swap + n;
-    double *sum = pivot + n, *column = sum + n, *state = column + n, finite = 0.0;
+    double *unit = pivot + n, *column = unit + n, *state = column + n, finite = 0.0;
     int rank;
     symbody_weigh(n, work, f, weight, column);
     *state = -1.0;
     if (symbody_eliminate(n, f, swap, pivot, column)) return 0;
-    symbody_weigh(n, work, f, weight, column);
-    for (int i = 0; i < n * n; i++) finite += 0.0 * f[i];
+    for (int i = 0; i < n * n; i++) finite += 0.0 * work[i];
     *state = finite;
     if (finite != 0.0) return 0;
+    symbody_take_units(n, work, unit, pivot);
+    symbody_weigh(n, work, f, weight, column);
     for (int j = 0; j < n; j++) column[j] = symbody_weight(column[j]);
     for (int i = 0; i < n * n; i++) f[i] *= column[i % n];
-    rank = symbody_reflect_columns(n, f, swap, pivot, sum, column);
+    for (int j = 0; j < n; j++) column[j] *= unit[j];
+    rank = symbody_reflect_columns(n, f, swap, pivot, unit, column);
     *state = rank;
+    for (int j = 0; j < n; j++) unit[j] = column[j];
     if (rank < n) {
-        symbody_mark(n, rank, f, work, pivot, sum, column);
-        symbody_reflect_rows(n, rank, f, sum);
+        symbody_mark(n, rank, f, work, pivot, column);
+        symbody_find_directions(n, rank, f, unit, work);
     }
     return n - rank;
 }
@@ -212,9 +253,9 @@ static void symbody_solve_triangular(int n, const double *f, const double *swap,
     for (int k = n - 1; k >= 0; k--) x[k] = (x[k] - symbody_dot(n - k - 1, f + k * n + k + 1, x + k + 1)) * pivot[k];
 }
 
-static void symbody_solve_orthogonal(int n, int rank, const double *f, const double *swap, const double *tau, double *x)
+static void symbody_solve_orthogonal(int n, int rank, const double *work, double *x)
 {
-    const double *row_tau = tau + n;
+    const double *f = work + n * n, *swap = f + n * n + n, *tau = swap + n, *unit = tau + n;
     double lost = 0.0;
     for (int k = 0; k < rank; k++) {
         double sum = x[k];
@@ -225,13 +266,12 @@ static void symbody_solve_orthogonal(int n, int rank, const double *f, const dou
     /* What is no number in b is not lost with the equations that are left out. */
     for (int i = rank; i < n; i++) lost += 0.0 * x[i];
     for (int i = rank; i < n; i++) x[i] = lost;
-    for (int k = rank - 1; k >= 0; k--)
-        x[k] = (x[k] - symbody_dot(rank - k - 1, f + k * n + k + 1, x + k + 1)) / f[k * n + k];
-    for (int k = 0; k < rank && rank < n; k++) {
-        const double sum = row_tau[k] * (x[k] + symbody_dot(n - rank, f + k * n + rank, x + rank));
-        x[k] -= sum;
-        symbody_add(n - rank, x + rank, -sum, f + k * n + rank);
-    }
+    symbody_back_substitute(n, rank, f, x);
+    for (int i = 0; i < n; i++) x[i] *= unit[i];
+    /* Twice, because what is removed may be much larger than what stays. */
+    for (int pass = 0; pass < 2; pass++)
+        for (const double *direction = work; direction < work + n * (n - rank); direction += n)
+            symbody_add(n, x, -symbody_dot(n, direction, x), direction);
     for (int k = rank - 1; k >= 0; k--) symbody_swap_columns(1, n, x, k, (int)swap[k]);
 }
 
@@ -242,7 +282,7 @@ static void symbody_solve(int n, const double *work, double *x)
     if (*state == -1.0)
         symbody_solve_triangular(n, f, swap, pivot, x);
     else if (*state >= 0.0)
-        symbody_solve_orthogonal(n, (int)*state, f, swap, pivot, x);
+        symbody_solve_orthogonal(n, (int)*state, work, x);
     else
         for (int i = 0; i < n; i++) x[i] = *state;
 }

@@ -1,10 +1,10 @@
 ! Linear systems A x = b. The workspace, of 2 n n + 5 n + 1 numbers, holds A row by row before symbody_factor and its
 ! factorisation afterwards; symbody_solve puts x in the place of b. Each equation is divided by the power of two below
-! its largest coefficient. A = P L U by partial pivoting; where a pivot vanishes against its column, the complete
-! orthogonal decomposition A = Q [T 0; 0 0] Z gives the least x among those that fit best (Golub & Van Loan, Matrix
-! Computations, 4th ed., 3.4 and 5.4.7). The last number is then the rank; where it is less than n, the n numbers
-! before it mark with 1 the equations that follow from the others. Coefficients that are no numbers make solutions
-! that are no numbers. In what follows f(:, i) is row i.
+! its largest coefficient. A = P L U by partial pivoting; where a pivot vanishes against its column, A P = Q [R S; 0 0]
+! by reflections, with the largest columns first (Golub & Van Loan, Matrix Computations, 4th ed., 3.4 and 5.4.2): of
+! the x that fit best the least is taken, by removing its part along the directions in which nothing changes. The last
+! number is then the rank; where it is less than n, the n numbers before it mark with 1 the equations that follow from
+! the others. Coefficients that are no numbers make solutions that are no numbers. In what follows f(:, i) is row i.
 pure subroutine symbody_factor(n, work)
     integer, intent(in) :: n
     real(dp), intent(inout) :: work(2*n*n + 5*n + 1)
@@ -26,34 +26,38 @@ pure subroutine symbody_solve(n, work, x)
     if (work(v + 5*n) == -1.0_dp) then
         call symbody_solve_triangular(n, work(f), work(v + n), work(v + 2*n), x)
     else if (work(v + 5*n) >= 0.0_dp) then
-        call symbody_solve_orthogonal(n, int(work(v + 5*n)), work(f), work(v + n), work(v + 2*n), work(v + 3*n), x)
+        call symbody_solve_orthogonal(n, int(work(v + 5*n)), work(1), work(f), work(v + n), work(v + 2*n), &
+                                      work(v + 3*n), x)
     else
         x = work(v + 5*n)
     end if
 end subroutine symbody_solve
 
-pure subroutine symbody_decompose(n, a, f, weight, swap, pivot, sums, column, state)
+pure subroutine symbody_decompose(n, a, f, weight, swap, pivot, unit, column, state)
     integer, intent(in) :: n
     real(dp), intent(inout) :: a(n, n)
-    real(dp), intent(out) :: f(n, n), weight(n), swap(n), pivot(n), sums(n), column(n), state
+    real(dp), intent(out) :: f(n, n), weight(n), swap(n), pivot(n), unit(n), column(n), state
     integer :: i, rank
     logical :: certain
     call symbody_weigh(n, a, f, weight, column)
     state = -1.0_dp
     call symbody_eliminate(n, f, swap, pivot, column, certain)
     if (certain) return
-    call symbody_weigh(n, a, f, weight, column)
-    state = sum(0.0_dp*f)
+    state = sum(0.0_dp*a)
     if (.not. state == 0.0_dp) return
+    call symbody_take_units(n, a, unit, pivot)
+    call symbody_weigh(n, a, f, weight, column)
     column = symbody_weight(column)
     do i = 1, n
         f(:, i) = f(:, i)*column
     end do
-    call symbody_reflect_columns(n, f, swap, pivot, sums, column, rank)
+    column = column*unit
+    call symbody_reflect_columns(n, f, swap, pivot, unit, column, rank)
     state = rank
+    unit = column
     if (rank == n) return
-    call symbody_mark(n, rank, f, a, pivot, sums, column)
-    call symbody_reflect_rows(n, rank, f, sums)
+    call symbody_mark(n, rank, f, a, pivot, column)
+    call symbody_find_directions(n, rank, f, unit, a)
 end subroutine symbody_decompose
 
 ! The power of two that brings a magnitude into [1, 2); 1 for nothing.
@@ -86,6 +90,35 @@ pure subroutine symbody_weigh(n, a, f, weight, column)
         column = merge(abs(f(:, i)), column, abs(f(:, i)) > column)
     end do
 end subroutine symbody_weigh
+
+! Measure the unknowns in units, powers of 2^20, that bring the coefficients of each equation closer together: masses
+! may be small against the geometry in constraints, and are none the less no rounding errors.
+pure subroutine symbody_take_units(n, a, unit, middle)
+    integer, intent(in) :: n
+    real(dp), intent(inout) :: a(n, n)
+    real(dp), intent(out) :: unit(n), middle(n)
+    integer :: i, pass
+    unit = 1.0_dp
+    do pass = 1, 3
+        do i = 1, n
+            middle(i) = symbody_middle(abs(a(:, i)*unit))
+        end do
+        do i = 1, n
+            unit(i) = 1.0_dp/symbody_middle(abs(a(i, :)/middle))
+        end do
+    end do
+    unit = scale(1.0_dp, 20*nint(log(unit)/(20*log(2.0_dp))))
+    do i = 1, n
+        a(:, i) = a(:, i)*unit
+    end do
+end subroutine symbody_take_units
+
+! The geometric mean of the largest and the least magnitude that is not 0; 1 if there is none.
+pure real(dp) function symbody_middle(sizes)
+    real(dp), intent(in) :: sizes(:)
+    symbody_middle = 1.0_dp
+    if (any(sizes > 0.0_dp)) symbody_middle = sqrt(minval(sizes, sizes > 0.0_dp))*sqrt(maxval(sizes))
+end function symbody_middle
 
 ! P A = L U in place; not certain where a pivot is so small against its column that it may be a rounding error.
 pure subroutine symbody_eliminate(n, f, swap, pivot, column, certain)
@@ -121,12 +154,12 @@ elemental subroutine symbody_swap(x, y)
     y = kept
 end subroutine symbody_swap
 
-! A P = Q R by reflections of the columns, the longest first; R is that of the unweighted columns.
+! A P = Q R by reflections of the columns, the longest first, until rounding errors are left.
 pure subroutine symbody_reflect_columns(n, f, swap, tau, sums, column, rank)
     integer, intent(in) :: n
     real(dp), intent(inout) :: f(n, n), swap(n), tau(n), sums(n), column(n)
     integer, intent(out) :: rank
-    real(dp) :: norm, first
+    real(dp) :: norm, first, along
     integer :: i, k, longest
     first = 0.0_dp
     do rank = 0, n - 1
@@ -144,10 +177,13 @@ pure subroutine symbody_reflect_columns(n, f, swap, tau, sums, column, rank)
             call symbody_swap(column(k), column(longest))
             call symbody_swap(f(k, :), f(longest, :))
         end if
-        call symbody_reflection(norm, f(k, k), tau(k))
+        norm = -sign(norm, f(k, k))
+        tau(k) = (norm - f(k, k))/norm
+        along = f(k, k) - norm
+        f(k, k) = norm
         sums(k + 1:) = f(k + 1:, k)
         do i = k + 1, n
-            f(k, i) = f(k, i)/norm
+            f(k, i) = f(k, i)/along
             sums(k + 1:) = sums(k + 1:) + f(k, i)*f(k + 1:, i)
         end do
         f(k + 1:, k) = f(k + 1:, k) - tau(k)*sums(k + 1:)
@@ -155,47 +191,53 @@ pure subroutine symbody_reflect_columns(n, f, swap, tau, sums, column, rank)
             f(k + 1:, i) = f(k + 1:, i) - (tau(k)*f(k, i))*sums(k + 1:)
         end do
     end do
-    do i = 1, rank
-        f(i:, i) = f(i:, i)/column(i:)
-    end do
 end subroutine symbody_reflect_columns
 
-! The reflection that leaves of a vector only its head; the rest of the vector has to be divided by norm.
-elemental subroutine symbody_reflection(norm, head, tau)
-    real(dp), intent(inout) :: norm, head
-    real(dp), intent(out) :: tau
-    real(dp) :: reflected
-    reflected = -sign(norm, head)
-    tau = (reflected - head)/reflected
-    norm = head - reflected
-    head = reflected
-end subroutine symbody_reflection
-
-! [T1 T2] = [T 0] Z by reflections of the rows.
-pure subroutine symbody_reflect_rows(n, rank, f, tau)
+! R x = b in place, with 0 from the rank on.
+pure subroutine symbody_back_substitute(n, rank, f, x)
     integer, intent(in) :: n, rank
-    real(dp), intent(inout) :: f(n, n)
-    real(dp), intent(out) :: tau(n)
-    real(dp) :: norm, along
-    integer :: i, k
+    real(dp), intent(in) :: f(n, n)
+    real(dp), intent(inout) :: x(n)
+    integer :: k
     do k = rank, 1, -1
-        norm = sqrt(f(k, k)**2 + sum(f(rank + 1:, k)**2))
-        call symbody_reflection(norm, f(k, k), tau(k))
-        f(rank + 1:, k) = f(rank + 1:, k)/norm
-        do i = 1, k - 1
-            along = tau(k)*(f(k, i) + dot_product(f(rank + 1:, k), f(rank + 1:, i)))
-            f(k, i) = f(k, i) - along
-            f(rank + 1:, i) = f(rank + 1:, i) - along*f(rank + 1:, k)
-        end do
+        x(k) = (x(k) - dot_product(f(k + 1:, k), x(k + 1:)))/f(k, k)
     end do
-end subroutine symbody_reflect_rows
+end subroutine symbody_back_substitute
+
+! Orthonormal directions of x in which nothing changes: [-R^-1 S; 1], without what is rounding error in them.
+pure subroutine symbody_find_directions(n, rank, f, unit, direction)
+    integer, intent(in) :: n, rank
+    real(dp), intent(in) :: f(n, n), unit(n)
+    real(dp), intent(out) :: direction(n, n - rank)
+    integer :: c, k
+    direction = 0.0_dp
+    do c = 1, n - rank
+        direction(rank + c, c) = 1.0_dp
+        call symbody_back_substitute(n, rank, f, direction(:, c))
+        where (abs(direction(:, c)) <= 64*epsilon(1.0_dp)*n*maxval(abs(direction(:, c)))) direction(:, c) = 0.0_dp
+        direction(:, c) = direction(:, c)*unit
+        direction(:, c) = direction(:, c)/norm2(direction(:, c))
+        do k = 1, 2*(c - 1)
+            call symbody_remove(direction(:, 1 + mod(k - 1, c - 1)), direction(:, c))
+        end do
+        direction(:, c) = direction(:, c)/norm2(direction(:, c))
+    end do
+end subroutine symbody_find_directions
+
+! Remove the part of x along a direction.
+pure subroutine symbody_remove(direction, x)
+    real(dp), intent(in) :: direction(:)
+    real(dp), intent(inout) :: x(:)
+    x = x - dot_product(direction, x)*direction
+end subroutine symbody_remove
 
 ! Mark the equations that follow from the others, late ones rather than early ones: the last columns of Q are the
 ! combinations c of equations that vanish; elimination leaves each of them an equation.
-pure subroutine symbody_mark(n, rank, f, c, tau, sums, mark)
+pure subroutine symbody_mark(n, rank, f, c, tau, mark)
     integer, intent(in) :: n, rank
     real(dp), intent(in) :: f(n, n), tau(n)
-    real(dp), intent(out) :: c(n - rank, n), sums(n - rank), mark(n)
+    real(dp), intent(out) :: c(n - rank, n), mark(n)
+    real(dp) :: sums(n - rank)
     integer :: i, j, k, late, pivot
     c = 0.0_dp
     mark = 0.0_dp
@@ -244,12 +286,12 @@ pure subroutine symbody_solve_triangular(n, f, swap, pivot, x)
     end do
 end subroutine symbody_solve_triangular
 
-pure subroutine symbody_solve_orthogonal(n, rank, f, swap, tau, row_tau, x)
+pure subroutine symbody_solve_orthogonal(n, rank, direction, f, swap, tau, unit, x)
     integer, intent(in) :: n, rank
-    real(dp), intent(in) :: f(n, n), swap(n), tau(n), row_tau(n)
+    real(dp), intent(in) :: direction(n, n - rank), f(n, n), swap(n), tau(n), unit(n)
     real(dp), intent(inout) :: x(n)
     real(dp) :: along, kept
-    integer :: k
+    integer :: c, k
     do k = 1, rank
         along = tau(k)*(x(k) + dot_product(f(k, k + 1:), x(k + 1:)))
         x(k) = x(k) - along
@@ -257,16 +299,12 @@ pure subroutine symbody_solve_orthogonal(n, rank, f, swap, tau, row_tau, x)
     end do
     ! What is no number in b is not lost with the equations that are left out.
     x(rank + 1:) = sum(0.0_dp*x(rank + 1:))
-    do k = rank, 1, -1
-        x(k) = (x(k) - dot_product(f(k + 1:rank, k), x(k + 1:rank)))/f(k, k)
+    call symbody_back_substitute(n, rank, f, x)
+    x = x*unit
+    ! Twice, because what is removed may be much larger than what stays.
+    do c = 1, 2*(n - rank)
+        call symbody_remove(direction(:, 1 + mod(c - 1, n - rank)), x)
     end do
-    if (rank < n) then
-        do k = 1, rank
-            along = row_tau(k)*(x(k) + dot_product(f(rank + 1:, k), x(rank + 1:)))
-            x(k) = x(k) - along
-            x(rank + 1:) = x(rank + 1:) - along*f(rank + 1:, k)
-        end do
-    end if
     do k = rank, 1, -1
         kept = x(int(swap(k)))
         x(int(swap(k))) = x(k)

@@ -3,9 +3,10 @@ mod linear_solve {
     //!
     //! Each equation is divided by the power of two below its largest coefficient, so that it does not matter in which
     //! units it is written. Then A = P L U by partial pivoting [Golub & Van Loan 2013, sec. 3.4]. Where a pivot
-    //! vanishes against its column, A = Q [T 0; 0 0] Z instead, the complete orthogonal decomposition [sec. 5.4.7]:
-    //! the solution is the least x among those that fit the equations best, and the equations that follow from the
-    //! others are named. Coefficients that are no numbers give solutions that are no numbers.
+    //! vanishes against its column, A P = Q [R S; 0 0] by reflections instead, with the largest columns first
+    //! [sec. 5.4.2]: of the solutions that fit the equations best the least is taken, by removing its part along the
+    //! directions in which nothing changes, and the equations that follow from the others are named. Coefficients that
+    //! are no numbers give solutions that are no numbers.
 
     /// A pivot so small against its column may be a rounding error: the decomposition with column pivoting decides.
     const DOUBTFUL: f64 = 1e-11;
@@ -31,25 +32,28 @@ mod linear_solve {
         if eliminate(n, factors, swaps, pivots, columns) {
             return 0;
         }
-        weigh_rows(n, matrix, factors, weights, columns);
-        if !factors.iter().all(|entry| entry.is_finite()) {
+        if !matrix.iter().all(|entry| entry.is_finite()) {
             *state = f64::NAN;
             return 0;
         }
-        weigh_columns(n, factors, columns);
+        take_units(n, matrix, sums, pivots);
+        weigh_rows(n, matrix, factors, weights, columns);
+        weigh_columns(n, factors, columns, sums);
         let rank = reflect_columns(n, factors, swaps, pivots, sums, columns);
         *state = to_double(rank);
+        sums.copy_from_slice(columns);
         if rank < n {
-            name_dependent(n, rank, factors, matrix, pivots, sums, columns);
-            reflect_rows(n, rank, factors, sums);
+            name_dependent(n, rank, factors, matrix, pivots, columns);
+            find_directions(n, rank, factors, sums, matrix);
         }
         n - rank
     }
 
     /// Solve for a right side with a factorised matrix; the solution takes its place.
     pub fn solve(n: usize, work: &[f64], x: &mut [f64]) {
-        let (factors, rest) = work[n * n..].split_at(n * n);
-        let (weights, swaps, pivots, taus) =
+        let (matrix, rest) = work.split_at(n * n);
+        let (factors, rest) = rest.split_at(n * n);
+        let (weights, swaps, pivots, units) =
             (&rest[..n], &rest[n..2 * n], &rest[2 * n..3 * n], &rest[3 * n..4 * n]);
         let state = rest[5 * n];
         for (entry, weight) in x.iter_mut().zip(weights) {
@@ -58,7 +62,15 @@ mod linear_solve {
         if state == TRIANGULAR {
             solve_triangular(n, factors, swaps, pivots, x);
         } else if state >= 0.0 {
-            solve_orthogonal(n, to_index(state), factors, swaps, (pivots, taus), x);
+            let rank = to_index(state);
+            fit(n, rank, factors, pivots, x);
+            x.iter_mut().zip(units).for_each(|(entry, unit)| *entry *= unit);
+            // Twice, because what is removed may be much larger than what stays.
+            let directions = &matrix[..n * (n - rank)];
+            for direction in directions.chunks_exact(n).chain(directions.chunks_exact(n)) {
+                add_scaled(x, -dot(direction, x), direction);
+            }
+            (0..rank).rev().for_each(|k| x.swap(k, to_index(swaps[k])));
         } else {
             x.fill(f64::NAN);
         }
@@ -73,9 +85,9 @@ mod linear_solve {
 
     /// The parts of a workspace.
     struct Areas<'a> {
-        /// The coefficients, row by row; what vanishes in a deficient matrix.
+        /// The coefficients, row by row; at last the directions of x in which nothing changes.
         matrix: &'a mut [f64],
-        /// The triangles; or T, with the reflections that make it below and beside.
+        /// The triangles; or R and S, and below them the reflections.
         factors: &'a mut [f64],
         /// What the equations are multiplied by.
         weights: &'a mut [f64],
@@ -83,9 +95,9 @@ mod linear_solve {
         swaps: &'a mut [f64],
         /// Reciprocal pivots; or factors of the reflections of columns.
         pivots: &'a mut [f64],
-        /// Sums along columns; at last the factors of the reflections of rows.
+        /// Sums along columns; at last the weights of the columns.
         sums: &'a mut [f64],
-        /// The largest coefficients of columns; at last 1 for an equation that follows from others.
+        /// The largest coefficients of columns, their weights; at last 1 for an equation that follows from others.
         columns: &'a mut [f64],
     }
 
@@ -115,14 +127,44 @@ mod linear_solve {
         }
     }
 
-    /// Multiply each column by its weight, which takes the place of its largest coefficient.
-    fn weigh_columns(n: usize, factors: &mut [f64], columns: &mut [f64]) {
+    /// Measure the unknowns in units, powers of 2^20, that bring the coefficients of each equation closer together.
+    ///
+    /// Masses may be small against the geometry in constraints: they are none the less no rounding errors.
+    fn take_units(n: usize, matrix: &mut [f64], units: &mut [f64], middles: &mut [f64]) {
+        units.fill(1.0);
+        for _ in 0..3 {
+            for (row, mean) in matrix.chunks_exact(n).zip(&mut *middles) {
+                *mean = middle(row.iter().zip(&*units).map(|(entry, unit)| entry * unit));
+            }
+            for (column, unit) in units.iter_mut().enumerate() {
+                let entries = matrix.chunks_exact(n).map(|row| row[column]);
+                *unit = 1.0 / middle(entries.zip(&*middles).map(|(entry, mean)| entry / mean));
+            }
+        }
+        for unit in &mut *units {
+            *unit = (20.0 * (unit.log2() / 20.0).round()).exp2();
+        }
+        for row in matrix.chunks_exact_mut(n) {
+            row.iter_mut().zip(&*units).for_each(|(entry, unit)| *entry *= unit);
+        }
+    }
+
+    /// The geometric mean of the largest and the least magnitude that is not 0; 1 if there is none.
+    fn middle(entries: impl Iterator<Item = f64>) -> f64 {
+        let sizes = entries.map(f64::abs).filter(|&size| size > 0.0);
+        let (least, most) = sizes.fold((f64::MAX, 0.0), |(least, most), size| (size.min(least), size.max(most)));
+        if most > 0.0 { least.sqrt() * most.sqrt() } else { 1.0 }
+    }
+
+    /// Multiply each column by a weight; leave in place of its largest coefficient its weight in all.
+    fn weigh_columns(n: usize, factors: &mut [f64], columns: &mut [f64], units: &[f64]) {
         for column in &mut *columns {
             *column = power_of_two(*column);
         }
         for row in factors.chunks_exact_mut(n) {
             row.iter_mut().zip(&*columns).for_each(|(entry, weight)| *entry *= weight);
         }
+        columns.iter_mut().zip(units).for_each(|(weight, unit)| *weight *= unit);
     }
 
     /// P A = L U in place; false where a pivot is doubtful.
@@ -169,7 +211,7 @@ mod linear_solve {
         }
     }
 
-    /// A P = Q R by reflections of the columns, the largest first; its rows as those of the unweighted columns.
+    /// A P = Q R by reflections of the columns, the longest first, until rounding errors are left; the rank.
     fn reflect_columns(
         n: usize,
         factors: &mut [f64],
@@ -191,9 +233,6 @@ mod linear_solve {
             factors.chunks_exact_mut(n).for_each(|row| row.swap(k, column));
             reflect_column(n, k, norm, factors, taus, sums);
             rank += 1;
-        }
-        for (k, row) in factors.chunks_exact_mut(n).enumerate().take(rank) {
-            row[k..].iter_mut().zip(&columns[k..]).for_each(|(entry, weight)| *entry /= weight);
         }
         rank
     }
@@ -234,57 +273,52 @@ mod linear_solve {
         }
     }
 
-    /// [T1 T2] = [T 0] Z by reflections of the rows.
-    fn reflect_rows(n: usize, rank: usize, factors: &mut [f64], taus: &mut [f64]) {
-        for k in (0..rank).rev() {
-            let (above, row) = factors.split_at_mut(k * n);
-            let (head, tail) = row[k..n].split_at_mut(rank - k);
-            let norm = (head[0] * head[0] + dot(tail, tail)).sqrt();
-            let reflected = -norm.copysign(head[0]);
-            let scale = 1.0 / (head[0] - reflected);
-            taus[k] = (reflected - head[0]) / reflected;
-            head[0] = reflected;
-            for entry in &mut *tail {
-                *entry *= scale;
-            }
-            for other in above.chunks_exact_mut(n) {
-                let (head, rest) = other[k..].split_at_mut(rank - k);
-                let sum = taus[k] * (head[0] + dot(tail, rest));
-                head[0] -= sum;
-                add_scaled(rest, -sum, tail);
-            }
+    /// The x with no part in the last columns that fits best: R x = Q^T b.
+    fn fit(n: usize, rank: usize, factors: &[f64], taus: &[f64], x: &mut [f64]) {
+        for (k, tau) in taus.iter().enumerate().take(rank) {
+            let below = || factors.chunks_exact(n).map(|row| row[k]).skip(k + 1);
+            let sum = tau * (x[k] + below().zip(&x[k + 1..]).map(|(v, entry)| v * entry).sum::<f64>());
+            x[k] -= sum;
+            x[k + 1..].iter_mut().zip(below()).for_each(|(entry, v)| *entry -= sum * v);
+        }
+        // What is no number in the right side is not lost with the equations that are left out.
+        let lost = x[rank..].iter().map(|entry| 0.0 * entry).sum::<f64>();
+        x[rank..].fill(lost);
+        back_substitute(n, rank, factors, x);
+    }
+
+    /// R x = b in place, with 0 from the rank on.
+    fn back_substitute(n: usize, rank: usize, factors: &[f64], x: &mut [f64]) {
+        for (k, row) in factors.chunks_exact(n).enumerate().take(rank).rev() {
+            x[k] = (x[k] - dot(&row[k + 1..], &x[k + 1..])) / row[k];
         }
     }
 
-    fn solve_orthogonal(
-        n: usize,
-        rank: usize,
-        factors: &[f64],
-        swaps: &[f64],
-        (column_taus, row_taus): (&[f64], &[f64]),
-        x: &mut [f64],
-    ) {
-        for k in 0..rank {
-            let below = || factors.chunks_exact(n).map(|row| row[k]).skip(k + 1);
-            let sum = x[k] + below().zip(&x[k + 1..]).map(|(v, entry)| v * entry).sum::<f64>();
-            x[k] -= column_taus[k] * sum;
-            x[k + 1..].iter_mut().zip(below()).for_each(|(entry, v)| *entry -= column_taus[k] * sum * v);
-        }
-        // Without this, what is no number in the right side could be lost with the equations that are left out.
-        let lost = x[rank..].iter().map(|entry| 0.0 * entry).sum::<f64>();
-        for (k, row) in factors.chunks_exact(n).enumerate().take(rank).rev() {
-            x[k] = (x[k] - dot(&row[k + 1..rank], &x[k + 1..rank])) / row[k];
-        }
-        x[rank..].fill(lost);
-        if rank < n {
-            for (k, row) in factors.chunks_exact(n).enumerate().take(rank) {
-                let sum = row_taus[k] * (x[k] + dot(&row[rank..], &x[rank..]));
-                x[k] -= sum;
-                add_scaled(&mut x[rank..], -sum, &row[rank..]);
+    /// Orthonormal directions of x in which nothing changes: [-R^-1 S; 1], without what is rounding error in them.
+    fn find_directions(n: usize, rank: usize, factors: &[f64], units: &[f64], directions: &mut [f64]) {
+        for c in 0..n - rank {
+            let (found, rest) = directions.split_at_mut(c * n);
+            let direction = &mut rest[..n];
+            direction.fill(0.0);
+            direction[rank + c] = 1.0;
+            back_substitute(n, rank, factors, direction);
+            let rounding = ROUNDING * to_double(n) * largest(direction);
+            for (entry, unit) in direction.iter_mut().zip(units) {
+                *entry = if entry.abs() > rounding { *entry * unit } else { 0.0 };
             }
+            normalize(direction);
+            for other in found.chunks_exact(n).chain(found.chunks_exact(n)) {
+                add_scaled(direction, -dot(other, direction), other);
+            }
+            normalize(direction);
         }
-        for k in (0..rank).rev() {
-            x.swap(k, to_index(swaps[k]));
+    }
+
+    fn normalize(direction: &mut [f64]) {
+        let size = largest(direction);
+        let length = size * direction.iter().map(|entry| (entry / size).powi(2)).sum::<f64>().sqrt();
+        for entry in direction {
+            *entry /= length;
         }
     }
 
@@ -297,11 +331,10 @@ mod linear_solve {
         factors: &[f64],
         combinations: &mut [f64],
         taus: &[f64],
-        sums: &mut [f64],
         marks: &mut [f64],
     ) {
         let count = n - rank;
-        let (combinations, sums) = (&mut combinations[..n * count], &mut sums[..count]);
+        let (combinations, sums) = (&mut combinations[..n * count], &mut marks[..count]);
         combinations.fill(0.0);
         (0..count).for_each(|c| combinations[(rank + c) * count + c] = 1.0);
         for k in (0..rank).rev() {
