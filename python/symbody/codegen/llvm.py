@@ -154,7 +154,9 @@ def _module(texts: Iterable[str], widths: Iterable[int], code: Code) -> str:
     """Return a module: the functions of the text, sines and cosines, and what they call."""
     waves = [sincos_text(lanes) for lanes in sorted(widths)]
     declared = "\n".join(_DECLARATIONS) if not code.matrices else "\n".join([*_DECLARATIONS, *_KERNEL])
-    return "\n".join([*texts, *waves, declared, '!0 = !{!"branch_weights", i32 1, i32 100000}', ""])
+    return "\n".join(
+        [*texts, *waves, declared, '!0 = !{!"branch_weights", i32 1, i32 100000}', "!1 = !{}", ""]
+    )
 
 
 _LIBM = ("sin", "cos", "tan", "asin", "acos", "atan", "sinh", "cosh", "tanh", "exp", "log")
@@ -181,18 +183,18 @@ Load = Callable[["_Writer", int], str]
 
 
 def _scalar_input(w: _Writer, number: int) -> str:
-    return w.load(w.let(f"getelementptr double, ptr %in, i64 {number}"))
+    return w.input(w.let(f"getelementptr double, ptr %in, i64 {number}"))
 
 
 def _pointed_input(w: _Writer, number: int) -> str:
     pointer = w.let(f"getelementptr ptr, ptr %in, i64 {number}")
-    return w.load(w.let(f"load ptr, ptr {pointer}"))
+    return w.input(w.let(f"load ptr, ptr {pointer}"))
 
 
 def _batch_input(w: _Writer, number: int) -> str:
     pointer = w.let(f"getelementptr ptr, ptr %in, i64 {number}")
     base = w.let(f"load ptr, ptr {pointer}")
-    return w.load(w.let(f"getelementptr double, ptr {base}, i64 %i"))
+    return w.input(w.let(f"getelementptr double, ptr {base}, i64 %i"))
 
 
 @dataclass
@@ -299,6 +301,10 @@ class _Writer:
 
     def load(self, pointer: str) -> str:
         return self.let(f"load {self.V}, ptr {pointer}, align 8")
+
+    def input(self, pointer: str) -> str:
+        """Load what nothing changes: it may be loaded again rather than kept."""
+        return self.let(f"load {self.V}, ptr {pointer}, align 8, !invariant.load !1")
 
     def store(self, value: str, pointer: str) -> None:
         self.lines.append(f"  store {self.V} {value}, ptr {pointer}, align 8")
