@@ -33,6 +33,7 @@ BUILTIN: dict[str, Callable[..., Any]] = {
     "sign": np.sign,
     "min": min,
     "max": lambda *values: max(values) if len(values) > 1 else np.max(values[0]),
+    "fill": lambda value, *sizes: np.full([int(size) for size in sizes], value),
     "linear_solve": lambda a, b: np.linalg.pinv(np.array(a)) @ np.array(b),
 }
 

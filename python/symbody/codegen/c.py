@@ -39,6 +39,7 @@ LANGUAGE = Language(
     ),
     scalar="*{}",
     qualified=True,
+    clear="for (int i = 0; i < {size}; ++i) {array}[i] = 0.0;",
     factor="symbody_factor({n}, {work});",
     solve="symbody_solve({n}, {work}, {x});",
 )

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
 
@@ -9,13 +10,16 @@ from symbody.codegen.block import Cut, cut
 from symbody.codegen.count import section_titles
 from symbody.codegen.expression import Tree, entry, name, number
 from symbody.codegen.names import Scope
-from symbody.codegen.statement import Block, Factor, Let, Read, Section, Solve, Statement, Store
+from symbody.codegen.statement import Block, Clear, Factor, Let, Read, Section, Solve, Statement, Store
 from symbody.codegen.straight_line import Code, Instruction, operands
 
 __all__ = ["Composition", "compose"]
 
 LONGEST_EXPRESSION = 12
 """Operations in one statement, so that a reader can follow it."""
+
+MOST_ZEROS = 3
+"""Zeros that are stored one by one; arrays with more of them are cleared before."""
 
 LONGEST_NAME = 24
 """Letters of a name that says what it is; longer ones are numbered instead."""
@@ -75,9 +79,19 @@ class _Composer:
         for place, read in enumerate(self.code.inputs, self.code.first_input):
             is_scalar = read.array in self.scalars
             self._trees[place] = name(read.array if is_scalar else self.scope.claim(read.name))
+        zeros = Counter(array for (array, _), place in self._results_in_order() if self._is_zero(place))
+        sizes = Counter(array for array, _ in self.targets)
+        self.cleared = {array: sizes[array] for array, count in zeros.items() if count > MOST_ZEROS}
+
+    def _results_in_order(self) -> Iterator[tuple[tuple[str, int], int]]:
+        return zip(self.targets, self.code.results, strict=True)
+
+    def _is_zero(self, place: int) -> bool:
+        return place < self.code.first_input and repr(self.code.constants[place]) == "0.0"
 
     def composition(self) -> Composition:
         parts = [list(self._statements(block)) for block in range(len(self.cut.starts) - 1)]
+        parts[0] = [*(Clear(array, size) for array, size in self.cleared.items()), *parts[0]]
         parts[-1] += self._results_without_work()
         return Composition(
             tuple(Block(self._reads(k), tuple(part)) for k, part in enumerate(parts)),
@@ -129,7 +143,14 @@ class _Composer:
         yield Solve(matrix[0], *solution)
 
     def _filled(self, array: str, places: Iterable[int]) -> Iterator[Statement]:
-        return (Store(array, index, self._trees[place]) for index, place in enumerate(places))
+        """Yield the stores of a matrix or of a right side."""
+        listed = list(places)
+        cleared = sum(map(self._is_zero, listed)) > MOST_ZEROS
+        if cleared:
+            yield Clear(array, len(listed))
+        for index, place in enumerate(listed):
+            if not (cleared and self._is_zero(place)):
+                yield Store(array, index, self._trees[place])
 
     def _value(self, place: int, row: Instruction) -> Iterator[Statement]:
         tree = (row[0], *(self._trees[operand] for operand in row[1:]))
@@ -172,10 +193,11 @@ class _Composer:
             yield Store(*self.targets[result], self._trees[place])
 
     def _results_without_work(self) -> list[Statement]:
-        results = [
-            (r, place) for r, place in enumerate(self.code.results) if place < self.code.first_instruction
+        stores = [
+            Store(array, index, self._trees[place])
+            for (array, index), place in self._results_in_order()
+            if place < self.code.first_instruction and not (array in self.cleared and self._is_zero(place))
         ]
-        stores = [Store(*self.targets[result], self._trees[place]) for result, place in results]
         return [Section("entries that need no computation"), *stores] if stores else []
 
     def _reads(self, block: int) -> tuple[Read, ...]:

@@ -36,6 +36,7 @@ LANGUAGE = Language(
     entry="{}({})",
     matrix="{}({}, {})",
     first_index=1,
+    clear="{array} = 0.0_dp",
     factor="call symbody_factor({n}, {work})",
     solve="call symbody_solve({n}, {work}, {x})",
     case_sensitive=False,

@@ -36,6 +36,7 @@ LANGUAGE = Language(
     literal=lambda value: {"inf": "Inf", "-inf": "-Inf", "nan": "NaN"}.get(repr(value), number_text(value)),
     matrix="{}[{}, {}]",
     first_index=1,
+    clear="fill!({array}, 0)",
     solve="{x} .= linear_solve(permutedims(reshape({work}, {n}, {n})), {x})",
 )
 

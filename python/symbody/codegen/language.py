@@ -22,6 +22,9 @@ class Language:
         comment: what stands before and after the text of a comment of one line.
         declare: a new local name, of ``{name}`` and ``{value}``.
         assign: a new value of an entry, of ``{place}`` and ``{value}``.
+        clear: zeros into an array, of ``{array}``, its ``{size}`` and its dimensions ``{sizes}``; none where arrays begin
+            with zeros.
+        clear_matrix: likewise for a matrix, where that differs.
         factor: the call that factorises the matrix in an array, of ``{n}`` and ``{work}``; none where ``solve`` does.
         solve: the call that solves for the right side in an array, of ``{n}``, ``{work}`` and ``{x}``.
         functions: a text for each of :data:`FUNCTIONS`, as ``sin({})``.
@@ -44,6 +47,8 @@ class Language:
     matrix: str = ""
     scalar: str = "{}"
     first_index: int = 0
+    clear: str = ""
+    clear_matrix: str = ""
     factor: str = ""
     solve: str = ""
     case_sensitive: bool = True
@@ -64,6 +69,11 @@ class Language:
             return self.entry_text(array, index)
         row, column = divmod(index, shape[1])
         return self.matrix.format(array, row + self.first_index, column + self.first_index)
+
+    def clear_text(self, array: str, size: int, shape: tuple[int, ...]) -> str:
+        """Return the statement that makes all entries of an array zero."""
+        template = (self.clear_matrix if len(shape) == 2 else "") or self.clear
+        return template.format(array=array, size=size, sizes=", ".join(map(str, shape)))
 
     def comment_text(self, text: str) -> str:
         """Return a comment of one line."""

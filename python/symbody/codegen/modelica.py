@@ -46,6 +46,7 @@ LANGUAGE = Language(
     literal=number_text,
     matrix="{}[{}, {}]",
     first_index=1,
+    clear="{array} := fill(0.0, {sizes});",
     factor="// {work} is factorised where it is used",
     solve="{x} := linear_solve({work}, {x});",
 )

@@ -161,7 +161,8 @@ class _Modeler:
     def _argument(self, argument: Argument) -> Array:
         names = tuple(map(str, argument.variables))
         shape = () if argument.variables == (t,) else (len(names),)
-        return Array(self.scope.claim(argument.name), argument.meaning, names, shape)
+        meaning = argument.meaning.removesuffix(f": {', '.join(names)}")
+        return Array(self.scope.claim(argument.name), meaning, names, shape)
 
     def _code(self, routine: Routine) -> Code:
         return code_of(self.program.arguments_of(routine), routine.expressions)

@@ -97,6 +97,8 @@ class Preparation:
         return [*(p for place, row in rows if place not in known for p in operands(row)), *code.results]
 
     def _node(self, row: Instruction) -> int:
+        if row[0] in {"add", "mul"}:
+            row = (row[0], *sorted(row[1:]))
         return self._nodes.setdefault(row, len(self._nodes))
 
     def _constant(self, node: int) -> int:

@@ -10,7 +10,7 @@ from typing import TypeAlias
 from symbody.codegen.expression import expression_text, wrapped
 from symbody.codegen.language import Language
 from symbody.codegen.module import Array, Function, Module
-from symbody.codegen.statement import Block, Factor, Let, Read, Section, Solve, Statement, Store
+from symbody.codegen.statement import Block, Clear, Factor, Let, Read, Section, Solve, Statement, Store
 
 __all__ = [
     "MARK",
@@ -60,6 +60,8 @@ def statement_text(statement: Statement, language: Language, shapes: Shapes) -> 
         case Store(array, index, value):
             place = language.place_text(array, index, shapes.get(array, (index,)))
             return language.assign.format(place=place, value=expression_text(value, language))
+        case Clear(array, size):
+            return language.clear_text(array, size, shapes.get(array, (size,)))
         case Factor(matrix, size):
             return language.factor.format(n=size, work=matrix)
         case Solve(matrix, solution, size):

@@ -43,6 +43,8 @@ LANGUAGE = Language(
     ),
     matrix="{}[{}][{}]",
     scalar="*{}",
+    clear="{array}.fill(0.0);",
+    clear_matrix="for row in {array}.iter_mut() {{ row.fill(0.0); }}",
     factor="factor({n}, &mut {work});",
     solve="solve({n}, &{work}, &mut {x});",
 )

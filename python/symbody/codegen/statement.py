@@ -9,7 +9,7 @@ from typing import TypeAlias
 
 from symbody.codegen.expression import Tree
 
-__all__ = ["Block", "Factor", "Let", "Read", "Section", "Solve", "Statement", "Store"]
+__all__ = ["Block", "Clear", "Factor", "Let", "Read", "Section", "Solve", "Statement", "Store"]
 
 
 @dataclass(frozen=True)
@@ -40,6 +40,14 @@ class Store:
 
 
 @dataclass(frozen=True)
+class Clear:
+    """Zeros into all entries of a result or a matrix; those that aren't zero are stored later."""
+
+    array: str
+    size: int
+
+
+@dataclass(frozen=True)
 class Factor:
     """Factorise the matrix that was stored row by row in the array."""
 
@@ -63,7 +71,7 @@ class Section:
     title: str
 
 
-Statement: TypeAlias = Let | Store | Factor | Solve | Section
+Statement: TypeAlias = Let | Store | Clear | Factor | Solve | Section
 
 
 @dataclass(frozen=True)
@@ -88,8 +96,8 @@ class Block:
                     found.update(_names(value))
                 case Store(array, _, value):
                     found.update(_names(value), {array})
-                case Factor(matrix, _):
-                    found.add(matrix)
+                case Clear(array, _) | Factor(array, _):
+                    found.add(array)
                 case Solve(matrix, solution, _):
                     found |= {matrix, solution}
         return frozenset(found)
