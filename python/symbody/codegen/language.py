@@ -22,8 +22,8 @@ class Language:
         comment: what stands before and after the text of a comment of one line.
         declare: a new local name, of ``{name}`` and ``{value}``.
         assign: a new value of an entry, of ``{place}`` and ``{value}``.
-        clear: zeros into an array, of ``{array}``, its ``{size}`` and its dimensions ``{sizes}``; none where arrays begin
-            with zeros.
+        clear: zeros into an array, of ``{array}``, its ``{size}`` and its dimensions ``{sizes}``; none where arrays
+            begin with zeros.
         clear_matrix: likewise for a matrix, where that differs.
         factor: the call that factorises the matrix in an array, of ``{n}`` and ``{work}``; none where ``solve`` does.
         solve: the call that solves for the right side in an array, of ``{n}``, ``{work}`` and ``{x}``.
