@@ -26,6 +26,7 @@ __all__ = [
     "jacobian",
     "kernel_address",
     "kernel_workspace",
+    "linear_solve",
     "listing",
     "matrix_product",
     "matvec3",
