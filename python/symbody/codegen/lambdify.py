@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from symbody.codegen.deficiency import notice_deficiencies
-from symbody.codegen.jit import is_available, lanes
+from symbody.codegen.llvm.jit import is_available, lanes
 from symbody.codegen.machine_code import MachineCode
 from symbody.errors import ArgumentError, ExpressionError, ParameterError, SymbodyError
 from symbody.symbolic import Expr, Matrix

@@ -11,8 +11,9 @@ from itertools import count, pairwise
 import numpy as np
 from numpy.typing import NDArray
 
-from symbody.codegen import jit
-from symbody.codegen.llvm import batch_text, code_of, scalar_text
+from symbody.codegen.llvm import jit
+from symbody.codegen.llvm.module import batch_text, scalar_text
+from symbody.codegen.straight_line import Code, Input, code_of_tape
 from symbody.symbolic import Expr
 from symbody.symbolic.tape import Tape
 
@@ -29,7 +30,7 @@ class MachineCode:
     One state: ``void f(const double *inputs, double *outputs)``, at :attr:`address`. Many states, several in a vector:
     ``void f(const double *const *inputs, double *outputs, int64 first, int64 last, int64 stride)``, at
     :meth:`batch_address`; input k of state i is ``inputs[k][i]``, or ``inputs[k][0]`` where it is uniform, output j is
-    ``outputs[j*stride + i]``, and there are at least :func:`symbody.codegen.jit.lanes` states.
+    ``outputs[j*stride + i]``, and there are at least :func:`symbody.codegen.llvm.jit.lanes` states.
 
     Attributes:
         inputs: the variables.
@@ -78,17 +79,20 @@ class MachineCode:
 
     def _scalar(self) -> jit.Compiled:
         if not self._scalars:
-            code = code_of(Tape(self.inputs, self.expressions), self.tag)
-            self._scalars.append(jit.compiled(scalar_text(code, "scalar", jit.lanes()), "scalar"))
+            text = scalar_text(self._code([0] * len(self.inputs)), "scalar", jit.lanes(), self.tag)
+            self._scalars.append(jit.compiled(text, "scalar"))
         return self._scalars[0]
 
     def _batch(self, uniform: tuple[bool, ...]) -> jit.Compiled:
         if uniform not in self._batches:
-            stages = [0 if is_uniform else 1 for is_uniform in uniform]
-            code = code_of(Tape(self.inputs, self.expressions, stages), self.tag)
-            text = batch_text(code, "batch", jit.lanes(), uniform)
+            code = self._code([0 if is_uniform else 1 for is_uniform in uniform])
+            text = batch_text(code, "batch", jit.lanes(), uniform, self.tag)
             self._batches[uniform] = jit.compiled(text, "batch")
         return self._batches[uniform]
+
+    def _code(self, stages: Sequence[int]) -> Code:
+        inputs = [Input("in", k, str(variable)) for k, variable in enumerate(self.inputs)]
+        return code_of_tape(Tape(self.inputs, self.expressions, stages), inputs)
 
 
 def _parts(points: int, threads: int) -> list[tuple[int, int]]:

@@ -9,7 +9,17 @@ from typing import Any, TypeAlias
 from symbody.symbolic import STAGES, Argument, Expr
 from symbody.symbolic.tape import Tape
 
-__all__ = ["Code", "Input", "Instruction", "arguments_of", "code_of", "operands", "pruned", "with_operands"]
+__all__ = [
+    "Code",
+    "Input",
+    "Instruction",
+    "arguments_of",
+    "code_of",
+    "code_of_tape",
+    "operands",
+    "pruned",
+    "with_operands",
+]
 
 Instruction: TypeAlias = tuple[Any, ...]
 """As the tape's, but with all places in it: ``("factor", size, *places)``, ``("solve", place, *places)``."""
@@ -77,11 +87,15 @@ def code_of(arguments: Sequence[Argument], expressions: Sequence[Expr]) -> Code:
     """Lower expressions of the variables of arguments."""
     variables = [v for argument in arguments for v in argument.variables]
     stages = [STAGES.index(argument.stage) for argument in arguments for _ in argument.variables]
-    tape = Tape(variables, expressions, stages, "generate")
+    return code_of_tape(Tape(variables, expressions, stages, "generate"), arguments_of(arguments))
+
+
+def code_of_tape(tape: Tape, inputs: Sequence[Input]) -> Code:
+    """Return what a tape holds, all in its instructions."""
     systems = _Systems(tape)
     return Code(
         tuple(tape.constants),
-        arguments_of(arguments),
+        tuple(inputs),
         tuple(systems.spelled(row) for row in tape.instructions),
         tuple(tape.instruction_stages),
         tuple(tape.results),

@@ -7,7 +7,8 @@ The angle is reduced by a multiple of pi/2 in three parts with fused multiplicat
 
 from __future__ import annotations
 
-from symbody.codegen.vector import constant, vector_type
+from symbody.codegen.llvm.vector import constant, vector_type
+from symbody.codegen.llvm.writer import Writer
 
 __all__ = ["LARGEST", "sincos_text"]
 
@@ -39,13 +40,13 @@ def sincos_text(lanes: int) -> str:
     ``@sincos<lanes>`` does so for angles up to :data:`LARGEST`, ``@is_large<lanes>`` tells whether one of them is
     beyond or is no number, and ``@system_sincos<lanes>`` serves all.
     """
-    body = _Writer(lanes)
+    body = Writer(lanes)
     n, bits = _quadrant(body)
     sine, cosine = _in_quadrant(body, bits, *_polynomials(body, _reduced(body, n)))
-    V = vector_type(lanes)
+    V, lines = vector_type(lanes), "\n".join(body.lines)
     return f"""\
 define internal {{ {V}, {V} }} @sincos{lanes}({V} %x) alwaysinline {{
-{body.text}
+{lines}
 {_pair(V, sine, cosine)}
 }}
 
@@ -63,84 +64,70 @@ def _pair(V: str, sine: str, cosine: str) -> str:
   ret {{ {V}, {V} }} %both"""
 
 
-class _Writer:
-    """Lines of a function of vectors."""
-
-    def __init__(self, lanes: int) -> None:
-        self.lanes, self.lines = lanes, list[str]()
-        self.V, self.I = vector_type(lanes), vector_type(lanes, "i64")
-        self.suffix = "f64" if lanes == 1 else f"v{lanes}f64"
-
-    @property
-    def text(self) -> str:
-        return "\n".join(self.lines)
-
-    def let(self, instruction: str) -> str:
-        name = f"%t{len(self.lines)}"
-        self.lines.append(f"  {name} = {instruction}")
-        return name
-
-    def number(self, value: float) -> str:
-        return constant(value, self.lanes)
-
-    def integer(self, value: int) -> str:
-        return str(value) if self.lanes == 1 else f"<{', '.join([f'i64 {value}'] * self.lanes)}>"
-
-    def fma(self, a: str, b: str, c: str) -> str:
-        return self.let(f"call {self.V} @llvm.fma.{self.suffix}({self.V} {a}, {self.V} {b}, {self.V} {c})")
-
-    def call(self, operation: str, a: str, b: str) -> str:
-        return self.let(f"{operation} {self.V} {a}, {b}")
+def _fma(w: Writer, a: str, b: str, c: str) -> str:
+    return w.intrinsic("fma", a, b, c)
 
 
-def _quadrant(w: _Writer) -> tuple[str, str]:
+def _call(w: Writer, operation: str, a: str, b: str) -> str:
+    return w.let(f"{operation} {w.V} {a}, {b}")
+
+
+def _integers(w: Writer) -> str:
+    return vector_type(w.lanes, "i64")
+
+
+def _integer(w: Writer, value: int) -> str:
+    return str(value) if w.lanes == 1 else f"<{', '.join([f'i64 {value}'] * w.lanes)}>"
+
+
+def _quadrant(w: Writer) -> tuple[str, str]:
     """Return the nearest multiple of pi/2, and bits the two lowest of which are its quadrant."""
-    shifted = w.fma("%x", w.number(0.6366197723675814), w.number(_ROUND))
-    return w.call("fsub", shifted, w.number(_ROUND)), w.let(f"bitcast {w.V} {shifted} to {w.I}")
+    shifted = _fma(w, "%x", w.number(0.6366197723675814), w.number(_ROUND))
+    return _call(w, "fsub", shifted, w.number(_ROUND)), w.let(f"bitcast {w.V} {shifted} to {_integers(w)}")
 
 
-def _reduced(w: _Writer, n: str) -> str:
+def _reduced(w: Writer, n: str) -> str:
     r = "%x"
     for part in _HALF_PI:
-        r = w.fma(n, w.number(-part), r)
+        r = _fma(w, n, w.number(-part), r)
     return r
 
 
-def _polynomials(w: _Writer, r: str) -> tuple[str, str]:
-    z = w.call("fmul", r, r)
-    sine = w.fma(w.call("fmul", z, r), _horner(w, z, _SINE), r)
-    half = w.call("fmul", z, w.number(0.5))
-    top = w.call("fsub", w.number(1.0), half)
-    rest = w.call("fsub", w.call("fsub", w.number(1.0), top), half)
-    cosine = w.call("fadd", top, w.fma(w.call("fmul", z, z), _horner(w, z, _COSINE), rest))
+def _polynomials(w: Writer, r: str) -> tuple[str, str]:
+    z = _call(w, "fmul", r, r)
+    sine = _fma(w, _call(w, "fmul", z, r), _horner(w, z, _SINE), r)
+    half = _call(w, "fmul", z, w.number(0.5))
+    top = _call(w, "fsub", w.number(1.0), half)
+    rest = _call(w, "fsub", _call(w, "fsub", w.number(1.0), top), half)
+    cosine = _call(w, "fadd", top, _fma(w, _call(w, "fmul", z, z), _horner(w, z, _COSINE), rest))
     return sine, cosine
 
 
-def _horner(w: _Writer, z: str, coefficients: tuple[float, ...]) -> str:
+def _horner(w: Writer, z: str, coefficients: tuple[float, ...]) -> str:
     value = w.number(coefficients[-1])
     for coefficient in reversed(coefficients[:-1]):
-        value = w.fma(value, z, w.number(coefficient))
+        value = _fma(w, value, z, w.number(coefficient))
     return value
 
 
-def _in_quadrant(w: _Writer, bits: str, sine: str, cosine: str) -> tuple[str, str]:
+def _in_quadrant(w: Writer, bits: str, sine: str, cosine: str) -> tuple[str, str]:
     """Return sine and cosine: exchanged in odd quadrants, with the signs of the quadrant."""
-    odd_bit = w.let(f"and {w.I} {bits}, {w.integer(1)}")
+    odd_bit = w.let(f"and {_integers(w)} {bits}, {_integer(w, 1)}")
     mask = vector_type(w.lanes, "i1")
-    odd = w.let(f"icmp ne {w.I} {odd_bit}, {w.integer(0)}")
+    odd = w.let(f"icmp ne {_integers(w)} {odd_bit}, {_integer(w, 0)}")
     first = w.let(f"select {mask} {odd}, {w.V} {cosine}, {w.V} {sine}")
     second = w.let(f"select {mask} {odd}, {w.V} {sine}, {w.V} {cosine}")
-    next_quadrant = w.let(f"add {w.I} {bits}, {w.integer(1)}")
+    next_quadrant = w.let(f"add {_integers(w)} {bits}, {_integer(w, 1)}")
     return _signed(w, first, bits), _signed(w, second, next_quadrant)
 
 
-def _signed(w: _Writer, value: str, quadrant: str) -> str:
+def _signed(w: Writer, value: str, quadrant: str) -> str:
     """Return the value with the opposite sign in the quadrants 2 and 3."""
-    bit = w.let(f"and {w.I} {quadrant}, {w.integer(2)}")
-    sign = w.let(f"shl {w.I} {bit}, {w.integer(62)}")
-    raw = w.let(f"bitcast {w.V} {value} to {w.I}")
-    flipped = w.let(f"xor {w.I} {raw}, {sign}")
-    return w.let(f"bitcast {w.I} {flipped} to {w.V}")
+    bit = w.let(f"and {_integers(w)} {quadrant}, {_integer(w, 2)}")
+    sign = w.let(f"shl {_integers(w)} {bit}, {_integer(w, 62)}")
+    raw = w.let(f"bitcast {w.V} {value} to {_integers(w)}")
+    flipped = w.let(f"xor {_integers(w)} {raw}, {sign}")
+    return w.let(f"bitcast {_integers(w)} {flipped} to {w.V}")
 
 
 def _is_large(lanes: int) -> str:

@@ -1,0 +1,33 @@
+"""The workspace of a function: slots for values that cross blocks, then matrices and solutions."""
+
+from __future__ import annotations
+
+from symbody.codegen.straight_line import Code
+from symbody.symbolic.tape import kernel_workspace
+
+__all__ = ["Memory"]
+
+
+class Memory:
+    """Where the matrices and solutions of linear systems are kept, for one lane.
+
+    Attributes:
+        areas: start and size of each factorisation and solution, by the place of its instruction.
+        tags: what tells each factorisation from those of other code.
+        size: all of it, in doubles.
+    """
+
+    def __init__(self, code: Code, slots: int, tag: int) -> None:
+        self.areas: dict[int, tuple[int, int]] = {}
+        self.tags: dict[int, int] = {}
+        self.size = slots
+        for place, row in enumerate(code.instructions, code.first_instruction):
+            if row[0] == "factor":
+                self.tags[place] = tag + len(self.tags)
+                self._add(place, kernel_workspace(row[1]))
+            elif row[0] == "solve":
+                self._add(place, len(row) - 2)
+
+    def _add(self, place: int, size: int) -> None:
+        self.areas[place] = (self.size, size)
+        self.size += size

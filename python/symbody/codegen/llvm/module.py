@@ -1,0 +1,127 @@
+"""Modules of LLVM's intermediate representation: code for one state, or for many, several of them in a vector."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+
+from symbody.codegen.llvm.function import Function
+from symbody.codegen.llvm.sincos import sincos_text
+from symbody.codegen.llvm.writer import Writer
+from symbody.codegen.straight_line import Code, operands
+
+__all__ = ["batch_text", "scalar_text"]
+
+_LIBM = ("sin", "cos", "tan", "asin", "acos", "atan", "sinh", "cosh", "tanh", "exp", "log")
+_DECLARATIONS = (
+    *(f"declare double @{name}(double) readnone nounwind willreturn" for name in _LIBM),
+    *(f"declare double @{name}(double, double) readnone nounwind willreturn" for name in ("atan2", "pow")),
+    "declare void @symbody_factor(i64, ptr, i64)",
+    "declare void @symbody_solve(i64, ptr, ptr)",
+    '!0 = !{!"branch_weights", i32 1, i32 100000}',
+    "!1 = !{}",
+)
+
+
+def scalar_text(code: Code, name: str, lanes: int, tag: int = 0) -> str:
+    """Return a module with the function ``void name(const double *in, double *out)``.
+
+    Args:
+        code: what it computes.
+        name: the function's name.
+        lanes: how many angles the processor takes at a time.
+        tag: what tells the linear systems of this code from those of others.
+    """
+    rows = range(len(code.instructions))
+    function = Function(code, name, rows, 1, lanes, _scalar_input, tag=tag)
+    stores = [(place, f"getelementptr double, ptr %out, i64 {j}") for j, place in enumerate(code.results)]
+    entry = f"""\
+define void @{name}(ptr noalias %in, ptr noalias %out) {{
+{function.calls("0", "0", "null")}
+  ret void
+}}
+"""
+    return _module([function.text(stores), entry], function.widths)
+
+
+def batch_text(code: Code, name: str, lanes: int, uniform: Sequence[bool], tag: int = 0) -> str:
+    """Return a module with a function of many states, so many in a vector.
+
+    ``void name(const double *const *in, double *out, int64 first, int64 last, int64 stride)``: input k of state i is
+    ``in[k][i]``, or ``in[k][0]`` where it is ``uniform`` and of stage 0; output j is ``out[j*stride + i]``. There must
+    be at least as many states as lanes; what depends on uniform inputs alone is computed once.
+    """
+    # Linear systems stay with the states: their memory does.
+    with_systems = any(row[0] == "factor" for row in code.instructions)
+    before = [] if with_systems else [k for k, stage in enumerate(code.stages) if stage == 0]
+    each = sorted(set(range(len(code.instructions))) - set(before))
+    slots = {place: slot for slot, place in enumerate(_shared(code, before, each, uniform))}
+    prologue = Function(code, f"{name}_once", before, 1, lanes, _pointed_input, tag=tag)
+    body = Function(code, f"{name}_each", each, lanes, lanes, _batch_input, slots, tag)
+    once = prologue.text([(p, f"getelementptr double, ptr %uniform, i64 {slots[p]}") for p in slots])
+    many = body.text([(place, f"@{j}") for j, place in enumerate(code.results)])
+    loop = _loop(name, prologue, body, lanes, len(slots))
+    return _module([once, many, loop], prologue.widths | body.widths)
+
+
+def _shared(code: Code, before: Sequence[int], each: Sequence[int], uniform: Sequence[bool]) -> list[int]:
+    """Return the places that are the same for all states and that some state needs."""
+    same = {code.first_instruction + k for k in before}
+    same |= {code.first_input + k for k, is_uniform in enumerate(uniform) if is_uniform}
+    read = {place for k in each for place in operands(code.instructions[k])}
+    return sorted(same & (read | set(code.results)))
+
+
+def _loop(name: str, prologue: Function, body: Function, lanes: int, uniforms: int) -> str:
+    """Return the loop over the states; the last vector ends with the last state, and may overlap the one before."""
+    return f"""\
+define void @{name}(ptr noalias %in, ptr noalias %out, i64 %start, i64 %last, i64 %stride) alignstack(64) {{
+  %uniform = alloca double, i64 {max(uniforms, 1)}, align 64
+  call void @{name}_prepared(ptr %in, ptr %uniform)
+  %end = sub i64 %last, {lanes}
+  br label %loop
+loop:
+  %next = phi i64 [ %start, %0 ], [ %after, %loop ]
+  %beyond = icmp sgt i64 %next, %end
+  %i = select i1 %beyond, i64 %end, i64 %next
+  call void @{name}_vector(ptr %in, ptr %out, ptr %uniform, i64 %i, i64 %stride)
+  %after = add i64 %next, {lanes}
+  %more = icmp slt i64 %after, %last
+  br i1 %more, label %loop, label %done
+done:
+  ret void
+}}
+
+define internal void @{name}_prepared(ptr noalias %in, ptr noalias %uniform) noinline {{
+{prologue.calls("0", "0", "%uniform", out="null")}
+  ret void
+}}
+
+define internal void @{name}_vector(
+    ptr noalias %in, ptr noalias %out, ptr noalias %uniform, i64 %i, i64 %stride) alignstack(64) {{
+{body.calls("%i", "%stride", "%uniform")}
+  ret void
+}}
+"""
+
+
+def _module(texts: Iterable[str], widths: Iterable[int]) -> str:
+    """Return a module: functions, the sines and cosines that they call, and what these call."""
+    waves = [sincos_text(lanes) for lanes in sorted(widths)]
+    return "\n".join([*texts, *waves, *_DECLARATIONS, ""])
+
+
+def _scalar_input(w: Writer, number: int) -> str:
+    return w.input(w.pointer("%in", number))
+
+
+def _pointed_input(w: Writer, number: int) -> str:
+    return w.input(_column(w, number))
+
+
+def _batch_input(w: Writer, number: int) -> str:
+    return w.input(w.let(f"getelementptr double, ptr {_column(w, number)}, i64 %i"))
+
+
+def _column(w: Writer, number: int) -> str:
+    pointer = w.let(f"getelementptr ptr, ptr %in, i64 {number}")
+    return w.let(f"load ptr, ptr {pointer}")
