@@ -59,6 +59,12 @@ static void symbody_swap_columns(int rows, int n, double *a, int i, int j)
     for (int row = 0; row < rows && i != j; row++) symbody_swap(1, a + row * n + i, a + row * n + j);
 }
 
+static void symbody_scale_columns(int n, double *a, const double *scale)
+{
+    for (int i = 0; i < n; i++, a += n)
+        for (int j = 0; j < n; j++) a[j] *= scale[j];
+}
+
 /* Copy the equations, each times its weight; find the largest coefficients of the columns. */
 static void symbody_weigh(int n, const double *a, double *restrict f, double *weight, double *restrict column)
 {
@@ -79,8 +85,8 @@ static double symbody_middle(int n, int stride, const double *x, const double *y
     double least = DBL_MAX, most = 0.0;
     for (int i = 0; i < n; i++) {
         const double size = fabs(divide ? x[i * stride] / y[i] : x[i * stride] * y[i]);
-        if (size > 0.0) least = fmin(least, size);
-        most = fmax(most, size);
+        least = size > 0.0 && size < least ? size : least;
+        most = size > most ? size : most;
     }
     return most > 0.0 ? sqrt(least) * sqrt(most) : 1.0;
 }
@@ -95,7 +101,7 @@ static void symbody_take_units(int n, double *a, double *unit, double *middle)
         for (int j = 0; j < n; j++) unit[j] = 1.0 / symbody_middle(n, n, a + j, middle, 1);
     }
     for (int j = 0; j < n; j++) unit[j] = exp2(20.0 * round(log2(unit[j]) / 20.0));
-    for (int i = 0; i < n * n; i++) a[i] *= unit[i % n];
+    symbody_scale_columns(n, a, unit);
 }
 
 /* P A = L U in place; 0 where a pivot is so small against its column that it may be a rounding error. */
@@ -229,7 +235,7 @@ static int symbody_factor(int n, double *work)
     symbody_take_units(n, work, unit, pivot);
     symbody_weigh(n, work, f, weight, column);
     for (int j = 0; j < n; j++) column[j] = symbody_weight(column[j]);
-    for (int i = 0; i < n * n; i++) f[i] *= column[i % n];
+    symbody_scale_columns(n, f, column);
     for (int j = 0; j < n; j++) column[j] *= unit[j];
     rank = symbody_reflect_columns(n, f, swap, pivot, unit, column);
     *state = rank;
