@@ -14,22 +14,18 @@ import numpy as np
 import pytest
 
 from symbody.codegen.runtime import NAMES, SNIPPETS, factor_size, runtime_text
-from symbody.symbolic import _core  # noqa: TID251 - the kernel itself is what is tested
+from symbody.symbolic.tape import kernel_address, kernel_workspace, take_deficiencies
 from tests.codegen.linear_solve_drivers import COMPILED, LIBRARIES, Solved, solved_by
 from tests.codegen.linear_systems import System, systems, weights
 
 ROOT = Path(__file__).parents[2]
 
-factor = ctypes.CFUNCTYPE(None, ctypes.c_int64, ctypes.c_void_p, ctypes.c_int64)(
-    _core.kernel_address("factor")
-)
-solve = ctypes.CFUNCTYPE(None, ctypes.c_int64, ctypes.c_void_p, ctypes.c_void_p)(
-    _core.kernel_address("solve")
-)
+factor = ctypes.CFUNCTYPE(None, ctypes.c_int64, ctypes.c_void_p, ctypes.c_int64)(kernel_address("factor"))
+solve = ctypes.CFUNCTYPE(None, ctypes.c_int64, ctypes.c_void_p, ctypes.c_void_p)(kernel_address("solve"))
 
 
 def solved_by_kernel(a: np.ndarray, b: np.ndarray, tag: int = 0) -> np.ndarray:
-    work, x = np.zeros(_core.kernel_workspace(len(b))), b.copy()
+    work, x = np.zeros(kernel_workspace(len(b))), b.copy()
     work[: a.size] = a.ravel()
     factor(len(b), work.ctypes.data, tag)
     solve(len(b), work.ctypes.data, x.ctypes.data)
@@ -49,11 +45,11 @@ def test_two_hundred_systems() -> None:
 
 
 def test_kernel() -> None:
-    assert _core.take_deficiencies() == []
+    assert take_deficiencies() == []
     assert_solved(systems(), [solved_by_kernel(s.a, s.b, tag) for tag, s in enumerate(systems())])
     expected = [(tag, list(s.dependent)) for tag, s in enumerate(systems()) if s.dependent]
-    assert _core.take_deficiencies() == expected
-    assert _core.take_deficiencies() == []
+    assert take_deficiencies() == expected
+    assert take_deficiencies() == []
 
 
 @pytest.fixture(scope="module", params=[*COMPILED, *LIBRARIES])
@@ -88,7 +84,7 @@ def test_no_numbers_give_no_numbers(language: tuple[str, list[str], Path]) -> No
 
 def test_no_numbers_in_the_kernel() -> None:
     assert all(np.isnan(solved_by_kernel(a, b)).all() for a, b in BAD)
-    _core.take_deficiencies()
+    take_deficiencies()
 
 
 def test_languages_agree_with_the_kernel_in_every_bit_but_the_last(
@@ -109,7 +105,7 @@ def test_rust_text_is_the_kernel() -> None:
 
 
 def test_sizes_agree() -> None:
-    assert [factor_size(n) for n in range(9)] == [_core.kernel_workspace(n) for n in range(9)]
+    assert [factor_size(n) for n in range(9)] == [kernel_workspace(n) for n in range(9)]
 
 
 SMALL_MASSES = [1e-9, 1e-13, 1e-25]
@@ -220,4 +216,4 @@ def test_numpy_solves_batches() -> None:
     x = linear_solve_of("numpy")(a, list(b))
     for batch in np.ndindex(7, 3):
         assert np.allclose(x[:, *batch], solved_by_kernel(a[batch], b[:, *batch]), rtol=1e-10, atol=1e-12)
-    assert _core.take_deficiencies() == [(0, [3])]
+    assert take_deficiencies() == [(0, [3])]
