@@ -67,21 +67,32 @@ def _bracketed(text: str) -> str:
     return f"({text})"
 
 
-_AFTER_SIGNS = re.compile(r"(?<=[-+,?] )|(?<= : )")
-_AFTER_FACTORS = re.compile(r"(?<=[*/])")
+_BREAKS = re.compile(r"[-+,?] | : |[*/]|[(\[{]|[)\]}]|\"[^\"]*\"")
 
 
 def wrapped(line: str, language: Language, indent: str) -> list[str]:
-    """Return a line as lines of the language's width, broken after operators; the later ones are indented twice."""
+    """Return a line as lines of the language's width, the later ones indented twice.
+
+    A line ends after an operator or a comma, within as few brackets as possible: all languages read on there.
+    """
     room = language.width - len(language.continuation)
-    parts = [
-        part
-        for piece in _AFTER_SIGNS.split(line)
-        for part in ([piece] if len(piece) < room // 2 else _AFTER_FACTORS.split(piece))
-    ]
-    lines = [indent]
-    for part in parts:
-        if len(lines[-1]) + len(part.rstrip()) > room and lines[-1].strip():
-            lines.append(indent * 2 or language.indent)
-        lines[-1] += part
-    return [row.rstrip() + language.continuation for row in lines[:-1]] + [lines[-1]]
+    lines, lead = [], indent
+    while len(lead) + len(line) > room and (end := _break(line, room - len(lead))):
+        lines.append(lead + line[:end].rstrip() + language.continuation)
+        line, lead = line[end:], indent * 2 or language.indent
+    return [*lines, lead + line]
+
+
+def _break(line: str, room: int) -> int:
+    """Return where to break a line: outermost in its second half, otherwise as late as possible; 0 for nowhere."""
+    depth, places = 0, []
+    for found in _BREAKS.finditer(line):
+        sign = found.group()
+        depth += (sign in "([{") - (sign in ")]}")
+        if sign[-1] == " " or sign in "*/":
+            places.append((found.end(), depth + (sign in "*/") / 2))
+        if found.end() > room + 1 and places:
+            break
+    near = [(place, depth) for place, depth in places if place <= room + 1] or places[:1]
+    late = [(place, depth) for place, depth in near if place > room // 2] or near[-1:]
+    return min(late, key=lambda place: (place[1], -place[0]), default=(0, 0))[0]

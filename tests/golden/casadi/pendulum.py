@@ -137,7 +137,7 @@ def mechanical_energy(c, t, q, u):
 
 
 prepare = function("prepare", prepare, [("p", 4)], ["c"])
-equations = function("equations", equations, [("c", 6), ("t", None), ("q", 1), ("u", 1)], ["M", \
-    "f"])
-mechanical_energy = function("mechanical_energy", mechanical_energy, [("c", 6), ("t", None), ("q", \
-    1), ("u", 1)], ["energy"])
+equations = function("equations", equations, [("c", 6), ("t", None), ("q", 1), ("u", 1)], \
+    ["M", "f"])
+mechanical_energy = function("mechanical_energy", mechanical_energy, \
+    [("c", 6), ("t", None), ("q", 1), ("u", 1)], ["energy"])
