@@ -10,6 +10,7 @@ import mpmath
 import pytest
 
 from symbody import symbolic
+from symbody.codegen import lambdify
 from symbody.errors import DivisionByZeroError
 from symbody.symbolic import (
     Abs,
@@ -32,7 +33,6 @@ from symbody.symbolic import (
     functions_of_time,
     gradient,
     jacobian,
-    lambdify,
     log,
     number,
     parse,

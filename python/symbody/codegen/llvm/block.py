@@ -63,8 +63,8 @@ class BlockWriter(Writer):
         first = self.code.first_instruction
         for is_wave, group in groupby(rows, key=lambda k: self.code.instructions[k][0] in {"sin", "cos"}):
             places = [first + k for k in group]
-            if is_wave:
-                self._waves(places)
+            for run in self._runs(places) if is_wave else ():
+                self._waves(run)
             for place in places:
                 if not is_wave:
                     self._instruction(place, self.code.instructions[place - first])
@@ -86,6 +86,15 @@ class BlockWriter(Writer):
 
     def _all(self, places: Sequence[int]) -> list[str]:
         return [self.value(place) for place in places]
+
+    def _runs(self, places: Sequence[int]) -> list[list[int]]:
+        """Return sines and cosines in runs that don't wait for one another."""
+        runs: list[list[int]] = [[]]
+        for place in places:
+            if self.code.instructions[place - self.code.first_instruction][1] in runs[-1]:
+                runs.append([])
+            runs[-1].append(place)
+        return runs
 
     def _waves(self, places: Sequence[int]) -> None:
         """Take the sines and cosines of some instructions together."""
