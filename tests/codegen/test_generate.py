@@ -9,7 +9,7 @@ import pytest
 from symbody.codegen import TARGETS, check, generate, source
 from symbody.codegen.names import Scope, identifier
 from symbody.errors import CodegenError, ProgramError
-from symbody.symbolic import Argument, Program, Result, Routine, sin, symbols
+from symbody.symbolic import Argument, Program, Result, Routine, log, sin, symbols
 from tests.codegen.programs import double_pendulum, pendulum
 
 NAMES = ", ".join(TARGETS)
@@ -122,6 +122,18 @@ def test_a_missing_compiler(monkeypatch: pytest.MonkeyPatch) -> None:
     assert str(caught.value) == (
         "check: the code for Rust needs rustc, which isn't on the PATH: the Rust compiler; see https://rustup.rs"
     )
+
+
+def test_results_that_are_never_finite() -> None:
+    """They can't be compared; the others are."""
+    (x,) = symbols(["x"])
+    arguments = (Argument("q", "positions", (x,), "positions"),)
+    results = Result("y", "no real number", (log(-1 - x**2),), ()), Result("z", "", (sin(x),), ())
+    program = Program("nowhere", "", arguments, (Routine("wave", "", ("q",), results),))
+    for target in ("c", "fortran", "python", "rust"):
+        report = check(program, target)
+        assert "wave: z" in report
+        assert "wave: y" not in report
 
 
 def test_an_unused_input_compiles_without_warnings() -> None:

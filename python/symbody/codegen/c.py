@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from symbody.codegen.expression import wrapped
 from symbody.codegen.language import Language, functions, number_text
 from symbody.codegen.module import Array, Function, Module
-from symbody.codegen.printer import block_lines, head, head_of_function, mark
+from symbody.codegen.printer import block_lines, compared, head, head_of_function, mark
 from symbody.codegen.runtime import runtime_text
 from symbody.codegen.target import Target
 
@@ -178,15 +178,15 @@ def _values(module: Module, name: str, values: Sequence[float]) -> list[str]:
 
 def _comparison(module: Module, function: Function, references: Sequence[Sequence[float]]) -> list[str]:
     """Return a block that calls a routine and compares its results."""
-    lines = ["{"]
-    for result, reference in zip(function.results, references, strict=True):
+    lines = ["{", *(f"    double {result.name}[{result.size}];" for result in function.results)]
+    comparisons = compared(function, references)
+    for result, reference in comparisons:
         literals = ", ".join(map(LANGUAGE.literal, reference))
-        lines += [f"    double {result.name}[{result.size}];"]
         lines += wrapped(f"const double {result.name}_reference[] = {{{literals}}};", LANGUAGE, "    ")
     lines += wrapped(_call_of(module, function), LANGUAGE, "    ")
-    for r in function.results:
-        what = f"{function.name}: {r.name}"
-        lines += wrapped(f'compare("{what}", {r.size}, {r.name}, {r.name}_reference);', LANGUAGE, "    ")
+    for result, _ in comparisons:
+        what = f'"{function.name}: {result.name}", {result.size}, {result.name}, {result.name}_reference'
+        lines += wrapped(f"compare({what});", LANGUAGE, "    ")
     return [f"    {line}" for line in [*lines, "}"]]
 
 

@@ -7,7 +7,15 @@ from collections.abc import Iterable, Sequence
 from symbody.codegen.expression import wrapped
 from symbody.codegen.language import Language, functions, number_text
 from symbody.codegen.module import Array, Function, Module
-from symbody.codegen.printer import block_lines, comment_block, head, head_of_function, in_rows, mark
+from symbody.codegen.printer import (
+    block_lines,
+    comment_block,
+    compared,
+    head,
+    head_of_function,
+    in_rows,
+    mark,
+)
 from symbody.codegen.runtime import runtime_text
 from symbody.codegen.target import Target
 
@@ -196,7 +204,7 @@ def _comparison(function: Function, references: Sequence[Sequence[float]]) -> li
     """Return a subroutine that calls a routine and compares its results."""
     body = [*map(_variable, function.results), f"real(dp) :: reference({max(map(len, references))})", ""]
     body += wrapped(_call_of(function), LANGUAGE, "")
-    for result, reference in zip(function.results, references, strict=True):
+    for result, reference in compared(function, references):
         body += _assigned(reference)
         flat = {
             0: "[{}]",

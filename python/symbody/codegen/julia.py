@@ -8,7 +8,7 @@ from symbody.codegen import runtime
 from symbody.codegen.expression import wrapped
 from symbody.codegen.language import Language, functions, number_text
 from symbody.codegen.module import Array, Function, Module
-from symbody.codegen.printer import block_lines, comment_block, head, head_of_function, mark
+from symbody.codegen.printer import block_lines, comment_block, compared, head, head_of_function, mark
 from symbody.codegen.target import Target
 
 __all__ = ["JULIA"]
@@ -133,7 +133,7 @@ def _check(module: Module) -> str:
     lines += [f"    {_assignment(module, module.prepare)}"] if module.prepare else []
     for function, references in zip(module.routines, module.references, strict=True):
         lines += ["", *wrapped(_assignment(module, function), LANGUAGE, "    ")]
-        for result, reference in zip(function.results, references, strict=True):
+        for result, reference in compared(function, references):
             lines += _comparison(function, result, reference)
     return "\n".join([*lines, "", "    return same", "end", "", "main() || exit(1)"]) + "\n"
 

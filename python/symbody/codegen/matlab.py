@@ -8,7 +8,7 @@ from symbody.codegen import runtime
 from symbody.codegen.expression import wrapped
 from symbody.codegen.language import Language, functions, number_text
 from symbody.codegen.module import Array, Function, Module
-from symbody.codegen.printer import block_lines, comment_block, head, head_of_function, mark
+from symbody.codegen.printer import block_lines, comment_block, compared, head, head_of_function, mark
 from symbody.codegen.target import Target
 
 __all__ = ["MATLAB"]
@@ -138,7 +138,7 @@ def _check(module: Module) -> str:
     lines += [f"    {_signature(module, module.prepare)};"] if module.prepare else []
     for function, references in zip(module.routines, module.references, strict=True):
         lines += ["", *wrapped(f"{_signature(module, function)};", LANGUAGE, "    ")]
-        for result, reference in zip(function.results, references, strict=True):
+        for result, reference in compared(function, references):
             lines += _reference(result, reference)
             call = f"compare('{function.name}: {result.name}', {result.name}, reference)"
             lines += wrapped(f"same = {call} && same;", LANGUAGE, "    ")

@@ -11,6 +11,7 @@ from symbody.codegen.module import Array, Function, Module
 from symbody.codegen.printer import (
     block_lines,
     comment_block,
+    compared,
     head,
     head_of_function,
     in_rows,
@@ -145,8 +146,8 @@ def _check(module: Module) -> list[str]:
     for k, (function, references) in enumerate(zip(module.routines, module.references, strict=True), 1):
         names = [f"{result.name}_{k}" for result in function.results]
         lines += wrapped(_call(function, names), LANGUAGE, "  ")
-        for name, result, reference in zip(names, function.results, references, strict=True):
-            lines += _comparison(name, result, reference)
+        for result, reference in compared(function, references):
+            lines += _comparison(f"{result.name}_{k}", result, reference)
     return [*lines, "end self_check;"]
 
 

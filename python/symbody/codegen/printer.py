@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 from importlib.metadata import version
+from math import isfinite
 from textwrap import wrap
 from typing import TypeAlias
 
@@ -147,6 +148,14 @@ def in_rows(names: Iterable[str], width: int) -> list[str]:
     """Return names, separated by commas, in rows of a width."""
     rows = wrap(", ".join(names), width, break_long_words=False, break_on_hyphens=False)
     return [row.rstrip(",") for row in rows]
+
+
+def compared(
+    function: Function, references: Sequence[Sequence[float]]
+) -> list[tuple[Array, Sequence[float]]]:
+    """Return the results of a function that have finite reference values, with these."""
+    pairs = zip(function.results, references, strict=True)
+    return [(result, values) for result, values in pairs if all(map(isfinite, values))]
 
 
 def comment_block(lines: Iterable[str], sign: str) -> list[str]:

@@ -11,7 +11,7 @@ from symbody.codegen import runtime
 from symbody.codegen.expression import wrapped
 from symbody.codegen.language import Language, functions, number_text
 from symbody.codegen.module import Array, Function, Module
-from symbody.codegen.printer import block_lines, head, head_of_function, mark
+from symbody.codegen.printer import block_lines, compared, head, head_of_function, mark
 from symbody.codegen.target import Target
 
 __all__ = [
@@ -168,7 +168,7 @@ def check_text(module: Module, library: Library) -> str:
     for function, references in zip(module.routines, module.references, strict=True):
         names = ", ".join(result.name for result in function.results)
         lines += ["", *wrapped(f"{names} = {_call(module, function, library)}", library.language, "    ")]
-        for result, reference in zip(function.results, references, strict=True):
+        for result, reference in compared(function, references):
             literals = ", ".join(map(repr, reference))
             call = f'compare("{function.name}: {result.name}", {result.name}, [{literals}])'
             lines += wrapped(f"same = {call} and same", _BRACKETED, "    ")

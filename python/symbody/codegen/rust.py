@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from symbody.codegen.expression import wrapped
 from symbody.codegen.language import Language, functions, number_text
 from symbody.codegen.module import Array, Function, Module
-from symbody.codegen.printer import block_lines, comment_block, head, head_of_function, mark
+from symbody.codegen.printer import block_lines, comment_block, compared, head, head_of_function, mark
 from symbody.codegen.runtime import runtime_text
 from symbody.codegen.target import Target
 
@@ -186,7 +186,7 @@ def _zeros(array: Array) -> str:
 def _comparison(module: Module, function: Function, references: Sequence[Sequence[float]]) -> list[str]:
     """Return a block that calls a routine and compares its results."""
     lines = ["    {", *(f"    {line}" for line in _call_of(module, function))]
-    for result, reference in zip(function.results, references, strict=True):
+    for result, reference in compared(function, references):
         literals = ", ".join(map(LANGUAGE.literal, reference))
         lines += [f"    {line}" for line in wrapped(f"let reference = [{literals}];", LANGUAGE, "    ")]
         flat = {0: f"&[{result.name}]", 1: f"&{result.name}", 2: f"&{result.name}.concat()"}[

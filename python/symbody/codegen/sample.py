@@ -15,15 +15,17 @@ __all__ = ["Sample", "sample_of"]
 
 _Values: TypeAlias = tuple[tuple[float, ...], ...]
 _GOLDEN_RATIO = 0.6180339887498949
-_ATTEMPTS = 100
+_RANGES = ((0.3, 1.3), (-0.5, 0.5), (0.01, 0.11), (1.0, 3.0), (-3.0, 3.0), (5.0, 50.0))
+_ATTEMPTS = 120
 
 
 @dataclass(frozen=True)
 class Sample:
     """Values of the arguments, and of the results of each routine, in the program's order.
 
-    The state is no measured one: equally distributed numbers between 0.3 and 1.3, with three decimals, the first
-    sequence of them at which all results are finite.
+    The state is no measured one: equally distributed numbers with three decimals, between 0.3 and 1.3 or in another
+    range, the first sequence of them at which all results are finite. If there is none, results that aren't finite
+    are not compared.
     """
 
     arguments: _Values
@@ -49,7 +51,8 @@ def _is_finite(sample: Sample) -> bool:
 
 
 def _sample(program: Program, tapes: Iterable[Tape], start: int) -> Sample:
-    numbers = (round(0.3 + (k * _GOLDEN_RATIO) % 1.0, 3) for k in count(1 + start))
+    low, high = _RANGES[start % len(_RANGES)]
+    numbers = (round(low + (high - low) * ((k * _GOLDEN_RATIO) % 1.0), 3) for k in count(1 + start))
     values = {a.name: tuple(islice(numbers, len(a.variables))) for a in program.arguments}
     return Sample(
         tuple(values.values()),

@@ -38,8 +38,8 @@ int main(void)
 
     {
         double M[1];
-        const double M_reference[] = {0.263737728};
         double f[1];
+        const double M_reference[] = {0.263737728};
         const double f_reference[] = {-0.206090304986622};
         pendulum_equations(c, t, q, u, M, f);
         compare("equations: M", 1, M, M_reference);
