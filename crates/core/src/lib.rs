@@ -28,6 +28,7 @@ mod factor_terms;
 pub mod factorization;
 mod field;
 mod function;
+mod gcd;
 mod graph;
 mod inside_out;
 mod linear;

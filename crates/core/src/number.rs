@@ -8,8 +8,10 @@ use num_integer::Integer;
 use num_rational::BigRational;
 use num_traits::{One, Signed, ToPrimitive, Zero};
 use std::cmp::Ordering;
+use std::hash::{Hash, Hasher};
 
 use crate::error::Error;
+use crate::gcd::reduced;
 
 /// An exact rational; `decimal` records that it came from doubles and prints as one.
 #[derive(Clone, Debug, PartialEq, Eq, Hash)]
@@ -19,10 +21,32 @@ pub struct Number {
 }
 
 /// Invariant: lowest terms, positive denominator; `Big` only when `Small` cannot hold the value.
-#[derive(Clone, Debug, PartialEq, Eq, Hash)]
+#[derive(Clone, Debug)]
 enum Value {
     Small(i64, i64),
     Big(Box<BigRational>),
+}
+
+/// In lowest terms equal numbers have equal parts; ratios in general would be compared by continued fractions.
+impl PartialEq for Value {
+    fn eq(&self, other: &Self) -> bool {
+        match (self, other) {
+            (Self::Small(a, b), Self::Small(c, d)) => (a, b) == (c, d),
+            (Self::Big(a), Self::Big(b)) => a.numer() == b.numer() && a.denom() == b.denom(),
+            _ => false,
+        }
+    }
+}
+
+impl Eq for Value {}
+
+impl Hash for Value {
+    fn hash<H: Hasher>(&self, state: &mut H) {
+        match self {
+            Self::Small(num, den) => (num, den).hash(state),
+            Self::Big(value) => (value.numer(), value.denom()).hash(state),
+        }
+    }
 }
 
 impl Value {
@@ -218,12 +242,21 @@ impl Number {
                 let (a, b, c, d) = (i128::from(*a), i128::from(*b), i128::from(*c), i128::from(*d));
                 match (a * d).checked_add(c * b) {
                     Some(num) => Value::from_i128(num, b * d),
-                    None => Value::from_big(self.value.to_big() + other.value.to_big()),
+                    None => self.big_sum(other),
                 }
             }
-            _ => Value::from_big(self.value.to_big() + other.value.to_big()),
+            _ => self.big_sum(other),
         };
         Self { value, decimal }
+    }
+
+    fn big_sum(&self, other: &Self) -> Value {
+        let (a, b) = (self.value.to_big(), other.value.to_big());
+        Value::from_big(if a.denom() == b.denom() {
+            reduced(a.numer() + b.numer(), a.denom().clone())
+        } else {
+            reduced(a.numer() * b.denom() + b.numer() * a.denom(), a.denom() * b.denom())
+        })
     }
 
     /// The opposite.
@@ -256,9 +289,14 @@ impl Number {
             (Value::Small(a, b), Value::Small(c, d)) => {
                 Value::from_i128(i128::from(*a) * i128::from(*c), i128::from(*b) * i128::from(*d))
             }
-            _ => Value::from_big(self.value.to_big() * other.value.to_big()),
+            _ => self.big_product(other),
         };
         Self { value, decimal }
+    }
+
+    fn big_product(&self, other: &Self) -> Value {
+        let (a, b) = (self.value.to_big(), other.value.to_big());
+        Value::from_big(reduced(a.numer() * b.numer(), a.denom() * b.denom()))
     }
 
     /// The reciprocal.

@@ -1,0 +1,90 @@
+//! Greatest common divisors of large integers: Lehmer's algorithm [Knuth 1998, sec. 4.5.2, algorithm L].
+//!
+//! Exact numbers are reduced after every sum and product, so this decides what they cost.
+
+use num_bigint::BigInt;
+use num_integer::Integer;
+use num_rational::BigRational;
+use num_traits::{Signed, ToPrimitive, Zero};
+
+/// Leading bits on which Euclid's steps are tried: sums of two such numbers fit an `i64`.
+const LEADING: u64 = 62;
+
+/// The quotient num / den in lowest terms; `den` must be positive.
+pub(crate) fn reduced(num: BigInt, den: BigInt) -> BigRational {
+    let divisor = gcd(num.abs(), den.clone());
+    if divisor == BigInt::from(1) {
+        return BigRational::new_raw(num, den);
+    }
+    BigRational::new_raw(num / &divisor, den / &divisor)
+}
+
+/// The greatest common divisor of two integers that are not negative.
+fn gcd(mut a: BigInt, mut b: BigInt) -> BigInt {
+    if a < b {
+        std::mem::swap(&mut a, &mut b);
+    }
+    while b.bits() > LEADING {
+        let shift = a.bits() - LEADING;
+        let leading = |value: &BigInt| (value >> shift).to_i64().unwrap_or(0);
+        (a, b) = match steps(leading(&a), leading(&b)) {
+            [_, 0, _, _] => {
+                let rest = &a % &b;
+                (b, rest)
+            }
+            [p, q, r, s] => (&a * p + &b * q, &a * r + &b * s),
+        };
+    }
+    match b.to_i64() {
+        Some(small) if !b.is_zero() => BigInt::from((a % b).to_i64().unwrap_or(0).gcd(&small)),
+        _ => a,
+    }
+}
+
+/// The matrix of as many of Euclid's steps as the leading digits tell for sure.
+fn steps(mut x: i64, mut y: i64) -> [i64; 4] {
+    let [mut p, mut q, mut r, mut s] = [1i64, 0, 0, 1];
+    while y + r != 0 && y + s != 0 {
+        let quotient = (x + p) / (y + r);
+        if quotient != (x + q) / (y + s) {
+            break;
+        }
+        (p, r) = (r, p - quotient * r);
+        (q, s) = (s, q - quotient * s);
+        (x, y) = (y, x - quotient * y);
+    }
+    [p, q, r, s]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn agrees_with_the_binary_algorithm() {
+        let mut seed = BigInt::from(88_172_645_463_325_252_i64);
+        let modulus = (BigInt::from(1) << 521) - 1;
+        let mut draw = |bits: u64| {
+            seed = (&seed * &seed + 12_345) % &modulus;
+            &seed >> (521 - bits)
+        };
+        for bits in [1, 5, 61, 62, 63, 64, 65, 100, 127, 128, 200, 400, 520] {
+            for _ in 0..50 {
+                let (a, b, common) = (draw(bits), draw(bits / 2 + 1), draw(bits / 3 + 1));
+                for (a, b) in [(&a * &common, &b * &common), (a.clone(), b.clone()), (b.clone(), a.clone())] {
+                    assert_eq!(gcd(a.clone(), b.clone()), a.gcd(&b), "{a} {b}");
+                }
+                assert_eq!(gcd(a.clone(), BigInt::from(0)), a);
+            }
+        }
+    }
+
+    #[test]
+    fn agrees_on_fibonacci_numbers_whose_quotients_are_all_one() {
+        let (mut a, mut b) = (BigInt::from(0), BigInt::from(1));
+        for _ in 0..700 {
+            (a, b) = (b.clone(), a + b);
+            assert_eq!(gcd(b.clone(), a.clone()), BigInt::from(1));
+        }
+    }
+}
