@@ -3,7 +3,7 @@
 The public names, layer by layer; ``import symbody as sb`` or import them from here.
 """
 
-from symbody.codegen import CompiledFunction, generate, lambdify
+from symbody.codegen import CompiledFunction, MachineCode, generate, lambdify
 from symbody.dynamics import (
     Equations,
     ForwardDynamics,
@@ -25,6 +25,7 @@ from symbody.geometry import (
     angular_velocity,
     cross,
     dot,
+    floating_frame,
     frozen_velocity,
     ground,
     moving_frame,
@@ -118,6 +119,7 @@ __all__ = [
     "Force",
     "ForwardDynamics",
     "Frame",
+    "MachineCode",
     "Matrix",
     "Max",
     "Min",
@@ -155,6 +157,7 @@ __all__ = [
     "expand",
     "expand_trig",
     "factor_terms",
+    "floating_frame",
     "forward_dynamics",
     "from_sympy",
     "frozen_velocity",
