@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import subprocess
+from collections.abc import Callable
 from pathlib import Path
 
 import pytest
@@ -10,7 +12,7 @@ from symbody.codegen import TARGETS, check, generate, source
 from symbody.codegen.names import Scope, identifier
 from symbody.errors import CodegenError, ProgramError
 from symbody.symbolic import Argument, Program, Result, Routine, log, sin, symbols
-from tests.codegen.programs import double_pendulum, pendulum
+from tests.codegen.programs import double_pendulum, everything, pendulum
 
 NAMES = ", ".join(TARGETS)
 
@@ -136,16 +138,34 @@ def test_results_that_are_never_finite() -> None:
         assert "wave: y" not in report
 
 
-def test_an_unused_input_compiles_without_warnings() -> None:
-    x, unused = symbols("x unused")
-    arguments = (
-        Argument("p", "parameters", (unused,), "parameters"),
-        Argument("q", "positions", (x,), "positions"),
-    )
+def unused() -> Program:
+    x, parameter = symbols("x unused")
+    p, q = Argument("p", "", (parameter,), "parameters"), Argument("q", "", (x,), "positions")
     wave = Routine("wave", "a wave", ("p", "q"), (Result("y", "height", (sin(x),), ()),))
     flat = Routine("flat", "a constant", ("p", "q"), (Result("y", "height", (x * 0 + 2,), ()),))
-    for target in ("c", "fortran", "rust"):
-        assert "warning" not in check(Program("unused", "", arguments, (wave, flat)), target)
+    return Program("unused", "", (p, q), (wave, flat))
+
+
+@pytest.mark.parametrize("program", [unused, everything, pendulum])
+@pytest.mark.parametrize(
+    ("target", "strict"),
+    [
+        ("c", ("make", "CFLAGS=-std=c99 -O1 -Wall -Wextra -pedantic -Werror", "check")),
+        (
+            "fortran",
+            ("make", "FFLAGS=-std=f2008 -O1 -Wall -pedantic -Wno-unused-dummy-argument -Werror", "check"),
+        ),
+        ("rust", ("rustc", "--edition=2021", "-Dwarnings")),
+    ],
+)
+def test_compilers_have_nothing_to_say(
+    program: Callable[[], Program], target: str, strict: tuple[str, ...], tmp_path: Path
+) -> None:
+    files = generate(program(), target, tmp_path)
+    command = [*strict, files[1].name] if target == "rust" else strict
+    done = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
+    assert "warning" not in done.stderr
 
 
 @pytest.mark.parametrize(

@@ -14,11 +14,14 @@ from symbody.codegen.target import Target
 __all__ = ["C"]
 
 _KEYWORDS = """
-auto break case char const continue default do double else enum extern float for goto if inline int long register
-restrict return short signed sizeof static struct switch typedef union unsigned void volatile while
-main errno NULL sin cos tan asin acos atan atan2 sinh cosh tanh exp log log2 log10 sqrt pow fabs floor ceil y0 y1 yn
-j0 j1 jn gamma lgamma tgamma erf erfc fmin fmax fma div abs index signbit isnan isinf isfinite nan round trunc hypot
-sign_of least greatest compare failures printf I
+auto break case char const continue default do double else enum extern float for goto if inline int long
+register alignas alignof bool catch class constexpr delete explicit export false friend mutable namespace new
+nullptr operator private protected public static_assert template this thread_local throw true try typeid
+typename typeof using virtual wchar_t and bitand bitor compl not or xor asm restrict return short signed sizeof
+static struct switch typedef union unsigned void volatile while main errno NULL sin cos tan asin acos atan atan2
+sinh cosh tanh exp log log2 log10 sqrt pow fabs floor ceil y0 y1 yn j0 j1 jn gamma lgamma tgamma erf erfc fmin
+fmax fma div abs index signbit isnan isinf isfinite nan round trunc hypot sign_of least greatest compare
+failures printf I
 """
 
 LANGUAGE = Language(

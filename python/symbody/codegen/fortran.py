@@ -241,7 +241,7 @@ def _makefile(module: Module) -> str:
 ifeq ($(origin FC),default)
 FC = gfortran
 endif
-FFLAGS ?= -std=f2008 -O1 -Wall -pedantic
+FFLAGS ?= -std=f2008 -O1 -Wall -pedantic -Wno-unused-dummy-argument
 
 all: {name}.o
 
