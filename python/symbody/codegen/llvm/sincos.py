@@ -96,10 +96,7 @@ def _reduced(w: Writer, n: str) -> str:
 def _polynomials(w: Writer, r: str) -> tuple[str, str]:
     z = _call(w, "fmul", r, r)
     sine = _fma(w, _call(w, "fmul", z, r), _horner(w, z, _SINE), r)
-    half = _call(w, "fmul", z, w.number(0.5))
-    top = _call(w, "fsub", w.number(1.0), half)
-    rest = _call(w, "fsub", _call(w, "fsub", w.number(1.0), top), half)
-    cosine = _call(w, "fadd", top, _fma(w, _call(w, "fmul", z, z), _horner(w, z, _COSINE), rest))
+    cosine = _fma(w, z, _fma(w, z, _horner(w, z, _COSINE), w.number(-0.5)), w.number(1.0))
     return sine, cosine
 
 
