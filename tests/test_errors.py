@@ -346,8 +346,8 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
         errors.ModelError,
         lambda: lagrange_equations(System([Body(vehicle * rotate("X", phi), m)], coordinates=[phi])),
         (
-            "lagrange_equations: the bodies hang on the moving master frame vehicle, whose velocities are no rates of "
-            "coordinates; use newton_equations and euler_equations"
+            "lagrange_equations: vehicle moves by velocities in its own axes, which are no rates of coordinates; use "
+            "newton_euler"
         ),
     ),
     (

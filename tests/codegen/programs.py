@@ -41,8 +41,7 @@ from symbody import (
 )
 from symbody.codegen.sample import Sample
 from symbody.symbolic import Argument, Expr, Matrix, Program, Result, Routine, t
-from tests.reference.floating_base import floating_state
-from tests.reference.robot import robot
+from tests.reference.robot import motion_at, robot
 from tests.worksheets import test_trifilar_seed as trifilar
 
 Values: TypeAlias = dict[str, Any]
@@ -199,7 +198,7 @@ REFERENCES = ("double_pendulum", "furuta", "gimbal_gyro", "panda_7dof", "solo12_
 def at_reference_state(name: str) -> tuple[Program, Sample]:
     """The routines of which other programs have computed the values, and these values: nothing of ours is in them."""
     program, model = robot_program(name), robot(name)
-    given, values = _floating(model.states[0]) if "floating" in name else _fixed(model.states[0])
+    given, values = _given(model.states[0]), _values(model.states[0])
     routines = tuple(
         replace(routine, results=routine.results[: len(values[routine.name])])
         for routine in program.routines
@@ -211,22 +210,20 @@ def at_reference_state(name: str) -> tuple[Program, Sample]:
     )
 
 
-def _fixed(state: dict[str, Any]) -> tuple[Values, dict[str, list[Any]]]:
-    given = {"q": state["joint_q"], "u": state["joint_v"], "a": state["joint_a"]}
-    return given, {
+def _given(state: dict[str, Any]) -> Values:
+    return dict(zip("qua", motion_at(state), strict=True))
+
+
+def _values(state: dict[str, Any]) -> dict[str, list[Any]]:
+    energies = [state["kinetic_energy"]]
+    if (
+        "base_position_world" in state
+    ):  # where the base is at rest, the others' potential energy leaves it out
+        energies.append(state["potential_energy"])
+    return {
         "forward_dynamics": [np.linalg.solve(state["mass_matrix"], -np.asarray(state["bias"]))],
         "mass_matrix": [np.ravel(state["mass_matrix"])],
         "forcing": [-np.asarray(state["bias"])],
         "residuals": [state["inverse_dynamics"]],
-        "energies": [[state["kinetic_energy"]]],  # the others' potential energy leaves the root link out
-    }
-
-
-def _floating(reference: dict[str, Any]) -> tuple[Values, dict[str, list[Any]]]:
-    state = floating_state(reference)
-    return {"q": state.q, "u": state.u, "a": state.a}, {
-        "mass_matrix": [state.mass_matrix.ravel()],
-        "forcing": [state.forcing],
-        "residuals": [state.inverse_dynamics],
-        "energies": [[state.kinetic_energy], [state.potential_energy]],
+        "energies": [[energy] for energy in energies],
     }

@@ -1,4 +1,4 @@
-"""States of a robot with a floating base: from Pinocchio's speeds, in axes of the base, to coordinates and rates.
+"""A floating base by position and angles: from Pinocchio's speeds, in axes of the base, to coordinates and rates.
 
 Pinocchio's v holds the velocity of the base's origin and its angular velocity in axes of the base, and a its time
 derivative, componentwise; here the base has a position and the angles yaw, pitch and roll. With v = J(q) q',
@@ -15,6 +15,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from symbody import functions_of_time, rotate, translate
+from tests.reference.robot import Robot, robot_on
+
 Values = NDArray[np.float64]
 
 
@@ -30,6 +33,13 @@ class FloatingState:
     inverse_dynamics: Values
     kinetic_energy: float
     potential_energy: float
+
+
+def robot_on_angles(name: str) -> Robot:
+    """Return a robot whose base moves by x, y, z, yaw, pitch and roll."""
+    x, y, z, yaw, pitch, roll = base = functions_of_time("x y z yaw pitch roll")
+    frame = translate(x, y, z) * rotate("Z", yaw) * rotate("Y", pitch) * rotate("X", roll)
+    return robot_on(frame, base, name)
 
 
 def floating_state(state: Mapping[str, Any]) -> FloatingState:

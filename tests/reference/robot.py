@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
@@ -10,9 +11,23 @@ from typing import Any
 
 import numpy as np
 
-from symbody import Body, Expr, Frame, Point, System, Vector, functions_of_time, ground, rotate, translate
+from symbody import (
+    Body,
+    Expr,
+    Frame,
+    Point,
+    System,
+    Vector,
+    floating_frame,
+    functions_of_time,
+    ground,
+    rotate,
+    translate,
+)
 
-NAMES = ("double_pendulum", "furuta", "gimbal_gyro", "panda_7dof")
+FIXED = ("double_pendulum", "furuta", "gimbal_gyro", "panda_7dof")
+FLOATING = ("solo12_floating",)
+NAMES = (*FIXED, *FLOATING)
 FOLDER = Path(__file__).parent / "robots"
 
 
@@ -23,34 +38,42 @@ class Robot:
     system: System
     gravity: Vector
     moving_bodies: tuple[Body, ...]
-    coordinates: tuple[Expr, ...]
     states: tuple[dict[str, Any], ...]
 
 
 @cache
 def robot(name: str) -> Robot:
-    """Return the robot described in ``robots/<name>.json``; links on fixed joints are bodies too."""
+    """Return the robot described in ``robots/<name>.json``, its base at rest or afloat."""
+    return robot_on(floating_frame("base") if name in FLOATING else ground, (), name)
+
+
+def robot_on(base: Frame, coordinates: Sequence[Expr], name: str) -> Robot:
+    """Return a robot on a frame that moves by the given coordinates; links on fixed joints are bodies too."""
     description = json.loads((FOLDER / f"{name}.json").read_text(encoding="utf-8"))
-    coordinates = {joint: functions_of_time(joint) for joint in description["joint_order"]}
-    base = _base_coordinates() if description["floating_base"] else {}
-    frames: dict[str, Frame] = {description["root_link"]: _base_frame(base) if base else ground}
+    joints = {joint: functions_of_time(joint) for joint in description["joint_order"]}
+    frames = {description["root_link"]: base}
     for joint in description["joints"]:
-        frames[joint["child"]] = frames[joint["parent"]] * _joint_frame(joint, coordinates.get(joint["name"]))
+        frames[joint["child"]] = frames[joint["parent"]] * _joint_frame(joint, joints.get(joint["name"]))
     bodies = {link["name"]: _link_body(link, frames[link["name"]]) for link in description["links"]}
     gravity = Vector(ground, *description["conventions"]["gravity"])
-    moving = tuple(body for link, body in bodies.items() if base or link != description["root_link"])
-    coordinates = base | coordinates
-    system = System(bodies=list(bodies.values()), coordinates=list(coordinates.values()), gravity=gravity)
-    return Robot(system, gravity, moving, tuple(coordinates.values()), tuple(description["states"]))
+    moving = tuple(
+        body for link, body in bodies.items() if base != ground or link != description["root_link"]
+    )
+    system = System(list(bodies.values()), coordinates=[*coordinates, *joints.values()], gravity=gravity)
+    return Robot(system, gravity, moving, tuple(description["states"]))
 
 
-def _base_coordinates() -> dict[str, Expr]:
-    return {name: functions_of_time(name) for name in ("x", "y", "z", "yaw", "pitch", "roll")}
+def motion_at(state: Mapping[str, Any]) -> tuple[list[float], list[float], list[float]]:
+    """Return coordinates, speeds and accelerations in the order of the references: the base's, if it floats, first."""
+    q, u, a = ([value for key in keys for value in state.get(key, ())] for keys in _MOTION)
+    return q, u, a
 
 
-def _base_frame(base: dict[str, Expr]) -> Frame:
-    x, y, z, yaw, pitch, roll = base.values()
-    return translate(x, y, z) * rotate("Z", yaw) * rotate("Y", pitch) * rotate("X", roll)
+_MOTION = (
+    ("base_position_world", "base_quaternion_wxyz", "joint_q"),
+    ("base_linear_velocity_body", "base_angular_velocity_body", "joint_v"),
+    ("base_spatial_acceleration_body_linear", "base_angular_acceleration_body", "joint_a"),
+)
 
 
 def _joint_frame(joint: dict[str, Any], coordinate: Expr | None) -> Frame:

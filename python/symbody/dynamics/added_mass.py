@@ -6,13 +6,12 @@ from collections.abc import Iterable
 
 from symbody.errors import ModelError
 from symbody.multibody import Action, System
-from symbody.symbolic import Expr, Matrix, jacobian, number, time_derivative
-
-from .generalized_force import virtual_work
+from symbody.multibody.load import action_velocity
+from symbody.symbolic import Expr, Matrix, dot3, jacobian, number
 
 
 def with_added_mass(mass_matrix: Matrix, system: System) -> Matrix:
-    """Return ``M - dQ/dq''``, Q being the generalised forces of the loads.
+    """Return ``M - dQ/du'``, Q being the generalised forces of the loads.
 
     It is symmetric if the loads see to it: a force on one coordinate by the acceleration of another is none that a
     mass could exert.
@@ -27,7 +26,7 @@ def with_added_mass(mass_matrix: Matrix, system: System) -> Matrix:
 
 
 def has_added_mass(system: System) -> bool:
-    """Tell whether some load depends on accelerations of the coordinates."""
+    """Tell whether some load depends on accelerations."""
     return any(
         _holds_acceleration(action, system)
         for load in system.loads
@@ -64,12 +63,15 @@ def check_loads(system: System, where: str) -> None:
 
 
 def _slopes(actions: Iterable[Action], system: System) -> Matrix:
-    """Return ``dQ/dq''``."""
-    forces = [number(0)] * len(system.coordinates)
+    """Return ``dQ/du'``."""
+    forces = [number(0)] * len(system.speeds)
     for action in actions:
-        for k, coordinate in enumerate(system.coordinates):
-            forces[k] += virtual_work(action, coordinate)
-    return jacobian(forces, [time_derivative(q, 2) for q in system.coordinates])
+        velocity, axes = action_velocity(action)
+        partial = jacobian(velocity, system.speeds)
+        force = action.components(axes)
+        for k in range(len(forces)):
+            forces[k] += dot3(force, (partial[0, k], partial[1, k], partial[2, k]))
+    return jacobian(forces, system.accelerations)
 
 
 def _holds_acceleration(action: Action, system: System) -> bool:
@@ -90,7 +92,13 @@ def _union(values: Iterable[Expr]) -> frozenset[Expr]:
 
 
 def _rate(leaves: Iterable[Expr], system: System, order: int) -> Expr | None:
-    """Return the first rate of a coordinate, by name, that is of this order or a higher one."""
-    names = {coordinate.name for coordinate in system.coordinates}
-    rates = (x for x in leaves if x.kind == "time_function" and x.name in names and x.order >= order)
+    """Return the first rate of a coordinate, by name, that is of this order or a higher one.
+
+    A quasi-velocity counts as a first rate.
+    """
+    orders = {q.name: order for q in system.coordinates} | {
+        u.name: order - 1 for u in system.quasi_velocities
+    }
+    functions = (x for x in leaves if x.kind == "time_function")
+    rates = (x for x in functions if x.name in orders and x.order >= orders[x.name])
     return min(rates, key=lambda rate: (rate.name, rate.order), default=None)

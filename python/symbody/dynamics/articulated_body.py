@@ -6,7 +6,7 @@ in it: by an articulated inertia, and a bias. Both are carried inwards once, the
 All accelerations count from those that the frames have where the accelerations of the coordinates are zero. What is
 carried inwards as bias then begins with the wrenches of the recursion of `newton_euler`, and nothing else of gravity,
 speeds, loads and prescribed motions is left. Every elementary motion is a joint; one that depends on several
-coordinates gives way for one after another.
+speeds gives way for one after another.
 """
 
 from __future__ import annotations
@@ -30,18 +30,18 @@ from .wrench import Wrench
 
 
 def is_applicable(system: System, tree: FrameTree) -> bool:
-    """Tell whether every coordinate drives one rigid motion alone, with nothing else between accelerations."""
+    """Tell whether every speed drives one rigid motion alone, with nothing else between accelerations."""
     driven = [k for moving in tree.coordinates for k in moving]
     return (
         tree.is_rigid
         and not system.constraints
-        and sorted(driven) == list(range(len(system.coordinates)))
+        and sorted(driven) == list(range(len(system.speeds)))
         and not has_added_mass(system)
     )
 
 
 def accelerations(system: System, tree: FrameTree) -> tuple[Expr, ...]:
-    """Return the accelerations of the coordinates of a tree to which the recursion is applicable."""
+    """Return the accelerations of a tree to which the recursion is applicable."""
     return _ArticulatedBody(system, tree).accelerations(needed_wrenches(system, tree, at_rest(system)))
 
 
@@ -102,15 +102,13 @@ class _ArticulatedBody:
     def _give_way(self, place: int, k: int, bias: Wrench) -> Wrench:
         """Take the joint's freedom out of the inertia and the bias of its frame."""
         spin, drift = self._tree.partial_twists(place)[k]
-        if place > 0:
-            drift = self._tree.motion(place).to_child(drift)
         inertia = self._inertia(place)
         needed = NOTHING if inertia is None else inertia.wrench(spin, drift)
         pivot = _power(spin, drift, needed)
         if inertia is None or pivot.is_zero:
             raise ModelError(
-                f"forward_dynamics: the coordinate {self._system.coordinates[k]} moves no inertia; expected bodies "
-                "with mass beyond its motion, or leave it out of the coordinates"
+                f"forward_dynamics: the {self._kind(k)} {self._system.driving[k]} moves no inertia; expected bodies "
+                f"with mass beyond its motion, or leave it out of the {self._kind(k)}s"
             )
         reciprocal = 1 / pivot
         share = Wrench(scale3(reciprocal, needed.force), scale3(reciprocal, needed.moment))
@@ -120,6 +118,9 @@ class _ArticulatedBody:
         taken = Wrench(scale3(missing, share.force), scale3(missing, share.moment))
         return bias.minus(taken)
 
+    def _kind(self, k: int) -> str:
+        return "speed" if k < len(self._system.quasi_velocities) else "coordinate"
+
     def _inertia(self, place: int) -> ArticulatedInertia | None:
         rigid, articulated = self._rigid[place], self._articulated[place]
         if rigid is None:
@@ -128,7 +129,7 @@ class _ArticulatedBody:
         return inertia if articulated is None else inertia.plus(articulated)
 
     def _outward(self) -> tuple[Expr, ...]:
-        result = [number(0)] * len(self._system.coordinates)
+        result = [number(0)] * len(self._system.speeds)
         twists = [(NULL, NULL)] * len(self._tree.frames)
         for place in range(len(twists)):
             angular, linear = twists[0]

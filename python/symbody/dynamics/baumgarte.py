@@ -5,14 +5,17 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from symbody.geometry import Scalar
-from symbody.geometry.triple import expression
+from symbody.geometry.triple import Rate, expression
 from symbody.symbolic import Expr, derivation, time_derivatives
 
 
-def stabilized(constraints: Sequence[Expr], omega: Scalar, zeta: Scalar) -> tuple[Expr, ...]:
+def stabilized(
+    constraints: Sequence[Expr], omega: Scalar, zeta: Scalar, rate: Rate = time_derivatives
+) -> tuple[Expr, ...]:
     """Return ``phi'' + 2 zeta omega phi' + omega^2 phi`` for every constraint phi.
 
-    A violation of the constraint then dies out with frequency omega and damping ratio zeta, instead of growing.
+    A violation of the constraint then dies out with frequency omega and damping ratio zeta, instead of growing. The
+    time derivative may be one that writes rates of coordinates by speeds.
 
     >>> from symbody import functions_of_time
     >>> x = functions_of_time("x")
@@ -21,8 +24,8 @@ def stabilized(constraints: Sequence[Expr], omega: Scalar, zeta: Scalar) -> tupl
     """
     frequency, damping = expression(omega), expression(zeta)
     with derivation():
-        first = time_derivatives(constraints)
-        second = time_derivatives(first)
+        first = rate(constraints)
+        second = rate(first)
         stiffness, viscosity = frequency**2, 2 * damping * frequency
         return tuple(
             acceleration + viscosity * rate + stiffness * violation

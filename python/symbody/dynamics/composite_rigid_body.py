@@ -1,16 +1,15 @@
 """The mass matrix by composite rigid bodies [Walker & Orin 1982], in local axes.
 
 The part of the tree beyond a motion, frozen, is one rigid body: its mass, first moment and inertia about the
-frame's origin are carried inwards once. A unit acceleration of a coordinate moves that body; the wrench it needs,
-carried on inwards, gives the entries for the coordinates that it meets.
+frame's origin are carried inwards once. A unit acceleration of a speed moves that body; the wrench it needs, carried on
+inwards, gives the entries for the speeds that it meets.
 """
 
 from __future__ import annotations
 
 from typing import final
 
-from symbody.geometry.motion import Motion
-from symbody.geometry.triple import NULL, Triple, is_null
+from symbody.geometry.triple import NULL, Triple
 from symbody.multibody import System
 from symbody.symbolic import Expr, Matrix, dot3, number, scale3
 
@@ -35,7 +34,7 @@ class _MassMatrix:
 
     def __init__(self, system: System, tree: FrameTree) -> None:
         self._tree = tree
-        n = len(system.coordinates)
+        n = len(system.speeds)
         self._entries = [[_ZERO] * n for _ in range(n)]
         self._composites: list[Composite | None] = [None] * len(tree.frames)
         self._wrenches: list[dict[int, Wrench]] = [{} for _ in tree.frames]
@@ -48,7 +47,7 @@ class _MassMatrix:
             if place in self._sliding:
                 self._slide(self._sliding[place])
             composite = self._composites[place]
-            if place > 0 and composite is not None:
+            if composite is not None:
                 self._pass_on(place, composite)
         return Matrix(self._entries)
 
@@ -57,42 +56,38 @@ class _MassMatrix:
         self._composites[place] = composite if other is None else other.plus(composite)
 
     def _pass_on(self, place: int, composite: Composite) -> None:
-        motion, parent, moving = (
-            self._tree.motion(place),
-            self._tree.parents[place],
-            self._tree.coordinates[place],
-        )
+        parent, moving = self._tree.parents[place], self._tree.coordinates[place]
+        slides = bool(moving) and place > 0 and not self._tree.motion(place).rotates
         if moving:
             twists = self._tree.partial_twists(place)
-            self._meet(motion, twists, self._wrenches[place])
-            if motion.rotates:
-                self._move(motion, twists, composite, place)
-            else:
+            self._meet(twists, self._wrenches[place])
+            if slides:
                 self._sliding.setdefault(parent, []).append(place)
-        if not self._tree.carried[parent]:
+            else:
+                self._move(twists, composite, place)
+        if place == 0 or not self._tree.carried[parent]:
             return
-        if moving and not motion.rotates:
+        motion = self._tree.motion(place)
+        if slides:
             for k, twist in self._tree.partial_twists(place).items():
                 self._carry(place, k, composite.wrench(NULL, twist.drift))
         self._join(parent, composite.to_parent(motion))
         for k, wrench in self._wrenches[place].items():
             self._carry(parent, k, wrench.to_parent(motion))
 
-    def _meet(self, motion: Motion, twists: dict[int, PartialTwist], wrenches: dict[int, Wrench]) -> None:
-        """Add the entries between the coordinates of a motion and those beyond it."""
+    def _meet(self, twists: dict[int, PartialTwist], wrenches: dict[int, Wrench]) -> None:
+        """Add the entries between the speeds of a motion and those beyond it."""
         for j, wrench in wrenches.items():
             for k, twist in twists.items():
-                self._add(j, k, _power(motion, twist, wrench) * (2 if j == k else 1))
+                self._add(j, k, _power(twist, wrench) * (2 if j == k else 1))
 
-    def _move(
-        self, motion: Motion, twists: dict[int, PartialTwist], composite: Composite, place: int
-    ) -> None:
-        """Add the entries among the coordinates of a motion, and start their wrenches."""
-        own = {k: composite.wrench(twist.spin, motion.to_child(twist.drift)) for k, twist in twists.items()}
+    def _move(self, twists: dict[int, PartialTwist], composite: Composite, place: int) -> None:
+        """Add the entries among the speeds of a motion, and start their wrenches."""
+        own = {k: composite.wrench(twist.spin, twist.drift) for k, twist in twists.items()}
         for j, wrench in own.items():
             for k, twist in twists.items():
                 if j >= k:
-                    self._add(j, k, _power(motion, twist, wrench))
+                    self._add(j, k, _power(twist, wrench))
         for k, wrench in own.items():
             self._carry(place, k, wrench)
 
@@ -120,9 +115,8 @@ def _plus(a: Expr, b: Expr) -> Expr:
     return a + b
 
 
-def _power(motion: Motion, twist: PartialTwist, wrench: Wrench) -> Expr:
-    power = dot3(twist.spin, wrench.moment)
-    return power if is_null(twist.drift) else power + dot3(twist.drift, motion.to_parent(wrench.force))
+def _power(twist: PartialTwist, wrench: Wrench) -> Expr:
+    return dot3(twist.spin, wrench.moment) + dot3(twist.drift, wrench.force)
 
 
 def _overlap(first: dict[Triple, int], second: dict[Triple, int], total: SubsetSum[Expr]) -> Expr:

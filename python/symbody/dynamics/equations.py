@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 
 @dataclass(frozen=True)
 class Assembly:
-    """The equations solved for what multiplies the accelerations: ``M q'' + bias = phi_q^T lambda``."""
+    """The equations solved for what multiplies the accelerations: ``M u' + bias = phi_q^T lambda``."""
 
     mass_matrix: Matrix
     bias: tuple[Expr, ...]
@@ -31,11 +31,14 @@ class Assembly:
 
 @dataclass(frozen=True, eq=False)
 class Equations:
-    """The equations of motion of a system: ``M q'' = forcing + phi_q^T lambda`` with the constraints ``phi = 0``.
+    """The equations of motion of a system: ``M u' = forcing + phi_q^T lambda`` with the constraints ``phi = 0``.
+
+    The speeds u are the rates of the coordinates, ``M q''`` then; where frames move by speeds of their own
+    (quasi-velocities), `kinematics` gives the rates of the coordinates, and phi_q stands for ``dphi'/du``.
 
     Attributes:
         system: where they come from.
-        residuals: one expression a coordinate, ``M q'' - forcing - phi_q^T lambda``; motion makes them zero.
+        residuals: one expression a speed, ``M u' - forcing - phi_q^T lambda``; motion makes them zero.
         assemble: makes the mass matrix and the bias, which the residuals do without.
     """
 
@@ -45,23 +48,24 @@ class Equations:
 
     @property
     def coordinates(self) -> tuple[Expr, ...]:
-        """The coordinates q, in the order of the equations."""
+        """The coordinates q."""
         return self.system.coordinates
 
-    @cached_property
+    @property
     def speeds(self) -> tuple[Expr, ...]:
-        """The speeds: the rates of the coordinates."""
-        return tuple(time_derivative(q) for q in self.coordinates)
+        """The speeds u, in the order of the equations: quasi-velocities, then rates of coordinates."""
+        return self.system.speeds
 
-    @cached_property
+    @property
     def accelerations(self) -> tuple[Expr, ...]:
-        """The second rates of the coordinates."""
-        return tuple(time_derivative(q, 2) for q in self.coordinates)
+        """The rates of the speeds."""
+        return self.system.accelerations
 
     @property
     def kinematics(self) -> dict[Expr, Expr]:
         """The rates of the coordinates by the speeds."""
-        return dict(zip(self.speeds, self.speeds, strict=True))
+        rates = [time_derivative(q) for q in self.coordinates]
+        return {rate: self.system.known_rates.get(rate, rate) for rate in rates}
 
     @property
     def constraints(self) -> tuple[Expr, ...]:
@@ -70,7 +74,7 @@ class Equations:
 
     @cached_property
     def constraint_jacobian(self) -> Matrix:
-        """The Jacobian ``phi_q``, a row a constraint and a column a coordinate."""
+        """The Jacobian ``phi_q = dphi'/du``, a row a constraint and a column a speed."""
         return constraint_jacobian(self.system)
 
     @property
@@ -106,7 +110,7 @@ class Equations:
     @cached_property
     def inputs(self) -> tuple[Expr, ...]:
         """The functions of time, and their rates, that are given from outside, by name."""
-        known = {unknown.name for unknown in (*self.coordinates, *self.multipliers)}
+        known = {unknown.name for unknown in (*self.coordinates, *self.speeds, *self.multipliers)}
         given = {leaf for leaf in self._leaves if leaf.kind == "time_function" and leaf.name not in known}
         return tuple(sorted(given, key=lambda function: (function.name, function.order)))
 
@@ -122,7 +126,7 @@ class Equations:
             omega: the frequency with which a violation dies out, in rad/s.
             zeta: its damping ratio; 1 is critical.
         """
-        return stabilized(self.constraints, omega, zeta)
+        return stabilized(self.constraints, omega, zeta, self.system.rate)
 
     def program(
         self,
@@ -138,8 +142,9 @@ class Equations:
         return program(self, name=name, outputs=outputs, baumgarte=baumgarte, method=method)
 
     def __repr__(self) -> str:
-        n, m, names = len(self.residuals), len(self.constraints), ", ".join(map(str, self.coordinates))
-        return f"Equations({n} equations of motion, {m} constraints, coordinates {names})"
+        n, m, names = len(self.residuals), len(self.constraints), ", ".join(map(str, self.system.driving))
+        kind = "speeds and coordinates" if self.system.quasi_velocities else "coordinates"
+        return f"Equations({n} equations of motion, {m} constraints, {kind} {names})"
 
     def description(self) -> str:
         """Return the equations line by line, after what they share: what `show` prints."""
@@ -147,7 +152,7 @@ class Equations:
         n = len(self.residuals)
         return "\n    ".join(
             [
-                f"EQUATIONS OF MOTION of {', '.join(map(str, self.coordinates))}",
+                f"EQUATIONS OF MOTION of {', '.join(map(str, self.system.driving))}",
                 *(f"{name} := {value}" for name, value in definitions),
                 *(f"{zero} = 0" for zero in zeros[:n]),
                 *(f"constraint: {zero} = 0" for zero in zeros[n:]),

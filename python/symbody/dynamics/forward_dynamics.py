@@ -19,7 +19,6 @@ from symbody.symbolic import (
     linear_solve,
     number,
     substitute,
-    time_derivatives,
 )
 
 from . import articulated_body
@@ -145,7 +144,7 @@ def _ldl(eqs: Equations, _: Damping) -> ForwardDynamics:
 
 def _pivoted(eqs: Equations, baumgarte: Damping) -> ForwardDynamics:
     """Solve ``[[M, -phi_q^T], [phi_q, 0]] (q'', lambda) = (forcing, -bias of phi'')``."""
-    n, m = len(eqs.coordinates), len(eqs.constraints)
+    n, m = len(eqs.speeds), len(eqs.constraints)
     J, M = eqs.constraint_jacobian, eqs.mass_matrix
     omega, zeta = baumgarte or (0, 0)
     with derivation(fresh=True):
@@ -189,7 +188,7 @@ def dependent_speeds(eqs: Equations, dependent: Speeds) -> dict[Expr, Expr]:
             "constraint"
         )
     with derivation(fresh=True):
-        rates = substitute(time_derivatives(eqs.constraints), dict.fromkeys(dependent, 0))
+        rates = substitute(eqs.system.rate(eqs.constraints), dict.fromkeys(dependent, 0))
         J = eqs.constraint_jacobian
         matrix = Matrix([[J[k, column] for column in columns] for k in range(len(columns))])
         values = linear_solve(matrix, [-rate for rate in rates])

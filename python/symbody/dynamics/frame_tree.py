@@ -7,14 +7,16 @@ from dataclasses import dataclass, field
 
 from symbody.errors import ModelError
 from symbody.geometry import Frame
+from symbody.geometry.floating import Floating
 from symbody.geometry.motion import Motion
+from symbody.geometry.twist import Twist
 from symbody.multibody import Action, Body, System
 from symbody.multibody.selection import select
 from symbody.multibody.system import rate_of_any
-from symbody.symbolic import Expr, derivation
+from symbody.symbolic import Expr, derivation, free_symbols
 
 from .added_mass import check_loads
-from .partial_motion import PartialTwist, partial_twists
+from .partial_motion import PartialTwist, partial_twists, partial_twists_by_speeds
 from .shifted_origin import with_shifted_origins
 
 
@@ -25,8 +27,8 @@ class FrameTree:
     Attributes:
         frames: the root first, every parent before its children.
         parents: the place of each frame's parent in the list.
-        coordinates: the coordinates, by place, on which each frame's motion depends.
-        carried: whether some motion at or before the frame depends on a coordinate.
+        coordinates: the speeds, by their place in those of the system, that move each frame in its parent.
+        carried: whether some motion at or before the frame has speeds.
         actions: what the loads do.
     """
 
@@ -50,10 +52,13 @@ class FrameTree:
         return motion
 
     def partial_twists(self, place: int) -> dict[int, PartialTwist]:
-        """Return what each coordinate, by its place, does to the motion of a frame."""
+        """Return what each speed, by its place, does to the motion of a frame."""
         if place not in self._twists:
-            moving = self.coordinates[place]
-            twists = partial_twists(self.motion(place), [self.system.coordinates[k] for k in moving])
+            moving, given = self.coordinates[place], given_twist(self.frames[place])
+            if given is not None:
+                twists = partial_twists_by_speeds(given, [self.system.speeds[k] for k in moving])
+            else:
+                twists = partial_twists(self.motion(place), [self.system.driving[k] for k in moving])
             self._twists[place] = dict(zip(moving, twists, strict=True))
         return self._twists[place]
 
@@ -74,28 +79,62 @@ def frame_tree(system: System) -> FrameTree:
 
 def checked_tree(system: System, where: str) -> FrameTree:
     """Return the tree of a system, or raise an error where it can't have equations of motion in its coordinates."""
-    if system.root.carrier is not None:
-        raise ModelError(
-            f"{where}: the bodies hang on the moving master frame {system.root}, whose velocities are no rates of "
-            "coordinates; use newton_equations and euler_equations"
-        )
     tree = frame_tree(system)
-    for frame in tree.frames:
-        rate = None if frame.motion is None else rate_of_any(system.coordinates, frame.motion.leaves)
-        if rate is not None:
-            raise ModelError(
-                f"{where}: {frame} holds the rate {rate}; expected frames of coordinates and time alone"
-            )
-    used = {system.coordinates[k] for moving in tree.coordinates for k in moving}
-    used.update(leaf for constraint in system.constraints for leaf in constraint.free_symbols)
-    for coordinate in system.coordinates:
-        if coordinate not in used:
-            raise ModelError(
-                f"{where}: the coordinate {coordinate} appears in no frame of a body and in no constraint; "
-                "leave it out of the coordinates, or build a frame with it"
-            )
+    for place, frame in enumerate(tree.frames):
+        if given_twist(frame) is None:
+            _check_motion(frame, system, where)
+        else:
+            _check_twist(tree, place, where)
+    _check_used(tree, where)
     check_loads(system, where)
     return tree
+
+
+def given_twist(frame: Frame) -> Twist | None:
+    """Return the twist of a frame in its parent, or in ground, if it is given by speeds."""
+    return frame.motion.twist if isinstance(frame.motion, Floating) else frame.carrier
+
+
+def _check_motion(frame: Frame, system: System, where: str) -> None:
+    leaves = frozenset[Expr]() if frame.motion is None else frame.motion.leaves
+    rate = rate_of_any(system.coordinates, leaves)
+    if rate is not None:
+        raise ModelError(
+            f"{where}: {frame} holds the rate {rate}; expected frames of coordinates and time alone"
+        )
+    speed = next((u for u in (*system.quasi_velocities, *system.kinematics) if u in leaves), None)
+    if speed is not None:
+        kind = "speed" if speed in system.quasi_velocities else "coordinate of a floating frame"
+        raise ModelError(f"{where}: {frame} is moved by {speed}, a {kind}; expected coordinates of its own")
+
+
+def _check_twist(tree: FrameTree, place: int, where: str) -> None:
+    for twist in tree.partial_twists(place).values():
+        for slope in (*twist.spin, *twist.drift):
+            speed = next((u for u in tree.system.speeds if u in slope.free_symbols), None)
+            if speed is not None:
+                raise ModelError(
+                    f"{where}: the velocities of {tree.frames[place]} aren't linear in the speed {speed}; expected "
+                    "velocities that are linear in all speeds"
+                )
+
+
+def _check_used(tree: FrameTree, where: str) -> None:
+    system = tree.system
+    used = {system.driving[k] for moving in tree.coordinates for k in moving}
+    used.update(leaf for constraint in system.constraints for leaf in constraint.free_symbols)
+    for unknown in system.driving:
+        if unknown in used:
+            continue
+        if unknown in system.quasi_velocities:
+            raise ModelError(
+                f"{where}: the speed {unknown} moves no frame of a body; leave it out of the speeds, or build a moving "
+                "frame with it"
+            )
+        raise ModelError(
+            f"{where}: the coordinate {unknown} appears in no frame of a body and in no constraint; "
+            "leave it out of the coordinates, or build a frame with it"
+        )
 
 
 def _build(system: System) -> FrameTree:
@@ -109,8 +148,8 @@ def _build(system: System) -> FrameTree:
     ordered, parents = _ordered(system.root, [moved[frame.key] for frame in targets])
     places = {frame.key: place for place, frame in enumerate(ordered)}
     places |= {key: places[frame.key] for key, frame in moved.items() if frame.key in places}
-    coordinates = _dependence(ordered, system.coordinates)
-    carried = [False]
+    coordinates = _dependence(ordered, system)
+    carried = [bool(coordinates[0])]
     for place in range(1, len(ordered)):
         carried.append(carried[parents[place]] or bool(coordinates[place]))
     return FrameTree(tuple(ordered), tuple(parents), coordinates, tuple(carried), actions, places, system)
@@ -145,11 +184,17 @@ def _missing(frame: Frame, places: dict[bytes, int]) -> list[Frame]:
     return missing
 
 
-def _dependence(frames: list[Frame], coordinates: tuple[Expr, ...]) -> tuple[tuple[int, ...], ...]:
-    place = {coordinate: k for k, coordinate in enumerate(coordinates)}
-    return tuple(
-        ()
-        if frame.motion is None
-        else tuple(sorted(place[leaf] for leaf in frame.motion.leaves if leaf in place))
-        for frame in frames
-    )
+def _dependence(frames: Sequence[Frame], system: System) -> tuple[tuple[int, ...], ...]:
+    quasi = len(system.quasi_velocities)
+    by_speed = {speed: k for k, speed in enumerate(system.speeds)}
+    by_coordinate = {q: k for k, q in enumerate(system.driving) if k >= quasi}
+    moving = []
+    for frame in frames:
+        twist = given_twist(frame)
+        if twist is not None:
+            leaves, place = free_symbols((*twist.angular, *twist.linear)), by_speed
+        else:
+            leaves = frozenset() if frame.motion is None else frame.motion.leaves
+            place = by_coordinate
+        moving.append(tuple(sorted(place[leaf] for leaf in leaves if leaf in place)))
+    return tuple(moving)

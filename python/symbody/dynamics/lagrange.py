@@ -31,7 +31,7 @@ from .added_mass import with_added_mass
 from .composite_rigid_body import mass_matrix
 from .constraint import check_independent, with_multipliers
 from .equations import Assembly, Equations
-from .frame_tree import FrameTree, checked_tree, frame_tree
+from .frame_tree import FrameTree, checked_tree, frame_tree, given_twist
 from .newton_euler import at_rest, bias, inverse_dynamics
 
 
@@ -65,6 +65,7 @@ def lagrange_equations(system: System) -> Equations:
     >>> lagrange_equations(pendulum).mass_matrix[0, 0] == m * l**2
     True
     """
+    _check_no_quasi_velocities(system)
     check_independent(system)
     with derivation(fresh=True):
         tree = checked_tree(system, "lagrange_equations")
@@ -72,6 +73,16 @@ def lagrange_equations(system: System) -> Equations:
             inverse_dynamics(system, tree)
         residuals = with_multipliers(_residuals(system), system)
     return Equations(system, residuals, _assemble)
+
+
+def _check_no_quasi_velocities(system: System) -> None:
+    frames = (frame for body in system.bodies for frame in body.frame.chain)
+    moved = next((frame for frame in frames if given_twist(frame) is not None), None)
+    if moved is not None:
+        raise ModelError(
+            f"lagrange_equations: {moved} moves by velocities in its own axes, which are no rates of coordinates; use "
+            "newton_euler"
+        )
 
 
 def _assemble(system: System) -> Assembly:

@@ -12,11 +12,11 @@ from symbody.geometry.triple import NULL, Rate, Triple
 from symbody.multibody import Action, System
 from symbody.symbolic import (
     Expr,
+    ExprLike,
     cross3,
     derivation,
     sub3,
     substitute,
-    time_derivative,
     time_derivatives,
 )
 
@@ -35,8 +35,8 @@ def newton_euler(system: System) -> Equations:
     """Return the equations of motion by recursion over the tree of frames.
 
     Outwards go the accelerations of the frames, in their own axes, with weight as an acceleration of the root; inwards
-    the wrenches that cause them. The equation of a coordinate is the power of the wrenches on the motions that depend
-    on it, per unit rate. The number of operations is proportional to the number of bodies.
+    the wrenches that cause them. The equation of a speed is the power of the wrenches on the motions that it drives,
+    per unit of it. The number of operations is proportional to the number of bodies.
 
     Raises:
         FrameError: where a frame isn't rigid by itself, as in natural coordinates.
@@ -66,7 +66,7 @@ def _assemble(system: System) -> Assembly:
 def inverse_dynamics(
     system: System, tree: FrameTree, rest: Mapping[Expr, int] | None = None
 ) -> tuple[Expr, ...]:
-    """Return the forces on the coordinates that the motion needs beyond weight and loads: the residuals.
+    """Return the forces along the speeds that the motion needs beyond weight and loads: the residuals.
 
     Args:
         system: bodies, loads and gravity.
@@ -78,30 +78,31 @@ def inverse_dynamics(
 
 def needed_wrenches(system: System, tree: FrameTree, rest: Mapping[Expr, int] | None = None) -> list[Wrench]:
     """Return, frame by frame, the wrench that the motion needs beyond weight and loads."""
-    field = AccelerationField(_minus_gravity(system), _rate(rest) if rest else time_derivatives)
+    known: dict[Expr, ExprLike] = {**system.known_rates, **(rest or {})}
+    field = AccelerationField(_minus_gravity(system), _rate(known) if known else time_derivatives)
     wrenches = [Wrench(NULL, NULL)] * len(tree.frames)
     for place, wrench in inertia_wrenches(base_inertias(system, tree, particles=True), tree, field):
         wrenches[place] = wrenches[place].plus(wrench)
     for action in tree.actions:
         anchor = action.anchor
         place = tree.index(anchor.frame)
-        wrenches[place] = wrenches[place].minus(_load(action, anchor, rest or {}))
+        wrenches[place] = wrenches[place].minus(_load(action, anchor, known))
     return wrenches
 
 
 def bias(system: System, tree: FrameTree) -> tuple[Expr, ...]:
-    """Return the residuals at zero accelerations of the coordinates."""
+    """Return the residuals at zero accelerations."""
     return inverse_dynamics(system, tree, at_rest(system))
 
 
-def _rate(rest: Mapping[Expr, int]) -> Rate:
-    """Return the time derivative, with other values for the accelerations."""
-    return lambda values: substitute(time_derivatives(values), rest)
+def _rate(known: Mapping[Expr, ExprLike]) -> Rate:
+    """Return the time derivative, with other values for accelerations and rates."""
+    return lambda values: substitute(time_derivatives(values), known)
 
 
 def at_rest(system: System) -> dict[Expr, int]:
-    """Return the substitution that drops the accelerations of the coordinates."""
-    return {time_derivative(q, 2): 0 for q in system.coordinates}
+    """Return the substitution that drops the accelerations."""
+    return dict.fromkeys(system.accelerations, 0)
 
 
 def _check_rigid(tree: FrameTree) -> None:
@@ -119,7 +120,7 @@ def _minus_gravity(system: System) -> Triple:
     return sub3(NULL, system.gravity.projected(system.root).components)
 
 
-def _load(action: Action, anchor: Point, rest: Mapping[Expr, int]) -> Wrench:
-    x, y, z, u, v, w = substitute((*action.components(anchor.frame), *anchor.coordinates), rest)
+def _load(action: Action, anchor: Point, known: Mapping[Expr, ExprLike]) -> Wrench:
+    x, y, z, u, v, w = substitute((*action.components(anchor.frame), *anchor.coordinates), known)
     force = (x, y, z)
     return Wrench(force, cross3((u, v, w), force)) if action.is_force else Wrench(NULL, force)

@@ -1,4 +1,4 @@
-"""What a coordinate does to a motion: the partial derivatives of its twist by the coordinate's rate."""
+"""What a speed does to a motion: the partial derivatives of its twist by the speed."""
 
 from __future__ import annotations
 
@@ -8,20 +8,20 @@ from typing import NamedTuple
 
 from symbody.geometry.motion import Motion
 from symbody.geometry.triple import NULL, Triple, is_null
+from symbody.geometry.twist import Twist
 from symbody.symbolic import Expr, jacobian
 
 
 class PartialTwist(NamedTuple):
-    """The twist of a child in its parent, per unit rate of one coordinate."""
+    """The twist of a child in its parent, per unit of one speed, in the child's axes."""
 
     spin: Triple
-    """In the child's axes."""
     drift: Triple
-    """Of the child's origin, in the parent's axes."""
+    """Of the child's origin."""
 
 
 def partial_twists(motion: Motion, coordinates: Sequence[Expr]) -> list[PartialTwist]:
-    """Return the partial twists of a motion by each of the coordinates."""
+    """Return the partial twists of a motion by the rate of each of the coordinates."""
     drifts = _partial_drifts(motion, coordinates)
     if not motion.rotates:
         return [PartialTwist(NULL, drift) for drift in drifts]
@@ -29,12 +29,19 @@ def partial_twists(motion: Motion, coordinates: Sequence[Expr]) -> list[PartialT
     return [PartialTwist(spin, drift) for spin, drift in zip(spins, drifts, strict=True)]
 
 
+def partial_twists_by_speeds(twist: Twist, speeds: Sequence[Expr]) -> list[PartialTwist]:
+    """Return the partial twists of a twist that is given by speeds."""
+    slopes = jacobian((*twist.angular, *twist.linear), speeds)
+    columns = zip(*(slopes.row(k) for k in range(6)), strict=True)
+    return [PartialTwist((p, q, r), (u, v, w)) for p, q, r, u, v, w in columns]
+
+
 def _partial_drifts(motion: Motion, coordinates: Sequence[Expr]) -> list[Triple]:
     """Return the derivatives of the displacement by each of the coordinates."""
     if is_null(motion.displacement):
         return [NULL] * len(coordinates)
     slopes = jacobian(motion.displacement, coordinates)
-    return list(zip(slopes.row(0), slopes.row(1), slopes.row(2), strict=True))
+    return [motion.to_child(d) for d in zip(slopes.row(0), slopes.row(1), slopes.row(2), strict=True)]
 
 
 def slope(coordinate: Expr, values: Sequence[Expr]) -> tuple[Expr, ...]:

@@ -1,4 +1,4 @@
-"""Wrenches on frames, and what they do along the coordinates."""
+"""Wrenches on frames, and what they do along the speeds."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from typing import NamedTuple, final
 
 from symbody.geometry.motion import Motion
-from symbody.geometry.triple import NULL, Triple, is_null
+from symbody.geometry.triple import Triple, is_null
 from symbody.symbolic import Expr, add3, cross3, dot3, number, sub3
 
 from .frame_tree import FrameTree
@@ -42,7 +42,7 @@ class Wrench(NamedTuple):
 
 
 def generalized_forces(tree: FrameTree, wrenches: Sequence[Wrench]) -> tuple[Expr, ...]:
-    """Return the power of wrenches, one a frame and in its axes, per unit rate of each coordinate."""
+    """Return the power of wrenches, one a frame and in its axes, per unit of each speed."""
     return _Inward(tree, wrenches).forces()
 
 
@@ -53,34 +53,30 @@ class _Inward:
     def __init__(self, tree: FrameTree, wrenches: Sequence[Wrench]) -> None:
         self._tree = tree
         self._wrenches = list(wrenches)
-        self._forces = [number(0)] * len(tree.system.coordinates)
+        self._forces = [number(0)] * len(tree.system.speeds)
         self._sliding: dict[int, list[int]] = {}
-        """By parent: the children whose displacement depends on coordinates."""
+        """By parent: the children that move without turning."""
 
     def forces(self) -> tuple[Expr, ...]:
         for place in range(len(self._tree.frames) - 1, -1, -1):
             if place in self._sliding:
                 self._slide(self._sliding[place])
-            if place > 0:
-                self._pass_on(place)
+            if not self._wrenches[place].is_null:
+                self._pass_on(place, self._wrenches[place])
         return tuple(self._forces)
 
-    def _pass_on(self, place: int) -> None:
-        motion, parent, wrench = self._tree.motion(place), self._tree.parents[place], self._wrenches[place]
-        if wrench.is_null:
-            return
-        moving = self._tree.coordinates[place]
-        if moving and not motion.rotates:
+    def _pass_on(self, place: int, wrench: Wrench) -> None:
+        parent, moving = self._tree.parents[place], self._tree.coordinates[place]
+        if moving and place and not self._tree.motion(place).rotates:
             self._sliding.setdefault(parent, []).append(place)
         elif moving:
-            self._turn(motion, wrench, self._tree.partial_twists(place))
-        if self._tree.carried[parent]:
-            self._wrenches[parent] = self._wrenches[parent].plus(wrench.to_parent(motion))
+            self._turn(wrench, self._tree.partial_twists(place))
+        if place and self._tree.carried[parent]:
+            self._wrenches[parent] = self._wrenches[parent].plus(wrench.to_parent(self._tree.motion(place)))
 
-    def _turn(self, motion: Motion, wrench: Wrench, twists: dict[int, PartialTwist]) -> None:
-        force = NULL if is_null(motion.displacement) else motion.to_parent(wrench.force)
+    def _turn(self, wrench: Wrench, twists: dict[int, PartialTwist]) -> None:
         for k, twist in twists.items():
-            self._forces[k] += dot3(twist.spin, wrench.moment) + dot3(twist.drift, force)
+            self._forces[k] += dot3(twist.spin, wrench.moment) + dot3(twist.drift, wrench.force)
 
     def _slide(self, children: list[int]) -> None:
         """Add the power on translations from one parent: what moves alike shares the sum of forces."""
@@ -92,7 +88,7 @@ class _Inward:
 
 
 def alike(tree: FrameTree, children: Sequence[int]) -> dict[int, dict[Triple, int]]:
-    """Return, by coordinate and partial velocity, the subset of children that have this partial velocity."""
+    """Return, by speed and partial velocity, the subset of children that have this partial velocity."""
     result: dict[int, dict[Triple, int]] = {}
     for bit, child in enumerate(children):
         for k, twist in tree.partial_twists(child).items():

@@ -1,6 +1,6 @@
 """Frames, points and vectors, and how they move."""
 
-from .elementary import moving_frame, rotate, translate
+from .elementary import floating_frame, moving_frame, rotate, translate
 from .frame import Frame, ground
 from .point import Point, origin
 from .project import project
@@ -18,6 +18,7 @@ __all__ = [
     "angular_velocity",
     "cross",
     "dot",
+    "floating_frame",
     "frozen_velocity",
     "ground",
     "moving_frame",

@@ -16,6 +16,7 @@ from typing import NamedTuple, TypeAlias, final
 
 from symbody.symbolic import Expr, add3, cos, cross3, matvec3, number, scale3, sin, time_derivatives
 
+from .floating import Floating
 from .frame import Frame, along_chain
 from .motion import Motion, Rotation
 from .triple import NULL, Rate, Triple, is_null, rates
@@ -121,6 +122,9 @@ class AccelerationField:
         turning, linear = parent
         if not is_null(motion.displacement):
             linear = self._displaced(motion, turning, linear)
+        if isinstance(motion, Floating):
+            own = self._floated(motion, turning)
+            return Accelerated(self._turned(motion, turning), add3(own, motion.to_child(linear)))
         if not motion.rotates:
             return Accelerated(turning, linear)
         return Accelerated(self._turned(motion, turning), motion.to_child(linear))
@@ -136,9 +140,17 @@ class AccelerationField:
             return Turning(velocity, acceleration, field=_exchanged(turning.field, motion))
         return Turning(velocity, acceleration)
 
+    def _floated(self, motion: Floating, turning: Turning) -> Triple:
+        """Return ``v' + (2 R^T w_NA + w) x v``: what the twist by speeds adds, in the child's axes."""
+        v = motion.twist.linear
+        w = add3(scale3(number(2), motion.to_child(turning.velocity)), motion.twist.angular)
+        return add3(rates(v, self._rate), cross3(w, v))
+
     def _displaced(self, motion: Motion, turning: Turning, linear: Triple) -> Triple:
         if not (is_null(turning.velocity) and is_null(turning.acceleration)):
             linear = add3(linear, matvec3(turning.field, motion.displacement))
+        if isinstance(motion, Floating):
+            return linear
         drift = motion.drift(time_derivatives)
         if is_null(drift):
             return linear

@@ -6,13 +6,20 @@ from collections.abc import Sequence
 from typing import Annotated, Protocol, TypeAlias, runtime_checkable
 
 from symbody.errors import FrameError
+from symbody.symbolic import Expr, functions_of_time
 
 from .argument import checked
-from .frame import Frame, Twist, ground
+from .floating import floating
+from .frame import Frame, ground
 from .motion import AXES, Motion, Rotation, Translation
 from .orientation import ROUGH, exact_axis
 from .skew_axis import is_unit, rotation_about
 from .triple import Scalar, Triple, expression, triple
+from .twist import Twist
+
+Functions: TypeAlias = Annotated[
+    Sequence[Expr], "a list of functions of time, such as functions_of_time('x y z')"
+]
 
 
 @runtime_checkable
@@ -65,6 +72,55 @@ def moving_frame(
     (m*V, 0, 0)
     """
     return Frame.root(name or "moving frame", Twist(triple(wx, wy, wz), triple(u, v, w)))
+
+
+@checked(FrameError)
+def floating_frame(
+    name: str = "",
+    *,
+    position: Functions | None = None,
+    quaternion: Functions | None = None,
+    velocity: Functions | None = None,
+    angular_velocity: Functions | None = None,
+) -> Frame:
+    """Return the frame of a free body: its position and Euler parameters change by speeds in its own axes.
+
+    The speeds u, v, w (of the origin) and p, q, r (angular) are unknowns with an equation of motion each, the rates of
+    the coordinates x, y, z and e0, ..., e3 their expressions: ``x' = R u``, ``e' = 1/2 e o (0, p)``. A system takes
+    all of them from its frames.
+
+    Args:
+        name: what the frame is called; the functions are called by it too: x_base, u_base, ...
+        position: functions of time for x, y and z in ground, if not these.
+        quaternion: functions of time for the unit quaternion e0, e1, e2, e3, its scalar first.
+        velocity: functions of time for u, v and w.
+        angular_velocity: functions of time for p, q and r.
+
+    >>> from symbody import Body, System, Vector, ground, newton_euler, symbols
+    >>> m, Ix, Iy, Iz, g = symbols("m Ix Iy Iz g")
+    >>> top = System([Body(floating_frame(), m, Ix, Iy, Iz)], gravity=Vector(ground, 0, 0, -g))
+    >>> newton_euler(top).residuals[3]
+    Ix*p' + (Iz - Iy)*q*r
+    """
+    x, y, z = _functions("position", position, "xyz", name)
+    e0, e1, e2, e3 = _functions("quaternion", quaternion, ("e0", "e1", "e2", "e3"), name)
+    u, v, w = _functions("velocity", velocity, "uvw", name)
+    p, q, r = _functions("angular_velocity", angular_velocity, "pqr", name)
+    twist = Twist((p, q, r), (u, v, w))
+    motion = floating((x, y, z), (e0, e1, e2, e3), twist, (u, v, w, p, q, r))
+    return ground.then(motion).named(name)
+
+
+def _functions(what: str, given: Sequence[Expr] | None, names: Sequence[str], of: str) -> Sequence[Expr]:
+    """Return functions of time: those given, or new ones of these names."""
+    if given is None:
+        return list(functions_of_time([f"{name}_{of}" if of else name for name in names]))
+    if len(given) != len(names) or any(f.kind != "time_function" or f.order for f in given):
+        raise FrameError(
+            f"floating_frame: {what} = {', '.join(map(str, given))}; expected {len(names)} functions of time, such as "
+            f"functions_of_time({' '.join(names)!r})"
+        )
+    return tuple(given)
 
 
 def _principal(axis: str) -> int:

@@ -7,25 +7,20 @@ from hashlib import blake2b
 from typing import Annotated, NamedTuple, TypeAlias, TypeVar, final
 
 from symbody.errors import FrameError
-from symbody.symbolic import Matrix, add3, derivation, dot3, number
+from symbody.symbolic import Expr, Matrix, add3, derivation, dot3, number
 
 from .argument import checked
+from .floating import Floating
 from .motion import Motion, Rotation, Rows, Substitution, Translation
 from .orientation import ROUGH, distance_from_rotation, turns
 from .placement import Placement, is_rotation
 from .triple import NULL, Scalar, Triple, triple
+from .twist import Twist
 
 State = TypeVar("State")
 Rows4: TypeAlias = Annotated[
     Matrix | Sequence[Sequence[Scalar]], "a 4x4 matrix: four rows of four entries each"
 ]
-
-
-class Twist(NamedTuple):
-    """The velocity field of a rigid frame: angular velocity, and velocity of the origin."""
-
-    angular: Triple
-    linear: Triple
 
 
 class Pose(NamedTuple):
@@ -154,6 +149,12 @@ class Frame:
         while not frame.is_rigid and frame.parent is not None:
             frame = frame.parent
         return frame
+
+    @property
+    def kinematics(self) -> dict[Expr, Expr]:
+        """The coordinates of floating frames in the chain, and their rates by the speeds."""
+        floating = [motion for motion in self.motions if isinstance(motion, Floating)]
+        return {q: rate for motion in floating for q, rate in motion.kinematics.items()}
 
     def inverse(self) -> Frame:
         """Return the frame that undoes this one: the ground as seen from here (by the transpose, where not rigid)."""

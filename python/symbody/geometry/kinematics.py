@@ -14,10 +14,12 @@ from typing import NamedTuple
 
 from symbody.symbolic import add3, cross3, derivation, matvec3, time_derivatives
 
-from .frame import UNMOVED, Frame, Pose, Twist, along_chain, moved
+from .floating import Floating
+from .frame import UNMOVED, Frame, Pose, along_chain, moved
 from .motion import Motion
 from .placement import axial_rate, transposed
 from .triple import NULL, Rate, Triple, is_null, rates
+from .twist import Twist
 
 
 class Seen(NamedTuple):
@@ -41,9 +43,13 @@ def _root_twist(root: Frame) -> Twist:
 def _twist_step(motion: Motion, parent: Twist) -> Twist:
     linear = parent.linear
     if not is_null(motion.displacement):
-        linear = add3(
-            add3(linear, cross3(parent.angular, motion.displacement)), motion.drift(time_derivatives)
-        )
+        linear = add3(linear, cross3(parent.angular, motion.displacement))
+    if isinstance(motion, Floating):
+        own = motion.twist
+        angular = add3(motion.to_child(parent.angular), own.angular)
+        return Twist(angular, add3(motion.to_child(linear), own.linear))
+    if not is_null(motion.displacement):
+        linear = add3(linear, motion.drift(time_derivatives))
     if not motion.rotates:
         return Twist(parent.angular, linear)
     angular = add3(motion.to_child(parent.angular), motion.spin(time_derivatives))

@@ -48,7 +48,7 @@ class Placement(Motion):
     def inverse(self) -> tuple[Motion, ...]:
         return (Placement(transposed(self.rows), sub3(NULL, self.to_child(self._displacement))),)
 
-    def subs(self, substitution: Substitution) -> Motion:
+    def subs(self, substitution: Substitution) -> Placement:
         values = Matrix([self.variables]).subs(substitution).entries
         rows = (
             (values[0], values[1], values[2]),

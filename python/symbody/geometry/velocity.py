@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from symbody.errors import FrameError
-from symbody.symbolic import add3, cross3, derivation, time_derivatives
+from symbody.symbolic import add3, cross3, derivation
 
 from .argument import checked
+from .floating import rate_by
 from .frame import Frame
 from .kinematics import material_velocity, spin
 from .point import Point
@@ -37,20 +38,20 @@ def acceleration(thing: Point | Vector, frame: Frame | None = None) -> Vector:
     """Return the acceleration of a point, or the second rate of a vector, as seen from a frame and in its axes."""
     observer = thing.frame.ancestor if frame is None else frame
     with derivation():
-        return Vector(observer, *_rate(_velocity(thing, observer), observer))
+        return Vector(observer, *_rate(_velocity(thing, observer), observer, thing.frame))
 
 
 def _velocity(thing: Point | Vector, observer: Frame) -> Triple:
     seen = thing.projected(observer)
     if isinstance(seen, Vector):
-        return _rate(seen.components, observer)
-    own = _rate(seen.coordinates, observer)
+        return _rate(seen.components, observer, thing.frame)
+    own = _rate(seen.coordinates, observer, thing.frame)
     return own if observer.carrier is None else add3(own, observer.carrier.linear)
 
 
-def _rate(components: Triple, observer: Frame) -> Triple:
+def _rate(components: Triple, observer: Frame, frame: Frame) -> Triple:
     """Return the rate of components; a moving master frame stands for ground, so that its turning counts."""
-    change = rates(components, time_derivatives)
+    change = rates(components, rate_by(observer.kinematics | frame.kinematics))
     return change if observer.carrier is None else add3(change, cross3(observer.carrier.angular, components))
 
 

@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Iterator, Sequence
+from functools import cached_property
 from itertools import count, islice
 from typing import Annotated, TypeAlias, TypeVar, final
 
 from symbody.errors import ConstraintError, ModelError
 from symbody.geometry import Frame, Scalar, Vector
 from symbody.geometry.argument import checked
-from symbody.geometry.triple import expression
-from symbody.symbolic import Expr, functions_of_time
+from symbody.geometry.floating import Floating, known_rates, rate_by
+from symbody.geometry.triple import Rate, expression
+from symbody.symbolic import Expr, functions_of_time, time_derivative
 
 from .body import Body
 from .load import Load
@@ -37,9 +39,12 @@ class System:
     Args:
         bodies: what has mass.
         loads: what acts on bodies, beside weight.
-        coordinates: the functions of time in which the configuration is written, in the order of the equations.
+        coordinates: the functions of time in which the configuration is written, in the order of the equations; those
+            of floating frames come first unless they are listed.
         constraints: expressions of the coordinates that are zero.
         gravity: the acceleration of weight.
+        speeds: the functions of time that are velocities in moving frames (quasi-velocities); those of floating frames
+            come first unless they are listed.
         multipliers: one function of time per constraint; ``lambda1``, ``lambda2``, ... by default.
         name: what to call the system.
 
@@ -55,14 +60,19 @@ class System:
         constraints: Conditions = (),
         gravity: Vector | None = None,
         *,
+        speeds: Coordinates = (),
         multipliers: Coordinates = (),
         name: str = "",
     ) -> None:
         self.bodies: tuple[Body, ...] = _ordered(bodies)
         self.loads: tuple[Load, ...] = _ordered(loads)
-        self.coordinates = tuple(expression(coordinate) for coordinate in coordinates)
-        self.constraints = tuple(expression(constraint) for constraint in constraints)
         self.gravity = gravity
+        floating = [frame.motion for frame in self._frames() if isinstance(frame.motion, Floating)]
+        self.kinematics = {q: rate for motion in floating for q, rate in motion.kinematics.items()}
+        """The coordinates of floating frames, and their rates by speeds."""
+        self.coordinates = _completed(coordinates, self.kinematics)
+        self.quasi_velocities = _completed(speeds, [u for motion in floating for u in motion.speeds])
+        self.constraints = tuple(expression(constraint) for constraint in constraints)
         self.name = name
         self.multipliers = tuple(multipliers) or self._default_multipliers()
         self._check()
@@ -72,30 +82,78 @@ class System:
         """The frame on which all bodies hang: ground, or a moving master frame."""
         return self.bodies[0].frame.ancestor
 
+    @cached_property
+    def driving(self) -> tuple[Expr, ...]:
+        """The quasi-velocities, then the coordinates whose rates are speeds: what the motion is free in."""
+        return self.quasi_velocities + tuple(q for q in self.coordinates if q not in self.kinematics)
+
+    @cached_property
+    def speeds(self) -> tuple[Expr, ...]:
+        """The speeds, one for each equation of motion: the quasi-velocities, then rates of coordinates."""
+        n = len(self.quasi_velocities)
+        return self.quasi_velocities + tuple(time_derivative(q) for q in self.driving[n:])
+
+    @cached_property
+    def accelerations(self) -> tuple[Expr, ...]:
+        """The rates of the speeds."""
+        return tuple(time_derivative(u) for u in self.speeds)
+
+    @property
+    def has_quasi_velocities(self) -> bool:
+        """Whether some speed is no rate of a coordinate, or some rate no speed."""
+        return self.driving != self.coordinates
+
+    @cached_property
+    def known_rates(self) -> dict[Expr, Expr]:
+        """The rates of coordinates that are no speeds, by speeds."""
+        return known_rates(self.kinematics)
+
+    @cached_property
+    def rate(self) -> Rate:
+        """The time derivative, with these rates put in."""
+        return rate_by(self.kinematics)
+
     def _check(self) -> None:
         if not self.bodies:
             raise ModelError("System: no bodies; give at least one")
         _check_single(self.bodies, "the body")
         _check_single(self.loads, "the load")
+        self._check_gravity()
         self._check_coordinates()
         self._check_constraints()
         self._check_multipliers()
 
     def _check_coordinates(self) -> None:
-        if not self.coordinates:
+        if not (self.coordinates or self.quasi_velocities):
             raise ModelError(
                 "System: no coordinates; give the functions of time that describe the motion, in order"
             )
         for coordinate in self.coordinates:
             check_function_of_time(coordinate, "System: the coordinate")
+        for speed in self.quasi_velocities:
+            check_function_of_time(speed, "System: the speed")
         _check_single(self.coordinates, "the coordinate")
+        _check_single(self.quasi_velocities, "the speed")
+        for speed in self.quasi_velocities:
+            if speed in self.coordinates:
+                raise ModelError(
+                    f"System: {speed} is both a coordinate and a speed; the rates of coordinates are speeds anyway: "
+                    "leave it out of one of them"
+                )
+
+    def _check_gravity(self) -> None:
+        if self.gravity is not None and self.gravity.frame.ancestor != self.root:
+            raise ModelError(
+                f"System: the gravity is given in {self.gravity.frame}, which can't be seen from {self.root}, on "
+                f"which the bodies hang; give its components in {self.root}"
+            )
 
     def _check_constraints(self) -> None:
-        n, m = len(self.coordinates), len(self.constraints)
+        n, m = len(self.speeds), len(self.constraints)
         if m >= n:
+            what = "speeds" if self.quasi_velocities else "coordinates"
             raise ConstraintError(
-                f"System: {m} constraints on {n} coordinates leave no motion; expected fewer constraints than "
-                "coordinates"
+                f"System: {m} constraints on {n} {what} leave no motion; expected fewer constraints than {what}"
             )
         if len(self.multipliers) != m:
             raise ConstraintError(
@@ -128,28 +186,45 @@ class System:
 
     def _names(self) -> frozenset[str]:
         """Return the names of all that stands in the model."""
-        leaves = {*self.coordinates}
+        leaves = {*self.coordinates, *self.quasi_velocities}
         for value in self._values():
             leaves |= value.free_symbols
         return frozenset(leaf.name for leaf in leaves if leaf.kind != "application")
 
     def _values(self) -> Iterator[Expr]:
-        frames = {body.frame for body in self.bodies}
         yield from self.constraints
         for body in self.bodies:
             yield from (body.mass, *body.moments, *body.products)
         for action in (action for load in self.loads for action in load.actions):
-            frames.add(action.vector.frame)
             yield from action.vector.components
             if action.point is not None:
-                frames.add(action.point.frame)
                 yield from action.point.coordinates
         if self.gravity is not None:
-            frames.add(self.gravity.frame)
             yield from self.gravity.components
-        for frame in _all_frames(frames):
+        for frame in self._frames():
             if frame.motion is not None:
                 yield from frame.motion.variables
+            if frame.carrier is not None:
+                yield from (*frame.carrier.angular, *frame.carrier.linear)
+
+    def _frames(self) -> dict[Frame, None]:
+        """Return all frames of the model, those on which others hang before them."""
+        frames = [body.frame for body in self.bodies]
+        for action in (action for load in self.loads for action in load.actions):
+            frames += (
+                [action.vector.frame] if action.point is None else [action.vector.frame, action.point.frame]
+            )
+        if self.gravity is not None:
+            frames.append(self.gravity.frame)
+        found: dict[Frame, None] = {}
+        for frame in frames:
+            missing = []
+            link: Frame | None = frame
+            while link is not None and link not in found:
+                missing.append(link)
+                link = link.parent
+            found |= dict.fromkeys(reversed(missing))
+        return found
 
     def __repr__(self) -> str:
         parts = [
@@ -157,6 +232,8 @@ class System:
             f"{len(self.loads)} loads",
             f"{len(self.coordinates)} coordinates",
         ]
+        if self.quasi_velocities:
+            parts.append(f"{len(self.quasi_velocities)} quasi-velocities")
         if self.constraints:
             parts.append(f"{len(self.constraints)} constraints")
         return f"System({', '.join([self.name, *parts] if self.name else parts)})"
@@ -201,12 +278,7 @@ def check_function_of_time(thing: Expr, where: str) -> None:
         raise ModelError(f"{where} {thing} isn't a function of time; make it with functions_of_time")
 
 
-def _all_frames(frames: Iterable[Frame]) -> set[Frame]:
-    """Return frames and all those on which they hang."""
-    found: set[Frame] = set()
-    for frame in frames:
-        link: Frame | None = frame
-        while link is not None and link not in found:
-            found.add(link)
-            link = link.parent
-    return found
+def _completed(given: Sequence[Expr], needed: Iterable[Expr]) -> tuple[Expr, ...]:
+    """Return what is needed and not given, then what is given."""
+    listed = tuple(expression(each) for each in given)
+    return (*(each for each in dict.fromkeys(needed) if each not in listed), *listed)

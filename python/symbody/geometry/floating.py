@@ -1,0 +1,142 @@
+"""Floating frames: a pose by coordinates, a twist by speeds that are no rates of them (quasi-velocities).
+
+With A the parent, B the child, R and p its pose in A, and v and w its twist in A, in the axes of B:
+
+    p' = R v        R' = R [w x]        a_NB = R^T (a_NA + F_A p) + v' + (2 R^T w_NA + w) x v
+
+The unit quaternion of Euler parameters e0, ..., e3 has the rates ``e' = 1/2 e o (0, w)`` [Nikravesh 1988, ch. 6]. Its
+rotation matrix is divided by its norm, which is one and stays so: it is a rotation whatever the rounding errors.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import TypeAlias, final
+
+from symbody.symbolic import (
+    Expr,
+    cross3,
+    dot3,
+    number,
+    scale3,
+    sub3,
+    substitute,
+    time_derivative,
+    time_derivatives,
+)
+
+from .motion import Motion, Rows, Substitution
+from .placement import Placement
+from .triple import Rate, Triple
+from .twist import Twist
+
+Quaternion: TypeAlias = tuple[Expr, Expr, Expr, Expr]
+"""Euler parameters: cos(a/2), and sin(a/2) times the axis, of a turn by a."""
+
+
+@final
+class Floating(Motion):
+    """A motion whose pose and twist are given on their own.
+
+    Attributes:
+        twist: of the child in the parent, in the child's axes.
+        kinematics: the pose's coordinates, and their rates by the twist.
+        speeds: what of the twist is unknown, if nobody says otherwise.
+    """
+
+    tag = b"floating"
+
+    def __init__(
+        self, pose: Placement, twist: Twist, kinematics: Mapping[Expr, Expr], speeds: Sequence[Expr] = ()
+    ) -> None:
+        self._pose = pose
+        self.twist = twist
+        self.kinematics = dict(kinematics)
+        self.speeds = tuple(speeds)
+        self.is_rigid = pose.is_rigid
+
+    @property
+    def variables(self) -> tuple[Expr, ...]:
+        return *self._pose.variables, *self.twist.angular, *self.twist.linear
+
+    @property
+    def displacement(self) -> Triple:
+        return self._pose.displacement
+
+    def to_parent(self, v: Triple) -> Triple:
+        return self._pose.to_parent(v)
+
+    def to_child(self, v: Triple) -> Triple:
+        return self._pose.to_child(v)
+
+    def spin(self, rate: Rate) -> Triple:
+        del rate
+        return self.twist.angular
+
+    def drift(self, rate: Rate) -> Triple:
+        del rate
+        return self.to_parent(self.twist.linear)
+
+    def inverse(self) -> tuple[Motion, ...]:
+        (pose,) = self._pose.inverse()
+        assert isinstance(pose, Placement), "the inverse of a pose is a pose"
+        w, v = (self.to_parent(part) for part in self.twist)
+        back = Twist(scale3(number(-1), w), sub3(cross3(w, self.displacement), v))
+        return (Floating(pose, back, self.kinematics, self.speeds),)
+
+    def subs(self, substitution: Substitution) -> Motion:
+        (x, y, z), (u, v, w) = self.twist
+        x, y, z, u, v, w = substitute((x, y, z, u, v, w), substitution)
+        known = {
+            coordinate: rate.subs(substitution)
+            for coordinate, rate in self.kinematics.items()
+            if coordinate not in substitution
+        }
+        speeds = tuple(speed for speed in self.speeds if speed not in substitution)
+        return Floating(self._pose.subs(substitution), Twist((x, y, z), (u, v, w)), known, speeds)
+
+
+def floating(position: Triple, quaternion: Quaternion, twist: Twist, speeds: Sequence[Expr]) -> Floating:
+    """Return the motion of a free body, with the kinematics of its position and its Euler parameters."""
+    rows = rotation_rows(quaternion)
+    pose = Placement(rows, position)
+    v = pose.to_parent(twist.linear)
+    e = quaternion_rates(quaternion, twist.angular)
+    kinematics = dict(zip((*position, *quaternion), (*v, *e), strict=True))
+    return Floating(pose, twist, kinematics, speeds)
+
+
+def rotation_rows(quaternion: Quaternion) -> Rows:
+    """Return ``R = 1 + 2 / (e . e) (e0 [e x] + [e x][e x])`` by rows."""
+    w, x, y, z = quaternion
+    s = 2 / (w * w + x * x + y * y + z * z)
+    sx, sy, sz = s * x, s * y, s * z
+    xx, yy, zz, xy, yz, zx = sx * x, sy * y, sz * z, sx * y, sy * z, sz * x
+    wx, wy, wz = w * sx, w * sy, w * sz
+    return (
+        (1 - (yy + zz), xy - wz, zx + wy),
+        (xy + wz, 1 - (zz + xx), yz - wx),
+        (zx - wy, yz + wx, 1 - (xx + yy)),
+    )
+
+
+def quaternion_rates(quaternion: Quaternion, w: Triple) -> Quaternion:
+    """Return ``e' = 1/2 e o (0, w)``, by the angular velocity in the turned axes."""
+    e0, *e = quaternion
+    vector = (e[0], e[1], e[2])
+    x, y, z = (e0 * a + b for a, b in zip(w, cross3(vector, w), strict=True))
+    half = number(1) / 2
+    return -half * dot3(vector, w), half * x, half * y, half * z
+
+
+def known_rates(kinematics: Mapping[Expr, Expr]) -> dict[Expr, Expr]:
+    """Return the substitution of the coordinates' rates."""
+    return {time_derivative(coordinate): rate for coordinate, rate in kinematics.items()}
+
+
+def rate_by(kinematics: Mapping[Expr, Expr]) -> Rate:
+    """Return the time derivative, with the rates of coordinates given by speeds."""
+    if not kinematics:
+        return time_derivatives
+    known = known_rates(kinematics)
+    return lambda values: substitute(time_derivatives(values), known)

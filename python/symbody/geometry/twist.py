@@ -1,0 +1,14 @@
+"""Twists: how a rigid frame moves at an instant."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+from .triple import Triple
+
+
+class Twist(NamedTuple):
+    """The velocity field of a rigid frame: angular velocity, and velocity of the origin."""
+
+    angular: Triple
+    linear: Triple
