@@ -11,7 +11,7 @@ from symbody.geometry.motion import Motion
 from symbody.multibody import Load, System
 from symbody.symbolic import functions
 from tests.laws import test_formalisms, test_rewrites
-from tests.laws.random_system import random_system
+from tests.laws.random_system import random_floating_system, random_system
 from tests.reference import test_robots
 from tests.symbolic import test_textbook_forms
 
@@ -25,7 +25,7 @@ def concrete(base: type) -> Iterator[type]:
 
 
 def systems() -> list[System]:
-    return [random_system(seed) for seed in range(60)]
+    return [random_system(seed) for seed in range(60)] + [random_floating_system(seed) for seed in range(20)]
 
 
 def test_every_motion_occurs_in_the_random_systems() -> None:

@@ -15,6 +15,7 @@ from symbody import (
     Torque,
     Vector,
     cos,
+    floating_frame,
     functions_of_time,
     ground,
     number,
@@ -35,6 +36,8 @@ class Maker:
     symbolic: bool
     coordinates: list[Expr] = field(default_factory=list)
     count: int = 0
+    afloat: list[Expr] = field(default_factory=list)
+    """The coordinates of a floating frame, on which loads may depend."""
 
     def parameter(self, name: str) -> Expr:
         self.count += 1
@@ -115,7 +118,7 @@ class Maker:
         if on is None:
             on, reaction = reaction, None
         assert on is not None
-        q = self.random.choice(self.coordinates)
+        q = self.random.choice([*self.coordinates, *self.afloat])
         size = [self.parameter("F"), self.parameter("k") * q, self.parameter("d") * time_derivative(q)]
         vector = Vector(self.random.choice(frames), *self.random.sample(size, 3))
         if self.random.random() < 0.4:
@@ -126,9 +129,21 @@ class Maker:
 
 def random_system(seed: int, *, symbolic: bool = True, size: int = 4, loads: int = 2) -> System:
     """Return a tree of bodies."""
-    random = Random(seed)
-    maker = Maker(random, symbolic)
-    frames, bodies = [ground], list[Body]()
+    maker = Maker(Random(seed), symbolic)
+    return _random_system(maker, [ground], size=size, loads=loads)
+
+
+def random_floating_system(
+    seed: int, *, symbolic: bool = True, size: int = 3, loads: int = 2, base: Frame = ground
+) -> System:
+    """Return a tree of bodies that floats, and perhaps something beside it."""
+    floating = base * floating_frame("base")
+    maker = Maker(Random(seed), symbolic, afloat=list(floating.kinematics))
+    return _random_system(maker, [ground, floating], size=size, loads=loads)
+
+
+def _random_system(maker: Maker, frames: list[Frame], *, size: int, loads: int) -> System:
+    random, bodies = maker.random, [maker.body(frame) for frame in frames[1:]]
     while len(bodies) < size or not maker.coordinates:
         frame = random.choice(frames[-2:]) * maker.motion()
         if random.random() < 0.5:
