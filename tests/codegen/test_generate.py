@@ -11,7 +11,20 @@ import pytest
 from symbody.codegen import TARGETS, check, generate, source
 from symbody.codegen.names import Scope, identifier
 from symbody.errors import CodegenError, ProgramError
-from symbody.symbolic import Argument, Program, Result, Routine, log, sin, symbols
+from symbody.symbolic import (
+    Argument,
+    Piecewise,
+    Program,
+    Result,
+    Routine,
+    acos,
+    asin,
+    log,
+    number,
+    sin,
+    sqrt,
+    symbols,
+)
 from tests.codegen.programs import double_pendulum, everything, pendulum
 
 NAMES = ", ".join(TARGETS)
@@ -136,6 +149,27 @@ def test_results_that_are_never_finite() -> None:
         report = check(program, target)
         assert "wave: z" in report
         assert "wave: y" not in report
+
+
+def test_numbers_beyond_doubles() -> None:
+    (x,) = symbols(["x"])
+    huge = Routine("huge", "", ("q",), (Result("y", "", (x + number(10) ** 400,), ()),))
+    with pytest.raises(ProgramError) as caught:
+        source(Program("far", "", (Argument("q", "", (x,), "positions"),), (huge,)), "c")
+    assert str(caught.value) == (
+        "the routine huge contains a number beyond the range of doubles; choose other units"
+    )
+
+
+@pytest.mark.parametrize("target", ["c", "fortran", "matlab", "python", "rust"])
+def test_no_number_outside_of_a_domain(target: str) -> None:
+    """What isn't real is no number, and no complex one, for whoever branches on it."""
+    (x,) = symbols(["x"])
+    y = -1 - x**2
+    functions = [sqrt(y), log(y), asin(y - 1), acos(y - 1), y ** (x / 3)]
+    values = [Piecewise((1, f), (2, -f), otherwise=3) for f in functions]
+    wave = Routine("wave", "", ("q",), (Result("v", "", tuple(values), (5,)),))
+    check(Program("domain", "", (Argument("q", "", (x,), "positions"),), (wave,)), target)
 
 
 def unused() -> Program:

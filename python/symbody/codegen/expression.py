@@ -67,7 +67,7 @@ def _bracketed(text: str) -> str:
     return f"({text})"
 
 
-_BREAKS = re.compile(r"[-+,?] | : |[*/]|[(\[{]|[)\]}]|\"[^\"]*\"")
+_BREAKS = re.compile(r"[-+,?] | : |\*\*|[*/]|[(\[{]|[)\]}]|\"[^\"]*\"")
 
 
 def wrapped(line: str, language: Language, indent: str) -> list[str]:
@@ -89,8 +89,8 @@ def _break(line: str, room: int) -> int:
     for found in _BREAKS.finditer(line):
         sign = found.group()
         depth += (sign in "([{") - (sign in ")]}")
-        if sign[-1] == " " or sign in "*/":
-            places.append((found.end(), depth + (sign in "*/") / 2))
+        if sign[-1] in " */":
+            places.append((found.end(), depth + (sign[-1] in "*/") / 2))
         if found.end() > room + 1 and places:
             break
     near = [(place, depth) for place, depth in places if place <= room + 1] or places[:1]

@@ -18,6 +18,7 @@ baremodule begin break catch const continue do else elseif end export false fina
 isa let local macro module mutable primitive quote return struct true try type using where while abstract
 abs acos asin atan cos cosh exp log max min sign sin sinh sqrt tan tanh ifelse pi im Inf NaN undef Array Vector Matrix
 eltype promote_type reshape permutedims number compare reference failures linear_solve exit println include
+real_sqrt real_log real_asin real_acos real_power
 """
 
 LANGUAGE = Language(
@@ -25,11 +26,12 @@ LANGUAGE = Language(
     declare="{name} = {value}",
     assign="{place} = {value}",
     functions=functions(
+        **{name: f"real_{name}({{}})" for name in ("sqrt", "log", "asin", "acos")},
         atan2="atan({}, {})",
         Abs="abs({})",
         Min="min({}, {})",
         Max="max({}, {})",
-        Power="({})^({})",
+        Power="real_power({}, {})",
         select="ifelse({} > 0, {}, {})",
     ),
     reserved=frozenset(_NAMES.split()),
@@ -39,6 +41,15 @@ LANGUAGE = Language(
     clear="fill!({array}, 0)",
     solve="{x} .= linear_solve(permutedims(reshape({work}, {n}, {n})), {x})",
 )
+
+# Outside of their domains these are no numbers, as in other languages, where Julia's own throw errors.
+_HELPERS = {
+    "sqrt": "real_sqrt(x) = x < 0 ? NaN*x : sqrt(x)",
+    "log": "real_log(x) = x < 0 ? NaN*x : log(x)",
+    "asin": "real_asin(x) = abs(x) > 1 ? NaN*x : asin(x)",
+    "acos": "real_acos(x) = abs(x) > 1 ? NaN*x : acos(x)",
+    "Power": "real_power(x, y) = x < 0 && !isinteger(y) ? NaN*x : x^y",
+}
 
 
 def _files(module: Module) -> dict[str, str]:
@@ -52,6 +63,8 @@ def _source(module: Module) -> str:
     lines += wrapped(f"export {exported}", LANGUAGE, "")
     for function in module.functions:
         lines += ["", *_function(function)]
+    helpers = [text for name, text in _HELPERS.items() if name in module.operations]
+    lines += ["", *helpers] if helpers else []
     if "factor" in module.operations:
         lines += ["", runtime.SNIPPETS["julia"].strip()]
     return "\n".join([*lines, "", "end"]) + "\n"

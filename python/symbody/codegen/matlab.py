@@ -17,15 +17,32 @@ _NAMES = """
 break case catch classdef continue else elseif end for function global if otherwise parfor persistent return
 spmd switch try while do until unwind_protect endfunction endif endfor endwhile end_try_catch i j I J e pi eps
 Inf NaN inf nan ans class double char size numel all any isequal functions ones zeros abs acos asin atan atan2
-cos cosh exp log max min power sign sin sinh sqrt tan tanh isnan select least greatest compare fprintf error
-reshape linear_solve
+cos cosh exp log max min power sign sin sinh sqrt tan tanh isnan select least greatest real imag real_or_nan
+compare fprintf error reshape linear_solve
+"""
+
+_SOMETIMES_COMPLEX = ("sqrt", "log", "asin", "acos")
+_REAL = """
+function value = real_or_nan(value)
+    if imag(value) == 0.0
+        value = real(value);
+    else
+        value = NaN;
+    end
+end
 """
 
 LANGUAGE = Language(
     comment=("%", ""),
     declare="{name} = {value};",
     assign="{place} = {value};",
-    functions=functions(Abs="abs({})", Min="least({}, {})", Max="greatest({}, {})", Power="power({}, {})"),
+    functions=functions(
+        **{name: f"real_or_nan({name}({{}}))" for name in _SOMETIMES_COMPLEX},
+        Abs="abs({})",
+        Min="least({}, {})",
+        Max="greatest({}, {})",
+        Power="real_or_nan(power({}, {}))",
+    ),
     reserved=frozenset(_NAMES.split()),
     literal=number_text,
     entry="{}({})",
@@ -36,6 +53,7 @@ LANGUAGE = Language(
 )
 
 _HELPERS = {
+    **dict.fromkeys((*_SOMETIMES_COMPLEX, "Power"), _REAL),
     "select": """
 function value = select(condition, positive, other)
     value = other;
@@ -100,7 +118,7 @@ def _file(module: Module, function: Function) -> str:
     lines += [f"    {name} = {zeros};" for name, zeros in arrays]
     for block in function.composition.blocks:
         lines += block_lines(block, LANGUAGE, function.shapes)
-    helpers = [text for name, text in _HELPERS.items() if name in function.operations]
+    helpers = list(dict.fromkeys(text for name, text in _HELPERS.items() if name in function.operations))
     if "factor" in function.operations:
         helpers.append(runtime.SNIPPETS["matlab"])
     return "\n".join([*lines, "end", *(line for text in helpers for line in ["", text.strip()])]) + "\n"

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
-from math import prod
+from math import isfinite, prod
 
 from symbody.codegen.compose import Composition, compose
 from symbody.codegen.count import counts_by_stage
@@ -15,6 +15,7 @@ from symbody.codegen.preparation import Preparation
 from symbody.codegen.runtime import factor_size
 from symbody.codegen.sample import Sample, sample_of
 from symbody.codegen.straight_line import Code, Input, code_of
+from symbody.errors import ProgramError
 from symbody.symbolic import Argument, Program, Routine, t
 
 __all__ = ["Array", "Function", "Module", "module_name", "module_of"]
@@ -165,7 +166,12 @@ class _Modeler:
         return Array(self.scope.claim(argument.name), meaning, names, shape)
 
     def _code(self, routine: Routine) -> Code:
-        return code_of(self.program.arguments_of(routine), routine.expressions)
+        code = code_of(self.program.arguments_of(routine), routine.expressions)
+        if not all(map(isfinite, code.constants)):
+            raise ProgramError(
+                f"the routine {routine.name} contains a number beyond the range of doubles; choose other units"
+            )
+        return code
 
     def _taken(self, routine: Routine, constants: Array | None) -> tuple[Array, ...]:
         """Return the arguments of a routine, the constants of the model in the place of parameters."""
