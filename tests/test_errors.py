@@ -22,6 +22,7 @@ from symbody import (
     dot,
     errors,
     euler_equations,
+    floating_frame,
     frozen_velocity,
     functions_of_time,
     generalized_force,
@@ -52,6 +53,8 @@ other = Body(translate(x, 0, 0), m, name="cart")
 G = body.center_of_mass
 push = Force(ground, F, 0, 0, at=G, on=body, name="push")
 vehicle = moving_frame(a, 0, 0, 0, 0, b, name="vehicle")
+afloat = floating_frame("afloat")
+x_afloat = afloat.pose.origin[0]
 natural = Frame([[x, -y, 0, 0], [y, x, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]).named("TN")
 
 
@@ -562,11 +565,62 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
             "make forces of what depends on accelerations"
         ),
     ),
+    # --- speeds ---
+    (
+        errors.ModelError,
+        lambda: newton_euler(System([Body(vehicle, m)], speeds=[x])),
+        (
+            "newton_euler: the speed x moves no frame of a body; leave it out of the speeds, or build a moving frame "
+            "with it"
+        ),
+    ),
+    (
+        errors.ModelError,
+        lambda: newton_euler(System([Body(moving_frame(x**2, 0, 0, 0, 0, 0, name="cart"), m)], speeds=[x])),
+        (
+            "newton_euler: the velocities of cart aren't linear in the speed x; expected velocities that are linear in "
+            "all speeds"
+        ),
+    ),
+    (
+        errors.ModelError,
+        lambda: newton_euler(System([Body((afloat * rotate("X", x_afloat)).named("door"), m)])),
+        "newton_euler: door is moved by x_afloat, a coordinate of a floating frame; expected coordinates of its own",
+    ),
+    (
+        errors.ModelError,
+        lambda: System([Body(vehicle, m)], gravity=Vector(ground, 0, 0, 1), coordinates=[x]),
+        (
+            "System: the gravity is given in ground, which can't be seen from vehicle, on which the bodies hang; give "
+            "its components in vehicle"
+        ),
+    ),
+    (
+        errors.ModelError,
+        lambda: System([body], coordinates=[x, y], speeds=[x]),
+        (
+            "System: x is both a coordinate and a speed; the rates of coordinates are speeds anyway: leave it out of "
+            "one of them"
+        ),
+    ),
+    (
+        errors.ModelError,
+        lambda: System([body], coordinates=[x], speeds=[time_derivative(x)]),
+        "System: the speed x' isn't a function of time; make it with functions_of_time",
+    ),
+    (
+        errors.FrameError,
+        lambda: floating_frame("base", position=[x, y]),
+        "floating_frame: position = x, y; expected 3 functions of time, such as functions_of_time('x y z')",
+    ),
     # --- constraints ---
     (
         errors.ConstraintError,
-        lambda: constrained(x, y, z),
-        "System: 3 constraints on 3 coordinates leave no motion; expected fewer constraints than coordinates",
+        lambda: newton_euler(constrained(x, y, z)),
+        (
+            "System: 3 independent constraints on 3 coordinates leave no motion; expected fewer constraints than "
+            "coordinates"
+        ),
     ),
     (
         errors.ConstraintError,
@@ -603,24 +657,10 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
     ),
     (
         errors.ConstraintError,
-        lambda: newton_euler(constrained(x + y, 2 * x + 2 * y)),
+        lambda: newton_euler(constrained(x - y, 2 * x - 2 * y - 1)),
         (
-            "System: constraint 2, 2*x + 2*y = 0, depends on constraint 1: its gradient is a combination of theirs; "
-            "leave it out"
-        ),
-    ),
-    (
-        errors.ConstraintError,
-        lambda: lagrange_equations(
-            System(
-                [Body(translate(x, y, z), m)],
-                coordinates=[x, y, z, phi],
-                constraints=[x**2 - y, y - z, x**2 - z],
-            )
-        ),
-        (
-            "System: constraint 3, x**2 - z = 0, depends on constraints 1, 2: its gradient is a combination of theirs; "
-            "leave it out"
+            "System: constraint 2, 2*x - 2*y - 1 = 0, contradicts constraint 1: together they say that -1 = 0; correct "
+            "one of them"
         ),
     ),
     # --- expressions ---
@@ -664,6 +704,26 @@ def test_notice_of_a_load_that_is_left_out() -> None:
     assert [str(notice.message) for notice in notices] == [
         "newton_equations: push is left out, for it acts on bead and cart, not in the set"
     ]
+
+
+def test_notice_of_dependent_constraints() -> None:
+    frame = translate(x, y, z) * rotate("X", phi)
+    beads = System([Body(frame, m)], coordinates=[x, y, z, phi], constraints=[x**2 - y, y - z, x**2 - z])
+    rest = (
+        "its gradient is a combination of theirs, so that their multipliers aren't determined; forward dynamics takes "
+        "the least ones; leave it out if it's one too many"
+    )
+    for mistake, message in (
+        (
+            lambda: newton_euler(constrained(x + y, 2 * x + 2 * y)),
+            "2, 2*x + 2*y = 0, depends on constraint 1",
+        ),
+        (lambda: lagrange_equations(beads), "3, x**2 - z = 0, depends on constraints 1, 2"),
+    ):
+        with pytest.warns(ModelNotice) as notices:
+            mistake()
+        assert [str(notice.message) for notice in notices] == [f"System: constraint {message}: {rest}"]
+        assert notices[0].filename == __file__
 
 
 def test_generalized_forces_of_all_actions() -> None:

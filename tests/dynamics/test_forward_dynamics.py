@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import warnings
 from functools import cache
 
 import numpy as np
@@ -30,7 +31,7 @@ from symbody import (
     translate,
 )
 from symbody.dynamics import Equations
-from symbody.errors import ConstraintError, ModelError
+from symbody.errors import ConstraintError, ModelError, ModelNotice
 from tests.dynamics.models import cart_pendulum, chain, gimbal_chain
 from tests.dynamics.test_equations import bead
 from tests.reference.robot import NAMES, motion_at, robot
@@ -157,6 +158,25 @@ def test_stabilised_constraints() -> None:
     known = dict(zip(eqs.accelerations, solution.accelerations, strict=True))
     (stabilised,) = eqs.baumgarte(omega, zeta)
     assert stabilised.subs(known) == 0
+
+
+def test_dependent_constraints_take_the_least_multipliers() -> None:
+    """The forces of all multipliers are those of the first; among all that make them, theirs are the least."""
+    body, gravity = Body(translate(x, y, 0), m), Vector(ground, 0, -g, 0)
+    constraints = ([x * y - l], [x * y - l, 2 * x * y - 2 * l])
+    with pytest.warns(ModelNotice, match=r"constraint 2, .* depends on constraint 1"):
+        one, two = (newton_euler(System([body], [], [x, y], phi, gravity)) for phi in constraints)
+    state = [[0.8, 0.5], [1.5, -0.9375], [2.0, 9.81]]
+    found = []
+    for eqs in (one, two):
+        solution = forward_dynamics(eqs)
+        entries = [list(solution.accelerations), list(solution.multipliers), eqs.constraint_jacobian]
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore", ModelNotice)
+            found.append(lambdify([eqs.coordinates, eqs.speeds, [m, g]], entries)(*state))
+    (a, force, J), (b, least, K) = found
+    assert np.allclose(b, a, rtol=1e-13)
+    assert np.allclose(least, np.linalg.pinv(np.transpose(K)) @ np.transpose(J) @ force, rtol=1e-12)
 
 
 def test_dependent_speeds() -> None:

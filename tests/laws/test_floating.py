@@ -233,7 +233,7 @@ def test_a_constraint_acts_as_the_force_of_its_multipliers() -> None:
 
 
 def test_the_steady_precession_of_a_top() -> None:
-    """``(I3 s + (I3 - I1) W cos(a)) W = m g l``, I1 about the held point, at a constant tilt a [Goldstein 1980, sec. 5-7]."""
+    """``(I3 s + (I3 - I1) W cos(a)) W = m g l`` at a tilt a, I1 about the held point [Goldstein 1980, sec. 5-7]."""
     m, I1, I3, l, g, tilt, spin = 0.7, 0.011, 0.004, 0.2, 9.81, 0.6, 150.0
     base = floating_frame()
     top = Body(base, m, I1, I1, I3)

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import warnings
 from collections.abc import Sequence
+from typing import NamedTuple
 
-from symbody.errors import ConstraintError
+from symbody.errors import ConstraintError, ModelNotice
 from symbody.multibody import System
 from symbody.symbolic import Expr, Matrix, derivation, gradient, jacobian, number, time_derivative, zeros
 
@@ -45,34 +47,69 @@ def _along_speeds(forces: Sequence[Expr], system: System) -> tuple[Expr, ...]:
 
 
 def check_independent(system: System) -> None:
-    """Raise an error that names the first constraint which, at almost every position, follows from those before it."""
-    pivots: list[tuple[int, dict[int, Expr]]] = []
+    """Warn of constraints which, at almost every position, follow from those before them.
+
+    Raises:
+        ConstraintError: a constraint contradicts those before it, a combination of them being a number and not zero;
+            or those that are independent leave no motion.
+    """
+    pivots: list[tuple[int, _Combination]] = []
     phi_q = constraint_jacobian(system)
-    for place in range(len(system.constraints)):
-        row = {column: entry for column, entry in enumerate(phi_q.row(place)) if not entry.is_zero}
-        combined = []
+    for place, constraint in enumerate(system.constraints):
+        slopes = {column: entry for column, entry in enumerate(phi_q.row(place)) if not entry.is_zero}
+        combination, combined = _Combination(slopes, constraint), []
         for other, (pivot, reduced) in enumerate(pivots, start=1):
-            if pivot in row:
+            if pivot in combination.slopes:
                 combined.append(other)
-                row = _eliminated(row, pivot, reduced)
-        if not row:
-            raise ConstraintError(
-                f"System: constraint {place + 1}, {system.constraints[place]} = 0, depends on "
-                f"{_named(combined)}: its gradient is a combination of theirs; leave it out"
-            )
-        pivots.append((min(row), row))
+                combination = combination.without(pivot, reduced)
+        if combination.slopes:
+            pivots.append((min(combination.slopes), combination))
+            continue
+        pivots.append((_NOWHERE, combination))
+        _tell(system, place, combined, combination.value)
+    _check_motion_is_left(system, sum(pivot != _NOWHERE for pivot, _ in pivots))
 
 
-def _eliminated(row: dict[int, Expr], pivot: int, reduced: dict[int, Expr]) -> dict[int, Expr]:
-    factor = row[pivot] / reduced[pivot]
-    result = dict(row)
-    for column, entry in reduced.items():
-        value = result[column] - factor * entry if column in result else -factor * entry
-        if value.is_zero:
-            del result[column]
-        else:
-            result[column] = value
-    return result
+_NOWHERE = -1
+
+
+def _check_motion_is_left(system: System, independent: int) -> None:
+    n, what = len(system.speeds), "speeds" if system.quasi_velocities else "coordinates"
+    if independent == n:
+        raise ConstraintError(
+            f"System: {n} independent constraints on {n} {what} leave no motion; expected fewer constraints than "
+            f"{what}"
+        )
+
+
+class _Combination(NamedTuple):
+    """A combination of constraints: its derivatives by the speeds, by their places, and its value."""
+
+    slopes: dict[int, Expr]
+    value: Expr
+
+    def without(self, pivot: int, other: _Combination) -> _Combination:
+        """Return the combination with another one, such that the derivative by one speed vanishes."""
+        factor = self.slopes[pivot] / other.slopes[pivot]
+        slopes = dict(self.slopes)
+        for column, entry in other.slopes.items():
+            slopes[column] = slopes.get(column, number(0)) - factor * entry
+        left = {column: entry for column, entry in slopes.items() if not entry.is_zero}
+        return _Combination(left, self.value - factor * other.value)
+
+
+def _tell(system: System, place: int, combined: Sequence[int], rest: Expr) -> None:
+    constraint, others = f"System: constraint {place + 1}, {system.constraints[place]} = 0,", _named(combined)
+    if rest.is_constant and not rest.is_zero:
+        raise ConstraintError(
+            f"{constraint} contradicts {others}: together they say that {rest} = 0; correct one of them"
+        )
+    warnings.warn(
+        f"{constraint} depends on {others}: its gradient is a combination of theirs, so that their multipliers aren't "
+        "determined; forward dynamics takes the least ones; leave it out if it's one too many",
+        ModelNotice,
+        stacklevel=5,
+    )
 
 
 def _named(numbers: Sequence[int]) -> str:

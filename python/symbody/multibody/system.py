@@ -124,7 +124,7 @@ class System:
         self._check_multipliers()
 
     def _check_coordinates(self) -> None:
-        if not (self.coordinates or self.quasi_velocities):
+        if not self.driving:
             raise ModelError(
                 "System: no coordinates; give the functions of time that describe the motion, in order"
             )
@@ -149,12 +149,7 @@ class System:
             )
 
     def _check_constraints(self) -> None:
-        n, m = len(self.speeds), len(self.constraints)
-        if m >= n:
-            what = "speeds" if self.quasi_velocities else "coordinates"
-            raise ConstraintError(
-                f"System: {m} constraints on {n} {what} leave no motion; expected fewer constraints than {what}"
-            )
+        m = len(self.constraints)
         if len(self.multipliers) != m:
             raise ConstraintError(
                 f"System: {len(self.multipliers)} multipliers for {m} constraints; give one for each"
