@@ -16,8 +16,8 @@ from pathlib import Path
 
 import pytest
 
+from symbody.codegen.arrange import module_name, module_of
 from symbody.codegen.generate import TARGETS, source
-from symbody.codegen.module import module_name, module_of
 from symbody.codegen.target import Target
 from symbody.codegen.toolchain import check, check_files, missing_tools
 from symbody.errors import CodegenError

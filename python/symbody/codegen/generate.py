@@ -11,6 +11,7 @@ from itertools import islice
 from pathlib import Path
 from typing import Any, Protocol
 
+from symbody.codegen.arrange import module_of
 from symbody.codegen.c import C
 from symbody.codegen.casadi import CASADI
 from symbody.codegen.fortran import FORTRAN
@@ -18,7 +19,6 @@ from symbody.codegen.jax import JAX
 from symbody.codegen.julia import JULIA
 from symbody.codegen.matlab import MATLAB
 from symbody.codegen.modelica import MODELICA
-from symbody.codegen.module import module_of
 from symbody.codegen.printer import MARK
 from symbody.codegen.python import PYTHON
 from symbody.codegen.rust import RUST

@@ -10,8 +10,8 @@ import tempfile
 from collections.abc import Mapping
 from pathlib import Path
 
+from symbody.codegen.arrange import module_name
 from symbody.codegen.generate import Programmable, program_of, source, target_of
-from symbody.codegen.module import module_name
 from symbody.codegen.target import Target
 from symbody.errors import CodegenError
 from symbody.symbolic import Program
