@@ -568,6 +568,26 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
     # --- speeds ---
     (
         errors.ModelError,
+        lambda: gravitational_energy(Body(vehicle, m), Vector(vehicle, 0, 0, a)),
+        (
+            "gravitational_energy: the bodies hang on vehicle, whose place is unknown; give the moving frame a pose"
+        ),
+    ),
+    (
+        errors.FrameError,
+        lambda: moving_frame(a, 0, b, 0, 0, 0, pose=translate(x, y, 0)),
+        (
+            "moving_frame: the pose by x, y can't follow the velocities: no solution: equation 3 (-b = 0) holds none "
+            "of the unknowns and is not zero"
+        ),
+    ),
+    (
+        errors.FrameError,
+        lambda: moving_frame(a, 0, 0, 0, 0, 0, pose=vehicle),
+        "moving_frame: the pose vehicle; expected a frame of translations and rotations away from ground",
+    ),
+    (
+        errors.ModelError,
         lambda: newton_euler(System([Body(vehicle, m)], speeds=[x])),
         (
             "newton_euler: the speed x moves no frame of a body; leave it out of the speeds, or build a moving frame "

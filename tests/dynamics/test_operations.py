@@ -4,8 +4,20 @@ from __future__ import annotations
 
 import pytest
 
-from symbody import Body, Cost, Equations, Point, System, cost, lagrange_equations, newton_euler, symbols
+from symbody import (
+    Body,
+    Cost,
+    Equations,
+    Point,
+    System,
+    cost,
+    forward_dynamics,
+    lagrange_equations,
+    newton_euler,
+    symbols,
+)
 from tests.dynamics.models import cart_pendulum, chain, gimbal_chain
+from tests.reference.robot import robot
 from tests.worksheets.test_trifilar_seed import gravity_force, solved_frame, system
 
 
@@ -25,6 +37,14 @@ def test_a_chain_of_a_hundred_bodies() -> None:
 
 def test_a_chain_of_thirty_bodies() -> None:
     assert cost(newton_euler(chain(30)).residuals).total <= 4425
+
+
+def test_a_quadruped_afloat() -> None:
+    """Solo12 by a quaternion and speeds in axes of its base: 12 joints, 17 links and all numbers folded in."""
+    equations = newton_euler(robot("solo12_floating").system)
+    assert cost(equations.residuals).total <= 1093
+    assert cost(equations.mass_matrix).total <= 628
+    assert cost(forward_dynamics(equations).accelerations).total <= 2490
 
 
 @pytest.mark.parametrize("make", [chain, gimbal_chain])

@@ -14,6 +14,7 @@ from symbody import (
     Expr,
     Force,
     Frame,
+    Matrix,
     Point,
     System,
     Vector,
@@ -25,10 +26,12 @@ from symbody import (
     euler_equations,
     floating_frame,
     forward_dynamics,
+    frozen_velocity,
     functions_of_time,
     gradient,
     gravitational_energy,
     ground,
+    identity,
     jacobian,
     kinetic_energy,
     lambdify,
@@ -47,6 +50,7 @@ from symbody import (
     translate,
     velocity,
 )
+from symbody.geometry.floating import rate_by
 from symbody.geometry.kinematics import twist
 from symbody.symbolic import derivation
 from tests.laws.random_system import random_floating_system
@@ -149,16 +153,33 @@ def test_one_body() -> None:
 
 
 @pytest.mark.parametrize("base", BASES)
-def test_velocities_seen_from_ground_are_those_by_the_speeds(base: Frame) -> None:
-    a, b, c = symbols("a b c")
-    frame = base * floating_frame("base") * translate(a, 0, b) * rotate("X", functions_of_time("q1"))
-    place = Point(frame, a, b, c)
-    angular, linear = twist(frame)
-    by_speeds = Vector(frame, *linear) + cross(Vector(frame, *angular), place - origin(frame))
-    assert velocity(place).components == project(by_speeds, ground).components
-    assert angular_velocity(frame).components == angular
-    force = newton_equations(Body(place, 1), ground)
-    assert force.components == acceleration(place).components
+def test_velocities_are_the_rates_of_what_is_seen_from_ground(base: Frame) -> None:
+    """By the speeds in local axes, and by differentiation of coordinates and components in ground."""
+    b, q1 = symbols("b"), functions_of_time("q1")
+    frame = base * floating_frame("base") * translate(0, 0, b) * rotate("X", q1)
+    rate = rate_by(frame.kinematics)
+    place, arrow = Point(frame, q1, 1, b), Vector(frame, 1, q1, b)
+    for thing, seen in (
+        (place, project(place, ground).coordinates),
+        (arrow, project(arrow, ground).components),
+    ):
+        with derivation():
+            first = rate(seen)
+            assert velocity(thing).components == first
+            assert acceleration(thing).components == rate(first)
+    rows, columns = frame.pose.rows, [Vector(frame, *axis) for axis in ((1, 0, 0), (0, 1, 0), (0, 0, 1))]
+    for axis, spun in zip(columns, (cross(angular_velocity(frame), axis) for axis in columns), strict=True):
+        assert velocity(axis).components == project(spun, ground).components
+    assert Matrix(rows) @ Matrix(rows).T == identity(3)
+
+
+@pytest.mark.parametrize("base", BASES)
+def test_what_is_fixed_in_a_frame_is_at_rest_there(base: Frame) -> None:
+    frame = base * floating_frame("base") * rotate("X", functions_of_time("q1"))
+    assert all(component.is_zero for component in velocity(Point(frame, 1, 2, 3), frame).components)
+    beside = Point(ground, 1, 2, 3)
+    relative = velocity(beside, frame)
+    assert project(relative, ground).components == (-frozen_velocity(beside, frame)).components
 
 
 @pytest.mark.parametrize("base", BASES)
@@ -252,3 +273,21 @@ def test_the_steady_precession_of_a_top() -> None:
     rates = np.array(function([*position, *e], [*v, *w]))
     # the axis precesses at W: w turns in the body by -spin about its axis
     assert np.allclose(rates[3:], np.cross([0, 0, -spin], w), rtol=1e-9, atol=1e-9)
+
+
+def test_the_pose_of_a_moving_frame_follows_its_speeds() -> None:
+    """In a plane, and by angles in space: the equations are those without a pose, weight and kinematics are new."""
+    m, I, c, g = symbols("m I c g")
+    x, y, z, yaw, pitch, roll = functions_of_time("x y z yaw pitch roll")
+    speeds = functions_of_time("u v w p q r")
+    pose = translate(x, y, z) * rotate("Z", yaw) * rotate("Y", pitch) * rotate("X", roll)
+    posed, free = (moving_frame(*speeds, pose=place) for place in (pose, None))
+    bodies = [Body(Point(frame, c, 0, 0), m, I, 2 * I, 3 * I) for frame in (posed, free)]
+    one, two = (newton_euler(System([body], speeds=speeds)) for body in bodies)
+    assert (one.residuals, one.mass_matrix) == (two.residuals, two.mass_matrix)
+    assert one.coordinates == (x, y, z, yaw, pitch, roll)
+    known = dict(one.kinematics)
+    assert angular_velocity(pose).subs(known).components == speeds[3:]
+    assert project(velocity(origin(pose)), pose).subs(known).components == speeds[:3]
+    system = System([Body(posed, m)], speeds=speeds, gravity=Vector(ground, 0, 0, -g))
+    assert rate(system, gravitational_energy(system)) == m * g * known[time_derivative(z)]

@@ -148,7 +148,7 @@ class Equations:
 
     def description(self) -> str:
         """Return the equations line by line, after what they share: what `show` prints."""
-        definitions, zeros = self._listing("text")
+        definitions, zeros, rates = self._listing("text")
         n = len(self.residuals)
         return "\n    ".join(
             [
@@ -156,22 +156,28 @@ class Equations:
                 *(f"{name} := {value}" for name, value in definitions),
                 *(f"{zero} = 0" for zero in zeros[:n]),
                 *(f"constraint: {zero} = 0" for zero in zeros[n:]),
+                *(f"kinematics: {rate} = {value}" for rate, value in rates),
             ]
         )
 
     def latex(self) -> str:
         """Return the equations and constraints in LaTeX, one a row, after what they share."""
-        definitions, zeros = self._listing("latex")
+        definitions, zeros, rates = self._listing("latex")
         rows = [f"{name} &= {value}" for name, value in definitions] + [f"{zero} &= 0" for zero in zeros]
+        rows += [f"{rate.latex()} &= {value}" for rate, value in rates]
         return r"\begin{aligned} " + r" \\ ".join(rows) + r" \end{aligned}"
 
-    def _listing(self, notation: str) -> tuple[list[tuple[str, str]], list[str]]:
-        return listing((*self.residuals, *self.constraints), notation)
+    def _listing(self, notation: str) -> tuple[list[tuple[str, str]], list[str], list[tuple[Expr, str]]]:
+        """Return what is shared, what is zero, and the rates of coordinates that are no speeds."""
+        known, zeros = self.system.known_rates, (*self.residuals, *self.constraints)
+        definitions, values = listing((*zeros, *known.values()), notation)
+        n = len(zeros)
+        return definitions, values[:n], list(zip(known, values[n:], strict=True))
 
     def _repr_latex_(self) -> str | None:
         """Show what is short enough to be read."""
-        definitions, zeros = self._listing("text")
-        return f"${self.latex()}$" if len(definitions) + len(zeros) <= _READABLE else None
+        lines = sum(len(part) for part in self._listing("text"))
+        return f"${self.latex()}$" if lines <= _READABLE else None
 
 
 _READABLE = 60

@@ -112,7 +112,7 @@ def _equations_of_motion(eqs: Equations) -> list[Routine]:
             _routine("constraints", f"the {m} constraints, which are zero", _vector("phi", eqs.constraints))
         )
         jacobian = _matrix("phi_q", eqs.constraint_jacobian)
-        routines.append(_routine("constraint_jacobian", "the derivatives of the constraints by q", jacobian))
+        routines.append(_routine("constraint_jacobian", "the derivatives of the constraints by q (of their rates by u)", jacobian))
     return routines
 
 
@@ -131,9 +131,9 @@ def _forward(eqs: Equations, method: str, baumgarte: Damping) -> list[Routine]:
 
 
 def _energies(eqs: Equations) -> tuple[Result, ...]:
-    bodies, gravity = eqs.system.bodies, eqs.system.gravity
+    bodies, gravity, moves = eqs.system.bodies, eqs.system.gravity, eqs.system.root.carrier is not None
     kinetic = Result("kinetic", "the kinetic energy", (kinetic_energy(bodies),), ())
-    if gravity is None:
+    if gravity is None or moves:
         return (kinetic,)
     weight = gravitational_energy(bodies, gravity)
     return kinetic, Result("potential", "the potential energy of weight", (weight,), ())

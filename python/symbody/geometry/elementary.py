@@ -14,6 +14,7 @@ from .frame import Frame, ground
 from .motion import AXES, Motion, Rotation, Translation
 from .orientation import ROUGH, exact_axis
 from .skew_axis import is_unit, rotation_about
+from .tracking import tracking
 from .triple import Scalar, Triple, expression, triple
 from .twist import Twist
 
@@ -60,18 +61,42 @@ def rotate(axis: Axis, angle: Scalar) -> Frame:
 
 @checked(FrameError)
 def moving_frame(
-    u: Scalar, v: Scalar, w: Scalar, wx: Scalar, wy: Scalar, wz: Scalar, *, name: str = ""
+    u: Scalar,
+    v: Scalar,
+    w: Scalar,
+    wx: Scalar,
+    wy: Scalar,
+    wz: Scalar,
+    *,
+    pose: Frame | None = None,
+    name: str = "",
 ) -> Frame:
-    """Return a moving master frame: where it is stays unknown, its velocities in its own axes are given.
+    """Return a moving master frame, whose velocities are given in its own axes.
 
-    The velocity (u, v, w) is that of the origin, (wx, wy, wz) the angular velocity.
+    Those of them that are unknown are speeds of the `System`. The rates of the pose's coordinates follow from them:
+    the tracking equations.
 
-    >>> from symbody import Body, linear_momentum, moving_frame, symbols
-    >>> V, r, m = symbols("V r m")
-    >>> linear_momentum(Body(moving_frame(V, 0, 0, 0, 0, r), m)).components
-    (m*V, 0, 0)
+    Args:
+        u: the velocity along x, such as a function of time.
+        v: along y.
+        w: along z.
+        wx: the angular velocity about x.
+        wy: about y.
+        wz: about z.
+        pose: the frame's place, such as ``translate(x, y, 0) * rotate("Z", psi)``; without it, nobody knows, and
+            ground can't be seen from the frame.
+        name: what the frame is called.
+
+    >>> from symbody import Body, System, functions_of_time, moving_frame, newton_euler, symbols
+    >>> (x, y, psi), (u, r), m = functions_of_time("x y psi"), functions_of_time("u r"), symbols("m")
+    >>> car = moving_frame(u, 0, 0, 0, 0, r, pose=translate(x, y, 0) * rotate("Z", psi))
+    >>> newton_euler(System([Body(car, m, Iz=1)], speeds=[u, r])).kinematics
+    {x': u*cos(psi), y': u*sin(psi), psi': r}
     """
-    return Frame.root(name or "moving frame", Twist(triple(wx, wy, wz), triple(u, v, w)))
+    velocities = Twist(triple(wx, wy, wz), triple(u, v, w))
+    if pose is None:
+        return Frame.root(name or "moving frame", velocities)
+    return ground.then(tracking(pose, velocities)).named(name)
 
 
 @checked(FrameError)

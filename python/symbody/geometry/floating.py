@@ -107,16 +107,15 @@ def floating(position: Triple, quaternion: Quaternion, twist: Twist, speeds: Seq
 
 
 def rotation_rows(quaternion: Quaternion) -> Rows:
-    """Return ``R = 1 + 2 / (e . e) (e0 [e x] + [e x][e x])`` by rows."""
+    """Return ``R = ((e0^2 - e . e) 1 + 2 e e^T + 2 e0 [e x]) / (e0^2 + e . e)`` by rows."""
     w, x, y, z = quaternion
-    s = 2 / (w * w + x * x + y * y + z * z)
-    sx, sy, sz = s * x, s * y, s * z
-    xx, yy, zz, xy, yz, zx = sx * x, sy * y, sz * z, sx * y, sy * z, sz * x
-    wx, wy, wz = w * sx, w * sy, w * sz
+    ww, xx, yy, zz = w * w, x * x, y * y, z * z
+    one = 1 / ((ww + zz) + (xx + yy))
+    two = 2 * one
     return (
-        (1 - (yy + zz), xy - wz, zx + wy),
-        (xy + wz, 1 - (zz + xx), yz - wx),
-        (zx - wy, yz + wx, 1 - (xx + yy)),
+        (one * ((ww - zz) + (xx - yy)), two * (x * y - w * z), two * (z * x + w * y)),
+        (two * (x * y + w * z), one * ((ww - zz) - (xx - yy)), two * (y * z - w * x)),
+        (two * (z * x - w * y), two * (y * z + w * x), one * ((ww + zz) - (xx + yy))),
     )
 
 

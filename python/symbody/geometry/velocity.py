@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from symbody.errors import FrameError
-from symbody.symbolic import add3, cross3, derivation
+from symbody.symbolic import add3, cross3, derivation, matvec3, number, scale3
 
+from .acceleration_field import AccelerationField
 from .argument import checked
 from .floating import rate_by
 from .frame import Frame
-from .kinematics import material_velocity, spin
+from .kinematics import material_velocity, spin, twist
 from .point import Point
 from .triple import Triple, rates
 from .vector import Vector
@@ -30,6 +31,8 @@ def velocity(thing: Point | Vector, frame: Frame | None = None) -> Vector:
     """
     observer = thing.frame.ancestor if frame is None else frame
     with derivation():
+        if _floats(thing.frame, observer):
+            return Vector(thing.frame, *_first_rate(thing)).projected(observer)
         return Vector(observer, *_velocity(thing, observer))
 
 
@@ -38,7 +41,37 @@ def acceleration(thing: Point | Vector, frame: Frame | None = None) -> Vector:
     """Return the acceleration of a point, or the second rate of a vector, as seen from a frame and in its axes."""
     observer = thing.frame.ancestor if frame is None else frame
     with derivation():
+        if _floats(thing.frame, observer):
+            return Vector(thing.frame, *_second_rate(thing)).projected(observer)
         return Vector(observer, *_rate(_velocity(thing, observer), observer, thing.frame))
+
+
+def _floats(frame: Frame, observer: Frame) -> bool:
+    """Tell whether a frame floats as seen from its root: its velocities are then those by the speeds."""
+    return observer == frame.ancestor and bool(frame.kinematics) and frame.is_rigid
+
+
+def _first_rate(thing: Point | Vector) -> Triple:
+    """Return ``w x p + p'`` for components p, and the velocity of the origin beside for a point."""
+    angular, linear = twist(thing.frame)
+    p, drift = _components(thing)
+    turned = add3(cross3(angular, p), drift)
+    return add3(linear, turned) if isinstance(thing, Point) else turned
+
+
+def _second_rate(thing: Point | Vector) -> Triple:
+    """Return ``F p + 2 w x p' + p''``, and the acceleration of the origin beside for a point."""
+    turning, linear = AccelerationField()(thing.frame)
+    p, drift = _components(thing)
+    coriolis = scale3(number(2), cross3(turning.velocity, drift))
+    turned = add3(matvec3(turning.field, p), add3(coriolis, rates(drift, rate_by(thing.frame.kinematics))))
+    return add3(linear, turned) if isinstance(thing, Point) else turned
+
+
+def _components(thing: Point | Vector) -> tuple[Triple, Triple]:
+    """Return what places a thing in its frame, and its rates."""
+    p = thing.coordinates if isinstance(thing, Point) else thing.components
+    return p, rates(p, rate_by(thing.frame.kinematics))
 
 
 def _velocity(thing: Point | Vector, observer: Frame) -> Triple:

@@ -43,11 +43,19 @@ def gravitational_energy(objects: Objects, gravity: Vector | None = None) -> Exp
     Args:
         objects: a body, bodies, or a system.
         gravity: the acceleration; by default that of the system.
+
+    Raises:
+        ModelError: no gravity, or bodies on a moving master frame of which nobody knows the height.
     """
     selection = select_bodies(objects, "gravitational_energy", gravity)
     if selection.gravity is None:
         raise ModelError(
             "gravitational_energy: no gravity is given; pass a vector such as Vector(ground, 0, 0, -g)"
+        )
+    if selection.root.carrier is not None:
+        raise ModelError(
+            f"gravitational_energy: the bodies hang on {selection.root}, whose place is unknown; give the moving frame "
+            "a pose"
         )
     with derivation():
         g = selection.gravity.projected(selection.root).components

@@ -88,6 +88,8 @@ def _system(system: System, *, synthetic: bool) -> str:
     """Return one line for each part of a system."""
     lines = ["SYSTEM" if not system.name else f"{system.name} = SYSTEM"]
     lines.append(f"coordinates: {', '.join(map(str, system.coordinates))}")
+    if system.quasi_velocities:
+        lines.append(f"quasi-velocities: {', '.join(map(str, system.quasi_velocities))}")
     lines += [f"body: {describe(body, synthetic=synthetic)}" for body in system.bodies]
     lines += [f"load: {describe(load, synthetic=synthetic)}" for load in system.loads]
     if system.gravity is not None:
