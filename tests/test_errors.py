@@ -55,6 +55,7 @@ push = Force(ground, F, 0, 0, at=G, on=body, name="push")
 vehicle = moving_frame(a, 0, 0, 0, 0, b, name="vehicle")
 afloat = floating_frame("afloat")
 x_afloat = afloat.pose.origin[0]
+afloat_body = Body(afloat, 1)
 natural = Frame([[x, -y, 0, 0], [y, x, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]).named("TN")
 
 
@@ -633,7 +634,25 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
         lambda: floating_frame("base", position=[x, y]),
         "floating_frame: position = x, y; expected 3 functions of time, such as functions_of_time('x y z')",
     ),
+    (
+        errors.ModelError,
+        lambda: newton_euler(
+            System(
+                [afloat_body],
+                [Force(ground, time_derivative(x_afloat, 2), 0, 0, at=G, on=afloat_body, name="drag")],
+            )
+        ),
+        (
+            "newton_euler: drag holds x_afloat'', of a coordinate of a floating frame; write it by the rates of the "
+            "speeds, as acceleration(point) does"
+        ),
+    ),
     # --- constraints ---
+    (
+        errors.ConstraintError,
+        lambda: System([Body(vehicle, m)], coordinates=[x], speeds=[y], constraints=[x - y]),
+        "System: constraint 1, x - y = 0, holds the speed y; expected an expression of coordinates and time",
+    ),
     (
         errors.ConstraintError,
         lambda: newton_euler(constrained(x, y, z)),

@@ -7,6 +7,7 @@ from functools import cache
 
 import numpy as np
 import pytest
+from scipy.integrate import solve_ivp
 
 from symbody import (
     Body,
@@ -238,6 +239,18 @@ def test_a_planar_vehicle() -> None:
     assert forward.inputs == (X, Yf, Yr, u)[3:]
 
 
+def test_a_submarine_moves_water_along() -> None:
+    """Added mass in the axes of the hull, by the components of an acceleration seen from ground."""
+    m, I, A = symbols("m I A")
+    hull = floating_frame("hull")
+    body, rest = Body(hull, m, I, I, I), Body(hull, A)
+    a = acceleration(origin(hull))
+    drag = Force(-A * a, at=origin(hull), on=body)
+    equations, other = newton_euler(System([body], [drag])), newton_euler(System([body, rest]))
+    assert equations.residuals == other.residuals
+    assert (equations.mass_matrix, equations.bias) == (other.mass_matrix, other.bias)
+
+
 def test_a_constraint_acts_as_the_force_of_its_multipliers() -> None:
     """A body whose point P is held: the reaction of the ground on it, in its axes."""
     m, I, l, g = symbols("m I l g")
@@ -291,3 +304,24 @@ def test_the_pose_of_a_moving_frame_follows_its_speeds() -> None:
     assert project(velocity(origin(pose)), pose).subs(known).components == speeds[:3]
     system = System([Body(posed, m)], speeds=speeds, gravity=Vector(ground, 0, 0, -g))
     assert rate(system, gravitational_energy(system)) == m * g * known[time_derivative(z)]
+
+
+def test_a_tumbling_body_keeps_momentum_and_quaternion() -> None:
+    """Along a motion integrated from the right-hand side, about the unstable axis."""
+    base = floating_frame()
+    body = Body(Point(base, 0.1, -0.2, 0.3), 2, 0.1, 0.2, 0.3)
+    equations = newton_euler(System([body]))
+    solution = forward_dynamics(equations)
+    state = [equations.coordinates, equations.speeds]
+    rhs = lambdify(state, [*equations.kinematics.values(), *solution.accelerations])
+    about = angular_momentum(body, Point(ground, 0, 0, 0))
+    kept = [kinetic_energy(body), *linear_momentum(body).components, *project(about, ground).components]
+    e = equations.coordinates[3:]
+    invariants = lambdify(state, [*kept, sum((x * x for x in e), start=number(0))])
+    start = [0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.3, -0.1, 0.2, 0.01, 3.0, 0.02]
+    motion = solve_ivp(
+        lambda _, y: rhs(y[:7], y[7:]), (0, 20), start, method="DOP853", rtol=1e-11, atol=1e-12
+    )
+    first, last = (invariants(y[:7], y[7:]) for y in (motion.y[:, 0], motion.y[:, -1]))
+    assert np.abs(motion.y[8:, -1] - motion.y[8:, 0]).max() > 0.1
+    assert np.allclose(last, first, rtol=1e-8, atol=1e-8)

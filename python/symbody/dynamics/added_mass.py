@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from symbody.errors import ModelError
-from symbody.multibody import Action, System
+from symbody.multibody import Action, Load, System
 from symbody.multibody.load import action_velocity
 from symbody.symbolic import Expr, Matrix, dot3, jacobian, number
 
@@ -41,6 +41,7 @@ def check_loads(system: System, where: str) -> None:
         actions = [a for a in load.actions if a.body in system.bodies and _holds_acceleration(a, system)]
         if not actions:
             continue
+        _check_floating(load, _leaves(actions), system, where)
         jerk = _rate(_leaves(actions), system, 3)
         if jerk is not None:
             raise ModelError(
@@ -60,6 +61,19 @@ def check_loads(system: System, where: str) -> None:
                 f"{where}: the gravity holds the acceleration {acceleration}; expected coordinates, speeds and time; "
                 "make forces of what depends on accelerations"
             )
+
+
+def _check_floating(load: Load, leaves: Iterable[Expr], system: System, where: str) -> None:
+    names = {coordinate.name for coordinate in system.kinematics}
+    rates = (
+        leaf for leaf in leaves if leaf.kind == "time_function" and leaf.name in names and leaf.order > 1
+    )
+    rate = min(rates, key=lambda leaf: (leaf.name, leaf.order), default=None)
+    if rate is not None:
+        raise ModelError(
+            f"{where}: {load} holds {rate}, of a coordinate of a floating frame; write it by the rates of the speeds, "
+            "as acceleration(point) does"
+        )
 
 
 def _slopes(actions: Iterable[Action], system: System) -> Matrix:

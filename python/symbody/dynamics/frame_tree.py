@@ -102,10 +102,15 @@ def _check_motion(frame: Frame, system: System, where: str) -> None:
         raise ModelError(
             f"{where}: {frame} holds the rate {rate}; expected frames of coordinates and time alone"
         )
-    speed = next((u for u in (*system.quasi_velocities, *system.kinematics) if u in leaves), None)
-    if speed is not None:
-        kind = "speed" if speed in system.quasi_velocities else "coordinate of a floating frame"
-        raise ModelError(f"{where}: {frame} is moved by {speed}, a {kind}; expected coordinates of its own")
+    names = {u.name: "a speed" for u in system.quasi_velocities}
+    names |= {q.name: "a coordinate of a floating frame" for q in system.kinematics}
+    taken = min(
+        (leaf.name for leaf in leaves if leaf.kind == "time_function" and leaf.name in names), default=None
+    )
+    if taken is not None:
+        raise ModelError(
+            f"{where}: {frame} is moved by {taken}, {names[taken]}; expected coordinates of its own"
+        )
 
 
 def _check_twist(tree: FrameTree, place: int, where: str) -> None:

@@ -155,7 +155,7 @@ class System:
                 f"System: {len(self.multipliers)} multipliers for {m} constraints; give one for each"
             )
         for number, constraint in enumerate(self.constraints, start=1):
-            fault = _fault(constraint, self.coordinates)
+            fault = _fault(constraint, self.coordinates, self.quasi_velocities)
             if fault:
                 raise ConstraintError(f"System: constraint {number}, {constraint} = 0, {fault}")
 
@@ -234,13 +234,18 @@ class System:
         return f"System({', '.join([self.name, *parts] if self.name else parts)})"
 
 
-def _fault(constraint: Expr, coordinates: Sequence[Expr]) -> str:
+def _fault(constraint: Expr, coordinates: Sequence[Expr], speeds: Sequence[Expr]) -> str:
     if constraint.is_zero:
         return "is no condition; leave it out"
     leaves = constraint.free_symbols
     if not any(coordinate in leaves for coordinate in coordinates):
         return "holds none of the coordinates; leave it out, or correct it"
     rate = rate_of_any(coordinates, leaves)
+    speed = next(
+        (u for u in speeds if u.name in {leaf.name for leaf in leaves if leaf.depends_on_time}), None
+    )
+    if speed is not None:
+        return f"holds the speed {speed}; expected an expression of coordinates and time"
     return "" if rate is None else f"holds the rate {rate}; expected an expression of coordinates and time"
 
 
