@@ -11,8 +11,8 @@ from symbody.geometry.floating import Floating
 from symbody.geometry.motion import Motion
 from symbody.geometry.twist import Twist
 from symbody.multibody import Action, Body, System
+from symbody.multibody.coordinate import rate_of_any
 from symbody.multibody.selection import select
-from symbody.multibody.system import rate_of_any
 from symbody.symbolic import Expr, derivation, free_symbols
 
 from .added_mass import check_loads

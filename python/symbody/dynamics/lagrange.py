@@ -9,8 +9,8 @@ from symbody.errors import ModelError
 from symbody.geometry.argument import checked
 from symbody.geometry.triple import NULL, Triple
 from symbody.multibody import Body, System, kinetic_energy
+from symbody.multibody.coordinate import check_function_of_time
 from symbody.multibody.load import action_velocity
-from symbody.multibody.system import check_function_of_time
 from symbody.symbolic import (
     Expr,
     Matrix,

@@ -112,7 +112,13 @@ def _equations_of_motion(eqs: Equations) -> list[Routine]:
             _routine("constraints", f"the {m} constraints, which are zero", _vector("phi", eqs.constraints))
         )
         jacobian = _matrix("phi_q", eqs.constraint_jacobian)
-        routines.append(_routine("constraint_jacobian", "the derivatives of the constraints by q (of their rates by u)", jacobian))
+        routines.append(
+            _routine(
+                "constraint_jacobian",
+                "the derivatives of the constraints by q (of their rates by u)",
+                jacobian,
+            )
+        )
     return routines
 
 

@@ -15,6 +15,8 @@ from symbody.geometry.triple import Rate, expression
 from symbody.symbolic import Expr, functions_of_time, time_derivative
 
 from .body import Body
+from .coordinate import check_function_of_time, rate_of_any
+from .frames import all_frames
 from .load import Load
 
 Thing = TypeVar("Thing", Body, Load)
@@ -67,7 +69,8 @@ class System:
         self.bodies: tuple[Body, ...] = _ordered(bodies)
         self.loads: tuple[Load, ...] = _ordered(loads)
         self.gravity = gravity
-        floating = [frame.motion for frame in self._frames() if isinstance(frame.motion, Floating)]
+        self._frames = all_frames(self.bodies, self.loads, gravity)
+        floating = [frame.motion for frame in self._frames if isinstance(frame.motion, Floating)]
         self.kinematics = {q: rate for motion in floating for q, rate in motion.kinematics.items()}
         """The coordinates of floating frames, and their rates by speeds."""
         self.coordinates = _completed(coordinates, self.kinematics)
@@ -196,30 +199,11 @@ class System:
                 yield from action.point.coordinates
         if self.gravity is not None:
             yield from self.gravity.components
-        for frame in self._frames():
+        for frame in self._frames:
             if frame.motion is not None:
                 yield from frame.motion.variables
             if frame.carrier is not None:
                 yield from (*frame.carrier.angular, *frame.carrier.linear)
-
-    def _frames(self) -> dict[Frame, None]:
-        """Return all frames of the model, those on which others hang before them."""
-        frames = [body.frame for body in self.bodies]
-        for action in (action for load in self.loads for action in load.actions):
-            frames += (
-                [action.vector.frame] if action.point is None else [action.vector.frame, action.point.frame]
-            )
-        if self.gravity is not None:
-            frames.append(self.gravity.frame)
-        found: dict[Frame, None] = {}
-        for frame in frames:
-            missing = []
-            link: Frame | None = frame
-            while link is not None and link not in found:
-                missing.append(link)
-                link = link.parent
-            found |= dict.fromkeys(reversed(missing))
-        return found
 
     def __repr__(self) -> str:
         parts = [
@@ -249,15 +233,6 @@ def _fault(constraint: Expr, coordinates: Sequence[Expr], speeds: Sequence[Expr]
     return "" if rate is None else f"holds the rate {rate}; expected an expression of coordinates and time"
 
 
-def rate_of_any(coordinates: Iterable[Expr], leaves: Iterable[Expr]) -> Expr | None:
-    """Return the first by name of the leaves that are rates of coordinates."""
-    names = {coordinate.name for coordinate in coordinates}
-    rates = (
-        leaf for leaf in leaves if leaf.kind == "time_function" and leaf.order > 0 and leaf.name in names
-    )
-    return min(rates, key=lambda leaf: (leaf.name, leaf.order), default=None)
-
-
 def _ordered(things: Collection[Thing]) -> tuple[Thing, ...]:
     return (
         tuple(sorted(things, key=lambda thing: thing.key))
@@ -270,12 +245,6 @@ def _check_single(things: Sequence[object], kind: str) -> None:
     if len(set(things)) < len(things):
         twice = next(thing for thing in things if things.count(thing) > 1)
         raise ModelError(f"System: {kind} {twice} is given twice; give it once")
-
-
-def check_function_of_time(thing: Expr, where: str) -> None:
-    """Raise an error unless a coordinate or a multiplier is a function of time, itself and no rate."""
-    if thing.kind != "time_function" or thing.order != 0:
-        raise ModelError(f"{where} {thing} isn't a function of time; make it with functions_of_time")
 
 
 def _completed(given: Sequence[Expr], needed: Iterable[Expr]) -> tuple[Expr, ...]:

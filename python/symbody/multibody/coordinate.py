@@ -1,0 +1,23 @@
+"""Coordinates and speeds as a system knows them: functions of time, themselves and no rates."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from symbody.errors import ModelError
+from symbody.symbolic import Expr
+
+
+def check_function_of_time(thing: Expr, where: str) -> None:
+    """Raise an error unless a coordinate or a multiplier is a function of time, itself and no rate."""
+    if thing.kind != "time_function" or thing.order != 0:
+        raise ModelError(f"{where} {thing} isn't a function of time; make it with functions_of_time")
+
+
+def rate_of_any(coordinates: Iterable[Expr], leaves: Iterable[Expr]) -> Expr | None:
+    """Return the first by name of the leaves that are rates of coordinates."""
+    names = {coordinate.name for coordinate in coordinates}
+    rates = (
+        leaf for leaf in leaves if leaf.kind == "time_function" and leaf.order > 0 and leaf.name in names
+    )
+    return min(rates, key=lambda leaf: (leaf.name, leaf.order), default=None)
