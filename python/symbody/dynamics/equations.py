@@ -116,7 +116,7 @@ class Equations:
 
     @cached_property
     def _leaves(self) -> frozenset[Expr]:
-        return free_symbols((*self.residuals, *self.constraints))
+        return free_symbols((*self.residuals, *self.constraints, *self.system.known_rates.values()))
 
     @checked(ModelError)
     def baumgarte(self, omega: Scalar, zeta: Scalar) -> tuple[Expr, ...]:
