@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from collections import deque
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache
@@ -25,7 +26,7 @@ from symbody import (
     translate,
 )
 
-FIXED = ("double_pendulum", "furuta", "gimbal_gyro", "panda_7dof")
+FIXED = ("double_pendulum", "furuta", "gimbal_gyro", "ur5_6dof", "panda_7dof")
 FLOATING = ("solo12_floating",)
 NAMES = (*FIXED, *FLOATING)
 FOLDER = Path(__file__).parent / "robots"
@@ -52,8 +53,13 @@ def robot_on(base: Frame, coordinates: Sequence[Expr], name: str) -> Robot:
     description = json.loads((FOLDER / f"{name}.json").read_text(encoding="utf-8"))
     joints = {joint: functions_of_time(joint) for joint in description["joint_order"]}
     frames = {description["root_link"]: base}
-    for joint in description["joints"]:
-        frames[joint["child"]] = frames[joint["parent"]] * _joint_frame(joint, joints.get(joint["name"]))
+    waiting = deque(description["joints"])
+    while waiting:
+        joint = waiting.popleft()
+        if joint["parent"] in frames:
+            frames[joint["child"]] = frames[joint["parent"]] * _joint_frame(joint, joints.get(joint["name"]))
+        else:
+            waiting.append(joint)
     bodies = {link["name"]: _link_body(link, frames[link["name"]]) for link in description["links"]}
     gravity = Vector(ground, *description["conventions"]["gravity"])
     moving = tuple(
