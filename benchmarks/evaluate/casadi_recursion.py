@@ -1,7 +1,7 @@
 """Pinocchio's recursions written in CasADi's scalar graphs: velocities and forces in the axes of each link.
 
-The recursive Newton-Euler algorithm, composite rigid bodies and articulated bodies [Featherstone 2008, tables 5.1, 6.2 and
-7.1], link by link as Pinocchio has them; numbers are folded into the graph, and zeros vanish.
+The recursive Newton-Euler algorithm, composite rigid bodies and articulated bodies [Featherstone 2008, tables 5.1, 6.2
+and 7.1], link by link as Pinocchio has them; numbers are folded into the graph, and zeros vanish.
 """
 
 from __future__ import annotations

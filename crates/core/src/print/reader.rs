@@ -88,7 +88,7 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// linear_solution(i, a11, a12, ..., b1, b2, ...)
+    /// `linear_solution(i, a11, a12, ..., b1, b2, ...)`
     fn solution(&self, system: Id, index: u32) -> Sum {
         let index = Sum::number(Number::integer(i64::from(index)));
         let parts = self.graph.children(system).into_iter().map(|part| self.expression(part));
