@@ -10,7 +10,7 @@ import pytest
 
 from symbody.codegen import TARGETS, check, generate, source
 from symbody.codegen.names import Scope, identifier
-from symbody.errors import CodegenError, ProgramError
+from symbody.errors import CodegenError, ModelNotice, ProgramError
 from symbody.symbolic import (
     Argument,
     Piecewise,
@@ -236,3 +236,14 @@ def test_clashes() -> None:
         "Do",
         "do_2",
     ]
+
+
+def test_notice_of_parameters_that_nothing_needs(tmp_path: Path) -> None:
+    a, b, x = symbols("a b x")
+    arguments = (Argument("p", "", (a, b), "parameters"), Argument("q", "", (x,), "positions"))
+    rise = Routine("rise", "", ("p", "q"), (Result("y", "", (a * x,), ()),))
+    with pytest.warns(ModelNotice) as caught:
+        generate(Program("demo", "", arguments, (rise,)), "c", tmp_path)
+    assert str(caught[0].message) == (
+        "generate: no routine of demo depends on b of the argument p; the code takes and ignores it"
+    )

@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import re
 import tempfile
+import warnings
 from collections.abc import Iterable
 from dataclasses import replace
 from itertools import islice
@@ -23,8 +24,8 @@ from symbody.codegen.printer import MARK
 from symbody.codegen.python import PYTHON
 from symbody.codegen.rust import RUST
 from symbody.codegen.target import Target
-from symbody.errors import CodegenError, ProgramError
-from symbody.symbolic import Program
+from symbody.errors import CodegenError, ModelNotice, ProgramError
+from symbody.symbolic import STAGES, Program
 
 __all__ = ["TARGETS", "Programmable", "generate", "program_of", "source", "target_of"]
 
@@ -96,8 +97,23 @@ def source(model: Program | Programmable, target: str = "c", *, name: str | None
     program = program_of(model)
     if name is not None:
         program = replace(program, name=name)
+    _notice_unused(program)
     chosen = target_of(target)
     return dict(chosen.files(module_of(program, chosen.language, chosen.limit)))
+
+
+def _notice_unused(program: Program) -> None:
+    """Warn of parameters and inputs that no routine needs: a misspelt name, more often than not."""
+    leaves = frozenset().union(*(e.free_symbols for routine in program.routines for e in routine.expressions))
+    for argument in program.arguments:
+        unused = [str(v) for v in argument.variables if v not in leaves]
+        if unused and argument.stage in STAGES[:2]:
+            warnings.warn(
+                f"generate: no routine of {program.name} depends on {', '.join(unused)} of the argument "
+                f"{argument.name}; the code takes and ignores it",
+                ModelNotice,
+                stacklevel=3,
+            )
 
 
 def target_of(name: str) -> Target:

@@ -11,10 +11,13 @@ from symbody.codegen.llvm.block import BlockWriter, Frame, Load
 from symbody.codegen.llvm.memory import Memory
 from symbody.codegen.straight_line import Code, operands
 
-__all__ = ["BLOCK", "Function"]
+__all__ = ["Function"]
 
-BLOCK = 1000
-"""Instructions of a function: compilers take a time that grows faster than the length."""
+BLOCK, SMALL_BLOCK = 2000, 500
+"""Instructions of a function, as compilers take a time that grows faster than the length; and of one of long code."""
+
+LONG = 8000
+"""Instructions from which on the time to compile counts more than the last percents of speed."""
 
 _WAVES = {"sin", "cos"}
 
@@ -104,4 +107,4 @@ def _cut(code: Code, order: Sequence[int], places: Mapping[int, int]) -> Cut:
     first = code.first_instruction
     reads = [[places.get(p, 0) if p >= first else p for p in operands(code.instructions[k])] for k in order]
     held = [first + n for n, k in enumerate(order) if code.instructions[k][0] in {"factor", "solve"}]
-    return cut(reads, first, BLOCK, held)
+    return cut(reads, first, BLOCK if len(order) < LONG else SMALL_BLOCK, held)

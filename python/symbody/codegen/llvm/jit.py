@@ -71,12 +71,13 @@ def lanes() -> int:
     return 4 if features.get("avx2") else 2
 
 
-def compiled(text: str, name: str, *, level: int = 2) -> Compiled:
+def compiled(text: str, name: str) -> Compiled:
     """Return the machine code of one function of a module."""
     machine = _machine()
     module = llvm.parse_assembly(text)
     module.triple, module.data_layout = machine.triple, str(machine.target_data)
-    options = llvm.create_pipeline_tuning_options(speed_level=level)
+    # Straight-line code gains nothing from higher levels, which take twice the time.
+    options = llvm.create_pipeline_tuning_options(speed_level=1)
     options.slp_vectorization = False
     options.loop_vectorization = False
     builder = llvm.create_pass_builder(machine, options)
