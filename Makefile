@@ -70,8 +70,9 @@ format: $(STAMPS)/develop  ## put the sources into the project's format
 	$(BIN)/ruff check --fix --exit-zero .
 	$(BIN)/ruff format .
 
-bench: $(STAMPS)/build $(STAMPS)/bench  ## measure against the rivals (ten minutes), write docs/benchmarks/
+bench: $(STAMPS)/build $(STAMPS)/bench  ## measure against the rivals (a quarter of an hour), write docs/benchmarks/
 	$(BIN)/python -m benchmarks.derive.run
+	$(BIN)/python -m benchmarks.evaluate.run
 
 docs: $(STAMPS)/build $(STAMPS)/docs $(STAMPS)/develop  ## check the documents, write the API reference into site/
 	$(PYTEST) tests/test_documents.py

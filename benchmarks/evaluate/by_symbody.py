@@ -16,8 +16,8 @@ from .native import compiled, loops, pointer, workplace
 from .robot import Robot, forces, system
 from .states import States, Values
 
-_ALIVE: list[MachineCode] = []
-"""Machine code lives as long as its object."""
+_ALIVE: list[object] = []
+"""Machine code and arrays of which the loops know but the address."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -78,7 +78,7 @@ def batch(model: Model, function: str, threads: int = 1) -> Contender:
     code = MachineCode(tuple(v for a in arguments for v in a.variables), expressions)
     columns = [np.ascontiguousarray(column) for column in model.rows(function).T]
     points, out = len(columns[0]), np.empty((len(expressions), len(columns[0])))
-    _ALIVE.append(code)
+    _ALIVE.extend((code, *columns))
     if threads == 1:
         address = ctypes.c_void_p(code.batch_address([False] * len(columns)))
         pointers = (ctypes.c_void_p * len(columns))(*(c.ctypes.data for c in columns))

@@ -80,7 +80,7 @@ def speeds(results: Results) -> str:
 
 def _speed(speed: Speed, results: Results) -> str:
     ratios = speed.measured(results)
-    cells = [f"{r:.2f} | {_met(r >= speed.bound)}" for r in ratios] or ["not measured | "] * 2
+    cells = [f"{r:.2f} | {_met(r >= speed.bound)}" for r in ratios] or ["not measured |"] * 2
     return f"| {speed.quantity} | {speed.bound:g} | {' | '.join(cells)} |"
 
 
@@ -90,8 +90,8 @@ def _met(is_met: bool) -> str:
 
 def batches(timings: Sequence[tuple[int, Timing]]) -> str:
     """Return the table of many states at a time."""
-    head = ["| the arm's inverse dynamics | states | ns a state |", "|---|---:|---:|"]
-    rows = [f"| {t.label} | {states} | {t.nanoseconds:.1f} |" for states, t in timings]
+    head = ["| the arm's inverse dynamics | states | ns a state | agrees |", "|---|---:|---:|---|"]
+    rows = [f"| {t.label} | {states} | {t.nanoseconds:.1f} | {_agreement(t)} |" for states, t in timings]
     (_, one), (_, two) = timings[-2:]
     scaling = (
         f"Two threads do {one.over(two):.2f} times what one does (two cores, which other programs use too)."

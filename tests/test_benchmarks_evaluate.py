@@ -1,0 +1,85 @@
+"""The benchmark of evaluation at small sizes: all contenders compute the same, with the operations that are promised.
+
+Times are for `make bench`: a test of them would fail on a busy machine.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from benchmarks.derive.by_symbody import chain as symbolic_chain
+from benchmarks.evaluate import by_symbody, report
+from benchmarks.evaluate.measure import RIVALS, Effort, Timing, compare, difference, in_turns
+from benchmarks.evaluate.native import available
+from benchmarks.evaluate.robot import Robot, chain, from_reference
+from benchmarks.evaluate.states import random_states
+from benchmarks.evaluate.targets import CHAIN, FORWARD, INVERSE, PANDA, SPEEDS, Bound
+from symbody import cost, newton_euler
+
+needs_compiler = pytest.mark.skipif(not available("cc"), reason="no C compiler")
+ROBOTS = {"panda": "panda_7dof", "solo12": "solo12_floating"}
+LOOK = Effort(rounds=1, seconds=1e-6)
+
+
+def timing(label: str, *times: float) -> Timing:
+    return Timing(label, times, 1, 0.0)
+
+
+@needs_compiler
+@pytest.mark.slow
+@pytest.mark.parametrize(
+    "robot", [*(from_reference(f, n) for n, f in ROBOTS.items()), chain(4)], ids=lambda r: r.name
+)
+def test_all_contenders_agree(robot: Robot) -> None:
+    for timings in compare([robot], LOOK).values():
+        assert [t.label for t in timings if not t.agrees] == []
+
+
+@needs_compiler
+def test_vectors_and_threads_agree() -> None:
+    robot = from_reference("panda_7dof", PANDA)
+    model = by_symbody.Model(robot, random_states(robot, 40))
+    contenders = [by_symbody.batch(model, INVERSE, threads) for threads in (1, 2)]
+    assert all(t.agrees for t in in_turns([*by_symbody.contenders(model, INVERSE), *contenders], LOOK))
+
+
+def test_operations_within_target() -> None:
+    robot = from_reference("panda_7dof", PANDA)
+    assert cost(by_symbody.Model(robot, random_states(robot, 1)).outputs(INVERSE)).total <= 800
+    general = newton_euler(symbolic_chain.system(["XYZ"[i % 3] for i in range(30)]))
+    assert cost(general.residuals).total <= 5100
+
+
+def test_ratio_is_the_median_of_the_rounds() -> None:
+    slow, fast = timing("Pinocchio", 6.0, 20.0, 8.0), timing("symbody", 2.0, 2.0, 4.0)
+    assert slow.over(fast) == 3.0
+    assert slow.nanoseconds == 8.0
+
+
+def test_report_tells_met_missed_and_unmeasured() -> None:
+    own = timing("symbody, machine code", 10.0), timing("symbody, generated C", 20.0)
+    table = report.speeds({(PANDA, INVERSE): (*own, timing("Pinocchio, rnea in C++", 80.0))})
+    assert "| panda, inverse dynamics: Pinocchio over symbody | 6 | 8.00 | yes | 4.00 | **no** |" in table
+    assert "| panda, inverse dynamics: CasADi over symbody | 1.4 | not measured | | not measured | |" in table
+    assert table.count("symbody |") == len(SPEEDS)
+    assert {s.robot for s in SPEEDS if s.function == FORWARD} == {PANDA, CHAIN, "solo12"}
+
+
+def test_report_tells_disagreement() -> None:
+    own = timing("symbody, machine code", 10.0)
+    wrong = replace(own, difference=difference(np.array([1.0, 2.0]), np.array([1.0, 2.0001])))
+    assert "**NO**" in report.comparison({(PANDA, INVERSE): (own, wrong)})
+
+
+def test_report_tells_missing_rivals(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(RIVALS["Pinocchio"], "missing", lambda: "Pinocchio (pip: pin)")
+    assert "**Pinocchio is missing: install Pinocchio (pip: pin).**" in report.introduction(LOOK)
+
+
+def test_bounds_from_both_sides() -> None:
+    table = report.bounds([Bound("time", 5, lambda: 6.0, " s"), Bound("rate", 4, lambda: 4.5, at_least=True)])
+    assert "| time | ≤ 5 s | 6 s | **no** |" in table
+    assert "| rate | ≥ 4 | 4.5 | yes |" in table
