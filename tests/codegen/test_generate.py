@@ -192,6 +192,7 @@ def unused() -> Program:
         ("rust", ("rustc", "--edition=2021", "-Dwarnings")),
     ],
 )
+@pytest.mark.filterwarnings("ignore:generate. no routine")
 def test_compilers_have_nothing_to_say(
     program: Callable[[], Program], target: str, strict: tuple[str, ...], tmp_path: Path
 ) -> None:
