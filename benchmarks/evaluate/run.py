@@ -20,7 +20,7 @@ from .states import COUNT, random_states
 from .targets import INVERSE, PANDA, SOLO, Bound
 
 REPORT = Path(__file__).resolve().parents[2] / "docs" / "benchmarks" / "evaluate.md"
-MANY = 65_536
+MANY = 500_000
 """States that are shared among threads."""
 
 
