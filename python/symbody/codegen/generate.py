@@ -25,7 +25,7 @@ from symbody.codegen.python import PYTHON
 from symbody.codegen.rust import RUST
 from symbody.codegen.target import Target
 from symbody.errors import CodegenError, ModelNotice, ProgramError
-from symbody.symbolic import STAGES, Program
+from symbody.symbolic import STAGES, Program, free_symbols
 
 __all__ = ["TARGETS", "Programmable", "generate", "program_of", "source", "target_of"]
 
@@ -104,7 +104,7 @@ def source(model: Program | Programmable, target: str = "c", *, name: str | None
 
 def _notice_unused(program: Program) -> None:
     """Warn of parameters and inputs that no routine needs: a misspelt name, more often than not."""
-    leaves = frozenset().union(*(e.free_symbols for routine in program.routines for e in routine.expressions))
+    leaves = free_symbols([e for routine in program.routines for e in routine.expressions])
     for argument in program.arguments:
         unused = [str(v) for v in argument.variables if v not in leaves]
         if unused and argument.stage in STAGES[:2]:
