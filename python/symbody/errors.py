@@ -57,5 +57,13 @@ class CodegenError(SymbodyError, OSError):
     """Generated code that can't be written, compiled or run on this machine."""
 
 
+class ViewError(SymbodyError, ValueError):
+    """A motion or a shape that can't be drawn."""
+
+
+class PictureError(SymbodyError, OSError):
+    """A page or a figure that can't be written."""
+
+
 class ModelNotice(UserWarning):
     """Something was left out of a result, on purpose, and the user should know."""

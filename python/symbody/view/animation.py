@@ -1,0 +1,116 @@
+"""Animations: a motion as one page that needs nothing else."""
+
+from __future__ import annotations
+
+import html
+import json
+import os
+import re
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from importlib.resources import files
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from symbody.geometry import Frame, Point
+from symbody.multibody import Body, System
+from symbody.symbolic import Expr
+from symbody.view.motion import Motion
+from symbody.view.scene import Wishes, scene
+from symbody.view.shape import Shape
+from symbody.view.whole_file import write_whole
+
+MOST = 1500
+"""Instants of a page: a minute at 25 a second; the page goes smoothly from one to the next."""
+
+
+def animate(
+    motion: Motion,
+    path: str | os.PathLike[str],
+    *,
+    title: str = "",
+    shapes: Mapping[Body, Shape | Sequence[Shape]] | None = None,
+    frames: Sequence[Frame] = (),
+    points: Sequence[Point] = (),
+    traces: Sequence[Point] = (),
+    lines: Sequence[tuple[Point, Point]] = (),
+    forces: bool = False,
+) -> Path:
+    """Write a motion as a page for any browser: one file, without a network.
+
+    Bodies without a shape are shown as the homogeneous box, cylinder, ball or rod of their mass and inertia, and joined
+    by the constant distances of their chains of frames.
+
+    Args:
+        motion: what is shown.
+        path: the file, such as ``"plate.html"``.
+        title: the headline; the name of the system by default.
+        shapes: what bodies look like: one shape or several for each.
+        frames: those whose axes are shown.
+        points: points that are shown with their names.
+        traces: points that leave their paths.
+        lines: pairs of points that are joined by a line, such as the ends of a thread.
+        forces: whether the forces of the system are shown as arrows.
+
+    Raises:
+        ViewError: there is nothing to draw, a value isn't finite, or a shape is given for a body of no part.
+        PictureError: the file can't be written.
+    """
+    wishes = Wishes(shapes or {}, frames, points, traces, lines, forces)
+    text = page(scene(thinned(motion), wishes, title or motion.system.name or "symbody"))
+    return write_whole(path, lambda file: file.write_text(text, encoding="utf-8", newline="\n"))
+
+
+def page(content: Mapping[str, object]) -> str:
+    """Return the page of a scene.
+
+    >>> "three.js" in page({"title": "Top"})
+    True
+    """
+    data = json.dumps(content, separators=(",", ":"), allow_nan=False).replace("<", "\\u003c")
+    parts = {
+        "title": html.escape(str(content["title"])),
+        "licence": _read("LICENSE.three"),
+        "three": _read("three.min.js"),
+        "viewer": _read("viewer.js"),
+        "scene": data,
+    }
+    return re.sub(r"\{\{(\w+)\}\}", lambda place: parts[place[1]], _read("page.html"))
+
+
+def _read(name: str) -> str:
+    return files(__package__).joinpath("page", name).read_text(encoding="utf-8")
+
+
+def thinned(motion: Motion) -> Motion:
+    """Return a motion of no more instants than a page shows, as evenly spread as they can be."""
+    if len(motion.t) <= MOST:
+        return motion
+    wanted = np.linspace(motion.t[0], motion.t[-1], MOST)
+    kept = np.unique(np.searchsorted(motion.t, wanted).clip(0, len(motion.t) - 1))
+    return _Thinned(motion, kept)
+
+
+@dataclass(frozen=True)
+class _Thinned:
+    """Some instants of a motion."""
+
+    motion: Motion
+    kept: NDArray[np.intp]
+
+    @property
+    def t(self) -> NDArray[np.float64]:
+        return np.asarray(self.motion.t[self.kept])
+
+    @property
+    def system(self) -> System:
+        return self.motion.system
+
+    def __getitem__(self, expression: Expr) -> NDArray[np.float64]:
+        return np.asarray(self.motion[expression][self.kept])
+
+    def evaluate(self, expressions: Sequence[Expr]) -> NDArray[np.float64]:
+        rows = np.broadcast_to(self.motion.evaluate(expressions), (len(expressions), len(self.motion.t)))
+        return np.asarray(rows[:, self.kept])

@@ -1,0 +1,70 @@
+"""Where to look from."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+Array = NDArray[np.float64]
+
+FLAT = 0.02
+"""A motion is flat if its thickness is less than this part of its extent."""
+
+
+@dataclass(frozen=True)
+class View:
+    """The ball that holds the whole motion, the direction up, and the direction from the ball to the camera."""
+
+    center: Array
+    radius: float
+    up: Array
+    direction: Array
+    floor: float
+    """The height of the lowest point, along ``up``."""
+
+    @property
+    def entry(self) -> dict[str, Any]:
+        """The entry of the page."""
+        return {
+            "center": self.center.tolist(),
+            "radius": self.radius,
+            "up": self.up.tolist(),
+            "direction": self.direction.tolist(),
+            "floor": self.floor,
+        }
+
+
+def view_of(places: Array, up: Array) -> View:
+    """Return a view of points (a row each) in which the upwards direction is up.
+
+    Flat motions are seen nearly from the front, others from a corner above.
+    """
+    low, high = places.min(axis=0), places.max(axis=0)
+    center = (low + high) / 2
+    radius = max(float(np.linalg.norm(places - center, axis=1).max()), 1e-9)
+    _, extents, axes = np.linalg.svd(places - places.mean(axis=0), full_matrices=False)
+    is_flat = len(extents) == 3 and extents[2] < FLAT * extents[0] and extents[1] > FLAT * extents[0]
+    return View(center, radius, up, _direction(axes[2] if is_flat else None, up), float((places @ up).min()))
+
+
+def _direction(normal: Array | None, up: Array) -> Array:
+    """Look along the normal of a flat motion, from a little above; or horizontally along no axis."""
+    side = _front(up)
+    if normal is not None and abs(normal @ up) < 0.9:
+        across = normal - (normal @ up) * up
+        across *= np.sign(across @ side + 1e-3 * across.sum()) or 1.0
+        direction = across / np.linalg.norm(across) + 0.22 * up + 0.25 * np.cross(up, across)
+    else:
+        direction = side + 0.45 * np.cross(up, side) + (2.0 if normal is not None else 0.5) * up
+    return np.asarray(direction / np.linalg.norm(direction))
+
+
+def _front(up: Array) -> Array:
+    """Return the side that is drawn towards the reader: z where y is up, minus y where z is up."""
+    axis = int(np.argmax(np.abs(up)))
+    front = np.array([[0.0, 0, 1], [0, 0, 1], [0, -1, 0]][axis])
+    across = front - (front @ up) * up
+    return np.asarray(across / np.linalg.norm(across))

@@ -1,0 +1,71 @@
+"""The solid that a mass and an inertia stand for."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+Array = NDArray[np.float64]
+
+SAME = 1e-6
+"""Principal moments are taken as equal if they differ by less, relative to the largest."""
+
+
+def equivalent_shape(mass: float, inertia: Array, link: Array | None, least: float) -> dict[str, Any]:
+    """Return the homogeneous solid with this mass and inertia, as a part of the page.
+
+    With principal moments A, B, C a box has the sides ``a^2 = 6 (B + C - A)/m``; where A = B, a cylinder has
+    ``r^2 = 2 C/m`` and ``h^2 = 12 (A - C/2)/m`` [Goldstein 2002, sec. 5]. A body that has one moment only moves in a
+    plane: a rod along its link, ``l^2 = 12 C/m``, or a disc.
+
+    Args:
+        mass: the mass; a particle is a ball.
+        inertia: the tensor about the centre of mass.
+        link: the direction from the joint to the centre of mass, if there is one.
+        least: the least length that can be seen.
+    """
+    moments, axes = np.linalg.eigh(inertia)
+    if mass <= 0 or moments[-1] <= 0:
+        return {"kind": "ellipsoid", "size": [1.5 * least] * 3, "at": [0.0] * 3}
+    if moments[-1] > SAME * mass * least**2 and np.all(np.abs(moments[:2]) < SAME * moments[-1]):
+        return _planar(mass, moments[-1], axes[:, 2], link, least)
+    if np.ptp(moments) < SAME * moments[-1]:
+        return {
+            "kind": "ellipsoid",
+            "size": [max(least, (2.5 * moments[0] / mass) ** 0.5)] * 3,
+            "at": [0.0] * 3,
+        }
+    for k, (i, j) in enumerate(((1, 2), (0, 2), (0, 1))):
+        if abs(moments[i] - moments[j]) < SAME * moments[-1]:
+            return _cylinder(mass, moments[i], moments[k], axes[:, k], least)
+    sides = np.sqrt(np.maximum(6 * (moments.sum() - 2 * moments) / mass, 0))
+    return _box(np.maximum(sides, least), axes)
+
+
+def _planar(mass: float, moment: float, normal: Array, link: Array | None, least: float) -> dict[str, Any]:
+    in_plane = None if link is None else link - (link @ normal) * normal
+    if in_plane is None or np.linalg.norm(in_plane) < SAME:
+        return _rod(normal, least, (2 * moment / mass) ** 0.5)
+    along = in_plane / np.linalg.norm(in_plane)
+    length = max(least, (12 * moment / mass) ** 0.5)
+    axes = np.column_stack([along, np.cross(normal, along), normal])
+    return _box(np.array([length, least, least]), axes)
+
+
+def _cylinder(mass: float, across: float, along: float, axis: Array, least: float) -> dict[str, Any]:
+    height = np.sqrt(max(12 * (across - along / 2) / mass, 0))
+    return _rod(axis, max(least, float(height)), max(least / 2, (2 * max(along, 0) / mass) ** 0.5))
+
+
+def _rod(axis: Array, length: float, radius: float) -> dict[str, Any]:
+    half = axis * length / 2
+    return {"kind": "rod", "radius": float(radius), "from": (-half).tolist(), "to": half.tolist()}
+
+
+def _box(sides: Array, axes: Array) -> dict[str, Any]:
+    """Return a box whose axes are the columns, made right-handed."""
+    x, y = axes[:, 0], axes[:, 1]
+    rotation = np.column_stack([x, y, np.cross(x, y)])
+    return {"kind": "box", "size": sides.tolist(), "at": [0.0] * 3, "rotation": rotation.tolist()}

@@ -1,0 +1,54 @@
+"""Links: the rigid distances in the chain of frames from one joint to the next."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+from symbody.geometry import Frame, Point, origin
+from symbody.geometry.triple import Triple, is_null
+from symbody.multibody import Body
+
+
+@dataclass(frozen=True)
+class Link:
+    """A distance that is constant in a frame: from its origin to the place of the next frame of the chain."""
+
+    frame: Frame
+    to: Triple
+
+
+def links(bodies: Iterable[Body]) -> dict[Link, int]:
+    """Return the links of the chains that carry bodies, each with the number of the body that moves with it.
+
+    A link that carries several bodies belongs to the first that is fixed to it, and else to none (-1).
+
+    >>> from symbody import rotate, symbols, functions_of_time, translate
+    >>> bar = Body(rotate("Z", functions_of_time("q")) * translate(symbols("l"), 0, 0), 1)
+    >>> [link.to for link in links([bar])]
+    [(l, 0, 0)]
+    """
+    found: dict[Link, int] = {}
+    for number, body in enumerate(bodies):
+        is_fixed = True
+        for frame in reversed(body.frame.chain):
+            motion, parent = frame.motion, frame.parent
+            if motion is None or parent is None:
+                continue
+            constant = motion.is_constant
+            to = motion.displacement
+            if not is_null(to) and not any(x.depends_on_time for x in to):
+                owner = number if is_fixed and constant else -1
+                link = Link(parent, to)
+                if found.get(link, -1) == -1:
+                    found[link] = owner
+            is_fixed = is_fixed and constant
+    return found
+
+
+def joint(body: Body) -> Point:
+    """Return the place where the last moving part of a body's chain ends, by its coordinates in the body's frame."""
+    frame = body.frame
+    while frame.parent is not None and frame.motion is not None and frame.motion.is_constant:
+        frame = frame.parent
+    return origin(frame).projected(body.frame)

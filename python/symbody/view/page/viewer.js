@@ -1,0 +1,275 @@
+// The viewer: draws the scene that the page carries. Lengths are in the model's units; angles come as quaternions.
+"use strict";
+(() => {
+  const scene = JSON.parse(document.getElementById("scene").textContent);
+  const element = (id) => document.getElementById(id);
+  const { center, radius, up, direction, floor } = scene.view;
+  const times = scene.times, last = times.length - 1;
+  const V = (a) => new THREE.Vector3(a[0], a[1], a[2]);
+
+  let renderer;
+  try {
+    renderer = new THREE.WebGLRenderer({ antialias: true, preserveDrawingBuffer: true });
+  } catch (error) {
+    element("fault").hidden = false;
+    element("fault").textContent = "This browser has no WebGL, which the animation needs.";
+    return;
+  }
+  renderer.setPixelRatio(Math.min(window.devicePixelRatio, 2));
+  element("stage").appendChild(renderer.domElement);
+
+  // --- world, light, camera ---
+  const world = new THREE.Scene();
+  world.background = new THREE.Color("#f4f6f8");
+  const camera = new THREE.PerspectiveCamera(35, 1, radius / 100, radius * 100);
+  camera.up.copy(V(up));
+  const controls = new THREE.OrbitControls(camera, renderer.domElement);
+  world.add(new THREE.AmbientLight(0xffffff, 0.9));
+  const sun = new THREE.DirectionalLight(0xffffff, 2.2);
+  world.add(sun, sun.target);
+
+  function lookAtAll() {
+    const half = (camera.fov / 2) * Math.PI / 180;
+    const narrow = Math.atan(Math.tan(half) * Math.min(1, camera.aspect));
+    const distance = 1.18 * radius / Math.sin(narrow);
+    // The bar at the bottom hides a little: the motion is shown a little higher.
+    controls.target.copy(V(center)).addScaledVector(V(up), -0.06 * radius);
+    camera.position.copy(controls.target).addScaledVector(V(direction), distance);
+    controls.update();
+  }
+
+  function resize() {
+    camera.aspect = window.innerWidth / window.innerHeight;
+    camera.updateProjectionMatrix();
+    renderer.setSize(window.innerWidth, window.innerHeight);
+  }
+
+  // --- things ---
+  const followers = [];   // functions of (i, s): between instant i and the next
+  const labels = [];
+
+  const pose = (track, i, s, object) => {
+    const a = 7 * i, b = 7 * Math.min(i + 1, last), p = scene.poses[track];
+    object.position.set(p[a], p[a + 1], p[a + 2]).lerp(new THREE.Vector3(p[b], p[b + 1], p[b + 2]), s);
+    object.quaternion.set(p[a + 3], p[a + 4], p[a + 5], p[a + 6])
+      .slerp(new THREE.Quaternion(p[b + 3], p[b + 4], p[b + 5], p[b + 6]), s);
+  };
+  const at = (path, i, s) => {
+    const a = 3 * i, b = 3 * Math.min(i + 1, last);
+    return new THREE.Vector3(path[a], path[a + 1], path[a + 2])
+      .lerp(new THREE.Vector3(path[b], path[b + 1], path[b + 2]), s);
+  };
+  const carried = (track) => {
+    const group = new THREE.Group();
+    world.add(group);
+    followers.push((i, s) => pose(track, i, s, group));
+    return group;
+  };
+  function label(text, place, color) {
+    if (!text) return;
+    const span = document.createElement("span");
+    span.textContent = text;
+    span.style.color = color;
+    element("labels").appendChild(span);
+    labels.push({ span, place });
+  }
+
+  const paint = (color) => new THREE.MeshStandardMaterial({ color, roughness: 0.6, metalness: 0.05 });
+  function rod(from, to, thickness, material) {
+    const axis = V(to).sub(V(from)), length = axis.length();
+    const mesh = new THREE.Mesh(new THREE.CylinderGeometry(thickness, thickness, length, 32), material);
+    mesh.position.copy(V(from)).addScaledVector(axis, 0.5);
+    if (length > 0) mesh.quaternion.setFromUnitVectors(new THREE.Vector3(0, 1, 0), axis.normalize());
+    return mesh;
+  }
+  const solids = {
+    box: (part, material) => new THREE.Mesh(new THREE.BoxGeometry(...part.size), material),
+    ellipsoid(part, material) {
+      const mesh = new THREE.Mesh(new THREE.SphereGeometry(1, 40, 24), material);
+      mesh.scale.copy(V(part.size));
+      return mesh;
+    },
+    rod: (part, material) => rod(part.from, part.to, part.radius, material),
+    plate(part, material) {
+      const shape = new THREE.Shape(part.corners.map(([x, y]) => new THREE.Vector2(x, y)));
+      const mesh = new THREE.Mesh(
+        new THREE.ExtrudeGeometry(shape, { depth: part.thickness, bevelEnabled: false }), material);
+      mesh.position.z = part.z - part.thickness / 2;
+      return mesh;
+    },
+  };
+  function solid(part, color) {
+    const mesh = solids[part.kind](part, paint(color));
+    if (part.at) mesh.position.copy(V(part.at));
+    if (part.rotation) {
+      const [[a, b, c], [d, e, f], [g, h, k]] = part.rotation;
+      mesh.matrix.set(a, b, c, 0, d, e, f, 0, g, h, k, 0, 0, 0, 0, 1);
+      mesh.quaternion.setFromRotationMatrix(mesh.matrix);
+    }
+    const edges = new THREE.LineSegments(
+      new THREE.EdgesGeometry(mesh.geometry, 35),
+      new THREE.LineBasicMaterial({ color: 0x1c2733, transparent: true, opacity: 0.45 }));
+    mesh.add(edges);
+    carried(part.pose).add(mesh);
+  }
+
+  for (const body of scene.bodies) {
+    body.parts.forEach((part) => solid(part, body.color));
+    const group = carried(body.pose);
+    label(body.name, () => group.position, body.color);
+    const row = document.createElement("div"), chip = document.createElement("i");
+    chip.style.background = body.color;
+    row.append(chip, body.name);
+    element("legend").appendChild(row);
+  }
+  for (const link of scene.links) {
+    const group = carried(link.pose);
+    group.add(rod(link.from, link.to, link.radius, paint(link.color)));
+    const ball = new THREE.Mesh(new THREE.SphereGeometry(1.6 * link.radius, 24, 16), paint("#44505c"));
+    group.add(ball);
+  }
+  for (const axes of scene.axes) {
+    const group = carried(axes.pose), size = 0.22 * radius;
+    [["x", 0xd62728, [1, 0, 0]], ["y", 0x2ca02c, [0, 1, 0]], ["z", 0x1f77b4, [0, 0, 1]]].forEach(([name, color, axis]) => {
+      group.add(new THREE.ArrowHelper(V(axis), new THREE.Vector3(), size, color, 0.22 * size, 0.1 * size));
+      const tip = V(axis).multiplyScalar(1.12 * size);
+      label(name, () => group.localToWorld(tip.clone()), "#" + color.toString(16).padStart(6, "0"));
+    });
+    if (axes.name && axes.name !== "ground") label(axes.name, () => group.position, "#1c2733");
+  }
+  for (const point of scene.points) {
+    const ball = new THREE.Mesh(new THREE.SphereGeometry(0.014 * radius, 20, 14), paint("#1c2733"));
+    world.add(ball);
+    followers.push((i, s) => ball.position.copy(at(point.path, i, s)));
+    label(point.name, () => ball.position, "#1c2733");
+  }
+  scene.traces.forEach((place, k) => {
+    const geometry = new THREE.BufferGeometry(), path = scene.points[place].path;
+    geometry.setAttribute("position", new THREE.BufferAttribute(new Float32Array(path), 3));
+    const color = ["#d6272a", "#9467bd", "#17becf", "#bcbd22"][k % 4];
+    const faint = new THREE.LineBasicMaterial({ color, transparent: true, opacity: 0.2 });
+    const done = new THREE.BufferGeometry();
+    done.setAttribute("position", geometry.getAttribute("position"));
+    const trail = new THREE.Line(done, new THREE.LineBasicMaterial({ color }));
+    trail.frustumCulled = false;
+    world.add(new THREE.Line(geometry, faint), trail);
+    followers.push((i) => done.setDrawRange(0, i + 1));
+  });
+  for (const line of scene.lines) {
+    const geometry = new THREE.BufferGeometry();
+    const ends = new THREE.BufferAttribute(new Float32Array(6), 3);
+    geometry.setAttribute("position", ends);
+    const drawn = new THREE.Line(geometry, new THREE.LineBasicMaterial({ color: "#44505c" }));
+    drawn.frustumCulled = false;
+    world.add(drawn);
+    followers.push((i, s) => {
+      const a = at(line.from, i, s), b = at(line.to, i, s);
+      ends.setXYZ(0, a.x, a.y, a.z);
+      ends.setXYZ(1, b.x, b.y, b.z);
+      ends.needsUpdate = true;
+    });
+  }
+  for (const force of scene.arrows) {
+    const arrow = new THREE.ArrowHelper(new THREE.Vector3(0, 0, 1), new THREE.Vector3(), 1, 0xc2185b);
+    world.add(arrow);
+    followers.push((i, s) => {
+      const vector = at(force.vector, i, s), length = vector.length();
+      arrow.visible = length > 1e-6 * radius;
+      if (!arrow.visible) return;
+      arrow.position.copy(at(force.at, i, s));
+      arrow.setDirection(vector.normalize());
+      arrow.setLength(length, Math.min(0.3 * length, 0.08 * radius), Math.min(0.15 * length, 0.04 * radius));
+    });
+    label(force.name, () => arrow.position, "#c2185b");
+  }
+
+  // --- the ground: a grid of round steps below the motion ---
+  const exponent = Math.floor(Math.log10(radius));
+  const step = [1, 2, 5, 10].map((k) => k * 10 ** (exponent - 1)).find((k) => 2 * radius / k <= 16);
+  const cells = 2 * Math.ceil(1.5 * radius / step);
+  const grid = new THREE.GridHelper(cells * step, cells, 0xb4bec8, 0xd5dce3);
+  const floorPoint = V(center).addScaledVector(V(up), floor - 0.03 * radius - V(center).dot(V(up)));
+  grid.position.copy(floorPoint);
+  grid.quaternion.setFromUnitVectors(new THREE.Vector3(0, 1, 0), V(up));
+  world.add(grid);
+
+  // --- time ---
+  const start = times[0], end = times[last];
+  const slider = element("time"), speed = element("speed"), play = element("play");
+  for (const factor of [0.05, 0.1, 0.25, 0.5, 1, 2, 5, 10]) speed.add(new Option("×" + factor, factor, factor === 1, factor === 1));
+  // The page opens at the fragment's time, such as #t=1.5, and then stands still.
+  const asked = /^#t=(-?[\d.e+-]+)$/.exec(location.hash);
+  let now = asked ? Math.min(end, Math.max(start, Number(asked[1]))) : start;
+  let running = !asked && last > 0, before = null;
+  const digits = Math.max(2, 2 - Math.floor(Math.log10(Math.max(end - start, 1e-12))));
+
+  function show() {
+    let low = 0, high = last;
+    while (high - low > 1) {
+      const middle = (low + high) >> 1;
+      if (times[middle] <= now) low = middle; else high = middle;
+    }
+    const s = last > 0 ? Math.min(1, Math.max(0, (now - times[low]) / (times[high] - times[low]))) : 0;
+    followers.forEach((follow) => follow(low, s));
+    slider.value = last > 0 ? (now - start) / (end - start) : 0;
+    element("clock").textContent = "t = " + now.toFixed(digits) + " / " + end.toFixed(digits);
+  }
+  function setRunning(value) {
+    running = value;
+    play.textContent = running ? "Pause" : "Play";
+  }
+  play.onclick = () => {
+    if (!running && now >= end) now = start;
+    setRunning(!running);
+  };
+  slider.oninput = () => {
+    setRunning(false);
+    now = start + Number(slider.value) * (end - start);
+  };
+  element("home").onclick = lookAtAll;
+  window.addEventListener("resize", resize);
+  window.addEventListener("keydown", (event) => {
+    if (event.code !== "Space" || event.target === play) return;
+    event.preventDefault();
+    play.onclick();
+  });
+
+  // --- labels: beside what they name, and not on one another ---
+  function placeLabels() {
+    const width = window.innerWidth, height = window.innerHeight, taken = [];
+    for (const { span, place } of labels) {
+      const p = place().clone().project(camera);
+      span.hidden = p.z > 1;
+      const x = Math.round((p.x + 1) / 2 * width) + 9;
+      let y = Math.round((1 - p.y) / 2 * height) - 20;
+      const wide = 7.5 * span.textContent.length;
+      for (let tries = 0; tries < 8 && taken.some(([a, b, w]) => x < a + w && a < x + wide && Math.abs(y - b) < 15); tries++) y += 15;
+      taken.push([x, y, wide]);
+      span.style.transform = `translate(${x}px, ${y}px)`;
+    }
+  }
+
+  function frame(stamp) {
+    if (running && before !== null) {
+      now += Number(speed.value) * (stamp - before) / 1000;
+      if (now > end) now = start;
+    }
+    before = stamp;
+    draw();
+    requestAnimationFrame(frame);
+  }
+  function draw() {
+    show();
+    controls.update();
+    sun.position.copy(camera.position).addScaledVector(V(up), 2 * radius);
+    sun.target.position.copy(controls.target);
+    renderer.render(world, camera);
+    placeLabels();
+  }
+  resize();
+  lookAtAll();
+  setRunning(running);
+  draw();
+  document.body.dataset.drawn = renderer.info.render.triangles;
+  requestAnimationFrame(frame);
+})();

@@ -1,0 +1,80 @@
+"""Poses of frames and places of points along a motion."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.spatial.transform import Rotation
+
+from symbody.errors import ViewError
+from symbody.geometry import Frame, Point, Vector
+from symbody.symbolic import Expr
+from symbody.view.motion import Motion
+
+Array = NDArray[np.float64]
+
+
+def values(motion: Motion, expressions: Sequence[Expr]) -> Array:
+    """Return the values of expressions along a motion, a row for each.
+
+    Raises:
+        ViewError: the motion has no instants, or a value isn't finite.
+    """
+    if len(motion.t) == 0:
+        raise ViewError(
+            "view: the motion has no instants, so there is nothing to draw; expected one at least"
+        )
+    if not expressions:
+        return np.empty((0, len(motion.t)))
+    rows = np.asarray(motion.evaluate(expressions), dtype=np.float64)
+    rows = np.broadcast_to(rows, (len(expressions), len(motion.t)))
+    if not np.isfinite(rows).all():
+        k, i = np.argwhere(~np.isfinite(rows))[0]
+        raise ViewError(
+            f"view: {expressions[k]} is {rows[k, i]} at t = {motion.t[i]:g}; expected finite numbers: "
+            "correct the parameters, or draw the motion up to there"
+        )
+    return rows
+
+
+def poses(motion: Motion, frames: Sequence[Frame]) -> Array:
+    """Return origins and unit quaternions (x, y, z, w) of frames seen from the root: frames by instants by 7.
+
+    Matrices that are no rotations, as natural coordinates within the drift of their constraints, give the nearest one.
+    """
+    entries: list[Expr] = []
+    for frame in frames:
+        rows, origin = frame.pose
+        entries += [*rows[0], *rows[1], *rows[2], *origin]
+    table = values(motion, entries).reshape(len(frames), 12, len(motion.t)).transpose(0, 2, 1)
+    quaternions = [_quaternions(track[:, :9].reshape(-1, 3, 3)) for track in table]
+    return np.concatenate([table[:, :, 9:], np.array(quaternions).reshape(*table.shape[:2], 4)], axis=2)
+
+
+def _quaternions(matrices: Array) -> Array:
+    """Return the quaternions of the nearest rotations, with signs that don't jump."""
+    u, _, vt = np.linalg.svd(matrices)
+    u[:, :, 2] *= np.linalg.det(u @ vt)[:, None]
+    quaternions = Rotation.from_matrix(u @ vt).as_quat()
+    turns = np.where(np.sum(quaternions[1:] * quaternions[:-1], axis=1) < 0, -1.0, 1.0)
+    signs = np.cumprod(np.concatenate([[1.0], turns]))
+    return np.asarray(quaternions * signs[:, None])
+
+
+def paths(motion: Motion, points: Sequence[Point]) -> Array:
+    """Return the places of points seen from the root: points by instants by 3."""
+    entries = [x for point in points for x in point.projected(point.frame.ancestor).coordinates]
+    return values(motion, entries).reshape(len(points), 3, -1).transpose(0, 2, 1)
+
+
+def arrows(motion: Motion, vectors: Sequence[Vector]) -> Array:
+    """Return the components of vectors seen from the root: vectors by instants by 3."""
+    entries = [x for vector in vectors for x in vector.projected(vector.frame.ancestor).components]
+    return values(motion, entries).reshape(len(vectors), 3, -1).transpose(0, 2, 1)
+
+
+def constants(motion: Motion, expressions: Sequence[Expr]) -> Array:
+    """Return the values of expressions of parameters."""
+    return values(motion, expressions)[:, 0]

@@ -1,0 +1,114 @@
+"""Shapes: what a body looks like, given by the user."""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any, final
+
+from symbody.geometry import Frame, Scalar
+from symbody.geometry.triple import expression
+from symbody.symbolic import Expr
+
+Place = tuple[Scalar, Scalar, Scalar]
+CENTRE: Place = (0, 0, 0)
+
+
+class Shape(ABC):
+    """A solid, fixed in the frame of the body at its centre of mass, or in another frame."""
+
+    frame: Frame | None
+    """The frame in which it is given; None stands for that of the body."""
+
+    @property
+    @abstractmethod
+    def lengths(self) -> tuple[Expr, ...]:
+        """All its lengths, expressions of the parameters."""
+
+    @abstractmethod
+    def part(self, lengths: Sequence[float]) -> dict[str, Any]:
+        """Return the entry of the page, given the values of the lengths."""
+
+
+@final
+@dataclass(frozen=True)
+class Box(Shape):
+    """A box by its sides along x, y and z, and its centre.
+
+    >>> from symbody import symbols
+    >>> Box(symbols("l"), 0.1, 0.1).part([2, 0.1, 0.1, 0, 0, 0])
+    {'kind': 'box', 'size': [2, 0.1, 0.1], 'at': [0, 0, 0]}
+    """
+
+    x: Scalar
+    y: Scalar
+    z: Scalar
+    at: Place = CENTRE
+    frame: Frame | None = None
+
+    @property
+    def lengths(self) -> tuple[Expr, ...]:
+        return tuple(map(expression, (self.x, self.y, self.z, *self.at)))
+
+    def part(self, lengths: Sequence[float]) -> dict[str, Any]:
+        return {"kind": "box", "size": list(lengths[:3]), "at": list(lengths[3:])}
+
+
+@final
+@dataclass(frozen=True)
+class Ellipsoid(Shape):
+    """An ellipsoid by its half axes along x, y and z, and its centre."""
+
+    x: Scalar
+    y: Scalar
+    z: Scalar
+    at: Place = CENTRE
+    frame: Frame | None = None
+
+    @property
+    def lengths(self) -> tuple[Expr, ...]:
+        return tuple(map(expression, (self.x, self.y, self.z, *self.at)))
+
+    def part(self, lengths: Sequence[float]) -> dict[str, Any]:
+        return {"kind": "ellipsoid", "size": list(lengths[:3]), "at": list(lengths[3:])}
+
+
+@final
+@dataclass(frozen=True)
+class Cylinder(Shape):
+    """A cylinder by its radius and the centres of its ends: a wheel, a rod, a rope drum."""
+
+    radius: Scalar
+    start: Place
+    end: Place
+    frame: Frame | None = None
+
+    @property
+    def lengths(self) -> tuple[Expr, ...]:
+        return tuple(map(expression, (self.radius, *self.start, *self.end)))
+
+    def part(self, lengths: Sequence[float]) -> dict[str, Any]:
+        radius, *ends = lengths
+        return {"kind": "rod", "radius": radius, "from": ends[:3], "to": ends[3:]}
+
+
+@final
+@dataclass(frozen=True)
+class Plate(Shape):
+    """A plate parallel to the x-y plane by its corners, in order, its thickness, and the z of its middle plane."""
+
+    corners: tuple[tuple[Scalar, Scalar], ...]
+    thickness: Scalar
+    z: Scalar = 0
+    frame: Frame | None = None
+
+    @property
+    def lengths(self) -> tuple[Expr, ...]:
+        flat = (coordinate for corner in self.corners for coordinate in corner)
+        return tuple(map(expression, (self.thickness, self.z, *flat)))
+
+    def part(self, lengths: Sequence[float]) -> dict[str, Any]:
+        thickness, z, *flat = lengths
+        corners = [list(pair) for pair in zip(flat[::2], flat[1::2], strict=True)]
+        return {"kind": "plate", "corners": corners, "thickness": thickness, "z": z}
