@@ -48,7 +48,8 @@ def test_all_rivals_are_there() -> None:
 def test_vectors_and_threads_agree() -> None:
     robot = from_reference("panda_7dof", PANDA)
     model = by_symbody.Model(robot, random_states(robot, 40))
-    contenders = [by_symbody.batch(model, INVERSE, threads) for threads in (1, 2)]
+    contenders = [by_symbody.batch(model, INVERSE)]
+    contenders += [by_symbody.threaded(model, INVERSE, threads) for threads in (1, 2)]
     assert all(t.agrees for t in in_turns([*by_symbody.contenders(model, INVERSE), *contenders], LOOK))
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import ctypes
 from dataclasses import dataclass, replace
 from functools import cached_property
+from time import perf_counter
 
 import numpy as np
 
@@ -71,33 +72,41 @@ def _machine_code(model: Model, function: str) -> Contender:
     return replace(contender, operations=cost(expressions).total)
 
 
-def batch(model: Model, function: str, threads: int = 1) -> Contender:
-    """Return the machine code of many states at a time."""
-    expressions = model.outputs(function)
-    arguments = model.arguments(function)
-    code = MachineCode(tuple(v for a in arguments for v in a.variables), expressions)
-    columns = [np.ascontiguousarray(column) for column in model.rows(function).T]
-    points, out = len(columns[0]), np.empty((len(expressions), len(columns[0])))
-    _ALIVE.extend((code, *columns))
-    if threads == 1:
-        address = ctypes.c_void_p(code.batch_address([False] * len(columns)))
-        pointers = (ctypes.c_void_p * len(columns))(*(c.ctypes.data for c in columns))
-        run = loops().loop_columns
+def batch(model: Model, function: str) -> Contender:
+    """Return the machine code of many states at a time, in a loop outside Python."""
+    code, columns, out = _columns(model, function)
+    points = out.shape[1]
+    address = ctypes.c_void_p(code.batch_address([False] * len(columns)))
+    pointers = (ctypes.c_void_p * len(columns))(*(c.ctypes.data for c in columns))
 
-        def time(repetitions: int) -> float:
-            return float(run(address, pointers, pointer(out), points, repetitions))
-    else:
+    def time(repetitions: int) -> float:
+        return float(loops().loop_columns(address, pointers, pointer(out), points, repetitions))
 
-        def time(repetitions: int) -> float:
-            from time import perf_counter  # noqa: PLC0415
+    return Contender("symbody, vectors of states", time, lambda: out.T, cost(code.expressions).total)
 
-            start = perf_counter()
-            for _ in range(repetitions):
-                code.evaluate_columns(columns, points, out, threads)
-            return (perf_counter() - start) * 1e9 / (points * repetitions)
+
+def threaded(model: Model, function: str, threads: int) -> Contender:
+    """Return the machine code of many states on some threads, by the clock on the wall: they work at the same time."""
+    code, columns, out = _columns(model, function)
+    points = out.shape[1]
+
+    def time(repetitions: int) -> float:
+        start = perf_counter()
+        for _ in range(repetitions):
+            code.evaluate_columns(columns, points, out, threads)
+        return (perf_counter() - start) * 1e9 / (points * repetitions)
 
     label = f"symbody, vectors of states, {threads} thread{'s' if threads > 1 else ''}"
-    return Contender(label, time, lambda: out.T, cost(expressions).total)
+    return Contender(label, time, lambda: out.T, cost(code.expressions).total)
+
+
+def _columns(model: Model, function: str) -> tuple[MachineCode, list[Values], Values]:
+    """Return the code of a function, a column for each input, and room for the results."""
+    expressions = model.outputs(function)
+    code = MachineCode(tuple(v for a in model.arguments(function) for v in a.variables), tuple(expressions))
+    columns = [np.ascontiguousarray(column) for column in model.rows(function).T]
+    _ALIVE.extend((code, *columns))
+    return code, columns, np.empty((len(expressions), len(columns[0])))
 
 
 def _generated_c(model: Model, function: str) -> Contender:

@@ -5,7 +5,8 @@
 #include <pinocchio/algorithm/rnea.hpp>
 #include <pinocchio/multibody.hpp>
 
-#include <chrono>
+#include <time.h>
+
 #include <string>
 
 using namespace pinocchio;
@@ -48,6 +49,14 @@ JointIndex add_joint(Tree &model, const double *row, int number)
     }
 }
 
+// Time of the processor, as in loop.c.
+double now()
+{
+    timespec t;
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
+    return t.tv_sec*1e9 + t.tv_nsec;
+}
+
 } // namespace
 
 // kind: 0 inverse dynamics, 1 mass matrix (upper triangle), 2 forward dynamics; returns nanoseconds a call.
@@ -65,7 +74,7 @@ extern "C" double pinocchio_loop(int kind, const double *numbers, int joints, co
     Workspace data(model);
     const int nq = model.nq, nv = model.nv;
     const Eigen::Map<const Eigen::MatrixXd> Q(q, nq, states), V(v, nv, states), A(a, nv, states);
-    const auto start = std::chrono::steady_clock::now();
+    const double start = now();
     for (int r = 0; r < repetitions; r++)
         for (int i = 0; i < states; i++) {
             if (kind == 0) Eigen::Map<Eigen::VectorXd>(out + i*nv, nv) = rnea(model, data, Q.col(i), V.col(i), A.col(i));
@@ -74,6 +83,5 @@ extern "C" double pinocchio_loop(int kind, const double *numbers, int joints, co
                 Eigen::Map<Eigen::VectorXd>(out + i*nv, nv) =
                     aba(model, data, Q.col(i), V.col(i), A.col(i), Convention::LOCAL);
         }
-    const std::chrono::duration<double, std::nano> time = std::chrono::steady_clock::now() - start;
-    return time.count()/(static_cast<double>(repetitions)*states);
+    return (now() - start)/(static_cast<double>(repetitions)*states);
 }

@@ -68,7 +68,7 @@ def many_states(effort: Effort) -> list[tuple[int, Timing]]:
     few = by_symbody.Model(robot, random_states(robot))
     timings = in_turns([*by_symbody.contenders(few, INVERSE), by_symbody.batch(few, INVERSE)], effort)
     many = by_symbody.Model(robot, random_states(robot, MANY))
-    shared = in_turns([by_symbody.batch(many, INVERSE, threads) for threads in (1, 2)], effort)
+    shared = in_turns([by_symbody.threaded(many, INVERSE, threads) for threads in (1, 2)], effort)
     return [*((COUNT, timing) for timing in timings), *((MANY, timing) for timing in shared)]
 
 
