@@ -21,6 +21,9 @@ from symbody.view.whole_file import write_whole
 Panel: TypeAlias = Expr | Sequence[Expr] | Mapping[str, Expr]
 """What one pair of axes shows: an expression, several, or several by the names to show."""
 
+LONG = 24
+"""Letters of the longest name that stands beside an axis; longer ones stand above the panel."""
+
 WIDE = 4
 """Panels from which there are two in a row."""
 
@@ -118,6 +121,9 @@ def _draw(axes: Axes, motion: Motion, curves: Mapping[str, Expr], units: Mapping
         _line(axes, motion.t, row, name, unit if len(curves) > 1 and not _common(curves, units) else "")
     unit = _common(curves, units)
     name = next(iter(curves)) if len(curves) == 1 else ""
+    if len(name) > LONG and "$" not in name:
+        axes.set_title(name, fontsize="medium")
+        name = ""
     axes.set_ylabel(f"{name} [{unit}]".strip() if unit else name)
     axes.grid(visible=True, alpha=0.3)
     axes.margins(x=0)

@@ -66,13 +66,13 @@ def _quaternions(matrices: Array) -> Array:
 def paths(motion: Motion, points: Sequence[Point]) -> Array:
     """Return the places of points seen from the root: points by instants by 3."""
     entries = [x for point in points for x in point.projected(point.frame.ancestor).coordinates]
-    return values(motion, entries).reshape(len(points), 3, -1).transpose(0, 2, 1)
+    return values(motion, entries).reshape(len(points), 3, len(motion.t)).transpose(0, 2, 1)
 
 
 def arrows(motion: Motion, vectors: Sequence[Vector]) -> Array:
     """Return the components of vectors seen from the root: vectors by instants by 3."""
     entries = [x for vector in vectors for x in vector.projected(vector.frame.ancestor).components]
-    return values(motion, entries).reshape(len(vectors), 3, -1).transpose(0, 2, 1)
+    return values(motion, entries).reshape(len(vectors), 3, len(motion.t)).transpose(0, 2, 1)
 
 
 def constants(motion: Motion, expressions: Sequence[Expr]) -> Array:

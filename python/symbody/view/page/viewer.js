@@ -116,7 +116,7 @@
   for (const body of scene.bodies) {
     body.parts.forEach((part) => solid(part, body.color));
     const group = carried(body.pose);
-    label(body.name, () => group.position, body.color);
+    label(body.name, () => group.position, "#1c2733");
     const row = document.createElement("div"), chip = document.createElement("i");
     chip.style.background = body.color;
     row.append(chip, body.name);
