@@ -68,6 +68,16 @@ def test_traces_shapes_and_forces(tmp_path: Path) -> None:
     np.testing.assert_allclose(np.reshape(scene["arrows"][0]["at"], (-1, 3)), expected, atol=1e-6)
 
 
+def test_what_stays_at_the_origin_fills_the_view(tmp_path: Path) -> None:
+    motion = tumbling()
+    still = replace(motion, variables={name: 0 * row for name, row in motion.variables.items()})
+    scene = scene_of(animate(still, tmp_path / "p.html"))
+    assert 0.1 < scene["view"]["radius"] < 0.3
+    (box,) = motion.system.bodies
+    scene = scene_of(animate(still, tmp_path / "p.html", shapes={box: Box(6, 1, 1)}))
+    assert 3 <= scene["view"]["radius"] < 6
+
+
 def test_equal_motions_give_equal_bytes(tmp_path: Path) -> None:
     first, second = (animate(tumbling(), tmp_path / name).read_bytes() for name in ("a.html", "b.html"))
     assert first == second

@@ -44,7 +44,7 @@ def view_of(places: Array, up: Array) -> View:
     """
     low, high = places.min(axis=0), places.max(axis=0)
     center = (low + high) / 2
-    radius = max(float(np.linalg.norm(places - center, axis=1).max()), 1e-9)
+    radius = float(np.linalg.norm(places - center, axis=1).max()) or 1.0
     _, extents, axes = np.linalg.svd(places - places.mean(axis=0), full_matrices=False)
     is_flat = len(extents) == 3 and extents[2] < FLAT * extents[0] and extents[1] > FLAT * extents[0]
     return View(center, radius, up, _direction(axes[2] if is_flat else None, up), float((places @ up).min()))

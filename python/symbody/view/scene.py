@@ -52,7 +52,12 @@ def scene(motion: Motion, wishes: Wishes, title: str) -> dict[str, Any]:
     points = [*wishes.points, *wishes.traces, *(end for line in wishes.lines for end in line)]
     places = paths(motion, points)
     tracks = poses(motion, frames.frames)
-    all_places = _extent(centres, places, tracks, [*chain, *(part for parts in given for part in parts)])
+    all_places = _extent(
+        _surroundings(motion, given, centres),
+        places,
+        tracks,
+        [*chain, *(part for parts in given for part in parts)],
+    )
     view = view_of(all_places, _up(motion))
     least = 0.04 * view.radius
     for part in chain:
@@ -151,6 +156,23 @@ def _equivalent(motion: Motion, body: Body, least: float) -> dict[str, Any]:
     arm = -np.array(rest[9:])
     link = arm if np.linalg.norm(arm) > 0 else None
     return equivalent_shape(float(mass), np.array(rest[:9]).reshape(3, 3), link, least)
+
+
+def _surroundings(motion: Motion, given: Sequence[Sequence[dict[str, Any]]], centres: Array) -> Array:
+    """Return centres of mass, moved to all sides by how far the solids reach, or by their radii of gyration."""
+    bodies = motion.system.bodies
+    table = constants(motion, [x for body in bodies for x in (body.mass, *body.moments)]).reshape(-1, 4)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        gyration = np.sqrt(1.5 * np.nan_to_num(table[:, 1:].max(axis=1) / table[:, 0], posinf=0.0).clip(0))
+    sizes = [max((_half(part) for part in parts), default=0.0) for parts in given]
+    reach = np.where([bool(parts) for parts in given], sizes, gyration)
+    sides = np.concatenate([np.eye(3), -np.eye(3)])
+    return np.asarray(centres[:, :, None] + (reach[:, None, None] * sides)[:, None])
+
+
+def _half(part: dict[str, Any]) -> float:
+    """Return half of the longest side of a box, and the longest half axis of an ellipsoid."""
+    return float(max(part.get("size", [0.0]))) / (2 if part["kind"] == "box" else 1)
 
 
 def _extent(centres: Array, places: Array, tracks: Array, parts: Sequence[dict[str, Any]]) -> Array:
