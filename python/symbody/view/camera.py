@@ -37,15 +37,16 @@ class View:
         }
 
 
-def view_of(places: Array, up: Array) -> View:
+def view_of(places: Array, core: Array, up: Array) -> View:
     """Return a view of points (a row each) in which the upwards direction is up.
 
-    Flat motions are seen nearly from the front, others from a corner above.
+    Flat motions, whose core (centres, points, links) lies in a plane, are seen nearly from the front, others from a
+    corner above.
     """
     low, high = places.min(axis=0), places.max(axis=0)
     center = (low + high) / 2
     radius = float(np.linalg.norm(places - center, axis=1).max()) or 1.0
-    _, extents, axes = np.linalg.svd(places - places.mean(axis=0), full_matrices=False)
+    _, extents, axes = np.linalg.svd(core - core.mean(axis=0), full_matrices=False)
     is_flat = len(extents) == 3 and extents[2] < FLAT * extents[0] and extents[1] > FLAT * extents[0]
     return View(center, radius, up, _direction(axes[2] if is_flat else None, up), float((places @ up).min()))
 

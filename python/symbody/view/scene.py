@@ -52,13 +52,10 @@ def scene(motion: Motion, wishes: Wishes, title: str) -> dict[str, Any]:
     points = [*wishes.points, *wishes.traces, *(end for line in wishes.lines for end in line)]
     places = paths(motion, points)
     tracks = poses(motion, frames.frames)
-    all_places = _extent(
-        _surroundings(motion, given, centres),
-        places,
-        tracks,
-        [*chain, *(part for parts in given for part in parts)],
-    )
-    view = view_of(all_places, _up(motion))
+    parts = [*chain, *(part for parts in given for part in parts)]
+    core = _extent(centres, places, tracks, parts)
+    around = _surroundings(motion, given, centres).reshape(-1, 3)
+    view = view_of(np.concatenate([core, around]), core, _up(motion))
     least = 0.04 * view.radius
     for part in chain:
         part["radius"] = least / 4
