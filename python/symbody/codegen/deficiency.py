@@ -9,9 +9,9 @@ from threading import Lock
 from symbody.errors import ModelNotice
 from symbody.symbolic.tape import take_deficiencies
 
-__all__ = ["notice_deficiencies"]
+__all__ = ["SYSTEMS", "notice_deficiencies"]
 
-_SYSTEMS = 16
+SYSTEMS = 16
 """Bits of a tag that number the linear systems of one function."""
 
 _lock = Lock()
@@ -22,14 +22,15 @@ def notice_deficiencies(tag: int, names: Sequence[str] = ()) -> None:
     """Warn of the systems of a function in which equations followed from others since the last call.
 
     Args:
-        tag: what tells the function from others, with :data:`_SYSTEMS` low bits zero.
+        tag: what tells the function from others, with :data:`SYSTEMS` low bits zero.
         names: the names of the equations, by row.
     """
-    for number, rows in sorted(_taken(tag >> _SYSTEMS)):
+    for number, rows in sorted(_taken(tag >> SYSTEMS)):
+        noun = "equation" if len(rows) == 1 else "equations"
         listed = ", ".join(names[row] if row < len(names) else f"number {row + 1}" for row in rows)
         verb = "follows from the others" if len(rows) == 1 else "follow from the others"
         warnings.warn(
-            f"lambdify: linear system {number + 1} of the function is of deficient rank at some points: equation "
+            f"lambdify: linear system {number + 1} of the function is of deficient rank at some points: {noun} "
             f"{listed} {verb} there; its solution of least norm was taken",
             ModelNotice,
             stacklevel=4,
@@ -40,6 +41,6 @@ def _taken(function: int) -> set[tuple[int, tuple[int, ...]]]:
     """Return what was noted for one function; what was noted for others waits for them."""
     with _lock:
         for tag, rows in take_deficiencies():
-            noted = (tag & ((1 << _SYSTEMS) - 1), tuple(rows))
-            _noted.setdefault(tag >> _SYSTEMS, set()).add(noted)
+            noted = (tag & ((1 << SYSTEMS) - 1), tuple(rows))
+            _noted.setdefault(tag >> SYSTEMS, set()).add(noted)
         return _noted.pop(function, set())

@@ -6,11 +6,13 @@ import ctypes
 from collections.abc import Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field
+from functools import cached_property
 from itertools import count, pairwise
 
 import numpy as np
 from numpy.typing import NDArray
 
+from symbody.codegen.deficiency import SYSTEMS
 from symbody.codegen.llvm import jit
 from symbody.codegen.llvm.module import batch_text, scalar_text
 from symbody.codegen.straight_line import Code, Input, code_of_tape
@@ -20,6 +22,8 @@ from symbody.symbolic.tape import Tape
 __all__ = ["MachineCode"]
 
 _TAGS = count(1)
+_WORTH = 10_000_000
+"""Operations for which a thread is worth being woken: about half a millisecond's."""
 _POINTER, _INTEGER = ctypes.c_void_p, ctypes.c_int64
 
 
@@ -40,9 +44,14 @@ class MachineCode:
 
     inputs: tuple[Expr, ...]
     expressions: tuple[Expr, ...]
-    tag: int = field(default_factory=lambda: next(_TAGS) << 16)
+    tag: int = field(default_factory=lambda: next(_TAGS) << SYSTEMS)
     _batches: dict[tuple[bool, ...], jit.Compiled] = field(default_factory=dict)
     _scalars: list[jit.Compiled] = field(default_factory=list)
+
+    @cached_property
+    def operations(self) -> int:
+        """The number of operations for one state."""
+        return sum(Tape(self.inputs, self.expressions).operations)
 
     @property
     def address(self) -> int:
@@ -62,7 +71,10 @@ class MachineCode:
     def evaluate_columns(
         self, columns: Sequence[NDArray[np.float64]], points: int, out: NDArray[np.float64], threads: int = 1
     ) -> None:
-        """Evaluate many states: a column for each input, with one value where it is the same for all."""
+        """Evaluate many states: a column for each input, with one value where it is the same for all.
+
+        Threads share them where there is enough to do for each.
+        """
         compiled = self._batch(tuple(column.size == 1 for column in columns))
         function = compiled.function(_POINTER, _POINTER, _INTEGER, _INTEGER, _INTEGER)
         pointers = (_POINTER * len(columns))(*(column.ctypes.data for column in columns))
@@ -70,7 +82,7 @@ class MachineCode:
         def run(start: int, end: int) -> None:
             function(pointers, out.ctypes.data, start, end, points)
 
-        parts = _parts(points, threads)
+        parts = _parts(points, min(threads, max(points * self.operations // _WORTH, 1)))
         if len(parts) == 1:
             run(*parts[0])
             return

@@ -38,7 +38,7 @@ class ForwardDynamics:
     """What a motion does next.
 
     Attributes:
-        accelerations: the second rates of the coordinates, in their order.
+        accelerations: the rates of the speeds, in their order.
         multipliers: the multipliers, in the order of the constraints.
         method: how they were found.
     """
@@ -135,7 +135,7 @@ def _ldl(eqs: Equations, _: Damping) -> ForwardDynamics:
         try:
             return ForwardDynamics(ldl_solve(M, [-entry for entry in eqs.bias]), (), "ldl")
         except ExpressionError as failure:
-            names = ", ".join(map(str, eqs.coordinates))
+            names = ", ".join(map(str, eqs.speeds))
             raise ModelError(
                 f"forward_dynamics: the mass matrix of {names}: {failure}; give every coordinate some mass to move, or "
                 "use method='pivoted'"

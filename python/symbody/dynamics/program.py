@@ -98,7 +98,7 @@ def _equations_of_motion(eqs: Equations) -> list[Routine]:
         _routine("mass_matrix", "the mass matrix", _matrix("M", eqs.mass_matrix)),
         _routine(
             "forcing",
-            "the forces of speeds, weight and loads: M a = f + phi_q^T lambda",
+            "the forces of speeds, weight and loads: M a = f" + (" + phi_q^T lambda" if m else ""),
             _vector("f", eqs.forcing),
         ),
         _routine(
@@ -131,9 +131,16 @@ def _forward(eqs: Equations, method: str, baumgarte: Damping) -> list[Routine]:
         "rates", (*eqs.kinematics.values(), *solution.accelerations), "the rates of q, then those of u"
     )
     return [
-        _routine("forward_dynamics", f"the accelerations ({solution.method})", *found),
+        _routine("forward_dynamics", f"the accelerations, {_WAYS[solution.method]}", *found),
         _routine("right_hand_side", "the rates of the state (q, u)", rates),
     ]
+
+
+_WAYS = {
+    "articulated_body": "by articulated bodies",
+    "ldl": "by elimination in the mass matrix",
+    "pivoted": "by a linear system that is solved with pivoting",
+}
 
 
 def _energies(eqs: Equations) -> tuple[Result, ...]:

@@ -61,6 +61,9 @@ class BlockWriter(Writer):
     def rows(self, rows: Sequence[int], stores: Sequence[tuple[int, str]]) -> None:
         """Write instructions, by number, and store values, by place, where they are awaited."""
         first = self.code.first_instruction
+        waiting: dict[int, list[str]] = {}
+        for place, target in stores:
+            waiting.setdefault(place, []).append(target)
         for is_wave, group in groupby(rows, key=lambda k: self.code.instructions[k][0] in {"sin", "cos"}):
             places = [first + k for k in group]
             for run in self._runs(places) if is_wave else ():
@@ -69,8 +72,9 @@ class BlockWriter(Writer):
                 if not is_wave:
                     self._instruction(place, self.code.instructions[place - first])
                 self._keep(place)
-        for place, target in stores:
-            self.store(self.value(place), self._address(target))
+                self._store(place, waiting.pop(place, []))
+        for place, targets in waiting.items():
+            self._store(place, targets)
 
     def _instruction(self, place: int, row: Instruction) -> None:
         name, memory = row[0], self.frame.memory
@@ -110,6 +114,11 @@ class BlockWriter(Writer):
         """Store a value that later blocks read."""
         if place in self.frame.slots:
             self.store(self.values[place], self._slot(place))
+
+    def _store(self, place: int, targets: Sequence[str]) -> None:
+        """Store a result as soon as it is there: values that wait take registers."""
+        for target in targets:
+            self.store(self.value(place), self._address(target))
 
     def _slot(self, place: int) -> str:
         return self.pointer("%work", self.frame.slots[place] * self.lanes)

@@ -13,7 +13,7 @@ from symbody.codegen.straight_line import Code, operands
 
 __all__ = ["Function"]
 
-BLOCK, SMALL_BLOCK = 2000, 500
+BLOCK, SMALL_BLOCK = 1000, 500
 """Instructions of a function, as compilers take a time that grows faster than the length; and of one of long code."""
 
 LONG = 8000
