@@ -67,7 +67,8 @@ def _files(module: Module) -> dict[str, str]:
 
 def _first_line(module: Module) -> str:
     """Return what the model is, as far as it stands in one line."""
-    return (sentences(module.meaning) or [module.name])[0]
+    first, *more = sentences(module.meaning) or [module.name]
+    return f"{first} ..." if more else first
 
 
 def _script(module: Module) -> str:
