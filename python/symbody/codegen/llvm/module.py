@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 
+from symbody.codegen.llvm.block import Load
 from symbody.codegen.llvm.function import Function
 from symbody.codegen.llvm.sincos import sincos_text
 from symbody.codegen.llvm.writer import Writer
@@ -54,19 +55,18 @@ def batch_text(code: Code, name: str, lanes: int, uniform: Sequence[bool], tag: 
     with_systems = any(row[0] == "factor" for row in code.instructions)
     before = [] if with_systems else [k for k, stage in enumerate(code.stages) if stage == 0]
     each = sorted(set(range(len(code.instructions))) - set(before))
-    slots = {place: slot for slot, place in enumerate(_shared(code, before, each, uniform))}
+    slots = {place: slot for slot, place in enumerate(_shared(code, before, each))}
     prologue = Function(code, f"{name}_once", before, 1, lanes, _pointed_input, tag=tag)
-    body = Function(code, f"{name}_each", each, lanes, lanes, _batch_input, slots, tag)
+    body = Function(code, f"{name}_each", each, lanes, lanes, _batch_input(uniform), slots, tag)
     once = prologue.text([(p, f"getelementptr double, ptr %uniform, i64 {slots[p]}") for p in slots])
     many = body.text([(place, f"@{j}") for j, place in enumerate(code.results)])
     loop = _loop(name, prologue, body, lanes, len(slots))
     return _module([once, many, loop], prologue.widths | body.widths)
 
 
-def _shared(code: Code, before: Sequence[int], each: Sequence[int], uniform: Sequence[bool]) -> list[int]:
-    """Return the places that are the same for all states and that some state needs."""
+def _shared(code: Code, before: Sequence[int], each: Sequence[int]) -> list[int]:
+    """Return the places of what is computed once for all states and what some state needs."""
     same = {code.first_instruction + k for k in before}
-    same |= {code.first_input + k for k, is_uniform in enumerate(uniform) if is_uniform}
     read = {place for k in each for place in operands(code.instructions[k])}
     return sorted(same & (read | set(code.results)))
 
@@ -118,8 +118,16 @@ def _pointed_input(w: Writer, number: int) -> str:
     return w.input(_column(w, number))
 
 
-def _batch_input(w: Writer, number: int) -> str:
-    return w.input(w.let(f"getelementptr double, ptr {_column(w, number)}, i64 %i"))
+def _batch_input(uniform: Sequence[bool]) -> Load:
+    """Return how inputs of many states are loaded, and those that all states share."""
+
+    def load(w: Writer, number: int) -> str:
+        column = _column(w, number)
+        if uniform[number]:
+            return w.splat(w.let(f"load double, ptr {column}, align 8, !invariant.load !1"))
+        return w.input(w.let(f"getelementptr double, ptr {column}, i64 %i"))
+
+    return load
 
 
 def _column(w: Writer, number: int) -> str:
