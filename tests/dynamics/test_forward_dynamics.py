@@ -230,7 +230,7 @@ MISTAKES = [
             method="ldl",
         ),
         (
-            "forward_dynamics: the mass matrix of x, phi: ldl_solve: row 2 of the 2x2 matrix has no pivot: on the "
+            "forward_dynamics: the mass matrix of x', phi': ldl_solve: row 2 of the 2x2 matrix has no pivot: on the "
             "diagonal elimination leaves what is identically zero; expected a positive definite matrix; give every "
             "coordinate some mass to move, or use method='pivoted'"
         ),
