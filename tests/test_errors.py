@@ -31,6 +31,7 @@ from symbody import (
     kinetic_energy,
     lagrange,
     lagrange_equations,
+    lambdify,
     moving_frame,
     newton_equations,
     newton_euler,
@@ -709,6 +710,23 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
         (
             "a is divided by an expression that is identically zero; check the divisor: its terms cancel, or what was "
             "substituted makes it zero"
+        ),
+    ),
+    # --- compiled functions ---
+    (
+        errors.ArgumentError,
+        lambda: lambdify([a, a], a + b),
+        (
+            "lambdify, arguments: a is given more than once; expected each variable once, by itself or in one of the "
+            "lists"
+        ),
+    ),
+    (
+        errors.ArgumentError,
+        lambda: lambdify([[a, x], b, [m, x, b]], a * x),
+        (
+            "lambdify, arguments: x and b are given more than once; expected each variable once, by itself or in one "
+            "of the lists"
         ),
     ),
 ]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
@@ -180,6 +181,7 @@ def lambdify(
 
     Raises:
         ParameterError: an expression contains a variable that is no argument.
+        ArgumentError: an argument is no variable, or a variable is given more than once.
 
     >>> from symbody import cos, lambdify, symbols
     >>> x, a = symbols("x a")
@@ -189,6 +191,7 @@ def lambdify(
            [1.        , 0.54030231]])
     """
     structure = tuple(map(_argument, [arguments] if isinstance(arguments, Expr) else _listed(arguments)))
+    _check_single(structure)
     outputs, shapes = _flatten(expressions)
     _check_threads(threads)
     function = CompiledFunction(
@@ -220,6 +223,17 @@ def _argument(argument: object) -> tuple[Expr, ...] | Expr:
         f"lambdify, arguments: {argument!r} is not a variable; "
         "expected symbols, functions of time, their derivatives, or lists of these"
     )
+
+
+def _check_single(arguments: Iterable[tuple[Expr, ...] | Expr]) -> None:
+    """Raise an error for a variable that is given more than once: which of its values would count?"""
+    twice = [str(leaf) for leaf, count in Counter(_flat(arguments)).items() if count > 1]
+    if twice:
+        verb = "is" if len(twice) == 1 else "are"
+        raise ArgumentError(
+            f"lambdify, arguments: {' and '.join(twice)} {verb} given more than once; expected each variable once, by "
+            "itself or in one of the lists"
+        )
 
 
 def _flat(arguments: Iterable[tuple[Expr, ...] | Expr]) -> list[Expr]:
