@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import os
 import re
-import tempfile
 import warnings
 from collections.abc import Iterable
 from dataclasses import replace
@@ -24,6 +23,7 @@ from symbody.codegen.printer import MARK
 from symbody.codegen.python import PYTHON
 from symbody.codegen.rust import RUST
 from symbody.codegen.target import Target
+from symbody.codegen.write import write_all
 from symbody.errors import CodegenError, ModelNotice, ProgramError
 from symbody.symbolic import STAGES, Program, free_symbols
 
@@ -83,7 +83,7 @@ def generate(
     for file, text in texts.items():
         _check_replaceable(folder / file, text)
     try:
-        _write(folder, texts)
+        write_all(folder, texts)
     except OSError as error:
         raise CodegenError(
             f"generate: the folder {folder} can't be written ({error.strerror}); nothing was changed there. "
@@ -156,16 +156,3 @@ def _marked(lines: Iterable[str]) -> str:
     """Return the name of the program that a file was generated for, if it was."""
     marked = next((line for line in lines if MARK in line), "")
     return re.sub(r"^\W*|\W*$", "", marked.split(MARK)[0])
-
-
-def _write(folder: Path, texts: dict[str, str]) -> None:
-    """Write all files into a temporary folder, and move them to their places when all is written."""
-    home = next(path for path in (folder, *folder.absolute().parents) if path.exists())
-    with tempfile.TemporaryDirectory(prefix=".symbody-", dir=home) as temporary:
-        for file, text in texts.items():
-            path = Path(temporary) / file
-            path.parent.mkdir(exist_ok=True)
-            path.write_text(text, encoding="utf-8", newline="\n")
-        for file in texts:
-            (folder / file).parent.mkdir(parents=True, exist_ok=True)
-            (Path(temporary) / file).replace(folder / file)
