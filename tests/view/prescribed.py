@@ -13,6 +13,7 @@ from symbody import (
     Body,
     Expr,
     Force,
+    Frame,
     Point,
     System,
     Vector,
@@ -46,8 +47,9 @@ class Prescribed:
         return np.broadcast_to(rows.reshape(len(expressions), -1), (len(expressions), len(self.t)))
 
 
-m, l, g, F = symbols("m l g F")
+m, l, g, F, h = symbols("m l g F h")
 q1, q2 = functions_of_time("q1 q2")
+xA, yA, xB, yB = functions_of_time("xA yA xB yB")
 x, y, z, phi, theta = functions_of_time("x y z phi theta")
 
 
@@ -81,6 +83,30 @@ def swinging(duration: float = 4.0) -> Prescribed:
     states = solve_ivp(rates, (0, duration), [0.4, 0.9, 0, 0], t_eval=t, rtol=1e-9, atol=1e-9).y
     variables = dict(zip((*system.coordinates, *system.speeds), states, strict=True))
     return Prescribed(t, system, variables, parameters)
+
+
+def hanging_plate(swing: float = 0.3) -> Prescribed:
+    """A bar AB in natural coordinates that swings on two threads of length h, parallel to itself; B0 is above B."""
+    bar = Frame(
+        [
+            [(xB - xA) / l, -(yB - yA) / l, 0, xA],
+            [(yB - yA) / l, (xB - xA) / l, 0, yA],
+            [0, 0, 1, 0],
+            [0, 0, 0, 1],
+        ]
+    )
+    body = Body(Point(bar, l / 2, 0, 0), m, 0, 0, m * l**2 / 12, name="bar")
+    length = (xB - xA) ** 2 + (yB - yA) ** 2 - l**2
+    threads = [xA**2 + yA**2 - h**2, ((xB - l) ** 2 + yB**2 - h**2) / 2]
+    system = System(
+        [body], coordinates=[xA, yA, xB, yB], constraints=[length, *threads], gravity=Vector(ground, 0, -g, 0)
+    )
+    t = np.linspace(0, 2, 41)
+    angle = swing * np.sin(3 * t)
+    x, y = np.sin(angle), -np.cos(angle)
+    multipliers = {system.multipliers[0]: 0 * t, system.multipliers[1]: -1 - t, system.multipliers[2]: -2 - t}
+    variables = {xA: x, yA: y, xB: x + 0.5, yB: y, **multipliers}
+    return Prescribed(t, system, variables, {m: 1.0, l: 0.5, h: 1.0, g: 9.81})
 
 
 def tumbling() -> Prescribed:

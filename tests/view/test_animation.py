@@ -4,8 +4,6 @@ from __future__ import annotations
 
 import json
 import re
-import shutil
-import subprocess
 from dataclasses import replace
 from pathlib import Path
 
@@ -14,14 +12,30 @@ import pytest
 from matplotlib.image import imread
 from scipy.spatial.transform import Rotation
 
-from symbody import Body, Point, functions_of_time, translate
+from symbody import Body, Force, Point, System, Torque, functions_of_time, ground, rotate, translate
 from symbody.errors import PictureError, ViewError
 from symbody.view import Box, animate
-from tests.view.prescribed import l, phi, q1, q2, swinging, theta, tumbling, x, y, z
-
-CHROMIUM = next(
-    (found for name in ("chromium", "chromium-browser", "google-chrome") if (found := shutil.which(name))), ""
+from tests.view.browser import CHROMIUM, browser
+from tests.view.prescribed import (
+    g,
+    hanging_plate,
+    l,
+    m,
+    phi,
+    q1,
+    q2,
+    swinging,
+    theta,
+    tumbling,
+    x,
+    xA,
+    xB,
+    y,
+    yA,
+    yB,
+    z,
 )
+
 XHTML = "http://www.w3.org/1999/xhtml"  # three.js names the namespace of a canvas; nothing is fetched
 
 
@@ -101,22 +115,128 @@ def test_what_cannot_be_drawn(tmp_path: Path) -> None:
     assert [file.name for file in tmp_path.iterdir()] == ["file"]
 
 
+def test_natural_coordinates_show_points_and_threads(tmp_path: Path) -> None:
+    motion = hanging_plate()
+    scene = scene_of(animate(motion, tmp_path / "p.html", reactions=True))
+    v = motion.variables
+    A, B = (np.column_stack([v[x], v[y], 0 * motion.t]) for x, y in ((xA, yA), (xB, yB)))
+    assert [point["name"] for point in scene["points"]] == ["A", "B", "", ""]
+    for point, path in zip(scene["points"], (A, B, 0 * A, 0 * A + [0.5, 0, 0]), strict=True):
+        np.testing.assert_allclose(np.reshape(point["path"], (-1, 3)), path, atol=1e-6)
+    ends = [(line["from"], line["to"]) for line in scene["lines"]]
+    np.testing.assert_allclose(np.reshape(ends[0], (2, -1, 3)), [A, 0 * A], atol=1e-6)
+    np.testing.assert_allclose(np.reshape(ends[1], (2, -1, 3)), [B, 0 * B + [0.5, 0, 0]], atol=1e-6)
+    assert len(ends) == 2, "the bar itself is no thread"
+    arms = [rod for rod in scene["links"] if rod["pose"] == scene["bodies"][0]["pose"]]
+    np.testing.assert_allclose([rod["to"] for rod in arms], [[-0.25, 0, 0], [0.25, 0, 0]], atol=1e-6)
+    # phi_q lambda: at A 2 lambda (A - A0), from 2 to 6; at B lambda (B - B0), from 2 to 4; the threads have length 1.
+    assert scene["largest"] == {"reaction": 6.0}
+    first, second = (np.reshape(arrow["vector"], (-1, 3)) for arrow in scene["arrows"])
+    np.testing.assert_allclose(
+        first, -A * (2 + 2 * motion.t)[:, None] * np.linalg.norm(first[-1]) / 6, atol=1e-6
+    )
+    np.testing.assert_allclose(second[-1], first[-1] * 4 / 6, atol=1e-6)
+
+
+def test_names_alone_are_not_believed(tmp_path: Path) -> None:
+    """Coordinates called x1, y1 that place no point of a body are not drawn as one."""
+    x1, y1 = functions_of_time("x1 y1")
+    body = Body(rotate("Z", x1) * translate(1, 0, 0) * rotate("X", y1), m, 1, 1, 1)
+    motion = tumbling()
+    system = System([body], coordinates=[x1, y1], constraints=[x1**2 + y1**2 - 1])
+    strange = replace(motion, system=system, variables={x1: np.cos(motion.t), y1: np.sin(motion.t)})
+    scene = scene_of(animate(strange, tmp_path / "p.html"))
+    assert (scene["points"], len(scene["links"])) == ([], 1)
+
+
+def test_joints_that_slide_have_a_guide(tmp_path: Path) -> None:
+    motion = tumbling()
+    system = System([Body(translate(0, 1, 0) * translate(x, 0, 0), m)], coordinates=[x])
+    scene = scene_of(animate(replace(motion, system=system), tmp_path / "p.html"))
+    (guide,) = [rod for rod in scene["links"] if rod.get("thin")]
+    np.testing.assert_allclose([guide["from"], guide["to"]], [[-0.2, 0, 0], [2.2, 0, 0]])
+
+
+def test_torques_and_forces_of_choice(tmp_path: Path) -> None:
+    motion = swinging(1.0)
+    upper, lower = motion.system.bodies
+    loads = [
+        Torque(ground, 0, 0, 3 * g, on=lower, reaction=upper, name="M"),
+        Force(ground, 0, -2, 0, at=lower.center_of_mass, on=lower),
+    ]
+    scene = scene_of(animate(motion, tmp_path / "p.html", forces=loads))
+    assert [arrow["kind"] for arrow in scene["arrows"]] == ["torque", "torque", "force"]
+    assert scene["largest"] == {"torque": 29.4, "force": 2.0}
+    there, back, force = (np.reshape(arrow["vector"], (-1, 3))[0] for arrow in scene["arrows"])
+    longest = 0.45 * scene["view"]["radius"]
+    np.testing.assert_allclose(
+        [there, back, force], [[0, 0, longest], [0, 0, -longest], [0, -longest, 0]], rtol=1e-6
+    )
+
+
+def test_solids_that_hide_others_are_glass(tmp_path: Path) -> None:
+    hull = translate(x, y, z)
+    bodies = [Body(hull, m, m, m, m, name="hull"), Body(hull * rotate("Z", phi), 0, 0, 0, m, name="wheel")]
+    motion = tumbling()
+    system = System(bodies, coordinates=[x, y, z, phi])
+    shown = scene_of(animate(replace(motion, system=system), tmp_path / "p.html"))["bodies"]
+    assert [body["parts"][0]["glass"] for body in shown] == [True, False]
+    rods = scene_of(animate(swinging(1.0), tmp_path / "rods.html"))["bodies"]
+    assert not any(rod["parts"][0]["glass"] for rod in rods)
+
+
+# --- in a browser ---
+
+
+def alike(picture: np.ndarray, color: str) -> np.ndarray:
+    """Return where a picture has a colour, in light or shade."""
+    hue = np.array([int(color[k : k + 2], 16) for k in (1, 3, 5)], dtype=float)
+    pixels = picture[:, :, :3]
+    return pixels @ (hue / np.linalg.norm(hue)) > 0.99 * np.maximum(np.linalg.norm(pixels, axis=2), 1e-9)
+
+
 @pytest.mark.skipif(not CHROMIUM, reason="no Chromium on this machine: apt-get install chromium")
-def test_a_browser_draws_it_without_an_error(tmp_path: Path) -> None:
+def test_a_browser_shows_it(tmp_path: Path) -> None:
+    """From a file, without a network and without an error; and it plays."""
     file = animate(swinging(1.0), tmp_path / "page.html", forces=True)
-    software = ["--disable-gpu", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"]
-    picture = tmp_path / "page.png"
-    command = [
-        CHROMIUM, "--headless", "--no-sandbox", *software, "--enable-logging=stderr", "--window-size=900,600",
-        f"--user-data-dir={tmp_path / 'profile'}", f"--screenshot={picture}", "--virtual-time-budget=1000",
-        f"{file.as_uri()}#t=0.5",
-    ]  # fmt: skip
-    done = subprocess.run(command, capture_output=True, text=True, timeout=120, check=True)
-    console = [line for line in done.stderr.splitlines() if "CONSOLE" in line and "GPU stall" not in line]
-    assert console == []
-    pixels = imread(picture)[:, :, :3]
-    for color in ([0x1F, 0x77, 0xB4], [0xFF, 0x7F, 0x0E]):  # both rods, in light and shade
-        hue = np.array(color) / np.linalg.norm(color)
-        middle = pixels[80:520, :740].reshape(-1, 3)
-        alike = middle @ hue / np.maximum(np.linalg.norm(middle, axis=1), 1e-9)
-        assert (alike > 0.99).sum() > 300
+    with browser() as page:
+        page.open(f"{file.as_uri()}#t=0.5")
+        page.wait_for("document.body.dataset.drawn > 0")
+        picture = imread(page.picture(tmp_path / "page.png"))
+        picture[:120, 700:] = 1.0  # the legend
+        for color in ("#1f77b4", "#ff7f0e", "#c2185b"):  # both rods and the force
+            rows, columns = np.nonzero(alike(picture[:530], color))  # above the bar
+            assert len(rows) > 300
+            assert 200 < columns.mean() < 700, "in the middle"
+            assert 150 < rows.mean() < 450
+            assert (columns.min(), columns.max()) > (20, 0), "nothing is cut off"
+            assert columns.max() < 880
+        slider = "Number(document.getElementById('time').value)"
+        assert page.evaluate(slider) == pytest.approx(0.5)
+        page.evaluate("document.getElementById('play').click()")
+        page.wait_for(f"{slider} != 0.5")
+        page.evaluate("document.getElementById('play').click()")
+        now = page.evaluate(slider)
+        text = page.evaluate("document.getElementById('clock').textContent")
+        assert text == f"t = {now:.2f} / 1.00"
+        page.evaluate("document.querySelector('#legend div').click()")
+        page.wait_for("document.querySelector('#legend div').style.opacity == '0.4'")
+        assert page.console == []
+        assert [address for address in page.requests if not address.startswith("data:")] == [
+            f"{file.as_uri()}#t=0.5"
+        ]
+
+
+@pytest.mark.skipif(not CHROMIUM, reason="no Chromium on this machine: apt-get install chromium")
+def test_an_error_in_the_page_is_seen(tmp_path: Path) -> None:
+    """The browser that the tests look through tells of errors and of addresses that it asks for."""
+    file = tmp_path / "bad.html"
+    file.write_text(
+        "<title>x</title><img src='http://localhost:9/a.png'><script>console.error('one'); none.two</script>"
+    )
+    with browser() as page:
+        page.open(file.as_uri())
+        page.wait_for("document.images[0].complete")
+        assert "one" in page.console
+        assert any("none is not defined" in line for line in page.console)
+        assert any(address.endswith("a.png") for address in page.requests)

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from symbody.geometry import Frame, Point
-from symbody.multibody import Body, System
+from symbody.multibody import Body, Load, System
 from symbody.symbolic import Expr
 from symbody.view.motion import Motion
 from symbody.view.scene import Wishes, scene
@@ -36,12 +36,14 @@ def animate(
     points: Sequence[Point] = (),
     traces: Sequence[Point] = (),
     lines: Sequence[tuple[Point, Point]] = (),
-    forces: bool = False,
+    forces: bool | Sequence[Load] = False,
+    reactions: bool = False,
 ) -> Path:
     """Write a motion as a page for any browser: one file, without a network.
 
-    Bodies without a shape are shown as the homogeneous box, cylinder, ball or rod of their mass and inertia, and joined
-    by the constant distances of their chains of frames.
+    Bodies without a shape are shown as the homogeneous box, cylinder, ball or rod of their mass and inertia, as glass
+    if they hide a joint or another body. Rods are the constant distances of their chains of frames, and lead to the
+    points where forces act; threads are the constant distances that constraints keep between natural coordinates.
 
     Args:
         motion: what is shown.
@@ -52,13 +54,16 @@ def animate(
         points: points that are shown with their names.
         traces: points that leave their paths.
         lines: pairs of points that are joined by a line, such as the ends of a thread.
-        forces: whether the forces of the system are shown as arrows.
+        forces: whether the forces and torques of the system are shown as arrows; or those that are, which may hold
+            multipliers and accelerations, such as the force in a joint. A torque has two heads.
+        reactions: whether the forces of threads are shown.
 
     Raises:
         ViewError: there is nothing to draw, a value isn't finite, or a shape is given for a body of no part.
         PictureError: the file can't be written.
     """
-    wishes = Wishes(shapes or {}, frames, points, traces, lines, forces)
+    loads = (motion.system.loads if forces else ()) if isinstance(forces, bool) else forces
+    wishes = Wishes(shapes or {}, frames, points, traces, lines, loads, reactions)
     text = page(scene(thinned(motion), wishes, title or motion.system.name or "symbody"))
     return write_whole(path, lambda file: file.write_text(text, encoding="utf-8", newline="\n"))
 

@@ -2,16 +2,20 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from symbody.view.pose import rounded
+
 Array = NDArray[np.float64]
 
 FLAT = 0.02
 """A motion is flat if its thickness is less than this part of its extent."""
+
+DIRECTIONS = 100
 
 
 @dataclass(frozen=True)
@@ -24,6 +28,12 @@ class View:
     direction: Array
     floor: float
     """The height of the lowest point, along ``up``."""
+    extremes: Array
+    """The outermost points in many directions: the picture must hold them."""
+
+    def holding(self, places: Array) -> View:
+        """Return the same view from as far as it takes to hold more points."""
+        return replace(self, extremes=_extremes(np.concatenate([self.extremes, places])))
 
     @property
     def entry(self) -> dict[str, Any]:
@@ -34,6 +44,7 @@ class View:
             "up": self.up.tolist(),
             "direction": self.direction.tolist(),
             "floor": self.floor,
+            "extremes": [rounded(point) for point in self.extremes],
         }
 
 
@@ -48,7 +59,18 @@ def view_of(places: Array, core: Array, up: Array) -> View:
     radius = float(np.linalg.norm(places - center, axis=1).max()) or 1.0
     _, extents, axes = np.linalg.svd(core - core.mean(axis=0), full_matrices=False)
     is_flat = len(extents) == 3 and extents[2] < FLAT * extents[0] and extents[1] > FLAT * extents[0]
-    return View(center, radius, up, _direction(axes[2] if is_flat else None, up), float((places @ up).min()))
+    direction = _direction(axes[2] if is_flat else None, up)
+    return View(center, radius, up, direction, float((places @ up).min()), _extremes(places))
+
+
+def _extremes(places: Array) -> Array:
+    """Return the outermost points in directions that are spread evenly over the sphere (a spiral)."""
+    k = np.arange(DIRECTIONS) + 0.5
+    height, angle = 1 - 2 * k / DIRECTIONS, k * np.pi * (1 + 5**0.5)
+    ring = np.sqrt(1 - height**2)
+    sides = np.column_stack([ring * np.cos(angle), ring * np.sin(angle), height])
+    found = {int(np.argmax(places @ side)): None for side in sides}
+    return places[list(found)]
 
 
 def _direction(normal: Array | None, up: Array) -> Array:

@@ -21,12 +21,14 @@ def equivalent_shape(mass: float, inertia: Array, link: Array | None, least: flo
     plane: a rod along its link, ``l^2 = 12 C/m``, or a disc.
 
     Args:
-        mass: the mass; a particle is a ball.
+        mass: the mass; a particle is a ball, and what has inertia without mass (a flywheel) a disc.
         inertia: the tensor about the centre of mass.
         link: the direction from the joint to the centre of mass, if there is one.
         least: the least length that can be seen.
     """
     moments, axes = np.linalg.eigh(inertia)
+    if mass <= 0 < moments[-1]:
+        return _rod(axes[:, 2], least, 5 * least)
     if mass <= 0 or moments[-1] <= 0:
         return {"kind": "ellipsoid", "size": [1.5 * least] * 3, "at": [0.0] * 3}
     if moments[-1] > SAME * mass * least**2 and np.all(np.abs(moments[:2]) < SAME * moments[-1]):

@@ -6,6 +6,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 
 from symbody.geometry import Frame, Point, origin
+from symbody.geometry.motion import Translation
 from symbody.geometry.triple import Triple, is_null
 from symbody.multibody import Body
 
@@ -44,6 +45,33 @@ def links(bodies: Iterable[Body]) -> dict[Link, int]:
                     found[link] = owner
             is_fixed = is_fixed and constant
     return found
+
+
+@dataclass(frozen=True)
+class Guide:
+    """A straight line along which a frame slides, given in the frame before it."""
+
+    frame: Frame
+    displacement: Triple
+
+
+def guides(bodies: Iterable[Body]) -> list[Guide]:
+    """Return the guides of the chains that carry bodies: translations along one axis by a function of time.
+
+    >>> from symbody import rotate, functions_of_time, translate
+    >>> s = functions_of_time("s")
+    >>> [guide.displacement for guide in guides([Body(translate(0, 0, 1) * translate(s, 0, 0), 1)])]
+    [(s, 0, 0)]
+    """
+    found: dict[Guide, None] = {}
+    for body in bodies:
+        for frame in body.frame.chain:
+            motion, parent = frame.motion, frame.parent
+            if motion is None or parent is None or not isinstance(motion, Translation):
+                continue
+            if sum(x.depends_on_time for x in motion.displacement) == 1:
+                found[Guide(parent, motion.displacement)] = None
+    return list(found)
 
 
 def joint(body: Body) -> Point:

@@ -78,3 +78,19 @@ def arrows(motion: Motion, vectors: Sequence[Vector]) -> Array:
 def constants(motion: Motion, expressions: Sequence[Expr]) -> Array:
     """Return the values of expressions of parameters."""
     return values(motion, expressions)[:, 0]
+
+
+def carried(track: Array, places: Array) -> Array:
+    """Return the paths of points that are fixed in a frame, given its poses: points by instants by 3."""
+    turn = Rotation.from_quat(track[:, 3:])
+    return np.array([track[:, :3] + turn.apply(place) for place in places]).reshape(-1, len(track), 3)
+
+
+def seen_from(track: Array, path: Array) -> Array:
+    """Return the path of a point as a frame sees it, given the poses of that frame: instants by 3."""
+    return np.asarray(Rotation.from_quat(track[:, 3:]).inv().apply(path - track[:, :3]))
+
+
+def rounded(track: Array) -> list[float]:
+    """Return a track as numbers of seven digits: more than a screen shows."""
+    return [float(f"{x:.7g}") for x in track.ravel()]

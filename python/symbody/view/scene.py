@@ -11,30 +11,39 @@ from numpy.typing import NDArray
 
 from symbody.errors import ViewError
 from symbody.geometry import Frame, Point, ground
-from symbody.multibody import Body
+from symbody.multibody import Body, Load
+from symbody.view.arrow import arrow_entries, load_arrows, reaction_arrows
 from symbody.view.camera import view_of
 from symbody.view.equivalent import equivalent_shape
-from symbody.view.link import joint, links
+from symbody.view.link import joint
 from symbody.view.motion import Motion
-from symbody.view.pose import arrows, constants, paths, poses
+from symbody.view.pose import arrows, carried, constants, paths, poses, rounded, seen_from
 from symbody.view.shape import Shape
+from symbody.view.skeleton import COLORS, Skeleton, skeleton
+from symbody.view.solid import corners, falls_short_of, hides
+from symbody.view.table import FrameTable
 
 Array = NDArray[np.float64]
+Part = dict[str, Any]
 
-COLORS = ("#1f77b4", "#ff7f0e", "#2ca02c", "#d62728", "#9467bd", "#8c564b", "#e377c2", "#17becf", "#bcbd22")
-GREY = "#888888"
+THICKNESS = 0.04
+"""Of the thinnest bodies, in radii of the picture; rods and threads are thinner."""
+
+LOOKS = 200
+"""Instants that decide where to look from."""
 
 
 @dataclass(frozen=True)
 class Wishes:
-    """What a user asks for beside bodies and links."""
+    """What a user asks for beside bodies and the skeleton of the model."""
 
     shapes: Mapping[Body, Shape | Sequence[Shape]] = field(default_factory=dict)
     frames: Sequence[Frame] = ()
     points: Sequence[Point] = ()
     traces: Sequence[Point] = ()
     lines: Sequence[tuple[Point, Point]] = ()
-    forces: bool = False
+    forces: Sequence[Load] = ()
+    reactions: bool = False
 
 
 def scene(motion: Motion, wishes: Wishes, title: str) -> dict[str, Any]:
@@ -45,46 +54,36 @@ def scene(motion: Motion, wishes: Wishes, title: str) -> dict[str, Any]:
     """
     bodies = motion.system.bodies
     _check_shapes(wishes.shapes, bodies)
-    frames = _Table()
-    centres = poses(motion, [body.frame for body in bodies])[:, :, :3]
-    chain = _chain(motion, frames)
-    given = [_given(motion, frames, wishes.shapes.get(body)) for body in bodies]
-    points = [*wishes.points, *wishes.traces, *(end for line in wishes.lines for end in line)]
-    places = paths(motion, points)
-    tracks = poses(motion, frames.frames)
-    parts = [*chain, *(part for parts in given for part in parts)]
-    core = _extent(centres, places, tracks, parts)
-    around = _surroundings(motion, given, centres).reshape(-1, 3)
-    view = view_of(np.concatenate([core, around]), core, _up(motion))
-    least = 0.04 * view.radius
-    for part in chain:
-        part["radius"] = least / 4
-    page = {
+    table = FrameTable()
+    own = [table.place(body.frame) for body in bodies]
+    bones = skeleton(motion, table, poses(motion, [body.frame for body in bodies]))
+    given = [_given(motion, table, body, wishes.shapes.get(body)) for body in bodies]
+    axes = [{"name": frame.name, "pose": table.place(frame)} for frame in (ground, *wishes.frames)]
+    tracks = poses(motion, table.frames)
+    asked = _asked(motion, wishes)
+    core = _core(tracks, own, bones, asked)
+    least = THICKNESS * _radius(np.concatenate([core, _reach(motion, tracks[own], given)]))
+    parts = [
+        shapes or [_equivalent(motion, body, own[k], least)]
+        for k, (body, shapes) in enumerate(zip(bodies, given, strict=True))
+    ]
+    for k in (k for k, shapes in enumerate(given) if not shapes):
+        parts[k][0]["glass"] = _is_glass(k, parts, tracks[:, 0], own, bones)
+    view = view_of(np.concatenate([core, _corners(tracks, parts)]), core, _up(motion))
+    drawn = [*load_arrows(wishes.forces), *(reaction_arrows(bones.threads) if wishes.reactions else [])]
+    shown, tips = arrow_entries(motion, drawn, view.radius)
+    return {
         "title": title,
-        "view": view.entry,
+        "view": view.holding(tips).entry,
+        "thickness": least,
         "times": motion.t.tolist(),
-        "bodies": _bodies(motion, frames, given, least),
-        "links": chain,
-        "axes": [{"name": frame.name, "pose": frames.place(frame)} for frame in (ground, *wishes.frames)],
-        **_points(wishes, places),
-        "arrows": _arrows(motion, view.radius) if wishes.forces else [],
+        "bodies": _bodies(bodies, own, parts),
+        "links": bones.rods,
+        "axes": axes,
+        **_lines_and_points(wishes, asked, bones),
+        **shown,
+        "poses": [rounded(track) for track in tracks],
     }
-    return {**page, "poses": [_rounded(track) for track in poses(motion, frames.frames)]}
-
-
-class _Table:
-    """The frames of the page, each with its place in the list of poses."""
-
-    def __init__(self) -> None:
-        self._places: dict[Frame, int] = {}
-
-    @property
-    def frames(self) -> list[Frame]:
-        return list(self._places)
-
-    def place(self, frame: Frame) -> int:
-        """Return the place of a frame, which is added if it is new."""
-        return self._places.setdefault(frame, len(self._places))
 
 
 def _check_shapes(shapes: Mapping[Body, object], bodies: Sequence[Body]) -> None:
@@ -106,119 +105,117 @@ def _up(motion: Motion) -> Array:
     return np.asarray(-down / size) if size else np.array([0.0, 0, 1])
 
 
-def _chain(motion: Motion, frames: _Table) -> list[dict[str, Any]]:
-    found = links(motion.system.bodies)
-    ends = constants(motion, [x for link in found for x in link.to]).reshape(-1, 3)
-    return [
-        {
-            "kind": "rod",
-            "pose": frames.place(link.frame),
-            "from": [0.0] * 3,
-            "to": end.tolist(),
-            "color": COLORS[owner % len(COLORS)] if owner >= 0 else GREY,
-        }
-        for (link, owner), end in zip(found.items(), ends, strict=True)
-    ]
+# --- what a user asks for ---
 
 
-def _given(motion: Motion, frames: _Table, shapes: Shape | Sequence[Shape] | None) -> list[dict[str, Any]]:
+def _given(
+    motion: Motion, table: FrameTable, body: Body, shapes: Shape | Sequence[Shape] | None
+) -> list[Part]:
     if shapes is None:
         return []
     parts = []
     for shape in [shapes] if isinstance(shapes, Shape) else shapes:
         part = shape.part([float(x) for x in constants(motion, shape.lengths)])
-        parts.append(part if shape.frame is None else {**part, "pose": frames.place(shape.frame)})
+        parts.append({"pose": table.place(shape.frame or body.frame), **part})
     return parts
 
 
-def _bodies(
-    motion: Motion, frames: _Table, given: list[list[dict[str, Any]]], least: float
-) -> list[dict[str, Any]]:
-    entries = []
-    for k, (body, parts) in enumerate(zip(motion.system.bodies, given, strict=True)):
-        own = {"pose": frames.place(body.frame)}
-        entries.append(
-            {
-                "name": body.name or f"body {k + 1}",
-                "color": COLORS[k % len(COLORS)],
-                **own,
-                "parts": [{**own, **part} for part in parts or [_equivalent(motion, body, least)]],
-            }
-        )
-    return entries
+def _asked(motion: Motion, wishes: Wishes) -> Array:
+    """Return the paths of points, traces and both ends of lines, in this order."""
+    ends = (end for line in wishes.lines for end in line)
+    return paths(motion, [*wishes.points, *wishes.traces, *ends])
 
 
-def _equivalent(motion: Motion, body: Body, least: float) -> dict[str, Any]:
+def _lines_and_points(wishes: Wishes, asked: Array, bones: Skeleton) -> dict[str, Any]:
+    n, k = len(wishes.points), len(wishes.traces)
+    names = [point.name for point in (*wishes.points, *wishes.traces)]
+    points = [*zip(names, asked[: n + k], strict=True), *bones.points]
+    lines = [*zip(asked[n + k :: 2], asked[n + k + 1 :: 2], strict=True), *bones.lines]
+    return {
+        "points": [{"name": name, "path": rounded(path)} for name, path in points],
+        "traces": list(range(n, n + k)),
+        "lines": [{"from": rounded(start), "to": rounded(end)} for start, end in lines],
+    }
+
+
+# --- bodies ---
+
+
+def _bodies(bodies: Sequence[Body], own: Sequence[int], parts: Sequence[list[Part]]) -> list[dict[str, Any]]:
+    return [
+        {
+            "name": body.name or f"body {k + 1}",
+            "is_named": bool(body.name),
+            "color": COLORS[k % len(COLORS)],
+            "pose": own[k],
+            "parts": parts[k],
+        }
+        for k, body in enumerate(bodies)
+    ]
+
+
+def _equivalent(motion: Motion, body: Body, pose: int, least: float) -> Part:
     mass, *rest = constants(motion, [body.mass, *body.inertia_entries, *joint(body).coordinates])
     arm = -np.array(rest[9:])
     link = arm if np.linalg.norm(arm) > 0 else None
-    return equivalent_shape(float(mass), np.array(rest[:9]).reshape(3, 3), link, least)
+    return {"pose": pose, **equivalent_shape(float(mass), np.array(rest[:9]).reshape(3, 3), link, least)}
 
 
-def _surroundings(motion: Motion, given: Sequence[Sequence[dict[str, Any]]], centres: Array) -> Array:
+def _is_glass(k: int, parts: Sequence[list[Part]], poses: Array, own: Sequence[int], bones: Skeleton) -> bool:
+    """Return whether a solid hides smaller bodies or joints, or doesn't reach its own: it can't be the body's shape."""
+    part, pose = parts[k][0], poses[own[k]]
+    sizes = [float(np.linalg.norm(np.ptp(corners(shapes[0]), axis=0))) for shapes in parts]
+    smaller = [poses[own[j], :3] for j, size in enumerate(sizes) if size < 0.999 * sizes[k]]
+    ends = [carried(poses[rod["pose"]][None], np.array([rod["from"], rod["to"]]))[:, 0] for rod in bones.rods]
+    joints = _apart([place for end in ends for place in end], pose[:3])
+    arms = [end for rod, end in zip(bones.rods, ends, strict=True) if rod["body"] == k]
+    reached = _apart([place for end in arms for place in end], pose[:3])
+    is_short = part["kind"] != "ellipsoid" and falls_short_of(part, _seen(pose, reached))
+    return is_short or hides(part, _seen(pose, [*smaller, *joints]))
+
+
+def _apart(places: Sequence[Array], centre: Array) -> list[Array]:
+    """Return the places that aren't at the centre."""
+    distances = [float(np.linalg.norm(place - centre)) for place in places]
+    return [
+        place for place, d in zip(places, distances, strict=True) if d > 1e-6 * max(distances, default=0.0)
+    ]
+
+
+def _seen(pose: Array, places: Sequence[Array]) -> Array:
+    return np.array([seen_from(pose[None], place)[0] for place in places]).reshape(-1, 3)
+
+
+# --- how large it is ---
+
+
+def _core(tracks: Array, own: Sequence[int], bones: Skeleton, asked: Array) -> Array:
+    """Return the places of centres of mass, points and ends of rods, at all instants."""
+    found = [tracks[:, :, :3], asked, *(path[None] for _, path in bones.points)]
+    found += [np.array(line) for line in bones.lines]
+    found += [carried(tracks[rod["pose"]], np.array([rod["from"], rod["to"]])) for rod in bones.rods]
+    return np.concatenate([places.reshape(-1, 3) for places in found])
+
+
+def _radius(places: Array) -> float:
+    middle = (places.min(axis=0) + places.max(axis=0)) / 2
+    return float(np.linalg.norm(places - middle, axis=1).max()) or 1.0
+
+
+def _reach(motion: Motion, tracks: Array, given: Sequence[list[Part]]) -> Array:
     """Return centres of mass, moved to all sides by how far the solids reach, or by their radii of gyration."""
     bodies = motion.system.bodies
     table = constants(motion, [x for body in bodies for x in (body.mass, *body.moments)]).reshape(-1, 4)
     with np.errstate(divide="ignore", invalid="ignore"):
         gyration = np.sqrt(1.5 * np.nan_to_num(table[:, 1:].max(axis=1) / table[:, 0], posinf=0.0).clip(0))
-    sizes = [max((_half(part) for part in parts), default=0.0) for parts in given]
+    sizes = [max((np.ptp(corners(part), axis=0).max() / 2 for part in parts), default=0.0) for parts in given]
     reach = np.where([bool(parts) for parts in given], sizes, gyration)
     sides = np.concatenate([np.eye(3), -np.eye(3)])
-    return np.asarray(centres[:, :, None] + (reach[:, None, None] * sides)[:, None])
+    return np.asarray(tracks[:, :, None, :3] + (reach[:, None, None] * sides)[:, None]).reshape(-1, 3)
 
 
-def _half(part: dict[str, Any]) -> float:
-    """Return half of the longest side of a box, and the longest half axis of an ellipsoid."""
-    return float(max(part.get("size", [0.0]))) / (2 if part["kind"] == "box" else 1)
-
-
-def _extent(centres: Array, places: Array, tracks: Array, parts: Sequence[dict[str, Any]]) -> Array:
-    """Return the points that the picture must hold: centres of mass, points, ends of links and corners of shapes."""
-    found = [centres.reshape(-1, 3), places.reshape(-1, 3), np.zeros((1, 3))]
-    found += [track[:, :3] for track in tracks]
-    for part in parts:
-        if part["kind"] == "rod" and "pose" in part:
-            found.append(_carried(tracks[part["pose"]], np.array(part["to"])))
-    return np.concatenate(found)
-
-
-def _carried(track: Array, place: Array) -> Array:
-    """Return the path of a point that is fixed in a frame: ``p + v + 2 w (q x v) + 2 q x (q x v)``."""
-    q, w = track[:, 3:6], track[:, 6:]
-    turned = np.cross(q, np.broadcast_to(place, q.shape))
-    return np.asarray(track[:, :3] + place + 2 * w * turned + 2 * np.cross(q, turned))
-
-
-def _points(wishes: Wishes, places: Array) -> dict[str, Any]:
-    """Return points, traces and lines, whose ends are cut from all places in this order."""
-    n, k = len(wishes.points), len(wishes.traces)
-    ends = places[n + k :]
-    return {
-        "points": [
-            {"name": point.name, "path": _rounded(path)}
-            for point, path in zip([*wishes.points, *wishes.traces], places[: n + k], strict=True)
-        ],
-        "traces": list(range(n, n + k)),
-        "lines": [
-            {"from": _rounded(start), "to": _rounded(end)}
-            for start, end in zip(ends[::2], ends[1::2], strict=True)
-        ],
-    }
-
-
-def _arrows(motion: Motion, radius: float) -> list[dict[str, Any]]:
-    """Return the forces, of which the largest is drawn as long as half of the radius."""
-    actions = [a for load in motion.system.loads for a in load.actions if a.point is not None]
-    names = [load.name for load in motion.system.loads for a in load.actions if a.point is not None]
-    where = paths(motion, [a.point for a in actions if a.point is not None])
-    what = arrows(motion, [a.vector for a in actions])
-    largest = float(np.linalg.norm(what, axis=2).max(initial=0)) or 1.0
-    return [
-        {"name": name, "at": _rounded(at), "vector": _rounded(vector * radius / (2 * largest))}
-        for name, at, vector in zip(names, where, what, strict=True)
-    ]
-
-
-def _rounded(track: Array) -> list[float]:
-    """Return a track as numbers of seven digits: more than a screen shows."""
-    return [float(f"{x:.7g}") for x in track.ravel()]
+def _corners(tracks: Array, parts: Sequence[list[Part]]) -> Array:
+    """Return the corners of the boxes around all solids, at a number of instants."""
+    step = -(-tracks.shape[1] // LOOKS)
+    found = [carried(tracks[part["pose"], ::step], corners(part)) for shapes in parts for part in shapes]
+    return np.concatenate(found).reshape(-1, 3)

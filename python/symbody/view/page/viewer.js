@@ -3,7 +3,8 @@
 (() => {
   const scene = JSON.parse(document.getElementById("scene").textContent);
   const element = (id) => document.getElementById(id);
-  const { center, radius, up, direction, floor } = scene.view;
+  const { center, radius, up, direction, floor, extremes } = scene.view;
+  const thickness = scene.thickness;
   const times = scene.times, last = times.length - 1;
   const V = (a) => new THREE.Vector3(a[0], a[1], a[2]);
 
@@ -28,13 +29,27 @@
   const sun = new THREE.DirectionalLight(0xffffff, 2.2);
   world.add(sun, sun.target);
 
+  // As near as the outermost points allow, seen between the headline and the bar.
   function lookAtAll() {
-    const half = (camera.fov / 2) * Math.PI / 180;
-    const narrow = Math.atan(Math.tan(half) * Math.min(1, camera.aspect));
-    const distance = 1.18 * radius / Math.sin(narrow);
-    // The bar at the bottom hides a little: the motion is shown a little higher.
-    controls.target.copy(V(center)).addScaledVector(V(up), -0.06 * radius);
-    camera.position.copy(controls.target).addScaledVector(V(direction), distance);
+    const height = Math.tan((camera.fov / 2) * Math.PI / 180), width = height * camera.aspect;
+    const top = Math.min(0.25, 100 / window.innerHeight), bottom = Math.min(0.4, 150 / window.innerHeight);
+    const back = V(direction), right = V(up).cross(back).normalize(), above = back.clone().cross(right);
+    const points = extremes.map((p) => V(p).sub(V(center)));
+    const x = points.map((p) => p.dot(right)), y = points.map((p) => p.dot(above)), z = points.map((p) => p.dot(back));
+    const least = Math.max(...z) + 0.05 * radius;
+    // How far right (or up) the camera must stand, and how far away, so that all lies between two planes through it.
+    const fit = (u, low, high) => {
+      let far = least;
+      const lowest = (d) => Math.max(...u.map((v, k) => v - high * (d - z[k])));
+      const highest = (d) => Math.min(...u.map((v, k) => v + low * (d - z[k])));
+      for (let k = 0; k < 200 && lowest(far) > highest(far); k++) far += 0.02 * radius + 0.02 * far;
+      return [far, (d) => (lowest(d) + highest(d)) / 2];
+    };
+    const [farX, atX] = fit(x, 0.9 * width, 0.9 * width);
+    const [farY, atY] = fit(y, (1 - 2 * bottom * 0.5) * height, (1 - 2 * top * 0.5) * height);
+    const far = Math.max(farX, farY);
+    controls.target.copy(V(center)).addScaledVector(right, atX(far)).addScaledVector(above, atY(far));
+    camera.position.copy(controls.target).addScaledVector(back, far);
     controls.update();
   }
 
@@ -75,6 +90,10 @@
   }
 
   const paint = (color) => new THREE.MeshStandardMaterial({ color, roughness: 0.6, metalness: 0.05 });
+  function glass(color) {
+    const material = paint(color);
+    return Object.assign(material, { transparent: true, opacity: 0.45, depthWrite: false });
+  }
   function rod(from, to, thickness, material) {
     const axis = V(to).sub(V(from)), length = axis.length();
     const mesh = new THREE.Mesh(new THREE.CylinderGeometry(thickness, thickness, length, 32), material);
@@ -98,35 +117,62 @@
       return mesh;
     },
   };
+  // A diameter on each end of a rod shows its spin.
+  function diameters(part) {
+    const length = V(part.to).distanceTo(V(part.from)), r = part.radius, ends = [];
+    for (const y of [-0.501 * length, 0.501 * length]) ends.push(r, y, 0, -r, y, 0);
+    return new THREE.BufferGeometry().setAttribute("position", new THREE.BufferAttribute(new Float32Array(ends), 3));
+  }
   function solid(part, color) {
-    const mesh = solids[part.kind](part, paint(color));
+    const mesh = solids[part.kind](part, part.glass ? glass(color) : paint(color));
     if (part.at) mesh.position.copy(V(part.at));
     if (part.rotation) {
       const [[a, b, c], [d, e, f], [g, h, k]] = part.rotation;
       mesh.matrix.set(a, b, c, 0, d, e, f, 0, g, h, k, 0, 0, 0, 0, 1);
       mesh.quaternion.setFromRotationMatrix(mesh.matrix);
     }
-    const edges = new THREE.LineSegments(
-      new THREE.EdgesGeometry(mesh.geometry, 35),
-      new THREE.LineBasicMaterial({ color: 0x1c2733, transparent: true, opacity: 0.45 }));
-    mesh.add(edges);
-    carried(part.pose).add(mesh);
+    const dark = new THREE.LineBasicMaterial({ color: 0x1c2733, transparent: true, opacity: 0.45 });
+    if (part.kind !== "ellipsoid") mesh.add(new THREE.LineSegments(new THREE.EdgesGeometry(mesh.geometry, 35), dark));
+    if (part.kind === "rod") mesh.add(new THREE.LineSegments(diameters(part), dark));
+    const group = carried(part.pose);
+    group.add(mesh);
+    return group;
   }
 
+  function row(chip, text) {
+    const line = document.createElement("div");
+    line.append(chip, text);
+    element("legend").appendChild(line);
+    return line;
+  }
+  const chip = (text, color) => {
+    const mark = document.createElement("i");
+    mark.textContent = text;
+    mark.style[text ? "color" : "background"] = color;
+    return mark;
+  };
+
   for (const body of scene.bodies) {
-    body.parts.forEach((part) => solid(part, body.color));
+    const shown = body.parts.map((part) => solid(part, body.color));
     const group = carried(body.pose);
-    label(body.name, () => group.position, "#1c2733");
-    const row = document.createElement("div"), chip = document.createElement("i");
-    chip.style.background = body.color;
-    row.append(chip, body.name);
-    element("legend").appendChild(row);
+    if (body.is_named) label(body.name, () => group.position, "#1c2733");
+    const line = row(chip("", body.color), body.name);
+    line.title = "hide or show";
+    line.style.cursor = "pointer";
+    line.onclick = () => {
+      shown.forEach((each) => { each.visible = !each.visible; });
+      line.style.opacity = shown[0].visible ? 1 : 0.4;
+    };
   }
   for (const link of scene.links) {
-    const group = carried(link.pose);
-    group.add(rod(link.from, link.to, link.radius, paint(link.color)));
-    const ball = new THREE.Mesh(new THREE.SphereGeometry(1.6 * link.radius, 24, 16), paint("#44505c"));
-    group.add(ball);
+    const group = carried(link.pose), size = thickness / (link.thin ? 10 : 3.2);
+    group.add(rod(link.from, link.to, size, paint(link.color)));
+    if (link.thin) continue;
+    for (const end of [link.from, link.to]) {
+      const ball = new THREE.Mesh(new THREE.SphereGeometry(1.5 * size, 24, 16), paint("#44505c"));
+      ball.position.copy(V(end));
+      group.add(ball);
+    }
   }
   for (const axes of scene.axes) {
     const group = carried(axes.pose), size = 0.22 * radius;
@@ -155,43 +201,68 @@
     world.add(new THREE.Line(geometry, faint), trail);
     followers.push((i) => done.setDrawRange(0, i + 1));
   });
+  // A cylinder of length 1 along y, put between two places.
+  const between = (mesh, from, axis) => {
+    const length = axis.length();
+    mesh.visible = length > 0;
+    mesh.position.copy(from).addScaledVector(axis, 0.5);
+    mesh.scale.y = length;
+    mesh.quaternion.setFromUnitVectors(new THREE.Vector3(0, 1, 0), axis.clone().normalize());
+  };
   for (const line of scene.lines) {
-    const geometry = new THREE.BufferGeometry();
-    const ends = new THREE.BufferAttribute(new Float32Array(6), 3);
-    geometry.setAttribute("position", ends);
-    const drawn = new THREE.Line(geometry, new THREE.LineBasicMaterial({ color: "#44505c" }));
-    drawn.frustumCulled = false;
-    world.add(drawn);
+    const mesh = new THREE.Mesh(new THREE.CylinderGeometry(thickness / 10, thickness / 10, 1, 12), paint("#44505c"));
+    world.add(mesh);
     followers.push((i, s) => {
-      const a = at(line.from, i, s), b = at(line.to, i, s);
-      ends.setXYZ(0, a.x, a.y, a.z);
-      ends.setXYZ(1, b.x, b.y, b.z);
-      ends.needsUpdate = true;
+      const from = at(line.from, i, s);
+      between(mesh, from, at(line.to, i, s).sub(from));
     });
   }
-  for (const force of scene.arrows) {
-    const arrow = new THREE.ArrowHelper(new THREE.Vector3(0, 0, 1), new THREE.Vector3(), 1, 0xc2185b);
-    world.add(arrow);
+
+  // --- arrows: always in front; torques have two heads ---
+  const kinds = { force: ["#c2185b", 1], torque: ["#6a1b9a", 2], reaction: ["#00796b", 1] };
+  for (const arrow of scene.arrows) {
+    const [color, heads] = kinds[arrow.kind];
+    const material = Object.assign(paint(color), { depthTest: false, transparent: true });
+    const group = new THREE.Group(), r = thickness / 5, head = 5 * r;
+    const shaft = new THREE.Mesh(new THREE.CylinderGeometry(r, r, 1, 16), material);
+    const cones = Array.from({ length: heads }, () => new THREE.Mesh(new THREE.CylinderGeometry(0, 2.4 * r, head, 20), material));
+    group.add(shaft, ...cones);
+    group.traverse((each) => { each.renderOrder = 1; });
+    world.add(group);
+    const tip = new THREE.Vector3();
     followers.push((i, s) => {
-      const vector = at(force.vector, i, s), length = vector.length();
-      arrow.visible = length > 1e-6 * radius;
-      if (!arrow.visible) return;
-      arrow.position.copy(at(force.at, i, s));
-      arrow.setDirection(vector.normalize());
-      arrow.setLength(length, Math.min(0.3 * length, 0.08 * radius), Math.min(0.15 * length, 0.04 * radius));
+      const from = at(arrow.at, i, s), vector = at(arrow.vector, i, s), length = vector.length();
+      group.visible = length > 1e-3 * radius;
+      tip.copy(from).add(vector);
+      if (!group.visible) return;
+      const along = vector.clone().normalize(), small = Math.min(1, length / (1.5 * heads * head));
+      between(shaft, from, along.clone().multiplyScalar(length - small * head));
+      cones.forEach((cone, k) => {
+        cone.position.copy(tip).addScaledVector(along, -small * head * (0.5 + 0.8 * k));
+        cone.quaternion.copy(shaft.quaternion);
+        cone.scale.setScalar(small);
+      });
     });
-    label(force.name, () => arrow.position, "#c2185b");
+    label(arrow.name, () => tip, color);
+  }
+  for (const [kind, largest] of Object.entries(scene.largest)) {
+    row(chip(kind === "torque" ? "↠" : "→", kinds[kind][0]), kind + ", at most " + largest);
   }
 
   // --- the ground: a grid of round steps below the motion ---
   const exponent = Math.floor(Math.log10(radius));
-  const step = [1, 2, 5, 10].map((k) => k * 10 ** (exponent - 1)).find((k) => 2 * radius / k <= 16);
+  const step = [1, 2, 5, 10, 20].map((k) => k * 10 ** (exponent - 1)).find((k) => 2 * radius / k <= 16);
   const cells = 2 * Math.ceil(1.5 * radius / step);
-  const grid = new THREE.GridHelper(cells * step, cells, 0xb4bec8, 0xd5dce3);
-  const floorPoint = V(center).addScaledVector(V(up), floor - 0.03 * radius - V(center).dot(V(up)));
-  grid.position.copy(floorPoint);
+  const grid = new THREE.GridHelper(cells * step, cells, 0xc4ccd4, 0xd5dce3);
   grid.quaternion.setFromUnitVectors(new THREE.Vector3(0, 1, 0), V(up));
+  // Its lines pass below the origin.
+  for (const axis of [new THREE.Vector3(1, 0, 0), new THREE.Vector3(0, 0, 1)]) {
+    axis.applyQuaternion(grid.quaternion);
+    grid.position.addScaledVector(axis, Math.round(V(center).dot(axis) / step) * step);
+  }
+  grid.position.addScaledVector(V(up), floor - 0.03 * radius);
   world.add(grid);
+  row(chip("▦", "#98a4b0"), "grid " + Number(step.toPrecision(1)));
 
   // --- time ---
   const start = times[0], end = times[last];

@@ -1,0 +1,112 @@
+"""Attachments: the points of a model that move with its bodies, and the threads between them.
+
+Relative coordinates place points by frames. Natural coordinates [de Jalon & Bayo 1994] are the places of points
+themselves: ``xA, yA, zA``. What their names suggest is drawn only if the motion confirms it.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from symbody.geometry import Point, Vector
+from symbody.multibody import System
+from symbody.symbolic import Expr, number
+from symbody.view.pose import seen_from
+
+Array = NDArray[np.float64]
+
+RIGID = 1e-3
+"""A point moves with a body if it stays, seen from there, within this part of the size of the picture."""
+
+
+@dataclass(frozen=True)
+class Thread:
+    """A constant distance that a constraint keeps, and the force by which it acts at its start."""
+
+    start: Point
+    end: Point
+    force: Vector
+
+
+@dataclass(frozen=True)
+class Attachment:
+    """A point that is fixed to a body."""
+
+    body: int
+    place: Array
+    """Its coordinates in the frame of the body at its centre of mass."""
+
+
+def natural_points(system: System) -> list[Point]:
+    """Return the points whose places are coordinates, as their names say: ``x1, y1`` is the point 1.
+
+    >>> from symbody import Body, functions_of_time, translate
+    >>> x, y = functions_of_time("xA yA")
+    >>> [A] = natural_points(System([Body(translate(x, y, 0), 1)], coordinates=[x, y]))
+    >>> A.name, A.coordinates
+    ('A', (xA, yA, 0))
+    """
+    groups: dict[str, dict[int, Expr]] = {}
+    for coordinate in system.coordinates:
+        found = re.fullmatch(r"([xyzXYZ])_?(.*)", coordinate.name)
+        if found:
+            groups.setdefault(found[2], {})["xyz".index(found[1].lower())] = coordinate
+    return [
+        Point(system.root, *(axes.get(k, number(0)) for k in range(3)), name=name)
+        for name, axes in groups.items()
+        if len(axes) >= 2
+    ]
+
+
+def threads(system: System, points: Sequence[Point]) -> list[Thread]:
+    """Return what the constraints of the form ``|P - P0|^2 = l^2`` keep at a distance, for P among some points."""
+    found: list[Thread] = []
+    for constraint, multiplier in zip(system.constraints, system.multipliers, strict=True):
+        for point in points:
+            thread = _thread(constraint, multiplier, point)
+            if thread is not None and (thread.end, thread.start) not in [(a.start, a.end) for a in found]:
+                found.append(thread)
+    return found
+
+
+def _thread(constraint: Expr, multiplier: Expr, point: Point) -> Thread | None:
+    """Return the thread of ``k/2 (|P - P0|^2 - l^2) = 0``: its gradient is ``k (P - P0)``, its second one k."""
+    place = point.coordinates
+    leaves = constraint.free_symbols
+    free = [axis for axis in range(3) if not place[axis].is_zero]
+    if not all(place[axis] in leaves for axis in free):
+        return None
+    slope = [constraint.diff(place[axis]) if axis in free else number(0) for axis in range(3)]
+    stiffness = slope[free[0]].diff(place[free[0]])
+    if stiffness.is_zero or stiffness.depends_on_time:
+        return None
+    second = ((i, j, slope[i].diff(place[j])) for i in free for j in free)
+    if any(value != (stiffness if i == j else number(0)) for i, j, value in second):
+        return None
+    arm = [x / stiffness for x in slope]
+    rest = constraint - stiffness / 2 * sum(x**2 for x in arm)
+    if any(not rest.diff(leaf).is_zero for leaf in leaves if leaf.depends_on_time):
+        return None
+    end = Point(point.frame, *(x - d for x, d in zip(place, arm, strict=True)))
+    return Thread(point, end, Vector(point.frame, *(multiplier * x for x in slope)))
+
+
+def attachment(tracks: Array | Sequence[Array], path: Array, size: float) -> Attachment | None:
+    """Return to which body a point is fixed along a motion, the nearest one if there are several.
+
+    Args:
+        tracks: the poses of the bodies.
+        path: the places of the point, instants by 3.
+        size: the size of the picture.
+    """
+    found = []
+    for number_, track in enumerate(tracks):
+        seen = seen_from(track, path)
+        if np.ptp(seen, axis=0).max() < RIGID * size:
+            found.append(Attachment(number_, seen.mean(axis=0)))
+    return min(found, key=lambda each: float(np.linalg.norm(each.place)), default=None)

@@ -1,0 +1,148 @@
+"""Skeletons: what a model says of its mechanism beside its bodies, as rods, points and threads."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from symbody.geometry import Point
+from symbody.view.attachment import RIGID, Attachment, Thread, attachment, natural_points, threads
+from symbody.view.link import guides, links
+from symbody.view.motion import Motion
+from symbody.view.pose import constants, paths, values
+from symbody.view.table import FrameTable
+
+Array = NDArray[np.float64]
+
+COLORS = ("#1f77b4", "#ff7f0e", "#2ca02c", "#d62728", "#9467bd", "#8c564b", "#e377c2", "#17becf", "#bcbd22")
+GREY = "#888888"
+BEYOND = 0.1
+"""By how much a guide reaches beyond the motion, relative to it."""
+
+
+@dataclass(frozen=True)
+class Skeleton:
+    """The rods of a page, points by name and path, lines by their ends' paths, and the threads that they show."""
+
+    rods: list[dict[str, Any]]
+    points: list[tuple[str, Array]]
+    lines: list[tuple[Array, Array]]
+    threads: list[Thread]
+
+
+def skeleton(motion: Motion, table: FrameTable, tracks: Array) -> Skeleton:
+    """Return the skeleton of a model in motion.
+
+    Rods are the constant distances in the chains of frames (links), the lines along which frames slide (guides), and
+    the ways from a centre of mass to the points where forces act and to the natural coordinates of its body (arms).
+
+    Args:
+        motion: what is shown.
+        table: the frames of the page; those of the rods are added.
+        tracks: the poses of the bodies.
+    """
+    named, places, fixed, size = _confirmed(motion, tracks)
+    found = threads(motion.system, named)
+    points, lines, shown = _points(named, places, fixed, size), [], []
+    for thread, end in zip(found, paths(motion, [thread.end for thread in found]), strict=True):
+        k = named.index(thread.start)
+        if _is_drawn(fixed[k], attachment(tracks, end, size), thread, named, end, size):
+            shown.append(thread)
+            lines.append((places[k], end))
+            if np.ptp(end, axis=0).max() < RIGID * size:
+                points.append(("", end))
+    arms = [*fixed, *_points_of_action(motion, tracks, size)]
+    rods = [*_links(motion, table), *_guides(motion, table), *_arms(motion, table, arms, RIGID * size)]
+    return Skeleton(rods, points, lines, shown)
+
+
+def _confirmed(motion: Motion, tracks: Array) -> tuple[list[Point], list[Array], list[Attachment], float]:
+    """Return the natural coordinates that move with a body: points, paths, and where; and the size of the picture."""
+    named = natural_points(motion.system)
+    places = paths(motion, named)
+    every = np.concatenate([tracks[:, :, :3].reshape(-1, 3), places.reshape(-1, 3), np.zeros((1, 3))])
+    size = float(np.linalg.norm(np.ptp(every, axis=0))) or 1.0
+    fixed = [attachment(tracks, path, size) for path in places]
+    kept = [(p, path, each) for p, path, each in zip(named, places, fixed, strict=True) if each is not None]
+    return [p for p, _, _ in kept], [path for _, path, _ in kept], [each for _, _, each in kept], size
+
+
+def _points(
+    named: Sequence[Point], places: Sequence[Array], fixed: Sequence[Attachment], size: float
+) -> list[tuple[str, Array]]:
+    """Return the points that aren't the centre of mass of their body."""
+    return [
+        (point.name, path)
+        for point, path, each in zip(named, places, fixed, strict=True)
+        if np.linalg.norm(each.place) > RIGID * size
+    ]
+
+
+def _is_drawn(
+    start: Attachment,
+    end: Attachment | None,
+    thread: Thread,
+    named: Sequence[Point],
+    path: Array,
+    size: float,
+) -> bool:
+    """Return whether a thread joins a body, or a point, with another one or with a place that stays."""
+    if end is not None and start.body == end.body:
+        return False
+    stays = np.ptp(path, axis=0).max() < RIGID * size
+    return bool(stays) or end is not None or thread.end in named
+
+
+def _points_of_action(motion: Motion, tracks: Array, size: float) -> list[Attachment]:
+    """Return the points where forces act, if they stay where they are on their bodies."""
+    bodies = list(motion.system.bodies)
+    actions = [a for load in motion.system.loads for a in load.actions if a.body in bodies]
+    found = []
+    for action in actions:
+        if action.point is not None:
+            k, (path,) = bodies.index(action.body), paths(motion, [action.point])
+            each = attachment(tracks[k : k + 1], path, size)
+            if each is not None:
+                found.append(Attachment(k, each.place))
+    return found
+
+
+def _links(motion: Motion, table: FrameTable) -> list[dict[str, Any]]:
+    found = links(motion.system.bodies)
+    ends = constants(motion, [x for link in found for x in link.to]).reshape(-1, 3)
+    return [
+        _rod(table.place(link.frame), np.zeros(3), end, owner)
+        for (link, owner), end in zip(found.items(), ends, strict=True)
+    ]
+
+
+def _guides(motion: Motion, table: FrameTable) -> list[dict[str, Any]]:
+    rods = []
+    for guide in guides(motion.system.bodies):
+        places = values(motion, guide.displacement).T
+        low, high = places.min(axis=0), places.max(axis=0)
+        more = BEYOND * (high - low)
+        rods.append({**_rod(table.place(guide.frame), low - more, high + more, -1), "thin": True})
+    return rods
+
+
+def _arms(
+    motion: Motion, table: FrameTable, arms: Sequence[Attachment], least: float
+) -> list[dict[str, Any]]:
+    bodies = motion.system.bodies
+    return [
+        _rod(table.place(bodies[arm.body].frame), np.zeros(3), arm.place, arm.body)
+        for arm in arms
+        if np.linalg.norm(arm.place) > least
+    ]
+
+
+def _rod(pose: int, start: Array, end: Array, body: int) -> dict[str, Any]:
+    """Return a rod in the colour of a body, or in grey if it belongs to none (-1)."""
+    color = COLORS[body % len(COLORS)] if body >= 0 else GREY
+    ends = {"from": start.tolist(), "to": end.tolist()}
+    return {"kind": "rod", "pose": pose, **ends, "body": body, "color": color}
