@@ -209,7 +209,7 @@ def test_a_browser_shows_it(tmp_path: Path) -> None:
             assert len(rows) > 300
             assert 200 < columns.mean() < 700, "in the middle"
             assert 150 < rows.mean() < 450
-            assert (columns.min(), columns.max()) > (20, 0), "nothing is cut off"
+            assert 20 < columns.min(), "nothing is cut off"
             assert columns.max() < 880
         slider = "Number(document.getElementById('time').value)"
         assert page.evaluate(slider) == pytest.approx(0.5)
@@ -222,9 +222,7 @@ def test_a_browser_shows_it(tmp_path: Path) -> None:
         page.evaluate("document.querySelector('#legend div').click()")
         page.wait_for("document.querySelector('#legend div').style.opacity == '0.4'")
         assert page.console == []
-        assert [address for address in page.requests if not address.startswith("data:")] == [
-            f"{file.as_uri()}#t=0.5"
-        ]
+        assert [address for address in page.requests if not address.startswith("data:")] == [file.as_uri()]
 
 
 @pytest.mark.skipif(not CHROMIUM, reason="no Chromium on this machine: apt-get install chromium")
