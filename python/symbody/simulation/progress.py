@@ -1,0 +1,33 @@
+"""Progress of long work, as a bar in a terminal."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+
+from rich.console import Console
+from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
+
+
+@contextmanager
+def progress_bar(what: str, total: int, *, is_shown: bool | None = None) -> Iterator[Callable[[float], None]]:
+    """Show a bar while the block runs; yield what is told how much of the total is done.
+
+    Args:
+        what: the words before the bar.
+        total: how much there is to do.
+        is_shown: whether to show it; by default where messages go to a terminal.
+    """
+    if not (sys.stderr.isatty() if is_shown is None else is_shown):
+        yield lambda _: None
+        return
+    columns = (
+        TextColumn(what),
+        BarColumn(),
+        MofNCompleteColumn(),
+        TimeRemainingColumn(elapsed_when_finished=True),
+    )
+    with Progress(*columns, console=Console(file=sys.stderr)) as progress:
+        task = progress.add_task(what, total=total)
+        yield lambda done: progress.update(task, completed=done)
