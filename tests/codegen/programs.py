@@ -161,6 +161,31 @@ def long() -> Program:
 
 
 @cache
+def calls() -> Program:
+    """A routine that calls another one, whose results have the names of the routine, of the program and of a number."""
+    a, b = symbols("m b")
+    x, y = functions_of_time("x y")
+    arguments = state(parameters=(a, b), positions=(x, y))
+    matrix = Matrix([[x + 3, y, a], [y, 5, t], [0, x, b]])
+    (one, two, three), found = linear_solve(matrix, [1, y, x]), linear_solve(matrix, [t, b, 0])
+    wave = Result("wave", "a solution", (one, two, three), (3,)), Result("pair", "another one", found, (3,))
+    q = ("p", "t", "q")
+    results = (
+        Result("number", "a number", (sin(x * y) * cosh(x) + b,), ()),
+        Result("wave", "what is called, and more", (one, tanh(x), two, x, three, one, *found), (3, 3)),
+    )
+    return Program(
+        "pair",
+        "Nothing physical.",
+        arguments,
+        (
+            Routine("wave", "solutions", q, wave),
+            Routine("further", "what is called, and more", (*q, "u"), results),
+        ),
+    )
+
+
+@cache
 def double_pendulum() -> Program:
     m1, m2, l1, l2, g = symbols("m1 m2 l1 l2 g")
     theta1, theta2 = functions_of_time("theta1 theta2")
@@ -183,6 +208,7 @@ def robot_program(name: str) -> Program:
 PROGRAMS = {
     "pendulum": pendulum,
     "everything": everything,
+    "calls": calls,
     "long": long,
     "double_pendulum": double_pendulum,
     "trifilar": trifilar_pendulum,

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 from math import isfinite
 
+from symbody.codegen.call import Call, call_in
 from symbody.codegen.compose import Composition, compose
 from symbody.codegen.count import counts_by_stage
 from symbody.codegen.describe import described
@@ -48,14 +50,16 @@ class _Arrangement:
         self.constants: list[tuple[str, str]] = []
         self.order: dict[int, int] = {}
         self.constants_name = ""
+        self.calls: dict[str, Call] = {}
+        self.made: dict[str, Function] = {}
 
     def module(self, sample: Sample) -> Module:
         program = self.program
-        constants, prepare, codes = self._prepared() or (None, None, list(map(self._code, program.routines)))
-        routines = tuple(
-            self._routine(routine, code, self._taken(routine, constants))
-            for routine, code in zip(program.routines, codes, strict=True)
-        )
+        codes = self._codes()
+        constants, prepare, codes = self._prepared(codes) or (None, None, codes)
+        for routine, code in zip(program.routines, codes, strict=True):
+            self.made[routine.name] = self._routine(routine, code, self._taken(routine, constants))
+        routines = tuple(self.made.values())
         arguments = tuple(self.arrays.values())
         if prepare and constants:
             arguments = (*prepare.arguments, constants, *(a for a in arguments if a not in prepare.arguments))
@@ -69,6 +73,16 @@ class _Arrangement:
         shape = () if argument.variables == (t,) else (len(names),)
         meaning = argument.meaning.removesuffix(f": {', '.join(names)}")
         return Array(self.scope.claim(argument.name), meaning, names, shape)
+
+    def _codes(self) -> list[Code]:
+        """Return the code of each routine: what is left to it, where it calls another one."""
+        codes = list(map(self._code, self.program.routines))
+        left = list(codes)
+        for number, routine in enumerate(self.program.routines):
+            call = call_in(self.program, number, codes)
+            if call:
+                self.calls[routine.name], left[number] = call, call.rest
+        return left
 
     def _code(self, routine: Routine) -> Code:
         code = code_of(self.program.arguments_of(routine), routine.expressions)
@@ -87,11 +101,11 @@ class _Arrangement:
             taken[array.name] = array
         return tuple(taken.values())
 
-    def _prepared(self) -> tuple[Array, Function, list[Code]] | None:
+    def _prepared(self, codes: Sequence[Code]) -> tuple[Array, Function, list[Code]] | None:
         """Return the constants of the model, the function that computes them, and what is left to the routines."""
         parameters = tuple(a for a in self.program.arguments if a.stage == "parameters")
         preparation = Preparation(parameters)
-        codes = [preparation.without_parameters(self._code(routine)) for routine in self.program.routines]
+        left = [preparation.without_parameters(code) for code in codes]
         code = preparation.code()
         if not code.results:
             return None
@@ -109,22 +123,39 @@ class _Arrangement:
         function = self._function(
             prepare, "compute what the other routines need of the parameters", arguments, (result,), code
         )
-        return constants, function, codes
+        return constants, function, left
 
     def _parameter(self, code: Code, place: int) -> str:
         number = place - code.first_input
         return code.inputs[number].name if 0 <= number < len(code.inputs) else ""
 
     def _routine(self, routine: Routine, code: Code, arguments: tuple[Array, ...]) -> Function:
-        name = self.routines[routine.name]
+        name, call = self.routines[routine.name], self.calls.get(routine.name)
+        functions = [name, self.name, *([self.routines[call.routine.name]] if call else [])]
         scope = Scope(self.language.reserved, self.language.case_sensitive)
         scope = scope.inner(
-            [*(array.name for array in arguments), *([] if self.language.qualified else [name])]
+            [*(array.name for array in arguments), *([] if self.language.qualified else functions)]
         )
         results = tuple(
             Array(scope.claim(r.name, f"{r.name}_out"), r.meaning, (), r.shape) for r in routine.results
         )
-        return self._function(name, routine.meaning, arguments, results, code)
+        if not call:
+            return self._function(name, routine.meaning, arguments, results, code)
+        called = self._called(call.routine, scope)
+        return self._function(
+            name, routine.meaning, arguments, results, _received(code, call.routine, called), (called,)
+        )
+
+    def _called(self, routine: Routine, scope: Scope) -> Function:
+        """Return a routine as it is called elsewhere: its results have names of their own there."""
+        made = self.made[routine.name]
+        names = (scope.claim(result.name, f"{result.name}_out") for result in routine.results)
+        return replace(
+            made,
+            results=tuple(
+                replace(result, name=name) for result, name in zip(made.results, names, strict=True)
+            ),
+        )
 
     def _function(
         self,
@@ -133,8 +164,10 @@ class _Arrangement:
         arguments: tuple[Array, ...],
         results: tuple[Array, ...],
         code: Code,
+        calls: tuple[Function, ...] = (),
     ) -> Function:
-        scope = self.scope.inner(array.name for array in (*arguments, *results))
+        received = [result for call in calls for result in call.results]
+        scope = self.scope.inner(array.name for array in (*arguments, *results, *received))
         inputs = tuple(self._input(read) for read in code.inputs)
         composition = compose(
             replace(code, inputs=tuple(read for read, _ in inputs)),
@@ -147,7 +180,7 @@ class _Arrangement:
         operations = frozenset(row[0] for row in code.instructions)
         working = self._working(composition)
         return Function(
-            name, meaning, arguments, results, composition, counts_by_stage(code), operations, working
+            name, meaning, arguments, results, composition, counts_by_stage(code), operations, working, calls
         )
 
     def _working(self, made: Composition) -> tuple[tuple[str, int], ...]:
@@ -164,6 +197,18 @@ class _Arrangement:
             name, formula = self.constants[index]
             name, note = (name, "") if name else (f"k{index + self.language.first_index}", formula)
             return Input(self.constants_name, index, name), note
+        if not read.name:
+            return read, ""
         plain = read.name.rstrip("'")
         note = "" if identifier(plain) == plain else read.name
         return replace(read, array=self.arrays[read.array].name), note
+
+
+def _received(code: Code, routine: Routine, called: Function) -> Code:
+    """Return the code with the names that the results of a call have here."""
+    names = {
+        f"{routine.name}.{result.name}": array.name
+        for result, array in zip(routine.results, called.results, strict=True)
+    }
+    inputs = tuple(replace(read, array=names.get(read.array, read.array)) for read in code.inputs)
+    return replace(code, inputs=inputs)

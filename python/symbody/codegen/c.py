@@ -108,14 +108,16 @@ def _source(module: Module) -> str:
 
 def _function(module: Module, function: Function) -> list[str]:
     blocks = function.composition.blocks
-    arrays = [f"    double {name}[{size}];" for name, size in function.working]
+    arrays = [f"    double {name}[{size}];" for name, size in function.arrays]
+    calls = [line for call in function.calls for line in wrapped(_call_of(module, call), LANGUAGE, "    ")]
     unused = [f"    (void){a.name};" for a in function.arguments if a.name not in function.mentions]
     if len(blocks) == 1:
         parts, body = [], block_lines(blocks[0], LANGUAGE, function.shapes)
     else:
         parts = [line for k in range(len(blocks)) for line in [*_part(function, k), ""]]
         body = [line for k in range(len(blocks)) for line in wrapped(_call(function, k), LANGUAGE, "    ")]
-    return [*parts, *wrapped(_signature(module, function), LANGUAGE, ""), "{", *arrays, *body, *unused, "}"]
+    title = wrapped(_signature(module, function), LANGUAGE, "")
+    return [*parts, *title, "{", *arrays, *calls, *body, *unused, "}"]
 
 
 def _part(function: Function, number: int) -> list[str]:
@@ -123,7 +125,7 @@ def _part(function: Function, number: int) -> list[str]:
     block = function.composition.blocks[number]
     parameters = {a.name: _parameter(a, is_result=False) for a in function.arguments}
     parameters |= {a.name: _parameter(a, is_result=True) for a in function.results}
-    parameters |= {name: f"double {name}[{size}]" for name, size in function.working}
+    parameters |= {name: f"double {name}[{size}]" for name, size in function.arrays}
     listed = ", ".join(text for name, text in parameters.items() if name in block.mentions)
     title = f"static void {function.name}_part{number + 1}({listed})"
     return [*wrapped(title, LANGUAGE, ""), "{", *block_lines(block, LANGUAGE, function.shapes), "}"]
@@ -132,7 +134,7 @@ def _part(function: Function, number: int) -> list[str]:
 def _call(function: Function, number: int) -> str:
     mentioned = function.composition.blocks[number].mentions
     names = [array.name for array in (*function.arguments, *function.results)]
-    names += [name for name, _ in function.working]
+    names += [name for name, _ in function.arrays]
     return f"{function.name}_part{number + 1}({', '.join(name for name in names if name in mentioned)});"
 
 

@@ -54,7 +54,8 @@ def _library(module: Module) -> Library:
     """Return CasADi's ways: scalar graphs, or matrix graphs where linear systems are solved at run time."""
     kind = "MX" if "factor" in module.operations else "SX"
     systems = _SQUARE + "\n" + runtime.SNIPPETS["casadi"]
-    return Library(LANGUAGE, _TITLE, ("import casadi as ca",), _ARRAY.replace("{kind}", kind), systems)
+    array = _ARRAY.replace("{kind}", kind)
+    return Library(LANGUAGE, _TITLE, ("import casadi as ca",), array, systems, passed="ca.vertcat(*{})")
 
 
 def _function(function: Function) -> list[str]:

@@ -11,7 +11,7 @@ from symbody.codegen.count import section_titles
 from symbody.codegen.expression import Tree, entry, name, number
 from symbody.codegen.names import Scope
 from symbody.codegen.statement import Block, Clear, Factor, Let, Read, Section, Solve, Statement, Store
-from symbody.codegen.straight_line import Code, Instruction, operands
+from symbody.codegen.straight_line import Code, Input, Instruction, operands
 
 __all__ = ["Composition", "compose"]
 
@@ -77,11 +77,16 @@ class _Composer:
         self.readers, self.results = _uses(self.code)
         self._trees = {place: number(value) for place, value in enumerate(self.code.constants)}
         for place, read in enumerate(self.code.inputs, self.code.first_input):
-            is_scalar = read.array in self.scalars
-            self._trees[place] = name(read.array if is_scalar else self.scope.claim(read.name))
+            self._trees[place] = self._leaf(read)
         zeros = Counter(array for (array, _), place in self._results_in_order() if self._is_zero(place))
         sizes = Counter(array for array, _ in self.targets)
         self.cleared = {array: sizes[array] for array, count in zeros.items() if count > MOST_ZEROS}
+
+    def _leaf(self, read: Input) -> Tree:
+        """Return a local name for an input; one without a name stands where it is used."""
+        if read.array in self.scalars:
+            return name(read.array)
+        return name(self.scope.claim(read.name)) if read.name else entry(read.array, read.index)
 
     def _results_in_order(self) -> Iterator[tuple[tuple[str, int], int]]:
         return zip(self.targets, self.code.results, strict=True)
@@ -213,7 +218,7 @@ class _Composer:
         inputs = sorted(place for place in used if first <= place < self.code.first_instruction)
         saved = sorted(place for place in used if place in self.cut.slots and place < start)
         return (
-            *(read for place in inputs if (read := self._input(place)).array not in self.scalars),
+            *(read for place in inputs if (read := self._input(place)).name != read.array),
             *(Read(self._trees[p][1], self.workspace, self.cut.slots[p]) for p in saved),
         )
 

@@ -25,15 +25,29 @@ _WORDS = ("addition", "multiplication", "division", "function", "factorisation",
 def counts_by_stage(code: Code) -> dict[str, str]:
     """Return the operations of each stage that has some, as ``2 additions, 1 function``."""
     counts: dict[int, Counter[str]] = {}
+    sizes: dict[int, Counter[str]] = {}
     for row, stage in zip(code.instructions, code.stages, strict=True):
         counts.setdefault(stage, Counter())[_KINDS.get(row[0], "function")] += 1
-    return {STAGES[stage]: _in_words(count) for stage, count in sorted(counts.items())}
+        if row[0] == "factor":
+            sizes.setdefault(stage, Counter())[f"{row[1]} x {row[1]}"] += 1
+    return {
+        STAGES[stage]: _in_words(count, sizes.get(stage, Counter()))
+        for stage, count in sorted(counts.items())
+    }
 
 
-def _in_words(count: Counter[str]) -> str:
+def _in_words(count: Counter[str], sizes: Counter[str]) -> str:
+    notes = {"factorisation": f" ({', '.join(map(_times, sizes.items()))})"}
     return ", ".join(
-        f"{count[word]} {word}{'s' if count[word] != 1 else ''}" for word in _WORDS if count[word]
+        f"{count[word]} {word}{'s' if count[word] != 1 else ''}{notes.get(word, '')}"
+        for word in _WORDS
+        if count[word]
     )
+
+
+def _times(sized: tuple[str, int]) -> str:
+    size, count = sized
+    return size if count == 1 else f"{count} of {size}"
 
 
 def section_titles(code: Code) -> dict[int, str]:

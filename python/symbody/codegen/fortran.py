@@ -111,14 +111,20 @@ def _subroutine(function: Function) -> list[str]:
     comments = comment_block(head_of_function(function), "!")
     declared = {a.name: _declared(a, "in") for a in function.arguments}
     declared |= {r.name: _declared(r, "out") for r in function.results}
-    working = [f"real(dp) :: {name}({size})" for name, size in function.working]
+    working = [f"real(dp) :: {name}({size})" for name, size in function.arrays]
+    called = [line for call in function.calls for line in wrapped(_call_of(call), LANGUAGE, "")]
     blocks = function.composition.blocks
     if len(blocks) == 1:
-        body = [*_locals(blocks[0].locals), "", *block_lines(blocks[0], LANGUAGE, function.shapes, "")]
+        body = [
+            *_locals(blocks[0].locals),
+            "",
+            *called,
+            *block_lines(blocks[0], LANGUAGE, function.shapes, ""),
+        ]
         return [*comments, *_procedure(function.name, declared, [*working, *body])]
     calls = [line for number in range(len(blocks)) for line in wrapped(_call(function, number), LANGUAGE, "")]
     parts = [line for number in range(len(blocks)) for line in ["", *_part(function, number)]]
-    return [*comments, *_procedure(function.name, declared, [*working, "", *calls]), *parts]
+    return [*comments, *_procedure(function.name, declared, [*working, "", *called, *calls]), *parts]
 
 
 def _procedure(name: str, declared: dict[str, str], body: Sequence[str]) -> list[str]:
@@ -136,7 +142,7 @@ def _part(function: Function, number: int) -> list[str]:
     block = function.composition.blocks[number]
     declared = {a.name: _declared(a, "in") for a in function.arguments}
     declared |= {r.name: _declared(r, "inout") for r in function.results}
-    declared |= {name: f"real(dp), intent(inout) :: {name}({size})" for name, size in function.working}
+    declared |= {name: f"real(dp), intent(inout) :: {name}({size})" for name, size in function.arrays}
     used = {name: text for name, text in declared.items() if name in block.mentions}
     body = [*_locals(block.locals), "", *block_lines(block, LANGUAGE, function.shapes, "")]
     return _procedure(f"{function.name}_part{number + 1}", used, body)
@@ -144,7 +150,7 @@ def _part(function: Function, number: int) -> list[str]:
 
 def _call(function: Function, number: int) -> str:
     names = [array.name for array in (*function.arguments, *function.results)]
-    names += [name for name, _ in function.working]
+    names += [name for name, _ in function.arrays]
     mentioned = function.composition.blocks[number].mentions
     return f"call {function.name}_part{number + 1}({', '.join(name for name in names if name in mentioned)})"
 

@@ -79,6 +79,7 @@ def _function(function: Function) -> list[str]:
     arrays += [(name, str(size)) for name, size in function.working]
     lines += [f"    {name} = Array{{number}}(undef, {size})" for name, size in arrays]
     returned = ", ".join(result.name for result in function.results)
+    lines += [line for call in function.calls for line in wrapped(_assignment(call), LANGUAGE, "    ")]
     parts: list[str] = []
     if len(blocks) == 1:
         lines += block_lines(blocks[0], LANGUAGE, function.shapes)
@@ -94,7 +95,7 @@ def _passed(function: Function, number: int) -> str:
     """Return the arrays and numbers that a part takes."""
     names = [array.name for array in function.arguments]
     names += [result.name for result in function.results if not result.is_scalar]
-    names += [name for name, _ in function.working]
+    names += [name for name, _ in function.arrays]
     mentioned = function.composition.blocks[number].mentions
     return ", ".join(name for name in names if name in mentioned)
 
@@ -137,24 +138,26 @@ def _check(module: Module) -> str:
     title = [mark(module), "", "Evaluates every routine at one state and compares with reference values."]
     lines = [*comment_block(title, "#"), f'include("{module.name}.jl")', *_COMPARE.rstrip().split("\n"), ""]
     lines += ["function main()"]
+    package = f"{module.name}."
     for array in module.arguments:
         if array.name in module.values:
             literals = ", ".join(map(LANGUAGE.literal, module.values[array.name]))
             value = literals if array.is_scalar else f"[{literals}]"
             lines += wrapped(f"{array.name} = {value}", LANGUAGE, "    ")
     lines += ["    same = true", f'    println("{module.name}: entries, largest relative error")']
-    lines += [f"    {_assignment(module, module.prepare)}"] if module.prepare else []
+    lines += [f"    {_assignment(module.prepare, package)}"] if module.prepare else []
     for function, references in zip(module.routines, module.references, strict=True):
-        lines += ["", *wrapped(_assignment(module, function), LANGUAGE, "    ")]
+        lines += ["", *wrapped(_assignment(function, package), LANGUAGE, "    ")]
         for result, reference in compared(function, references):
             lines += _comparison(function, result, reference)
     return "\n".join([*lines, "", "    return same", "end", "", "main() || exit(1)"]) + "\n"
 
 
-def _assignment(module: Module, function: Function) -> str:
+def _assignment(function: Function, package: str = "") -> str:
+    """Return the line that calls a function, of the package, if that is given."""
     results = ", ".join(result.name for result in function.results)
     arguments = ", ".join(array.name for array in function.arguments)
-    return f"{results} = {module.name}.{function.name}({arguments})"
+    return f"{results} = {package}{function.name}({arguments})"
 
 
 def _comparison(function: Function, result: Array, reference: Sequence[float]) -> list[str]:

@@ -116,6 +116,7 @@ def _file(module: Module, function: Function) -> str:
     arrays = [(result.name, _zeros(result)) for result in function.results if not result.is_scalar]
     arrays += [(name, f"zeros({size}, 1)") for name, size in function.working]
     lines += [f"    {name} = {zeros};" for name, zeros in arrays]
+    lines += [line for c in function.calls for line in wrapped(f"{_signature(module, c)};", LANGUAGE, "    ")]
     for block in function.composition.blocks:
         lines += block_lines(block, LANGUAGE, function.shapes)
     helpers = list(dict.fromkeys(text for name, text in _HELPERS.items() if name in function.operations))

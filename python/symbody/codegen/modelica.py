@@ -113,6 +113,8 @@ def _function(function: Function) -> list[str]:
     protected = list(_protected(function))
     lines += ["protected", *protected] if protected else []
     lines += ["algorithm"]
+    for call in function.calls:
+        lines += wrapped(_call(call, [result.name for result in call.results]), LANGUAGE, "  ")
     shapes = {**function.shapes, **{name: (n, n) for name, n in function.composition.matrices}}
     for block in function.composition.blocks:
         lines += block_lines(block, LANGUAGE, shapes, "  ")
@@ -125,7 +127,7 @@ def _protected(function: Function) -> Iterable[str]:
     names = [name for block in made.blocks for name in block.locals]
     yield from (f"  Real {row};" for row in in_rows(names, 90))
     yield from (f"  Real {name}[{n}, {n}];" for name, n in made.matrices)
-    yield from (f"  Real {name}[{n}];" for name, n in made.solutions)
+    yield from (f"  Real {name}[{n}];" for name, n in (*made.solutions, *function.received))
 
 
 def _check(module: Module) -> list[str]:

@@ -51,6 +51,7 @@ class Function:
         counts: its operations in words, by stage.
         operations: the names of the operations that occur in it.
         working: the names and sizes of the working arrays: matrices, solutions, what later parts read.
+        calls: the routines that it calls before all else, their results with the names that they have here.
     """
 
     name: str
@@ -61,6 +62,17 @@ class Function:
     counts: Mapping[str, str]
     operations: frozenset[str]
     working: tuple[tuple[str, int], ...]
+    calls: tuple[Function, ...] = ()
+
+    @property
+    def received(self) -> tuple[tuple[str, int], ...]:
+        """The names and sizes of the arrays that the results of calls are kept in."""
+        return tuple((result.name, result.size) for call in self.calls for result in call.results)
+
+    @property
+    def arrays(self) -> tuple[tuple[str, int], ...]:
+        """The names and sizes of all arrays inside of it: those of calls, and the working arrays."""
+        return (*self.received, *self.working)
 
     @property
     def shapes(self) -> dict[str, tuple[int, ...]]:
@@ -70,7 +82,8 @@ class Function:
     @property
     def mentions(self) -> frozenset[str]:
         """The names of all arrays that occur in it."""
-        return frozenset().union(*(block.mentions for block in self.composition.blocks))
+        passed = {array.name for call in self.calls for array in call.arguments}
+        return frozenset(passed).union(*(block.mentions for block in self.composition.blocks))
 
 
 @dataclass(frozen=True)

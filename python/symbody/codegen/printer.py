@@ -132,7 +132,16 @@ def head_of_function(function: Function) -> list[str]:
     results = [(f"  {r.name}", _shape_text(r), " ".join(r.meaning.split())) for r in function.results]
     counts = [(f"  {stage}:", words, "") for stage, words in function.counts.items()]
     lines += [line for row in table(results) for line in _hanging(row)]
-    return [*lines, *(["Operations:", *table(counts)] if counts else [])]
+    return [*lines, *_operations(function, counts)]
+
+
+def _operations(function: Function, counts: Sequence[tuple[str, ...]]) -> list[str]:
+    """Return the operations of a function, as a table of those that aren't in what it calls."""
+    if function.calls:
+        called = " and ".join(call.name for call in function.calls)
+        title = f"those of {called}, which is called"
+        return [f"Operations: {title}, and", *table(counts)] if counts else [f"Operations: {title}."]
+    return ["Operations:", *table(counts)] if counts else []
 
 
 def _hanging(row: str) -> list[str]:

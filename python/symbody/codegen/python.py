@@ -83,6 +83,7 @@ class Library:
         imports: the lines of imports.
         helpers: the texts of the functions that make arrays, and of those that solve linear systems.
         called: how the self-check calls a function, of ``{function}``, ``{arguments}`` and ``{name}`` of the module.
+        passed: how a function passes an array that it was given to another one.
     """
 
     language: Language
@@ -91,6 +92,7 @@ class Library:
     helpers: str
     systems: str
     called: str = "model.{function}({arguments})"
+    passed: str = "{}"
 
 
 NUMPY = Library(
@@ -110,19 +112,29 @@ def module_text(module: Module, library: Library, after: Sequence[str] = ()) -> 
     if "factor" in module.operations:
         lines += [*library.systems.splitlines(), ""]
     for function in module.functions:
-        lines += ["", *function_lines(function, library.language), ""]
+        lines += ["", *function_lines(function, library), ""]
     return "\n".join([*lines, *after]).rstrip() + "\n"
 
 
-def function_lines(function: Function, language: Language) -> list[str]:
+def function_lines(function: Function, library: Library) -> list[str]:
     """Return a function of sequences that returns arrays and numbers."""
     arguments = ", ".join(array.name for array in function.arguments)
     lines = [f"def {function.name}({arguments}):", *_docstring(function)]
     lines += [f"    {r.name} = [0.0] * {r.size}" for r in function.results if not r.is_scalar]
     lines += [f"    {name} = [0.0] * {size}" for name, size in _working(function)]
+    for call in function.calls:
+        lines += wrapped(_assignment(call, library), library.language, "    ")
     for block in function.composition.blocks:
-        lines += block_lines(block, language, function.shapes)
-    return [*lines, *wrapped(f"return {', '.join(map(_returned, function.results))}", language, "    ")]
+        lines += block_lines(block, library.language, function.shapes)
+    returned = ", ".join(map(_returned, function.results))
+    return [*lines, *wrapped(f"return {returned}", library.language, "    ")]
+
+
+def _assignment(function: Function, library: Library) -> str:
+    """Return the call of a function inside of another one, which has its arguments."""
+    names = ", ".join(result.name for result in function.results)
+    passed = [a.name if a.is_scalar else library.passed.format(a.name) for a in function.arguments]
+    return f"{names} = {function.name}({', '.join(passed)})"
 
 
 def _docstring(function: Function) -> list[str]:

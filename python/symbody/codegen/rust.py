@@ -45,8 +45,8 @@ LANGUAGE = Language(
     scalar="*{}",
     clear="{array}.fill(0.0);",
     clear_matrix="for row in {array}.iter_mut() {{ row.fill(0.0); }}",
-    factor="factor({n}, &mut {work});",
-    solve="solve({n}, &{work}, &mut {x});",
+    factor="factor({n}, &mut {work}[..]);",
+    solve="solve({n}, &{work}[..], &mut {x}[..]);",
 )
 
 _HELPERS = {
@@ -106,7 +106,8 @@ def _function(function: Function) -> list[str]:
     """Return a function; if it is long, one that calls its parts, and these."""
     lines = comment_block(head_of_function(function), "///")
     blocks = function.composition.blocks
-    arrays = [f"    let mut {name} = [0.0; {size}];" for name, size in function.working]
+    arrays = [f"    let mut {name} = [0.0; {size}];" for name, size in function.arrays]
+    calls = [line for call in function.calls for line in wrapped(_called(call), LANGUAGE, "    ")]
     unused = [f"    let _ = {a.name};" for a in function.arguments if a.name not in function.mentions]
     title = f"pub fn {function.name}({', '.join(_declared(function).values())}) {{"
     if len(blocks) == 1:
@@ -114,14 +115,14 @@ def _function(function: Function) -> list[str]:
     else:
         body = [line for k in range(len(blocks)) for line in wrapped(_call(function, k), LANGUAGE, "    ")]
         parts = [line for k in range(len(blocks)) for line in ["", *_part(function, k)]]
-    return [*lines, *wrapped(title, LANGUAGE, ""), *arrays, *body, *unused, "}", *parts]
+    return [*lines, *wrapped(title, LANGUAGE, ""), *arrays, *calls, *body, *unused, "}", *parts]
 
 
 def _part(function: Function, number: int) -> list[str]:
     """Return one block as a function of the arrays that it uses."""
     block = function.composition.blocks[number]
     declared = _declared(function)
-    declared |= {name: f"{name}: &mut [f64; {size}]" for name, size in function.working}
+    declared |= {name: f"{name}: &mut [f64; {size}]" for name, size in function.arrays}
     used = ", ".join(text for name, text in declared.items() if name in block.mentions)
     title = f"fn {function.name}_part{number + 1}({used}) {{"
     return [*wrapped(title, LANGUAGE, ""), *block_lines(block, LANGUAGE, function.shapes), "}"]
@@ -129,10 +130,16 @@ def _part(function: Function, number: int) -> list[str]:
 
 def _call(function: Function, number: int) -> str:
     names = {array.name: array.name for array in (*function.arguments, *function.results)}
-    names |= {name: f"&mut {name}" for name, _ in function.working}
+    names |= {name: f"&mut {name}" for name, _ in function.arrays}
     mentioned = function.composition.blocks[number].mentions
     used = ", ".join(text for name, text in names.items() if name in mentioned)
     return f"{function.name}_part{number + 1}({used});"
+
+
+def _called(function: Function) -> str:
+    """Return the call of a function inside of another one, which has its arguments."""
+    names = [*(a.name for a in function.arguments), *(f"&mut {result.name}" for result in function.results)]
+    return f"{function.name}({', '.join(names)});"
 
 
 _COMPARE = """
