@@ -23,6 +23,7 @@ from symbody import (
     lambdify,
     rotate,
     symbols,
+    time_derivative,
     translate,
 )
 
@@ -31,7 +32,7 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True)
 class Prescribed:
-    """Values of variables over time; whatever is written in them is evaluated by lambdify."""
+    """Values of variables over time; whatever is written in them and their rates is evaluated by lambdify."""
 
     t: Array
     system: System
@@ -42,7 +43,10 @@ class Prescribed:
         return self.evaluate([expression])[0]
 
     def evaluate(self, expressions: Sequence[Expr]) -> Array:
-        values = {**self.variables, **self.parameters}
+        rates = {
+            time_derivative(q): np.gradient(row, self.t) for q, row in self.variables.items() if q.order == 0
+        }
+        values = {**rates, **self.variables, **self.parameters}
         rows = lambdify(list(values), list(expressions))(*values.values())
         return np.broadcast_to(rows.reshape(len(expressions), -1), (len(expressions), len(self.t)))
 

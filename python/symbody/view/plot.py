@@ -3,23 +3,26 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
 from pathlib import Path
 from typing import TypeAlias
 
-import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
-from numpy.typing import NDArray
 
 from symbody.errors import ViewError
+from symbody.multibody import System
 from symbody.symbolic import Expr
 from symbody.view.motion import Motion
+from symbody.view.overview import overview
 from symbody.view.pose import values
 from symbody.view.whole_file import write_whole
 
 Panel: TypeAlias = Expr | Sequence[Expr] | Mapping[str, Expr]
 """What one pair of axes shows: an expression, several, or several by the names to show."""
+
+Units: TypeAlias = Mapping[Expr | str, str]
 
 LONG = 24
 """Letters of the longest name that stands beside an axis; longer ones stand above the panel."""
@@ -31,23 +34,25 @@ WIDE = 4
 def plot(
     motion: Motion,
     *panels: Panel,
-    units: Mapping[Expr | str, str] | None = None,
+    units: Units | None = None,
     time: str = "s",
     title: str = "",
     path: str | os.PathLike[str] | None = None,
 ) -> Figure:
-    """Return a figure of outputs over time, a panel for each argument; all coordinates by default.
+    """Return a figure of outputs over time, a panel for each argument.
+
+    Without one, it shows all coordinates and speeds: lengths, angles and others in panels of their own, in SI units.
 
     Args:
         motion: what is shown.
         panels: an expression, a list of expressions that share a panel, or a dictionary of them by name.
-        units: the unit of an expression, or of a name; those of a panel that agree stand at its axis.
+        units: the unit of an expression, or of the name of a curve; those of a panel that agree stand at its axis.
         time: the unit of time; the empty text if there is none.
         title: the headline.
         path: a file to write as well; its ending says the format, such as ``.png``, ``.svg`` or ``.pdf``.
 
     Raises:
-        ViewError: there is nothing to draw, or a value isn't finite.
+        ViewError: there is nothing to draw, a panel is no expression, or a value isn't finite.
         PictureError: the file can't be written.
 
     >>> import numpy as np
@@ -60,21 +65,17 @@ def plot(
     >>> plot(motion, x, units={x: "m"}).axes[0].get_ylabel()
     '$x$ [m]'
     """
-    chosen = panels or motion.system.coordinates
-    curves = [_curves(panel) for panel in chosen]
-    if not all(curves):
-        raise ViewError(
-            "plot: a panel is empty; give an expression, a list of expressions, or leave the panel out"
-        )
-    columns = 2 if len(chosen) >= WIDE else 1
-    rows = -(-len(chosen) // columns)
-    figure = Figure(figsize=(6.5 * columns + 1, 2.4 * rows + 0.8), layout="constrained")
-    grid = figure.subplots(rows, columns, sharex=True, squeeze=False)
-    for axes, curve in zip(grid.T.ravel(), curves, strict=False):
-        _draw(axes, motion, curve, units or {})
-    for axes in grid.T.ravel()[len(chosen) :]:
-        axes.set_visible(False)
-    _label_time(grid, len(chosen), f"time [{time}]" if time else "time")
+    columns = _asked(panels, units or {}) if panels else _overview(motion.system, units or {}, time)
+    rows = max(map(len, columns))
+    figure = Figure(figsize=(6.5 * len(columns) + 1, 2.4 * rows + 0.8), layout="constrained")
+    grid = figure.subplots(rows, len(columns), sharex=True, squeeze=False)
+    for places, column in zip(grid.T, columns, strict=True):
+        for axes, panel in zip(places, column, strict=False):
+            _draw(axes, motion, panel)
+        for axes in places[len(column) :]:
+            axes.set_visible(False)
+        places[len(column) - 1].set_xlabel(f"time [{time}]" if time else "time")
+        places[len(column) - 1].tick_params(labelbottom=True)
     if title or motion.system.name:
         figure.suptitle(title or motion.system.name)
     if path is not None:
@@ -99,13 +100,67 @@ def save(figure: Figure, path: str | os.PathLike[str]) -> Path:
     return write_whole(file, lambda temporary: figure.savefig(temporary, format=kind, dpi=150))
 
 
-def _curves(panel: Panel) -> dict[str, Expr]:
+@dataclass(frozen=True)
+class _Curves:
+    """What a pair of axes shows: expressions by the names that stand in the figure, their units, and what they are."""
+
+    curves: Mapping[str, Expr]
+    units: Sequence[str]
+    kind: str = ""
+
+    @property
+    def unit(self) -> str:
+        """The unit that all curves share, if there is one."""
+        return self.units[0] if len(set(self.units)) == 1 else ""
+
+
+def _asked(panels: Sequence[Panel], units: Units) -> list[list[_Curves]]:
+    """Return the panels of a user by columns."""
+    found = [_panel(_curves(panel), units) for panel in panels]
+    columns = 2 if len(found) >= WIDE else 1
+    rows = -(-len(found) // columns)
+    return [found[k : k + rows] for k in range(0, len(found), rows)]
+
+
+def _panel(curves: Mapping[str, Expr], units: Units, kind: str = "", unit: str = "") -> _Curves:
+    if not curves:
+        raise ViewError(
+            "plot: a panel is empty; give an expression, a list of expressions, or leave the panel out"
+        )
+    given = [units.get(name, units.get(expression, unit)) for name, expression in curves.items()]
+    return _Curves(curves, given, kind)
+
+
+def _overview(system: System, units: Units, time: str) -> list[list[_Curves]]:
+    """Return the coordinates in a column, those of one kind together, and the speeds in another one."""
+    return [
+        [_panel(_curves(group.expressions), units, group.kind, group.unit(time)) for group in groups]
+        for groups in overview(system)
+    ]
+
+
+def _curves(panel: object) -> dict[str, Expr]:
     """Return the curves of a panel by the names that stand in the figure."""
     if isinstance(panel, Expr):
         return {_symbol(panel): panel}
     if isinstance(panel, Mapping):
-        return dict(panel)
-    return {_symbol(expression): expression for expression in panel}
+        return {str(name): _checked(expression) for name, expression in panel.items()}
+    if isinstance(panel, Iterable) and not isinstance(panel, str):
+        return {_symbol(_checked(expression)): expression for expression in panel}
+    raise _strange(panel)
+
+
+def _checked(expression: object) -> Expr:
+    if not isinstance(expression, Expr):
+        raise _strange(expression)
+    return expression
+
+
+def _strange(what: object) -> ViewError:
+    return ViewError(
+        f"plot: {what!r} is no panel; expected an expression such as a coordinate, a list of expressions, or a "
+        "dictionary of expressions by name"
+    )
 
 
 def _symbol(expression: Expr) -> str:
@@ -115,36 +170,18 @@ def _symbol(expression: Expr) -> str:
     return f"${latex}$" if len(text) <= 40 and not {"begin", "text"} & set(latex.split("\\")) else text[:60]
 
 
-def _draw(axes: Axes, motion: Motion, curves: Mapping[str, Expr], units: Mapping[Expr | str, str]) -> None:
-    for (name, expression), row in zip(curves.items(), values(motion, list(curves.values())), strict=True):
-        unit = units.get(name, units.get(expression, ""))
-        _line(axes, motion.t, row, name, unit if len(curves) > 1 and not _common(curves, units) else "")
-    unit = _common(curves, units)
-    name = next(iter(curves)) if len(curves) == 1 else ""
+def _draw(axes: Axes, motion: Motion, panel: _Curves) -> None:
+    rows = values(motion, list(panel.curves.values()))
+    for name, unit, row in zip(panel.curves, panel.units, rows, strict=True):
+        label = f"{name} [{unit}]" if unit and not panel.unit else name
+        axes.plot(motion.t, row, label=label, marker="o" if len(row) == 1 else "")
+    name = next(iter(panel.curves)) if len(panel.curves) == 1 else panel.kind
     if len(name) > LONG and "$" not in name:
         axes.set_title(name, fontsize="medium")
         name = ""
-    axes.set_ylabel(f"{name} [{unit}]".strip() if unit else name)
+    axes.set_ylabel(f"{name} [{panel.unit}]".strip() if panel.unit else name)
     axes.grid(visible=True, alpha=0.3)
     axes.margins(x=0)
-    if len(curves) > 1:
+    axes.ticklabel_format(axis="y", useOffset=False)
+    if len(panel.curves) > 1:
         axes.legend(loc="upper left", bbox_to_anchor=(1, 1), frameon=False)
-
-
-def _line(axes: Axes, t: NDArray[np.float64], row: NDArray[np.float64], name: str, unit: str) -> None:
-    axes.plot(t, row, label=f"{name} [{unit}]" if unit else name, marker="o" if len(t) == 1 else "")
-
-
-def _common(curves: Mapping[str, Expr], units: Mapping[Expr | str, str]) -> str:
-    """Return the unit that all curves share, if there is one."""
-    found = {units.get(name, units.get(expression, "")) for name, expression in curves.items()}
-    return found.pop() if len(found) == 1 else ""
-
-
-def _label_time(grid: NDArray[np.object_], panels: int, text: str) -> None:
-    """Write the name of time below the last panel of each column."""
-    rows = grid.shape[0]
-    for column in range(grid.shape[1]):
-        last = min(rows, panels - column * rows) - 1
-        grid[last, column].set_xlabel(text)
-        grid[last, column].tick_params(labelbottom=True)

@@ -1,0 +1,110 @@
+"""Overviews: the coordinates and speeds of a system, those of one kind together."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+from symbody.geometry.floating import Floating
+from symbody.geometry.motion import Motion, Rotation, Translation
+from symbody.multibody import System
+from symbody.symbolic import Expr, number, pi, substitute, time_derivative
+from symbody.view.attachment import natural_points
+
+MOST = 8
+"""Curves that a panel shows at most: more are spread over several."""
+
+KINDS = {
+    "angle": "rad",
+    "length": "m",
+    "component": "",
+    "coordinate": "",
+    "angular velocity": "rad/{}",
+    "velocity": "m/{}",
+    "rate": "",
+    "speed": "",
+}
+"""The kinds, and their units by that of time: of angles and lengths in SI; of what nobody knows, none."""
+
+RATES = {"angle": "angular velocity", "length": "velocity", "component": "rate", "coordinate": "rate"}
+
+
+@dataclass(frozen=True)
+class Group:
+    """Some coordinates or speeds of a kind."""
+
+    kind: str
+    expressions: tuple[Expr, ...]
+
+    def unit(self, time: str) -> str:
+        """Return the unit, given that of time; empty where the kind has none, or where nobody knows."""
+        return KINDS[self.kind].format(time) if time else ""
+
+
+def overview(system: System) -> tuple[list[Group], list[Group]]:
+    """Return the coordinates of a system and its speeds, in groups of one kind.
+
+    >>> from symbody import Body, functions_of_time, rotate, translate
+    >>> x, phi, psi = q = functions_of_time("x phi psi")
+    >>> frame = translate(x, 0, 0) * rotate("Z", phi) * rotate("X", psi)
+    >>> coordinates, speeds = overview(System([Body(frame, 1, 1, 1, 1)], coordinates=q))
+    >>> [(group.kind, group.expressions) for group in coordinates]
+    [('length', (x,)), ('angle', (phi, psi))]
+    """
+    kinds = _kinds(system)
+    coordinates = {q: kinds.get(q, "coordinate") for q in system.coordinates}
+    velocities = {u: kinds.get(u, "speed") for u in system.quasi_velocities}
+    rates = {time_derivative(q): RATES[kind] for q, kind in coordinates.items() if q in system.driving}
+    return _groups(coordinates), _groups(velocities) + _groups(rates)
+
+
+def _groups(kinds: Mapping[Expr, str]) -> list[Group]:
+    """Return the expressions by kind, no more of them together than a panel shows."""
+    groups = []
+    for kind in dict.fromkeys(kinds.values()):
+        members = [each for each, its in kinds.items() if its == kind]
+        panels = -(-len(members) // MOST)
+        width = min(MOST, 3 * -(-len(members) // (3 * panels)))  # threes are the places of points
+        groups += [Group(kind, tuple(members[k : k + width])) for k in range(0, len(members), width)]
+    return groups
+
+
+def _kinds(system: System) -> dict[Expr, str]:
+    """Return what the frames of the bodies say of coordinates and speeds, and the names of natural coordinates."""
+    found: dict[Expr, str] = {}
+    motions = [m for body in system.bodies for m in body.frame.motions]
+    twists = [m.twist for m in motions if isinstance(m, Floating)]
+    twists += [] if system.root.carrier is None else [system.root.carrier]
+    for kind, leaves in (
+        ("length", (leaf for motion in motions for leaf in _multiples(motion.displacement))),
+        ("angle", (leaf for motion in motions for leaf in _angles(motion))),
+        ("length", (x for point in natural_points(system) for x in point.coordinates)),
+        ("velocity", (u for twist in twists for u in twist.linear)),
+        ("angular velocity", (u for twist in twists for u in twist.angular)),
+        ("component", (leaf for motion in motions for leaf in motion.leaves)),
+    ):
+        for leaf in leaves:
+            found.setdefault(leaf, kind)
+    return found
+
+
+def _multiples(expressions: Sequence[Expr]) -> list[Expr]:
+    """Return the functions of time that some expressions hold times a number."""
+    return [leaf for x in expressions for leaf in _moving(x) if x.diff(leaf).kind == "number"]
+
+
+def _angles(motion: Motion) -> list[Expr]:
+    """Return the functions of time of which a full turn changes nothing."""
+    if isinstance(motion, Rotation):
+        return _multiples(motion.variables)
+    if isinstance(motion, Translation):
+        return []
+    axes = [[number(int(i == j)) for j in range(3)] for i in range(3)]
+    entries = [x for i, j, k in axes for x in motion.to_parent((i, j, k))]
+    leaves = dict.fromkeys(leaf for x in entries for leaf in _moving(x))
+    turned = {leaf: substitute(entries, {leaf: leaf + 2 * pi}) for leaf in leaves}
+    return [leaf for leaf in leaves if list(turned[leaf]) == entries]
+
+
+def _moving(expression: Expr) -> list[Expr]:
+    return sorted((leaf for leaf in expression.free_symbols if leaf.depends_on_time), key=str)
