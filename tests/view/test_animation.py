@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import json
 import re
 from dataclasses import replace
@@ -183,6 +184,40 @@ def test_solids_that_hide_others_are_glass(tmp_path: Path) -> None:
     assert [body["parts"][0]["glass"] for body in shown] == [True, False]
     rods = scene_of(animate(swinging(1.0), tmp_path / "rods.html"))["bodies"]
     assert not any(rod["parts"][0]["glass"] for rod in rods)
+
+
+@pytest.mark.parametrize(
+    ("wish", "message"),
+    [
+        ({"frames": ["a"]}, "animate: 'a' in frames; expected frames, such as"),
+        ({"points": Point(ground, 0, 0, 0, name="P")}, "animate: P in points; expected a list of points"),
+        ({"traces": [x]}, "animate: x in traces; expected points"),
+        ({"lines": [Point(ground, 0, 0, 0, name="P")]}, "animate: P in lines; expected pairs of points"),
+        ({"forces": [3]}, "animate: 3 in forces; expected forces and torques, such as"),
+        ({"shapes": [1]}, r"animate: \[1\] in shapes; expected shapes by body"),
+    ],
+)
+def test_wishes_that_make_no_sense(wish: dict, message: str, tmp_path: Path) -> None:
+    with pytest.raises(ViewError, match=message):
+        animate(tumbling(), tmp_path / "p.html", **wish)
+    assert not list(tmp_path.iterdir())
+
+
+def test_a_page_that_is_not_finished_is_not_there(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """A full disk in the middle of writing: what was there before stays, and nothing else is left."""
+    file = animate(tumbling(), tmp_path / "p.html")
+    before = file.read_bytes()
+
+    def full(self: Path, text: str, **_: object) -> None:
+        self.write_bytes(text[:1000].encode())
+        raise OSError(errno.ENOSPC, "No space left on device")
+
+    monkeypatch.setattr(Path, "write_text", full)
+    with pytest.raises(
+        PictureError, match=r"p.html can't be written \(No space left on device\); nothing was changed"
+    ):
+        animate(tumbling(), file, title="Other")
+    assert (file.read_bytes(), list(tmp_path.iterdir())) == (before, [file])
 
 
 # --- in a browser ---

@@ -18,9 +18,10 @@ from symbody.geometry import Frame, Point
 from symbody.multibody import Body, Load, System
 from symbody.symbolic import Expr
 from symbody.view.motion import Motion
-from symbody.view.scene import Wishes, scene
+from symbody.view.scene import scene
 from symbody.view.shape import Shape
 from symbody.view.whole_file import write_whole
+from symbody.view.wishes import Wishes
 
 MOST = 1500
 """Instants of a page: a minute at 25 a second; the page goes smoothly from one to the next."""
@@ -59,7 +60,7 @@ def animate(
         reactions: whether the forces of threads are shown.
 
     Raises:
-        ViewError: there is nothing to draw, a value isn't finite, or a shape is given for a body of no part.
+        ViewError: there is nothing to draw, a value isn't finite, or what is asked for is of another kind.
         PictureError: the file can't be written.
     """
     loads = (motion.system.loads if forces else ()) if isinstance(forces, bool) else forces

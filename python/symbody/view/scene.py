@@ -3,15 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from symbody.errors import ViewError
-from symbody.geometry import Frame, Point, ground
-from symbody.multibody import Body, Load
+from symbody.geometry import ground
+from symbody.multibody import Body
 from symbody.view.arrow import arrow_entries, load_arrows, reaction_arrows
 from symbody.view.camera import view_of
 from symbody.view.equivalent import equivalent_shape
@@ -22,6 +21,7 @@ from symbody.view.shape import Shape
 from symbody.view.skeleton import COLORS, Skeleton, skeleton
 from symbody.view.solid import corners, falls_short_of, hides
 from symbody.view.table import FrameTable
+from symbody.view.wishes import Wishes
 
 Array = NDArray[np.float64]
 Part = dict[str, Any]
@@ -31,19 +31,6 @@ THICKNESS = 0.04
 
 LOOKS = 200
 """Instants that decide where to look from."""
-
-
-@dataclass(frozen=True)
-class Wishes:
-    """What a user asks for beside bodies and the skeleton of the model."""
-
-    shapes: Mapping[Body, Shape | Sequence[Shape]] = field(default_factory=dict)
-    frames: Sequence[Frame] = ()
-    points: Sequence[Point] = ()
-    traces: Sequence[Point] = ()
-    lines: Sequence[tuple[Point, Point]] = ()
-    forces: Sequence[Load] = ()
-    reactions: bool = False
 
 
 def scene(motion: Motion, wishes: Wishes, title: str) -> dict[str, Any]:

@@ -16,7 +16,10 @@ def write_whole(path: str | os.PathLike[str], write: Callable[[Path], object]) -
     Raises:
         PictureError: the file can't be written; what was there before is still there.
     """
-    file = Path(path)
+    try:
+        file = Path(path)
+    except TypeError:
+        raise PictureError(f"view: {path!r} is no path; expected one, such as 'motion.html'") from None
     try:
         file.parent.mkdir(parents=True, exist_ok=True)
         with tempfile.TemporaryDirectory(prefix=".symbody-", dir=file.parent) as folder:
