@@ -128,6 +128,7 @@ def _pipe() -> tuple[int, int]:
 @contextmanager
 def browser() -> Iterator[Browser]:
     """Start a browser, and end it."""
+    assert CHROMIUM, "no Chromium on this machine: apt-get install chromium"
     (its_input, to_browser), (from_browser, its_output) = _pipe(), _pipe()
     with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as profile:
         command = [CHROMIUM, *FLAGS, f"--user-data-dir={profile}"]

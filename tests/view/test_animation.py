@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import errno
 import json
+import os
 import re
 from dataclasses import replace
 from pathlib import Path
@@ -37,6 +38,9 @@ from tests.view.prescribed import (
     z,
 )
 
+needs_browser = pytest.mark.skipif(
+    not CHROMIUM and "CI" not in os.environ, reason="no Chromium on this machine: apt-get install chromium"
+)
 XHTML = "http://www.w3.org/1999/xhtml"  # three.js names the namespace of a canvas; nothing is fetched
 
 
@@ -230,7 +234,7 @@ def alike(picture: np.ndarray, color: str) -> np.ndarray:
     return pixels @ (hue / np.linalg.norm(hue)) > 0.99 * np.maximum(np.linalg.norm(pixels, axis=2), 1e-9)
 
 
-@pytest.mark.skipif(not CHROMIUM, reason="no Chromium on this machine: apt-get install chromium")
+@needs_browser
 def test_a_browser_shows_it(tmp_path: Path) -> None:
     """From a file, without a network and without an error; and it plays."""
     file = animate(swinging(1.0), tmp_path / "page.html", forces=True)
@@ -260,7 +264,7 @@ def test_a_browser_shows_it(tmp_path: Path) -> None:
         assert [address for address in page.requests if not address.startswith("data:")] == [file.as_uri()]
 
 
-@pytest.mark.skipif(not CHROMIUM, reason="no Chromium on this machine: apt-get install chromium")
+@needs_browser
 def test_an_error_in_the_page_is_seen(tmp_path: Path) -> None:
     """The browser that the tests look through tells of errors and of addresses that it asks for."""
     file = tmp_path / "bad.html"
