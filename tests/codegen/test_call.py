@@ -34,6 +34,7 @@ def test_the_rates_of_the_state_call_the_forward_dynamics(program: str, target: 
 def test_it_is_said_above_the_routine() -> None:
     header = source(PROGRAMS["trifilar"](), "c")["trifilar.h"]
     assert " * Operations: those of forward_dynamics, which is called.\n" in header
+    assert ", 1 factorisation (21 x 21)\n" in header
     header = source(PROGRAMS["solo12_floating"](), "c")["solo12_floating.h"]
     assert " * Operations: those of forward_dynamics, which is called, and\n *   positions: " in header
 

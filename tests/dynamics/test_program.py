@@ -66,6 +66,25 @@ def test_the_arguments() -> None:
     assert taken["residuals"] == ("p", "r", "q", "u", "a", "lambda_")
 
 
+def test_what_becomes_of_the_constraints_is_said() -> None:
+    """Who reads the code learns that positions drift, and what to do; and what was done."""
+    first = "the equations of motion of x, y"
+    equations, free = newton_euler(bead()), newton_euler(chain(1))
+    assert equations.program().meaning == (
+        f"{first}.\n\nThe accelerations keep the second derivatives of the constraints at zero, and nothing more: in a "
+        "long motion positions and speeds drift off the constraints. Made by "
+        "equations.program(baumgarte=(omega, zeta)) with a frequency and a damping ratio, the accelerations bring them "
+        "back."
+    )
+    assert equations.program(baumgarte=(k, 1)).meaning == (
+        f"{first}.\n\nThe accelerations keep phi'' + 2 zeta omega phi' + omega^2 phi at zero (Baumgarte's "
+        "stabilisation, omega: k, zeta: 1), so that positions and speeds that have left the constraints phi = 0 come "
+        "back."
+    )
+    assert equations.program(method=None).meaning == first
+    assert "constraints" not in free.program().meaning
+
+
 def test_what_an_unconstrained_system_leaves_out() -> None:
     names = [found.name for found in newton_euler(chain(2)).program().routines]
     assert "constraints" not in names

@@ -38,6 +38,12 @@ def module_name(name: str, language: Language) -> str:
     return Scope(language.reserved, language.case_sensitive).claim(name)
 
 
+_IN_PLACE = (
+    "(the other routines take these in the place of parameters: first the parameters that they read as they are, "
+    "then what follows from parameters alone)"
+)
+
+
 class _Arrangement:
     """Names are claimed in one order: program, routines, arguments, then results and locals of each routine."""
 
@@ -116,9 +122,9 @@ class _Arrangement:
         self.order = {k: position for position, k in enumerate(preparation.order)}
         self.constants = list(zip(direct, texts, strict=True))
         entries = tuple(d or text or "see prepare" for d, text in zip(direct, texts, strict=True))
-        meaning = "constants of the model, computed from the parameters"
+        meaning = f"constants of the model, which {prepare} computes from the parameters\n{_IN_PLACE}"
         constants = Array(self.constants_name, meaning, entries, (len(entries),))
-        result = replace(constants, entries=())
+        result = replace(constants, entries=(), meaning="constants of the model")
         arguments = tuple(self.arrays[parameter.name] for parameter in parameters)
         function = self._function(
             prepare, "compute what the other routines need of the parameters", arguments, (result,), code

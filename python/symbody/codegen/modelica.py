@@ -67,7 +67,7 @@ def _files(module: Module) -> dict[str, str]:
 
 def _first_line(module: Module) -> str:
     """Return what the model is, as far as it stands in one line."""
-    first, *more = sentences(module.meaning) or [module.name]
+    first, *more = sentences(module.meaning.partition("\n")[0]) or [module.name]
     return f"{first} ..." if more else first
 
 

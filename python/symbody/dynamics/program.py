@@ -87,7 +87,9 @@ def program(
         _check_time_functions(outputs, eqs, routines)
         routines.append(Routine("outputs", "what else was asked for", (), _outputs(outputs)))
     arguments = _arguments(eqs, _leaves(routines))
-    meaning = f"the equations of motion of {', '.join(map(str, eqs.coordinates))}"
+    meaning = (
+        f"the equations of motion of {', '.join(map(str, eqs.coordinates))}{_drift(eqs, method, baumgarte)}"
+    )
     completed = tuple(_with_arguments(routine, arguments) for routine in routines)
     return Program(name, meaning, tuple(arguments), completed)
 
@@ -134,6 +136,24 @@ def _forward(eqs: Equations, method: str, baumgarte: Damping) -> list[Routine]:
         _routine("forward_dynamics", f"the accelerations, {_WAYS[solution.method]}", *found),
         _routine("right_hand_side", "the rates of the state (q, u)", rates),
     ]
+
+
+def _drift(eqs: Equations, method: str | None, baumgarte: Damping) -> str:
+    """Return what becomes of the constraints along a motion, for the reader of the code."""
+    if method is None or not eqs.constraints:
+        return ""
+    if baumgarte is None:
+        return (
+            ".\n\nThe accelerations keep the second derivatives of the constraints at zero, and nothing more: in a "
+            "long motion positions and speeds drift off the constraints. Made by "
+            "equations.program(baumgarte=(omega, zeta)) with a frequency and a damping ratio, the accelerations bring "
+            "them back."
+        )
+    omega, zeta = baumgarte
+    return (
+        ".\n\nThe accelerations keep phi'' + 2 zeta omega phi' + omega^2 phi at zero (Baumgarte's stabilisation, "
+        f"omega: {omega}, zeta: {zeta}), so that positions and speeds that have left the constraints phi = 0 come back."
+    )
 
 
 _WAYS = {

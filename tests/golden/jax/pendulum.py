@@ -14,7 +14,9 @@ Arguments:
     [2]  lambda
     [3]  g
 
-  c: constants of the model, computed from the parameters
+  c: constants of the model, which prepare computes from the parameters
+  (the other routines take these in the place of parameters: first the parameters that they
+  read as they are, then what follows from parameters alone)
     [0]  m
     [1]  l
     [2]  lambda
@@ -48,7 +50,7 @@ def prepare(p):
     """Compute what the other routines need of the parameters.
 
     Returns:
-      c  vector of 6  constants of the model, computed from the parameters
+      c  vector of 6  constants of the model
     Operations:
       parameters:  3 multiplications
     """

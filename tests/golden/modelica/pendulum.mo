@@ -13,7 +13,9 @@ package pendulum "A pendulum whose pivot swings along x."
   //     [3]  lambda
   //     [4]  g
   //
-  //   c: constants of the model, computed from the parameters
+  //   c: constants of the model, which prepare computes from the parameters
+  //   (the other routines take these in the place of parameters: first the parameters that they
+  //   read as they are, then what follows from parameters alone)
   //     [1]  m
   //     [2]  l
   //     [3]  lambda
@@ -30,11 +32,11 @@ package pendulum "A pendulum whose pivot swings along x."
   //     [1]  θ'
 
   function prepare "Compute what the other routines need of the parameters."
-    //   c  vector of 6  constants of the model, computed from the parameters
+    //   c  vector of 6  constants of the model
     // Operations:
     //   parameters:  3 multiplications
     input Real p[4] "parameters";
-    output Real c[6] "constants of the model, computed from the parameters";
+    output Real c[6] "constants of the model";
   protected
     Real m, l, lambda, g;
   algorithm
@@ -60,7 +62,7 @@ package pendulum "A pendulum whose pivot swings along x."
     // Operations:
     //   time and inputs:  1 multiplication, 1 function
     //   positions:        1 addition, 4 multiplications, 2 functions
-    input Real c[6] "constants of the model, computed from the parameters";
+    input Real c[6] "constants of the model, which prepare computes from the parameters";
     input Real t "time";
     input Real q[1] "coordinates";
     input Real u[1] "speeds";
@@ -92,7 +94,7 @@ package pendulum "A pendulum whose pivot swings along x."
     //   time and inputs:  1 multiplication, 1 function
     //   positions:        5 multiplications, 2 functions
     //   velocities:       3 additions, 4 multiplications
-    input Real c[6] "constants of the model, computed from the parameters";
+    input Real c[6] "constants of the model, which prepare computes from the parameters";
     input Real t "time";
     input Real q[1] "coordinates";
     input Real u[1] "speeds";

@@ -12,7 +12,9 @@
 //!     [2]  lambda
 //!     [3]  g
 //!
-//!   c: constants of the model, computed from the parameters
+//!   c: constants of the model, which prepare computes from the parameters
+//!   (the other routines take these in the place of parameters: first the parameters that they
+//!   read as they are, then what follows from parameters alone)
 //!     [0]  m
 //!     [1]  l
 //!     [2]  lambda
@@ -31,7 +33,7 @@
 #![allow(non_snake_case, unused_parens, dead_code, clippy::all)]
 
 /// Compute what the other routines need of the parameters.
-///   c  vector of 6  constants of the model, computed from the parameters
+///   c  vector of 6  constants of the model
 /// Operations:
 ///   parameters:  3 multiplications
 pub fn prepare(p: &[f64; 4], c: &mut [f64; 6]) {

@@ -12,7 +12,9 @@
 %     [3]  lambda
 %     [4]  g
 %
-%   c: constants of the model, computed from the parameters
+%   c: constants of the model, which prepare computes from the parameters
+%   (the other routines take these in the place of parameters: first the parameters that they
+%   read as they are, then what follows from parameters alone)
 %     [1]  m
 %     [2]  l
 %     [3]  lambda
