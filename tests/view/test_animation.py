@@ -84,6 +84,7 @@ def test_traces_shapes_and_forces(tmp_path: Path) -> None:
     expected = 0.8 * np.column_stack([np.cos(a) + np.cos(b), np.sin(a) + np.sin(b), 0 * a])
     np.testing.assert_allclose(np.reshape(scene["points"][0]["path"], (-1, 3)), expected, atol=1e-6)
     assert scene["bodies"][0]["parts"][0]["size"] == [0.8, 0.1, 0.2]
+    assert {rod["body"] for rod in scene["links"]} == {1}, "the shape of the upper rod stands for its links"
     np.testing.assert_allclose(np.reshape(scene["arrows"][0]["at"], (-1, 3)), expected, atol=1e-6)
 
 

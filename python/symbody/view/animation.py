@@ -50,7 +50,7 @@ def animate(
         motion: what is shown.
         path: the file, such as ``"plate.html"``.
         title: the headline; the name of the system by default.
-        shapes: what bodies look like: one shape or several for each.
+        shapes: what bodies look like: one shape or several for each, in place of its solid and its rods.
         frames: those whose axes are shown.
         points: points that are shown with their names.
         traces: points that leave their paths.

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 from symbody.geometry import Frame, Point, origin
@@ -19,32 +19,36 @@ class Link:
     to: Triple
 
 
-def links(bodies: Iterable[Body]) -> dict[Link, int]:
+def links(bodies: Sequence[Body]) -> dict[Link, int]:
     """Return the links of the chains that carry bodies, each with the number of the body that moves with it.
 
-    A link that carries several bodies belongs to the first that is fixed to it, and else to none (-1).
+    A link with which several bodies move belongs to the first of them; one that stays, or moves alone, to none (-1).
 
     >>> from symbody import rotate, symbols, functions_of_time, translate
     >>> bar = Body(rotate("Z", functions_of_time("q")) * translate(symbols("l"), 0, 0), 1)
     >>> [link.to for link in links([bar])]
     [(l, 0, 0)]
     """
-    found: dict[Link, int] = {}
+    owners: dict[Frame, int] = {}
     for number, body in enumerate(bodies):
-        is_fixed = True
-        for frame in reversed(body.frame.chain):
-            motion, parent = frame.motion, frame.parent
-            if motion is None or parent is None:
-                continue
-            constant = motion.is_constant
-            to = motion.displacement
-            if not is_null(to) and not any(x.depends_on_time for x in to):
-                owner = number if is_fixed and constant else -1
-                link = Link(parent, to)
-                if found.get(link, -1) == -1:
-                    found[link] = owner
-            is_fixed = is_fixed and constant
+        owners.setdefault(_last_moving(body.frame), number)
+    owners[bodies[0].frame.ancestor] = -1
+    found: dict[Link, int] = {}
+    for frame in (frame for body in bodies for frame in body.frame.chain):
+        motion, parent = frame.motion, frame.parent
+        if motion is None or parent is None:
+            continue
+        to = motion.displacement
+        if not is_null(to) and not any(x.depends_on_time for x in to):
+            found[Link(parent, to)] = owners.get(_last_moving(parent), -1)
     return found
+
+
+def _last_moving(frame: Frame) -> Frame:
+    """Return the frame behind the last motion of a chain that isn't constant: the root, if there is none."""
+    while frame.parent is not None and frame.motion is not None and frame.motion.is_constant:
+        frame = frame.parent
+    return frame
 
 
 @dataclass(frozen=True)
@@ -76,7 +80,4 @@ def guides(bodies: Iterable[Body]) -> list[Guide]:
 
 def joint(body: Body) -> Point:
     """Return the place where the last moving part of a body's chain ends, by its coordinates in the body's frame."""
-    frame = body.frame
-    while frame.parent is not None and frame.motion is not None and frame.motion.is_constant:
-        frame = frame.parent
-    return origin(frame).projected(body.frame)
+    return origin(_last_moving(body.frame)).projected(body.frame)

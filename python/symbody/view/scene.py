@@ -45,6 +45,7 @@ def scene(motion: Motion, wishes: Wishes, title: str) -> dict[str, Any]:
     own = [table.place(body.frame) for body in bodies]
     bones = skeleton(motion, table, poses(motion, [body.frame for body in bodies]))
     given = [_given(motion, table, body, wishes.shapes.get(body)) for body in bodies]
+    bones = bones.without({k for k, shapes in enumerate(given) if shapes})
     axes = [{"name": frame.name, "pose": table.place(frame)} for frame in (ground, *wishes.frames)]
     tracks = poses(motion, table.frames)
     asked = _asked(motion, wishes)

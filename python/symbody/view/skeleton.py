@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Container, Sequence
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -32,6 +32,10 @@ class Skeleton:
     points: list[tuple[str, Array]]
     lines: list[tuple[Array, Array]]
     threads: list[Thread]
+
+    def without(self, bodies: Container[int]) -> Skeleton:
+        """Return the skeleton without the rods of some bodies: what they look like is known."""
+        return replace(self, rods=[rod for rod in self.rods if rod["body"] not in bodies])
 
 
 def skeleton(motion: Motion, table: FrameTable, tracks: Array) -> Skeleton:
