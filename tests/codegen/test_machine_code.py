@@ -131,19 +131,35 @@ def angles() -> Values:
     sizes = draw.uniform(-1, 1, 4000) * 10.0 ** draw.uniform(-12, 5, 4000)
     near = np.arange(-3000, 3000) * (np.pi / 2)
     last = np.arange(63_600, 63_700) * (np.pi / 2)
-    return np.concatenate([sizes, near, np.nextafter(near, np.inf), np.nextafter(near, -np.inf), last])
+    tiny = [*(-(10.0 ** draw.uniform(-323, -12, 500))), 5e-324, 2.2250738585072014e-308]
+    # the doubles up to the limit that are next to a multiple of pi/2, by its continued fractions
+    nasty = [6411027962775774 * 2.0**-47, 6331365068168276 * 2.0**-37, 1e5, -1e5, np.nextafter(1e5, 0)]
+    return np.concatenate(
+        [sizes, near, np.nextafter(near, np.inf), np.nextafter(near, -np.inf), last, tiny, nasty]
+    )
 
 
 def test_sine_and_cosine_are_right_to_two_units() -> None:
     points = angles()
-    sines, cosines = lambdify(x, [sin(x), cos(x)], compile=True)(points)
+    function = lambdify(x, [sin(x), cos(x)], compile=True)
+    sines, cosines = function(points)
     with mpmath.workprec(160):
-        for values, function in ((sines, mpmath.sin), (cosines, mpmath.cos)):
-            exact = [function(mpmath.mpf(p)) for p in points]
+        for values, exactly in ((sines, mpmath.sin), (cosines, mpmath.cos)):
+            exact = [exactly(mpmath.mpf(p)) for p in points]
             errors = [
                 abs(mpmath.mpf(v) - e) / np.spacing(abs(float(e))) for v, e in zip(values, exact, strict=True)
             ]
             assert max(errors) < 2
+    one_by_one = np.transpose([function(p) for p in points[::50]])
+    assert np.array_equal(one_by_one, [sines[::50], cosines[::50]])
+
+
+@pytest.mark.parametrize("count", [1, 3, 64])
+def test_sine_of_zero(count: int) -> None:
+    """Zero of either sign gives zero: the sign of -0.0 is lost, in the machine code alone (see sincos)."""
+    function = lambdify(x, [sin(x), cos(x)], compile=True)
+    for zero in (0.0, -0.0):
+        assert np.array_equal(function(np.full(count, zero)), [np.zeros(count), np.ones(count)])
 
 
 def test_large_angles_and_no_numbers_go_to_the_system() -> None:

@@ -3,6 +3,9 @@
 The angle is reduced by a multiple of pi/2 in three parts with fused multiplications [Cody & Waite 1980]; polynomials of
 [Ng 1993, fdlibm] give sine and cosine on [-pi/4, pi/4], and the quadrant chooses and signs them. Angles beyond
 :data:`LARGEST`, infinite ones and those that are no numbers go to the system's functions.
+
+The sine of -0.0 is 0.0, not -0.0: to keep that sign takes a tenth of a nanosecond an angle, 3 % of an arm's inverse
+dynamics in vectors, and shows nowhere but in 1/sin and in atan2 on its branch cut.
 """
 
 from __future__ import annotations
