@@ -44,7 +44,9 @@ class Prescribed:
 
     def evaluate(self, expressions: Sequence[Expr]) -> Array:
         rates = {
-            time_derivative(q): np.gradient(row, self.t) for q, row in self.variables.items() if q.order == 0
+            time_derivative(q): np.gradient(row, self.t) if len(row) > 1 else row * 0
+            for q, row in self.variables.items()
+            if q.order == 0
         }
         values = {**rates, **self.variables, **self.parameters}
         rows = lambdify(list(values), list(expressions))(*values.values())

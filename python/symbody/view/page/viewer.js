@@ -32,7 +32,7 @@
   // As near as the outermost points allow, seen between the headline and the bar.
   function lookAtAll() {
     const height = Math.tan((camera.fov / 2) * Math.PI / 180), width = height * camera.aspect;
-    const top = Math.min(0.25, 100 / window.innerHeight), bottom = Math.min(0.4, 150 / window.innerHeight);
+    const top = Math.min(0.25, 100 / window.innerHeight), bottom = Math.min(0.4, 165 / window.innerHeight);
     const back = V(direction), right = V(up).cross(back).normalize(), above = back.clone().cross(right);
     const points = extremes.map((p) => V(p).sub(V(center)));
     const x = points.map((p) => p.dot(right)), y = points.map((p) => p.dot(above)), z = points.map((p) => p.dot(back));
@@ -46,7 +46,7 @@
       return [far, (d) => (lowest(d) + highest(d)) / 2];
     };
     const [farX, atX] = fit(x, 0.9 * width, 0.9 * width);
-    const [farY, atY] = fit(y, (1 - 2 * bottom * 0.5) * height, (1 - 2 * top * 0.5) * height);
+    const [farY, atY] = fit(y, (1 - bottom) * height, (1 - top) * height);
     const far = Math.max(farX, farY);
     controls.target.copy(V(center)).addScaledVector(right, atX(far)).addScaledVector(above, atY(far));
     camera.position.copy(controls.target).addScaledVector(back, far);
@@ -177,7 +177,9 @@
   for (const axes of scene.axes) {
     const group = carried(axes.pose), size = 0.22 * radius;
     [["x", 0xd62728, [1, 0, 0]], ["y", 0x2ca02c, [0, 1, 0]], ["z", 0x1f77b4, [0, 0, 1]]].forEach(([name, color, axis]) => {
-      group.add(new THREE.ArrowHelper(V(axis), new THREE.Vector3(), size, color, 0.22 * size, 0.1 * size));
+      const arrow = new THREE.ArrowHelper(V(axis), new THREE.Vector3(), 1, color, 0.22, 0.1);
+      group.add(new THREE.Group().add(arrow));
+      arrow.parent.scale.setScalar(size);
       const tip = V(axis).multiplyScalar(1.12 * size);
       label(name, () => group.localToWorld(tip.clone()), "#" + color.toString(16).padStart(6, "0"));
     });
@@ -272,7 +274,7 @@
   const asked = /^#t=(-?[\d.e+-]+)$/.exec(location.hash);
   let now = asked ? Math.min(end, Math.max(start, Number(asked[1]))) : start;
   let running = !asked && last > 0, before = null;
-  const digits = Math.max(2, 2 - Math.floor(Math.log10(Math.max(end - start, 1e-12))));
+  const digits = last > 0 ? Math.min(9, Math.max(2, 2 - Math.floor(Math.log10(end - start)))) : 2;
 
   function show() {
     let low = 0, high = last;
