@@ -14,7 +14,7 @@ import numpy as np
 import pytest
 
 from symbody.codegen.runtime import NAMES, SNIPPETS, factor_size, runtime_text
-from symbody.symbolic.tape import kernel_address, kernel_workspace, take_deficiencies
+from symbody.symbolic.kernel import kernel_address, kernel_workspace, take_deficiencies
 from tests.codegen.linear_solve_drivers import COMPILED, LIBRARIES, Solved, solved_by
 from tests.codegen.linear_systems import System, systems, weights
 

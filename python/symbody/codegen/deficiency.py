@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from threading import Lock
 
 from symbody.errors import ModelNotice
-from symbody.symbolic.tape import take_deficiencies
+from symbody.symbolic.kernel import take_deficiencies
 
 __all__ = ["SYSTEMS", "notice_deficiencies"]
 

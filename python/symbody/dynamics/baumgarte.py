@@ -3,10 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import Annotated, TypeAlias
 
 from symbody.geometry import Scalar
 from symbody.geometry.triple import Rate, expression
 from symbody.symbolic import Expr, derivation, time_derivatives
+
+Damping: TypeAlias = Annotated[
+    tuple[Scalar, Scalar] | None,
+    "the frequency and the damping ratio of Baumgarte's stabilisation, (omega, zeta)",
+]
 
 
 def stabilized(

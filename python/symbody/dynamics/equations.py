@@ -13,11 +13,10 @@ from symbody.geometry.argument import checked
 from symbody.multibody import System
 from symbody.symbolic import Expr, Matrix, Program, free_symbols, listing, time_derivative
 
-from .baumgarte import stabilized
+from .baumgarte import Damping, stabilized
 from .constraint import constraint_jacobian
 
 if TYPE_CHECKING:
-    from .forward_dynamics import Damping
     from .program import Outputs
 
 
@@ -137,7 +136,7 @@ class Equations:
         method: str | None = "auto",
     ) -> Program:
         """Return the routines of which code is generated; see `symbody.dynamics.program.program`."""
-        from .program import program  # noqa: PLC0415 - a program needs the forward dynamics, which needs equations
+        from .program import program  # noqa: PLC0415 - it is built on equations, and stands here for `generate`
 
         return program(self, name=name, outputs=outputs, baumgarte=baumgarte, method=method)
 

@@ -8,7 +8,6 @@ from dataclasses import dataclass
 from typing import Annotated, TypeAlias
 
 from symbody.errors import ConstraintError, ExpressionError, ModelError
-from symbody.geometry import Scalar
 from symbody.geometry.argument import checked
 from symbody.symbolic import (
     Expr,
@@ -22,14 +21,11 @@ from symbody.symbolic import (
 )
 
 from . import articulated_body
+from .baumgarte import Damping
 from .equations import Equations
 from .frame_tree import FrameTree, frame_tree
 from .newton_euler import at_rest
 
-Damping: TypeAlias = Annotated[
-    tuple[Scalar, Scalar] | None,
-    "the frequency and the damping ratio of Baumgarte's stabilisation, (omega, zeta)",
-]
 Speeds: TypeAlias = Annotated[Sequence[Expr], "a list of speeds, such as time_derivative(x)"]
 
 

@@ -22,8 +22,9 @@ from symbody.symbolic import (
     t,
 )
 
+from .baumgarte import Damping
 from .equations import Equations
-from .forward_dynamics import Damping, forward_dynamics
+from .forward_dynamics import forward_dynamics
 
 Output: TypeAlias = Expr | Vector | Matrix | Sequence[ExprLike]
 Outputs: TypeAlias = Annotated[

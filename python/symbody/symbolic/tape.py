@@ -1,5 +1,5 @@
-"""The tape, for the layers above: expressions lowered to straight-line code, and the kernel that solves its systems."""
+"""The tape, for the layers above: expressions lowered to straight-line code."""
 
-from symbody.symbolic._core import Tape, kernel_address, kernel_workspace, take_deficiencies
+from symbody.symbolic._core import Tape
 
-__all__ = ["Tape", "kernel_address", "kernel_workspace", "take_deficiencies"]
+__all__ = ["Tape"]

@@ -12,7 +12,7 @@ try:
 except ImportError:  # machines without it evaluate the tape
     llvm = None
 
-from symbody.symbolic.tape import kernel_address
+from symbody.symbolic.kernel import kernel_address
 
 __all__ = ["Compiled", "compiled", "is_available", "lanes"]
 
