@@ -1,0 +1,187 @@
+"""Batches: what many motions of one model share, and how some of them are run."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from symbody.codegen import CompiledFunction, lambdify
+from symbody.errors import SimulationError, SymbodyError
+from symbody.symbolic import Expr, t
+from symbody.symbolic.arguments import described
+
+from .cases import Cases
+from .event import Event
+from .integrator import EXPLICIT, IMPLICIT, Options, Outcome, Problem, run_many
+from .model import Model
+from .results import Results, Status
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, eq=False)
+class Batch:
+    """What many motions of one model share.
+
+    Attributes:
+        model: what moves.
+        instants: when its states are asked for.
+        options: how to integrate.
+        constraints: how constraints are kept; see `simulate`.
+        outputs: expressions to evaluate at all instants, by name.
+        events: what to look for.
+        guess: where to look for the initial states of constrained systems.
+        keeps_states: whether the states are results, or only the outputs.
+    """
+
+    model: Model
+    instants: Array
+    options: Options
+    constraints: Any
+    outputs: Mapping[str, Expr]
+    events: tuple[Event, ...]
+    guess: Mapping[Expr, float]
+    keeps_states: bool
+    _functions: dict[tuple[tuple[Expr, ...], ...], CompiledFunction] = field(default_factory=dict, repr=False)
+
+    def __getstate__(self) -> dict[str, Any]:
+        """Leave behind what is compiled, which is of this process."""
+        return {name: value for name, value in self.__dict__.items() if name in self.__dataclass_fields__}
+
+    @cached_property
+    def problem(self) -> Problem:
+        """The compiled functions of the integration."""
+        return Problem.of(
+            self.model,
+            self.options.method,
+            is_projected=self.constraints == "projection",
+            events=self.events,
+        )
+
+    def empty_results(self, cases: int) -> Results:
+        """Return results without values."""
+        kept = len(self.instants) if self.keeps_states else 0
+        return Results.empty(cases, len(self.instants), kept, self.width, len(self.outputs))
+
+    def run(
+        self, cases: Cases, threads: int = 1, keep_going: Callable[[float], bool] | None = None
+    ) -> Results:
+        """Run some cases, in native threads; one that can't begin, or ends early, says why."""
+        results = self.empty_results(cases.count)
+        begun, states, parameters = self._starts(cases, results)
+        outcomes = run_many(
+            self.problem, states, parameters, self.instants, self.options, threads, keep_going
+        )
+        for case, outcome in zip(begun, outcomes, strict=True):
+            if outcome is not None:
+                self._record(results, int(case), outcome, cases.parameters_of(case))
+        return results
+
+    def _starts(self, cases: Cases, results: Results) -> tuple[NDArray[np.intp], Array, Array]:
+        """Return the cases that can begin, with their states and parameters; the others fail."""
+        states, parameters, begun = [], [], []
+        for case in range(cases.count):
+            try:
+                values, state = self.start(cases.parameters_of(case), cases.initial_of(case))
+            except SymbodyError as error:
+                results.status[case], results.messages[case] = Status.FAILED, str(error)
+            else:
+                begun.append(case)
+                states.append(state)
+                parameters.append(values)
+        return np.array(begun, dtype=np.intp), np.array(states), np.array(parameters)
+
+    def start(self, parameters: Mapping[Expr, float], initial: Mapping[Expr, float]) -> tuple[Array, Array]:
+        values = np.array([parameters[p] for p in self.model.parameters])
+        state = np.zeros(self.width)
+        for name, value in initial.items():
+            state[self.model.state.index(name)] = value
+        return values, state
+
+    def _record(
+        self, results: Results, case: int, outcome: Outcome, parameters: Mapping[Expr, float]
+    ) -> None:
+        """Put in what the integrator gave for one case."""
+        failure, size, reached = outcome.failure, len(self.model.state), len(outcome.states)
+        if failure is not None and failure.kind == "interrupted":
+            return
+        is_early = outcome.end[0] < self.instants[-1]
+        results.status[case] = (
+            Status.FAILED if failure else Status.ENDED_BY_EVENT if is_early else Status.COMPLETED
+        )
+        results.messages[case] = failure.message if failure else ""
+        results.reached[case] = reached
+        results.t_reached[case] = failure.t if failure else outcome.end[0]
+        statistics = outcome.statistics
+        results.counts[case] = (
+            statistics.steps,
+            statistics.rejected,
+            statistics.evaluations,
+            statistics.jacobians,
+            statistics.is_stiff,
+        )
+        results.occurrences[case] = tuple(
+            (event, when, np.array(state[:size])) for event, when, state in outcome.occurrences
+        )
+        if self.keeps_states:
+            results.states[case, :reached] = outcome.states
+        results.outputs[case, :, :reached] = self.values(
+            list(self.outputs.values()), outcome.states[:, :size], self.instants[:reached], parameters
+        )
+
+    def values(
+        self, expressions: list[Expr], states: Array, instants: Array, parameters: Mapping[Expr, float]
+    ) -> Array:
+        """Return the values of expressions along a motion, a row for each."""
+        if not expressions:
+            return np.empty((0, len(instants)))
+        function = self._function(tuple(expressions), tuple(parameters))
+        return np.asarray(function(instants, *states.T, *parameters.values()))
+
+    def _function(self, expressions: tuple[Expr, ...], parameters: tuple[Expr, ...]) -> CompiledFunction:
+        key = (expressions, parameters)
+        if key not in self._functions:
+            values = list(self.model.along_motion(expressions))
+            self._functions[key] = lambdify([t, *self.model.state, *parameters], values)
+        return self._functions[key]
+
+    @property
+    def width(self) -> int:
+        """The length of the vector that is integrated."""
+        return self.model.width
+
+
+def instants_of(given: ArrayLike) -> Array:
+    """Return the instants of a simulation: a pair means 1001 of them, evenly spaced.
+
+    Raises:
+        SimulationError: they aren't finite numbers that increase.
+    """
+    instants = np.array(given, dtype=np.float64)
+    if (
+        instants.ndim != 1
+        or len(instants) < 2
+        or not np.isfinite(instants).all()
+        or (np.diff(instants) <= 0).any()
+    ):
+        raise SimulationError(
+            f"simulate: t={described(given)}; expected the first and the last instant, or all instants, increasing"
+        )
+    return np.linspace(instants[0], instants[1], 1001) if len(instants) == 2 else instants
+
+
+def options_of(method: str, rtol: float, atol: float, max_step: float) -> Options:
+    """Return how to integrate.
+
+    Raises:
+        SimulationError: a method that isn't known.
+    """
+    methods = (*EXPLICIT, *IMPLICIT)
+    if method not in ("auto", *methods):
+        raise SimulationError(f"simulate: method={method!r}; expected auto, {', '.join(methods)}")
+    return Options("dop853" if method == "auto" else method, rtol, atol, max_step)

@@ -1,0 +1,132 @@
+"""Runs: many motions of one model, as arrays."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+from symbody.errors import ArgumentError
+from symbody.multibody import System
+from symbody.symbolic import Expr
+
+from .batch import Batch
+from .cases import Cases
+from .results import Results, Status
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class Failure:
+    """A motion that ended before its time, and not by an event.
+
+    Attributes:
+        index: which case it is.
+        parameters: its parameters.
+        initial: what was given of its initial state.
+        message: why it ended.
+        t_reached: the instant up to which it is known; NaN if it never began.
+    """
+
+    index: int
+    parameters: dict[Expr, float]
+    initial: dict[Expr, float]
+    message: str
+    t_reached: float
+
+
+@dataclass(frozen=True, eq=False)
+class Runs:
+    """Many motions of one model at the same instants: what `simulate_many` returns.
+
+    Where a motion ended before the last instant, its values are NaN from there on.
+    """
+
+    batch: Batch
+    cases: Cases
+    results: Results
+
+    def __len__(self) -> int:
+        """Return how many cases there are."""
+        return self.cases.count
+
+    @property
+    def t(self) -> Array:
+        """The instants, N of them."""
+        return self.batch.instants
+
+    @property
+    def system(self) -> System:
+        """What moves."""
+        return self.batch.model.system
+
+    @property
+    def parameters(self) -> dict[Expr, Array]:
+        """The parameters, a value for each case."""
+        return self.cases.parameters
+
+    @property
+    def initial(self) -> dict[Expr, Array]:
+        """What was given of the initial states, a value for each case."""
+        return self.cases.initial
+
+    @property
+    def states(self) -> Array:
+        """The states, k cases x N instants x n; their order is that of ``runs.batch.model.state``."""
+        if not self.batch.keeps_states:
+            raise ArgumentError(
+                "runs: the states of these motions were not kept, only the outputs; give simulate_many "
+                "keep_states=True, or name the expression in its outputs"
+            )
+        return self.results.states[:, :, : len(self.batch.model.state)]
+
+    @cached_property
+    def outputs(self) -> dict[str, Array]:
+        """The outputs by name, k cases x N instants."""
+        return {name: self.results.outputs[:, i] for i, name in enumerate(self.batch.outputs)}
+
+    def __getitem__(self, expression: Expr) -> Array:
+        """Return the values of an expression, k cases x N instants."""
+        for name, output in self.batch.outputs.items():
+            if output == expression:
+                return self.outputs[name]
+        states, values = self.states, np.full((len(self), len(self.t)), np.nan)
+        for case, reached in enumerate(self.results.reached):
+            parameters = self.cases.parameters_of(case)
+            values[case, :reached] = self.batch.values(
+                [expression], states[case, :reached], self.t[:reached], parameters
+            )
+        return values
+
+    @cached_property
+    def completed(self) -> NDArray[np.bool_]:
+        """Which cases ran to their end: the last instant, or an event that ends the motion."""
+        return np.isin(self.results.status, (Status.COMPLETED, Status.ENDED_BY_EVENT))
+
+    @cached_property
+    def failures(self) -> list[Failure]:
+        """The cases that ended before their time."""
+        return [
+            Failure(
+                i,
+                self.cases.parameters_of(i),
+                self.cases.initial_of(i),
+                str(self.results.messages[i]),
+                float(self.results.t_reached[i]),
+            )
+            for i in np.flatnonzero(self.results.status == Status.FAILED).tolist()
+        ]
+
+    @property
+    def not_run(self) -> list[int]:
+        """The cases that have not been run, as the batch was interrupted."""
+        return [int(case) for case in self.results.missing]
+
+    def __repr__(self) -> str:
+        parts = [f"{len(self)} cases", f"{len(self.t)} instants"]
+        parts += [f"{len(self.failures)} failed"] if self.failures else []
+        parts += [f"{len(self.not_run)} not run"] if self.not_run else []
+        return f"Runs({', '.join(parts)})"

@@ -1,0 +1,128 @@
+"""Who runs the cases of a batch: native threads of this process, or the workers of an executor."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Iterator
+from concurrent.futures import FIRST_COMPLETED, Executor, Future, wait
+from math import inf
+from time import monotonic
+
+import numpy as np
+from numpy.typing import NDArray
+
+from symbody.errors import SimulationError
+
+from .batch import Batch
+from .cases import Cases
+from .parcel import Parcel
+from .results import Results
+
+Part = tuple[NDArray[np.intp], Results]
+"""Some cases, and what they gave."""
+
+MEMORY = 64 * 2**20
+"""Bytes of states that are under way at once in this process, or in a task."""
+
+TASKS = 200
+"""Tasks into which a batch is cut: many for workers of unequal speed, few to be sent."""
+
+LOOK = 0.1
+"""s between two looks for Ctrl-C."""
+
+
+def cores() -> int:
+    """Return how many processors this process may use."""
+    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+
+
+def in_threads(
+    batch: Batch,
+    cases: Cases,
+    indices: NDArray[np.intp],
+    threads: int,
+    keep_going: Callable[[float], bool],
+    span: float = inf,
+) -> Iterator[Part]:
+    """Run cases in native threads, part by part.
+
+    Args:
+        batch: what the cases share.
+        cases: all of them.
+        indices: those to run.
+        threads: how many run at once.
+        keep_going: told some times a second how many are done; False stops.
+        span: s that a part should take at most; a part takes no fewer cases than there are threads.
+    """
+    most = max(threads, _fitting(batch))
+    size, done = most if span == inf else min(most, 4 * threads), 0
+    while done < len(indices) and keep_going(done):
+        chosen, begin = indices[done : done + size], monotonic()
+        yield chosen, batch.run(cases.some(chosen), threads, _later(keep_going, done))
+        done += len(chosen)
+        pace = span / max(monotonic() - begin, 1e-9)
+        size = int(np.clip(size * pace, max(threads, size // 4), min(most, 4 * size)))
+
+
+def _later(keep_going: Callable[[float], bool], past: int) -> Callable[[float], bool]:
+    """Return what counts on from what is done already."""
+    return lambda done: keep_going(past + done)
+
+
+def by_executor(
+    batch: Batch,
+    cases: Cases,
+    indices: NDArray[np.intp],
+    executor: Executor,
+    keep_going: Callable[[float], bool],
+) -> Iterator[Part]:
+    """Run cases as tasks of an executor, and give back parts in the order in which they are done.
+
+    Raises:
+        SimulationError: tasks were lost: the executor is broken, or a worker can't run the model.
+    """
+    parcel, done, lost = Parcel(batch), 0, None
+    with parcel.open_here():
+        waiting = _submitted(parcel, cases, indices, executor, _fitting(batch))
+        try:
+            while waiting and keep_going(done):
+                ready, _ = wait(waiting, timeout=LOOK, return_when=FIRST_COMPLETED)
+                for future in sorted(ready, key=lambda one: int(waiting[one][0])):
+                    chosen = waiting.pop(future)
+                    lost = future.exception() or lost
+                    if future.exception() is None:
+                        done += len(chosen)
+                        yield chosen, future.result()
+        finally:
+            for future in waiting:
+                future.cancel()
+    if lost is not None:
+        raise _lost(lost) from lost
+
+
+def _submitted(
+    parcel: Parcel[Batch], cases: Cases, indices: NDArray[np.intp], executor: Executor, most: int
+) -> dict[Future[Results], NDArray[np.intp]]:
+    size = min(most, -(-len(indices) // TASKS))
+    parts = [indices[start : start + size] for start in range(0, len(indices), size)]
+    try:
+        return {executor.submit(_run, parcel, cases.some(part)): part for part in parts}
+    except Exception as error:
+        raise _lost(error) from error
+
+
+def _run(parcel: Parcel[Batch], cases: Cases) -> Results:
+    """Run some cases where a worker is."""
+    return parcel.content.run(cases)
+
+
+def _lost(error: BaseException) -> SimulationError:
+    return SimulationError(
+        f"simulate_many: tasks of the executor failed ({type(error).__name__}: {error}); expected an executor whose "
+        "workers can import symbody, and stay alive"
+    )
+
+
+def _fitting(batch: Batch) -> int:
+    """Return how many cases fit into the memory that states under way may take."""
+    return max(1, MEMORY // (8 * len(batch.instants) * batch.width))

@@ -1,0 +1,572 @@
+"""Many motions at once: as one by one, whoever runs them, whatever fails, wherever they are kept."""
+
+from __future__ import annotations
+
+import multiprocessing
+import os
+import signal
+import subprocess
+import sys
+import threading
+from collections.abc import Callable, Iterator
+from concurrent.futures import Executor, Future, ProcessPoolExecutor, ThreadPoolExecutor
+from contextlib import contextmanager
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from symbody import (
+    Body,
+    Equations,
+    Expr,
+    ModelNotice,
+    Point,
+    System,
+    Vector,
+    cos,
+    functions_of_time,
+    ground,
+    lagrange_equations,
+    rotate,
+    sin,
+    symbols,
+    time_derivative,
+    translate,
+)
+from symbody.errors import ArgumentError, ParameterError, SimulationError
+from symbody.simulation import many, workers
+from symbody.simulation.event import Event
+from symbody.simulation.grid import grid
+from symbody.simulation.many import simulate_many
+from symbody.simulation.results_file import ResultsError
+from symbody.simulation.runs import Runs
+
+m, l, g = symbols("m l g")
+q1, q2, x, y = functions_of_time("q1 q2 x y")
+T = (0.0, 0.7)
+
+
+def double_pendulum() -> Equations:
+    upper = rotate("Z", q1)
+    lower = upper * translate(l, 0, 0) * rotate("Z", q2)
+    bobs = [Body(Point(frame, l, 0, 0), m) for frame in (upper, lower)]
+    return lagrange_equations(System(bobs, coordinates=[q1, q2], gravity=Vector(ground, g, 0, 0)))
+
+
+PENDULUM = double_pendulum()
+CASES = grid({l: [0.4, 0.8, 1.1], q1: [0.3, -0.7]})
+"""Six cases."""
+
+
+def six(**options: Any) -> Runs:
+    given: dict[str, Any] = {"cases": CASES, "outputs": {"height": l * cos(q1)}}
+    return simulate_many(PENDULUM, {m: 1.3, g: 9.81}, {q2: 0.2}, T, **(given | options))
+
+
+REFERENCE = six()
+
+
+def same(a: Runs, b: Runs) -> bool:
+    """Whether two runs agree in every bit."""
+    pairs = [(a.results.arrays()[name], array) for name, array in b.results.arrays().items()]
+    return all(one.tobytes() == other.tobytes() for one, other in pairs)
+
+
+# --- results ---------------------------------------------------------------------------------------------------------
+
+
+def test_outputs_are_of_the_states() -> None:
+    heights = CASES[l][:, None] * np.cos(REFERENCE.states[:, :, 0])
+    np.testing.assert_allclose(REFERENCE.outputs["height"], heights, rtol=1e-15)
+    np.testing.assert_array_equal(REFERENCE[l * cos(q1)], REFERENCE.outputs["height"])
+
+
+def test_states_begin_where_they_are_told_to() -> None:
+    assert REFERENCE.states.shape == (6, 1001, 4)
+    np.testing.assert_array_equal(REFERENCE.states[:, 0, 0], CASES[q1])
+    np.testing.assert_array_equal(REFERENCE.states[:, 0, 1], 0.2)
+    np.testing.assert_array_equal(REFERENCE.states[:, 0, 2:], 0.0)
+
+
+def test_any_number_of_threads_gives_the_same() -> None:
+    assert same(six(threads=1), REFERENCE)
+    assert same(six(threads=5), REFERENCE)
+
+
+def test_grid_and_rows_are_the_same_cases() -> None:
+    rows = simulate_many(
+        PENDULUM,
+        {m: 1.3, g: 9.81, l: [0.4, 0.4, 0.8, 0.8, 1.1, 1.1]},
+        {q1: [0.3, -0.7] * 3, q2: 0.2},
+        T,
+        outputs={"height": l * cos(q1)},
+    )
+    assert same(rows, REFERENCE)
+
+
+def test_outputs_alone_need_no_states() -> None:
+    runs = six(keep_states=False)
+    np.testing.assert_array_equal(runs.outputs["height"], REFERENCE.outputs["height"])
+    assert runs.results.states.size == 0
+    np.testing.assert_array_equal(runs[l * cos(q1)], runs.outputs["height"])
+    with pytest.raises(ArgumentError, match="states of these motions were not kept"):
+        _ = runs.states
+    with pytest.raises(ArgumentError, match="states of these motions were not kept"):
+        _ = runs[sin(q1)]
+
+
+def test_parts_of_the_work_leave_no_trace(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(workers, "MEMORY", 1)
+    assert same(six(threads=1), REFERENCE)
+
+
+# --- executors -------------------------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("start", ["fork", "spawn"])
+def test_processes_give_every_bit_of_the_threads(start: str) -> None:
+    with ProcessPoolExecutor(2, mp_context=multiprocessing.get_context(start)) as executor:
+        assert same(six(executor=executor), REFERENCE)
+
+
+def test_threads_of_python_give_the_same() -> None:
+    with ThreadPoolExecutor(2) as executor:
+        assert same(six(executor=executor), REFERENCE)
+
+
+@pytest.mark.parametrize("processes", [False, True])
+def test_workers_of_dask_give_the_same(processes: bool) -> None:
+    distributed = pytest.importorskip("distributed")
+    cluster = distributed.LocalCluster(
+        n_workers=2,
+        threads_per_worker=1,
+        processes=processes,
+        dashboard_address=None,
+        worker_dashboard_address=None,
+    )
+    with cluster, distributed.Client(cluster) as client, client.get_executor() as executor:
+        assert same(six(executor=executor), REFERENCE)
+
+
+def test_workers_get_the_model_once(monkeypatch: pytest.MonkeyPatch) -> None:
+    """In one process all tasks find the model of the sender, compiled; the payload that is sent is one text."""
+    seen = []
+    run = workers.Batch.run
+    monkeypatch.setattr(workers.Batch, "run", lambda batch, *rest: seen.append(batch) or run(batch, *rest))
+    with ThreadPoolExecutor(2) as executor:
+        six(executor=executor)
+    assert len(seen) == 6
+    assert len(set(map(id, seen))) == 1
+
+
+class Lossy(Executor):
+    """Runs some tasks and loses the others."""
+
+    def __init__(self, loses: Callable[[int], bool]) -> None:
+        self.loses, self.count = loses, 0
+
+    def submit(self, fn: Callable[..., Any], /, *args: Any, **kwargs: Any) -> Future[Any]:
+        future: Future[Any] = Future()
+        if self.loses(self.count):
+            future.set_exception(MemoryError("worker lost"))
+        else:
+            future.set_result(fn(*args, **kwargs))
+        self.count += 1
+        return future
+
+
+def test_what_workers_lose_is_listed_and_the_rest_kept() -> None:
+    with pytest.warns(ModelNotice) as notices:
+        runs = six(executor=Lossy(lambda task: task in {1, 4}))
+    (notice,) = notices
+    assert str(notice.message) == (
+        "simulate_many: 2 of 6 motions were not run (tasks of the executor failed (MemoryError: worker lost); expected "
+        "an executor whose workers can import symbody, and stay alive); they are in .not_run, and their values are "
+        "NaN; give a path to keep results for another call"
+    )
+    assert runs.not_run == [1, 4]
+    assert runs.failures == []
+    assert np.isnan(runs.states[[1, 4]]).all()
+    np.testing.assert_array_equal(runs.states[[0, 2, 3, 5]], REFERENCE.states[[0, 2, 3, 5]])
+
+
+def test_executors_that_run_nothing() -> None:
+    with pytest.raises(SimulationError, match=r"tasks of the executor failed \(MemoryError: worker lost\)"):
+        six(executor=Lossy(lambda _: True))
+    executor = ThreadPoolExecutor(1)
+    executor.shutdown()
+    with pytest.raises(SimulationError, match="cannot schedule new futures after shutdown"):
+        six(executor=executor)
+
+
+# --- failures --------------------------------------------------------------------------------------------------------
+
+
+def test_a_case_that_fails_is_told_and_the_rest_goes_on() -> None:
+    cases = CASES | {l: np.array([0.4, 0.4, 0.0, 0.8, 1.1, np.nan])}
+    with pytest.warns(ModelNotice) as notices:
+        runs = six(cases=cases)
+    (notice,) = notices
+    assert str(notice.message).startswith(
+        "simulate_many: 2 of 6 motions failed, the others are complete; the first is case 2 (m = 1.3, g = 9.81, l = 0, "
+        "q2 = 0.2, q1 = 0.3): "
+    )
+    first, second = runs.failures
+    assert (first.index, second.index) == (2, 5)
+    assert (first.parameters, first.initial) == ({m: 1.3, g: 9.81, l: 0.0}, {q1: 0.3, q2: 0.2})
+    assert first.t_reached == 0.0
+    assert runs.completed.tolist() == [True, True, False, True, True, False]
+    assert np.isnan(runs.states[[2, 5], 1:]).all()
+    assert np.isnan(runs.outputs["height"][[2, 5], 1:]).all()
+    assert np.isnan(runs[q1][[2, 5], 1:]).all()
+    for case in (0, 1, 3, 4):
+        np.testing.assert_array_equal(runs.states[case], REFERENCE.states[case])
+
+
+# --- Ctrl-C ----------------------------------------------------------------------------------------------------------
+
+
+def interrupt() -> None:
+    os.kill(os.getpid(), signal.SIGINT)
+
+
+def test_an_interruption_keeps_what_is_done(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A signal comes when the first of many motions are done; it is noted, and what has not been run is listed."""
+
+    @contextmanager
+    def impatient(*_: object, **__: object) -> Iterator[Callable[[float], None]]:
+        told = iter([interrupt])
+        yield lambda done: next(told, int)() if done else None
+
+    monkeypatch.setattr(many, "progress_bar", impatient)
+    count, before = 20_000, signal.getsignal(signal.SIGINT)
+    cases = {l: np.linspace(0.5, 1, count)}
+    with pytest.warns(ModelNotice, match=f"of {count} motions were not run \\(interrupted\\)"):
+        runs = simulate_many(PENDULUM, {m: 1, g: 9.81}, {q1: 1}, [0, 15, 30], cases=cases, threads=1)
+    assert signal.getsignal(signal.SIGINT) is before
+    done = count - len(runs.not_run)
+    assert 0 < done < count
+    assert np.isnan(runs.states[runs.not_run]).all()
+    assert np.isfinite(runs.states[runs.completed]).all()
+    assert runs.completed.sum() == done
+
+
+def test_an_interruption_of_an_executor_keeps_what_is_done() -> None:
+    class Interrupted(Lossy):
+        def submit(self, fn: Callable[..., Any], /, *args: Any, **kwargs: Any) -> Future[Any]:
+            if self.count < 4:
+                return super().submit(fn, *args, **kwargs)
+            if self.count == 4:
+                threading.Timer(0.3, interrupt).start()
+            self.count += 1
+            return Future()
+
+    with pytest.warns(ModelNotice, match=r"2 of 6 motions were not run \(interrupted\)"):
+        runs = six(executor=Interrupted(lambda _: False))
+    assert runs.not_run == [4, 5]
+    np.testing.assert_array_equal(runs.states[:4], REFERENCE.states[:4])
+
+
+def test_a_second_interruption_is_as_usual(monkeypatch: pytest.MonkeyPatch) -> None:
+    @contextmanager
+    def angry(*_: object, **__: object) -> Iterator[Callable[[float], None]]:
+        yield lambda _: interrupt()
+
+    monkeypatch.setattr(many, "progress_bar", angry)
+    before = signal.getsignal(signal.SIGINT)
+    with pytest.raises(KeyboardInterrupt):
+        six(threads=1)
+    assert signal.getsignal(signal.SIGINT) is before
+
+
+def test_other_threads_may_simulate() -> None:
+    with ThreadPoolExecutor(1) as pool:
+        assert same(pool.submit(six).result(), REFERENCE)
+
+
+# --- the file of results ---------------------------------------------------------------------------------------------
+
+
+def counted(monkeypatch: pytest.MonkeyPatch) -> list[int]:
+    """Return a list that grows by the number of cases whenever some are run."""
+    counts: list[int] = []
+    run = workers.Batch.run
+
+    def noted(batch: Any, cases: Any, *rest: Any) -> Any:
+        counts.append(cases.count)
+        return run(batch, cases, *rest)
+
+    monkeypatch.setattr(workers.Batch, "run", noted)
+    return counts
+
+
+def test_a_finished_file_is_read_and_not_written(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    file = tmp_path / "new folder" / "runs.npz"
+    assert same(six(path=file), REFERENCE)
+    counts, when = counted(monkeypatch), file.stat().st_mtime_ns
+    assert same(six(path=file), REFERENCE)
+    assert counts == []
+    assert file.stat().st_mtime_ns == when
+    assert [entry.name for entry in file.parent.iterdir()] == ["runs.npz"]
+
+
+def test_an_unfinished_file_is_completed(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    file = tmp_path / "runs.npz"
+    with pytest.warns(
+        ModelNotice, match="2 of 6 motions were not run .* the same call goes on with the rest"
+    ):
+        six(path=file, executor=Lossy(lambda task: task in {1, 4}))
+    counts = counted(monkeypatch)
+    assert same(six(path=file), REFERENCE)
+    assert counts == [2]
+
+
+def test_failures_are_kept_in_the_file(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    file, options = tmp_path / "runs.npz", {"cases": CASES | {l: np.array([0.4, 0.4, 0.0, 0.8, 1.1, 1.1])}}
+    events = [Event(q1, name="lowest point"), Event(q2 - 2, terminal=True)]
+    with pytest.warns(ModelNotice, match="1 of 6 motions failed"):
+        first = six(path=file, events=events, **options)
+    counts = counted(monkeypatch)
+    with pytest.warns(ModelNotice, match="1 of 6 motions failed"):
+        again = six(path=file, events=events, **options)
+    assert counts == []
+    assert same(first, again)
+    assert first.failures == again.failures
+    assert sum(map(len, again.results.occurrences)) > 3
+
+
+@pytest.mark.parametrize(
+    ("change", "parts"),
+    [
+        ({"cases": CASES | {l: CASES[l] * 2}}, "the parameters differ"),
+        ({"cases": CASES | {q1: CASES[q1] * 2}}, "the initial values differ"),
+        ({"outputs": {"height": l * sin(q1)}}, "the outputs differ"),
+        ({"outputs": {"depth": l * cos(q1)}}, "the outputs differ"),
+        ({"events": [Event(q1)]}, "the events differ"),
+        ({"rtol": 1e-7, "cases": CASES | {l: 1.0}}, "the parameters and the options differ"),
+        ({"keep_states": False}, "the options differ"),
+        ({"method": "tsit5"}, "the options differ"),
+        ({"max_step": 0.1}, "the options differ"),
+    ],
+)
+def test_results_of_another_problem_are_left_alone(
+    change: dict[str, Any], parts: str, tmp_path: Path
+) -> None:
+    file = tmp_path / "runs.npz"
+    six(path=file)
+    content = file.read_bytes()
+    with pytest.raises(
+        ResultsError, match=f"holds results of another problem: {parts}; it was left as it is"
+    ):
+        six(path=file, **change)
+    assert file.read_bytes() == content
+
+
+def test_another_model_and_other_instants_are_other_problems(tmp_path: Path) -> None:
+    file = tmp_path / "runs.npz"
+    mass, weight = symbols("m g")
+    falling = [
+        lagrange_equations(
+            System(
+                [Body(translate(x, y, 0), mass)], coordinates=[x, y], gravity=Vector(ground, 0, k * weight, 0)
+            )
+        )
+        for k in (1, 1, 2)
+    ]
+    simulate_many(falling[0], {mass: 1, weight: [1, 2]}, t=(0, 1), path=file)
+    simulate_many(falling[1], {mass: 1, weight: [1, 2]}, t=(0, 1), path=file)
+    with pytest.raises(ResultsError, match="another problem: the equations differ"):
+        simulate_many(falling[2], {mass: 1, weight: [1, 2]}, t=(0, 1), path=file)
+    with pytest.raises(ResultsError, match="another problem: the instants differ"):
+        simulate_many(falling[0], {mass: 1, weight: [1, 2]}, t=(0, 2), path=file)
+
+
+@pytest.mark.parametrize("content", [b"", b"notes of mine", b"PK\x03\x04 cut off"])
+def test_other_files_are_left_alone(content: bytes, tmp_path: Path) -> None:
+    file = tmp_path / "runs.npz"
+    file.write_bytes(content)
+    with pytest.raises(ResultsError, match="can't be read as a file of results"):
+        six(path=file)
+    assert file.read_bytes() == content
+    np.savez(file, a=[1.0])
+    with pytest.raises(ResultsError, match="it doesn't say 'symbody results 1'"):
+        six(path=file)
+
+
+def test_paths_that_cannot_be_written_are_told_before_anything_is_run(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    (tmp_path / "file").write_text("")
+    counts = counted(monkeypatch)
+    with pytest.raises(ResultsError, match=r"runs.npz can't be written \(.*\); nothing was changed there"):
+        six(path=tmp_path / "file" / "runs.npz")
+    with pytest.raises(ResultsError, match=r"can't be written \(it is a folder\)"):
+        six(path=tmp_path)
+    assert counts == []
+
+
+def test_a_full_disk_costs_no_results(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    file = tmp_path / "runs.npz"
+
+    def full(*_: object, **__: object) -> None:
+        raise OSError(28, "No space left on device")
+
+    monkeypatch.setattr(np, "savez", full)
+    with pytest.warns(ModelNotice, match=r"runs.npz can't be written \(No space left on device\)"):
+        runs = six(path=file)
+    assert same(runs, REFERENCE)
+    assert list(tmp_path.iterdir()) == []
+
+
+_CUT = """
+import sys, time
+import numpy as np
+from symbody.simulation import many
+from tests.simulation.test_many import CASES, PENDULUM, g, m, q1, six
+many.SAVE_EVERY = many.SAVE_PAUSE = 0.0
+savez = np.savez
+
+def slow(file, **arrays):
+    savez(file, **arrays)
+    file.flush()
+    print("written", flush=True)
+    time.sleep(60 if arrays["status"].all() else 0)
+
+np.savez = slow
+six(path=sys.argv[1], threads=1)
+"""
+
+
+def test_a_process_killed_as_it_writes_leaves_a_whole_file(tmp_path: Path) -> None:
+    """It is killed at the second save, when all is in the temporary file but nothing in its place."""
+    file = tmp_path / "runs.npz"
+    command = [sys.executable, "-c", _CUT, str(file)]
+    with subprocess.Popen(
+        command, stdout=subprocess.PIPE, text=True, cwd=Path(__file__).parents[2]
+    ) as process:
+        assert process.stdout is not None
+        for _ in range(2):
+            assert process.stdout.readline() == "written\n"
+        process.kill()
+    with np.load(file) as stored:
+        assert stored["status"].tolist() == [1, 1, 1, 1, 0, 0]
+    assert same(six(path=file), REFERENCE)
+
+
+# --- mistakes --------------------------------------------------------------------------------------------------------
+
+
+def test_lengths_differ() -> None:
+    with pytest.raises(ParameterError) as told:
+        simulate_many(PENDULUM, {m: [1, 2], l: 1, g: 9.81}, {q1: [1, 2, 3]})
+    assert str(told.value) == (
+        "simulate_many: arrays of different lengths (m has 2, q1 has 3); expected one value for each case in every "
+        "array, or a number for all cases. For all combinations use cases=grid({...})"
+    )
+
+
+@pytest.mark.parametrize(
+    ("parameters", "kind", "message"),
+    [
+        ({m: [], l: 1, g: 1}, ParameterError, "parameters: m has no values, so there is nothing to run"),
+        (
+            {m: [[1, 2]], l: 1, g: 1},
+            ParameterError,
+            r"parameters: m has values of shape \(1, 2\); expected a number",
+        ),
+        ({m: "heavy", l: 1, g: 1}, ArgumentError, "parameters: m is 'heavy' is a str; expected a number"),
+        (
+            {"m": 1, l: 1, g: 1},
+            ArgumentError,
+            "parameters: 'm' is a str; expected a symbol or a function of time",
+        ),
+    ],
+)
+def test_values_that_are_none(parameters: dict[Expr, Any], kind: type[Exception], message: str) -> None:
+    with pytest.raises(kind, match=message):
+        simulate_many(PENDULUM, parameters)
+
+
+def test_a_name_given_twice() -> None:
+    with pytest.raises(
+        ParameterError, match="l stands in parameters and in cases; leave it out of one of them"
+    ):
+        simulate_many(PENDULUM, {m: 1, g: 1, l: 1}, cases=CASES)
+
+
+def test_grids() -> None:
+    assert list(CASES) == [l, q1]
+    assert list(zip(*CASES.values(), strict=True)) == [(a, b) for a in (0.4, 0.8, 1.1) for b in (0.3, -0.7)]
+    assert [len(values) for values in grid({m: 1, l: range(4), g: np.ones(3)}).values()] == [12, 12, 12]
+    with pytest.raises(ParameterError, match="grid: no names; give at least one"):
+        grid({})
+    with pytest.raises(ParameterError, match="grid: m has no values; expected a row of at least one number"):
+        grid({m: []})
+    with pytest.raises(ParameterError, match=r"grid: m has values of shape \(1, 1\)"):
+        grid({m: [[1]]})
+    with pytest.raises(
+        ArgumentError, match=r"grid: \{'m': \[1\]\} is a dict; expected names with their values"
+    ):
+        grid({"m": [1]})  # type: ignore[dict-item]
+
+
+@pytest.mark.parametrize(
+    ("parameters", "initial", "message"),
+    [
+        (
+            {m: 1, g: 1},
+            {},
+            "parameters: no values for l; the parameters are g, l, m: give each a number, or a row",
+        ),
+        (
+            {m: 1, g: 1, l: 1, symbols("k"): 2},
+            {},
+            "parameters: k stands nowhere in the model; its parameters are g, l",
+        ),
+        ({m: 1, g: 1, l: 1, q1: 2}, {}, "parameters: q1 stands nowhere in the model"),
+        (
+            {m: 1, g: 1, l: 1},
+            {x: 1},
+            r"initial: x is no part of the state; expected coordinates, their rates or speeds: q1, q2, q1', q2'",
+        ),
+        ({m: 1, g: 1, l: 1}, {time_derivative(q1, 2): 1}, "initial: q1'' is no part of the state"),
+    ],
+)
+def test_names_that_are_missing_or_strange(
+    parameters: dict[Expr, Any], initial: dict[Expr, Any], message: str
+) -> None:
+    with pytest.raises(ParameterError, match=message):
+        simulate_many(PENDULUM, parameters, initial)
+
+
+def test_parameters_of_outputs_alone() -> None:
+    k = symbols("k")
+    with pytest.raises(ParameterError, match="no values for k; the parameters are g, l, m, k"):
+        six(outputs={"spring": k * q1})
+    runs = six(outputs={"spring": k * q1}, cases=CASES | {k: np.arange(6)})
+    np.testing.assert_array_equal(runs.outputs["spring"], np.arange(6)[:, None] * runs.states[:, :, 0])
+
+
+@pytest.mark.parametrize(
+    ("options", "message"),
+    [
+        ({"method": "euler"}, "method='euler'; expected auto, dop853, tsit5, bdf"),
+    ],
+)
+def test_options_that_are_not_known(options: dict[str, Any], message: str) -> None:
+    with pytest.raises(SimulationError, match=message):
+        six(**options)
+
+
+# --- progress --------------------------------------------------------------------------------------------------------
+
+
+def test_a_bar_where_it_is_asked_for(capsys: pytest.CaptureFixture[str]) -> None:
+    six(progress=True)
+    shown = capsys.readouterr()
+    assert "simulate" in shown.err
+    assert "6/6" in shown.err
+    six()
+    assert capsys.readouterr() == ("", "")
