@@ -1,0 +1,82 @@
+"""A consistent start of differential-algebraic equations: the rates and multipliers that a state demands."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from symbody.errors import SimulationError
+
+from .dae import DifferentialAlgebraicEquations
+
+__all__ = ["Start", "start_of"]
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, eq=False)
+class Start:
+    """The unknowns and their rates at the first instant; mu and the rates of multipliers are taken as zero."""
+
+    t: float
+    unknowns: Array
+    rates: Array
+
+
+def start_of(dae: DifferentialAlgebraicEquations, parameters: Array, state: Array, time: float) -> Start:
+    """Return what the state demands: speeds, accelerations, and multipliers.
+
+    Raises:
+        SimulationError: it isn't of the right length, or something isn't finite there.
+    """
+    n, m, width = dae.differential, len(dae.model.multipliers), len(dae.unknowns)
+    if state.shape != (n,):
+        raise SimulationError(
+            f"simulate: a state of shape {state.shape}; expected {n} numbers: "
+            f"{', '.join(map(str, dae.model.state))}"
+        )
+    kinematics, A, b = dae.start(time, state, parameters)
+    equations = [*(f"the rate of {q}" for q in dae.model.coordinates), *_equations(dae)]
+    finite = np.isfinite([*kinematics, *(A.sum(axis=1) + b)])
+    if not finite.all():
+        strange = ", ".join(name for name, is_finite in zip(equations, finite, strict=True) if not is_finite)
+        raise SimulationError(
+            f"simulate: at the start, t = {time:g} s, not finite: {strange}; check the initial state and the "
+            "parameters: a function may be out of its domain there, or a length zero"
+        )
+    solution = _solved(A, -b, _equations(dae), time)
+    unknowns, rates = np.zeros(width), np.zeros(width)
+    unknowns[:n], unknowns[n : n + m] = state, solution[n - len(kinematics) :]
+    rates[:n] = [*kinematics, *solution[: n - len(kinematics)]]
+    return Start(time, unknowns, rates)
+
+
+def _equations(dae: DifferentialAlgebraicEquations) -> list[str]:
+    model = dae.model
+    return [
+        *(f"the equation of motion of {q}" for q in model.system.driving),
+        *(f"the acceleration of constraint {k + 1}" for k in range(len(model.constraints))),
+    ]
+
+
+def _solved(A: Array, right: Array, equations: Sequence[str], time: float) -> Array:
+    """Return the least solution, which isn't the only one where constraints depend on each other."""
+    scale = np.abs(A).max(axis=1)
+    scale[scale == 0] = 1
+    solution: Array = np.linalg.lstsq(A / scale[:, None], right / scale, rcond=None)[0]
+    left = np.abs(A @ solution - right) / scale
+    size = (np.abs(A) @ np.abs(solution) + np.abs(right)) / scale
+    worst = int(np.argmax(left))
+    if left[worst] > _UNSOLVED * size.max():
+        raise SimulationError(
+            f"simulate: at the start, t = {time:g} s, no accelerations satisfy {equations[worst]}; expected a mass for "
+            "every motion, and constraints that can hold together"
+        )
+    return solution
+
+
+_UNSOLVED = 1e-6
+"""The part of the largest terms by which an equation may fail."""

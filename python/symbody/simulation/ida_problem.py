@@ -1,0 +1,122 @@
+"""What IDA calls: residuals, their derivatives and events, all in machine code."""
+
+from __future__ import annotations
+
+import ctypes
+import sys
+from collections.abc import Callable
+from contextlib import redirect_stdout
+from dataclasses import dataclass, field
+from math import inf
+from typing import Any, TextIO
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.sparse import csc_matrix
+
+from symbody.codegen import PreparedCode
+
+from .dae import DifferentialAlgebraicEquations
+
+__all__ = ["Evaluated", "IdaProblem", "KeepGoing", "StoppedError"]
+
+Array = NDArray[np.float64]
+KeepGoing = Callable[[float], bool]
+
+
+def _c_function(code: PreparedCode) -> Callable[[int, int], None]:
+    return ctypes.CFUNCTYPE(None, ctypes.c_void_p, ctypes.c_void_p)(code.address)
+
+
+class Evaluated:
+    """Machine code with its parameters, as a function of t, y, y' and cj."""
+
+    def __init__(self, code: PreparedCode, parameters: Array, differential: int) -> None:
+        constants, n = code.prepare(parameters), len(code.inputs)
+        self._code = code
+        self._inputs = np.concatenate([np.zeros(n), constants])
+        self.values = np.empty(len(code.expressions))
+        self._function = _c_function(code)
+        self._places = self._inputs.ctypes.data, self.values.ctypes.data
+        self._differential = differential
+        self._unknowns, self._rates = (
+            self._inputs[1 : n - 1 - differential],
+            self._inputs[n - 1 - differential : n - 1],
+        )
+        self._n = n
+
+    def __call__(self, time: float, y: Array, rates: Array, cj: float = 0.0) -> Array:
+        inputs = self._inputs
+        inputs[0], inputs[self._n - 1] = time, cj
+        self._unknowns[:], self._rates[:] = y, rates[: self._differential]
+        self._function(*self._places)
+        return self.values
+
+
+class StoppedError(Exception):
+    """Ends IDA from within: the user wants it, or nothing moves any more."""
+
+
+_POLL = 200
+"""Residuals between two questions whether to go on: some milliseconds."""
+_STALL = 1e-10
+"""The part of the span which as many residuals must get ahead, at the least."""
+
+
+@dataclass(eq=False)
+class IdaProblem:
+    """What IDA calls."""
+
+    dae: DifferentialAlgebraicEquations
+    parameters: Array
+    watched: Evaluated | None
+    keep_going: KeepGoing | None
+    span: float
+    calls: int = 0
+    since: float = -inf
+    stop: str = ""
+    stdout: TextIO = field(default_factory=lambda: sys.stdout)
+    residual: Evaluated = field(init=False)
+    slopes: Evaluated = field(init=False)
+
+    def __post_init__(self) -> None:
+        n = self.dae.differential
+        self.residual = Evaluated(self.dae.residual_code, self.parameters, n)
+        self.slopes = Evaluated(self.dae.slopes_code, self.parameters, n)
+        places = self.dae.slopes[1]
+        self.rows, self.columns = places[:, 0], places[:, 1]
+
+    def residuals(self, time: float, y: Array, rates: Array, out: Array) -> None:
+        self.calls += 1
+        if self.calls % _POLL == 0:
+            self._poll(time)
+        out[:] = self.residual(time, y, rates)
+
+    def _poll(self, time: float) -> None:
+        if self.keep_going is not None and not self._asked(time):
+            self.stop = "stopped"
+        elif time - self.since < _STALL * self.span:
+            self.stop = "stalled"
+        self.since = time
+        if self.stop:
+            raise StoppedError
+
+    def _asked(self, time: float) -> bool:
+        with redirect_stdout(self.stdout):  # while IDA runs, it is a buffer for what IDA says
+            return self.keep_going is None or self.keep_going(time)
+
+    def jacobian(self, time: float, y: Array, rates: Array, _: Array, cj: float, out: Array) -> None:
+        out[self.rows, self.columns] = self.slopes(time, y, rates, cj)
+
+    def sparse_jacobian(self, time: float, y: Array, rates: Array, _: Array, cj: float, out: Array) -> None:
+        out[:] = self.slopes(time, y, rates, cj)
+
+    @property
+    def pattern(self) -> Any:
+        """The places of what isn't zero in the Jacobian, column by column as the values are."""
+        n = len(self.dae.unknowns)
+        return csc_matrix((np.ones(len(self.rows)), (self.rows, self.columns)), shape=(n, n))
+
+    def events(self, time: float, y: Array, rates: Array, out: Array) -> None:
+        if self.watched is not None:
+            out[:] = self.watched(time, y, rates)
