@@ -552,12 +552,18 @@ def test_parameters_of_outputs_alone() -> None:
 @pytest.mark.parametrize(
     ("options", "message"),
     [
+        ({"threads": 0}, "threads=0 is an int; expected a whole number from 1"),
+        ({"executor": 4}, "executor=4 is an int; expected an executor of concurrent.futures"),
+        (
+            {"t": (1, 0)},
+            r"t=\(1, 0\) is a tuple; expected the first and the last instant, or all instants, increasing",
+        ),
         ({"method": "euler"}, "method='euler'; expected auto, dop853, tsit5, bdf"),
     ],
 )
 def test_options_that_are_not_known(options: dict[str, Any], message: str) -> None:
-    with pytest.raises(SimulationError, match=message):
-        six(**options)
+    with pytest.raises((SimulationError, ArgumentError), match=message):
+        simulate_many(PENDULUM, {m: 1, l: 1, g: 1}, **options)
 
 
 # --- progress --------------------------------------------------------------------------------------------------------

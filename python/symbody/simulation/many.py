@@ -14,8 +14,9 @@ from time import monotonic
 from numpy.typing import ArrayLike
 
 from symbody.dynamics import Equations
-from symbody.errors import ModelNotice, SimulationError
+from symbody.errors import ArgumentError, ModelNotice, SimulationError
 from symbody.symbolic import Expr, ExprLike, number
+from symbody.symbolic.arguments import described
 
 from .batch import Batch, instants_of, options_of
 from .case_check import check_cases
@@ -101,6 +102,7 @@ def simulate_many(
     >>> simulate_many(pendulum, {m: 1, g: 9.81, l: [0.5, 1.0, 2.0]}, {theta: 0.1}, t=(0, 2))
     Runs(3 cases, 1001 instants)
     """
+    workforce = _checked(executor, cores() if threads is None else threads)
     all_cases = cases_of(parameters, initial, cases)
     batch = Batch(
         model=model_of(eqs, inputs, is_stabilized=constraints not in ("projection", "free")),
@@ -117,13 +119,22 @@ def simulate_many(
     results = _begun(file, batch.empty_results(all_cases.count))
     run = _Run(batch, all_cases, results, file)
     with Interruption() as interruption:
-        reason = run.to_the_end(
-            executor, cores() if threads is None else threads, interruption, progress=progress
-        )
+        reason = run.to_the_end(*workforce, interruption, progress=progress)
     runs = Runs(batch, all_cases, results)
     for notice in filter(None, (_failure_notice(runs), _gap_notice(runs, reason, path), run.fault)):
         warnings.warn(ModelNotice(PREFIX + notice.removeprefix(PREFIX)), stacklevel=2)
     return runs
+
+
+def _checked(executor: object, threads: object) -> tuple[Executor | None, int]:
+    if not isinstance(executor, Executor | None):
+        raise ArgumentError(
+            f"{PREFIX}executor={described(executor)}; expected an executor of concurrent.futures, such as "
+            "ProcessPoolExecutor(), dask's client.get_executor(), or None for threads of this process"
+        )
+    if not isinstance(threads, int) or threads < 1:
+        raise ArgumentError(f"{PREFIX}threads={described(threads)}; expected a whole number from 1")
+    return executor, threads
 
 
 def _begun(file: ResultsFile | None, empty: Results) -> Results:
