@@ -235,7 +235,7 @@ class _Integration:
                 with redirect_stdout(said):
                     result = solver.step(instant, method="normal", tstop=self.instants[-1])
             except StoppedError:
-                return _Ending(self.problem.stop, self.problem.since, "")
+                return _Ending(self.problem.stop, self.problem.asked_at, "")
             self.statistics = IdaStatistics(int(result.nfev), int(result.njev))
             if result.status < 0 or not np.isfinite(result.y).all():
                 return _Ending("failed", float(result.t), said.getvalue() or str(result.message))

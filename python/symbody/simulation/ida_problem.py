@@ -59,8 +59,8 @@ class StoppedError(Exception):
 
 _POLL = 200
 """Residuals between two questions whether to go on: some milliseconds."""
-_STALL = 1e-10
-"""The part of the span which as many residuals must get ahead, at the least."""
+_PATIENCE, _STALL = 10, 1e-12
+"""The part of the span which the residuals of as many questions must get ahead, at the least."""
 
 
 @dataclass(eq=False)
@@ -74,6 +74,7 @@ class IdaProblem:
     span: float
     calls: int = 0
     since: float = -inf
+    asked_at: float = -inf
     stop: str = ""
     stdout: TextIO = field(default_factory=lambda: sys.stdout)
     residual: Evaluated = field(init=False)
@@ -95,9 +96,11 @@ class IdaProblem:
     def _poll(self, time: float) -> None:
         if self.keep_going is not None and not self._asked(time):
             self.stop = "stopped"
-        elif time - self.since < _STALL * self.span:
-            self.stop = "stalled"
-        self.since = time
+        elif self.calls % (_POLL * _PATIENCE) == 0:
+            if time - self.since < _STALL * self.span:
+                self.stop = "stalled"
+            self.since = time
+        self.asked_at = time
         if self.stop:
             raise StoppedError
 
