@@ -16,6 +16,8 @@ from typing import Any
 
 import numpy as np
 import pytest
+from numpy.typing import NDArray
+from scipy.integrate import solve_ivp
 
 from symbody import (
     Body,
@@ -29,6 +31,7 @@ from symbody import (
     functions_of_time,
     ground,
     lagrange_equations,
+    lambdify,
     rotate,
     sin,
     symbols,
@@ -39,10 +42,13 @@ from symbody.errors import ArgumentError, ParameterError, SimulationError
 from symbody.simulation import many, workers
 from symbody.simulation.event import Event
 from symbody.simulation.grid import grid
+from symbody.simulation.integrator import Options, Problem, run
 from symbody.simulation.many import simulate_many
+from symbody.simulation.model import model_of
 from symbody.simulation.results_file import ResultsError
 from symbody.simulation.runs import Runs
 
+Array = NDArray[np.float64]
 m, l, g = symbols("m l g")
 q1, q2, x, y = functions_of_time("q1 q2 x y")
 T = (0.0, 0.7)
@@ -88,6 +94,34 @@ def test_states_begin_where_they_are_told_to() -> None:
     np.testing.assert_array_equal(REFERENCE.states[:, 0, 0], CASES[q1])
     np.testing.assert_array_equal(REFERENCE.states[:, 0, 1], 0.2)
     np.testing.assert_array_equal(REFERENCE.states[:, 0, 2:], 0.0)
+
+
+def test_each_case_is_what_it_is_alone() -> None:
+    model = model_of(PENDULUM)
+    problem = Problem.of(model, "dop853", is_projected=True)
+    for case in range(6):
+        given = REFERENCE.cases.parameters_of(case)
+        alone = run(
+            problem,
+            REFERENCE.states[case, 0],
+            np.array([given[p] for p in model.parameters]),
+            REFERENCE.t,
+            Options("dop853", 1e-8, 1e-10),
+        )
+        np.testing.assert_array_equal(REFERENCE.states[case], alone.states)
+
+
+def test_each_case_is_what_scipy_finds() -> None:
+    f = lambdify([*PENDULUM.coordinates, *PENDULUM.speeds, m, l, g], [PENDULUM.mass_matrix, PENDULUM.forcing])
+    for case in range(6):
+
+        def rates(_: float, state: Array, length: float = CASES[l][case]) -> Array:
+            mass, forcing = f(*state, 1.3, length, 9.81)
+            return np.concatenate([state[2:], np.linalg.solve(mass, np.ravel(forcing))])
+
+        start = [CASES[q1][case], 0.2, 0, 0]
+        solution = solve_ivp(rates, T, start, "DOP853", REFERENCE.t[::100], rtol=1e-11, atol=1e-12)
+        np.testing.assert_allclose(REFERENCE.states[case, ::100], solution.y.T, atol=1e-7)
 
 
 def test_any_number_of_threads_gives_the_same() -> None:
@@ -153,8 +187,8 @@ def test_workers_of_dask_give_the_same(processes: bool) -> None:
 def test_workers_get_the_model_once(monkeypatch: pytest.MonkeyPatch) -> None:
     """In one process all tasks find the model of the sender, compiled; the payload that is sent is one text."""
     seen = []
-    run = workers.Batch.run
-    monkeypatch.setattr(workers.Batch, "run", lambda batch, *rest: seen.append(batch) or run(batch, *rest))
+    part = workers.Batch.run
+    monkeypatch.setattr(workers.Batch, "run", lambda batch, *rest: seen.append(batch) or part(batch, *rest))
     with ThreadPoolExecutor(2) as executor:
         six(executor=executor)
     assert len(seen) == 6
@@ -210,7 +244,7 @@ def test_a_case_that_fails_is_told_and_the_rest_goes_on() -> None:
         runs = six(cases=cases)
     (notice,) = notices
     assert str(notice.message).startswith(
-        "simulate_many: 2 of 6 motions failed, the others are complete; the first is case 2 (m = 1.3, g = 9.81, l = 0, "
+        "simulate_many: 2 of 6 motions failed; the first is case 2 (m = 1.3, g = 9.81, l = 0, "
         "q2 = 0.2, q1 = 0.3): "
     )
     first, second = runs.failures
@@ -552,6 +586,7 @@ def test_parameters_of_outputs_alone() -> None:
 @pytest.mark.parametrize(
     ("options", "message"),
     [
+        ({"constraints": "none"}, "constraints='none' is a str; expected 'projection', 'free', or"),
         ({"threads": 0}, "threads=0 is an int; expected a whole number from 1"),
         ({"executor": 4}, "executor=4 is an int; expected an executor of concurrent.futures"),
         (
@@ -576,3 +611,80 @@ def test_a_bar_where_it_is_asked_for(capsys: pytest.CaptureFixture[str]) -> None
     assert "6/6" in shown.err
     six()
     assert capsys.readouterr() == ("", "")
+
+
+# --- constraints -----------------------------------------------------------------------------------------------------
+
+
+def mass_on_a_circle() -> Equations:
+    bead = Body(translate(x, y, 0), m, name="bead")
+    return lagrange_equations(
+        System([bead], coordinates=[x, y], constraints=[x**2 + y**2 - l**2], gravity=Vector(ground, 0, -g, 0))
+    )
+
+
+CIRCLE = mass_on_a_circle()
+
+
+def on_the_circle(**options: Any) -> Runs:
+    """Four beads, one of which would have to be outside of its circle."""
+    given: dict[str, Any] = {"cases": {x: [0.3, 0.6, 0.9, 0.5], l: [1.0, 1.0, 0.7, 2.0]}}
+    with pytest.warns(
+        ModelNotice, match=r"1 of 4 motions failed; the first is case 2 \(m = 1, g = 9.81, l = 0.7, x = 0.9\)"
+    ):
+        return simulate_many(CIRCLE, {m: 1, g: 9.81}, t=(0, 1), guess={y: -1}, **(given | options))
+
+
+def test_constrained_cases_begin_on_their_constraints() -> None:
+    runs = on_the_circle()
+    (failure,) = runs.failures
+    assert failure.index == 2
+    assert np.isnan(failure.t_reached)
+    assert np.isnan(runs.states[2]).all()
+    good = [0, 1, 3]
+    np.testing.assert_allclose(runs.states[good, 0, 0], [0.3, 0.6, 0.5], rtol=1e-12)
+    assert (runs.states[good, 0, 1] < 0).all()
+    drift = np.hypot(runs[x], runs[y])[good] - runs.parameters[l][good, None]
+    assert abs(drift).max() < 1e-10
+    energy = runs[(time_derivative(x) ** 2 + time_derivative(y) ** 2) / 2 + g * y][good]
+    np.testing.assert_allclose(energy, energy[:, :1] * np.ones(1001), atol=1e-7)
+
+
+@pytest.mark.parametrize("start", ["fork", "spawn"])
+def test_constrained_cases_are_the_same_elsewhere(start: str) -> None:
+    with ProcessPoolExecutor(1, mp_context=multiprocessing.get_context(start)) as executor:
+        assert same(on_the_circle(executor=executor), on_the_circle())
+
+
+def test_cases_by_ida() -> None:
+    pytest.importorskip("sksundae")
+    bounce = [Event(x, name="below"), Event(y + 0.95, direction=1, terminal=True)]
+    with ThreadPoolExecutor(2) as executor:
+        one, other = (on_the_circle(method="ida", events=bounce, executor=pool) for pool in (None, executor))
+    assert same(one, other)
+    native = on_the_circle(events=bounce)
+    np.testing.assert_allclose(one.states, native.states, atol=1e-5)
+    np.testing.assert_array_equal(one.completed, native.completed)
+    np.testing.assert_array_equal(one.results.status, native.results.status)
+    np.testing.assert_allclose(one.results.t_reached, native.results.t_reached, atol=1e-6)
+
+
+def test_ida_that_cannot_go_on_is_a_failure() -> None:
+    pytest.importorskip("sksundae")
+    with pytest.warns(ModelNotice, match="1 of 2 motions failed; the first is case 1"):
+        runs = simulate_many(
+            PENDULUM, {m: 1, g: 9.81}, {q1: 1}, [0, 0.1, 0.2], cases={l: [1, 0]}, method="ida"
+        )
+    assert runs.completed.tolist() == [True, False]
+    assert runs.failures[0].t_reached == 0.0
+
+
+def test_constrained_cases_that_are_stabilised() -> None:
+    runs, exact = (
+        on_the_circle(constraints=(20.0, 1.0), outputs={"turn": time_derivative(x, 2)}),
+        on_the_circle(),
+    )
+    np.testing.assert_allclose(runs.states, exact.states, atol=1e-6)
+    np.testing.assert_allclose(runs.outputs["turn"], exact[time_derivative(x, 2)], atol=1e-4)
+    drift = (np.hypot(runs[x], runs[y]) - runs.parameters[l][:, None])[runs.completed]
+    assert 1e-15 < abs(drift).max() < 1e-7

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any
@@ -17,11 +17,16 @@ from symbody.symbolic.arguments import described
 
 from .cases import Cases
 from .event import Event
+from .ida import IDA_FORMS
+from .ida_outcome import ida_outcome
 from .integrator import EXPLICIT, IMPLICIT, Options, Outcome, Problem, run_many
-from .model import Model
+from .model import DAMPING, Model
 from .results import Results, Status
 
 Array = NDArray[np.float64]
+
+LOOK = 32
+"""Initial states between two looks for Ctrl-C."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -42,7 +47,7 @@ class Batch:
     model: Model
     instants: Array
     options: Options
-    constraints: Any
+    constraints: str | tuple[float, float]
     outputs: Mapping[str, Expr]
     events: tuple[Event, ...]
     guess: Mapping[Expr, float]
@@ -63,6 +68,11 @@ class Batch:
             events=self.events,
         )
 
+    @property
+    def damping(self) -> dict[Expr, float]:
+        """The frequency and the damping ratio with which violations of constraints die out, if they do."""
+        return {} if isinstance(self.constraints, str) else dict(zip(DAMPING, self.constraints, strict=True))
+
     def empty_results(self, cases: int) -> Results:
         """Return results without values."""
         kept = len(self.instants) if self.keeps_states else 0
@@ -73,35 +83,83 @@ class Batch:
     ) -> Results:
         """Run some cases, in native threads; one that can't begin, or ends early, says why."""
         results = self.empty_results(cases.count)
-        begun, states, parameters = self._starts(cases, results)
-        outcomes = run_many(
-            self.problem, states, parameters, self.instants, self.options, threads, keep_going
-        )
-        for case, outcome in zip(begun, outcomes, strict=True):
+        begun, states = self._starts(cases, results, keep_going)
+        for case, outcome in zip(
+            begun, self._outcomes(cases.some(begun), states, threads, keep_going), strict=True
+        ):
             if outcome is not None:
                 self._record(results, int(case), outcome, cases.parameters_of(case))
         return results
 
-    def _starts(self, cases: Cases, results: Results) -> tuple[NDArray[np.intp], Array, Array]:
-        """Return the cases that can begin, with their states and parameters; the others fail."""
-        states, parameters, begun = [], [], []
+    def _outcomes(
+        self, cases: Cases, states: list[Array], threads: int, keep_going: Callable[[float], bool] | None
+    ) -> Iterable[Outcome | None]:
+        """Return how the integration of each case went; None where it was not begun."""
+        if not states:
+            return []
+        if self.options.method in IDA_FORMS:
+            return self._by_ida(cases, states, keep_going or (lambda _: True))
+        columns = {
+            **cases.parameters,
+            **{name: np.full(len(states), value) for name, value in self.damping.items()},
+        }
+        names = (*self.model.parameters, *self.damping)
+        parameters = np.stack([columns[name] for name in names], axis=-1)
+        return run_many(
+            self.problem, np.stack(states), parameters, self.instants, self.options, threads, keep_going
+        )
+
+    def _by_ida(
+        self, cases: Cases, states: list[Array], keep_going: Callable[[float], bool]
+    ) -> Iterator[Outcome | None]:
+        for case, state in enumerate(states):
+            if not keep_going(case):
+                yield None
+                continue
+            parameters, start = cases.parameters_of(case), state[: len(self.model.state)]
+            yield ida_outcome(
+                self.model,
+                start,
+                parameters,
+                self.instants,
+                self.options,
+                self.events,
+                _still(keep_going, case),
+            )
+
+    def _starts(
+        self, cases: Cases, results: Results, keep_going: Callable[[float], bool] | None
+    ) -> tuple[NDArray[np.intp], list[Array]]:
+        """Return the cases that can begin, and their states; the others fail."""
+        begun: list[int] = []
+        states: list[Array] = []
         for case in range(cases.count):
+            if keep_going is not None and case % LOOK == 0 and not keep_going(0):
+                break
             try:
-                values, state = self.start(cases.parameters_of(case), cases.initial_of(case))
+                states.append(self.start(cases.parameters_of(case), cases.initial_of(case)))
+                begun.append(case)
             except SymbodyError as error:
                 results.status[case], results.messages[case] = Status.FAILED, str(error)
-            else:
-                begun.append(case)
-                states.append(state)
-                parameters.append(values)
-        return np.array(begun, dtype=np.intp), np.array(states), np.array(parameters)
+        return np.array(begun, dtype=np.intp), states
 
-    def start(self, parameters: Mapping[Expr, float], initial: Mapping[Expr, float]) -> tuple[Array, Array]:
-        values = np.array([parameters[p] for p in self.model.parameters])
+    def start(self, parameters: Mapping[Expr, float], initial: Mapping[Expr, float]) -> Array:
+        """Return the vector at the first instant: what is given, and zero or what the constraints demand."""
+        given: Mapping[Expr, float] = {**self.guess, **initial}
+        if self.model.constraints or not given.keys() <= {*self.model.state}:
+            from .consistent import consistent_state  # noqa: PLC0415
+
+            given = consistent_state(
+                self.model.equations,
+                parameters,
+                initial,
+                guess=self.guess,
+                t=float(self.instants[0]),
+                inputs=dict(self.model.inputs),
+            )
         state = np.zeros(self.width)
-        for name, value in initial.items():
-            state[self.model.state.index(name)] = value
-        return values, state
+        state[: len(self.model.state)] = [given.get(name, 0.0) for name in self.model.state]
+        return state
 
     def _record(
         self, results: Results, case: int, outcome: Outcome, parameters: Mapping[Expr, float]
@@ -129,7 +187,7 @@ class Batch:
             (event, when, np.array(state[:size])) for event, when, state in outcome.occurrences
         )
         if self.keeps_states:
-            results.states[case, :reached] = outcome.states
+            results.states[case, :reached, : outcome.states.shape[1]] = outcome.states
         results.outputs[case, :, :reached] = self.values(
             list(self.outputs.values()), outcome.states[:, :size], self.instants[:reached], parameters
         )
@@ -140,8 +198,9 @@ class Batch:
         """Return the values of expressions along a motion, a row for each."""
         if not expressions:
             return np.empty((0, len(instants)))
-        function = self._function(tuple(expressions), tuple(parameters))
-        return np.asarray(function(instants, *states.T, *parameters.values()))
+        given = {**parameters, **self.damping}
+        function = self._function(tuple(expressions), tuple(given))
+        return np.asarray(function(instants, *states.T, *given.values()))
 
     def _function(self, expressions: tuple[Expr, ...], parameters: tuple[Expr, ...]) -> CompiledFunction:
         key = (expressions, parameters)
@@ -154,6 +213,11 @@ class Batch:
     def width(self) -> int:
         """The length of the vector that is integrated."""
         return self.model.width
+
+
+def _still(keep_going: Callable[[float], bool], case: int) -> Callable[[float], bool]:
+    """Return what asks with the number of motions that are done, and not with the time of this one."""
+    return lambda _: keep_going(case)
 
 
 def instants_of(given: ArrayLike) -> Array:
@@ -181,7 +245,7 @@ def options_of(method: str, rtol: float, atol: float, max_step: float) -> Option
     Raises:
         SimulationError: a method that isn't known.
     """
-    methods = (*EXPLICIT, *IMPLICIT)
+    methods = (*EXPLICIT, *IMPLICIT, *IDA_FORMS)
     if method not in ("auto", *methods):
         raise SimulationError(f"simulate: method={method!r}; expected auto, {', '.join(methods)}")
     return Options("dop853" if method == "auto" else method, rtol, atol, max_step)

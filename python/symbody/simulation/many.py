@@ -105,10 +105,10 @@ def simulate_many(
     workforce = _checked(executor, cores() if threads is None else threads)
     all_cases = cases_of(parameters, initial, cases)
     batch = Batch(
-        model=model_of(eqs, inputs, is_stabilized=constraints not in ("projection", "free")),
+        model=model_of(eqs, inputs, is_stabilized=not isinstance(constraints, str)),
         instants=instants_of(t),
         options=options_of(method, rtol, atol, max_step),
-        constraints=constraints,
+        constraints=_constraints(constraints),
         outputs=_outputs(outputs),
         events=tuple(events or ()),
         guess=dict(guess or {}),
@@ -135,6 +135,18 @@ def _checked(executor: object, threads: object) -> tuple[Executor | None, int]:
     if not isinstance(threads, int) or threads < 1:
         raise ArgumentError(f"{PREFIX}threads={described(threads)}; expected a whole number from 1")
     return executor, threads
+
+
+def _constraints(constraints: str | tuple[float, float]) -> str | tuple[float, float]:
+    if constraints in ("projection", "free"):
+        return constraints
+    if not isinstance(constraints, str) and len(constraints) == 2:
+        omega, zeta = map(float, constraints)
+        return omega, zeta
+    raise SimulationError(
+        f"{PREFIX}constraints={described(constraints)}; expected 'projection', 'free', or (omega, zeta) for "
+        "Baumgarte's stabilisation"
+    )
 
 
 def _begun(file: ResultsFile | None, empty: Results) -> Results:
@@ -221,8 +233,8 @@ def _failure_notice(runs: Runs) -> str:
         f"{name} = {value:.6g}" for name, value in {**first.parameters, **first.initial}.items()
     )
     return (
-        f"{len(runs.failures)} of {len(runs)} motions failed, the others are complete; the first is case {first.index} "
-        f"({values}): {first.message}. All are in .failures; their values are NaN from where they ended"
+        f"{len(runs.failures)} of {len(runs)} motions failed; the first is case {first.index} "
+        f"({values}): {first.message.rstrip('.')}. All are in .failures; their values are NaN from where they ended"
     )
 
 

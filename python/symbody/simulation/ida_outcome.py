@@ -1,0 +1,63 @@
+"""A motion of a batch by IDA: one after another, as IDA is called from Python."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from symbody.errors import SimulationError
+from symbody.symbolic import Expr
+
+from .event import Event
+from .ida import IDA_FORMS, IdaRun, integrate_ida
+from .integrator import Failure, Options, Outcome, Statistics
+from .model import Model
+
+
+def ida_outcome(
+    model: Model,
+    state: NDArray[np.float64],
+    parameters: Mapping[Expr, float],
+    instants: NDArray[np.float64],
+    options: Options,
+    events: Sequence[Event] = (),
+    keep_going: Callable[[float], bool] | None = None,
+) -> Outcome:
+    """Return how an integration by IDA went, in the terms of the native integrator."""
+    failure = None
+    try:
+        run = integrate_ida(
+            model.equations,
+            parameters,
+            state,
+            instants,
+            index=IDA_FORMS[options.method],
+            rtol=options.rtol,
+            atol=options.atol,
+            inputs=dict(model.inputs),
+            events=events,
+            keep_going=keep_going,
+            max_step=options.max_step,
+        )
+    except SimulationError as error:
+        if not isinstance(error.motion, IdaRun):
+            return _unbegun(state, float(instants[0]), str(error))
+        run = error.motion
+        failure = Failure("ida", float(run.t[-1]), str(error))
+    if failure is None and not run.completed:
+        failure = Failure("interrupted", float(run.t[-1]), run.message)
+    reached = int(np.isin(run.t, instants).sum())
+    return Outcome(
+        run.states[:reached],
+        [(event.event, event.t, list(event.state)) for event in run.events],
+        (float(run.t[-1]), list(run.states[-1])),
+        failure,
+        Statistics(0, 0, run.statistics.evaluations, run.statistics.jacobians, is_stiff=False),
+    )
+
+
+def _unbegun(state: NDArray[np.float64], t: float, message: str) -> Outcome:
+    failure, nothing = Failure("ida", t, message), Statistics(0, 0, 0, 0, is_stiff=False)
+    return Outcome(state[np.newaxis], [], (t, list(state)), failure, nothing)
