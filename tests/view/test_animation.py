@@ -180,6 +180,22 @@ def test_torques_and_forces_of_choice(tmp_path: Path) -> None:
     )
 
 
+def test_the_camera_goes_with_a_body(tmp_path: Path) -> None:
+    motion = tumbling()
+    (box,) = motion.system.bodies
+    still, moving = (scene_of(animate(motion, tmp_path / "p.html", follow=body)) for body in (None, box))
+    v = motion.variables
+    np.testing.assert_allclose(
+        np.reshape(moving["follow"], (-1, 3)), np.column_stack([v[x], v[y], 0 * v[z]]), atol=1e-6
+    )
+    sizes = [np.ptp(scene["view"]["extremes"], axis=0) for scene in (still, moving)]
+    assert sizes[0][0] > 2, "x goes to 2"
+    assert sizes[1][0] < 0.5, "the box is 0.3 long"
+    assert abs(sizes[0][2] - sizes[1][2]) < 0.1, "heights are seen as they are"
+    with pytest.raises(ViewError, match="stranger to follow is no body of the system; expected one of box"):
+        animate(motion, tmp_path / "p.html", follow=Body(translate(x, 0, 0), 1, name="stranger"))
+
+
 def test_solids_that_hide_others_are_glass(tmp_path: Path) -> None:
     hull = translate(x, y, z)
     bodies = [Body(hull, m, m, m, m, name="hull"), Body(hull * rotate("Z", phi), 0, 0, 0, m, name="wheel")]

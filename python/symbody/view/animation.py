@@ -39,6 +39,7 @@ def animate(
     lines: Sequence[tuple[Point, Point]] = (),
     forces: bool | Sequence[Load] = False,
     reactions: bool = False,
+    follow: Body | None = None,
 ) -> Path:
     """Write a motion as a page for any browser: one file, without a network.
 
@@ -58,13 +59,14 @@ def animate(
         forces: whether the forces and torques of the system are shown as arrows; or those that are, which may hold
             multipliers and accelerations, such as the force in a joint. A torque has two heads.
         reactions: whether the forces of threads are shown.
+        follow: a body with which the camera goes, such as a vehicle.
 
     Raises:
         ViewError: there is nothing to draw, a value isn't finite, or what is asked for is of another kind.
         PictureError: the file can't be written.
     """
     loads = (motion.system.loads if forces else ()) if isinstance(forces, bool) else forces
-    wishes = Wishes(shapes or {}, frames, points, traces, lines, loads, reactions)
+    wishes = Wishes(shapes or {}, frames, points, traces, lines, loads, reactions, follow)
     text = page(scene(thinned(motion), wishes, title or motion.system.name or "symbody"))
     return write_whole(path, lambda file: file.write_text(text, encoding="utf-8", newline="\n"))
 

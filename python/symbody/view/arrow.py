@@ -65,4 +65,4 @@ def arrow_entries(motion: Motion, given: Sequence[Arrow], radius: float) -> tupl
         for arrow, place, vector in zip(given, places, drawn, strict=True)
     ]
     most = {kind: float(f"{size:.3g}") for kind, size in largest.items()}
-    return {"arrows": entries, "largest": most}, (places + drawn).reshape(-1, 3)
+    return {"arrows": entries, "largest": most}, places + drawn

@@ -49,20 +49,23 @@ def scene(motion: Motion, wishes: Wishes, title: str) -> dict[str, Any]:
     axes = [{"name": frame.name, "pose": table.place(frame)} for frame in (ground, *wishes.frames)]
     tracks = poses(motion, table.frames)
     asked = _asked(motion, wishes)
-    core = _core(tracks, own, bones, asked)
-    least = THICKNESS * _radius(np.concatenate([core, _reach(motion, tracks[own], given)]))
+    up = _up(motion)
+    shift = _shift(motion, wishes.follow, tracks[own], up)
+    core = _core(tracks, own, bones, asked, shift)
+    least = THICKNESS * _radius(np.concatenate([core, _reach(motion, tracks[own], given, shift)]))
     parts = [
         shapes or [_equivalent(motion, body, own[k], least)]
         for k, (body, shapes) in enumerate(zip(bodies, given, strict=True))
     ]
     for k in (k for k, shapes in enumerate(given) if not shapes):
         parts[k][0]["glass"] = _is_glass(k, parts, tracks[:, 0], own, bones)
-    view = view_of(np.concatenate([core, _corners(tracks, parts)]), core, _up(motion))
+    view = view_of(np.concatenate([core, _corners(tracks, parts, shift)]), core, up)
     drawn = [*load_arrows(wishes.forces), *(reaction_arrows(bones.threads) if wishes.reactions else [])]
     shown, tips = arrow_entries(motion, drawn, view.radius)
     return {
         "title": title,
-        "view": view.holding(tips).entry,
+        "view": view.holding((tips - shift).reshape(-1, 3)).entry,
+        "follow": rounded(shift) if wishes.follow else [],
         "thickness": least,
         "times": motion.t.tolist(),
         "bodies": _bodies(bodies, own, parts),
@@ -91,6 +94,20 @@ def _up(motion: Motion) -> Array:
     down = arrows(motion, [gravity])[0, 0]
     size = float(np.linalg.norm(down))
     return np.asarray(-down / size) if size else np.array([0.0, 0, 1])
+
+
+def _shift(motion: Motion, followed: Body | None, tracks: Array, up: Array) -> Array:
+    """Return how far the camera goes with a body: horizontally, from where it is at first."""
+    if followed is None:
+        return np.zeros((len(motion.t), 3))
+    if followed not in motion.system.bodies:
+        raise ViewError(
+            f"animate: {followed!r} to follow is no body of the system; "
+            f"expected one of {', '.join(map(repr, motion.system.bodies))}"
+        )
+    path = tracks[motion.system.bodies.index(followed), :, :3]
+    way = path - path[0]
+    return np.asarray(way - (way @ up)[:, None] * up)
 
 
 # --- what a user asks for ---
@@ -177,12 +194,19 @@ def _seen(pose: Array, places: Sequence[Array]) -> Array:
 # --- how large it is ---
 
 
-def _core(tracks: Array, own: Sequence[int], bones: Skeleton, asked: Array) -> Array:
-    """Return the places of centres of mass, points and ends of rods, at all instants."""
+def _core(tracks: Array, own: Sequence[int], bones: Skeleton, asked: Array, shift: Array) -> Array:
+    """Return the places of centres of mass, points and ends of rods, at all instants, as the camera sees them."""
     found = [tracks[:, :, :3], asked, *(path[None] for _, path in bones.points)]
     found += [np.array(line) for line in bones.lines]
     found += [carried(tracks[rod["pose"]], np.array([rod["from"], rod["to"]])) for rod in bones.rods]
-    return np.concatenate([places.reshape(-1, 3) for places in found])
+    return np.concatenate([_seen_along(places, shift) for places in found])
+
+
+def _seen_along(places: Array, shift: Array) -> Array:
+    """Return places as a camera sees them that goes on its way; what stays behind is not looked at."""
+    if shift.any():
+        places = places[np.ptp(places, axis=1).any(axis=1)]
+    return (places - shift).reshape(-1, 3)
 
 
 def _radius(places: Array) -> float:
@@ -190,7 +214,7 @@ def _radius(places: Array) -> float:
     return float(np.linalg.norm(places - middle, axis=1).max()) or 1.0
 
 
-def _reach(motion: Motion, tracks: Array, given: Sequence[list[Part]]) -> Array:
+def _reach(motion: Motion, tracks: Array, given: Sequence[list[Part]], shift: Array) -> Array:
     """Return centres of mass, moved to all sides by how far the solids reach, or by their radii of gyration."""
     bodies = motion.system.bodies
     table = constants(motion, [x for body in bodies for x in (body.mass, *body.moments)]).reshape(-1, 4)
@@ -199,11 +223,12 @@ def _reach(motion: Motion, tracks: Array, given: Sequence[list[Part]]) -> Array:
     sizes = [max((np.ptp(corners(part), axis=0).max() / 2 for part in parts), default=0.0) for parts in given]
     reach = np.where([bool(parts) for parts in given], sizes, gyration)
     sides = np.concatenate([np.eye(3), -np.eye(3)])
-    return np.asarray(tracks[:, :, None, :3] + (reach[:, None, None] * sides)[:, None]).reshape(-1, 3)
+    centres = tracks[:, :, :3] - shift
+    return np.asarray(centres[:, :, None] + (reach[:, None, None] * sides)[:, None]).reshape(-1, 3)
 
 
-def _corners(tracks: Array, parts: Sequence[list[Part]]) -> Array:
+def _corners(tracks: Array, parts: Sequence[list[Part]], shift: Array) -> Array:
     """Return the corners of the boxes around all solids, at a number of instants."""
     step = -(-tracks.shape[1] // LOOKS)
     found = [carried(tracks[part["pose"], ::step], corners(part)) for shapes in parts for part in shapes]
-    return np.concatenate(found).reshape(-1, 3)
+    return (np.concatenate(found) - shift[::step]).reshape(-1, 3)

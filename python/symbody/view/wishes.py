@@ -32,6 +32,7 @@ class Wishes:
     lines: Sequence[tuple[Point, Point]] = ()
     forces: Sequence[Load] = ()
     reactions: bool = False
+    follow: Body | None = None
 
     def __post_init__(self) -> None:
         _check_all("frames", self.frames, Frame)

@@ -29,6 +29,7 @@
   const sun = new THREE.DirectionalLight(0xffffff, 2.2);
   world.add(sun, sun.target);
 
+  const gone = new THREE.Vector3();   // how far the camera has gone with the body that it follows
   // As near as the outermost points allow, seen between the headline and the bar.
   function lookAtAll() {
     const height = Math.tan((camera.fov / 2) * Math.PI / 180), width = height * camera.aspect;
@@ -48,7 +49,7 @@
     const [farX, atX] = fit(x, 0.9 * width, 0.9 * width);
     const [farY, atY] = fit(y, (1 - bottom) * height, (1 - top) * height);
     const far = Math.max(farX, farY);
-    controls.target.copy(V(center)).addScaledVector(right, atX(far)).addScaledVector(above, atY(far));
+    controls.target.copy(V(center)).add(gone).addScaledVector(right, atX(far)).addScaledVector(above, atY(far));
     camera.position.copy(controls.target).addScaledVector(back, far);
     controls.update();
   }
@@ -264,6 +265,16 @@
   }
   grid.position.addScaledVector(V(up), floor - 0.03 * radius);
   world.add(grid);
+  const place = grid.position.clone();
+  const sides = [new THREE.Vector3(1, 0, 0), new THREE.Vector3(0, 0, 1)].map((side) => side.applyQuaternion(grid.quaternion));
+  if (scene.follow.length > 0) followers.push((i, s) => {
+    const way = at(scene.follow, i, s), more = way.clone().sub(gone);
+    camera.position.add(more);
+    controls.target.add(more);
+    gone.copy(way);
+    grid.position.copy(place);
+    for (const side of sides) grid.position.addScaledVector(side, Math.round(way.dot(side) / step) * step);
+  });
   row(chip("▦", "#98a4b0"), "grid " + Number(step.toPrecision(1)));
 
   // --- time ---
