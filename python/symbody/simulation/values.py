@@ -1,0 +1,141 @@
+"""The numbers that a user gives for parameters and for a state: all that is needed, and nothing else."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from difflib import get_close_matches
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from symbody.errors import ArgumentError, ParameterError
+from symbody.multibody import System
+from symbody.symbolic import Expr, time_derivative
+from symbody.symbolic.arguments import described
+
+from .cases import column_of
+
+__all__ = ["finite_number", "parameter_values", "state_values"]
+
+
+def parameter_values(
+    names: Sequence[Expr],
+    parameters: Mapping[Expr, ArrayLike] | None,
+    *,
+    where: str = "simulate",
+    others: Sequence[Expr] = (),
+) -> NDArray[np.float64]:
+    """Return the values of parameters, in their order.
+
+    Args:
+        names: the parameters that need values.
+        parameters: their values.
+        where: the function that the user called, for messages.
+        others: parameters that may be given as well, such as those which stand in energies alone.
+
+    Raises:
+        ParameterError: a parameter without a value, a value without a parameter, or one that isn't finite.
+        ArgumentError: the parameters are no mapping, or a value is no number.
+
+    >>> from symbody import symbols
+    >>> m, g = symbols("m g")
+    >>> parameter_values([g, m], {m: 2, g: 9.81})
+    array([9.81, 2.  ])
+    """
+    given = _mapping(parameters, where, "parameters")
+    known = tuple(dict.fromkeys((*names, *others)))
+    _check_known(given, known, f"{where}, parameters", "a parameter of these equations")
+    missing = [name for name in names if name not in given]
+    if missing:
+        raise ParameterError(
+            f"{where}: no value for {_listed(missing)}; give parameters={{{_examples(missing)}}}"
+        )
+    values = {name: finite_number(name, value, f"{where}, parameters") for name, value in given.items()}
+    return np.array([values[name] for name in names], dtype=np.float64)
+
+
+def state_values(
+    system: System,
+    given: Mapping[Expr, ArrayLike] | None,
+    *,
+    where: str = "simulate",
+    argument: str = "initial",
+) -> dict[Expr, float]:
+    """Return what a user gives of a state: values of coordinates, of their rates, and of speeds.
+
+    Args:
+        system: whose state.
+        given: the values; what isn't named is free.
+        where: the function that the user called, for messages.
+        argument: the name of the argument, for messages.
+
+    Raises:
+        ParameterError: something that is no coordinate, rate of one, or speed; or a value that isn't finite.
+        ArgumentError: it is no mapping, or a value is no number.
+    """
+    values = _mapping(given, where, argument)
+    rates = [time_derivative(q) for q in system.coordinates]
+    known = tuple(dict.fromkeys((*system.coordinates, *system.speeds, *rates)))
+    _check_known(
+        values, known, f"{where}, {argument}", "a coordinate, a rate of one or a speed of this system"
+    )
+    return {name: finite_number(name, value, f"{where}, {argument}") for name, value in values.items()}
+
+
+def finite_number(name: Expr, value: ArrayLike, place: str) -> float:
+    """Return one finite number.
+
+    Raises:
+        ParameterError: several numbers, or one that isn't finite.
+        ArgumentError: no number.
+    """
+    column = column_of(name, value, place)
+    if column.ndim:
+        raise ParameterError(
+            f"{place}: {name} has values of shape {column.shape}; expected one number; for many motions use "
+            "simulate_many"
+        )
+    if not np.isfinite(column):
+        raise ParameterError(f"{place}: {name} is {float(column)}; expected a finite number")
+    return float(column)
+
+
+def _mapping(given: object, where: str, argument: str) -> Mapping[Expr, ArrayLike]:
+    if given is None:
+        return {}
+    if not isinstance(given, Mapping):
+        raise ArgumentError(
+            f"{where}, {argument}: {described(given)}; expected a dictionary of variables and their values"
+        )
+    return given
+
+
+def _check_known(given: Iterable[object], known: Sequence[Expr], place: str, expected: str) -> None:
+    for name in given:
+        if not isinstance(name, Expr) or name not in known:
+            raise ParameterError(f"{place}: {_found(name)} is not {expected}; {_near(name, known)}")
+
+
+def _found(name: object) -> str:
+    return str(name) if isinstance(name, Expr) else described(name).replace(" is ", ", ", 1) + ","
+
+
+def _near(name: object, known: Sequence[Expr]) -> str:
+    """Return what may have been meant: the known name itself for a text, those nearly the same, or all."""
+    names = [str(each) for each in known]
+    near = get_close_matches(str(name), names, n=3, cutoff=0.6)
+    if not names:
+        return "there are none: leave it out"
+    if not isinstance(name, Expr) and str(name) in names:
+        return f"expected the variable itself as a key: {{{name}: ...}}"
+    if near:
+        return f"did you mean {' or '.join(near)}?"
+    return f"expected one of {_listed(known)}"
+
+
+def _listed(names: Iterable[object]) -> str:
+    return ", ".join(map(str, names))
+
+
+def _examples(names: Iterable[Expr]) -> str:
+    return ", ".join(f"{name}: ..." for name in names)

@@ -1,0 +1,81 @@
+"""Values of parameters and states: what is missing, unknown or no number is named."""
+
+import numpy as np
+import pytest
+
+from symbody import (
+    Body,
+    System,
+    floating_frame,
+    functions_of_time,
+    rotate,
+    symbols,
+    time_derivative,
+    translate,
+)
+from symbody.errors import ArgumentError, ParameterError
+from symbody.simulation.values import parameter_values, state_values
+
+m, g, length = symbols("m g l_1")
+
+
+def test_values_stand_in_the_order_of_the_names():
+    given = {m: 2, g: np.float32(1.5), length: 3}
+    assert parameter_values([length, m, g], given).tolist() == [3.0, 2.0, 1.5]
+    assert parameter_values([m], {m: 1, g: 9.81}, others=[g]).tolist() == [1.0]
+
+
+@pytest.mark.parametrize(
+    ("given", "message"),
+    [
+        ({}, r"simulate: no value for m, g; give parameters=\{m: ..., g: ...\}"),
+        (
+            {m: 1, g: 1, length: 1},
+            "simulate, parameters: l_1 is not a parameter of these equations; expected one of m, g",
+        ),
+        (
+            {m: 1, "g": 1},
+            r"parameters: 'g', a str, is not a parameter of these equations; expected the variable itself",
+        ),
+        ({m: np.nan, g: 1}, "parameters: m is nan; expected a finite number"),
+        ({m: [1, 2], g: 1}, r"parameters: m has values of shape \(2,\); expected one number; for many"),
+    ],
+)
+def test_bad_values_are_named(given, message):
+    with pytest.raises(ParameterError, match=message):
+        parameter_values([m, g], given)
+
+
+def test_a_name_that_is_nearly_right_is_offered():
+    mass_1, mass_2 = symbols("mass_1 mass_2")
+    with pytest.raises(ParameterError, match=r"mass_2 is not .*; did you mean mass_1\?"):
+        parameter_values([mass_1], {mass_2: 1})
+
+
+@pytest.mark.parametrize("value", [None, "1", 1j])
+def test_what_is_no_number_is_shown(value):
+    with pytest.raises(ArgumentError, match=r"equilibrium, parameters: m is .*; expected a number"):
+        parameter_values([m], {m: value}, where="equilibrium")
+
+
+def test_parameters_that_are_no_mapping_are_shown():
+    with pytest.raises(ArgumentError, match="expected a dictionary"):
+        parameter_values([m], [1.0])
+
+
+def test_coordinates_rates_and_speeds_are_parts_of_a_state():
+    hull, phi = floating_frame(), functions_of_time("phi")
+    system = System([Body(hull, m, 1, 1, 1), Body(hull * rotate("Z", phi), m)], coordinates=[phi])
+    x, u = system.coordinates[0], system.speeds[0]
+    given = {x: 1, time_derivative(x): 2, u: 3, time_derivative(phi): 4}
+    assert list(state_values(system, given).values()) == [1.0, 2.0, 3.0, 4.0]
+
+
+def test_other_functions_are_no_part_of_a_state():
+    x, y = functions_of_time("x y")
+    system = System([Body(translate(x, 0, 0), m)], coordinates=[x])
+    with pytest.raises(
+        ParameterError, match=r"consistent_state, guess: y.* is not a coordinate, a rate of one or a"
+    ):
+        state_values(system, {y: 1}, where="consistent_state", argument="guess")
+    assert state_values(system, None) == {}
