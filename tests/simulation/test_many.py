@@ -28,10 +28,12 @@ from symbody import (
     System,
     Vector,
     cos,
+    floating_frame,
     functions_of_time,
     ground,
     lagrange_equations,
     lambdify,
+    newton_euler,
     rotate,
     sin,
     symbols,
@@ -688,3 +690,15 @@ def test_constrained_cases_that_are_stabilised() -> None:
     np.testing.assert_allclose(runs.outputs["turn"], exact[time_derivative(x, 2)], atol=1e-4)
     drift = (np.hypot(runs[x], runs[y]) - runs.parameters[l][:, None])[runs.completed]
     assert 1e-15 < abs(drift).max() < 1e-7
+
+
+def test_floating_cases_begin_upright() -> None:
+    """A free body turns and falls: the quaternion begins at no rotation, and its rates follow from the speeds."""
+    frame = floating_frame("box")
+    box = Body(frame, m, 0.1, 0.2, 0.3)
+    equations = newton_euler(System([box], gravity=Vector(ground, 0, 0, -g)))
+    spin = equations.speeds[-1]
+    runs = simulate_many(equations, {m: 1, g: 9.81}, t=(0, 1), cases={spin: [0.5, 1.0]})
+    height = runs[frame.pose.origin[2]]
+    np.testing.assert_allclose(height, np.tile(-9.81 * runs.t**2 / 2, (2, 1)), atol=1e-9)
+    np.testing.assert_allclose(runs[spin], np.array([[0.5], [1.0]]) * np.ones(1001), atol=1e-9)

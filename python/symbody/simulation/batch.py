@@ -16,6 +16,7 @@ from symbody.symbolic import Expr, t
 from symbody.symbolic.arguments import described
 
 from .cases import Cases
+from .consistent import consistent_state
 from .event import Event
 from .ida import IDA_FORMS
 from .ida_outcome import ida_outcome
@@ -146,9 +147,7 @@ class Batch:
     def start(self, parameters: Mapping[Expr, float], initial: Mapping[Expr, float]) -> Array:
         """Return the vector at the first instant: what is given, and zero or what the constraints demand."""
         given: Mapping[Expr, float] = {**self.guess, **initial}
-        if self.model.constraints or not given.keys() <= {*self.model.state}:
-            from .consistent import consistent_state  # noqa: PLC0415
-
+        if self.model.constraints or self.model.system.has_quasi_velocities:
             given = consistent_state(
                 self.model.equations,
                 parameters,
