@@ -111,6 +111,10 @@ def test_each_case_is_what_it_is_alone() -> None:
             Options("dop853", 1e-8, 1e-10),
         )
         np.testing.assert_array_equal(REFERENCE.states[case], alone.states)
+        again = REFERENCE.outcome(case)
+        assert again is not None
+        assert (again.end, again.failure, again.statistics) == (alone.end, None, alone.statistics)
+        assert again.occurrences == alone.occurrences
 
 
 def test_each_case_is_what_scipy_finds() -> None:

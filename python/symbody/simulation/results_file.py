@@ -9,7 +9,7 @@ import zipfile
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
-from typing import BinaryIO
+from typing import Any, BinaryIO
 
 import numpy as np
 
@@ -103,8 +103,9 @@ class ResultsFile:
             raise self._unwritable(error) from error
 
     def _save(self, file: BinaryIO, results: Results) -> None:
+        arrays: dict[str, Any] = results.arrays()
         parts, digests = list(self.problem), list(self.problem.values())
-        np.savez(file, format=FORMAT, parts=parts, digests=digests, **results.arrays())
+        np.savez(file, format=FORMAT, parts=parts, digests=digests, **arrays)
 
     def _unwritable(self, error: OSError) -> ResultsError:
         return ResultsError(

@@ -14,6 +14,8 @@ from symbody.symbolic import Expr
 
 from .batch import Batch
 from .cases import Cases
+from .integrator import Failure as IntegratorFailure
+from .integrator import Outcome, Statistics
 from .results import Results, Status
 
 Array = NDArray[np.float64]
@@ -100,6 +102,26 @@ class Runs:
                 [expression], states[case, :reached], self.t[:reached], parameters
             )
         return values
+
+    def outcome(self, index: int) -> Outcome | None:
+        """Return how the integration of one case went, at the instants it reached; None where it never began."""
+        results, reached = self.results, int(self.results.reached[index])
+        if reached == 0 or not self.batch.keeps_states:
+            return None
+        states, t_reached = results.states[index, :reached], float(results.t_reached[index])
+        occurrences = [(event, t, state.tolist()) for event, t, state in results.occurrences[index]]
+        end = float(self.t[reached - 1]), states[-1].tolist()
+        if results.status[index] == Status.ENDED_BY_EVENT:
+            end = occurrences[-1][1:]
+        failed = results.status[index] == Status.FAILED
+        steps, rejected, evaluations, jacobians, is_stiff = map(int, results.counts[index])
+        return Outcome(
+            states,
+            occurrences,
+            end,
+            IntegratorFailure("failed", t_reached, str(results.messages[index])) if failed else None,
+            Statistics(steps, rejected, evaluations, jacobians, bool(is_stiff)),
+        )
 
     @cached_property
     def completed(self) -> NDArray[np.bool_]:
