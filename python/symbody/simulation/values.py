@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 from difflib import get_close_matches
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -24,6 +25,7 @@ def parameter_values(
     *,
     where: str = "simulate",
     others: Sequence[Expr] = (),
+    are_all: bool = True,
 ) -> NDArray[np.float64]:
     """Return the values of parameters, in their order.
 
@@ -32,6 +34,7 @@ def parameter_values(
         parameters: their values.
         where: the function that the user called, for messages.
         others: parameters that may be given as well, such as those which stand in energies alone.
+        are_all: whether these are all parameters, so that other symbols are mistakes.
 
     Raises:
         ParameterError: a parameter without a value, a value without a parameter, or one that isn't finite.
@@ -44,6 +47,8 @@ def parameter_values(
     """
     given = _mapping(parameters, where, "parameters")
     known = tuple(dict.fromkeys((*names, *others)))
+    if not are_all:
+        known += tuple(name for name in given if isinstance(name, Expr) and name.kind == "symbol")
     _check_known(given, known, f"{where}, parameters", "a parameter of these equations")
     missing = [name for name in names if name not in given]
     if missing:
@@ -100,7 +105,7 @@ def finite_number(name: Expr, value: ArrayLike, place: str) -> float:
     return float(column)
 
 
-def _mapping(given: object, where: str, argument: str) -> Mapping[Expr, ArrayLike]:
+def _mapping(given: object, where: str, argument: str) -> Mapping[Any, ArrayLike]:
     if given is None:
         return {}
     if not isinstance(given, Mapping):
