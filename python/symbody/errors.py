@@ -57,6 +57,18 @@ class CodegenError(SymbodyError, OSError):
     """Generated code that can't be written, compiled or run on this machine."""
 
 
+class SimulationError(SymbodyError, RuntimeError):
+    """A motion that can't be computed, or not to its end.
+
+    Attributes:
+        motion: what was computed, where there is something.
+    """
+
+    def __init__(self, message: str, motion: object = None) -> None:
+        super().__init__(message)
+        self.motion = motion
+
+
 class ViewError(SymbodyError, ValueError):
     """A motion or a shape that can't be drawn."""
 

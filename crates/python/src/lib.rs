@@ -9,6 +9,7 @@
 mod calculus;
 mod convert;
 mod expr;
+mod integrate;
 mod kernel;
 mod leaves;
 mod matrix;
@@ -28,6 +29,7 @@ fn _core(module: &Bound<'_, PyModule>) -> PyResult<()> {
     leaves::register(module)?;
     nary::register(module)?;
     calculus::register(module)?;
+    integrate::register(module)?;
     kernel::register(module)?;
     matrix::register(module)?;
     print::register(module)?;

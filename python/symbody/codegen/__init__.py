@@ -3,6 +3,7 @@
 from symbody.codegen.generate import TARGETS, generate, source
 from symbody.codegen.lambdify import CompiledFunction, lambdify
 from symbody.codegen.machine_code import MachineCode
+from symbody.codegen.prepared_code import PreparedCode
 from symbody.codegen.toolchain import check
 
-__all__ = ["TARGETS", "CompiledFunction", "MachineCode", "check", "generate", "lambdify", "source"]
+__all__ = ["TARGETS", "CompiledFunction", "MachineCode", "PreparedCode", "check", "generate", "lambdify", "source"]

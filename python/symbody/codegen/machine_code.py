@@ -19,12 +19,18 @@ from symbody.codegen.straight_line import Code, Input, code_of_tape
 from symbody.symbolic import Expr
 from symbody.symbolic.tape import Tape
 
-__all__ = ["MachineCode"]
+__all__ = ["POINTER", "MachineCode", "next_tag"]
 
 _TAGS = count(1)
 _WORTH = 10_000_000
 """Operations for which a thread is worth being woken: about half a millisecond's."""
-_POINTER, _INTEGER = ctypes.c_void_p, ctypes.c_int64
+POINTER, _INTEGER = ctypes.c_void_p, ctypes.c_int64
+
+
+def next_tag() -> int:
+    """Return what tells the linear systems of one function from those of all others."""
+    return next(_TAGS) << SYSTEMS
+
 
 
 @dataclass(frozen=True, eq=False)
@@ -44,7 +50,7 @@ class MachineCode:
 
     inputs: tuple[Expr, ...]
     expressions: tuple[Expr, ...]
-    tag: int = field(default_factory=lambda: next(_TAGS) << SYSTEMS)
+    tag: int = field(default_factory=next_tag)
     _batches: dict[tuple[bool, ...], jit.Compiled] = field(default_factory=dict)
     _scalars: list[jit.Compiled] = field(default_factory=list)
 
@@ -64,7 +70,7 @@ class MachineCode:
 
     def evaluate(self, states: NDArray[np.float64], out: NDArray[np.float64]) -> None:
         """Evaluate a row of inputs after the other into rows of outputs."""
-        function = self._scalar().function(_POINTER, _POINTER)
+        function = self._scalar().function(POINTER, POINTER)
         for state, row in zip(states, out, strict=True):
             function(state.ctypes.data, row.ctypes.data)
 
@@ -76,8 +82,8 @@ class MachineCode:
         Threads share them where there is enough to do for each.
         """
         compiled = self._batch(tuple(column.size == 1 for column in columns))
-        function = compiled.function(_POINTER, _POINTER, _INTEGER, _INTEGER, _INTEGER)
-        pointers = (_POINTER * len(columns))(*(column.ctypes.data for column in columns))
+        function = compiled.function(POINTER, POINTER, _INTEGER, _INTEGER, _INTEGER)
+        pointers = (POINTER * len(columns))(*(column.ctypes.data for column in columns))
 
         def run(start: int, end: int) -> None:
             function(pointers, out.ctypes.data, start, end, points)

@@ -1,0 +1,67 @@
+//! Many motions of one system, in several threads.
+
+use std::sync::Mutex;
+use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::thread;
+use std::time::Duration;
+
+use crate::dynamics::Dynamics;
+use crate::function::MachineCode;
+use crate::integrate::{Record, Run, integrate};
+use crate::method::{Method, Tolerances};
+
+/// One motion of many.
+#[derive(Clone, Copy, Debug)]
+pub struct Case<'a> {
+    /// Where it begins.
+    pub state: &'a [f64],
+    /// The constants of its parameters.
+    pub constants: &'a [f64],
+}
+
+/// Integrate many motions at the same instants; their states are written one motion after another.
+///
+/// `keep_going` is asked some times a second, with the number of motions that are done; motions that were not begun
+/// when it said no have no run.
+pub fn integrate_many(
+    dynamics: &Dynamics<MachineCode>,
+    method: Method,
+    cases: &[Case<'_>],
+    record: Record<'_>,
+    tolerances: Tolerances,
+    threads: usize,
+    keep_going: &mut dyn FnMut(usize) -> bool,
+) -> Vec<Option<Run>> {
+    let stop = AtomicBool::new(false);
+    let done = AtomicUsize::new(0);
+    let mut runs: Vec<Option<Run>> = vec![None; cases.len()];
+    let size = record.states.len() / cases.len().max(1);
+    let work = cases.iter().zip(record.states.chunks_mut(size.max(1))).zip(&mut runs);
+    let work = Mutex::new(work);
+    thread::scope(|scope| {
+        let workers: Vec<_> = (0..threads.max(1))
+            .map(|_| {
+                scope.spawn(|| {
+                    while !stop.load(Ordering::Relaxed) {
+                        let next = work.lock().unwrap_or_else(std::sync::PoisonError::into_inner).next();
+                        let Some(((case, states), run)) = next else { break };
+                        let record = Record { instants: record.instants, states };
+                        let own = dynamics.with_constants(case.constants);
+                        let mut unstopped = |_| !stop.load(Ordering::Relaxed);
+                        *run = Some(integrate(&own, method, case.state, record, tolerances, &mut unstopped));
+                        done.fetch_add(1, Ordering::Relaxed);
+                    }
+                })
+            })
+            .collect();
+        let mut pause = Duration::from_micros(50);
+        while !workers.iter().all(thread::ScopedJoinHandle::is_finished) {
+            thread::sleep(pause);
+            pause = (pause * 2).min(Duration::from_millis(50));
+            if !keep_going(done.load(Ordering::Relaxed)) {
+                stop.store(true, Ordering::Relaxed);
+            }
+        }
+    });
+    runs
+}

@@ -1,0 +1,57 @@
+//! What is integrated: the rates of a state, its constraints and its events.
+
+use crate::function::{Function, MachineCode};
+
+/// What counts as an event, and what it does.
+#[derive(Clone, Copy, Debug)]
+pub struct EventKind {
+    /// Positive: where the function rises through zero; negative: where it falls; zero: both.
+    pub direction: i32,
+    /// Whether the motion ends there.
+    pub terminal: bool,
+}
+
+/// A system of equations as compiled code, for one set of parameters.
+#[derive(Clone, Debug)]
+pub struct Dynamics<F = Function> {
+    /// The rates of the state.
+    pub rates: F,
+    /// Its derivatives by the state that aren't identically zero, and their rows and columns.
+    pub jacobian: Option<(F, Vec<(usize, usize)>)>,
+    /// The change of the coordinates that leads onto the constraints, to first order: the coordinates come first.
+    pub position_correction: Option<F>,
+    /// The change of the speeds that leads onto the rates of the constraints: the speeds follow the coordinates.
+    pub velocity_correction: Option<F>,
+    /// Functions whose zeros are events.
+    pub events: Option<(F, Vec<EventKind>)>,
+}
+
+impl Dynamics<MachineCode> {
+    /// The equations for the constants of one set of parameters: those of the functions one after another.
+    pub fn with_constants(&self, constants: &[f64]) -> Dynamics {
+        let mut rest = constants;
+        let mut function = |code: &MachineCode| {
+            let (own, others) = rest.split_at(code.constants());
+            rest = others;
+            Function::new(*code, own)
+        };
+        Dynamics {
+            rates: function(&self.rates),
+            jacobian: self.jacobian.as_ref().map(|(code, places)| (function(code), places.clone())),
+            position_correction: self.position_correction.as_ref().map(&mut function),
+            velocity_correction: self.velocity_correction.as_ref().map(&mut function),
+            events: self.events.as_ref().map(|(code, kinds)| (function(code), kinds.clone())),
+        }
+    }
+
+    /// How many constants all functions read.
+    pub fn constants(&self) -> usize {
+        let jacobian = self.jacobian.as_ref().map(|(code, _)| code);
+        let events = self.events.as_ref().map(|(code, _)| code);
+        [Some(&self.rates), jacobian, self.position_correction.as_ref(), self.velocity_correction.as_ref(), events]
+            .into_iter()
+            .flatten()
+            .map(MachineCode::constants)
+            .sum()
+    }
+}

@@ -1,0 +1,131 @@
+//! Events: zeros of functions of time and state, located in the dense output of a step.
+
+use crate::dynamics::{Dynamics, EventKind};
+use crate::failure::Failure;
+use crate::function::Function;
+use crate::projection::Projection;
+use crate::stepper::Stepper;
+
+/// Parts of a step at whose ends signs are compared: a long step may hold two zeros of one function.
+const PARTS: u32 = 4;
+
+/// An event that happened.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Occurrence {
+    /// Which function was zero.
+    pub event: usize,
+    /// When.
+    pub t: f64,
+    /// The state there.
+    pub state: Vec<f64>,
+}
+
+/// Looks for events, step by step.
+pub struct Watch<'a> {
+    functions: Option<(&'a Function, &'a [EventKind])>,
+    projection: Projection<'a>,
+    t: f64,
+    values: Vec<f64>,
+    state: Vec<f64>,
+}
+
+impl<'a> Watch<'a> {
+    pub fn new(dynamics: &'a Dynamics, t: f64, state: &[f64]) -> Self {
+        let functions = dynamics.events.as_ref().map(|(f, kinds)| (f, kinds.as_slice()));
+        let mut values = vec![0.0; functions.map_or(0, |(f, _)| f.outputs())];
+        if let Some((f, _)) = functions {
+            f.call(t, state, &mut values);
+        }
+        Self { functions, projection: Projection::new(dynamics), t, values, state: state.to_vec() }
+    }
+
+    /// What an event is; none where there are no events.
+    pub fn kind(&self, event: usize) -> Option<EventKind> {
+        self.functions.and_then(|(_, kinds)| kinds.get(event)).copied()
+    }
+
+    /// The events since the last call, in order of time, up to the first that ends the motion.
+    pub fn events_of_step(&mut self, stepper: &mut dyn Stepper) -> Result<Vec<Occurrence>, Failure> {
+        let Some((function, kinds)) = self.functions else { return Ok(Vec::new()) };
+        let (start, end) = (self.t, stepper.t());
+        let mut found: Vec<Occurrence> = Vec::new();
+        let mut after = vec![0.0; self.values.len()];
+        for part in 1..=PARTS {
+            let t = if part == PARTS { end } else { start + (end - start) * f64::from(part) / f64::from(PARTS) };
+            self.evaluate(function, stepper, t, &mut after)?;
+            for (event, kind) in kinds.iter().enumerate() {
+                if crosses(self.values[event], after[event], kind.direction) {
+                    let zero = self.locate(function, stepper, event, (t, self.values[event], after[event]))?;
+                    found.push(Occurrence { event, t: zero, state: self.state.clone() });
+                }
+            }
+            // A zero at the end of a part belongs to that part: the next one begins with the sign that comes after.
+            for (value, next) in self.values.iter_mut().zip(&after) {
+                *value = *next;
+            }
+            self.t = t;
+        }
+        found.sort_by(|a, b| a.t.total_cmp(&b.t).then(a.event.cmp(&b.event)));
+        if let Some(last) = found.iter().position(|occurrence| kinds[occurrence.event].terminal) {
+            let t = found[last].t;
+            found.retain(|occurrence| occurrence.t <= t);
+        }
+        Ok(found)
+    }
+
+    /// Find a zero between the last instant looked at and `t` by the Illinois rule, secants that keep the bracket;
+    /// leave the state there in `self.state`.
+    fn locate(
+        &mut self,
+        function: &Function,
+        stepper: &mut dyn Stepper,
+        event: usize,
+        (mut b, before, mut at_b): (f64, f64, f64),
+    ) -> Result<f64, Failure> {
+        let (mut a, mut at_a) = (self.t, before);
+        let mut values = vec![0.0; function.outputs()];
+        let mut zero = b;
+        for _ in 0..100 {
+            let width = b - a;
+            if at_b == 0.0 || width <= 4.0 * f64::EPSILON * b.abs().max(a.abs()) {
+                zero = b;
+                break;
+            }
+            zero = (b - at_b * width / (at_b - at_a)).clamp(a + 0.001 * width, b - 0.001 * width);
+            self.evaluate(function, stepper, zero, &mut values)?;
+            let value = values[event];
+            if (value > 0.0) == (at_b > 0.0) && value != 0.0 {
+                (b, at_b, at_a) = (zero, value, at_a / 2.0);
+            } else if value == 0.0 {
+                (b, at_b) = (zero, 0.0);
+            } else {
+                (a, at_a, at_b) = (zero, value, at_b / 2.0);
+            }
+        }
+        self.evaluate(function, stepper, zero, &mut values)?;
+        Ok(zero)
+    }
+
+    /// Write the functions at an instant of the last step, and remember the state there.
+    fn evaluate(
+        &mut self,
+        function: &Function,
+        stepper: &mut dyn Stepper,
+        t: f64,
+        out: &mut [f64],
+    ) -> Result<(), Failure> {
+        stepper.interpolate(t, &mut self.state)?;
+        if self.projection.is_needed() {
+            self.projection.project(t, &mut self.state)?;
+        }
+        function.call(t, &self.state, out);
+        Ok(())
+    }
+}
+
+/// Whether a function that goes from one value to another passes zero in a direction; it left a zero already.
+fn crosses(before: f64, after: f64, direction: i32) -> bool {
+    let rises = before < 0.0 && after >= 0.0;
+    let falls = before > 0.0 && after <= 0.0;
+    (rises && direction >= 0) || (falls && direction <= 0)
+}

@@ -1,0 +1,130 @@
+//! The loop of an integration.
+
+use crate::dynamics::Dynamics;
+use crate::event::{Occurrence, Watch};
+use crate::failure::Failure;
+use crate::method::{Method, Tolerances};
+use crate::projection::Projection;
+use crate::stepper::{Statistics, Stepper};
+
+/// Steps between two looks at whoever watches.
+const STEPS_BETWEEN_LOOKS: usize = 64;
+
+/// Where the states of the asked instants are written.
+pub struct Record<'a> {
+    /// The instants, increasing; the first is where the motion begins.
+    pub instants: &'a [f64],
+    /// The states, one after another.
+    pub states: &'a mut [f64],
+}
+
+/// How an integration went.
+#[derive(Clone, Debug)]
+pub struct Run {
+    /// How many of the instants were reached.
+    pub reached: usize,
+    /// The events, in order of time.
+    pub occurrences: Vec<Occurrence>,
+    /// Where the motion ended: after the last instant, at an event, or where it failed.
+    pub end: (f64, Vec<f64>),
+    /// Why it ended early, if not by an event.
+    pub failure: Option<Failure>,
+    /// What it took.
+    pub statistics: Statistics,
+}
+
+/// Integrate from a state at the first instant through all of them.
+///
+/// Between steps `keep_going` is asked now and then, with the instant that was reached.
+pub fn integrate(
+    dynamics: &Dynamics,
+    method: Method,
+    state: &[f64],
+    record: Record<'_>,
+    tolerances: Tolerances,
+    keep_going: &mut dyn FnMut(f64) -> bool,
+) -> Run {
+    let (t, end) = (record.instants[0], record.instants[record.instants.len() - 1]);
+    let n = state.len();
+    record.states[..n].copy_from_slice(state);
+    let mut run = Run {
+        reached: 1,
+        occurrences: Vec::new(),
+        end: (t, state.to_vec()),
+        failure: None,
+        statistics: Statistics::default(),
+    };
+    let motion = |stepper: &mut dyn Stepper| {
+        let mut course =
+            Course { record, watch: Watch::new(dynamics, t, state), projection: Projection::new(dynamics) };
+        run.failure = course.follow(stepper, end, &mut run, keep_going).err();
+        run.statistics = stepper.statistics();
+    };
+    if let Err(failure) = method.start(dynamics, (t, end), state, tolerances, motion) {
+        run.failure = Some(failure);
+    }
+    run
+}
+
+/// A motion as it is computed.
+struct Course<'a> {
+    record: Record<'a>,
+    watch: Watch<'a>,
+    projection: Projection<'a>,
+}
+
+impl Course<'_> {
+    fn follow(
+        &mut self,
+        stepper: &mut dyn Stepper,
+        end: f64,
+        run: &mut Run,
+        keep_going: &mut dyn FnMut(f64) -> bool,
+    ) -> Result<(), Failure> {
+        for step in 1.. {
+            if stepper.t() >= end {
+                break;
+            }
+            stepper.step(end)?;
+            let events = self.watch.events_of_step(stepper)?;
+            let last = events.last().filter(|event| self.is_terminal(event)).map(|event| (event.t, event.state.clone()));
+            run.occurrences.extend(events);
+            let until = last.as_ref().map_or(stepper.t(), |(t, _)| *t);
+            self.read(stepper, until, run)?;
+            if let Some(place) = last {
+                run.end = place;
+                return Ok(());
+            }
+            if self.projection.is_needed() {
+                run.end.1.copy_from_slice(stepper.state());
+                self.projection.project(stepper.t(), &mut run.end.1)?;
+                stepper.replace(&run.end.1);
+            }
+            run.end.0 = stepper.t();
+            if step % STEPS_BETWEEN_LOOKS == 0 && !keep_going(stepper.t()) {
+                run.end.1.copy_from_slice(stepper.state());
+                return Err(Failure::Interrupted { t: stepper.t() });
+            }
+        }
+        run.end.1.copy_from_slice(stepper.state());
+        Ok(())
+    }
+
+    fn is_terminal(&self, event: &Occurrence) -> bool {
+        self.watch.kind(event.event).is_some_and(|kind| kind.terminal)
+    }
+
+    /// Write the states at the instants of the last step up to `t`.
+    fn read(&mut self, stepper: &mut dyn Stepper, t: f64, run: &mut Run) -> Result<(), Failure> {
+        let n = stepper.state().len();
+        while let Some(&instant) = self.record.instants.get(run.reached).filter(|&&instant| instant <= t) {
+            let out = &mut self.record.states[run.reached * n..][..n];
+            stepper.interpolate(instant, out)?;
+            if self.projection.is_needed() {
+                self.projection.project(instant, out)?;
+            }
+            run.reached += 1;
+        }
+        Ok(())
+    }
+}

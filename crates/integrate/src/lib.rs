@@ -1,0 +1,25 @@
+//! Motions from compiled equations: the loop of an integration, with no interpreter in it.
+//!
+//! Functions are machine code, known by their addresses. A stepper carries the state on; after each step the state is
+//! put back onto the constraints, events are located, and the asked instants are read from the dense output.
+
+mod batch;
+mod dop853;
+mod dynamics;
+mod event;
+mod failure;
+mod function;
+mod integrate;
+mod library;
+mod method;
+mod projection;
+mod stepper;
+
+pub use batch::{Case, integrate_many};
+pub use dynamics::{Dynamics, EventKind};
+pub use event::Occurrence;
+pub use failure::Failure;
+pub use function::{Function, MachineCode};
+pub use integrate::{Record, Run, integrate};
+pub use method::{Method, Tolerances};
+pub use stepper::Statistics;

@@ -1,0 +1,210 @@
+//! Methods of the library diffsol (MIT): explicit and implicit, of one step and of several.
+
+use std::cell::{Cell, RefCell};
+
+use diffsol::{
+    DiffsolError, NalgebraContext, NalgebraLU, NalgebraMat, NalgebraVec, OdeBuilder, OdeEquations, OdeSolverMethod,
+    OdeSolverStopReason, Vector as _,
+};
+
+use crate::dynamics::Dynamics;
+use crate::failure::Failure;
+use crate::function::Function;
+use crate::method::{Method, Tolerances};
+use crate::stepper::{Statistics, Stepper};
+
+type Matrix = NalgebraMat<f64>;
+type Vector = NalgebraVec<f64>;
+type Solver = NalgebraLU<f64>;
+
+/// How far a method of several steps may be off the constraints, in units of its tolerances, before it starts anew.
+const DEVIATION: f64 = 100.0;
+
+/// What the equations were asked for, and whether they answered in numbers.
+#[derive(Default)]
+struct Calls {
+    evaluations: Cell<usize>,
+    jacobians: Cell<usize>,
+    is_not_finite: Cell<bool>,
+}
+
+/// The Jacobian at the last instant and state that it was asked for.
+struct Jacobian<'a> {
+    function: Option<&'a (Function, Vec<(usize, usize)>)>,
+    at: RefCell<(f64, Vec<f64>)>,
+    entries: RefCell<Vec<f64>>,
+}
+
+impl<'a> Jacobian<'a> {
+    fn new(dynamics: &'a Dynamics) -> Self {
+        let function = dynamics.jacobian.as_ref();
+        let entries = vec![0.0; function.map_or(0, |(f, _)| f.outputs())];
+        Self { function, at: RefCell::new((f64::NAN, Vec::new())), entries: RefCell::new(entries) }
+    }
+
+    /// Write the product with a vector; the library asks for all columns at one state, one after another.
+    fn multiply(&self, t: f64, state: &[f64], vector: &[f64], out: &mut [f64], calls: &Calls) {
+        out.fill(0.0);
+        let Some((function, places)) = self.function else { return };
+        let mut at = self.at.borrow_mut();
+        let mut entries = self.entries.borrow_mut();
+        if at.0 != t || at.1 != state {
+            function.call(t, state, &mut entries);
+            *at = (t, state.to_vec());
+            calls.jacobians.set(calls.jacobians.get() + 1);
+        }
+        for (&(row, column), entry) in places.iter().zip(entries.iter()) {
+            out[row] += entry * vector[column];
+        }
+    }
+}
+
+/// Do something with a stepper of the library.
+pub fn start<R>(
+    method: Method,
+    dynamics: &Dynamics,
+    t: f64,
+    state: &[f64],
+    tolerances: Tolerances,
+    then: impl FnOnce(&mut dyn Stepper) -> R,
+) -> Result<R, Failure> {
+    let (calls, jacobian) = (Calls::default(), Jacobian::new(dynamics));
+    let failed = |error: DiffsolError| failure(&error, t, &calls);
+    let mut problem = OdeBuilder::<Matrix>::new()
+        .t0(t)
+        .rtol(tolerances.relative)
+        .atol((0..state.len()).map(|i| if i < tolerances.controlled { tolerances.absolute } else { f64::MAX.sqrt() }))
+        .rhs_implicit(
+            |y: &[f64], _: &[f64], t: f64, out: &mut [f64]| {
+                dynamics.rates.call(t, y, out);
+                calls.evaluations.set(calls.evaluations.get() + 1);
+                calls.is_not_finite.set(!out.iter().all(|rate| rate.is_finite()));
+            },
+            |y: &[f64], _: &[f64], t: f64, v: &[f64], out: &mut [f64]| jacobian.multiply(t, y, v, out, &calls),
+        )
+        .init(|_: &[f64], _: f64, y: &mut [f64]| y.copy_from_slice(state), state.len())
+        .build()
+        .map_err(failed)?;
+    problem.ode_options.min_timestep = 1e-16 * t.abs().max(1e-3);
+    problem.ode_options.max_nonlinear_solver_failures = usize::MAX;
+    match method {
+        Method::Tsit5 => run(problem.tsit45().map_err(failed)?, true, &dynamics.rates, &calls, tolerances, then),
+        Method::Esdirk34 => run(problem.esdirk34::<Solver>().map_err(failed)?, true, &dynamics.rates, &calls, tolerances, then),
+        Method::TrBdf2 => run(problem.tr_bdf2::<Solver>().map_err(failed)?, true, &dynamics.rates, &calls, tolerances, then),
+        Method::Bdf | Method::Dop853 => run(problem.bdf::<Solver>().map_err(failed)?, false, &dynamics.rates, &calls, tolerances, then),
+    }
+}
+
+fn run<'a, E, S, R>(
+    solver: S,
+    has_one_step: bool,
+    rates: &Function,
+    calls: &Calls,
+    tolerances: Tolerances,
+    then: impl FnOnce(&mut dyn Stepper) -> R,
+) -> Result<R, Failure>
+where
+    E: OdeEquations<T = f64, V = Vector> + 'a,
+    S: OdeSolverMethod<'a, E>,
+{
+    let state = solver.state();
+    let (t, y) = (state.t, state.y.batch_as_slice(0).to_vec());
+    let out = Vector::from_slice(&y, NalgebraContext::default());
+    let mut library = Library {
+        solver,
+        has_one_step,
+        rates,
+        calls,
+        tolerances,
+        t,
+        state: y,
+        out,
+        steps: 0,
+        marker: std::marker::PhantomData::<&'a E>,
+    };
+    Ok(then(&mut library))
+}
+
+struct Library<'a, 'c, E, S> {
+    solver: S,
+    has_one_step: bool,
+    rates: &'c Function,
+    calls: &'c Calls,
+    tolerances: Tolerances,
+    t: f64,
+    state: Vec<f64>,
+    out: Vector,
+    steps: usize,
+    marker: std::marker::PhantomData<&'a E>,
+}
+
+impl<'a, E, S> Stepper for Library<'a, '_, E, S>
+where
+    E: OdeEquations<T = f64, V = Vector> + 'a,
+    S: OdeSolverMethod<'a, E>,
+{
+    fn step(&mut self, end: f64) -> Result<(), Failure> {
+        let stop = end.min(self.t + self.tolerances.max_step);
+        let stepped = self.solver.set_stop_time(stop).and_then(|()| self.solver.step());
+        let reason = stepped.map_err(|error| failure(&error, self.t, self.calls))?;
+        let state = self.solver.state();
+        self.t = if matches!(reason, OdeSolverStopReason::TstopReached) { stop } else { state.t };
+        self.state.copy_from_slice(state.y.batch_as_slice(0));
+        self.steps += 1;
+        Ok(())
+    }
+
+    fn t(&self) -> f64 {
+        self.t
+    }
+
+    fn state(&self) -> &[f64] {
+        &self.state
+    }
+
+    fn interpolate(&mut self, t: f64, out: &mut [f64]) -> Result<(), Failure> {
+        if t >= self.solver.state().t {
+            out.copy_from_slice(&self.state);
+            return Ok(());
+        }
+        let read = self.solver.interpolate_inplace(t, &mut self.out);
+        read.map_err(|error| failure(&error, self.t, self.calls))?;
+        out.copy_from_slice(self.out.batch_as_slice(0));
+        Ok(())
+    }
+
+    /// A method of several steps would lose its past: it goes on from its own state while that is close.
+    fn replace(&mut self, state: &[f64]) {
+        let Tolerances { relative, absolute, .. } = self.tolerances;
+        let is_far = state.iter().zip(&self.state).any(|(new, old)| {
+            (new - old).abs() > DEVIATION * (absolute + relative * old.abs())
+        });
+        if !self.has_one_step && !is_far {
+            return;
+        }
+        self.state.copy_from_slice(state);
+        self.rates.call(self.t, state, self.out.batch_as_mut_slice(0));
+        self.calls.evaluations.set(self.calls.evaluations.get() + 1);
+        let inner = self.solver.state_mut();
+        inner.y.batch_as_mut_slice(0).copy_from_slice(state);
+        inner.dy.batch_as_mut_slice(0).copy_from_slice(self.out.batch_as_slice(0));
+    }
+
+    fn statistics(&self) -> Statistics {
+        let own = self.solver.get_statistics();
+        Statistics {
+            steps: self.steps,
+            rejected: own.number_of_error_test_failures + own.number_of_nonlinear_solver_fails,
+            evaluations: self.calls.evaluations.get(),
+            jacobians: self.calls.jacobians.get(),
+            stiff: false,
+        }
+    }
+}
+
+fn failure(error: &DiffsolError, t: f64, calls: &Calls) -> Failure {
+    if calls.is_not_finite.get() {
+        return Failure::NotFinite { t };
+    }
+    Failure::Library { t, message: error.to_string() }
+}

@@ -1,0 +1,69 @@
+//! The methods of integration, by name.
+
+use crate::dop853::Dop853;
+use crate::dynamics::Dynamics;
+use crate::failure::Failure;
+use crate::library;
+use crate::stepper::Stepper;
+
+/// How accurate, and how long a step at most.
+#[derive(Clone, Copy, Debug)]
+pub struct Tolerances {
+    /// The error of a step relative to the state.
+    pub relative: f64,
+    /// The error of a step where the state is small.
+    pub absolute: f64,
+    /// The longest step.
+    pub max_step: f64,
+    /// How many entries of the state, from the first, these are for; the rest are integrals along the motion.
+    pub controlled: usize,
+}
+
+/// A method of integration.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Method {
+    /// The explicit Runge–Kutta method of order 8 by Dormand and Prince.
+    Dop853,
+    /// The explicit Runge–Kutta method of order 5 by Tsitouras.
+    Tsit5,
+    /// Backward differentiation formulae of variable order.
+    Bdf,
+    /// A singly diagonally implicit Runge–Kutta method of order 3.
+    Esdirk34,
+    /// The trapezoidal rule with a backward differentiation formula, of order 2.
+    TrBdf2,
+}
+
+impl Method {
+    /// The method of a name.
+    pub fn named(name: &str) -> Option<Self> {
+        Some(match name {
+            "dop853" => Self::Dop853,
+            "tsit5" => Self::Tsit5,
+            "bdf" => Self::Bdf,
+            "esdirk34" => Self::Esdirk34,
+            "tr_bdf2" => Self::TrBdf2,
+            _ => return None,
+        })
+    }
+
+    /// Whether it needs the Jacobian.
+    pub fn is_implicit(self) -> bool {
+        !matches!(self, Self::Dop853 | Self::Tsit5)
+    }
+
+    /// Do something with a stepper of this method, at the beginning of a motion that goes on to `end`.
+    pub fn start<R>(
+        self,
+        dynamics: &Dynamics,
+        (t, end): (f64, f64),
+        state: &[f64],
+        tolerances: Tolerances,
+        then: impl FnOnce(&mut dyn Stepper) -> R,
+    ) -> Result<R, Failure> {
+        if self == Self::Dop853 {
+            return Ok(then(&mut Dop853::new(&dynamics.rates, (t, end), state, tolerances)));
+        }
+        library::start(self, dynamics, t, state, tolerances, then)
+    }
+}

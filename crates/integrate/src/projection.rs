@@ -1,0 +1,75 @@
+//! The way back onto the constraints: coordinate projection.
+//!
+//! E. Eich, Convergence results for a coordinate projection method applied to mechanical systems with algebraic
+//! constraints, SIAM J. Numer. Anal. 30 (1993). The corrections are least in the metric of the mass matrix; the
+//! compiled functions give them to first order, and Newton's iteration does the rest.
+
+use crate::dynamics::Dynamics;
+use crate::failure::Failure;
+
+/// Corrections below this, relative to the state, are the last: the next would be their square.
+const SMALL: f64 = 1e-9;
+/// Corrections that are still as large as this after the last iteration say that there is no way back.
+const LARGE: f64 = 1e-6;
+const ITERATIONS: usize = 8;
+
+/// Puts states back onto the constraints.
+pub struct Projection<'a> {
+    dynamics: &'a Dynamics,
+    change: Vec<f64>,
+}
+
+impl<'a> Projection<'a> {
+    pub fn new(dynamics: &'a Dynamics) -> Self {
+        Self { dynamics, change: Vec::new() }
+    }
+
+    /// Whether there are constraints.
+    pub fn is_needed(&self) -> bool {
+        self.dynamics.position_correction.is_some() || self.dynamics.velocity_correction.is_some()
+    }
+
+    /// Change the coordinates, then the speeds, to what the constraints allow.
+    pub fn project(&mut self, t: f64, state: &mut [f64]) -> Result<(), Failure> {
+        let mut coordinates = 0;
+        if let Some(correction) = &self.dynamics.position_correction {
+            coordinates = correction.outputs();
+            self.change.resize(coordinates, 0.0);
+            let mut size = f64::INFINITY;
+            for _ in 0..ITERATIONS {
+                correction.call(t, state, &mut self.change);
+                size = apply(&self.change, &mut state[..coordinates]);
+                if size <= SMALL || size.is_nan() {
+                    break;
+                }
+            }
+            if size.is_nan() || size > LARGE {
+                return Err(Failure::Projection { t, change: size });
+            }
+        }
+        if let Some(correction) = &self.dynamics.velocity_correction {
+            let speeds = correction.outputs();
+            self.change.resize(speeds, 0.0);
+            correction.call(t, state, &mut self.change);
+            let size = apply(&self.change, &mut state[coordinates..coordinates + speeds]);
+            if size.is_nan() {
+                return Err(Failure::Projection { t, change: size });
+            }
+        }
+        Ok(())
+    }
+}
+
+/// Add a change, and return its size relative to what is changed; NaN if some entry is none.
+fn apply(change: &[f64], state: &mut [f64]) -> f64 {
+    let (mut size, mut scale) = (0.0_f64, 1.0_f64);
+    for (x, dx) in state.iter_mut().zip(change) {
+        *x += dx;
+        size = if dx.is_nan() { f64::NAN } else { size.max(dx.abs()) };
+        scale = scale.max(x.abs());
+        if size.is_nan() {
+            return size;
+        }
+    }
+    size / scale
+}

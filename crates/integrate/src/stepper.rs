@@ -1,0 +1,39 @@
+//! What carries a state on, one step at a time.
+
+use crate::failure::Failure;
+
+/// What an integration took.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Statistics {
+    /// Steps that were accepted.
+    pub steps: usize,
+    /// Steps that were tried again, shorter.
+    pub rejected: usize,
+    /// Evaluations of the rates.
+    pub evaluations: usize,
+    /// Evaluations of the Jacobian.
+    pub jacobians: usize,
+    /// Whether stability, not accuracy, bounds the steps of an explicit method.
+    pub stiff: bool,
+}
+
+/// A method of integration in the midst of its work.
+pub trait Stepper {
+    /// Take a step that is accepted, and not beyond `end`.
+    fn step(&mut self, end: f64) -> Result<(), Failure>;
+
+    /// The instant of the state.
+    fn t(&self) -> f64;
+
+    /// The state.
+    fn state(&self) -> &[f64];
+
+    /// Write the state at an instant of the last step, from the dense output; before the state is replaced.
+    fn interpolate(&mut self, t: f64, out: &mut [f64]) -> Result<(), Failure>;
+
+    /// Go on from another state at the same instant.
+    fn replace(&mut self, state: &[f64]);
+
+    /// What it took so far.
+    fn statistics(&self) -> Statistics;
+}

@@ -1,0 +1,217 @@
+//! Integration of compiled equations, without the interpreter; Python is asked some times a second whether to go on.
+
+#![allow(
+    unsafe_code,
+    reason = "machine code is known by its address, and the arrays that Python hands over are written without a lock"
+)]
+
+use std::slice;
+use std::time::{Duration, Instant};
+
+use pyo3::buffer::PyBuffer;
+use pyo3::exceptions::{PyKeyboardInterrupt, PyValueError};
+use pyo3::prelude::*;
+use symbody_integrate as native;
+
+/// Time between two looks at signals and progress.
+const LOOK: Duration = Duration::from_millis(50);
+
+/// An address, how many constants the code there reads, and how many values it writes.
+type Code = (usize, usize, usize);
+/// Events: which, when, and the state there.
+type Occurrences = Vec<(usize, f64, Vec<f64>)>;
+/// Steps, rejected steps, evaluations of the rates and of the Jacobian, and whether the problem looks stiff.
+type Statistics = (usize, usize, usize, usize, bool);
+/// How many instants were reached, events, the end, the kind of failure with time and message, statistics.
+type Run = (usize, Occurrences, (f64, Vec<f64>), Option<(&'static str, f64, String)>, Statistics);
+
+/// A system of equations as compiled code.
+#[pyclass(frozen)]
+pub struct Dynamics {
+    states: usize,
+    code: native::Dynamics<native::MachineCode>,
+}
+
+#[pymethods]
+impl Dynamics {
+    #[new]
+    #[pyo3(signature = (rates, jacobian=None, position_correction=None, velocity_correction=None, events=None))]
+    fn new(
+        rates: Code,
+        jacobian: Option<(Code, Vec<(usize, usize)>)>,
+        position_correction: Option<Code>,
+        velocity_correction: Option<Code>,
+        events: Option<(Code, Vec<(i32, bool)>)>,
+    ) -> Self {
+        let states = rates.2;
+        let code = |(address, constants, outputs): Code| {
+            // SAFETY: whoever compiled the code gives its address and lengths, and keeps it while this object lives.
+            unsafe { native::MachineCode::new(address, states, constants, outputs) }
+        };
+        let kinds = |kinds: Vec<(i32, bool)>| {
+            kinds.into_iter().map(|(direction, terminal)| native::EventKind { direction, terminal }).collect()
+        };
+        Self {
+            states,
+            code: native::Dynamics {
+                rates: code(rates),
+                jacobian: jacobian.map(|(own, places)| (code(own), places)),
+                position_correction: position_correction.map(code),
+                velocity_correction: velocity_correction.map(code),
+                events: events.map(|(own, those)| (code(own), kinds(those))),
+            },
+        }
+    }
+
+    /// How many constants all functions read.
+    #[getter]
+    fn constants(&self) -> usize {
+        self.code.constants()
+    }
+
+    /// Integrate from a state through instants; write the states there to `out`.
+    ///
+    /// `keep_going` is called with the time that was reached, some times a second.
+    #[allow(clippy::too_many_arguments, reason = "the arguments of an integration")]
+    fn integrate(
+        &self,
+        py: Python<'_>,
+        method: &str,
+        state: PyBuffer<f64>,
+        constants: PyBuffer<f64>,
+        instants: PyBuffer<f64>,
+        tolerances: (f64, f64, f64, usize),
+        out: PyBuffer<f64>,
+        keep_going: Option<Py<PyAny>>,
+    ) -> PyResult<Run> {
+        let method = named(method)?;
+        let (state, constants, instants) = (state.to_vec(py)?, constants.to_vec(py)?, instants.to_vec(py)?);
+        check_lengths(&[
+            ("the state", state.len(), self.states),
+            ("the constants", constants.len(), self.code.constants()),
+            ("the states", out.item_count(), instants.len() * self.states),
+        ])?;
+        let states = written(&out)?;
+        let mut look = Look::new(keep_going);
+        let run = py.detach(|| {
+            let dynamics = self.code.with_constants(&constants);
+            let record = native::Record { instants: &instants, states };
+            native::integrate(&dynamics, method, &state, record, limits(tolerances), &mut |t| look.keeps_going(t))
+        });
+        look.error.map_or_else(|| Ok(told(run)), Err)
+    }
+
+    /// Integrate many motions in several threads; a row of states, constants and `out` for each.
+    ///
+    /// `keep_going` is called with the number of motions that are done. Motions that were not begun have no run.
+    #[allow(clippy::too_many_arguments, reason = "the arguments of an integration")]
+    fn integrate_many(
+        &self,
+        py: Python<'_>,
+        method: &str,
+        states: PyBuffer<f64>,
+        constants: PyBuffer<f64>,
+        instants: PyBuffer<f64>,
+        tolerances: (f64, f64, f64, usize),
+        out: PyBuffer<f64>,
+        threads: usize,
+        keep_going: Option<Py<PyAny>>,
+    ) -> PyResult<Vec<Option<Run>>> {
+        let method = named(method)?;
+        let (begins, constants, instants) = (states.to_vec(py)?, constants.to_vec(py)?, instants.to_vec(py)?);
+        let cases = begins.len() / self.states.max(1);
+        check_lengths(&[
+            ("the states", begins.len(), cases * self.states),
+            ("the constants", constants.len(), cases * self.code.constants()),
+            ("the results", out.item_count(), cases * instants.len() * self.states),
+        ])?;
+        let width = self.code.constants();
+        let cases: Vec<_> = (0..cases)
+            .map(|k| native::Case {
+                state: &begins[k * self.states..][..self.states],
+                constants: &constants[k * width..][..width],
+            })
+            .collect();
+        let record = native::Record { instants: &instants, states: written(&out)? };
+        let mut look = Look::new(keep_going);
+        let runs = py.detach(|| {
+            let tolerances = limits(tolerances);
+            #[allow(clippy::cast_precision_loss, reason = "a count of motions")]
+            let mut watched = |done: usize| look.keeps_going(done as f64);
+            native::integrate_many(&self.code, method, &cases, record, tolerances, threads, &mut watched)
+        });
+        look.error.map_or_else(|| Ok(runs.into_iter().map(|run| run.map(told)).collect()), Err)
+    }
+}
+
+/// Asks Python whether to go on, now and then.
+struct Look {
+    keep_going: Option<Py<PyAny>>,
+    last: Instant,
+    is_over: bool,
+    error: Option<PyErr>,
+}
+
+impl Look {
+    fn new(keep_going: Option<Py<PyAny>>) -> Self {
+        Self { keep_going, last: Instant::now(), is_over: false, error: None }
+    }
+
+    /// Ctrl-C ends the motion, and what was computed stays.
+    fn keeps_going(&mut self, progress: f64) -> bool {
+        if self.is_over {
+            return false;
+        }
+        if self.last.elapsed() < LOOK {
+            return true;
+        }
+        let answer = Python::attach(|py| {
+            py.check_signals()?;
+            self.keep_going.as_ref().map_or(Ok(true), |ask| ask.call1(py, (progress,))?.is_truthy(py))
+        });
+        self.last = Instant::now();
+        self.is_over = !matches!(answer, Ok(true));
+        self.error = answer.err().filter(|error| {
+            Python::attach(|py| !error.is_instance_of::<PyKeyboardInterrupt>(py))
+        });
+        !self.is_over
+    }
+}
+
+fn named(method: &str) -> PyResult<native::Method> {
+    native::Method::named(method).ok_or_else(|| PyValueError::new_err(method.to_owned()))
+}
+
+fn limits((relative, absolute, max_step, controlled): (f64, f64, f64, usize)) -> native::Tolerances {
+    native::Tolerances { relative, absolute, max_step, controlled }
+}
+
+fn check_lengths(lengths: &[(&str, usize, usize)]) -> PyResult<()> {
+    match lengths.iter().find(|(_, found, expected)| found != expected) {
+        Some((what, found, expected)) => Err(PyValueError::new_err(format!("{what}: {found} numbers, not {expected}"))),
+        None => Ok(()),
+    }
+}
+
+/// The memory of an array that Python made for this call.
+fn written(out: &PyBuffer<f64>) -> PyResult<&mut [f64]> {
+    if out.readonly() || !out.is_c_contiguous() {
+        return Err(PyValueError::new_err("the results are written to a contiguous array"));
+    }
+    if out.item_count() == 0 {
+        return Ok(&mut []);
+    }
+    // SAFETY: contiguous, writable and of doubles; the caller made it for this call, and nobody else writes it.
+    Ok(unsafe { slice::from_raw_parts_mut(out.buf_ptr().cast(), out.item_count()) })
+}
+
+fn told(run: native::Run) -> Run {
+    let occurrences = run.occurrences.into_iter().map(|o| (o.event, o.t, o.state)).collect();
+    let failure = run.failure.map(|failure| (failure.kind(), failure.t(), failure.to_string()));
+    let s = run.statistics;
+    (run.reached, occurrences, run.end, failure, (s.steps, s.rejected, s.evaluations, s.jacobians, s.stiff))
+}
+
+pub fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
+    module.add_class::<Dynamics>()
+}

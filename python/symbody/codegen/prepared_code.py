@@ -1,0 +1,108 @@
+"""Machine code in two parts: what parameters alone decide, once; and the rest, for every state."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from symbody.codegen.llvm import jit
+from symbody.codegen.llvm.module import scalar_text
+from symbody.codegen.machine_code import POINTER, next_tag
+from symbody.codegen.preparation import Preparation
+from symbody.codegen.straight_line import Code, Input, code_of, operands, with_operands
+from symbody.errors import CodegenError
+from symbody.symbolic import Argument, Expr
+
+__all__ = ["PreparedCode"]
+
+
+@dataclass(frozen=True, eq=False)
+class PreparedCode:
+    """A function of machine code, ``void f(const double *in, double *out)`` with ``in = (inputs, constants)``.
+
+    The constants are what its expressions need of the parameters: `prepare` computes them for a set of parameters.
+    It compiles at the first use, and once more after a journey to another process.
+
+    Attributes:
+        parameters: what changes from one motion to another.
+        inputs: what changes from one state to another.
+        expressions: the outputs.
+        tag: what tells the linear systems of this code from those of others.
+    """
+
+    parameters: tuple[Expr, ...]
+    inputs: tuple[Expr, ...]
+    expressions: tuple[Expr, ...]
+    tag: int = field(default_factory=next_tag)
+
+    @property
+    def address(self) -> int:
+        """Where the function begins."""
+        return self._function.address
+
+    @property
+    def constants(self) -> int:
+        """How many constants it reads."""
+        return len(self._parts[0].results)
+
+    def prepare(self, parameters: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Return the constants for values of the parameters."""
+        values, out = np.ascontiguousarray(parameters, float), np.empty(self.constants)
+        if self.constants:
+            self._preparation.function(POINTER, POINTER)(values.ctypes.data, out.ctypes.data)
+        return out
+
+    @cached_property
+    def _parts(self) -> tuple[Code, Code]:
+        """Return the code of the constants, and that of the outputs."""
+        p = Argument("p", "", self.parameters, "parameters")
+        x = Argument("x", "", self.inputs, "velocities")
+        preparation = Preparation((p,))
+        rest = preparation.without_parameters(code_of((p, x), self.expressions))
+        first, order = len(self.inputs), {number: k for k, number in enumerate(preparation.order)}
+        body = _laid_out(rest, lambda i: i.index if i.array == "x" else first + order[i.index], first + len(order))
+        return _laid_out(preparation.code(), lambda i: i.index, len(self.parameters)), body
+
+    @cached_property
+    def _preparation(self) -> jit.Compiled:
+        return _compiled(self._parts[0], "prepare", next_tag())
+
+    @cached_property
+    def _function(self) -> jit.Compiled:
+        return _compiled(self._parts[1], "evaluate", self.tag)
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return PreparedCode, (self.parameters, self.inputs, self.expressions)
+
+
+def _compiled(code: Code, name: str, tag: int) -> jit.Compiled:
+    if not jit.is_available():
+        raise CodegenError("machine code needs the package llvmlite, which is not installed here: pip install llvmlite")
+    return jit.compiled(scalar_text(code, name, jit.lanes(), tag), name)
+
+
+def _laid_out(code: Code, position: Callable[[Input], int], size: int) -> Code:
+    """Return the code with as many inputs as an array has, each at its position."""
+    first, shift = code.first_input, size - len(code.inputs)
+    inputs = tuple(Input("in", k, "") for k in range(size))
+
+    def moved(place: int) -> int:
+        if place < first:
+            return place
+        if place < code.first_instruction:
+            return first + position(code.inputs[place - first])
+        return place + shift
+
+    def rows(instructions: Sequence[Any]) -> tuple[Any, ...]:
+        return tuple(with_operands(row, [moved(place) for place in operands(row)]) for row in instructions)
+
+    return replace(
+        code, inputs=inputs, instructions=rows(code.instructions), results=tuple(map(moved, code.results))
+    )
+
+

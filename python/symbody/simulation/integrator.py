@@ -1,0 +1,211 @@
+"""The native integrator: compiled equations in, states out; no Python in its loop."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from math import inf
+
+import numpy as np
+from numpy.typing import NDArray
+
+from symbody.codegen import PreparedCode
+from symbody.symbolic._core import Dynamics
+
+from .event import Event
+from .model import Model
+
+__all__ = ["EXPLICIT", "IMPLICIT", "Failure", "Options", "Outcome", "Problem", "Statistics", "run", "run_many"]
+
+EXPLICIT = ("dop853", "tsit5")
+IMPLICIT = ("bdf", "esdirk34", "tr_bdf2")
+
+
+@dataclass(frozen=True)
+class Options:
+    """How to integrate.
+
+    Attributes:
+        method: one of EXPLICIT and IMPLICIT.
+        rtol: the error of a step relative to the state.
+        atol: the error of a step where the state is small.
+        max_step: the longest step, in s.
+    """
+
+    method: str = "dop853"
+    rtol: float = 1e-8
+    atol: float = 1e-10
+    max_step: float = inf
+
+
+@dataclass(frozen=True)
+class Statistics:
+    """What an integration took: steps, steps tried again, evaluations of rates and Jacobians; whether it looks stiff."""
+
+    steps: int
+    rejected: int
+    evaluations: int
+    jacobians: int
+    is_stiff: bool
+
+
+@dataclass(frozen=True)
+class Failure:
+    """Why a motion ended early: a word for the kind, the instant up to which it is known, and a sentence."""
+
+    kind: str
+    t: float
+    message: str
+
+
+@dataclass(frozen=True, eq=False)
+class Outcome:
+    """How an integration went.
+
+    Attributes:
+        states: the states at the instants that were reached, a row for each.
+        occurrences: the number of an event, when it happened, and the state there.
+        end: where the motion ended.
+        failure: why it ended early, other than by an event.
+        statistics: what it took.
+    """
+
+    states: NDArray[np.float64]
+    occurrences: list[tuple[int, float, list[float]]]
+    end: tuple[float, list[float]]
+    failure: Failure | None
+    statistics: Statistics
+
+
+@dataclass(frozen=True, eq=False)
+class Problem:
+    """The compiled functions of an integration.
+
+    Attributes:
+        width: the length of the integrated vector.
+        controlled: how many of its entries count for the error.
+        rates: the rates of the vector.
+        jacobian: their derivatives that aren't zero, with rows and columns; for implicit methods.
+        corrections: the ways back onto the constraints, of coordinates and of speeds; none without projection.
+        events: functions whose zeros are events, and the events.
+    """
+
+    width: int
+    controlled: int
+    rates: PreparedCode
+    jacobian: tuple[PreparedCode, list[tuple[int, int]]] | None = None
+    corrections: tuple[PreparedCode, PreparedCode] | None = None
+    events: tuple[PreparedCode, tuple[Event, ...]] | None = None
+
+    @classmethod
+    def of(cls, model: Model, method: str, *, is_projected: bool, events: Sequence[Event] = ()) -> Problem:
+        """Return what integrates a model: no derivatives for explicit methods, no corrections without constraints."""
+        code = model.code(model.along_motion([event.expression for event in events])) if events else None
+        return cls(
+            width=model.width,
+            controlled=len(model.state),
+            rates=model.rates_code,
+            jacobian=model.jacobian_code if method in IMPLICIT else None,
+            corrections=model.correction_codes if is_projected and model.constraints else None,
+            events=None if code is None else (code, tuple(events)),
+        )
+
+    @property
+    def codes(self) -> list[PreparedCode]:
+        """All functions, in the order in which their constants stand."""
+        jacobian = [] if self.jacobian is None else [self.jacobian[0]]
+        events = [] if self.events is None else [self.events[0]]
+        return [self.rates, *jacobian, *(self.corrections or ()), *events]
+
+    def constants(self, parameters: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Return what the functions need of the parameters, one after another."""
+        return np.concatenate([code.prepare(parameters) for code in self.codes])
+
+    @cached_property
+    def native(self) -> Dynamics:
+        """The functions, by their addresses."""
+        positions, velocities = self.corrections or (None, None)
+        return Dynamics(
+            _code(self.rates),
+            None if self.jacobian is None else (_code(self.jacobian[0]), self.jacobian[1]),
+            None if positions is None else _code(positions),
+            None if velocities is None else _code(velocities),
+            None
+            if self.events is None
+            else (_code(self.events[0]), [(event.direction, event.terminal) for event in self.events[1]]),
+        )
+
+
+def _code(code: PreparedCode) -> tuple[int, int, int]:
+    return code.address, code.constants, len(code.expressions)
+
+
+def run(
+    problem: Problem,
+    state: NDArray[np.float64],
+    parameters: NDArray[np.float64],
+    instants: NDArray[np.float64],
+    options: Options,
+    keep_going: Callable[[float], bool] | None = None,
+) -> Outcome:
+    """Integrate from a state at the first instant through all of them."""
+    states = np.empty((len(instants), problem.width))
+    told = problem.native.integrate(
+        options.method,
+        np.ascontiguousarray(state, float),
+        problem.constants(parameters),
+        np.ascontiguousarray(instants, float),
+        (options.rtol, options.atol, options.max_step, problem.controlled),
+        states,
+        keep_going,
+    )
+    return _outcome(told, states)
+
+
+def run_many(
+    problem: Problem,
+    states: NDArray[np.float64],
+    parameters: NDArray[np.float64],
+    instants: NDArray[np.float64],
+    options: Options,
+    threads: int = 1,
+    keep_going: Callable[[float], bool] | None = None,
+) -> list[Outcome | None]:
+    """Integrate many motions, a row of states and of parameters for each, in threads outside the interpreter.
+
+    What was not begun when `keep_going` said no is None.
+    """
+    results = np.full((len(states), len(instants), problem.width), np.nan)
+    constants = np.stack([problem.constants(row) for row in parameters]) if len(parameters) else parameters
+    told = problem.native.integrate_many(
+        options.method,
+        np.ascontiguousarray(states, float),
+        np.ascontiguousarray(constants),
+        np.ascontiguousarray(instants, float),
+        (options.rtol, options.atol, options.max_step, problem.controlled),
+        results,
+        threads,
+        keep_going,
+    )
+    return [None if one is None else _outcome(one, rows) for one, rows in zip(told, results, strict=True)]
+
+
+_Told = tuple[
+    int,
+    list[tuple[int, float, list[float]]],
+    tuple[float, list[float]],
+    tuple[str, float, str] | None,
+    tuple[int, int, int, int, bool],
+]
+
+
+def _outcome(told: _Told, states: NDArray[np.float64]) -> Outcome:
+    reached, occurrences, end, failure, statistics = told
+    return Outcome(
+        states[:reached],
+        occurrences,
+        end,
+        None if failure is None else Failure(*failure),
+        Statistics(*statistics),
+    )
