@@ -74,7 +74,7 @@ def fourbar() -> Linkage:
     ]
     pin = Point(B, LB, 0, 0)
     gap = project(pin - Point(C, LC, 0, 0), ground).components[:2]
-    push = Force(ground, 0, H, 0, at=pin, on=bodies[1])
+    push = Force(ground, 0, H, 0, at=Point(C, LC, 0, 0), on=bodies[2])
     system = System(bodies, [push], [qA, qB, qC], gap, Vector(ground, g, 0, 0))
     numbers = (1.0, 1.0, 2.0, 2.0, 10.0, 20.0, 20.0, 9.81, 200.0)
     values = dict(zip((LN, LA, LB, LC, mA, mB, mC, g, H), numbers, strict=True))

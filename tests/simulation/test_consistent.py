@@ -162,7 +162,7 @@ def given(make, values, **more):
         (
             pendulum_on_rail,
             {"x": 1.0, "y": 1.0},
-            r"the given coordinates, x = 1, y = 1, don't satisfy .* constraint 1, .* is off by -2; give some of them as",
+            r"the given coordinates, x = 1, y = 1, don't satisfy .* constraint 1, .* is off by -2; give some",
         ),
         (fourbar, {"qA": 0.3, "qA'": 2.0, "qB'": 1.0}, r"no speeds with qA' = 2, qB' = 1 keep constraint 2"),
         (

@@ -21,6 +21,7 @@ __all__ = ["consistent_state"]
 Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]
 
+_WHERE = "consistent_state"
 EXACT = 1e-10
 """The part of its terms that a constraint may be off where it counts as satisfied."""
 ROUNDED = 1e-6
@@ -76,9 +77,6 @@ def consistent_state(
     return dict(zip(names, map(float, [*q, *u]), strict=True))
 
 
-_WHERE = "consistent_state"
-
-
 @dataclass(frozen=True, eq=False)
 class _Positions:
     """The equations ``phi(q, t) = 0`` for some of the coordinates, in the size of their terms."""
@@ -114,7 +112,12 @@ class _Positions:
 
 
 def positions(
-    kinematics: Kinematics, p: Array, t: float, fixed: Mapping[Expr, float], guess: Mapping[Expr, float]
+    kinematics: Kinematics,
+    p: Array,
+    t: float,
+    fixed: Mapping[Expr, float],
+    guess: Mapping[Expr, float],
+    where: str = _WHERE,
 ) -> Array:
     """Return the coordinates: what is fixed, and the least change of the rest from its guess.
 
@@ -128,7 +131,7 @@ def positions(
     if not kinematics.constraints:
         return start
     best, least = start, np.inf
-    for beginning in _beginnings(start, is_free):
+    for beginning in beginnings(start, is_free):
         problem = _Positions(kinematics, p, t, _scale(kinematics, p, t, beginning))
         found = problem.solved(beginning, is_free)
         if problem.error(found) <= EXACT:
@@ -139,10 +142,10 @@ def positions(
                 return polished
         if problem.error(found) < least:
             best, least = found, problem.error(found)
-    raise ConstraintError(_unsatisfied(kinematics, p, t, best, fixed))
+    raise ConstraintError(f"{where}: {_unsatisfied(kinematics, p, t, best, fixed)}")
 
 
-def _beginnings(start: Array, is_free: Flags) -> Iterator[Array]:
+def beginnings(start: Array, is_free: Flags) -> Iterator[Array]:
     """Return the start, then places around it, farther and farther: where it is singular, they aren't."""
     yield start
     if not is_free.any():
@@ -259,7 +262,7 @@ def _unsatisfied(kinematics: Kinematics, p: Array, t: float, q: Array, fixed: Ma
     found = "; ".join(left[:_NAMED]) + (f"; and {len(left) - _NAMED} more" if len(left) > _NAMED else "")
     if named and len(named) == len(system.coordinates):
         return (
-            f"{_WHERE}: the given coordinates, {_values(named, fixed)}, don't satisfy the constraints at t = {t:g} s: "
+            f"the given coordinates, {_values(named, fixed)}, don't satisfy the constraints at t = {t:g} s: "
             f"{found}; give some of them as guess instead, and they are solved for"
         )
     nearest = _values(
@@ -268,7 +271,7 @@ def _unsatisfied(kinematics: Kinematics, p: Array, t: float, q: Array, fixed: Ma
     )
     what = f"with {_values(named, fixed)}" if named else "from the guess"
     return (
-        f"{_WHERE}: no coordinates were found {what} that satisfy the constraints at t = {t:g} s; nearest, at "
+        f"no coordinates were found {what} that satisfy the constraints at t = {t:g} s; nearest, at "
         f"{nearest}: {found}; give fewer or other values, or a guess={{coordinate: value}} near a solution"
     )
 

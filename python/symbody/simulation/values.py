@@ -2,21 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from difflib import get_close_matches
 from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from symbody.errors import ArgumentError, ParameterError
+from symbody.dynamics import Equations
+from symbody.errors import ArgumentError, ModelError, ParameterError
 from symbody.multibody import System
-from symbody.symbolic import Expr, time_derivative
-from symbody.symbolic.arguments import described
+from symbody.symbolic import Expr, ExprLike, time_derivative
+from symbody.symbolic.arguments import described, expression
 
 from .cases import column_of
 
-__all__ = ["finite_number", "parameter_values", "state_values"]
+__all__ = ["finite_number", "given_inputs", "parameter_values", "state_values"]
 
 
 def parameter_values(
@@ -65,6 +66,7 @@ def state_values(
     *,
     where: str = "simulate",
     argument: str = "initial",
+    has_speeds: bool = True,
 ) -> dict[Expr, float]:
     """Return what a user gives of a state: values of coordinates, of their rates, and of speeds.
 
@@ -73,18 +75,57 @@ def state_values(
         given: the values; what isn't named is free.
         where: the function that the user called, for messages.
         argument: the name of the argument, for messages.
+        has_speeds: whether rates and speeds may be given, or coordinates alone.
 
     Raises:
         ParameterError: something that is no coordinate, rate of one, or speed; or a value that isn't finite.
         ArgumentError: it is no mapping, or a value is no number.
     """
     values = _mapping(given, where, argument)
-    rates = [time_derivative(q) for q in system.coordinates]
-    known = tuple(dict.fromkeys((*system.coordinates, *system.speeds, *rates)))
-    _check_known(
-        values, known, f"{where}, {argument}", "a coordinate, a rate of one or a speed of this system"
-    )
+    known, expected = system.coordinates, "a coordinate of this system"
+    if has_speeds:
+        rates = [time_derivative(q) for q in system.coordinates]
+        known = tuple(dict.fromkeys((*system.coordinates, *system.speeds, *rates)))
+        expected = "a coordinate, a rate of one or a speed of this system"
+    _check_known(values, known, f"{where}, {argument}", expected)
     return {name: finite_number(name, value, f"{where}, {argument}") for name, value in values.items()}
+
+
+def given_inputs(
+    eqs: Equations,
+    inputs: Mapping[Expr, ExprLike] | None,
+    *,
+    where: str = "simulate",
+    besides: Collection[Expr] = (),
+) -> dict[Expr, Expr]:
+    """Return what stands in the place of the functions of time that are given from outside.
+
+    Args:
+        eqs: the equations that hold them.
+        inputs: expressions of time, state and parameters.
+        where: the function that the user called, for messages.
+        besides: functions of time that need no expression, since they are solved for.
+
+    Raises:
+        ModelError: one is missing, or something is given that is none.
+        ArgumentError: the inputs are no mapping, or what is given is no expression.
+    """
+    given = _mapping(inputs, where, "inputs")
+    names = sorted({leaf.name for leaf in eqs.inputs})
+    for function in given:
+        if not isinstance(function, Expr) or function.order or function.name not in names:
+            raise ModelError(
+                f"{where}, inputs: {_found(function)} is no function of time that the equations hold beside "
+                f"coordinates and speeds; expected {_listed(names) or 'none: leave inputs out'}"
+            )
+    known = {function.name for function in (*given, *besides)}
+    missing = [name for name in names if name not in known]
+    if missing:
+        raise ModelError(
+            f"{where}: the equations hold the functions of time {_listed(missing)}, which are neither coordinates nor "
+            f"speeds; give them by time and state, as inputs={{{missing[0]}: sin(t)}}"
+        )
+    return {function: expression(value, f"{where}, inputs") for function, value in given.items()}
 
 
 def finite_number(name: Expr, value: ArrayLike, place: str) -> float:
