@@ -50,6 +50,17 @@ from symbody.multibody import (
     power,
     show,
 )
+from symbody.simulation import (
+    Event,
+    Motion,
+    Occurrence,
+    Runs,
+    consistent_state,
+    grid,
+    simulate,
+    simulate_many,
+)
+from symbody.simulation.motion import DRAWERS
 from symbody.symbolic import (
     Abs,
     Cost,
@@ -108,6 +119,9 @@ from symbody.symbolic import (
     to_sympy,
     zeros,
 )
+from symbody.view import animate, plot
+
+DRAWERS.update(animate=animate, plot=plot)
 
 __all__ = [
     "Abs",
@@ -115,6 +129,7 @@ __all__ = [
     "CompiledFunction",
     "Cost",
     "Equations",
+    "Event",
     "Expr",
     "Force",
     "ForwardDynamics",
@@ -124,8 +139,11 @@ __all__ = [
     "Max",
     "Min",
     "ModelNotice",
+    "Motion",
+    "Occurrence",
     "Piecewise",
     "Point",
+    "Runs",
     "SymbodyError",
     "System",
     "Torque",
@@ -135,6 +153,7 @@ __all__ = [
     "acos",
     "angular_momentum",
     "angular_velocity",
+    "animate",
     "asin",
     "atan",
     "atan2",
@@ -142,6 +161,7 @@ __all__ = [
     "coeff",
     "collect",
     "combine_trig",
+    "consistent_state",
     "cos",
     "cosh",
     "cost",
@@ -167,6 +187,7 @@ __all__ = [
     "generate",
     "gradient",
     "gravitational_energy",
+    "grid",
     "ground",
     "identity",
     "jacobian",
@@ -189,12 +210,15 @@ __all__ = [
     "origin",
     "parse",
     "pi",
+    "plot",
     "power",
     "project",
     "rotate",
     "show",
     "sign",
     "simplify",
+    "simulate",
+    "simulate_many",
     "sin",
     "sinh",
     "solve",

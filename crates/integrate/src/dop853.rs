@@ -37,6 +37,8 @@ pub struct Dop853<'a> {
     dense: Vec<f64>,
     is_dense: bool,
     scratch: Vec<f64>,
+    /// The state at which the last stage of the step before was evaluated.
+    last_stage: Vec<f64>,
     stiff_steps: u32,
     statistics: Statistics,
 }
@@ -58,6 +60,7 @@ impl<'a> Dop853<'a> {
             dense: vec![0.0; 7 * n],
             is_dense: false,
             scratch: vec![0.0; n],
+            last_stage: vec![0.0; n],
             stiff_steps: 0,
             statistics: Statistics::default(),
         };
@@ -135,7 +138,7 @@ impl<'a> Dop853<'a> {
     }
 
     fn accept(&mut self, h: f64, t: f64) {
-        self.note_stiffness(h);
+        std::mem::swap(&mut self.last_stage, &mut self.scratch);
         self.last = (self.t, h);
         std::mem::swap(&mut self.before, &mut self.state);
         self.state.copy_from_slice(&self.after);
@@ -145,19 +148,18 @@ impl<'a> Dop853<'a> {
         self.statistics.steps += 1;
     }
 
-    /// The last stage and the end of the step are at the same instant: how far apart their rates and their states are
-    /// estimates the largest eigenvalue.
-    fn note_stiffness(&mut self, h: f64) {
+    /// The last stage of a step and its end are at the same instant: how far apart their rates and their states are
+    /// estimates the largest eigenvalue. An explicit method that is bound by it for many steps is the wrong one.
+    fn note_stiffness(&mut self) {
         const BOUND: f64 = 6.1;
         const STEPS: u32 = 15;
         let n = self.state.len();
         let (mut rates, mut states) = (0.0, 0.0);
         for i in 0..n {
-            let end: f64 = A[STAGES].iter().map(|&(j, b)| b * self.stages[j * n + i]).sum();
-            rates += (end - self.stages[(STAGES - 1) * n + i]).powi(2);
-            states += (self.after[i] - self.scratch[i]).powi(2);
+            rates += (self.stages[i] - self.stages[(STAGES - 1) * n + i]).powi(2);
+            states += (self.state[i] - self.last_stage[i]).powi(2);
         }
-        let is_at_bound = states > 0.0 && h * (rates / states).sqrt() > BOUND;
+        let is_at_bound = states > 0.0 && self.last.1 * (rates / states).sqrt() > BOUND;
         self.stiff_steps = if is_at_bound { self.stiff_steps + 1 } else { self.stiff_steps.saturating_sub(1) };
         self.statistics.stiff |= self.stiff_steps >= STEPS;
     }
@@ -189,6 +191,9 @@ impl<'a> Dop853<'a> {
 impl Stepper for Dop853<'_> {
     fn step(&mut self, end: f64) -> Result<(), Failure> {
         self.evaluate_first();
+        if self.statistics.steps > 0 {
+            self.note_stiffness();
+        }
         let (mut is_finite, mut was_rejected) = (true, false);
         loop {
             let mut h = self.step.min(self.tolerances.max_step);

@@ -6,4 +6,13 @@ from symbody.codegen.machine_code import MachineCode
 from symbody.codegen.prepared_code import PreparedCode
 from symbody.codegen.toolchain import check
 
-__all__ = ["TARGETS", "CompiledFunction", "MachineCode", "PreparedCode", "check", "generate", "lambdify", "source"]
+__all__ = [
+    "TARGETS",
+    "CompiledFunction",
+    "MachineCode",
+    "PreparedCode",
+    "check",
+    "generate",
+    "lambdify",
+    "source",
+]

@@ -18,19 +18,20 @@ _lock = Lock()
 _noted: dict[int, set[tuple[int, tuple[int, ...]]]] = {}
 
 
-def notice_deficiencies(tag: int, names: Sequence[str] = ()) -> None:
+def notice_deficiencies(tag: int, names: Sequence[str] = (), where: str = "lambdify") -> None:
     """Warn of the systems of a function in which equations followed from others since the last call.
 
     Args:
         tag: what tells the function from others, with :data:`SYSTEMS` low bits zero.
         names: the names of the equations, by row.
+        where: the function that the user called.
     """
     for number, rows in sorted(_taken(tag >> SYSTEMS)):
         noun = "equation" if len(rows) == 1 else "equations"
         listed = ", ".join(names[row] if row < len(names) else f"number {row + 1}" for row in rows)
         verb = "follows from the others" if len(rows) == 1 else "follow from the others"
         warnings.warn(
-            f"lambdify: linear system {number + 1} of the function is of deficient rank at some points: {noun} "
+            f"{where}: linear system {number + 1} of the function is of deficient rank at some points: {noun} "
             f"{listed} {verb} there; its solution of least norm was taken",
             ModelNotice,
             stacklevel=4,

@@ -32,7 +32,6 @@ def next_tag() -> int:
     return next(_TAGS) << SYSTEMS
 
 
-
 @dataclass(frozen=True, eq=False)
 class MachineCode:
     """Functions of machine code that evaluate expressions.

@@ -15,7 +15,7 @@ from symbody.codegen.llvm.module import scalar_text
 from symbody.codegen.machine_code import POINTER, next_tag
 from symbody.codegen.preparation import Preparation
 from symbody.codegen.straight_line import Code, Input, code_of, operands, with_operands
-from symbody.errors import CodegenError
+from symbody.errors import CodegenError, ParameterError
 from symbody.symbolic import Argument, Expr
 
 __all__ = ["PreparedCode"]
@@ -53,8 +53,16 @@ class PreparedCode:
     def prepare(self, parameters: NDArray[np.float64]) -> NDArray[np.float64]:
         """Return the constants for values of the parameters."""
         values, out = np.ascontiguousarray(parameters, float), np.empty(self.constants)
+        if values.shape != (len(self.parameters),):
+            raise ParameterError(f"{len(self.parameters)} parameters, and values of the shape {values.shape}")
         if self.constants:
             self._preparation.function(POINTER, POINTER)(values.ctypes.data, out.ctypes.data)
+        return out
+
+    def evaluate(self, parameters: NDArray[np.float64], inputs: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Return the outputs for one state."""
+        row, out = np.concatenate([inputs, self.prepare(parameters)]), np.empty(len(self.expressions))
+        self._function.function(POINTER, POINTER)(row.ctypes.data, out.ctypes.data)
         return out
 
     @cached_property
@@ -65,7 +73,9 @@ class PreparedCode:
         preparation = Preparation((p,))
         rest = preparation.without_parameters(code_of((p, x), self.expressions))
         first, order = len(self.inputs), {number: k for k, number in enumerate(preparation.order)}
-        body = _laid_out(rest, lambda i: i.index if i.array == "x" else first + order[i.index], first + len(order))
+        body = _laid_out(
+            rest, lambda i: i.index if i.array == "x" else first + order[i.index], first + len(order)
+        )
         return _laid_out(preparation.code(), lambda i: i.index, len(self.parameters)), body
 
     @cached_property
@@ -82,7 +92,9 @@ class PreparedCode:
 
 def _compiled(code: Code, name: str, tag: int) -> jit.Compiled:
     if not jit.is_available():
-        raise CodegenError("machine code needs the package llvmlite, which is not installed here: pip install llvmlite")
+        raise CodegenError(
+            "machine code needs the package llvmlite, which is not installed here: pip install llvmlite"
+        )
     return jit.compiled(scalar_text(code, name, jit.lanes(), tag), name)
 
 
@@ -104,5 +116,3 @@ def _laid_out(code: Code, position: Callable[[Input], int], size: int) -> Code:
     return replace(
         code, inputs=inputs, instructions=rows(code.instructions), results=tuple(map(moved, code.results))
     )
-
-

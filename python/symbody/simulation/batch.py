@@ -8,19 +8,18 @@ from functools import cached_property
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 from symbody.codegen import CompiledFunction, lambdify
-from symbody.errors import SimulationError, SymbodyError
+from symbody.errors import SymbodyError
 from symbody.symbolic import Expr, t
-from symbody.symbolic.arguments import described
 
+from .begin import begin
 from .cases import Cases
-from .consistent import consistent_state
 from .event import Event
 from .ida import IDA_FORMS
 from .ida_outcome import ida_outcome
-from .integrator import EXPLICIT, IMPLICIT, Options, Outcome, Problem, run_many
+from .integrator import Options, Outcome, Problem, run_many
 from .model import DAMPING, Model
 from .results import Results, Status
 
@@ -146,19 +145,7 @@ class Batch:
 
     def start(self, parameters: Mapping[Expr, float], initial: Mapping[Expr, float]) -> Array:
         """Return the vector at the first instant: what is given, and zero or what the constraints demand."""
-        given: Mapping[Expr, float] = {**self.guess, **initial}
-        if self.model.constraints or self.model.system.has_quasi_velocities:
-            given = consistent_state(
-                self.model.equations,
-                parameters,
-                initial,
-                guess=self.guess,
-                t=float(self.instants[0]),
-                inputs=dict(self.model.inputs),
-            )
-        state = np.zeros(self.width)
-        state[: len(self.model.state)] = [given.get(name, 0.0) for name in self.model.state]
-        return state
+        return begin(self.model, parameters, initial, self.guess, float(self.instants[0]))
 
     def _record(
         self, results: Results, case: int, outcome: Outcome, parameters: Mapping[Expr, float]
@@ -217,34 +204,3 @@ class Batch:
 def _still(keep_going: Callable[[float], bool], case: int) -> Callable[[float], bool]:
     """Return what asks with the number of motions that are done, and not with the time of this one."""
     return lambda _: keep_going(case)
-
-
-def instants_of(given: ArrayLike) -> Array:
-    """Return the instants of a simulation: a pair means 1001 of them, evenly spaced.
-
-    Raises:
-        SimulationError: they aren't finite numbers that increase.
-    """
-    instants = np.array(given, dtype=np.float64)
-    if (
-        instants.ndim != 1
-        or len(instants) < 2
-        or not np.isfinite(instants).all()
-        or (np.diff(instants) <= 0).any()
-    ):
-        raise SimulationError(
-            f"simulate: t={described(given)}; expected the first and the last instant, or all instants, increasing"
-        )
-    return np.linspace(instants[0], instants[1], 1001) if len(instants) == 2 else instants
-
-
-def options_of(method: str, rtol: float, atol: float, max_step: float) -> Options:
-    """Return how to integrate.
-
-    Raises:
-        SimulationError: a method that isn't known.
-    """
-    methods = (*EXPLICIT, *IMPLICIT, *IDA_FORMS)
-    if method not in ("auto", *methods):
-        raise SimulationError(f"simulate: method={method!r}; expected auto, {', '.join(methods)}")
-    return Options("dop853" if method == "auto" else method, rtol, atol, max_step)

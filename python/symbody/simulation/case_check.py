@@ -27,7 +27,7 @@ def check_cases(batch: Batch, cases: Cases) -> None:
             f"{PLACE}, parameters: no values for {_listed(missing)}; the parameters are {_listed(needed)}: give each "
             "a number, or a row of numbers"
         )
-    known = {*needed, *model.all_parameters}
+    known = {*needed, *model.parameters, *model.other_parameters()}
     strange = [name for name in given if name not in known]
     if strange:
         raise ParameterError(

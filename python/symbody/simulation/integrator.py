@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from math import inf
@@ -11,12 +11,23 @@ import numpy as np
 from numpy.typing import NDArray
 
 from symbody.codegen import PreparedCode
+from symbody.symbolic import Expr, free_symbols, number, substitute
 from symbody.symbolic._core import Dynamics
 
 from .event import Event
 from .model import Model
 
-__all__ = ["EXPLICIT", "IMPLICIT", "Failure", "Options", "Outcome", "Problem", "Statistics", "run", "run_many"]
+__all__ = [
+    "EXPLICIT",
+    "IMPLICIT",
+    "Failure",
+    "Options",
+    "Outcome",
+    "Problem",
+    "Statistics",
+    "run",
+    "run_many",
+]
 
 EXPLICIT = ("dop853", "tsit5")
 IMPLICIT = ("bdf", "esdirk34", "tr_bdf2")
@@ -41,7 +52,7 @@ class Options:
 
 @dataclass(frozen=True)
 class Statistics:
-    """What an integration took: steps, steps tried again, evaluations of rates and Jacobians; whether it looks stiff."""
+    """What an integration took: steps, steps tried again, evaluations; and whether the equations look stiff."""
 
     steps: int
     rejected: int
@@ -99,9 +110,20 @@ class Problem:
     events: tuple[PreparedCode, tuple[Event, ...]] | None = None
 
     @classmethod
-    def of(cls, model: Model, method: str, *, is_projected: bool, events: Sequence[Event] = ()) -> Problem:
-        """Return what integrates a model: no derivatives for explicit methods, no corrections without constraints."""
-        code = model.code(model.along_motion([event.expression for event in events])) if events else None
+    def of(
+        cls,
+        model: Model,
+        method: str,
+        *,
+        is_projected: bool,
+        events: Sequence[Event] = (),
+        given: Mapping[Expr, float] | None = None,
+    ) -> Problem:
+        """Return what integrates a model: no derivatives for explicit methods, no corrections without constraints.
+
+        Parameters that stand in events alone are numbers there: their values are those given.
+        """
+        code = model.code(_watched(model, events, given or {})) if events else None
         return cls(
             width=model.width,
             controlled=len(model.state),
@@ -135,6 +157,13 @@ class Problem:
             if self.events is None
             else (_code(self.events[0]), [(event.direction, event.terminal) for event in self.events[1]]),
         )
+
+
+def _watched(model: Model, events: Sequence[Event], given: Mapping[Expr, float]) -> tuple[Expr, ...]:
+    expressions = model.along_motion([event.expression for event in events])
+    inside = {*model.parameters, *model.damping, *model.integrated}
+    others = {name: number(given[name]) for name in free_symbols(expressions) - inside if name in given}
+    return substitute(expressions, others) if others else expressions
 
 
 def _code(code: PreparedCode) -> tuple[int, int, int]:

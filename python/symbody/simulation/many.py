@@ -18,12 +18,13 @@ from symbody.errors import ArgumentError, ModelNotice, SimulationError
 from symbody.symbolic import Expr, ExprLike, number
 from symbody.symbolic.arguments import described
 
-from .batch import Batch, instants_of, options_of
+from .batch import Batch
 from .case_check import check_cases
 from .cases import PLACE, Cases, cases_of
 from .event import Event
 from .interruption import Interruption
 from .model import model_of
+from .options import instants_of, options_of
 from .problem_digest import problem_digest
 from .progress import progress_bar
 from .results import Results

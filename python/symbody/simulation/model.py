@@ -4,16 +4,25 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
-from functools import cached_property
-from weakref import WeakKeyDictionary
+from functools import cached_property, lru_cache
 
 from symbody.codegen import CompiledFunction, PreparedCode, lambdify
 from symbody.dynamics import Equations, ForwardDynamics, forward_dynamics
 from symbody.errors import ModelError
 from symbody.multibody import System, gravitational_energy, kinetic_energy, power
-from symbody.symbolic import Expr, ExprLike, Matrix, derivation, free_symbols, number, symbols, t
+from symbody.symbolic import (
+    Expr,
+    ExprLike,
+    Matrix,
+    derivation,
+    free_symbols,
+    linear_solve,
+    number,
+    substitute,
+    symbols,
+    t,
+)
 from symbody.symbolic import jacobian as jacobian_of
-from symbody.symbolic import linear_solve, substitute
 
 __all__ = ["DAMPING", "Model", "model_of"]
 
@@ -39,7 +48,7 @@ class Model:
     equations: Equations
     inputs: tuple[tuple[Expr, Expr], ...] = ()
     is_stabilized: bool = False
-    _functions: dict[tuple[Expr, ...], CompiledFunction] = field(default_factory=dict)
+    _functions: dict[tuple[tuple[Expr, ...], ...], CompiledFunction] = field(default_factory=dict, repr=False)
 
     @property
     def system(self) -> System:
@@ -80,15 +89,19 @@ class Model:
     def parameters(self) -> tuple[Expr, ...]:
         """The symbols that need values, by name: those of the equations and of the inputs."""
         given = free_symbols([value for _, value in self.inputs])
-        found = {*self.equations.parameters, *(leaf for leaf in given if leaf.kind == "symbol")}
+        found = {*self.equations.parameters, *(leaf for leaf in given if _is_parameter(leaf))}
         return tuple(sorted(found, key=lambda symbol: symbol.name))
 
-    @cached_property
-    def all_parameters(self) -> tuple[Expr, ...]:
-        """Those, the damping of constraints, and what only energies hold."""
-        energies = free_symbols([e for e in (self.kinetic_energy, self.potential_energy) if e is not None])
-        others = {leaf for leaf in energies if leaf.kind == "symbol"} - {*self.parameters}
-        return (*self.parameters, *sorted(others, key=lambda symbol: symbol.name))
+    def other_parameters(self, expressions: Sequence[Expr] = ()) -> tuple[Expr, ...]:
+        """Return the parameters that stand in energies, loads and other expressions, and not in the equations."""
+        energies = [e for e in (self.kinetic_energy, self.potential_energy, self.power) if e is not None]
+        found = {leaf for leaf in free_symbols([*energies, *expressions]) if _is_parameter(leaf)}
+        return tuple(sorted(found - {*self.parameters}, key=lambda symbol: symbol.name))
+
+    @property
+    def damping(self) -> tuple[Expr, ...]:
+        """The frequency and the damping ratio of Baumgarte's stabilisation, where there is one."""
+        return DAMPING if self.is_stabilized else ()
 
     @cached_property
     def solution(self) -> ForwardDynamics:
@@ -181,8 +194,7 @@ class Model:
 
     def code(self, expressions: Sequence[Expr], more: Sequence[Expr] = ()) -> PreparedCode:
         """Return the machine code of expressions of time and state, and of more parameters than the equations have."""
-        damping = DAMPING if self.is_stabilized else ()
-        return PreparedCode((*self.parameters, *damping, *more), self.integrated, tuple(expressions))
+        return PreparedCode((*self.parameters, *self.damping, *more), self.integrated, tuple(expressions))
 
     @cached_property
     def rates_code(self) -> PreparedCode:
@@ -203,23 +215,27 @@ class Model:
         places = [(i, j) for i in range(rows) for j in range(columns) if not slopes[i, j].is_zero]
         return self.code([slopes[place] for place in places]), places
 
-    def function(self, expressions: Sequence[Expr]) -> CompiledFunction:
+    def function(self, expressions: Sequence[Expr], parameters: tuple[Expr, ...]) -> CompiledFunction:
         """Return a function of time, state and parameters that evaluates expressions along motions."""
-        key = tuple(expressions)
+        key = (tuple(expressions), parameters)
         if key not in self._functions:
-            parameters, values = [*self.all_parameters], self.along_motion(key)
-            damping = DAMPING if self.is_stabilized else ()
             names = tuple(str(constraint) for constraint in self.constraints)
-            self._functions[key] = lambdify(
-                [t, *self.state, *parameters, *damping], list(values), equation_names=names
-            )
+            values = list(self.along_motion(key[0]))
+            self._functions[key] = lambdify([t, *self.state, *parameters], values, equation_names=names)
         return self._functions[key]
 
 
 _WORK = symbols("work_of_loads")
 """Stands for the work in the list of variables."""
 
-_models: WeakKeyDictionary[Equations, dict[object, Model]] = WeakKeyDictionary()
+
+def _is_parameter(leaf: Expr) -> bool:
+    return leaf.kind == "symbol" and not leaf.depends_on_time
+
+
+@lru_cache(maxsize=32)
+def _model(eqs: Equations, inputs: tuple[tuple[Expr, Expr], ...], *, is_stabilized: bool) -> Model:
+    return Model(eqs, inputs, is_stabilized)
 
 
 def model_of(eqs: Equations, inputs: Inputs | None = None, *, is_stabilized: bool = False) -> Model:
@@ -228,13 +244,11 @@ def model_of(eqs: Equations, inputs: Inputs | None = None, *, is_stabilized: boo
     Raises:
         ModelError: an input of the equations isn't given, or what is given is no input.
     """
-    given = tuple(sorted(((key, number(value)) for key, value in (inputs or {}).items()), key=lambda pair: str(pair[0])))
+    given = tuple(
+        sorted(((key, number(value)) for key, value in (inputs or {}).items()), key=lambda pair: str(pair[0]))
+    )
     _check_inputs(eqs, [key for key, _ in given])
-    models = _models.setdefault(eqs, {})
-    key = (given, is_stabilized)
-    if key not in models:
-        models[key] = Model(eqs, given, is_stabilized)
-    return models[key]
+    return _model(eqs, given, is_stabilized=is_stabilized)
 
 
 def _check_inputs(eqs: Equations, given: Sequence[Expr]) -> None:
@@ -247,7 +261,9 @@ def _check_inputs(eqs: Equations, given: Sequence[Expr]) -> None:
             f"simulate: the equations hold the functions of time {listed}, which are neither coordinates nor speeds; "
             f"give them by time and state, as inputs={{{sorted(missing)[0]}: sin(t)}}"
         )
-    strange = [str(key) for key in given if key.kind != "time_function" or key.order or key.name not in functions]
+    strange = [
+        str(key) for key in given if key.kind != "time_function" or key.order or key.name not in functions
+    ]
     if strange:
         raise ModelError(
             f"simulate: {', '.join(strange)} given as inputs; expected functions of time that the equations hold "

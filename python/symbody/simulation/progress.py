@@ -11,7 +11,9 @@ from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, T
 
 
 @contextmanager
-def progress_bar(what: str, total: int, *, is_shown: bool | None = None) -> Iterator[Callable[[float], None]]:
+def progress_bar(
+    what: str, total: float, *, is_shown: bool | None = None
+) -> Iterator[Callable[[float], None]]:
     """Show a bar while the block runs; yield what is told how much of the total is done.
 
     Args:

@@ -5,6 +5,7 @@ from fractions import Fraction
 from typing import Any, TypeAlias, final
 
 __all__ = [
+    "Dynamics",
     "Expr",
     "Tape",
     "add3",
@@ -166,6 +167,49 @@ class Tape:
     def results(self) -> list[int]: ...
     def evaluate(self, inputs: Sequence[float]) -> list[float]: ...
     def evaluate_columns(self, inputs: Sequence[Any], points: int, out: Any) -> None: ...
+
+_Code: TypeAlias = tuple[int, int, int]
+_Run: TypeAlias = tuple[
+    int,
+    list[tuple[int, float, list[float]]],
+    tuple[float, list[float]],
+    tuple[str, float, str] | None,
+    tuple[int, int, int, int, bool],
+]
+
+@final
+class Dynamics:
+    def __new__(
+        cls,
+        rates: _Code,
+        jacobian: tuple[_Code, Sequence[tuple[int, int]]] | None = None,
+        position_correction: _Code | None = None,
+        velocity_correction: _Code | None = None,
+        events: tuple[_Code, Sequence[tuple[int, bool]]] | None = None,
+    ) -> Dynamics: ...
+    @property
+    def constants(self) -> int: ...
+    def integrate(
+        self,
+        method: str,
+        state: Any,
+        constants: Any,
+        instants: Any,
+        tolerances: tuple[float, float, float, int],
+        out: Any,
+        keep_going: Any,
+    ) -> _Run: ...
+    def integrate_many(
+        self,
+        method: str,
+        states: Any,
+        constants: Any,
+        instants: Any,
+        tolerances: tuple[float, float, float, int],
+        out: Any,
+        threads: int,
+        keep_going: Any,
+    ) -> list[_Run | None]: ...
 
 def add3(a: _Triple, b: _Triple) -> _Components: ...
 def application(name: str, args: Sequence[_Operand], orders: Sequence[int] | None = None) -> Expr: ...

@@ -1,0 +1,11 @@
+"""Numbers: from equations of motion to motions, one or many, and to states of rest."""
+
+from symbody.simulation.consistent import consistent_state
+from symbody.simulation.event import Event, Occurrence
+from symbody.simulation.grid import grid
+from symbody.simulation.many import simulate_many
+from symbody.simulation.motion import Motion
+from symbody.simulation.runs import Runs
+from symbody.simulation.simulate import simulate
+
+__all__ = ["Event", "Motion", "Occurrence", "Runs", "consistent_state", "grid", "simulate", "simulate_many"]

@@ -1,0 +1,37 @@
+"""Where a motion begins: the vector that is integrated, at the first instant."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import numpy as np
+from numpy.typing import NDArray
+
+from symbody.symbolic import Expr
+
+from .consistent import consistent_state
+from .model import Model
+from .values import state_values
+
+__all__ = ["begin"]
+
+
+def begin(
+    model: Model,
+    parameters: Mapping[Expr, float],
+    initial: Mapping[Expr, float],
+    guess: Mapping[Expr, float],
+    t: float,
+) -> NDArray[np.float64]:
+    """Return what is given, and zero, a guess or what the constraints demand for the rest; no work is done yet."""
+    given = {
+        **state_values(model.system, guess, where="simulate", argument="guess"),
+        **state_values(model.system, initial, where="simulate"),
+    }
+    if model.constraints or model.system.has_quasi_velocities:
+        given = consistent_state(
+            model.equations, parameters, initial, guess=guess, t=t, inputs=dict(model.inputs)
+        )
+    state = np.zeros(model.width)
+    state[: len(model.state)] = [given.get(name, 0.0) for name in model.state]
+    return state

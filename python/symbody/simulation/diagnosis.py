@@ -1,0 +1,80 @@
+"""Why a motion ended before its time: what the integrator saw, and what in the model may be the cause."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .integrator import Failure, Outcome
+from .model import Model
+
+__all__ = ["diagnosis"]
+
+Array = NDArray[np.float64]
+
+
+def diagnosis(failure: Failure, outcome: Outcome, model: Model, parameters: Array) -> str:
+    """Return what happened, when, and the way out, in the names of the model."""
+    t, state = outcome.end
+    when = f"simulate: at t = {t:.9g} s"
+    if failure.kind == "ida":
+        return failure.message
+    singular = _singular(model, parameters, t, np.array(state))
+    if failure.kind == "not_finite":
+        names = _not_finite(model, parameters, t, np.array(state))
+        cause = singular or (
+            f"{names} not finite there; look for a division by zero, a root or logarithm of what became negative, or "
+            "parameters that make no sense"
+            if names
+            else "a rate of the state is not finite a step ahead, however short "
+            "the step; look for a function that leaves its domain"
+        )
+        return f"{when}: {cause}; what was computed is the error's motion"
+    if failure.kind == "projection":
+        return (
+            f"{when}: {failure.message}; the constraints can't be satisfied beyond, or the position is singular; look "
+            "at the motion up to there (the error's motion); smaller tolerances may pass it, or constraints='baumgarte'"
+        )
+    if failure.kind == "step_collapse":
+        cause = f"; {singular}" if singular else ""
+        return (
+            f"{when}: {failure.message}{cause}; the motion may go to infinity there, or a force jumps: smooth it, or "
+            "end the motion by an event; for stiff equations use method='bdf'; what was computed is the error's motion"
+        )
+    return (
+        f"{when}: the method gave up ({failure.message}){'; ' + singular if singular else ''}; use another method, or "
+        "larger tolerances; what was computed is the error's motion"
+    )
+
+
+def _not_finite(model: Model, parameters: Array, t: float, state: Array) -> str:
+    """Return which rates are no finite numbers at a state."""
+    values = model.rates_code.evaluate(parameters, np.concatenate([[t], state]))
+    names = [*(f"the rate of {q}" for q in model.coordinates), *map(str, model.accelerations), "the power"]
+    bad = [name for name, value in zip(names, values, strict=False) if not np.isfinite(value)]
+    return "" if not bad else f"{', '.join(bad[:4])}{' and others' if len(bad) > 4 else ''} {_are(bad)}"
+
+
+def _are(names: list[str]) -> str:
+    return "is" if len(names) == 1 else "are"
+
+
+def _singular(model: Model, parameters: Array, t: float, state: Array) -> str:
+    """Return which speeds move no mass at a state, if the mass matrix is singular there."""
+    if model.constraints:
+        return ""
+    n = len(model.speeds)
+    code = model.code(model.with_inputs(model.equations.mass_matrix.entries))
+    M = code.evaluate(parameters, np.concatenate([[t], state])).reshape(n, n)
+    if not np.isfinite(M).all():
+        return ""
+    scale = np.sqrt(np.maximum(np.abs(np.diag(M)), np.finfo(float).tiny))
+    _, sizes, directions = np.linalg.svd(M / np.outer(scale, scale))
+    if sizes[-1] > 1e-13 * sizes[0]:
+        return ""
+    weights = np.abs(directions[-1])
+    names = [str(u) for u, weight in zip(model.speeds, weights, strict=True) if weight > 0.1 * weights.max()]
+    together = names[0] if len(names) == 1 else f"a combination of {', '.join(names)}"
+    return (
+        f"the mass matrix is singular: {together} moves no mass; give it some, or leave that coordinate out"
+    )

@@ -1,0 +1,191 @@
+"""Motions: what a simulation returns."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from symbody.errors import ModelError, ParameterError, ProgramError, SimulationError
+from symbody.multibody import System
+from symbody.symbolic import Expr, ExprLike, free_symbols, number
+
+from .event import Occurrence
+from .integrator import Statistics
+from .model import Model
+
+__all__ = ["DRAWERS", "Motion"]
+
+DRAWERS: dict[str, Callable[..., Any]] = {}
+"""What draws motions, by the name of the method: `plot` and `animate`, which the layer above puts in."""
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, eq=False)
+class Motion:
+    """A motion: the state at each instant, and the value of any expression of the model along it.
+
+    ``motion[expression]`` takes expressions of time, coordinates, speeds, accelerations, multipliers and parameters.
+
+    Attributes:
+        model: what moves.
+        parameters: the values of the parameters.
+        t: the instants, N of them; behind the asked ones the end, where the motion ended between two.
+        states: coordinates, then speeds, a row for each instant.
+        work: the work of loads and moving constraints since the first instant, in J; zero where there is none.
+        events: what happened, in order of time.
+        statistics: what the integration took.
+        completed: whether it came to its end, the last instant or a terminal event.
+        message: why it ended.
+        asked: expressions to evaluate, by name.
+    """
+
+    model: Model = field(repr=False)
+    parameters: Mapping[Expr, float]
+    t: Array
+    states: Array
+    work: Array
+    events: tuple[Occurrence, ...]
+    statistics: Statistics
+    completed: bool
+    message: str
+    asked: Mapping[str, Expr] = field(default_factory=dict)
+
+    def __repr__(self) -> str:
+        names = ", ".join(map(str, self.model.coordinates))
+        return f"Motion of {names}: {len(self.t)} instants from {self.t[0]:g} to {self.t[-1]:g} s, {self.message}"
+
+    def __len__(self) -> int:
+        """Return how many instants there are."""
+        return len(self.t)
+
+    @property
+    def system(self) -> System:
+        """What moves."""
+        return self.model.system
+
+    def __getitem__(self, expression: ExprLike) -> Array:
+        """Return the values of an expression, one for each instant."""
+        expression = number(expression)
+        if expression in self.model.state:
+            return self.states[:, self.model.state.index(expression)]
+        values: Array = self.evaluate([expression])[0]
+        return values
+
+    def evaluate(self, expressions: Sequence[ExprLike]) -> Array:
+        """Return the values of several expressions, a row for each.
+
+        Raises:
+            SimulationError: an expression of which the model knows nothing.
+            ParameterError: a parameter that stands in none of the equations, and has no value.
+        """
+        wanted = [number(expression) for expression in expressions]
+        if not wanted:
+            return np.empty((0, len(self.t)))
+        try:
+            function = self.model.function(wanted, tuple(self.parameters))
+        except ProgramError as failure:
+            self._explain(wanted)
+            raise SimulationError(f"motion: {failure}") from failure
+        values = function(self.t, *self.states.T, *self.parameters.values())
+        return np.stack([np.broadcast_to(row, self.t.shape) for row in values])
+
+    def _explain(self, wanted: Sequence[Expr]) -> None:
+        """Raise an error that names what has no value."""
+        model = self.model
+        known = {*model.integrated, *model.accelerations, *model.multipliers, *self.parameters}
+        known |= {key for key, _ in model.inputs}
+        strange = sorted(map(str, free_symbols(model.with_inputs(wanted)) - known))
+        symbols = [leaf for leaf in free_symbols(wanted) if str(leaf) in strange and leaf.kind == "symbol"]
+        if symbols:
+            raise ParameterError(
+                f"motion: {', '.join(sorted(map(str, symbols)))} has no value in this motion; give it with the "
+                "parameters of simulate"
+            )
+        if strange:
+            raise SimulationError(
+                f"motion: {', '.join(strange)} is nothing that this motion knows; expected time, coordinates, speeds, "
+                "accelerations, multipliers and parameters of its system"
+            )
+
+    @cached_property
+    def outputs(self) -> dict[str, Array]:
+        """The values of what was asked for, by name."""
+        return dict(zip(self.asked, self.evaluate(list(self.asked.values())), strict=True))
+
+    @cached_property
+    def accelerations(self) -> Array:
+        """The rates of the speeds, a row for each instant."""
+        return self.evaluate(self.model.accelerations).T
+
+    @cached_property
+    def multipliers(self) -> Array:
+        """The multipliers of the constraints, a row for each instant: ``M u' = forcing + phi_q^T lambda``."""
+        return self.evaluate(self.model.multipliers).T
+
+    def state_at(self, instant: int = -1) -> dict[Expr, float]:
+        """Return the coordinates and speeds at the instant of a number: what another simulation can begin with."""
+        return dict(zip(self.model.state, map(float, self.states[instant]), strict=True))
+
+    @cached_property
+    def energy(self) -> Array:
+        """The mechanical energy less the work of loads and of moving constraints: constant, but for errors.
+
+        Raises:
+            ModelError: motions that are prescribed in frames do work that nobody knows.
+            ParameterError: a mass or an inertia that stands in none of the equations has no value.
+        """
+        model = self.model
+        energies = [
+            model.kinetic_energy,
+            *([] if model.potential_energy is None else [model.potential_energy]),
+        ]
+        driven = sorted(
+            str(leaf) for leaf in free_symbols(energies) if leaf.depends_on_time and leaf not in model.state
+        )
+        if driven:
+            raise ModelError(
+                f"motion: frames move by {', '.join(driven)}, a prescribed motion whose drive does work that the "
+                "equations don't hold: the energy isn't constant; prescribe it by a constraint to have its work counted"
+            )
+        total: Array = self.evaluate(energies).sum(axis=0) - self.work
+        return total
+
+    @cached_property
+    def energy_drift(self) -> float:
+        """The largest change of the energy's balance, relative to the largest energy that moves.
+
+        ``max |E - W - E0| / max(T, |V - V0|, |W|)`` with the kinetic and the potential energy and the work.
+        """
+        kinetic = self.evaluate([self.model.kinetic_energy])[0]
+        potential = self.energy + self.work - kinetic
+        parts = [kinetic, potential - potential[0], self.work]
+        scale = max(float(np.abs(part).max()) for part in parts)
+        change = float(np.abs(self.energy - self.energy[0]).max())
+        return change / scale if scale else change
+
+    @cached_property
+    def constraint_drift(self) -> float:
+        """The largest value of a constraint."""
+        return self._largest(self.model.constraints)
+
+    @cached_property
+    def constraint_rate_drift(self) -> float:
+        """The largest rate of a constraint."""
+        return self._largest(self.model.system.rate(self.model.constraints))
+
+    def _largest(self, expressions: Sequence[Expr]) -> float:
+        return float(np.abs(self.evaluate(expressions)).max()) if expressions else 0.0
+
+    def plot(self, *panels: Any, **options: Any) -> Any:
+        """Return a figure of expressions over time; see `symbody.view.plot`."""
+        return DRAWERS["plot"](self, *panels, **options)
+
+    def animate(self, path: Any, **options: Any) -> Any:
+        """Write a page that shows the motion; see `symbody.view.animate`."""
+        return DRAWERS["animate"](self, path, **options)

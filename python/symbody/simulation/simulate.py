@@ -1,0 +1,221 @@
+"""Simulation: from equations of motion to a motion."""
+
+from __future__ import annotations
+
+import warnings
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from math import inf
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from symbody.codegen.deficiency import notice_deficiencies
+from symbody.dynamics import Equations
+from symbody.errors import ModelNotice, SimulationError
+from symbody.symbolic import Expr, ExprLike, number
+
+from .baumgarte_choice import chosen_damping
+from .begin import begin
+from .diagnosis import diagnosis
+from .event import Event, Occurrence
+from .ida import IDA_FORMS
+from .ida_outcome import ida_outcome
+from .integrator import Options, Outcome, Problem, run
+from .interruption import Interruption
+from .model import DAMPING, Model, model_of
+from .motion import Motion
+from .options import instants_of, kept_by, options_of
+from .progress import progress_bar
+from .values import parameter_values
+
+__all__ = ["simulate"]
+
+Array = NDArray[np.float64]
+
+
+def simulate(
+    eqs: Equations,
+    parameters: Mapping[Expr, float] | None = None,
+    initial: Mapping[Expr, float] | None = None,
+    t: tuple[float, float] | ArrayLike = (0.0, 10.0),
+    *,
+    inputs: Mapping[Expr, ExprLike] | None = None,
+    method: str = "auto",
+    rtol: float = 1e-8,
+    atol: float = 1e-10,
+    outputs: Mapping[str, ExprLike] | None = None,
+    events: Sequence[Event] | None = None,
+    constraints: str | tuple[float, float] = "projection",
+    guess: Mapping[Expr, float] | None = None,
+    max_step: float = inf,
+    progress: bool | None = None,
+) -> Motion:
+    """Return the motion of a system from an initial state: ``M u' = forcing + phi_q^T lambda, phi = 0``.
+
+    The equations are compiled, and integrated by compiled code. Ctrl-C returns what was computed.
+
+    Args:
+        eqs: the equations of motion.
+        parameters: values of the parameters.
+        initial: values of coordinates, their rates or speeds at the first instant. What isn't named is free: zero
+            without constraints, and changed as little as the constraints demand with them.
+        t: the first and the last instant (1001 instants, evenly spaced), or the instants themselves, in s.
+        inputs: expressions of time, state and parameters for the functions of time that are given from outside.
+        method: "auto" and "dop853", the explicit Runge-Kutta method of order 8 [Hairer, Norsett & Wanner 1993];
+            "tsit5", order 5; for stiff equations "bdf", "esdirk34", "tr_bdf2"; for constraints without reduction of
+            the index "ida" (stabilised index 2), "ida2", "ida3", by SUNDIALS.
+        rtol: the error of a step relative to the state.
+        atol: the error of a step where the state is small.
+        outputs: expressions to evaluate at all instants, by name.
+        events: what to look for; a terminal one ends the motion.
+        constraints: "projection", back onto the constraints and their rates after each step [Eich 1993]; "baumgarte" or
+            its (omega, zeta), damping of what is off; "free", neither.
+        guess: where to look for an initial state that satisfies the constraints, for what isn't given.
+        max_step: the longest step, in s.
+        progress: whether to show a bar; by default where messages go to a terminal, on long runs.
+
+    Raises:
+        ParameterError: a value is missing, has no use, or isn't finite.
+        ConstraintError: no state with what is given satisfies the constraints.
+        ModelError: functions of time that nobody gives.
+        SimulationError: the motion can't go on; what was computed is the error's `motion`.
+
+    >>> from symbody import Body, Point, System, Vector, functions_of_time, ground, lagrange_equations, rotate, symbols
+    >>> theta, (m, l, g) = functions_of_time("theta"), symbols("m l g")
+    >>> bob = Body(Point(rotate("Z", theta), 0, -l, 0), m)
+    >>> pendulum = lagrange_equations(System([bob], coordinates=[theta], gravity=Vector(ground, 0, -g, 0)))
+    >>> motion = simulate(pendulum, {m: 1, l: 1, g: 9.81}, {theta: 0.1}, t=(0, 2))
+    >>> motion
+    Motion of theta: 1001 instants from 0 to 2 s, the last instant was reached
+    >>> motion.energy_drift < 1e-7
+    True
+    """
+    instants, options, kept = instants_of(t), options_of(method, rtol, atol, max_step), kept_by(constraints)
+    watched = _checked(events)
+    plain = model_of(eqs, inputs)
+    values = parameter_values(
+        plain.parameters, parameters, others=_others(plain, parameters, outputs, watched)
+    )
+    given = {name: float(value) for name, value in (parameters or {}).items()}
+    state = begin(plain, given, initial or {}, guess or {}, float(instants[0]))
+    is_damped = bool(eqs.constraints) and kept not in {"projection", "free"}
+    model = model_of(eqs, inputs, is_stabilized=True) if is_damped else plain
+    if is_damped:
+        damping = chosen_damping(plain, values, state, instants) if isinstance(kept, str) else kept
+        given |= dict(zip(DAMPING, damping, strict=True))
+        values = np.concatenate([values, damping])
+    course = _Course(model, given, values, instants, options, watched, is_projected=kept == "projection")
+    outcome = course.followed(state, is_shown=progress)
+    asked = {name: number(value) for name, value in (outputs or {}).items()}
+    return course.told(outcome, asked)
+
+
+def _checked(events: Sequence[Event] | None) -> tuple[Event, ...]:
+    for event in events or ():
+        if not isinstance(event, Event):
+            raise SimulationError(
+                f"simulate: events hold {event!r}; expected Event(expression), from symbody"
+            )
+    return tuple(events or ())
+
+
+def _others(
+    model: Model,
+    parameters: Mapping[Expr, float] | None,
+    outputs: Mapping[str, ExprLike] | None,
+    events: Sequence[Event],
+) -> tuple[Expr, ...]:
+    """Return the parameters that the equations don't need, and others may; nobody looks where none are given."""
+    if not isinstance(parameters, Mapping) or set(parameters) <= set(model.parameters):
+        return ()
+    return model.other_parameters(
+        [*map(number, (outputs or {}).values()), *(event.expression for event in events)]
+    )
+
+
+@dataclass(frozen=True, eq=False)
+class _Course:
+    """A simulation that can begin."""
+
+    model: Model
+    parameters: Mapping[Expr, float]
+    values: Array
+    instants: Array
+    options: Options
+    events: tuple[Event, ...]
+    is_projected: bool
+
+    def followed(self, state: Array, *, is_shown: bool | None) -> Outcome:
+        """Integrate; Ctrl-C ends it between two steps."""
+        first, last = float(self.instants[0]), float(self.instants[-1])
+        with (
+            Interruption() as interruption,
+            progress_bar("simulate", last - first, is_shown=is_shown) as show,
+        ):
+
+            def keep_going(time: float) -> bool:
+                show(time - first)
+                return not interruption.is_asked_for
+
+            if self.options.method in IDA_FORMS:
+                size = len(self.model.state)
+                given = (self.parameters, self.instants, self.options, self.events, keep_going)
+                return ida_outcome(self.model, state[:size], *given)
+            problem = Problem.of(
+                self.model,
+                self.options.method,
+                is_projected=self.is_projected,
+                events=self.events,
+                given=self.parameters,
+            )
+            outcome = run(problem, state, self.values, self.instants, self.options, keep_going)
+        names = [str(constraint) for constraint in self.model.constraints]
+        rows = [f"the equation of {speed}" for speed in self.model.speeds] + names
+        for code in problem.codes:
+            notice_deficiencies(code.tag, rows, "simulate")
+        return outcome
+
+    def told(self, outcome: Outcome, asked: Mapping[str, Expr]) -> Motion:
+        """Return the motion; raise an error that holds it if it failed."""
+        failure = outcome.failure
+        if outcome.statistics.is_stiff and failure is None:
+            warnings.warn(
+                "simulate: stability, not accuracy, bounds the steps: the equations are stiff; method='bdf' may be "
+                "faster",
+                ModelNotice,
+                stacklevel=3,
+            )
+        if failure is None:
+            return self._motion(outcome, asked, "the last instant was reached")
+        if failure.kind == "interrupted":
+            motion = self._motion(outcome, asked, f"interrupted at t = {outcome.end[0]:.6g} s")
+            warnings.warn(f"simulate: {motion.message}; what was computed is kept", ModelNotice, stacklevel=3)
+            return motion
+        message = diagnosis(failure, outcome, self.model, self.values)
+        raise SimulationError(message, self._motion(outcome, asked, message))
+
+    def _motion(self, outcome: Outcome, asked: Mapping[str, Expr], message: str) -> Motion:
+        size, reached = len(self.model.state), len(outcome.states)
+        t, states = self.instants[:reached], outcome.states
+        if outcome.end[0] > t[-1]:
+            t, states = np.append(t, outcome.end[0]), np.vstack([states, outcome.end[1]])
+        happened = tuple(
+            Occurrence(self.events[k], time, dict(zip(self.model.state, at, strict=False)))
+            for k, time, at in outcome.occurrences
+        )
+        if outcome.failure is None and happened and happened[-1].event.terminal and happened[-1].t == t[-1]:
+            message = f"the event {happened[-1].event} at t = {t[-1]:.9g} s"
+        work = states[:, size] if states.shape[1] > size else np.zeros(len(t))
+        return Motion(
+            self.model,
+            self.parameters,
+            t,
+            states[:, :size],
+            work,
+            happened,
+            outcome.statistics,
+            outcome.failure is None,
+            message,
+            asked,
+        )
