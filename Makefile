@@ -26,8 +26,8 @@ say = @printf '\n\033[1m== %s\033[0m\n' "$(1)"
 help:  ## list the targets
 	@sed -n 's/^\([a-z-]*\):.*## \(.*\)/  make \1\t\2/p' $(MAKEFILE_LIST) | expand -t 24
 
-demo: out/.demo  ## derive, check and simulate the trifilar pendulum; results in out/
-	@printf '\nThe results are in out/ (to run the example once more: %s %s).\n' $(BIN)/python $(EXAMPLE)
+demo: out/.demo  ## derive, generate, simulate and draw the trifilar pendulum; results in out/
+	@printf '\nThe results are in out/: open out/trifilar_motion.html in a browser. Once more: %s %s\n' $(BIN)/python $(EXAMPLE)
 
 out/.demo: $(STAMPS)/build $(PYTHON_SOURCES) $(EXAMPLE)
 	$(call say,Running $(EXAMPLE))

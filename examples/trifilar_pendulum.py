@@ -1,43 +1,48 @@
-"""The trifilar pendulum in natural coordinates: from its description to 21 equations and ten seconds of motion.
+"""The trifilar pendulum in natural coordinates: from its description to 21 equations, code and ten seconds of motion.
 
 A plate, the equilateral triangle ABC of side l, hangs by three threads of length h from A0, B0, C0. The derivation
 follows the worksheet "Trifilar Pendulum in Natural Coordinates" (R. Lot, 2004) command by command, twice:
 
 * as the worksheet has it: the plate's centre of mass is a point of ground, so its energy is translational only;
-* with the plate's own frame TN, so that its inertia counts: this is the model that is simulated.
+* with the plate's own frame TN, so that its inertia counts: of this model code is generated, and this one is simulated.
 
 Run it with `make demo`, or `python examples/trifilar_pendulum.py`; it writes into the folder out/.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
-from functools import partial
 from pathlib import Path
 from time import perf_counter
-from typing import Any, TypeAlias
+from typing import TypeAlias
 
 import numpy as np
-from matplotlib.axes import Axes
-from matplotlib.figure import Figure
 from numpy.typing import NDArray
 from rich.console import Console
-from rich.progress import BarColumn, Progress, TextColumn
 from rich.table import Table
-from scipy.integrate import solve_ivp
 from scipy.linalg import null_space
 
 import symbody as sb
-from symbody import Body, Equations, Expr, Frame, Point, System, Vector, dot, ground, origin, project, sqrt
+from symbody import (
+    Body,
+    Equations,
+    Expr,
+    Frame,
+    Motion,
+    Point,
+    System,
+    Vector,
+    dot,
+    ground,
+    origin,
+    project,
+    sqrt,
+)
+from symbody.view import Plate
 
 Array: TypeAlias = NDArray[np.float64]
-PROGRESS = (
-    TextColumn("{task.description}"),
-    BarColumn(),
-    TextColumn("{task.completed:.1f} of {task.total:g} s"),
-)
 
 # --- the pendulum, in the names of the worksheet ---------------------------------------------------------------------
 
@@ -81,17 +86,17 @@ def constraints(TN: Frame, side: int) -> list[Expr]:
 
 def worksheet_system() -> System:
     G = Point(ground, (xA + xB + xC) / 3, (yA + yB + yC) / 3, (zA + zB + zC) / 3)
-    return suspended(Body(G, m, *J), constraints(plate_frame(), +1))
+    return suspended(Body(G, m, *J, name="plate"), constraints(plate_frame(), +1))
 
 
 def physical_system() -> System:
     TN = plate_frame()
     G = Point(TN, l / sqrt(3), 0, 0)
-    return suspended(Body(G, m, *J), constraints(TN, -1))
+    return suspended(Body(G, m, *J, name="plate"), constraints(TN, -1))
 
 
 def suspended(plate: Body, conditions: Sequence[Expr]) -> System:
-    return System([plate], coordinates=q, constraints=conditions, gravity=gravity)
+    return System([plate], coordinates=q, constraints=conditions, gravity=gravity, name="Trifilar pendulum")
 
 
 @dataclass(frozen=True)
@@ -127,132 +132,99 @@ def as_in_the_worksheet(motion: Equations) -> list[Expr]:
 # --- numbers ---------------------------------------------------------------------------------------------------------
 
 side_length, mass = 0.6, 3.0  # of a thin uniform plate
-VALUES: dict[Expr, float] = {
+PARAMETERS: dict[Expr, float] = {
     l: side_length, h: 1.0, m: mass, g: 9.81,
     Jxx: mass * side_length**2 / 24, Jyy: mass * side_length**2 / 24, Jzz: mass * side_length**2 / 12,
     Jyz: 0.0, Jxz: 0.0, Jxy: 0.0,
-    omega: 20.0, zeta: 1.0,
 }  # fmt: skip
 DURATION = 10.0
 FOLDER = Path("out")
 
 
-class Numbers:
-    """What the simulation evaluates, as functions of the numbers q and q'."""
-
-    def __init__(self, model: Model, values: Mapping[Expr, float]) -> None:
-        motion = model.motion
-        unknowns = [*motion.accelerations, *motion.multipliers]
-        at_zero = sb.substitute(model.equations, dict.fromkeys(unknowns, 0))
-
-        def compiled(outputs: Any) -> Callable[[Array, Array], Any]:
-            f = sb.lambdify([list(values), motion.coordinates, motion.speeds], outputs)
-            return partial(f, list(values.values()))
-
-        self.linear_system = compiled([sb.jacobian(model.equations, unknowns), at_zero])
-        self.phi = compiled(motion.constraints)
-        self.phi_rate = compiled(sb.time_derivatives(motion.constraints))
-        self.phi_q = compiled(motion.constraint_jacobian)
-        self.mass_matrix = compiled(motion.mass_matrix)
-        self.energy = compiled(sb.mechanical_energy(motion.system))
-
-    def unknowns(self, q: Array, u: Array) -> Array:
-        """Return the accelerations and multipliers that solve the 21 equations, for one state or many (columns)."""
-        A, b = (np.moveaxis(part, -1, 0) if q.ndim == 2 else part for part in self.linear_system(q, u))
-        return np.linalg.solve(A, -b[..., np.newaxis])[..., 0].T
-
-    def inertia_of_free_motion(self, q: Array) -> Array:
-        """Return the mass matrix of the three motions that the constraints leave."""
-        at_rest = np.zeros_like(q)
-        N = null_space(self.phi_q(q, at_rest))
-        return np.asarray(N.T @ self.mass_matrix(q, at_rest) @ N)
-
-
-def placed(vertices: Array, normal: Sequence[float]) -> Array:
-    """Return the coordinates q of a plate, given A, B, C as rows."""
-    return np.array([*vertices.ravel(), *normal])
-
-
 def hanging(side: int) -> Array:
     """Return q at rest: each vertex straight below its anchor, and the normal that makes the frame right-handed."""
-    x, y = VALUES[l] * np.sqrt(3) / 2, side * VALUES[l] / 2
-    return placed(np.array([[0, 0, 0], [x, y, 0], [x, -y, 0]]), [0, 0, -side])
+    x, y = PARAMETERS[l] * np.sqrt(3) / 2, side * PARAMETERS[l] / 2
+    return np.array([0, 0, 0, x, y, 0, x, -y, 0, 0, 0, -side])
 
 
-def displaced_state(
-    numbers: Numbers, angle: float = 0.9, push: float = 0.15, velocity: Sequence[float] = (0, 0.5, 0)
-) -> Array:
-    """Return a state on the constraints: the plate turned about the vertical, pushed aside and let go with a swing.
+def thrown(
+    angle: float = 0.9, push: float = 0.15, velocity: Sequence[float] = (0, 0.5, 0)
+) -> dict[Expr, float]:
+    """Return a guess of the start: the plate turned about the vertical, pushed aside and let go with a swing.
 
-    What is asked for is moved onto the constraints by the shortest way: Newton's steps of least norm.
+    It breaks the constraints: the threads would be too long. `simulate` moves it onto them by the shortest way.
     """
     vertices = hanging(-1)[:9].reshape(3, 3)
     centre, (c, s) = vertices.mean(axis=0), (np.cos(angle), np.sin(angle))
     turned = (vertices - centre) @ np.array([[c, s, 0], [-s, c, 0], [0, 0, 1]]) + centre + [push, 0, 0]
-    q, u = placed(turned, [0, 0, 1]), placed(np.tile(velocity, (3, 1)), [0, 0, 0])
-    for _ in range(20):
-        q = q - np.linalg.pinv(numbers.phi_q(q, u)) @ numbers.phi(q, u)
-    phi_q = numbers.phi_q(q, u)
-    return np.concatenate([q, u - np.linalg.pinv(phi_q) @ (phi_q @ u)])
+    speeds = sb.time_derivatives(q)
+    values = [*turned.ravel(), 0, 0, 1, *np.tile(velocity, 3), 0, 0, 0]
+    return dict(zip((*q, *speeds), map(float, values), strict=True))
+
+
+def inertia_of_free_motion(motion: Equations, place: Array) -> Array:
+    """Return the mass matrix of the three motions that the constraints leave."""
+    f = sb.lambdify([list(PARAMETERS), motion.coordinates], [motion.constraint_jacobian, motion.mass_matrix])
+    phi_q, M = f(list(PARAMETERS.values()), place)
+    N = null_space(phi_q)
+    return np.asarray(N.T @ M @ N)
 
 
 @dataclass(frozen=True)
-class Motion:
-    """The motion at the steps of the integration: a column each."""
+class Outputs:
+    """What is looked at, as expressions."""
 
-    t: Array
-    q: Array
-    u: Array
-    evaluations: int
-
-
-def integrate(numbers: Numbers, state: Array, duration: float, progress: Callable[[float], None]) -> Motion:
-    def rates(t: float, y: Array) -> Array:
-        progress(t)
-        return np.concatenate([y[12:], numbers.unknowns(y[:12], y[12:])[:12]])
-
-    solution = solve_ivp(rates, (0, duration), state, method="DOP853", rtol=1e-12, atol=1e-13)
-    if not solution.success:
-        raise SystemExit(f"the integration stopped at t = {solution.t[-1]:.3f} s: {solution.message}")
-    return Motion(solution.t, solution.y[:12], solution.y[12:], solution.nfev)
-
-
-@dataclass(frozen=True)
-class Results:
-    """What is looked at, at every step of the motion."""
-
-    centre: Array
-    """Position of the centre of mass, a row x, y, z, in m."""
-    angle: Array
+    displacement: tuple[Expr, ...]
+    """Of the centre of mass from its place at rest, along x, y and z, in m."""
+    angle: Expr
     """By which the plate has turned about the vertical, in degrees."""
-    tension: Array
-    """Of the three threads, in N."""
-    energy_drift: Array
-    """Of the energy above the position of rest, relative."""
-    position_error: Array
-    velocity_error: Array
-    """The largest of the nine constraints, and of their rates; those of the threads in m^2."""
+    tension: tuple[Expr, ...]
+    """Of the threads of A, B and C, in N: phi_q lambda = 2 lambda (P - P0), and the thread's length is h."""
+    energies: dict[str, Expr]
 
 
-def evaluate(numbers: Numbers, motion: Motion) -> Results:
-    q, u = motion.q, motion.u
-    A, B, C = q[0:3], q[3:6], q[6:9]
-    u_axis = B + C - 2 * A
-    energy = numbers.energy(q, u)
-    multipliers = numbers.unknowns(q, u)[12:]
-    return Results(
-        centre=(A + B + C) / 3,
-        angle=np.degrees(np.unwrap(np.arctan2(u_axis[1], u_axis[0]))),
-        tension=-2
-        * VALUES[h]
-        * multipliers[6:],  # phi_q lambda = 2 lambda (P - P0), and the thread's length is h
-        energy_drift=energy / energy[0] - 1,
-        position_error=np.abs(numbers.phi(q, u)).max(axis=0),
-        velocity_error=np.abs(numbers.phi_rate(q, u)).max(axis=0),
+def outputs(motion: Equations) -> Outputs:
+    (plate,) = motion.system.bodies
+    rest = Point(ground, l / sqrt(3), 0, 0)
+    T, V = sb.kinetic_energy(plate), sb.gravitational_energy(plate, gravity)
+    return Outputs(
+        displacement=project(plate.center_of_mass - rest, ground).components,
+        angle=180 / sb.pi * sb.atan2(yB + yC - 2 * yA, xB + xC - 2 * xA),
+        tension=tuple(-2 * h * multiplier for multiplier in motion.multipliers[6:]),
+        energies={"kinetic energy": T, "potential energy": V, "their sum": T + V},
     )
 
 
-# --- files and figures: nothing is ever written half -----------------------------------------------------------------
+def swing(motion: Equations, guess: dict[Expr, float], duration: float = DURATION) -> Motion:
+    return sb.simulate(motion, PARAMETERS, t=(0, duration), guess=guess, rtol=1e-12, atol=1e-13)
+
+
+# --- pictures --------------------------------------------------------------------------------------------------------
+
+
+def draw(motion: Motion, shown: Outputs) -> None:
+    """Write the motion over time, and as a page for a browser."""
+    panels = (
+        dict(zip(("$x_G$", "$y_G$", "$z_G$"), shown.displacement, strict=True)),
+        {"rotation": shown.angle},
+        dict(zip(("tension $A_0A$", "tension $B_0B$", "tension $C_0C$"), shown.tension, strict=True)),
+        shown.energies,
+    )
+    units = {shown.angle: "deg"} | dict.fromkeys(shown.displacement, "m")
+    units |= dict.fromkeys(shown.tension, "N") | dict.fromkeys(shown.energies.values(), "J")
+    motion.plot(*panels, units=units, path=FOLDER / "trifilar_motion.png")
+    (plate,) = motion.system.bodies
+    A, B, C = [(-l / sqrt(3), 0), (l / sqrt(12), -l / 2), (l / sqrt(12), l / 2)]
+    vertices = [Point(plate.frame, x, y, 0) for x, y in (A, B, C)]
+    motion.animate(
+        FOLDER / "trifilar_motion.html",
+        shapes={plate: Plate((A, B, C), l / 40)},
+        traces=vertices,
+        reactions=True,  # of the threads
+    )
+
+
+# --- equations as files: nothing is ever written half -----------------------------------------------------------------
 
 
 @contextmanager
@@ -285,47 +257,6 @@ def equations_latex(models: Sequence[Model]) -> str:
         rows = [f"{name} &= {value}" for name, value in definitions] + [f"0 &= {zero}" for zero in zeros]
         lines += [rf"\section*{{{model.title}}}", r"\begin{align*}", " \\\\\n".join(rows), r"\end{align*}"]
     return "\n".join([*lines, r"\end{document}"]) + "\n"
-
-
-def figure(motion: Motion, results: Results) -> Figure:
-    picture = Figure(figsize=(13, 9), layout="constrained")
-    axes = picture.subplot_mosaic([["above", "centre"], ["above", "angle"], ["drift", "tension"]])
-    turned = f"turned by {results.angle[0]:.0f} degrees"
-    picture.suptitle(f"Trifilar pendulum: the plate is {turned}, pushed aside and let go with a swing")
-    draw_from_above(axes["above"], motion)
-    rest = hanging(-1)[:9].reshape(3, 3).mean(axis=0)
-    draw_rows(axes["centre"], motion.t, results.centre - rest[:, None], ("$x_G$", "$y_G$", "$z_G$"))
-    axes["centre"].set(title="Centre of mass, from its position at rest", ylabel="displacement [m]")
-    axes["angle"].plot(motion.t, results.angle, color="C3")
-    axes["angle"].set(title="Rotation about the vertical", ylabel="angle [deg]", yticks=range(-60, 61, 30))
-    draw_rows(axes["tension"], motion.t, results.tension, ("$A_0A$", "$B_0B$", "$C_0C$"))
-    axes["tension"].set(title="Tension of the threads", ylabel="tension [N]", ylim=(0, None))
-    errors = np.abs([results.energy_drift, results.position_error, results.velocity_error])
-    names = ("energy,\nrelative", "constraints\n$|\\varphi|$", "their rates\n$|\\dot\\varphi|$")
-    draw_rows(axes["drift"], motion.t, np.maximum(errors, 1e-17), names)
-    axes["drift"].set(title="Drift", ylabel="largest error [SI units]", yscale="log", ylim=(1e-17, 1e-11))
-    for name in ("centre", "angle", "tension", "drift"):
-        axes[name].set(xlabel="time [s]", xlim=(0, motion.t[-1]))
-        axes[name].grid(alpha=0.3)
-    return picture
-
-
-def draw_rows(axes: Axes, t: Array, rows: Array, names: Sequence[str]) -> None:
-    for row, name in zip(rows, names, strict=True):
-        axes.plot(t, row, label=name)
-    axes.legend(loc="upper left", bbox_to_anchor=(1, 1), frameon=False)
-
-
-def draw_from_above(axes: Axes, motion: Motion) -> None:
-    """Draw the paths of the vertices, the plate at the start, and where it hangs at rest."""
-    for k, name in enumerate("ABC"):
-        axes.plot(motion.q[3 * k], motion.q[3 * k + 1], color=f"C{k}", linewidth=0.8, label=f"path of {name}")
-    start, rest = (state[:9].reshape(3, 3).T[:2] for state in (motion.q[:, 0], hanging(-1)))
-    axes.fill(*start, facecolor="0.85", edgecolor="0.2", alpha=0.8, label="at the start")
-    axes.fill(*rest, fill=False, edgecolor="0.4", linestyle="--", label="at rest, below\nthe anchors")
-    axes.set(title="Seen from above", xlabel="x [m]", ylabel="y [m]", aspect="equal")
-    axes.grid(alpha=0.3)
-    axes.legend(loc="upper left", bbox_to_anchor=(1, 1), frameon=False)
 
 
 # --- the story -------------------------------------------------------------------------------------------------------
@@ -368,18 +299,16 @@ def size_table(models: Sequence[Model], free_inertia: Sequence[Array]) -> Table:
     return table
 
 
-def result_table(motion: Motion, results: Results, seconds: float) -> Table:
+def result_table(motion: Motion, shown: Outputs, seconds: float) -> Table:
     table = Table(title=f"The motion of {DURATION:g} s", title_justify="left", show_header=False)
-    start = f"{results.position_error[0]:.1e}, their rates {results.velocity_error[0]:.1e}"
+    angle, tension = motion[shown.angle], motion.evaluate(shown.tension)
     for name, value in (
-        ("integrated in", milliseconds(seconds)),
-        ("steps, evaluations", f"{len(motion.t) - 1}, {motion.evaluations}"),
-        ("constraints at the start", start),
-        ("largest drift of the constraints", f"{results.position_error.max():.1e}"),
-        ("of their rates", f"{results.velocity_error.max():.1e}"),
-        ("largest drift of the energy, relative", f"{np.abs(results.energy_drift).max():.1e}"),
-        ("rotation about the vertical", f"{results.angle.min():.1f} to {results.angle.max():.1f} deg"),
-        ("tension of the threads", f"{results.tension.min():.2f} to {results.tension.max():.2f} N"),
+        ("compiled and simulated in", milliseconds(seconds)),
+        ("steps, evaluations", f"{motion.statistics.steps}, {motion.statistics.evaluations}"),
+        ("largest drift of the energy, relative", f"{motion.energy_drift:.1e}"),
+        ("largest drift of the constraints", f"{motion.constraint_drift:.1e}"),
+        ("rotation about the vertical", f"{angle.min():.1f} to {angle.max():.1f} deg"),
+        ("tension of the threads", f"{tension.min():.2f} to {tension.max():.2f} N"),
     ):
         table.add_row(name, value)
     return table
@@ -401,13 +330,30 @@ def main() -> None:
     physical = derive("plate in its own frame", physical_system)
     with step(console, "the worksheet's commands, one by one, give the same twelve equations"):
         assert as_in_the_worksheet(worksheet.motion) == list(worksheet.motion.residuals)
-    with step(console, "both models compiled to functions of numbers"):
-        singular, numbers = Numbers(worksheet, VALUES), Numbers(physical, VALUES)
-    inertia = [singular.inertia_of_free_motion(hanging(+1)), numbers.inertia_of_free_motion(hanging(-1))]
+    show_equations(console, worksheet.motion)
+    inertia = [
+        inertia_of_free_motion(worksheet.motion, hanging(+1)),
+        inertia_of_free_motion(physical.motion, hanging(-1)),
+    ]
     console.print(size_table([worksheet, physical], inertia))
     console.print(NOTE)
     write_equations(console, [worksheet, physical])
-    simulate(console, numbers)
+    for target in ("fortran", "matlab"):
+        with step(console, f"code generated in {FOLDER / target}/, with a program that checks it"):
+            sb.generate(physical.motion, target=target, path=FOLDER / target)
+    simulate(console, physical.motion)
+
+
+def show_equations(console: Console, motion: Equations) -> None:
+    """Print one equation of each kind; their sums are zero."""
+    zeros = dict(zip(map(str, q), motion.residuals, strict=True))
+    rows = {f"Lagrange, {name}": zeros[name] for name in ("xA", "zA", "wx")}
+    rows |= {"thread A0A": motion.constraints[6], "frame, w w = 1": motion.constraints[3]}
+    console.print("\nFive of the worksheet's 21 equations (a prime is d/dt); the files have all:")
+    for name, zero in rows.items():
+        console.print(f"  {name}:", style="bold")
+        console.print(f"    0 = {zero}", markup=False, soft_wrap=True)
+    console.print()
 
 
 def write_equations(console: Console, models: Sequence[Model]) -> None:
@@ -417,18 +363,15 @@ def write_equations(console: Console, models: Sequence[Model]) -> None:
             file.write_text(text(models), encoding="utf-8")
 
 
-def simulate(console: Console, numbers: Numbers) -> None:
-    with step(console, "a state found that satisfies the nine constraints and their rates"):
-        state = displaced_state(numbers)
+def simulate(console: Console, equations: Equations) -> None:
+    shown = outputs(equations)
     start = perf_counter()
-    with Progress(*PROGRESS, console=console) as progress:
-        task = progress.add_task("integrating", total=DURATION)
-        motion = integrate(numbers, state, DURATION, lambda t: progress.update(task, completed=t))
-    results = evaluate(numbers, motion)
-    console.print(result_table(motion, results, perf_counter() - start))
-    path = FOLDER / "trifilar_motion.png"
-    with step(console, f"motion drawn in {path}"), whole_file(path) as file:
-        figure(motion, results).savefig(file, format="png", dpi=150)
+    motion = swing(equations, thrown())
+    console.print(result_table(motion, shown, perf_counter() - start))
+    with step(
+        console, f"the motion drawn in {FOLDER}/trifilar_motion.png, and as a page for a browser in .html"
+    ):
+        draw(motion, shown)
 
 
 if __name__ == "__main__":

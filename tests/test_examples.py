@@ -1,5 +1,6 @@
 """Each example runs from start to end, in a folder of its own; the pendulum's results are looked at more closely."""
 
+import json
 import os
 import re
 import shutil
@@ -12,6 +13,7 @@ import pytest
 from matplotlib.image import imread
 from matplotlib.mathtext import MathTextParser
 
+import symbody as sb
 from examples import trifilar_pendulum as trifilar
 
 TRIFILAR = Path(trifilar.__file__)
@@ -60,25 +62,48 @@ def models() -> tuple[trifilar.Model, trifilar.Model]:
 
 
 @pytest.fixture(scope="module")
-def numbers(models: tuple[trifilar.Model, trifilar.Model]) -> trifilar.Numbers:
-    return trifilar.Numbers(models[1], trifilar.VALUES)
+def demo(tmp_path_factory: pytest.TempPathFactory) -> tuple[str, Path]:
+    """What the demo tells, and the folder out/ that it writes."""
+    folder = tmp_path_factory.mktemp("demo")
+    return run(TRIFILAR, folder), folder / "out"
 
 
-def test_demo_tells_what_it_finds_and_writes_whole_files(tmp_path: Path) -> None:
-    told = run(TRIFILAR, tmp_path)
+def test_demo_tells_what_it_finds_and_writes_whole_files(demo: tuple[str, Path]) -> None:
+    told, out = demo
     for quantity in (
+        "0 = xA**2 + yA**2 + (h - zA)**2 - h**2",
         "derived in",
         "all 21 together",
         "largest drift of the energy",
         "largest drift of the constr",
     ):
         assert quantity in told
-    names = sorted(path.name for path in tmp_path.rglob("*") if path.is_file())
-    assert names == ["trifilar_equations.tex", "trifilar_equations.txt", "trifilar_motion.png"]
-    picture = imread(tmp_path / "out" / "trifilar_motion.png")
+    names = {str(path.relative_to(out)) for path in out.parent.rglob("*") if path.is_file()}
+    pictures = {"trifilar_motion.html", "trifilar_motion.png"}
+    equations = {"trifilar_equations.tex", "trifilar_equations.txt"}
+    fortran = {"fortran/Makefile", "fortran/model.f90", "fortran/model_check.f90"}
+    matlab = {name for name in names if name.startswith("matlab/")}
+    assert names == pictures | equations | fortran | matlab
+    assert {"matlab/+model/right_hand_side.m", "matlab/model_check.m"} <= matlab
+    picture = imread(out / "trifilar_motion.png")
     assert picture.std() > 0.05, "the picture is not empty"
-    text = (tmp_path / "out" / "trifilar_equations.txt").read_text(encoding="utf-8")
+    text = (out / "trifilar_equations.txt").read_text(encoding="utf-8")
     assert text.count("\n21, constraint 9\n") == 2
+
+
+def test_demo_shows_the_pendulum(demo: tuple[str, Path]) -> None:
+    """The page has the plate, three threads from the vertices to the anchors above them, and the forces in these."""
+    page = (demo[1] / "trifilar_motion.html").read_text(encoding="utf-8")
+    scene = json.loads(re.search(r'id="scene">(.*?)</script>', page, re.DOTALL)[1])
+    assert [body["parts"][0]["kind"] for body in scene["bodies"]] == ["plate"]
+    ends = np.array([[line["from"][:3], line["to"][:3]] for line in scene["lines"]])
+    np.testing.assert_allclose(np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1), [1, 1, 1], atol=1e-6)
+    half, height = 0.3, 0.3 * np.sqrt(3)
+    np.testing.assert_allclose(ends[:, 1], [[0, 0, 1], [height, -half, 1], [height, half, 1]], atol=1e-6)
+    pulls = np.array([arrow["vector"][:3] for arrow in scene["arrows"]])
+    directions = pulls / np.linalg.norm(pulls, axis=1)[:, None]
+    np.testing.assert_allclose(directions, ends[:, 1] - ends[:, 0], atol=1e-5)
+    assert [point["name"] for point in scene["points"]].count("A") == 1
 
 
 def test_latex_compiles(models: tuple[trifilar.Model, trifilar.Model], tmp_path: Path) -> None:
@@ -97,38 +122,50 @@ def test_latex_compiles(models: tuple[trifilar.Model, trifilar.Model], tmp_path:
     assert widest / 72 * 2.54 < 46, "in cm: the page is 50 wide, with margins of 2"
 
 
-def test_the_start_satisfies_the_constraints(numbers: trifilar.Numbers) -> None:
-    q, u = np.split(trifilar.displaced_state(numbers), 2)
-    assert np.abs(numbers.phi(q, u)).max() < 1e-12
-    assert np.abs(numbers.phi_rate(q, u)).max() < 1e-12
-    assert numbers.energy(q, u) > 1, "it is well away from rest"
+def test_the_start_satisfies_the_constraints(models: tuple[trifilar.Model, trifilar.Model]) -> None:
+    equations = models[1].motion
+    motion = trifilar.swing(equations, trifilar.thrown(), 0.1)
+    constraints = [*equations.constraints, *sb.time_derivatives(equations.constraints)]
+    assert np.abs(motion.evaluate(constraints)[:, 0]).max() < 1e-12
+    energy = trifilar.outputs(equations).energies["their sum"]
+    assert motion[energy][0] > 1, "it is well away from rest"
 
 
 def test_only_the_plates_own_frame_gives_inertia_to_every_motion(
-    models: tuple[trifilar.Model, trifilar.Model], numbers: trifilar.Numbers
+    models: tuple[trifilar.Model, trifilar.Model],
 ) -> None:
-    worksheet = trifilar.Numbers(models[0], trifilar.VALUES).inertia_of_free_motion(trifilar.hanging(+1))
-    physical = numbers.inertia_of_free_motion(trifilar.hanging(-1))
+    worksheet, physical = (
+        trifilar.inertia_of_free_motion(model.motion, trifilar.hanging(side))
+        for model, side in zip(models, (+1, -1), strict=True)
+    )
     assert [np.linalg.matrix_rank(M, tol=1e-9) for M in (worksheet, physical)] == [2, 3]
 
 
 @pytest.mark.parametrize(("angle", "push"), [(0.9, 0.15), (0.3, 0.0), (-0.5, 0.3)])
-def test_energy_and_constraints_stay(numbers: trifilar.Numbers, angle: float, push: float) -> None:
-    state = trifilar.displaced_state(numbers, angle, push)
-    results = trifilar.evaluate(numbers, trifilar.integrate(numbers, state, 1.0, lambda _: None))
-    assert np.abs(results.energy_drift).max() < 1e-11
-    assert results.position_error.max() < 1e-12
-    assert results.velocity_error.max() < 1e-11
-    assert results.tension.min() > 0
+def test_energy_and_constraints_stay(
+    models: tuple[trifilar.Model, trifilar.Model], angle: float, push: float
+) -> None:
+    equations = models[1].motion
+    motion, shown = trifilar.swing(equations, trifilar.thrown(angle, push), 1.0), trifilar.outputs(equations)
+    energy = motion[shown.energies["their sum"]]
+    assert np.ptp(energy) < 1e-10 * energy[0]
+    rates = sb.time_derivatives(equations.constraints)
+    assert np.abs(motion.evaluate([*equations.constraints, *rates])).max() < 1e-11
+    assert motion.evaluate(shown.tension).min() > 0
 
 
-def test_small_motions_have_the_periods_of_the_textbook(numbers: trifilar.Numbers) -> None:
+def test_small_motions_have_the_periods_of_the_textbook(
+    models: tuple[trifilar.Model, trifilar.Model],
+) -> None:
     """The swing is a pendulum of length h; the torsion has ``omega^2 = m g R^2 / (Jzz h)`` with R = l/sqrt(3)."""
-    value = {str(symbol): number for symbol, number in trifilar.VALUES.items()}
+    value = {str(symbol): number for symbol, number in trifilar.PARAMETERS.items()}
     swing = value["g"] / value["h"]
     torsion = value["m"] * value["g"] * value["l"] ** 2 / 3 / (value["Jzz"] * value["h"])
-    rest, small = trifilar.hanging(-1), 1e-5
+    equations, rest, small = models[1].motion, trifilar.hanging(-1), 1e-5
     for angle, push, square in ((0.0, small, swing), (small, 0.0, torsion)):
-        state = trifilar.displaced_state(numbers, angle, push, velocity=(0, 0, 0))[:12]
-        acceleration = numbers.unknowns(state, np.zeros(12))[:12]
+        guess = trifilar.thrown(angle, push, velocity=(0, 0, 0))
+        motion = trifilar.swing(equations, guess, 0.01)
+        state = motion.evaluate(equations.coordinates)[:, 0]
+        assert np.abs(state - rest).max() > 0.3 * small
+        acceleration = motion.evaluate(equations.accelerations)[:, 0]
         assert acceleration == pytest.approx(-square * (state - rest), abs=1e-3 * square * small)
