@@ -1,7 +1,7 @@
 //! Many motions of one system, in several threads.
 
-use std::sync::Mutex;
 use std::sync::atomic::{AtomicBool, AtomicUsize, Ordering};
+use std::sync::{Mutex, PoisonError, mpsc};
 use std::thread;
 use std::time::Duration;
 
@@ -9,6 +9,9 @@ use crate::dynamics::Dynamics;
 use crate::function::MachineCode;
 use crate::integrate::{Record, Run, integrate};
 use crate::method::{Method, Tolerances};
+
+/// The time between two looks at whoever watches.
+const LOOK: Duration = Duration::from_millis(50);
 
 /// One motion of many.
 #[derive(Clone, Copy, Debug)]
@@ -39,25 +42,25 @@ pub fn integrate_many(
     let work = cases.iter().zip(record.states.chunks_mut(size.max(1))).zip(&mut runs);
     let work = Mutex::new(work);
     thread::scope(|scope| {
-        let workers: Vec<_> = (0..threads.max(1))
-            .map(|_| {
-                scope.spawn(|| {
-                    while !stop.load(Ordering::Relaxed) {
-                        let next = work.lock().unwrap_or_else(std::sync::PoisonError::into_inner).next();
-                        let Some(((case, states), run)) = next else { break };
-                        let record = Record { instants: record.instants, states };
-                        let own = dynamics.with_constants(case.constants);
-                        let mut unstopped = |_| !stop.load(Ordering::Relaxed);
-                        *run = Some(integrate(&own, method, case.state, record, tolerances, &mut unstopped));
-                        done.fetch_add(1, Ordering::Relaxed);
-                    }
-                })
-            })
-            .collect();
-        let mut pause = Duration::from_micros(50);
-        while !workers.iter().all(thread::ScopedJoinHandle::is_finished) {
-            thread::sleep(pause);
-            pause = (pause * 2).min(Duration::from_millis(50));
+        let (working, finished) = mpsc::channel::<()>();
+        for _ in 0..threads.max(1) {
+            let at_work = working.clone();
+            scope.spawn(|| {
+                let _at_work = at_work;
+                while !stop.load(Ordering::Relaxed) {
+                    let next = work.lock().unwrap_or_else(PoisonError::into_inner).next();
+                    let Some(((case, states), run)) = next else { break };
+                    let record = Record { instants: record.instants, states };
+                    let own = dynamics.with_constants(case.constants);
+                    let mut unstopped = |_| !stop.load(Ordering::Relaxed);
+                    *run = Some(integrate(&own, method, case.state, record, tolerances, &mut unstopped));
+                    done.fetch_add(1, Ordering::Relaxed);
+                }
+            });
+        }
+        drop(working);
+        // Nothing is ever sent: the channel closes when the last thread has ended.
+        while finished.recv_timeout(LOOK) == Err(mpsc::RecvTimeoutError::Timeout) {
             if !keep_going(done.load(Ordering::Relaxed)) {
                 stop.store(true, Ordering::Relaxed);
             }

@@ -191,6 +191,9 @@ impl<'a> Dop853<'a> {
 impl Stepper for Dop853<'_> {
     fn step(&mut self, end: f64) -> Result<(), Failure> {
         self.evaluate_first();
+        if !self.stages[..self.state.len()].iter().all(|rate| rate.is_finite()) {
+            return Err(Failure::NotFinite { t: self.t });
+        }
         if self.statistics.steps > 0 {
             self.note_stiffness();
         }

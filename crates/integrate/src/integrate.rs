@@ -95,18 +95,22 @@ impl Course<'_> {
                 run.end = place;
                 return Ok(());
             }
-            if self.projection.is_needed() {
-                run.end.1.copy_from_slice(stepper.state());
-                self.projection.project(stepper.t(), &mut run.end.1)?;
-                stepper.replace(&run.end.1);
-            }
-            run.end.0 = stepper.t();
+            self.end_step(stepper, run)?;
             if step % STEPS_BETWEEN_LOOKS == 0 && !keep_going(stepper.t()) {
-                run.end.1.copy_from_slice(stepper.state());
                 return Err(Failure::Interrupted { t: stepper.t() });
             }
         }
-        run.end.1.copy_from_slice(stepper.state());
+        Ok(())
+    }
+
+    /// Put the state back onto the constraints; the motion is known up to there.
+    fn end_step(&mut self, stepper: &mut dyn Stepper, run: &mut Run) -> Result<(), Failure> {
+        let mut state = stepper.state().to_vec();
+        if self.projection.is_needed() {
+            self.projection.project(stepper.t(), &mut state)?;
+            stepper.replace(&state);
+        }
+        run.end = (stepper.t(), state);
         Ok(())
     }
 

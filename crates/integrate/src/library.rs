@@ -148,6 +148,10 @@ where
         let stepped = self.solver.set_stop_time(stop).and_then(|()| self.solver.step());
         let reason = stepped.map_err(|error| failure(&error, self.t, self.calls))?;
         let state = self.solver.state();
+        // The library takes an error that is no number for a small one.
+        if !state.y.batch_as_slice(0).iter().all(|y| y.is_finite()) {
+            return Err(Failure::NotFinite { t: self.t });
+        }
         self.t = if matches!(reason, OdeSolverStopReason::TstopReached) { stop } else { state.t };
         self.state.copy_from_slice(state.y.batch_as_slice(0));
         self.steps += 1;

@@ -78,13 +78,18 @@ def consistent_state(
 
 
 @dataclass(frozen=True, eq=False)
-class _Positions:
+class Positions:
     """The equations ``phi(q, t) = 0`` for some of the coordinates, in the size of their terms."""
 
     kinematics: Kinematics
     p: Array
     t: float
     scale: Array
+
+    @classmethod
+    def at(cls, kinematics: Kinematics, p: Array, t: float, q: Array) -> Positions:
+        """Return the equations, scaled where the search begins."""
+        return cls(kinematics, p, t, _scale(kinematics, p, t, q))
 
     def linearization(self, q: Array, is_free: Flags) -> tuple[Array, Array]:
         """Return the scaled constraints and their derivatives by the free coordinates."""
@@ -132,7 +137,7 @@ def positions(
         return start
     best, least = start, np.inf
     for beginning in beginnings(start, is_free):
-        problem = _Positions(kinematics, p, t, _scale(kinematics, p, t, beginning))
+        problem = Positions.at(kinematics, p, t, beginning)
         found = problem.solved(beginning, is_free)
         if problem.error(found) <= EXACT:
             return _nearest(problem, start, found, is_free)
@@ -164,7 +169,7 @@ def _scale(kinematics: Kinematics, p: Array, t: float, q: Array) -> Array:
     return np.where(np.isfinite(scale) & (scale > 0), scale, 1.0)
 
 
-def _nearest(problem: _Positions, start: Array, found: Array, is_free: Flags) -> Array:
+def _nearest(problem: Positions, start: Array, found: Array, is_free: Flags) -> Array:
     """Return the solution nearest to the start, downhill from the one that was found.
 
     Each step goes along the projection of what leads back to the start, and then back onto the constraints.

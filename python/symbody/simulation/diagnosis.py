@@ -19,10 +19,13 @@ def diagnosis(failure: Failure, outcome: Outcome, model: Model, parameters: Arra
     when = f"simulate: at t = {t:.9g} s"
     if failure.kind == "ida":
         return failure.message
+    state = state[: len(model.state)]
     singular = _singular(model, parameters, t, np.array(state))
+    if singular:
+        return f"{when}: {singular}; what was computed is the error's motion"
     if failure.kind == "not_finite":
         names = _not_finite(model, parameters, t, np.array(state))
-        cause = singular or (
+        cause = (
             f"{names} not finite there; look for a division by zero, a root or logarithm of what became negative, or "
             "parameters that make no sense"
             if names
@@ -36,20 +39,21 @@ def diagnosis(failure: Failure, outcome: Outcome, model: Model, parameters: Arra
             "at the motion up to there (the error's motion); smaller tolerances may pass it, or constraints='baumgarte'"
         )
     if failure.kind == "step_collapse":
-        cause = f"; {singular}" if singular else ""
         return (
-            f"{when}: {failure.message}{cause}; the motion may go to infinity there, or a force jumps: smooth it, or "
+            f"{when}: {failure.message}; the motion may go to infinity there, or a force jumps: smooth it, or "
             "end the motion by an event; for stiff equations use method='bdf'; what was computed is the error's motion"
         )
     return (
-        f"{when}: the method gave up ({failure.message}){'; ' + singular if singular else ''}; use another method, or "
+        f"{when}: the method gave up ({failure.message}); use another method, or "
         "larger tolerances; what was computed is the error's motion"
     )
 
 
 def _not_finite(model: Model, parameters: Array, t: float, state: Array) -> str:
     """Return which rates are no finite numbers at a state."""
-    values = model.rates_code.evaluate(parameters, np.concatenate([[t], state]))
+    values = model.rates_code.evaluate(
+        parameters, np.concatenate([[t], state, np.zeros(model.width - len(model.state))])
+    )
     names = [*(f"the rate of {q}" for q in model.coordinates), *map(str, model.accelerations), "the power"]
     bad = [name for name, value in zip(names, values, strict=False) if not np.isfinite(value)]
     return "" if not bad else f"{', '.join(bad[:4])}{' and others' if len(bad) > 4 else ''} {_are(bad)}"
@@ -65,7 +69,9 @@ def _singular(model: Model, parameters: Array, t: float, state: Array) -> str:
         return ""
     n = len(model.speeds)
     code = model.code(model.with_inputs(model.equations.mass_matrix.entries))
-    M = code.evaluate(parameters, np.concatenate([[t], state])).reshape(n, n)
+    M = code.evaluate(
+        parameters, np.concatenate([[t], state, np.zeros(model.width - len(model.state))])
+    ).reshape(n, n)
     if not np.isfinite(M).all():
         return ""
     scale = np.sqrt(np.maximum(np.abs(np.diag(M)), np.finfo(float).tiny))

@@ -82,7 +82,7 @@ class _Driven:
         rows = np.empty((len(instants), len(q)))
         rows[:] = q
         rows[:, self.places] = self.path.at(instants)[0].T
-        if self.is_free.any():
+        if self.kinematics.constraints and self.is_free.any():
             for k in range(1, len(instants)):
                 rows[k] = self.followed(rows[k - 1], float(instants[k - 1]), float(instants[k]))
         elif self.kinematics.constraints:
@@ -164,10 +164,11 @@ class _Driven:
                 str(u) for u, left in zip(self.kinematics.system.speeds, is_open[k], strict=True) if left
             ]
             verb = "isn't" if len(names) == 1 else "aren't"
+            prescribed = ", ".join(map(str, self.path.prescription.coordinates))
             raise SimulationError(
-                f"{self.where}: at t = {instants[k]:g} s the speeds {', '.join(names)} {verb} determined by the prescribed "
-                f"coordinates, {', '.join(map(str, self.path.prescription.coordinates))}, and the constraints; prescribe "
-                "as many coordinates as the system has degrees of freedom, others where the position is singular"
+                f"{self.where}: at t = {instants[k]:g} s the speeds {', '.join(names)} {verb} determined by the "
+                f"constraints and the prescribed {prescribed}; prescribe as many coordinates as the system has degrees "
+                "of freedom, others where the position is singular"
             )
 
     def _check_satisfied(self, instants: Array, A: Array, x: Array, right: Array, what: str) -> None:
@@ -184,16 +185,16 @@ class _Driven:
                 else f"the prescribed motion of {self.path.prescription.coordinates[row - m]}"
             )
             raise ConstraintError(
-                f"{self.where}: at t = {instants[k]:g} s no {what} satisfy {broken} together with the other constraints "
-                "and prescribed coordinates; prescribe fewer, or a motion that the constraints allow"
+                f"{self.where}: at t = {instants[k]:g} s no {what} satisfy {broken} together with the other "
+                "constraints and prescribed coordinates; prescribe fewer, or a motion that the constraints allow"
             )
 
     def _stuck(self, q: Array, time: float) -> str:
         names = self.kinematics.system.coordinates
         place = ", ".join(f"{name} = {value:.6g}" for name, value in zip(names[:12], q, strict=False))
         return (
-            f"{self.where}: the constraints don't let the prescribed motion go on from t = {time:.6g} s, where {place}; "
-            "it may be a dead centre, or beyond reach: prescribe another motion, or other coordinates"
+            f"{self.where}: the constraints don't let the prescribed motion go on from t = {time:.6g} s, where "
+            f"{place}; it may be a dead centre, or beyond reach: prescribe another motion, or other coordinates"
         )
 
 

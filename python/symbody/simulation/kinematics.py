@@ -48,11 +48,12 @@ class Kinematics:
     @cached_property
     def parameters(self) -> tuple[Expr, ...]:
         """The symbols that need values, by name."""
-        found = {leaf for leaf in self._leaves if leaf.kind == "symbol" and not leaf.depends_on_time}
+        found = {leaf for leaf in self.leaves if leaf.kind == "symbol" and not leaf.depends_on_time}
         return tuple(sorted(found, key=lambda symbol: symbol.name))
 
     @cached_property
-    def _leaves(self) -> frozenset[Expr]:
+    def leaves(self) -> frozenset[Expr]:
+        """What stands in constraints and kinematics."""
         return free_symbols((*self.constraints, *self._velocities))
 
     @cached_property
@@ -92,7 +93,7 @@ class Kinematics:
         system = self.system
         known = {leaf.name for leaf in (*system.coordinates, *system.speeds)}
         unknown = sorted(
-            {leaf.name for leaf in self._leaves if leaf.kind == "time_function" and leaf.name not in known}
+            {leaf.name for leaf in self.leaves if leaf.kind == "time_function" and leaf.name not in known}
         )
         if unknown:
             raise ModelError(

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from symbody.errors import ModelError, ParameterError, ProgramError, SimulationError
+from symbody.errors import ModelError, ParameterError, SimulationError, SymbodyError
 from symbody.multibody import System
 from symbody.symbolic import Expr, ExprLike, free_symbols, number
 
@@ -37,7 +37,8 @@ class Motion:
         parameters: the values of the parameters.
         t: the instants, N of them; behind the asked ones the end, where the motion ended between two.
         states: coordinates, then speeds, a row for each instant.
-        work: the work of loads and moving constraints since the first instant, in J; zero where there is none.
+        work: the work of loads and moving constraints since the first instant, in J; zero where there is none, NaN
+            where it wasn't integrated.
         events: what happened, in order of time.
         statistics: what the integration took.
         completed: whether it came to its end, the last instant or a terminal event.
@@ -89,7 +90,7 @@ class Motion:
             return np.empty((0, len(self.t)))
         try:
             function = self.model.function(wanted, tuple(self.parameters))
-        except ProgramError as failure:
+        except SymbodyError as failure:
             self._explain(wanted)
             raise SimulationError(f"motion: {failure}") from failure
         values = function(self.t, *self.states.T, *self.parameters.values())
@@ -141,6 +142,10 @@ class Motion:
             ParameterError: a mass or an inertia that stands in none of the equations has no value.
         """
         model = self.model
+        if np.isnan(self.work).any():
+            raise ModelError(
+                "motion: loads do work, which the methods 'ida', 'ida2' and 'ida3' don't integrate; use another method"
+            )
         energies = [
             model.kinetic_energy,
             *([] if model.potential_energy is None else [model.potential_energy]),

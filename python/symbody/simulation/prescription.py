@@ -102,7 +102,7 @@ def prescription_of(
         if isinstance(given, Expr):
             formulas[name] = _formula(name, given, where)
             continue
-        column = column_of(name, given, f"{where}, motion")  # type: ignore[arg-type] - it says what it takes
+        column = column_of(name, given, f"{where}, motion")
         if column.ndim == 0:
             formulas[name] = number(float(column))
         else:
@@ -118,8 +118,8 @@ def _formula(name: Expr, formula: Expr, where: str) -> Expr:
     strange = sorted(str(leaf) for leaf in formula.free_symbols if leaf.kind != "symbol")
     if strange:
         raise ModelError(
-            f"{where}, motion: {name} is prescribed by {', '.join(strange)}; expected an expression of the time t and of "
-            "parameters"
+            f"{where}, motion: {name} is prescribed by {', '.join(strange)}; expected an expression of the time t "
+            "and of parameters"
         )
     return formula
 
@@ -132,7 +132,7 @@ def _spline(name: Expr, column: Array, instants: Array, where: str) -> BSpline:
         )
     if len(column) < 6 or not np.isfinite(column).all():
         raise SimulationError(
-            f"{where}, motion: {name} has {len(column)} samples; expected six finite ones at least, for a spline whose "
-            "second rate is smooth"
+            f"{where}, motion: {name} has {len(column)} samples; expected six finite ones at least, for a spline "
+            "whose second rate is smooth"
         )
     return make_interp_spline(instants, column, k=5)

@@ -206,7 +206,8 @@ class _Course:
         )
         if outcome.failure is None and happened and happened[-1].event.terminal and happened[-1].t == t[-1]:
             message = f"the event {happened[-1].event} at t = {t[-1]:.9g} s"
-        work = states[:, size] if states.shape[1] > size else np.zeros(len(t))
+        idle = np.zeros(len(t)) if self.model.power is None else np.full(len(t), np.nan)
+        work = states[:, size] if states.shape[1] > size else idle
         return Motion(
             self.model,
             self.parameters,

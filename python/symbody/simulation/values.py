@@ -113,7 +113,7 @@ def given_inputs(
     given = _mapping(inputs, where, "inputs")
     names = sorted({leaf.name for leaf in eqs.inputs})
     for function in given:
-        if not isinstance(function, Expr) or function.order or function.name not in names:
+        if not _is_function(function) or function.name not in names:
             raise ModelError(
                 f"{where}, inputs: {_found(function)} is no function of time that the equations hold beside "
                 f"coordinates and speeds; expected {_listed(names) or 'none: leave inputs out'}"
@@ -160,6 +160,11 @@ def _check_known(given: Iterable[object], known: Sequence[Expr], place: str, exp
     for name in given:
         if not isinstance(name, Expr) or name not in known:
             raise ParameterError(f"{place}: {_found(name)} is not {expected}; {_near(name, known)}")
+
+
+def _is_function(thing: object) -> bool:
+    """Whether something is a function of time, itself and no rate."""
+    return isinstance(thing, Expr) and thing.kind == "time_function" and thing.order == 0
 
 
 def _found(name: object) -> str:
