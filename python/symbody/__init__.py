@@ -60,7 +60,7 @@ from symbody.simulation import (
     simulate,
     simulate_many,
 )
-from symbody.simulation.motion import DRAWERS
+from symbody.simulation.drawing import draw_with
 from symbody.symbolic import (
     Abs,
     Cost,
@@ -119,9 +119,8 @@ from symbody.symbolic import (
     to_sympy,
     zeros,
 )
-from symbody.view import animate, plot
 
-DRAWERS.update(animate=animate, plot=plot)
+draw_with("symbody.view")
 
 __all__ = [
     "Abs",
@@ -153,7 +152,6 @@ __all__ = [
     "acos",
     "angular_momentum",
     "angular_velocity",
-    "animate",
     "asin",
     "atan",
     "atan2",
@@ -210,7 +208,6 @@ __all__ = [
     "origin",
     "parse",
     "pi",
-    "plot",
     "power",
     "project",
     "rotate",

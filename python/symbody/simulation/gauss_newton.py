@@ -7,7 +7,7 @@ from collections.abc import Callable
 import numpy as np
 from numpy.typing import NDArray
 
-__all__ = ["Linearization", "gauss_newton", "least_norm"]
+__all__ = ["RANK", "Linearization", "gauss_newton", "least_norm", "row_sizes"]
 
 Array = NDArray[np.float64]
 Linearization = Callable[[Array], tuple[Array, Array]]
@@ -60,14 +60,21 @@ def _damped_step(F: Array, J: Array, mu: float) -> Array:
 def least_norm(A: Array, b: Array) -> tuple[Array, Array]:
     """Return the shortest x of those with the least ``|A x - b|``, and a basis of what ``A`` takes to zero.
 
-    Rows are scaled to a largest entry of 1 before the rank is decided: they may have different units.
+    Rows are scaled by `row_sizes` before the rank is decided: they may have different units.
     """
     rows, columns = A.shape
     if rows == 0 or columns == 0:
         return np.zeros(columns), np.eye(columns)
-    size = np.abs(A).max(axis=1)
-    size[size == 0] = 1
-    U, s, Vt = np.linalg.svd(A / size[:, None])
+    size = row_sizes(A)
+    U, s, Vt = np.linalg.svd(A / size)
     rank = int(np.sum(s > RANK * s.max(initial=0.0)))
-    x: Array = Vt[:rank].T @ ((U[:, :rank].T @ (b / size)) / s[:rank])
+    x: Array = Vt[:rank].T @ ((U[:, :rank].T @ (b / size[:, 0])) / s[:rank])
     return x, Vt[rank:].T
+
+
+def row_sizes(A: Array) -> Array:
+    """Return the largest entry of each row, as a column; that of all, for rows which are zero but for rounding."""
+    rows = np.abs(A).max(axis=-1, keepdims=True)
+    largest = rows.max(axis=-2, keepdims=True)
+    sizes: Array = np.where(rows > RANK * largest, rows, np.where(largest > 0, largest, 1.0))
+    return sizes

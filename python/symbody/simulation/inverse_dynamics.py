@@ -337,10 +337,12 @@ class _Loads:
             return
         k = int(np.argmax(is_open.any(axis=1)))
         names = [str(name) for name, left in zip(self.names, is_open[k], strict=True) if left]
-        verb = "isn't" if len(names) == 1 else "aren't"
-        what = "forces along" if self.wanted is None else "loads"
+        is_one = len(names) == 1
+        what = ("force" if self.wanted is None else "load") + ("" if is_one else "s")
+        along = " along" if self.wanted is None else ""
+        verb = "isn't" if is_one else "aren't"
         raise SimulationError(
-            f"{_WHERE}: at t = {instants[k]:g} s the {what} {', '.join(names)} {verb} determined: other values move "
+            f"{_WHERE}: at t = {instants[k]:g} s the {what}{along} {', '.join(names)} {verb} determined: other values move "
             "the system alike; give fewer unknowns=[...], as many as the motion has degrees of freedom"
         )
 

@@ -12,7 +12,7 @@ from symbody.errors import ConstraintError, SimulationError
 from symbody.symbolic import Expr
 
 from .consistent import EXACT, Positions, positions, shortened
-from .gauss_newton import RANK, least_norm
+from .gauss_newton import RANK, least_norm, row_sizes
 from .kinematics import Kinematics
 from .prescription import Path
 
@@ -147,13 +147,13 @@ class _Driven:
         u, determined = least_norm_many(A[:, rows], demanded - b[:, rows])
         if is_checked:
             self._check_determined(instants, determined)
-            self._check_satisfied(instants, A[:, rows], u, demanded - b[:, rows], "speeds")
+            self._check_satisfied(instants, A[:, rows], u, (demanded, b[:, rows]), "speeds")
         c = self.kinematics.acceleration(instants, np.vstack([q.T, u.T]), self.p[:, None])
         demanded[:, m:] = second.T
-        right = demanded - np.asarray(c).T[:, rows]
-        accelerations, _ = least_norm_many(A[:, rows], right)
+        c = np.asarray(c).T[:, rows]
+        accelerations, _ = least_norm_many(A[:, rows], demanded - c)
         if is_checked:
-            self._check_satisfied(instants, A[:, rows], accelerations, right, "accelerations")
+            self._check_satisfied(instants, A[:, rows], accelerations, (demanded, c), "accelerations")
         return u.reshape(-1, n), accelerations.reshape(-1, n)
 
     def _check_determined(self, instants: Array, determined: Array) -> None:
@@ -171,10 +171,14 @@ class _Driven:
                 "of freedom, others where the position is singular"
             )
 
-    def _check_satisfied(self, instants: Array, A: Array, x: Array, right: Array, what: str) -> None:
-        left = np.abs(np.einsum("kij,kj->ki", A, x) - right)
-        size = np.einsum("kij,kj->ki", np.abs(A), np.abs(x)) + np.abs(right)
-        off = left > _OFF * np.maximum(size, 1e-9 * size.max(initial=0.0))
+    def _check_satisfied(
+        self, instants: Array, A: Array, x: Array, terms: tuple[Array, Array], what: str
+    ) -> None:
+        demanded, rest = terms
+        left = np.abs(np.einsum("kij,kj->ki", A, x) + rest - demanded)
+        size = np.abs(A).sum(axis=2) * np.abs(x).max(axis=1, initial=0.0)[:, None]
+        size += np.abs(demanded) + np.abs(rest)
+        off = left > _OFF * size
         if off.any() or not np.isfinite(x).all():
             off |= ~np.isfinite(left)
             k = int(np.argmax(off.any(axis=1)))
@@ -198,7 +202,7 @@ class _Driven:
         )
 
 
-_OFF = 1e-7
+_OFF = 1e-8
 """The part of its terms that an equation may be off where it counts as satisfied."""
 
 
@@ -215,8 +219,7 @@ def least_norm_many(A: Array, b: Array) -> tuple[Array, Array]:
     if count == 1:
         x, kernel = least_norm(A[0], b[0])
         return x[None], 1 - np.sum(kernel**2, axis=1)[None]
-    size = np.abs(A).max(axis=2, keepdims=True)
-    size[size == 0] = 1
+    size = row_sizes(A)
     inverse = np.linalg.pinv(A / size, rcond=RANK)
     x = np.einsum("kij,kj->ki", inverse, b / size[:, :, 0])
     determined = np.einsum("kij,kji->ki", inverse, A / size)

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+import os
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
-from typing import Any
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,14 +16,15 @@ from symbody.errors import ModelError, ParameterError, SimulationError, SymbodyE
 from symbody.multibody import System
 from symbody.symbolic import Expr, ExprLike, free_symbols, number
 
+from .drawing import drawer
 from .event import Occurrence
 from .integrator import Statistics
 from .model import Model
 
-__all__ = ["DRAWERS", "Motion"]
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
 
-DRAWERS: dict[str, Callable[..., Any]] = {}
-"""What draws motions, by the name of the method: `plot` and `animate`, which the layer above puts in."""
+__all__ = ["Motion"]
 
 Array = NDArray[np.float64]
 
@@ -187,10 +190,22 @@ class Motion:
     def _largest(self, expressions: Sequence[Expr]) -> float:
         return float(np.abs(self.evaluate(expressions)).max()) if expressions else 0.0
 
-    def plot(self, *panels: Any, **options: Any) -> Any:
-        """Return a figure of expressions over time; see `symbody.view.plot`."""
-        return DRAWERS["plot"](self, *panels, **options)
+    def plot(
+        self,
+        *panels: Any,
+        units: Mapping[Expr | str, str] | None = None,
+        time: str = "s",
+        title: str = "",
+        path: str | os.PathLike[str] | None = None,
+    ) -> Figure:
+        """Return a figure over time, a panel for each argument; without one, of coordinates and speeds.
 
-    def animate(self, path: Any, **options: Any) -> Any:
-        """Write a page that shows the motion; see `symbody.view.animate`."""
-        return DRAWERS["animate"](self, path, **options)
+        See `symbody.view.plot`, also for the errors.
+        """
+        figure: Figure = drawer("plot")(self, *panels, units=units, time=time, title=title, path=path)
+        return figure
+
+    def animate(self, path: str | os.PathLike[str], **options: Any) -> Path:
+        """Write the motion as a page that shows it in a browser; see `symbody.view.animate` for the options."""
+        page: Path = drawer("animate")(self, path, **options)
+        return page
