@@ -38,9 +38,9 @@ pub fn integrate_many(
     let stop = AtomicBool::new(false);
     let done = AtomicUsize::new(0);
     let mut runs: Vec<Option<Run>> = vec![None; cases.len()];
-    let size = record.states.len() / cases.len().max(1);
-    let work = cases.iter().zip(record.states.chunks_mut(size.max(1))).zip(&mut runs);
-    let work = Mutex::new(work);
+    let Record { instants, states } = record;
+    let size = states.len() / cases.len().max(1);
+    let work = Mutex::new(cases.iter().zip(states.chunks_mut(size.max(1))).zip(&mut runs));
     thread::scope(|scope| {
         let (working, finished) = mpsc::channel::<()>();
         for _ in 0..threads.max(1) {
@@ -50,7 +50,7 @@ pub fn integrate_many(
                 while !stop.load(Ordering::Relaxed) {
                     let next = work.lock().unwrap_or_else(PoisonError::into_inner).next();
                     let Some(((case, states), run)) = next else { break };
-                    let record = Record { instants: record.instants, states };
+                    let record = Record { instants, states };
                     let own = dynamics.with_constants(case.constants);
                     let mut unstopped = |_| !stop.load(Ordering::Relaxed);
                     *run = Some(integrate(&own, method, case.state, record, tolerances, &mut unstopped));

@@ -78,7 +78,11 @@ impl<'a> Dop853<'a> {
         self.stage(1, self.t + trial, |_, y, first| y + trial * first);
         let change: Vec<f64> = (0..n).map(|i| self.stages[n + i] - self.stages[i]).collect();
         let steepest = rate.max(self.weighted(&change) / trial);
-        let step = if steepest <= 1e-15 { (trial * 1e-3).max(1e-6) } else { (0.01 / steepest).powf(1.0 / f64::from(ORDER)) };
+        let step = if steepest <= 1e-15 {
+            (trial * 1e-3).max(1e-6)
+        } else {
+            (0.01 / steepest).powf(1.0 / f64::from(ORDER))
+        };
         let step = step.min(100.0 * trial).min(longest);
         if step.is_finite() { step } else { trial }
     }
@@ -89,7 +93,7 @@ impl<'a> Dop853<'a> {
         let controlled = self.tolerances.controlled;
         let states = vector.iter().zip(&self.state).take(controlled);
         let sum: f64 = states.map(|(v, y)| (v / (absolute + relative * y.abs())).powi(2)).sum();
-        (sum / controlled as f64).sqrt()
+        (sum / count(controlled)).sqrt()
     }
 
     fn evaluate_first(&mut self) {
@@ -129,12 +133,13 @@ impl<'a> Dop853<'a> {
         let (mut fifth, mut third) = (0.0, 0.0);
         for i in 0..controlled {
             let scale = absolute + relative * self.state[i].abs().max(self.after[i].abs());
-            let [e5, e3] = ERRORS.map(|row| row.iter().map(|&(j, e)| e * self.stages[j * n + i]).sum::<f64>() / scale);
+            let [e5, e3] =
+                ERRORS.map(|row| row.iter().map(|&(j, e)| e * self.stages[j * n + i]).sum::<f64>() / scale);
             fifth += e5 * e5;
             third += e3 * e3;
         }
         let both = fifth + 0.01 * third;
-        if both == 0.0 { 0.0 } else { h.abs() * fifth / (both * controlled as f64).sqrt() }
+        if both <= 0.0 { 0.0 } else { h.abs() * fifth / (both * count(controlled)).sqrt() }
     }
 
     fn accept(&mut self, h: f64, t: f64) {
@@ -160,7 +165,8 @@ impl<'a> Dop853<'a> {
             states += (self.state[i] - self.last_stage[i]).powi(2);
         }
         let is_at_bound = states > 0.0 && self.last.1 * (rates / states).sqrt() > BOUND;
-        self.stiff_steps = if is_at_bound { self.stiff_steps + 1 } else { self.stiff_steps.saturating_sub(1) };
+        self.stiff_steps =
+            if is_at_bound { self.stiff_steps + 1 } else { self.stiff_steps.saturating_sub(1) };
         self.statistics.stiff |= self.stiff_steps >= STEPS;
     }
 
@@ -181,7 +187,8 @@ impl<'a> Dop853<'a> {
             self.dense[n + i] = first - change;
             self.dense[2 * n + i] = 2.0 * change - first - end;
             for (k, row) in DENSE.iter().enumerate() {
-                self.dense[(3 + k) * n + i] = h * row.iter().map(|&(j, d)| d * self.stages[j * n + i]).sum::<f64>();
+                self.dense[(3 + k) * n + i] =
+                    h * row.iter().map(|&(j, d)| d * self.stages[j * n + i]).sum::<f64>();
             }
         }
         self.is_dense = true;
@@ -241,7 +248,7 @@ impl Stepper for Dop853<'_> {
     fn interpolate(&mut self, t: f64, out: &mut [f64]) -> Result<(), Failure> {
         let (start, h) = self.last;
         let n = out.len();
-        if t == start + h || t == self.t {
+        if t >= self.t || t >= start + h {
             out.copy_from_slice(&self.after);
             return Ok(());
         }
@@ -265,6 +272,11 @@ impl Stepper for Dop853<'_> {
     fn statistics(&self) -> Statistics {
         self.statistics
     }
+}
+
+#[allow(clippy::cast_precision_loss, reason = "no state has 2^53 numbers")]
+fn count(n: usize) -> f64 {
+    n as f64
 }
 
 /// Write `base + h * sum of weights times stages`.

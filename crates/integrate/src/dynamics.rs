@@ -48,10 +48,16 @@ impl Dynamics<MachineCode> {
     pub fn constants(&self) -> usize {
         let jacobian = self.jacobian.as_ref().map(|(code, _)| code);
         let events = self.events.as_ref().map(|(code, _)| code);
-        [Some(&self.rates), jacobian, self.position_correction.as_ref(), self.velocity_correction.as_ref(), events]
-            .into_iter()
-            .flatten()
-            .map(MachineCode::constants)
-            .sum()
+        [
+            Some(&self.rates),
+            jacobian,
+            self.position_correction.as_ref(),
+            self.velocity_correction.as_ref(),
+            events,
+        ]
+        .into_iter()
+        .flatten()
+        .map(MachineCode::constants)
+        .sum()
     }
 }

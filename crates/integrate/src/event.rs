@@ -51,11 +51,13 @@ impl<'a> Watch<'a> {
         let mut found: Vec<Occurrence> = Vec::new();
         let mut after = vec![0.0; self.values.len()];
         for part in 1..=PARTS {
-            let t = if part == PARTS { end } else { start + (end - start) * f64::from(part) / f64::from(PARTS) };
+            let t =
+                if part == PARTS { end } else { start + (end - start) * f64::from(part) / f64::from(PARTS) };
             self.evaluate(function, stepper, t, &mut after)?;
             for (event, kind) in kinds.iter().enumerate() {
                 if crosses(self.values[event], after[event], kind.direction) {
-                    let zero = self.locate(function, stepper, event, (t, self.values[event], after[event]))?;
+                    let zero =
+                        self.locate(function, stepper, event, (t, self.values[event], after[event]))?;
                     found.push(Occurrence { event, t: zero, state: self.state.clone() });
                 }
             }

@@ -70,7 +70,10 @@ impl fmt::Display for Failure {
                 write!(f, "the step has shrunk to {step:.1e} without meeting the tolerances")
             }
             Self::Projection { change, .. } => {
-                write!(f, "the state can't be put back onto the constraints (the last correction was {change:.1e})")
+                write!(
+                    f,
+                    "the state can't be put back onto the constraints (the last correction was {change:.1e})"
+                )
             }
             Self::Interrupted { .. } => write!(f, "interrupted"),
             Self::Library { message, .. } => write!(f, "{message}"),

@@ -45,7 +45,10 @@ pub struct Function {
 }
 
 impl Function {
-    /// The function of these constants; there are as many as the code reads.
+    /// The function of these constants.
+    ///
+    /// # Panics
+    /// If there are not as many constants as the code reads.
     pub fn new(code: MachineCode, constants: &[f64]) -> Self {
         assert_eq!(constants.len(), code.constants, "constants of compiled code");
         let mut inputs = vec![0.0; 1 + code.states];
@@ -59,6 +62,9 @@ impl Function {
     }
 
     /// Write the values at an instant and a state.
+    ///
+    /// # Panics
+    /// If the state or the outputs are not as many as those of the code.
     pub fn call(&self, t: f64, state: &[f64], out: &mut [f64]) {
         assert_eq!(state.len(), self.code.states, "the state of compiled code");
         assert_eq!(out.len(), self.code.outputs, "the outputs of compiled code");

@@ -87,7 +87,10 @@ impl Course<'_> {
             }
             stepper.step(end)?;
             let events = self.watch.events_of_step(stepper)?;
-            let last = events.last().filter(|event| self.is_terminal(event)).map(|event| (event.t, event.state.clone()));
+            let last = events
+                .last()
+                .filter(|event| self.is_terminal(event))
+                .map(|event| (event.t, event.state.clone()));
             run.occurrences.extend(events);
             let until = last.as_ref().map_or(stepper.t(), |(t, _)| *t);
             self.read(stepper, until, run)?;

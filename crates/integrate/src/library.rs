@@ -3,8 +3,8 @@
 use std::cell::{Cell, RefCell};
 
 use diffsol::{
-    DiffsolError, NalgebraContext, NalgebraLU, NalgebraMat, NalgebraVec, OdeBuilder, OdeEquations, OdeSolverMethod,
-    OdeSolverStopReason, Vector as _,
+    DiffsolError, NalgebraContext, NalgebraLU, NalgebraMat, NalgebraVec, OdeBuilder, OdeEquations,
+    OdeSolverMethod, OdeSolverStopReason, Vector as _,
 };
 
 use crate::dynamics::Dynamics;
@@ -48,7 +48,7 @@ impl<'a> Jacobian<'a> {
         let Some((function, places)) = self.function else { return };
         let mut at = self.at.borrow_mut();
         let mut entries = self.entries.borrow_mut();
-        if at.0 != t || at.1 != state {
+        if at.0.total_cmp(&t).is_ne() || at.1 != state {
             function.call(t, state, &mut entries);
             *at = (t, state.to_vec());
             calls.jacobians.set(calls.jacobians.get() + 1);
@@ -73,26 +73,38 @@ pub fn start<R>(
     let mut problem = OdeBuilder::<Matrix>::new()
         .t0(t)
         .rtol(tolerances.relative)
-        .atol((0..state.len()).map(|i| if i < tolerances.controlled { tolerances.absolute } else { f64::MAX.sqrt() }))
+        .atol(
+            (0..state.len())
+                .map(|i| if i < tolerances.controlled { tolerances.absolute } else { f64::MAX.sqrt() }),
+        )
         .rhs_implicit(
             |y: &[f64], _: &[f64], t: f64, out: &mut [f64]| {
                 dynamics.rates.call(t, y, out);
                 calls.evaluations.set(calls.evaluations.get() + 1);
                 calls.is_not_finite.set(!out.iter().all(|rate| rate.is_finite()));
             },
-            |y: &[f64], _: &[f64], t: f64, v: &[f64], out: &mut [f64]| jacobian.multiply(t, y, v, out, &calls),
+            |y: &[f64], _: &[f64], t: f64, v: &[f64], out: &mut [f64]| {
+                jacobian.multiply(t, y, v, out, &calls);
+            },
         )
         .init(|_: &[f64], _: f64, y: &mut [f64]| y.copy_from_slice(state), state.len())
         .build()
         .map_err(failed)?;
     problem.ode_options.min_timestep = 1e-16 * t.abs().max(1e-3);
     problem.ode_options.max_nonlinear_solver_failures = usize::MAX;
-    match method {
-        Method::Tsit5 => run(problem.tsit45().map_err(failed)?, true, &dynamics.rates, &calls, tolerances, then),
-        Method::Esdirk34 => run(problem.esdirk34::<Solver>().map_err(failed)?, true, &dynamics.rates, &calls, tolerances, then),
-        Method::TrBdf2 => run(problem.tr_bdf2::<Solver>().map_err(failed)?, true, &dynamics.rates, &calls, tolerances, then),
-        Method::Bdf | Method::Dop853 => run(problem.bdf::<Solver>().map_err(failed)?, false, &dynamics.rates, &calls, tolerances, then),
-    }
+    let (rates, calls) = (&dynamics.rates, &calls);
+    Ok(match method {
+        Method::Tsit5 => run(problem.tsit45().map_err(failed)?, true, rates, calls, tolerances, then),
+        Method::Esdirk34 => {
+            run(problem.esdirk34::<Solver>().map_err(failed)?, true, rates, calls, tolerances, then)
+        }
+        Method::TrBdf2 => {
+            run(problem.tr_bdf2::<Solver>().map_err(failed)?, true, rates, calls, tolerances, then)
+        }
+        Method::Bdf | Method::Dop853 => {
+            run(problem.bdf::<Solver>().map_err(failed)?, false, rates, calls, tolerances, then)
+        }
+    })
 }
 
 fn run<'a, E, S, R>(
@@ -102,7 +114,7 @@ fn run<'a, E, S, R>(
     calls: &Calls,
     tolerances: Tolerances,
     then: impl FnOnce(&mut dyn Stepper) -> R,
-) -> Result<R, Failure>
+) -> R
 where
     E: OdeEquations<T = f64, V = Vector> + 'a,
     S: OdeSolverMethod<'a, E>,
@@ -122,7 +134,7 @@ where
         steps: 0,
         marker: std::marker::PhantomData::<&'a E>,
     };
-    Ok(then(&mut library))
+    then(&mut library)
 }
 
 struct Library<'a, 'c, E, S> {
@@ -180,9 +192,10 @@ where
     /// A method of several steps would lose its past: it goes on from its own state while that is close.
     fn replace(&mut self, state: &[f64]) {
         let Tolerances { relative, absolute, .. } = self.tolerances;
-        let is_far = state.iter().zip(&self.state).any(|(new, old)| {
-            (new - old).abs() > DEVIATION * (absolute + relative * old.abs())
-        });
+        let is_far = state
+            .iter()
+            .zip(&self.state)
+            .any(|(new, old)| (new - old).abs() > DEVIATION * (absolute + relative * old.abs()));
         if !self.has_one_step && !is_far {
             return;
         }

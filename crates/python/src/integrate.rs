@@ -81,7 +81,7 @@ impl Dynamics {
         constants: PyBuffer<f64>,
         instants: PyBuffer<f64>,
         tolerances: (f64, f64, f64, usize),
-        out: PyBuffer<f64>,
+        mut out: PyBuffer<f64>,
         keep_going: Option<Py<PyAny>>,
     ) -> PyResult<Run> {
         let method = named(method)?;
@@ -91,12 +91,14 @@ impl Dynamics {
             ("the constants", constants.len(), self.code.constants()),
             ("the states", out.item_count(), instants.len() * self.states),
         ])?;
-        let states = written(&out)?;
+        let states = written(&mut out)?;
         let mut look = Look::new(keep_going);
         let run = py.detach(|| {
             let dynamics = self.code.with_constants(&constants);
             let record = native::Record { instants: &instants, states };
-            native::integrate(&dynamics, method, &state, record, limits(tolerances), &mut |t| look.keeps_going(t))
+            native::integrate(&dynamics, method, &state, record, limits(tolerances), &mut |t| {
+                look.keeps_going(t)
+            })
         });
         look.error.map_or_else(|| Ok(told(run)), Err)
     }
@@ -113,7 +115,7 @@ impl Dynamics {
         constants: PyBuffer<f64>,
         instants: PyBuffer<f64>,
         tolerances: (f64, f64, f64, usize),
-        out: PyBuffer<f64>,
+        mut out: PyBuffer<f64>,
         threads: usize,
         keep_going: Option<Py<PyAny>>,
     ) -> PyResult<Vec<Option<Run>>> {
@@ -132,7 +134,7 @@ impl Dynamics {
                 constants: &constants[k * width..][..width],
             })
             .collect();
-        let record = native::Record { instants: &instants, states: written(&out)? };
+        let record = native::Record { instants: &instants, states: written(&mut out)? };
         let mut look = Look::new(keep_going);
         let runs = py.detach(|| {
             let tolerances = limits(tolerances);
@@ -171,9 +173,9 @@ impl Look {
         });
         self.last = Instant::now();
         self.is_over = !matches!(answer, Ok(true));
-        self.error = answer.err().filter(|error| {
-            Python::attach(|py| !error.is_instance_of::<PyKeyboardInterrupt>(py))
-        });
+        self.error = answer
+            .err()
+            .filter(|error| Python::attach(|py| !error.is_instance_of::<PyKeyboardInterrupt>(py)));
         !self.is_over
     }
 }
@@ -188,13 +190,15 @@ fn limits((relative, absolute, max_step, controlled): (f64, f64, f64, usize)) ->
 
 fn check_lengths(lengths: &[(&str, usize, usize)]) -> PyResult<()> {
     match lengths.iter().find(|(_, found, expected)| found != expected) {
-        Some((what, found, expected)) => Err(PyValueError::new_err(format!("{what}: {found} numbers, not {expected}"))),
+        Some((what, found, expected)) => {
+            Err(PyValueError::new_err(format!("{what}: {found} numbers, not {expected}")))
+        }
         None => Ok(()),
     }
 }
 
 /// The memory of an array that Python made for this call.
-fn written(out: &PyBuffer<f64>) -> PyResult<&mut [f64]> {
+fn written(out: &mut PyBuffer<f64>) -> PyResult<&mut [f64]> {
     if out.readonly() || !out.is_c_contiguous() {
         return Err(PyValueError::new_err("the results are written to a contiguous array"));
     }
