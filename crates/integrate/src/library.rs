@@ -25,7 +25,15 @@ const DEVIATION: f64 = 100.0;
 struct Calls {
     evaluations: Cell<usize>,
     jacobians: Cell<usize>,
-    is_not_finite: Cell<bool>,
+    /// Where the rates were no numbers, the last time that they were none.
+    not_finite_at: Cell<Option<f64>>,
+}
+
+impl Calls {
+    /// The failure that rates at `t` or beyond were no numbers, if they were none.
+    fn not_finite_from(&self, t: f64) -> Option<Failure> {
+        self.not_finite_at.get().filter(|&at| at >= t || at.is_nan()).map(|_| Failure::NotFinite { t })
+    }
 }
 
 /// The Jacobian at the last instant and state that it was asked for.
@@ -81,7 +89,9 @@ pub fn start<R>(
             |y: &[f64], _: &[f64], t: f64, out: &mut [f64]| {
                 dynamics.rates.call(t, y, out);
                 calls.evaluations.set(calls.evaluations.get() + 1);
-                calls.is_not_finite.set(!out.iter().all(|rate| rate.is_finite()));
+                if !out.iter().all(|rate| rate.is_finite()) {
+                    calls.not_finite_at.set(Some(t));
+                }
             },
             |y: &[f64], _: &[f64], t: f64, v: &[f64], out: &mut [f64]| {
                 jacobian.multiply(t, y, v, out, &calls);
@@ -164,7 +174,16 @@ where
         if !state.y.batch_as_slice(0).iter().all(|y| y.is_finite()) {
             return Err(Failure::NotFinite { t: self.t });
         }
-        self.t = if matches!(reason, OdeSolverStopReason::TstopReached) { stop } else { state.t };
+        let is_at_stop = matches!(reason, OdeSolverStopReason::TstopReached);
+        let step = state.t - self.t;
+        // The library goes on by steps that no instant tells from zero.
+        if !is_at_stop && step <= 4.0 * f64::EPSILON * self.t.abs() {
+            return Err(self
+                .calls
+                .not_finite_from(self.t)
+                .unwrap_or(Failure::StepCollapse { t: self.t, step }));
+        }
+        self.t = if is_at_stop { stop } else { state.t };
         self.state.copy_from_slice(state.y.batch_as_slice(0));
         self.steps += 1;
         Ok(())
@@ -220,8 +239,6 @@ where
 }
 
 fn failure(error: &DiffsolError, t: f64, calls: &Calls) -> Failure {
-    if calls.is_not_finite.get() {
-        return Failure::NotFinite { t };
-    }
-    Failure::Library { t, message: error.to_string() }
+    let message = || Failure::Library { t, message: error.to_string() };
+    calls.not_finite_from(t).unwrap_or_else(message)
 }

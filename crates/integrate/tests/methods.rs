@@ -3,8 +3,8 @@
 mod problems;
 
 use problems::{
-    METHODS, blows_up, code, ends_at_one, error, evenly, free, motion, oscillator_of, tolerance, van_der_pol,
-    van_der_pol_jacobian,
+    METHODS, blows_up, blows_up_jacobian, code, ends_at_one, error, evenly, free, motion, oscillator_of,
+    tolerance, van_der_pol, van_der_pol_jacobian,
 };
 use symbody_integrate::{Failure, Method};
 
@@ -19,7 +19,7 @@ fn every_method_follows_an_oscillator_at_all_instants() {
         let (states, run) = motion(&oscillator_of(2.0), method, &[1.0, 0.0], &instants, tolerance(1e-7, 2));
         assert_eq!((run.reached, run.failure), (401, None), "{method:?}");
         let error = error(&states, &instants, cosine(2.0));
-        assert!(error < 5e-5, "{method:?}: {error:e}");
+        assert!(error < 2e-4, "{method:?}: {error:e}");
     }
 }
 
@@ -97,10 +97,14 @@ fn a_rate_that_is_no_number_ends_the_motion_where_it_begins_to_be_none() {
 
 #[test]
 fn a_solution_that_becomes_infinite_ends_with_what_was_computed() {
-    let dynamics = free(code(blows_up, 1, 0, 1), None).with_constants(&[]);
-    let (states, run) = motion(&dynamics, Method::Dop853, &[1.0], &evenly(2.0, 20), tolerance(1e-8, 1));
-    assert!(run.failure.is_some());
-    assert_eq!(run.reached, 10);
-    assert!(error(&states[..10], &evenly(2.0, 20), |t| vec![1.0 / (1.0 - t)]) < 1e-4);
-    assert!((0.99..1.01).contains(&run.end.0), "{}", run.end.0);
+    let jacobian = (code(blows_up_jacobian, 1, 0, 1), vec![(0, 0)]);
+    let dynamics = free(code(blows_up, 1, 0, 1), Some(jacobian)).with_constants(&[]);
+    let instants = evenly(2.0, 21);
+    for method in METHODS {
+        let (states, run) = motion(&dynamics, method, &[1.0], &instants, tolerance(1e-8, 1));
+        assert!(run.failure.is_some(), "{method:?}");
+        assert_eq!(run.reached, 11, "{method:?}");
+        assert!(error(&states[..11], &instants, |t| vec![1.0 / (1.0 - t)]) < 2e-3, "{method:?}");
+        assert!((0.99..1.01).contains(&run.end.0), "{method:?}: {}", run.end.0);
+    }
 }

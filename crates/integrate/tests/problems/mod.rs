@@ -142,3 +142,9 @@ pub unsafe extern "C" fn blows_up(inputs: *const f64, out: *mut f64) {
     // SAFETY: lengths as documented.
     unsafe { *out = *inputs.add(1) * *inputs.add(1) };
 }
+
+/// Its Jacobian at (0, 0).
+pub unsafe extern "C" fn blows_up_jacobian(inputs: *const f64, out: *mut f64) {
+    // SAFETY: lengths as documented.
+    unsafe { *out = 2.0 * *inputs.add(1) };
+}
