@@ -1,11 +1,26 @@
 """Numbers: from equations of motion to motions, one or many, and to states of rest."""
 
 from symbody.simulation.consistent import consistent_state
+from symbody.simulation.equilibrium import Equilibrium, equilibrium
 from symbody.simulation.event import Event, Occurrence
 from symbody.simulation.grid import grid
+from symbody.simulation.inverse_dynamics import InverseDynamics, inverse_dynamics
 from symbody.simulation.many import simulate_many
 from symbody.simulation.motion import Motion
 from symbody.simulation.runs import Runs
 from symbody.simulation.simulate import simulate
 
-__all__ = ["Event", "Motion", "Occurrence", "Runs", "consistent_state", "grid", "simulate", "simulate_many"]
+__all__ = [
+    "Equilibrium",
+    "Event",
+    "InverseDynamics",
+    "Motion",
+    "Occurrence",
+    "Runs",
+    "consistent_state",
+    "equilibrium",
+    "grid",
+    "inverse_dynamics",
+    "simulate",
+    "simulate_many",
+]

@@ -10,7 +10,8 @@ from numpy.typing import NDArray
 from symbody.dynamics import Equations
 from symbody.symbolic import Expr
 
-from .gauss_newton import gauss_newton, least_norm
+from .gauss_newton import gauss_newton
+from .least_norm import least_norm
 from .small_motion import SmallMotion
 from .statics import Statics
 

@@ -12,8 +12,9 @@ from symbody.dynamics import Equations
 from symbody.errors import ConstraintError
 from symbody.symbolic import Expr, ExprLike, time_derivative
 
-from .gauss_newton import gauss_newton, least_norm
+from .gauss_newton import gauss_newton
 from .kinematics import Kinematics, kinematics_of, neutral_position
+from .least_norm import least_norm
 from .values import parameter_values, state_values
 
 __all__ = ["consistent_state"]

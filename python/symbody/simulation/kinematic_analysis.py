@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,22 +13,25 @@ from symbody.errors import ConstraintError, SimulationError
 from symbody.symbolic import Expr
 
 from .consistent import EXACT, Positions, positions, shortened
-from .gauss_newton import RANK, least_norm, row_sizes
 from .kinematics import Kinematics
+from .least_norm import least_norm_many
 from .prescription import Path
 
-__all__ = ["Course", "course", "least_norm_many"]
+__all__ = ["Course", "course"]
 
 Array = NDArray[np.float64]
+Flags = NDArray[np.bool_]
 
 _FAR = 0.1
 """The part of a step that its prediction may be off."""
 _HALVINGS = 16
+_OFF = 1e-8
+"""The part of its terms that an equation may be off where it counts as satisfied."""
 
 
 @dataclass(frozen=True, eq=False)
 class Course:
-    """Where a mechanism is along its prescribed motion; a row for each instant."""
+    """Where a mechanism is along its motion; a row for each instant."""
 
     coordinates: Array
     speeds: Array
@@ -44,12 +48,62 @@ def course(
 
     Raises:
         ConstraintError: the constraints don't allow the motion.
-        SimulationError: they leave some of it open.
+        SimulationError: they leave some of it open, or the prescription isn't finite.
     """
     driven = _Driven(kinematics, p, path, where)
     q = driven.positions(instants, guess)
-    u, accelerations = driven.rates(instants, q)
-    return Course(q, u, accelerations)
+    velocities, accelerations = driven.levels(instants, q)
+    driven.check_determined(instants, velocities)
+    driven.check_satisfied(instants, velocities, "speeds")
+    driven.check_satisfied(instants, accelerations, "accelerations")
+    return Course(q, velocities.x, accelerations.x)
+
+
+@dataclass(frozen=True, eq=False)
+class _Level:
+    """What is demanded of velocities, or of accelerations: ``A x + b = d`` at each instant, in x = u, or u'.
+
+    Attributes:
+        A: the Jacobians of the constraints' and the coordinates' rates, N x (m + n_q) x n.
+        b: these rates where x is zero.
+        d: the rates of constraints, zero, and of the prescribed coordinates.
+        rows: the equations: where these rates stand in A.
+    """
+
+    A: Array
+    b: Array
+    d: Array
+    rows: list[int]
+
+    @cached_property
+    def _solution(self) -> tuple[Array, Array]:
+        return least_norm_many(self.A[:, self.rows], self.d - self.b[:, self.rows])
+
+    @property
+    def x(self) -> Array:
+        """The speeds or accelerations, the least of them where some are open."""
+        return self._solution[0]
+
+    @property
+    def is_open(self) -> Flags:
+        """Which of them the equations don't determine."""
+        is_open: Flags = self._solution[1] < 1 - 1e-6
+        return is_open
+
+    @property
+    def rates(self) -> Array:
+        """The rates of constraints and coordinates."""
+        rates: Array = np.einsum("kij,kj->ki", self.A, self.x) + self.b
+        return rates
+
+    @property
+    def is_off(self) -> Flags:
+        """Which equations aren't satisfied."""
+        A, b = self.A[:, self.rows], self.b[:, self.rows]
+        sizes = np.abs(A).sum(axis=2) * np.abs(self.x).max(axis=1, initial=0.0)[:, None]
+        left = np.abs(self.rates[:, self.rows] - self.d)
+        is_off: Flags = ~(left <= _OFF * (sizes + np.abs(self.d) + np.abs(b)))
+        return is_off
 
 
 @dataclass(frozen=True, eq=False)
@@ -62,13 +116,17 @@ class _Driven:
     where: str
 
     @property
-    def places(self) -> list[int]:
-        """The places of the prescribed coordinates."""
-        coordinates = self.kinematics.system.coordinates
-        return [coordinates.index(name) for name in self.path.prescription.coordinates]
+    def prescribed(self) -> tuple[Expr, ...]:
+        """The coordinates that follow the path."""
+        return self.path.prescription.coordinates
 
     @property
-    def is_free(self) -> NDArray[np.bool_]:
+    def places(self) -> list[int]:
+        """The places of the prescribed coordinates."""
+        return [self.kinematics.system.coordinates.index(name) for name in self.prescribed]
+
+    @property
+    def is_free(self) -> Flags:
         """Which coordinates aren't prescribed."""
         free = np.ones(len(self.kinematics.system.coordinates), dtype=bool)
         free[self.places] = False
@@ -76,12 +134,12 @@ class _Driven:
 
     def positions(self, instants: Array, guess: Mapping[Expr, float]) -> Array:
         """Return the coordinates, a row for each instant."""
-        first = self.path.at(instants[0])[0]
-        prescribed = dict(zip(self.path.prescription.coordinates, map(float, first), strict=True))
-        q = positions(self.kinematics, self.p, float(instants[0]), prescribed, guess, where=self.where)
-        rows = np.empty((len(instants), len(q)))
-        rows[:] = q
-        rows[:, self.places] = self.path.at(instants)[0].T
+        path = self.path.at(instants)
+        self._check_finite(instants, path)
+        first = dict(zip(self.prescribed, map(float, path[0, :, 0]), strict=True))
+        q = positions(self.kinematics, self.p, float(instants[0]), first, guess, where=self.where)
+        rows = np.tile(q, (len(instants), 1))
+        rows[:, self.places] = path[0].T
         if self.kinematics.constraints and self.is_free.any():
             for k in range(1, len(instants)):
                 rows[k] = self.followed(rows[k - 1], float(instants[k - 1]), float(instants[k]))
@@ -112,11 +170,9 @@ class _Driven:
 
     def stepped(self, q: Array, start: float, end: float) -> Array | None:
         """Return the coordinates at the end, if they are where their rates lead to."""
-        h = end - start
-        u, accelerations = self.rates(np.array([start]), q[None], is_checked=False)
-        A, _ = self.kinematics.velocity(start, q, self.p)
-        rate, second = self.coordinate_rates(start, q, u[0], accelerations[0], A)
-        predicted = q + h * rate + h * h / 2 * second
+        h, m = end - start, len(self.kinematics.constraints)
+        velocities, accelerations = self.levels(np.array([start]), q[None])
+        predicted = q + h * velocities.rates[0, m:] + h * h / 2 * accelerations.rates[0, m:]
         predicted[self.places] = self.path.at(end)[0]
         if not np.isfinite(predicted).all():
             return None
@@ -126,72 +182,58 @@ class _Driven:
         is_near = off <= max(_FAR * moved, 1e-6 * (1 + np.abs(q).max()))
         return found if is_near and problem.error(found) <= EXACT else None
 
-    def coordinate_rates(
-        self, time: float, q: Array, u: Array, accelerations: Array, A: Array
-    ) -> tuple[Array, Array]:
-        """Return the first and second rates of the coordinates."""
-        m = len(self.kinematics.constraints)
-        _, b = self.kinematics.velocity(time, q, self.p)
-        c = self.kinematics.acceleration(time, np.concatenate([q, u]), self.p)
-        return A[m:] @ u + b[m:], A[m:] @ accelerations + c[m:]
-
-    def rates(self, instants: Array, q: Array, *, is_checked: bool = True) -> tuple[Array, Array]:
-        """Return speeds and accelerations, a row for each instant."""
-        m, n = len(self.kinematics.constraints), len(self.kinematics.system.speeds)
+    def levels(self, instants: Array, q: Array) -> tuple[_Level, _Level]:
+        """Return what is demanded of velocities and of accelerations, at positions for each instant."""
+        m, p = len(self.kinematics.constraints), self.p[:, None]
         rows = [*range(m), *(m + place for place in self.places)]
         _, first, second = self.path.at(instants)
-        A, b = self.kinematics.velocity(instants, q.T, self.p[:, None])
-        A, b = np.moveaxis(A, -1, 0), np.asarray(b).T
-        demanded = np.zeros((len(instants), len(rows)))
-        demanded[:, m:] = first.T
-        u, determined = least_norm_many(A[:, rows], demanded - b[:, rows])
-        if is_checked:
-            self._check_determined(instants, determined)
-            self._check_satisfied(instants, A[:, rows], u, (demanded, b[:, rows]), "speeds")
-        c = self.kinematics.acceleration(instants, np.vstack([q.T, u.T]), self.p[:, None])
-        demanded[:, m:] = second.T
-        c = np.asarray(c).T[:, rows]
-        accelerations, _ = least_norm_many(A[:, rows], demanded - c)
-        if is_checked:
-            self._check_satisfied(instants, A[:, rows], accelerations, (demanded, c), "accelerations")
-        return u.reshape(-1, n), accelerations.reshape(-1, n)
+        at_rest = np.zeros((len(instants), m))
+        A, b = self.kinematics.velocity(instants, q.T, p)
+        A = np.moveaxis(A, -1, 0)
+        velocities = _Level(A, b.T, np.hstack([at_rest, first.T]), rows)
+        c = self.kinematics.acceleration(instants, np.vstack([q.T, velocities.x.T]), p)
+        return velocities, _Level(A, c.T, np.hstack([at_rest, second.T]), rows)
 
-    def _check_determined(self, instants: Array, determined: Array) -> None:
-        is_open = determined < 1 - 1e-6
-        if is_open.any():
-            k = int(np.argmax(is_open.any(axis=1)))
-            names = [
-                str(u) for u, left in zip(self.kinematics.system.speeds, is_open[k], strict=True) if left
-            ]
-            verb = "isn't" if len(names) == 1 else "aren't"
-            prescribed = ", ".join(map(str, self.path.prescription.coordinates))
+    def _check_finite(self, instants: Array, path: Array) -> None:
+        is_strange: Flags = np.logical_not(np.isfinite(path)).max(axis=0)
+        if is_strange.any():
+            k = int(np.argmax(is_strange.any(axis=0)))
             raise SimulationError(
-                f"{self.where}: at t = {instants[k]:g} s the speeds {', '.join(names)} {verb} determined by the "
-                f"constraints and the prescribed {prescribed}; prescribe as many coordinates as the system has degrees "
-                "of freedom, others where the position is singular"
+                f"{self.where}, motion: {self.prescribed[int(np.argmax(is_strange[:, k]))]}, or a rate of it, isn't "
+                f"finite at t = {instants[k]:g} s; prescribe what has two finite rates"
             )
 
-    def _check_satisfied(
-        self, instants: Array, A: Array, x: Array, terms: tuple[Array, Array], what: str
-    ) -> None:
-        demanded, rest = terms
-        left = np.abs(np.einsum("kij,kj->ki", A, x) + rest - demanded)
-        size = np.abs(A).sum(axis=2) * np.abs(x).max(axis=1, initial=0.0)[:, None]
-        size += np.abs(demanded) + np.abs(rest)
-        off = left > _OFF * size
-        if off.any() or not np.isfinite(x).all():
-            off |= ~np.isfinite(left)
-            k = int(np.argmax(off.any(axis=1)))
-            row, m = int(np.argmax(off[k])), len(self.kinematics.constraints)
-            broken = (
-                f"constraint {row + 1}, {shortened(self.kinematics.system.constraints[row])} = 0,"
-                if row < m
-                else f"the prescribed motion of {self.path.prescription.coordinates[row - m]}"
-            )
-            raise ConstraintError(
-                f"{self.where}: at t = {instants[k]:g} s no {what} satisfy {broken} together with the other "
-                "constraints and prescribed coordinates; prescribe fewer, or a motion that the constraints allow"
-            )
+    def check_determined(self, instants: Array, velocities: _Level) -> None:
+        """Raise an error where some speeds are open."""
+        is_open = velocities.is_open
+        if not is_open.any():
+            return
+        k = int(np.argmax(is_open.any(axis=1)))
+        speeds = self.kinematics.system.speeds
+        names = [str(u) for u, left in zip(speeds, is_open[k], strict=True) if left]
+        what = f"speed {names[0]} isn't" if len(names) == 1 else f"speeds {', '.join(names)} aren't"
+        raise SimulationError(
+            f"{self.where}: at t = {instants[k]:g} s the {what} determined by the constraints and the prescribed "
+            f"{', '.join(map(str, self.prescribed))}; prescribe as many coordinates as the system has degrees of "
+            "freedom, others where the position is singular"
+        )
+
+    def check_satisfied(self, instants: Array, level: _Level, what: str) -> None:
+        """Raise an error where the equations contradict each other."""
+        is_off = level.is_off
+        if not is_off.any():
+            return
+        k = int(np.argmax(is_off.any(axis=1)))
+        row, m = int(np.argmax(is_off[k])), len(self.kinematics.constraints)
+        broken = (
+            f"constraint {row + 1}, {shortened(self.kinematics.system.constraints[row])} = 0,"
+            if row < m
+            else f"the prescribed motion of {self.prescribed[row - m]}"
+        )
+        raise ConstraintError(
+            f"{self.where}: at t = {instants[k]:g} s no {what} satisfy {broken} together with the other "
+            "constraints and prescribed coordinates; prescribe fewer, or a motion that the constraints allow"
+        )
 
     def _stuck(self, q: Array, time: float) -> str:
         names = self.kinematics.system.coordinates
@@ -200,27 +242,3 @@ class _Driven:
             f"{self.where}: the constraints don't let the prescribed motion go on from t = {time:.6g} s, where "
             f"{place}; it may be a dead centre, or beyond reach: prescribe another motion, or other coordinates"
         )
-
-
-_OFF = 1e-8
-"""The part of its terms that an equation may be off where it counts as satisfied."""
-
-
-def least_norm_many(A: Array, b: Array) -> tuple[Array, Array]:
-    """Return the least solutions of many linear systems, and how far each unknown is determined: 1 if it is.
-
-    Args:
-        A: the matrices, N x rows x columns.
-        b: the right sides, N x rows.
-    """
-    count, rows, columns = A.shape
-    if columns == 0 or rows == 0:
-        return np.zeros((count, columns)), np.zeros((count, columns))
-    if count == 1:
-        x, kernel = least_norm(A[0], b[0])
-        return x[None], 1 - np.sum(kernel**2, axis=1)[None]
-    size = row_sizes(A)
-    inverse = np.linalg.pinv(A / size, rcond=RANK)
-    x = np.einsum("kij,kj->ki", inverse, b / size[:, :, 0])
-    determined = np.einsum("kij,kji->ki", inverse, A / size)
-    return x, determined

@@ -10,12 +10,13 @@ from numpy.typing import ArrayLike, NDArray
 from scipy.interpolate import BSpline, make_interp_spline
 
 from symbody.codegen import CompiledFunction, lambdify
-from symbody.errors import ModelError, SimulationError
+from symbody.errors import ArgumentError, ModelError, SimulationError
 from symbody.multibody import System
 from symbody.symbolic import Expr, ExprLike, free_symbols, number, t, time_derivative
 from symbody.symbolic.arguments import described
 
 from .cases import column_of
+from .values import check_known
 
 __all__ = ["Prescription", "prescription_of"]
 
@@ -88,17 +89,21 @@ def prescription_of(
         where: the function that the user called, for messages.
 
     Raises:
-        ModelError: something that is no coordinate, or an expression of something else than time and parameters.
+        ArgumentError: no dictionary, or an empty one.
+        ParameterError: something that is no coordinate.
+        ModelError: an expression of something else than time and parameters.
         SimulationError: a row of samples of another length.
     """
+    listed: object = motion
+    if not isinstance(listed, Mapping) or not listed:
+        raise ArgumentError(
+            f"{where}, motion: {described(motion)}; expected {{coordinate: expression of time}}, or a motion that was "
+            "simulated"
+        )
+    check_known(motion, system.coordinates, f"{where}, motion", "a coordinate of this system")
     formulas: dict[Expr, Expr] = {}
     samples: dict[Expr, BSpline] = {}
     for name, given in motion.items():
-        if name not in system.coordinates:
-            raise ModelError(
-                f"{where}, motion: {name} is no coordinate of this system; expected some of "
-                f"{', '.join(map(str, system.coordinates))}"
-            )
         if isinstance(given, Expr):
             formulas[name] = _formula(name, given, where)
             continue
@@ -107,10 +112,6 @@ def prescription_of(
             formulas[name] = number(float(column))
         else:
             samples[name] = _spline(name, column, instants, where)
-    if not motion:
-        raise ModelError(
-            f"{where}, motion: {described(motion)} prescribes nothing; expected {{coordinate: sin(t)}}"
-        )
     return Prescription(formulas, samples)
 
 

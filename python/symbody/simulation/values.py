@@ -17,7 +17,7 @@ from symbody.symbolic.arguments import described, expression
 
 from .cases import column_of
 
-__all__ = ["finite_number", "given_inputs", "parameter_values", "state_values"]
+__all__ = ["check_known", "finite_number", "given_inputs", "parameter_values", "state_values"]
 
 
 def parameter_values(
@@ -50,7 +50,7 @@ def parameter_values(
     known = tuple(dict.fromkeys((*names, *others)))
     if not are_all:
         known += tuple(name for name in given if isinstance(name, Expr) and name.kind == "symbol")
-    _check_known(given, known, f"{where}, parameters", "a parameter of these equations")
+    check_known(given, known, f"{where}, parameters", "a parameter of these equations")
     missing = [name for name in names if name not in given]
     if missing:
         raise ParameterError(
@@ -87,7 +87,7 @@ def state_values(
         rates = [time_derivative(q) for q in system.coordinates]
         known = tuple(dict.fromkeys((*system.coordinates, *system.speeds, *rates)))
         expected = "a coordinate, a rate of one or a speed of this system"
-    _check_known(values, known, f"{where}, {argument}", expected)
+    check_known(values, known, f"{where}, {argument}", expected)
     return {name: finite_number(name, value, f"{where}, {argument}") for name, value in values.items()}
 
 
@@ -146,6 +146,17 @@ def finite_number(name: Expr, value: ArrayLike, place: str) -> float:
     return float(column)
 
 
+def check_known(given: Iterable[object], known: Sequence[Expr], place: str, expected: str) -> None:
+    """Raise an error that says what was meant.
+
+    Raises:
+        ParameterError: something that isn't known.
+    """
+    for name in given:
+        if not isinstance(name, Expr) or name not in known:
+            raise ParameterError(f"{place}: {_found(name)} is not {expected}; {_near(name, known)}")
+
+
 def _mapping(given: object, where: str, argument: str) -> Mapping[Any, ArrayLike]:
     if given is None:
         return {}
@@ -154,12 +165,6 @@ def _mapping(given: object, where: str, argument: str) -> Mapping[Any, ArrayLike
             f"{where}, {argument}: {described(given)}; expected a dictionary of variables and their values"
         )
     return given
-
-
-def _check_known(given: Iterable[object], known: Sequence[Expr], place: str, expected: str) -> None:
-    for name in given:
-        if not isinstance(name, Expr) or name not in known:
-            raise ParameterError(f"{place}: {_found(name)} is not {expected}; {_near(name, known)}")
 
 
 def _is_function(thing: object) -> bool:

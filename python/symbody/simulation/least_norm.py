@@ -1,0 +1,56 @@
+"""Linear equations of any rank: the least of their best solutions, and what they leave open."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+__all__ = ["least_norm", "least_norm_many"]
+
+Array = NDArray[np.float64]
+
+RANK = 1e-10
+"""The part of the largest singular value below which one counts as zero."""
+
+
+def least_norm(A: Array, b: Array) -> tuple[Array, Array]:
+    """Return the shortest x of those with the least ``|A x - b|``, and a basis of what ``A`` takes to zero.
+
+    Rows are scaled by their largest entries before the rank is decided: they may have different units.
+    """
+    rows, columns = A.shape
+    if rows == 0 or columns == 0:
+        return np.zeros(columns), np.eye(columns)
+    size = _row_sizes(A)
+    U, s, Vt = np.linalg.svd(A / size)
+    rank = int(np.sum(s > RANK * s.max(initial=0.0)))
+    x: Array = Vt[:rank].T @ ((U[:, :rank].T @ (b / size[:, 0])) / s[:rank])
+    return x, Vt[rank:].T
+
+
+def least_norm_many(A: Array, b: Array) -> tuple[Array, Array]:
+    """Return the least solutions of many linear systems, and how far each unknown is determined: 1 if it is.
+
+    Args:
+        A: the matrices, N x rows x columns.
+        b: the right sides, N x rows.
+    """
+    count, rows, columns = A.shape
+    if columns == 0 or rows == 0:
+        return np.zeros((count, columns)), np.zeros((count, columns))
+    if count == 1:
+        x, kernel = least_norm(A[0], b[0])
+        return x[None], 1 - np.sum(kernel**2, axis=1)[None]
+    size = _row_sizes(A)
+    inverse = np.linalg.pinv(A / size, rcond=RANK)
+    x = np.einsum("kij,kj->ki", inverse, b / size[:, :, 0])
+    determined = np.einsum("kij,kji->ki", inverse, A / size)
+    return x, determined
+
+
+def _row_sizes(A: Array) -> Array:
+    """Return the largest entry of each row, as a column; that of all, for rows which are zero but for rounding."""
+    rows = np.abs(A).max(axis=-1, keepdims=True)
+    largest = rows.max(axis=-2, keepdims=True)
+    sizes: Array = np.where(rows > RANK * largest, rows, np.where(largest > 0, largest, 1.0))
+    return sizes
