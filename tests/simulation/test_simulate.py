@@ -281,7 +281,8 @@ class TestEndsBeforeTheEnd:
         message, motion = self.failed(oscillator(k / x), {m: 1, k: 4}, {x: 0})
         assert message == (
             "simulate: at t = 0 s: x'', the power are not finite there; look for a division by zero, a root or "
-            "logarithm of what became negative, or parameters that make no sense; what was computed is the error's motion"
+            "logarithm of what became negative, or parameters that make no sense; what was computed is the error's "
+            "motion"
         )
         assert len(motion) == 1
 
@@ -329,7 +330,8 @@ class TestEndsBeforeTheEnd:
             lambda: simulate(CIRCLE, VALUES, {x: 0.7}, constraints="glue"),
             SimulationError,
             (
-                "simulate: constraints='glue' is a str; expected 'projection', 'baumgarte', 'free', or (omega, zeta) for "
+                "simulate: constraints='glue' is a str; expected 'projection', 'baumgarte', 'free', or "
+                "(omega, zeta) for "
                 "Baumgarte's stabilisation"
             ),
         ),
@@ -337,7 +339,8 @@ class TestEndsBeforeTheEnd:
             lambda: simulate(oscillator(functions_of_time("u")), {m: 1}, {x: 1}),
             ModelError,
             (
-                "simulate: the equations hold the functions of time u, which are neither coordinates nor speeds; give them "
+                "simulate: the equations hold the functions of time u, which are neither coordinates nor "
+                "speeds; give them "
                 "by time and state, as inputs={u: sin(t)}"
             ),
         ),
@@ -345,7 +348,8 @@ class TestEndsBeforeTheEnd:
             lambda: simulate(DOUBLE, VALUES, START, inputs={x: sin(t)}),
             ModelError,
             (
-                "simulate: x given as inputs; expected functions of time that the equations hold beside coordinates and "
+                "simulate: x given as inputs; expected functions of time that the equations hold beside "
+                "coordinates and "
                 "speeds: there are none"
             ),
         ),
@@ -363,7 +367,8 @@ class TestEndsBeforeTheEnd:
             lambda: simulate(DOUBLE, VALUES, START, t=(0, 1))[y],
             SimulationError,
             (
-                "motion: y is nothing that this motion knows; expected time, coordinates, speeds, accelerations, multipliers "
+                "motion: y is nothing that this motion knows; expected time, coordinates, speeds, "
+                "accelerations, multipliers "
                 "and parameters of its system"
             ),
         ),
