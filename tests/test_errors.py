@@ -659,7 +659,7 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
         lambda: newton_euler(constrained(x, y, z)),
         (
             "System: 3 independent constraints on 3 coordinates leave no motion; expected fewer constraints than "
-            "coordinates"
+            "coordinates, or one that drives the system and holds the time t"
         ),
     ),
     (

@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 from symbody.errors import ConstraintError, ModelNotice
 from symbody.multibody import System
-from symbody.symbolic import Expr, Matrix, derivation, gradient, jacobian, number, time_derivative, zeros
+from symbody.symbolic import Expr, Matrix, derivation, gradient, jacobian, number, t, time_derivative, zeros
 
 
 def constraint_jacobian(system: System) -> Matrix:
@@ -51,7 +51,7 @@ def check_independent(system: System) -> None:
 
     Raises:
         ConstraintError: a constraint contradicts those before it, a combination of them being a number and not zero;
-            or those that are independent leave no motion.
+            or those that are independent leave no motion, and none of them drives it.
     """
     pivots: list[tuple[int, _Combination]] = []
     phi_q = constraint_jacobian(system)
@@ -75,10 +75,11 @@ _NOWHERE = -1
 
 def _check_motion_is_left(system: System, independent: int) -> None:
     n, what = len(system.speeds), "speeds" if system.quasi_velocities else "coordinates"
-    if independent == n:
+    is_driven = any(t in constraint.free_symbols for constraint in system.constraints)
+    if independent == n and not is_driven:
         raise ConstraintError(
             f"System: {n} independent constraints on {n} {what} leave no motion; expected fewer constraints than "
-            f"{what}"
+            f"{what}, or one that drives the system and holds the time t"
         )
 
 
