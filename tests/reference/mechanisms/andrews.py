@@ -30,8 +30,8 @@ from .problem import Problem, reference
 def andrews() -> Problem:
     numbers = reference("andrews")
     symbol = {name: symbols(name) for name in numbers["parameters"]}
-    d, da, e, ea, rr, ra, ss, sa, sb, sc, sd = (symbol[n] for n in "d da e ea rr ra ss sa sb sc sd".split())
-    ta, tb, u, ua, ub, zf, zt, fa = (symbol[n] for n in "ta tb u ua ub zf zt fa".split())
+    d, da, e, ea, rr, ra, ss, sa, sb, sc, sd = symbols("d da e ea rr ra ss sa sb sc sd")
+    ta, tb, u, ua, ub, zf, zt, fa = symbols("ta tb u ua ub zf zt fa")
     beta, Theta, gamma, Phi, delta, Omega, epsilon = coordinates = functions_of_time(numbers["coordinates"])
 
     A, B, C = (translate(symbol[f"x{n}"], symbol[f"y{n}"], 0) for n in "abc")

@@ -42,7 +42,7 @@ def slider_crank() -> Problem:
     length = sqrt(dot(along, along))
     pull = k * (length - l0) + c * time_derivative(length)
     loads = [
-        # The spring's two ends lie on one line, along which its forces are: acting and reacting at one of them is the same.
+        # Its forces at both ends are along the line through them: to act and react at one of them is the same.
         Force(-pull / length * along, at=end, on=rod, reaction=crank, name="spring"),
         Force(ground, F, 0, 0, at=Point(rod_frame, 1, 0, 0), on=rod, name="push"),
     ]
