@@ -42,9 +42,13 @@ class Linkage:
         return self.names[name]
 
 
-def double_pendulum() -> Linkage:
-    """Point masses on massless rods, absolute angles from the vertical, z down, with a torque at each joint."""
-    m1, m2, l1, l2, g, T1, T2 = symbols("m1 m2 l1 l2 g T1 T2")
+def double_pendulum(*, driven: bool = False) -> Linkage:
+    """Point masses on massless rods, absolute angles from the vertical, z down, with a torque at each joint.
+
+    The torques are parameters, or functions of time where it is driven.
+    """
+    m1, m2, l1, l2, g = symbols("m1 m2 l1 l2 g")
+    T1, T2 = functions_of_time("T1 T2") if driven else symbols("T1 T2")
     q1, q2 = functions_of_time("theta1 theta2")
     first = rotate("Y", q1)
     elbow = first * translate(0, 0, l1)
@@ -57,8 +61,10 @@ def double_pendulum() -> Linkage:
         [q1, q2],
         gravity=Vector(ground, 0, 0, g),
     )
-    values = {m1: 1.5, m2: 0.7, l1: 1.1, l2: 0.6, g: 9.81, T1: 0.0, T2: 0.0}
-    names = {str(each): each for each in (*values, q1, q2)}
+    values = {m1: 1.5, m2: 0.7, l1: 1.1, l2: 0.6, g: 9.81}
+    if not driven:
+        values |= {T1: 0.0, T2: 0.0}
+    names = {str(each): each for each in (*values, T1, T2, q1, q2)}
     return Linkage(newton_euler(system), values, names)
 
 

@@ -157,7 +157,7 @@ class DrivingLoads:
             raise SimulationError(
                 f"{self.where}: at t = {instants[k]:g} s {what}{', '.join(map(str, names))} "
                 f"{'is' if is_one else 'are'} not determined: other values move the system alike; give as many "
-                "unknowns=[...] as the motion has degrees of freedom"
+                "unknowns=[...] as the motion has degrees of freedom, and none where it is at its dead centre"
             )
 
     def _equation(self, row: int) -> str:
