@@ -304,8 +304,8 @@ def test_samples_do_what_their_formula_does():
             {"guess": {"phi": 1.2, "beta": 0.3}},
             ConstraintError,
             (
-                r": the constraints don't let the prescribed motion go on from t = (1|0\.99\d*) s, where phi = .*; it may "
-                "be a dead centre, or beyond reach: prescribe another motion"
+                r": the constraints don't let the prescribed motion go on from t = (1|0\.99\d*) s, where phi = .*; it "
+                "may be a dead centre, or beyond reach: prescribe another motion"
             ),
         ),
         (
@@ -321,8 +321,8 @@ def test_samples_do_what_their_formula_does():
             {},
             SimulationError,
             (
-                ": at t = 0 s the speed theta2' isn't determined by the constraints and the prescribed theta1; prescribe "
-                "as many coordinates as the system has degrees of freedom"
+                ": at t = 0 s the speed theta2' isn't determined by the constraints and the prescribed theta1; "
+                "prescribe as many coordinates as the system has degrees of freedom"
             ),
         ),
         (
@@ -357,7 +357,7 @@ def test_samples_do_what_their_formula_does():
             {"phi": t},
             {"unknowns": ["r"], "guess": {"s": 0.4}},
             ModelError,
-            ", unknowns: r stands in the prescribed motion, the constraints or the kinematics; expected what stands in",
+            ", unknowns: r stands in the prescribed motion, the constraints or the kinematics; expected what",
         ),
         (
             double_pendulum,
