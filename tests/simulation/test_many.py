@@ -597,7 +597,7 @@ def test_parameters_of_outputs_alone() -> None:
         ({"executor": 4}, "executor=4 is an int; expected an executor of concurrent.futures"),
         (
             {"t": (1, 0)},
-            r"t=\(1, 0\) is a tuple; expected the first and the last instant, or all instants, increasing",
+            r"t=\[1, 0\]; expected the first and the last instant, or all instants, increasing",
         ),
         ({"method": "euler"}, "method='euler'; expected auto, dop853, tsit5, bdf"),
     ],

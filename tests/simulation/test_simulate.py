@@ -35,10 +35,10 @@ from symbody import (
     time_derivative,
     translate,
 )
-from symbody.errors import ConstraintError, ModelError, ParameterError, SimulationError
+from symbody.errors import ArgumentError, ConstraintError, ModelError, ParameterError, SimulationError
 
 m, l, g, k, c = symbols("m l g k c")
-x, y, q1, q2 = functions_of_time("x y q1 q2")
+x, y, q1, q2, u = functions_of_time("x y q1 q2 u")
 NATIVE = ["dop853", "tsit5", "bdf", "esdirk34", "tr_bdf2"]
 
 
@@ -170,7 +170,6 @@ def test_a_moving_constraint_does_work():
 
 
 def test_inputs_may_be_laws_of_the_state():
-    u = functions_of_time("u")
     closed = simulate(oscillator(u), {m: 2, k: 8}, {x: 1}, t=(0, 3), inputs={u: -k * x})
     np.testing.assert_allclose(closed[x], np.cos(2 * closed.t), atol=1e-7)
     np.testing.assert_allclose(closed[u], -8 * closed[x], rtol=1e-12)
@@ -312,14 +311,84 @@ class TestEndsBeforeTheEnd:
             "simulate: no value for g; give parameters={g: ...}",
         ),
         (
-            lambda: simulate(DOUBLE, {**VALUES, k: 1}, START),
+            lambda: simulate(DOUBLE, {m: 1, l: 1, k: 1}, START),
             ParameterError,
-            "simulate, parameters: k is not a parameter of these equations; expected one of g, l, m",
+            "simulate: no value for g; give parameters={g: ...}; k, which you gave, stands nowhere in the equations",
+        ),
+        (
+            lambda: simulate(DOUBLE, VALUES, START, outputs={"moment": k * q1}),
+            ParameterError,
+            "simulate: no value for k; give parameters={k: ...}",
+        ),
+        (
+            lambda: simulate(DOUBLE, VALUES, START, events=[Event(q1 - k)]),
+            ParameterError,
+            "simulate: no value for k; give parameters={k: ...}",
+        ),
+        (
+            lambda: simulate(DOUBLE, VALUES, START, events=[Event(q1 - y, name="meeting")]),
+            SimulationError,
+            (
+                "simulate: the event meeting holds y; expected an expression of time, coordinates, speeds, "
+                "accelerations, multipliers and parameters"
+            ),
+        ),
+        (
+            lambda: simulate(DOUBLE, VALUES, START, outputs=[q1]),
+            ArgumentError,
+            (
+                "simulate, outputs: [q1] is a list; expected a dictionary of names and expressions, such as "
+                "outputs={'height': z}"
+            ),
+        ),
+        (
+            lambda: simulate(DOUBLE, VALUES, START, events=Event(q1)),
+            SimulationError,
+            "simulate, events: one Event; expected a list of them, events=[Event(...)]",
+        ),
+        (
+            lambda: simulate(DOUBLE.system, VALUES, START),
+            ArgumentError,
+            (
+                "simulate: System(2 bodies, 0 loads, 2 coordinates) is a System; expected equations of motion, such as "
+                "newton_euler(system)"
+            ),
+        ),
+        (
+            lambda: simulate(DOUBLE, VALUES, START, rtol=-1),
+            SimulationError,
+            "simulate: rtol=-1; expected a positive number",
+        ),
+        (
+            lambda: simulate(DOUBLE, VALUES, START, max_step=0),
+            SimulationError,
+            "simulate: max_step=0; expected a positive number",
+        ),
+        (
+            lambda: simulate(DOUBLE, VALUES, START, t=5),
+            SimulationError,
+            "simulate: t=5 is an int; expected the first and the last instant, or all instants, increasing",
+        ),
+        (
+            lambda: simulate(oscillator(u), {m: 1}, {x: 1}, inputs={u: time_derivative(x, 2)}),
+            ModelError,
+            (
+                "simulate, inputs, u: x'' is no part of the state; expected an expression of time, coordinates, speeds "
+                "and parameters"
+            ),
+        ),
+        (
+            lambda: simulate(oscillator(u), {m: 1}, {x: 1}, inputs={u: abs}),
+            ArgumentError,
+            (
+                "simulate, inputs, u: <built-in function abs> is a builtin_function_or_method; expected an expression "
+                "of time and state, such as u: sin(t)"
+            ),
         ),
         (
             lambda: simulate(DOUBLE, VALUES, START, t=(3, 1)),
             SimulationError,
-            "simulate: t=(3, 1) is a tuple; expected the first and the last instant, or all instants, increasing",
+            "simulate: t=[3, 1]; expected the first and the last instant, or all instants, increasing",
         ),
         (
             lambda: simulate(DOUBLE, VALUES, START, method="rk4"),
@@ -336,7 +405,7 @@ class TestEndsBeforeTheEnd:
             ),
         ),
         (
-            lambda: simulate(oscillator(functions_of_time("u")), {m: 1}, {x: 1}),
+            lambda: simulate(oscillator(u), {m: 1}, {x: 1}),
             ModelError,
             (
                 "simulate: the equations hold the functions of time u, which are neither coordinates nor "
@@ -348,9 +417,8 @@ class TestEndsBeforeTheEnd:
             lambda: simulate(DOUBLE, VALUES, START, inputs={x: sin(t)}),
             ModelError,
             (
-                "simulate: x given as inputs; expected functions of time that the equations hold beside "
-                "coordinates and "
-                "speeds: there are none"
+                "simulate, inputs: x is no function of time that the equations hold beside coordinates and speeds; "
+                "expected none: leave inputs out"
             ),
         ),
         (

@@ -15,7 +15,7 @@ from symbody.symbolic import Expr, ExprLike, time_derivative
 from .gauss_newton import gauss_newton
 from .kinematics import Kinematics, kinematics_of, neutral_position
 from .least_norm import least_norm
-from .values import parameter_values, state_values
+from .values import check_equations, parameter_values, state_values
 
 __all__ = ["consistent_state"]
 
@@ -67,9 +67,10 @@ def consistent_state(
     >>> [round(value, 12) for value in state.values()]
     [3.0, -4.0, 4.0, 3.0]
     """
+    check_equations(eqs, _WHERE)
     kinematics = kinematics_of(eqs, inputs)
     kinematics.check_inputs(_WHERE)
-    p = parameter_values(kinematics.parameters, parameters, where=_WHERE, are_all=False)
+    p = parameter_values(kinematics.parameters, parameters, where=_WHERE)
     fixed = state_values(eqs.system, initial, where=_WHERE)
     near = state_values(eqs.system, guess, where=_WHERE, argument="guess")
     q = positions(kinematics, p, t, fixed, near)

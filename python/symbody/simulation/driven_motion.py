@@ -115,5 +115,5 @@ def _instants(given: ArrayLike | None) -> Array:
 def _values(needed: Collection[Expr], parameters: Parameters) -> dict[Expr, float]:
     """Return the values of all symbols that are given, after a look for those which are needed."""
     names = sorted(needed, key=lambda symbol: symbol.name)
-    parameter_values(names, parameters, where=_WHERE, are_all=False)
+    parameter_values(names, parameters, where=_WHERE)
     return {name: float(np.asarray(value)) for name, value in parameters.items()}

@@ -90,7 +90,7 @@ def equilibrium(
     given = given_inputs(eqs, inputs, where=_WHERE)
     kinematics = kinematics_of(eqs, given)
     statics = statics_of(eqs, kinematics.given)
-    p = parameter_values(statics.parameters, parameters, where=_WHERE, are_all=False)
+    p = parameter_values(statics.parameters, parameters, where=_WHERE)
     held = state_values(eqs.system, fixed, where=_WHERE, argument="fixed", has_speeds=False)
     near = state_values(eqs.system, guess, where=_WHERE, argument="guess", has_speeds=False)
     problem = Balance(statics, t, p, tuple(held))

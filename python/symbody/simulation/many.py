@@ -30,6 +30,7 @@ from .progress import progress_bar
 from .results import Results
 from .results_file import ResultsError, ResultsFile
 from .runs import Runs
+from .values import given_inputs
 from .workers import Part, by_executor, cores, in_threads
 
 SAVE_EVERY = 10.0
@@ -106,7 +107,9 @@ def simulate_many(
     workforce = _checked(executor, cores() if threads is None else threads)
     all_cases = cases_of(parameters, initial, cases)
     batch = Batch(
-        model=model_of(eqs, inputs, is_stabilized=not isinstance(constraints, str)),
+        model=model_of(
+            eqs, given_inputs(eqs, inputs, where=PLACE), is_stabilized=not isinstance(constraints, str)
+        ),
         instants=instants_of(t),
         options=options_of(method, rtol, atol, max_step),
         constraints=_constraints(constraints),

@@ -8,7 +8,6 @@ from functools import cached_property, lru_cache
 
 from symbody.codegen import CompiledFunction, PreparedCode, lambdify
 from symbody.dynamics import Equations, ForwardDynamics, forward_dynamics
-from symbody.errors import ModelError
 from symbody.multibody import System, gravitational_energy, kinetic_energy, power
 from symbody.symbolic import (
     Expr,
@@ -239,33 +238,8 @@ def _model(eqs: Equations, inputs: tuple[tuple[Expr, Expr], ...], *, is_stabiliz
 
 
 def model_of(eqs: Equations, inputs: Inputs | None = None, *, is_stabilized: bool = False) -> Model:
-    """Return the model of equations with given inputs, the same for the same: what it compiled is used again.
-
-    Raises:
-        ModelError: an input of the equations isn't given, or what is given is no input.
-    """
+    """Return the model of equations with given inputs, the same for the same: what it compiled is used again."""
     given = tuple(
         sorted(((key, number(value)) for key, value in (inputs or {}).items()), key=lambda pair: str(pair[0]))
     )
-    _check_inputs(eqs, [key for key, _ in given])
     return _model(eqs, given, is_stabilized=is_stabilized)
-
-
-def _check_inputs(eqs: Equations, given: Sequence[Expr]) -> None:
-    functions = {leaf.name: leaf for leaf in sorted(eqs.inputs, key=lambda leaf: -leaf.order)}
-    names = {key.name for key in given if key.kind == "time_function"}
-    missing = [name for name in functions if name not in names]
-    if missing:
-        listed = ", ".join(sorted(missing))
-        raise ModelError(
-            f"simulate: the equations hold the functions of time {listed}, which are neither coordinates nor speeds; "
-            f"give them by time and state, as inputs={{{sorted(missing)[0]}: sin(t)}}"
-        )
-    strange = [
-        str(key) for key in given if key.kind != "time_function" or key.order or key.name not in functions
-    ]
-    if strange:
-        raise ModelError(
-            f"simulate: {', '.join(strange)} given as inputs; expected functions of time that the equations hold "
-            f"beside coordinates and speeds: {', '.join(sorted(functions)) or 'there are none'}"
-        )

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from math import inf
+from numbers import Real
+
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
@@ -23,15 +26,17 @@ def instants_of(given: ArrayLike) -> NDArray[np.float64]:
     Raises:
         SimulationError: they aren't finite numbers that increase.
     """
-    instants = np.array(given, dtype=np.float64)
-    if (
-        instants.ndim != 1
-        or len(instants) < 2
-        or not np.isfinite(instants).all()
-        or (np.diff(instants) <= 0).any()
-    ):
+    try:
+        instants = np.array(given, dtype=np.float64)
+    except (TypeError, ValueError):
+        instants = np.empty(0)
+    is_row = instants.ndim == 1 and len(instants) >= 2
+    if not is_row or not np.isfinite(instants).all() or (np.diff(instants) <= 0).any():
+        shown = (
+            np.array2string(np.asarray(given), threshold=6, separator=", ") if is_row else described(given)
+        )
         raise SimulationError(
-            f"simulate: t={described(given)}; expected the first and the last instant, or all instants, increasing"
+            f"simulate: t={shown}; expected the first and the last instant, or all instants, increasing"
         )
     return np.linspace(instants[0], instants[1], 1001) if len(instants) == 2 else instants
 
@@ -40,11 +45,14 @@ def options_of(method: str, rtol: float, atol: float, max_step: float) -> Option
     """Return how to integrate.
 
     Raises:
-        SimulationError: a method that isn't known.
+        SimulationError: a method that isn't known, or a tolerance or step that is no positive number.
     """
     methods = (*EXPLICIT, *IMPLICIT, *IDA_FORMS)
     if method not in ("auto", *methods):
         raise SimulationError(f"simulate: method={method!r}; expected auto, {', '.join(methods)}")
+    for name, value in {"rtol": rtol, "atol": atol, "max_step": max_step}.items():
+        if not isinstance(value, Real) or not value > 0 or (value == inf and name != "max_step"):
+            raise SimulationError(f"simulate: {name}={value!r}; expected a positive number")
     return Options("dop853" if method == "auto" else method, rtol, atol, max_step)
 
 

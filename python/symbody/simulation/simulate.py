@@ -13,8 +13,9 @@ from numpy.typing import ArrayLike, NDArray
 from symbody.codegen.deficiency import notice_deficiencies
 from symbody.dynamics import Equations
 from symbody.errors import ModelNotice, SimulationError
-from symbody.symbolic import Expr, ExprLike, number
+from symbody.symbolic import Expr, ExprLike
 
+from .asked import asked_outputs, check_known_along, parameters_in, watched_events
 from .baumgarte_choice import chosen_damping
 from .begin import begin
 from .diagnosis import diagnosis
@@ -27,7 +28,7 @@ from .model import DAMPING, Model, model_of
 from .motion import Motion
 from .options import instants_of, kept_by, options_of
 from .progress import progress_bar
-from .values import parameter_values
+from .values import given_inputs, parameter_values
 
 __all__ = ["simulate"]
 
@@ -57,7 +58,7 @@ def simulate(
 
     Args:
         eqs: the equations of motion.
-        parameters: values of the parameters.
+        parameters: values of the parameters, also of those that stand in events and outputs alone; others may be there.
         initial: values of coordinates, their rates or speeds at the first instant. What isn't named is free: zero
             without constraints, and changed as little as the constraints demand with them.
         t: the first and the last instant (1001 instants, evenly spaced), or the instants themselves, in s.
@@ -76,9 +77,9 @@ def simulate(
         progress: whether to show a bar; by default where messages go to a terminal, on long runs.
 
     Raises:
-        ParameterError: a value is missing, has no use, or isn't finite.
+        ParameterError: a value is missing, belongs to nothing, or isn't finite.
         ConstraintError: no state with what is given satisfies the constraints.
-        ModelError: functions of time that nobody gives.
+        ModelError: functions of time that nobody gives, or that aren't needed.
         SimulationError: the motion can't go on; what was computed is the error's `motion`.
 
     >>> from symbody import Body, Point, System, Vector, functions_of_time, ground, lagrange_equations, rotate, symbols
@@ -92,46 +93,21 @@ def simulate(
     True
     """
     instants, options, kept = instants_of(t), options_of(method, rtol, atol, max_step), kept_by(constraints)
-    watched = _checked(events)
-    plain = model_of(eqs, inputs)
-    values = parameter_values(
-        plain.parameters, parameters, others=_others(plain, parameters, outputs, watched)
-    )
+    asked, watched = asked_outputs(outputs), watched_events(events)
+    plain = model_of(eqs, given_inputs(eqs, inputs))
+    check_known_along(plain, asked, watched)
+    others = parameters_in([*asked.values(), *(event.expression for event in watched)])
+    values = parameter_values((*plain.parameters, *others), parameters)[: len(plain.parameters)]
     given = {name: float(value) for name, value in (parameters or {}).items()}
     state = begin(plain, given, initial or {}, guess or {}, float(instants[0]))
     is_damped = bool(eqs.constraints) and kept not in {"projection", "free"}
-    model = model_of(eqs, inputs, is_stabilized=True) if is_damped else plain
+    model = model_of(eqs, dict(plain.inputs), is_stabilized=True) if is_damped else plain
     if is_damped:
         damping = chosen_damping(plain, values, state, instants) if isinstance(kept, str) else kept
         given |= dict(zip(DAMPING, damping, strict=True))
         values = np.concatenate([values, damping])
     course = _Course(model, given, values, instants, options, watched, is_projected=kept == "projection")
-    outcome = course.followed(state, is_shown=progress)
-    asked = {name: number(value) for name, value in (outputs or {}).items()}
-    return course.told(outcome, asked)
-
-
-def _checked(events: Sequence[Event] | None) -> tuple[Event, ...]:
-    for event in events or ():
-        if not isinstance(event, Event):
-            raise SimulationError(
-                f"simulate: events hold {event!r}; expected Event(expression), from symbody"
-            )
-    return tuple(events or ())
-
-
-def _others(
-    model: Model,
-    parameters: Mapping[Expr, float] | None,
-    outputs: Mapping[str, ExprLike] | None,
-    events: Sequence[Event],
-) -> tuple[Expr, ...]:
-    """Return the parameters that the equations don't need, and others may; nobody looks where none are given."""
-    if not isinstance(parameters, Mapping) or set(parameters) <= set(model.parameters):
-        return ()
-    return model.other_parameters(
-        [*map(number, (outputs or {}).values()), *(event.expression for event in events)]
-    )
+    return course.told(course.followed(state, is_shown=progress), asked)
 
 
 @dataclass(frozen=True, eq=False)

@@ -12,12 +12,19 @@ from numpy.typing import ArrayLike, NDArray
 from symbody.dynamics import Equations
 from symbody.errors import ArgumentError, ModelError, ParameterError
 from symbody.multibody import System
-from symbody.symbolic import Expr, ExprLike, time_derivative
+from symbody.symbolic import Expr, ExprLike, t, time_derivative
 from symbody.symbolic.arguments import described, expression
 
 from .cases import column_of
 
-__all__ = ["check_known", "finite_number", "given_inputs", "parameter_values", "state_values"]
+__all__ = [
+    "check_equations",
+    "check_known",
+    "finite_number",
+    "given_inputs",
+    "parameter_values",
+    "state_values",
+]
 
 
 def parameter_values(
@@ -25,20 +32,16 @@ def parameter_values(
     parameters: Mapping[Expr, ArrayLike] | None,
     *,
     where: str = "simulate",
-    others: Sequence[Expr] = (),
-    are_all: bool = True,
 ) -> NDArray[np.float64]:
-    """Return the values of parameters, in their order.
+    """Return the values of parameters, in their order; more may be given, for other uses of the same model.
 
     Args:
         names: the parameters that need values.
         parameters: their values.
         where: the function that the user called, for messages.
-        others: parameters that may be given as well, such as those which stand in energies alone.
-        are_all: whether these are all parameters, so that other symbols are mistakes.
 
     Raises:
-        ParameterError: a parameter without a value, a value without a parameter, or one that isn't finite.
+        ParameterError: a parameter without a value, a value of what is no symbol, or one that isn't finite.
         ArgumentError: the parameters are no mapping, or a value is no number.
 
     >>> from symbody import symbols
@@ -47,14 +50,15 @@ def parameter_values(
     array([9.81, 2.  ])
     """
     given = _mapping(parameters, where, "parameters")
-    known = tuple(dict.fromkeys((*names, *others)))
-    if not are_all:
-        known += tuple(name for name in given if isinstance(name, Expr) and name.kind == "symbol")
-    check_known(given, known, f"{where}, parameters", "a parameter of these equations")
+    more = tuple(
+        name for name in given if isinstance(name, Expr) and name.kind == "symbol" and name not in names
+    )
+    check_known(given, (*names, *more), f"{where}, parameters", "a parameter of these equations")
     missing = [name for name in names if name not in given]
     if missing:
+        unused = f"; {_listed(more)}, which you gave, stands nowhere in the equations" if more else ""
         raise ParameterError(
-            f"{where}: no value for {_listed(missing)}; give parameters={{{_examples(missing)}}}"
+            f"{where}: no value for {_listed(missing)}; give parameters={{{_examples(missing)}}}{unused}"
         )
     values = {name: finite_number(name, value, f"{where}, parameters") for name, value in given.items()}
     return np.array([values[name] for name in names], dtype=np.float64)
@@ -110,6 +114,7 @@ def given_inputs(
         ModelError: one is missing, or something is given that is none.
         ArgumentError: the inputs are no mapping, or what is given is no expression.
     """
+    check_equations(eqs, where)
     given = _mapping(inputs, where, "inputs")
     names = sorted({leaf.name for leaf in eqs.inputs})
     for function in given:
@@ -125,7 +130,36 @@ def given_inputs(
             f"{where}: the equations hold the functions of time {_listed(missing)}, which are neither coordinates nor "
             f"speeds; give them by time and state, as inputs={{{missing[0]}: sin(t)}}"
         )
-    return {function: expression(value, f"{where}, inputs") for function, value in given.items()}
+    return {function: _input(eqs, function, value, where) for function, value in given.items()}
+
+
+def check_equations(eqs: object, where: str) -> None:
+    """See that a user gives equations of motion.
+
+    Raises:
+        ArgumentError: it is something else.
+    """
+    if not isinstance(eqs, Equations):
+        raise ArgumentError(
+            f"{where}: {described(eqs)}; expected equations of motion, such as newton_euler(system)"
+        )
+
+
+def _input(eqs: Equations, function: Expr, value: Any, where: str) -> Expr:
+    place, system = f"{where}, inputs, {function}", eqs.system
+    if callable(value):
+        raise ArgumentError(
+            f"{place}: {described(value)}; expected an expression of time and state, such as {function}: sin(t)"
+        )
+    formula = expression(value, place)
+    known = {t, *system.coordinates, *system.speeds, *(time_derivative(q) for q in system.coordinates)}
+    strange = {leaf for leaf in formula.free_symbols if leaf.depends_on_time} - known
+    if strange:
+        raise ModelError(
+            f"{place}: {_listed(sorted(map(str, strange)))} is no part of the state; expected an expression of time, "
+            "coordinates, speeds and parameters"
+        )
+    return formula
 
 
 def finite_number(name: Expr, value: ArrayLike, place: str) -> float:
