@@ -6,8 +6,7 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from symbody import Event, equilibrium, simulate, time_derivative
-from symbody.simulation.equilibrium import Equilibrium
+from symbody import Equilibrium, Event, equilibrium, simulate, time_derivative
 from tests.reference.mechanisms.fourbar_statics import fourbar_statics
 from tests.reference.mechanisms.problem import reference
 

@@ -38,15 +38,15 @@ from symbody.simulation.event import Event
 from symbody.simulation.ida import IdaRun, integrate_ida
 from symbody.simulation.model import model_of
 from symbody.symbolic import t
-from tests.reference import test_double_pendulum_natural as double_pendulum
+from tests.reference.mechanisms.problem import reference
 from tests.simulation.dae_models import (
     Array,
     Case,
-    andrews,
     chain,
-    natural_double_pendulum,
+    crank_and_slider,
+    double_pendulum,
     pendulum,
-    slider_crank,
+    squeezing_mechanism,
 )
 
 pytest.importorskip("sksundae")
@@ -80,23 +80,24 @@ def test_the_pendulum_follows_jacobis_functions(form: str, tolerance: float) -> 
 
 @pytest.mark.parametrize(("form", "tolerance"), [("stabilized", 2e-5), ("2", 2e-5), ("3", 3e-2)])
 def test_the_double_pendulum_has_the_reference_motion_and_multipliers(form: str, tolerance: float) -> None:
-    case = natural_double_pendulum()
+    case = double_pendulum()
     motion = run(case, form)
     assert error(motion, case) < tolerance
-    assert_allclose(motion.multipliers, [row["lam"] for row in double_pendulum.ROWS], atol=10 * tolerance)
-    assert_allclose(motion.accelerations, [row["a"] for row in double_pendulum.ROWS], atol=20 * tolerance)
+    rows = reference("double_pendulum_natural")["rows"]
+    assert_allclose(motion.multipliers, [row["lam"] for row in rows], atol=10 * tolerance)
+    assert_allclose(motion.accelerations, [row["a"] for row in rows], atol=20 * tolerance)
 
 
 @pytest.mark.parametrize("form", FORMS)
 def test_the_slider_crank_has_the_published_motion(form: str) -> None:
     """Published with five digits, 1e-4 where the angle is above 1, from a run at 1e-6."""
-    case = slider_crank()
+    case = crank_and_slider()
     assert error(run(case, form), case) < 7e-5
 
 
 @pytest.mark.parametrize(("form", "tolerance"), [("stabilized", 1e-8), ("2", 1e-8), ("3", 1e-4)])
 def test_the_squeezing_mechanism_arrives_where_the_test_set_says(form: str, tolerance: float) -> None:
-    case = andrews()
+    case = squeezing_mechanism()
     assert error(run(case, form, 1e-12), case) < tolerance
 
 
@@ -107,7 +108,7 @@ def test_the_error_falls_with_the_tolerance() -> None:
 
 
 def test_forms_differ_by_the_constraints_that_they_keep() -> None:
-    case = natural_double_pendulum()
+    case = double_pendulum()
     system, parameters = case.equations.system, list(case.parameters)
     f = lambdify(
         [list(system.coordinates + system.speeds), parameters],
@@ -195,8 +196,8 @@ def test_without_constraints_all_forms_are_one() -> None:
 
 def test_jacobians_are_the_derivatives_of_the_residuals() -> None:
     for case, form in (
-        (slider_crank(), "stabilized"),
-        (andrews(), "3"),
+        (crank_and_slider(), "stabilized"),
+        (squeezing_mechanism(), "3"),
         (Case(top(), {}, *[np.empty(0)] * 3), "stabilized"),
     ):
         dae = dae_of(model_of(case.equations), form)
@@ -251,7 +252,7 @@ def test_a_terminal_event_ends_the_motion() -> None:
 
 
 def test_what_was_computed_is_kept_where_somebody_stops(capsys: pytest.CaptureFixture[str]) -> None:
-    case = natural_double_pendulum()
+    case = double_pendulum()
     asked: list[float] = []
 
     def keep_going(time: float) -> bool:
