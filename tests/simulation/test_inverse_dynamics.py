@@ -365,8 +365,8 @@ def test_samples_do_what_their_formula_does():
             {"unknowns": ["theta1"]},
             ModelError,
             (
-                ", unknowns: theta1 isn't in the equations of motion; expected symbols or functions of time in the loads: "
-                "T1, T2, g, l1, l2, m1, m2"
+                ", unknowns: theta1 isn't in the equations of motion; expected symbols or functions of time in the "
+                "loads: T1, T2, g, l1, l2, m1, m2"
             ),
         ),
         (
