@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from symbody import angular_momentum, simulate, symbols, time_derivative
+from symbody import ModelNotice, angular_momentum, simulate, symbols, time_derivative
 from tests.reference.mechanisms.flyball_governor import flyball_governor
 from tests.reference.mechanisms.problem import reference
 
@@ -41,6 +41,15 @@ def test_it_moves_as_the_reference(method: str, rtol: float) -> None:
         atol=1e-13,
     )
     assert_allclose(motion.states, ROWS[:, 1:], rtol=0, atol=RUN["radau_vs_bdf_max"])
+
+
+def test_that_it_is_stiff_is_told_and_another_method_is_faster() -> None:
+    """At a tolerance at which springs and dampers that have settled would let steps be long."""
+    given = (PROBLEM.equations, PROBLEM.parameters, PROBLEM.initial, (0, 10))
+    with pytest.warns(ModelNotice, match="stiff"):
+        explicit = simulate(*given, rtol=1e-5, atol=1e-7)
+    implicit = simulate(*given, rtol=1e-5, atol=1e-7, method="bdf")
+    assert 10 * implicit.statistics.evaluations < explicit.statistics.evaluations
 
 
 @pytest.mark.parametrize("damping", [RUN["c"], 0.0])
