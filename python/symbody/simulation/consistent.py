@@ -91,7 +91,9 @@ class Positions:
     @classmethod
     def at(cls, kinematics: Kinematics, p: Array, t: float, q: Array) -> Positions:
         """Return the equations, scaled where the search begins."""
-        return cls(kinematics, p, t, _scale(kinematics, p, t, q))
+        with np.errstate(all="ignore"):
+            _, phi_q, sizes = kinematics.position(t, q, p)
+        return cls(kinematics, p, t, _scale(q, phi_q, sizes))
 
     def linearization(self, q: Array, is_free: Flags) -> tuple[Array, Array]:
         """Return the scaled constraints and their derivatives by the free coordinates."""
@@ -102,8 +104,8 @@ class Positions:
     def error(self, q: Array) -> float:
         """Return the largest violation in the size of its terms; infinite where something isn't finite."""
         with np.errstate(all="ignore"):
-            phi, _, _ = self.kinematics.position(self.t, q, self.p)
-        error = float(np.max(np.abs(phi) / _scale(self.kinematics, self.p, self.t, q)))
+            phi, phi_q, sizes = self.kinematics.position(self.t, q, self.p)
+        error = float(np.max(np.abs(phi) / _scale(q, phi_q, sizes)))
         return error if np.isfinite(error) else np.inf
 
     def solved(self, q: Array, is_free: Flags) -> Array:
@@ -163,10 +165,8 @@ def beginnings(start: Array, is_free: Flags) -> Iterator[Array]:
         yield start + size * np.maximum(np.abs(start), 0.3) * shift
 
 
-def _scale(kinematics: Kinematics, p: Array, t: float, q: Array) -> Array:
+def _scale(q: Array, phi_q: Array, sizes: Array) -> Array:
     """Return the sizes of the terms of the constraints, and no less than what a thousandth of the coordinates makes."""
-    with np.errstate(all="ignore"):
-        _, phi_q, sizes = kinematics.position(t, q, p)
     scale = np.maximum(sizes, 1e-3 * np.abs(phi_q) @ np.maximum(np.abs(q), 1))
     return np.where(np.isfinite(scale) & (scale > 0), scale, 1.0)
 

@@ -17,8 +17,8 @@ _STEPS = 200
 _LARGEST_DAMPING = 1e12
 _ROUNDING = 4e-16
 """A value that is zero but for rounding."""
-_NEARLY = 1e-13
-"""A value at which a step that doesn't help is the last one: rounding errors are in its way."""
+_NEARLY = 1e-11
+"""A value at which a step that hardly helps is the last one: rounding errors are in its way."""
 
 
 def gauss_newton(linearization: Linearization, start: Array) -> Array:
@@ -48,7 +48,7 @@ def gauss_newton(linearization: Linearization, start: Array) -> Array:
         gain = (error - float(F_next @ F_next)) / expected
         if gain > 1e-4:
             x, F, J = x + step, F_next, J_next
-        elif error <= len(F) * _NEARLY**2:
+        if gain < 0.5 and error <= len(F) * _NEARLY**2:
             break
         damping = max(damping / 5, 1e-8) if gain > 0.75 else damping if gain > 0.25 else 4 * damping
     return x
