@@ -26,6 +26,7 @@ from symbody import (
     translate,
 )
 from symbody.errors import ArgumentError, ConstraintError, ModelError, ParameterError, SimulationError
+from symbody.view import animate, plot
 from tests.reference.robot import FIXED, motion_at, robot
 from tests.simulation.linkages import double_pendulum, fourbar, hanging_box, pendulum_on_rail, slider_crank
 
@@ -290,6 +291,16 @@ def test_samples_do_what_their_formula_does():
     (one,), (two,) = formula.forces.values(), samples.forces.values()
     assert np.allclose(one[5:-5], two[5:-5], rtol=1e-5)
     assert not np.array_equal(one, two)
+
+
+def test_what_was_found_can_be_seen(tmp_path):
+    linkage = slider_crank()
+    found = drive(linkage, {"phi": w * t}, np.linspace(0, 1, 20), unknowns=["T"], guess={"s": 0.4})
+    figure = plot(found, linkage["T"])
+    curve = figure.axes[0].get_lines()[0]
+    assert np.allclose(curve.get_ydata(), found.forces[linkage["T"]])
+    assert animate(found, tmp_path / "crank.html").stat().st_size > 1000
+    assert repr(found) == "InverseDynamics of T: 20 instants from 0 to 1 s"
 
 
 # --- what can't be ----------------------------------------------------------------------------------------------------

@@ -25,7 +25,7 @@ from symbody import (
     time_derivative,
     translate,
 )
-from tests.simulation.linkages import double_pendulum, slider_crank
+from tests.simulation.linkages import double_pendulum, hanging_box, slider_crank
 
 m, l, g = symbols("m l g")
 values = {m: 1.3, l: 0.8, g: 9.81}
@@ -158,3 +158,18 @@ def test_the_pin_of_a_slider_is_a_multiplier():
     assert np.allclose(motion[needed], -motion.multipliers[:, 0], atol=1e-10)
     a = make_interp_spline(motion.t, motion[s], k=7)(motion.t, 2)
     assert np.allclose((0.8 * a + 5)[9:-9], -motion.multipliers[9:-9, 0], atol=1e-4)
+
+
+def test_a_ball_joint_holds_a_floating_body():
+    # Its force is m (a - g) of the centre of mass, by the positions; the multipliers of the gap are its components.
+    linkage = hanging_box()
+    system, (x, y, z) = linkage.equations.system, (linkage[name] for name in "xyz")
+    start = {linkage["e1"]: 0.3, linkage["phi"]: 0.0}
+    motion = simulate(
+        linkage.equations, linkage.parameters, start, guess={z: -0.5}, t=(0, 1), rtol=1e-11, atol=1e-12
+    )
+    force = newton_equations(system.bodies, ground, gravity=system.gravity).components
+    place = make_interp_spline(motion.t, motion.evaluate([x, y, z]), k=7, axis=1)
+    expected = 2.0 * (place(motion.t, 2) + np.array([[0], [0], [9.81]]))
+    assert np.allclose(motion.evaluate(force)[:, 9:-9], expected[:, 9:-9], atol=1e-5)
+    assert np.allclose(motion.evaluate(force), motion.multipliers.T, atol=1e-10)
