@@ -9,8 +9,10 @@ from symbody import (
     Body,
     Force,
     System,
+    Torque,
     Vector,
     cos,
+    floating_frame,
     functions_of_time,
     ground,
     inverse_dynamics,
@@ -110,6 +112,48 @@ def test_a_pendulum_that_leans_on_its_rail():
     assert np.allclose(found[linkage["y"]], -l * np.cos(lean), rtol=1e-13)
     assert np.allclose(found.multipliers[:, 0], multiplier, rtol=1e-11)
     assert np.allclose(found.forces[linkage["x"]], force, rtol=1e-11)
+
+
+def test_a_floating_body_is_carried_around():
+    # It turns about z at the rate 3 on a circle of radius 2: m (a - g) towards the centre and up, and w x I w.
+    m, g, Iz, Cyz, Cxz, *wrench = symbols("m g Iz Cyz Cxz Fx Fy Fz Mx My Mz")
+    hull = floating_frame()
+    body = Body(hull, m, 0, 0, Iz, Cyz, Cxz)
+    carrier = [
+        Force(hull, *wrench[:3], at=body.center_of_mass, on=body),
+        Torque(hull, *wrench[3:], on=body),
+    ]
+    eqs = newton_euler(System([body], carrier, gravity=Vector(ground, 0, 0, -g)))
+    x, y, z, e0, e1, e2, e3 = eqs.coordinates
+    motion = {
+        x: 2 * cos(w * t),
+        y: 2 * sin(w * t),
+        z: 0,
+        e0: cos(w * t / 2),
+        e1: 0,
+        e2: 0,
+        e3: sin(w * t / 2),
+    }
+    values = {m: 1.5, g: 9.81, Iz: 0.3, Cyz: 0.02, Cxz: -0.05, w: 3}
+    found = inverse_dynamics(eqs, motion, values, [0, 2, 3], unknowns=wrench)
+    expected = [-1.5 * 2 * 9, 0, 1.5 * 9.81, 0.02 * 9, 0.05 * 9, 0]
+    assert np.allclose(np.array(list(found.forces.values())).T, expected, atol=1e-12)
+    assert np.allclose(found[time_derivative(x)], -6 * np.sin(3 * found.t), atol=1e-12)
+    with pytest.raises(SimulationError, match="the force along e0 is not determined: other values"):
+        inverse_dynamics(eqs, motion, values | dict.fromkeys(wrench, 0), [0, 2, 3])
+
+
+def test_a_floating_body_that_may_only_shift():
+    # Its shift is prescribed, and constraints keep it from turning: forces along its coordinates.
+    m, g, I = symbols("m g I")
+    hull = floating_frame()
+    system = System([Body(hull, m, I, I, I)], gravity=Vector(ground, 0, 0, -g))
+    x, y, z, *turning = system.coordinates
+    held = System(system.bodies, constraints=turning[1:], gravity=system.gravity)
+    found = inverse_dynamics(newton_euler(held), {x: t**2, y: 0, z: 0}, {m: 2, g: 9.81, I: 1}, [0, 1, 2])
+    assert np.allclose(found.forces[x], 4)
+    assert np.allclose(found.forces[z], 2 * 9.81)
+    assert np.allclose(found[x], found.t**2)
 
 
 @pytest.mark.parametrize("name", FIXED)

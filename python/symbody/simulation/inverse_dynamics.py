@@ -82,7 +82,8 @@ class InverseDynamics:
         wanted = substitute([number(each) for each in expressions], dict(self.inputs))
         wanted = substitute(wanted, system.known_rates)
         states = [*system.coordinates, *system.speeds, *system.accelerations, *system.multipliers]
-        loads = {name: values for name, values in self.forces.items() if name not in system.driving}
+        own = {*system.coordinates, *system.driving}
+        loads = {name: values for name, values in self.forces.items() if name not in own}
         self._check_known(wanted, {symbolic_time, *states, *loads, *self.parameters})
         function = lambdify([symbolic_time, states, list(loads), list(self.parameters)], list(wanted))
         rows = np.hstack([self.coordinates, self.speeds, self.accelerations, self.multipliers]).T
