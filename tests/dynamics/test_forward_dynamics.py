@@ -146,9 +146,28 @@ def test_constrained() -> None:
             strict=True,
         )
     )
-    assert solution.method == "pivoted"
+    assert solution.method == "schur_complement"
     assert all(residual.subs(known) == 0 for residual in eqs.residuals)
     assert time_derivative(eqs.constraints[0], 2).subs(known) == 0
+
+
+def test_ways_to_solve_constrained_equations_agree() -> None:
+    """By the Schur complement and by pivoting: the same values, nodes of one class."""
+    eqs = newton_euler(bead())
+    one, two = (forward_dynamics(eqs, method=method) for method in ("schur_complement", "pivoted"))
+    assert (one.accelerations, one.multipliers) == (two.accelerations, two.multipliers)
+    assert (
+        cost([*one.accelerations, *one.multipliers]).total
+        < cost([*two.accelerations, *two.multipliers]).total
+    )
+
+
+def test_coordinates_without_mass_that_a_constraint_moves_are_pivoted() -> None:
+    eqs = newton_euler(System([Body(translate(x, 0, 0), m)], coordinates=[x, y], constraints=[x - y**2]))
+    solution = forward_dynamics(eqs)
+    assert solution.method == "pivoted"
+    with pytest.raises(ModelError, match=r"the mass matrix of x', y': .* has no pivot"):
+        forward_dynamics(eqs, method="schur_complement")
 
 
 def test_stabilised_constraints() -> None:
@@ -190,7 +209,7 @@ MISTAKES = [
     (
         ModelError,
         lambda: forward_dynamics(newton_euler(bead()), method="magic"),
-        "forward_dynamics: the method 'magic'; expected one of auto, articulated_body, ldl, pivoted",
+        "forward_dynamics: the method 'magic'; expected one of auto, articulated_body, ldl, schur_complement, pivoted",
     ),
     (
         ModelError,
@@ -207,6 +226,11 @@ MISTAKES = [
             "forward_dynamics: elimination without pivoting is for symmetric mass matrices and no constraints; "
             "use method='pivoted'"
         ),
+    ),
+    (
+        ModelError,
+        lambda: forward_dynamics(newton_euler(chain(2)), method="schur_complement"),
+        "forward_dynamics: the Schur complement is for symmetric mass matrices and constraints; use method='auto'",
     ),
     (
         ModelError,

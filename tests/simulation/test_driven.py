@@ -21,6 +21,7 @@ from symbody import (
     sin,
     symbols,
     t,
+    time_derivative,
     translate,
 )
 from symbody.errors import ConstraintError
@@ -73,3 +74,19 @@ def test_the_multiplier_of_the_drive_is_its_torque(driven: Equations) -> None:
 def test_without_a_drive_nothing_is_left_to_move() -> None:
     with pytest.raises(ConstraintError, match="or one that drives the system"):
         newton_euler(slider_crank(phi - Omega))
+
+
+@pytest.mark.parametrize("mass", [0, 1e-30])
+def test_a_rod_without_mass_has_its_place_by_the_constraints(mass: float) -> None:
+    """Nothing is divided by what is zero: the mass of the slider alone resists, as the formula of the stroke says."""
+    M = symbols("M")
+    rod = translate(r * cos(phi), r * sin(phi), 0) * rotate("Z", -psi)
+    bodies = [
+        Body(Point(rotate("Z", phi), r / 2, 0, 0), M, 0, 0, M * r**2),
+        Body(Point(rod, l / 2, 0, 0), m, 0, 0, m * l**2 / 12),
+    ]
+    eqs = newton_euler(System(bodies, coordinates=[phi, psi, s], constraints=GAP))
+    motion = simulate(
+        eqs, {r: 0.1, l: 0.3, m: mass, M: 1}, {phi: 0, time_derivative(phi): 1}, t=(0, 1), guess={s: 0.4}
+    )
+    np.testing.assert_allclose(motion[phi], motion.t, atol=1e-9)

@@ -3,6 +3,7 @@
 use crate::error::Error;
 use crate::graph::Graph;
 use crate::node::{Id, NumberId};
+use crate::rank::{Row, rank};
 
 /// The largest matrix that is inverted in symbols.
 const LARGEST_INVERSE: usize = 6;
@@ -74,6 +75,15 @@ impl Matrix {
 }
 
 impl Graph {
+    /// The rank of a matrix, at almost every point: that of its values at the random one.
+    pub fn matrix_rank(&self, matrix: &Matrix) -> usize {
+        let value = |(column, &entry)| (column, self.value(entry));
+        let rows = matrix.entries.chunks(matrix.columns.max(1)).map(|row| {
+            row.iter().enumerate().map(value).filter(|(_, value)| !value.is_zero()).collect::<Row>()
+        });
+        rank(rows.collect(), matrix.columns).independent.len()
+    }
+
     /// The product of two matrices.
     ///
     /// # Errors

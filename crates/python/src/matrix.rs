@@ -24,6 +24,13 @@ fn matrix_product<'py>(
     tuple(py, product.entries().iter().copied())
 }
 
+/// The rank of a matrix.
+#[pyfunction]
+fn matrix_rank(py: Python<'_>, rows: usize, columns: usize, entries: &Bound<'_, PyAny>) -> PyResult<usize> {
+    let matrix = raise(py, Matrix::new(rows, columns, operands(entries, "Matrix")?))?;
+    Ok(with_graph(|graph| graph.matrix_rank(&matrix)))
+}
+
 /// The determinant of an n x n matrix.
 #[pyfunction]
 fn determinant(py: Python<'_>, n: usize, entries: &Bound<'_, PyAny>) -> PyResult<Expr> {
@@ -65,6 +72,7 @@ fn linear_solve<'py>(
 
 pub fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(matrix_product, module)?)?;
+    module.add_function(wrap_pyfunction!(matrix_rank, module)?)?;
     module.add_function(wrap_pyfunction!(determinant, module)?)?;
     module.add_function(wrap_pyfunction!(inverse, module)?)?;
     module.add_function(wrap_pyfunction!(linear_solve, module)?)?;

@@ -17,6 +17,7 @@ from symbody.symbolic import (
     ldl_solve,
     linear_solve,
     number,
+    saddle_point_solve,
     substitute,
 )
 
@@ -52,7 +53,8 @@ def forward_dynamics(eqs: Equations, *, method: str = "auto", baumgarte: Damping
         eqs: the equations of motion.
         method: "articulated_body", a recursion whose length is proportional to the number of bodies, for a tree
             whose every coordinate drives one motion; "ldl", elimination in the mass matrix, for unconstrained
-            equations; "pivoted", a linear system that is solved at run time, for any; "auto", the shortest.
+            equations; "schur_complement", the same for constrained ones, whose multipliers are solved for at run
+            time; "pivoted", a linear system that is solved at run time, for any; "auto", the shortest.
         baumgarte: omega and zeta of ``phi'' + 2 zeta omega phi' + omega^2 phi = 0``, which keeps the constraints.
 
     Raises:
@@ -74,13 +76,30 @@ def forward_dynamics(eqs: Equations, *, method: str = "auto", baumgarte: Damping
 
 def _shortest(eqs: Equations, baumgarte: Damping) -> ForwardDynamics:
     if eqs.constraints:
-        return _pivoted(eqs, baumgarte)
+        return _shortest_with_constraints(eqs, baumgarte)
     with derivation(fresh=True):
         tree = frame_tree(eqs.system)
         recursive = articulated_body.is_applicable(eqs.system, tree)
     if recursive:
         return _shortest_for_tree(eqs, tree)
     return _ldl(eqs, None) if eqs.mass_matrix == eqs.mass_matrix.T else _pivoted(eqs, None)
+
+
+def _shortest_with_constraints(eqs: Equations, baumgarte: Damping) -> ForwardDynamics:
+    """Eliminate the mass matrix, unless that is impossible, or takes more text than a compiler likes.
+
+    Where constraints depend on each other the whole system is solved at run time: the least multipliers are told from
+    rounding errors there, and the product of three matrices has more of them.
+    """
+    entries = sum(not entry.is_zero for entry in eqs.mass_matrix.entries)
+    if entries <= _MOST_ENTRIES and eqs.constraint_jacobian.rank() == len(eqs.constraints):
+        with suppress(ModelError):
+            return _schur_complement(eqs, baumgarte)
+    return _pivoted(eqs, baumgarte)
+
+
+_MOST_ENTRIES = 2000
+"""Entries of a mass matrix that isn't zero there, up to which it is eliminated in symbols."""
 
 
 def _shortest_for_tree(eqs: Equations, tree: FrameTree) -> ForwardDynamics:
@@ -131,22 +150,47 @@ def _ldl(eqs: Equations, _: Damping) -> ForwardDynamics:
         try:
             return ForwardDynamics(ldl_solve(M, [-entry for entry in eqs.bias]), (), "ldl")
         except ExpressionError as failure:
-            names = ", ".join(map(str, eqs.speeds))
-            raise ModelError(
-                f"forward_dynamics: the mass matrix of {names}: {failure}; give every coordinate some mass to move, or "
-                "use method='pivoted'"
-            ) from failure
+            raise ModelError(_massless(eqs, failure)) from failure
+
+
+def _schur_complement(eqs: Equations, baumgarte: Damping) -> ForwardDynamics:
+    """Solve ``M q'' = forcing + phi_q^T lambda, phi_q q'' = -bias of phi''``."""
+    M = eqs.mass_matrix
+    if not eqs.constraints or M != M.T:
+        raise ModelError(
+            "forward_dynamics: the Schur complement is for symmetric mass matrices and constraints; use method='auto'"
+        )
+    with derivation(fresh=True):
+        conditions = [-entry for entry in _stabilized_bias(eqs, baumgarte)]
+        try:
+            solution = saddle_point_solve(M, eqs.constraint_jacobian, eqs.forcing, conditions)
+        except ExpressionError as failure:
+            raise ModelError(_massless(eqs, failure)) from failure
+    return ForwardDynamics(*solution, "schur_complement")
+
+
+def _stabilized_bias(eqs: Equations, baumgarte: Damping) -> tuple[Expr, ...]:
+    """Return what is left of ``phi'' + 2 zeta omega phi' + omega^2 phi`` without accelerations."""
+    omega, zeta = baumgarte or (0, 0)
+    return substitute(eqs.baumgarte(omega, zeta), at_rest(eqs.system))
+
+
+def _massless(eqs: Equations, failure: ExpressionError) -> str:
+    names = ", ".join(map(str, eqs.speeds))
+    return (
+        f"forward_dynamics: the mass matrix of {names}: {failure}; give every coordinate some mass to move, or use "
+        "method='pivoted'"
+    )
 
 
 def _pivoted(eqs: Equations, baumgarte: Damping) -> ForwardDynamics:
     """Solve ``[[M, -phi_q^T], [phi_q, 0]] (q'', lambda) = (forcing, -bias of phi'')``."""
     n, m = len(eqs.speeds), len(eqs.constraints)
     J, M = eqs.constraint_jacobian, eqs.mass_matrix
-    omega, zeta = baumgarte or (0, 0)
     with derivation(fresh=True):
         upper = [[*M.row(i), *(-J[k, i] for k in range(m))] for i in range(n)]
         lower = [[*J.row(k), *[number(0)] * m] for k in range(m)]
-        bias = substitute(eqs.baumgarte(omega, zeta), at_rest(eqs.system)) if m else ()
+        bias = _stabilized_bias(eqs, baumgarte) if m else ()
         solution = linear_solve(Matrix([*upper, *lower]), [*eqs.forcing, *(-entry for entry in bias)])
     return ForwardDynamics(solution[:n], solution[n:], "pivoted")
 
@@ -155,6 +199,7 @@ _METHODS: dict[str, Callable[[Equations, Damping], ForwardDynamics]] = {
     "auto": _shortest,
     "articulated_body": _articulated_body,
     "ldl": _ldl,
+    "schur_complement": _schur_complement,
     "pivoted": _pivoted,
 }
 

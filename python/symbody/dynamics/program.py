@@ -160,6 +160,8 @@ def _drift(eqs: Equations, method: str | None, baumgarte: Damping) -> str:
 _WAYS = {
     "articulated_body": "by articulated bodies",
     "ldl": "by elimination in the mass matrix",
+    "schur_complement": "by elimination in the mass matrix, and a linear system of the multipliers that is solved with "
+    "pivoting",
     "pivoted": "by a linear system that is solved with pivoting",
 }
 

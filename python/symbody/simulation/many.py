@@ -30,7 +30,7 @@ from .progress import progress_bar
 from .results import Results
 from .results_file import ResultsError, ResultsFile
 from .runs import Runs
-from .values import given_inputs
+from .values import given_inputs, vanishing
 from .workers import Part, by_executor, cores, in_threads
 
 SAVE_EVERY = 10.0
@@ -108,7 +108,10 @@ def simulate_many(
     all_cases = cases_of(parameters, initial, cases)
     batch = Batch(
         model=model_of(
-            eqs, given_inputs(eqs, inputs, where=PLACE), is_stabilized=not isinstance(constraints, str)
+            eqs,
+            given_inputs(eqs, inputs, where=PLACE),
+            is_stabilized=not isinstance(constraints, str),
+            zeros=vanishing(all_cases.parameters),
         ),
         instants=instants_of(t),
         options=options_of(method, rtol, atol, max_step),

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property, lru_cache
 
@@ -17,6 +17,7 @@ from symbody.symbolic import (
     free_symbols,
     linear_solve,
     number,
+    saddle_point_solve,
     substitute,
     symbols,
     t,
@@ -42,11 +43,13 @@ class Model:
         equations: the equations of motion.
         inputs: what is put in the place of functions of time that are given from outside.
         is_stabilized: whether the constraints are kept by Baumgarte's stabilisation.
+        method: how the accelerations are found, as `forward_dynamics` takes it.
     """
 
     equations: Equations
     inputs: tuple[tuple[Expr, Expr], ...] = ()
     is_stabilized: bool = False
+    method: str = "auto"
     _functions: dict[tuple[tuple[Expr, ...], ...], CompiledFunction] = field(default_factory=dict, repr=False)
 
     @property
@@ -106,10 +109,18 @@ class Model:
     def solution(self) -> ForwardDynamics:
         """The accelerations and multipliers by time, state and parameters."""
         damping = DAMPING if self.is_stabilized else None
-        solution = forward_dynamics(self.equations, baumgarte=damping)
+        solution = forward_dynamics(self.equations, method=self.method, baumgarte=damping)
         return ForwardDynamics(
             self.with_inputs(solution.accelerations), self.with_inputs(solution.multipliers), solution.method
         )
+
+    @property
+    def equation_names(self) -> list[str]:
+        """What to call the rows of the linear system that is solved at run time."""
+        constraints = [str(constraint) for constraint in self.constraints]
+        if self.solution.method == "schur_complement":
+            return constraints
+        return [f"the equation of {speed}" for speed in self.speeds] + constraints
 
     @cached_property
     def kinematics(self) -> tuple[Expr, ...]:
@@ -145,18 +156,23 @@ class Model:
         ``M d = phi_q^T mu, phi_q d = -phi`` [Eich 1993]: least in kinetic energy, so that lengths and angles weigh
         what they should. The coordinates follow by the kinematics.
         """
-        n, m = len(self.speeds), len(self.constraints)
-        J, M = self.equations.constraint_jacobian, self.equations.mass_matrix
         with derivation(fresh=True):
-            upper = [[*M.row(i), *(-J[k, i] for k in range(m))] for i in range(n)]
-            matrix = Matrix([*upper, *([*J.row(k), *[number(0)] * m] for k in range(m))])
-            rates = self.system.rate(self.constraints)
-            change = linear_solve(matrix, [number(0)] * n + [-phi for phi in self.constraints])[:n]
-            speeds = linear_solve(matrix, [number(0)] * n + [-rate for rate in rates])[:n]
+            change = self._least_change(self.constraints)
+            speeds = self._least_change(self.system.rate(self.constraints))
             at_rest = substitute(self.kinematics, dict.fromkeys(self.speeds, number(0)))
             moved = substitute(self.kinematics, dict(zip(self.speeds, change, strict=True)))
             coordinates = [rate - rest for rate, rest in zip(moved, at_rest, strict=True)]
         return self.with_inputs(coordinates), self.with_inputs(speeds)
+
+    def _least_change(self, left: Sequence[Expr]) -> tuple[Expr, ...]:
+        """Return the solution d of ``M d = phi_q^T mu`` and ``phi_q d = -left``."""
+        M, J = self.equations.mass_matrix, self.equations.constraint_jacobian
+        n, m, nothing = M.rows, J.rows, number(0)
+        if self.solution.method == "schur_complement":
+            return saddle_point_solve(M, J, [nothing] * n, [-value for value in left])[0]
+        upper = [[*M.row(i), *(-J[k, i] for k in range(m))] for i in range(n)]
+        matrix = Matrix([*upper, *([*J.row(k), *[nothing] * m] for k in range(m))])
+        return linear_solve(matrix, [*[nothing] * n, *(-value for value in left)])[:n]
 
     @cached_property
     def kinetic_energy(self) -> Expr:
@@ -218,9 +234,9 @@ class Model:
         """Return a function of time, state and parameters that evaluates expressions along motions."""
         key = (tuple(expressions), parameters)
         if key not in self._functions:
-            names = tuple(str(constraint) for constraint in self.constraints)
             values = list(self.along_motion(key[0]))
-            self._functions[key] = lambdify([t, *self.state, *parameters], values, equation_names=names)
+            arguments = [t, *self.state, *parameters]
+            self._functions[key] = lambdify(arguments, values, equation_names=self.equation_names)
         return self._functions[key]
 
 
@@ -233,13 +249,33 @@ def _is_parameter(leaf: Expr) -> bool:
 
 
 @lru_cache(maxsize=32)
-def _model(eqs: Equations, inputs: tuple[tuple[Expr, Expr], ...], *, is_stabilized: bool) -> Model:
-    return Model(eqs, inputs, is_stabilized)
+def _model(eqs: Equations, inputs: tuple[tuple[Expr, Expr], ...], is_stabilized: bool, method: str) -> Model:  # noqa: FBT001 - a key of the cache
+    return Model(eqs, inputs, is_stabilized, method)
 
 
-def model_of(eqs: Equations, inputs: Inputs | None = None, *, is_stabilized: bool = False) -> Model:
-    """Return the model of equations with given inputs, the same for the same: what it compiled is used again."""
+def model_of(
+    eqs: Equations,
+    inputs: Inputs | None = None,
+    *,
+    is_stabilized: bool = False,
+    zeros: Collection[Expr] = (),
+) -> Model:
+    """Return the model of equations with given inputs, the same for the same: what it compiled is used again.
+
+    Args:
+        eqs: the equations of motion.
+        inputs: what to put in the place of functions of time that are given from outside.
+        is_stabilized: whether the constraints are kept by Baumgarte's stabilisation.
+        zeros: parameters whose value is zero. Where they leave coordinates without mass, which constraints may move
+            none the less, the mass matrix isn't eliminated.
+    """
     given = tuple(
         sorted(((key, number(value)) for key, value in (inputs or {}).items()), key=lambda pair: str(pair[0]))
     )
-    return _model(eqs, given, is_stabilized=is_stabilized)
+    return _model(eqs, given, is_stabilized, "pivoted" if _is_massless(eqs, zeros) else "auto")
+
+
+def _is_massless(eqs: Equations, zeros: Collection[Expr]) -> bool:
+    M = eqs.mass_matrix
+    vanishing = {zero: number(0) for zero in zeros if zero in eqs.parameters}
+    return bool(eqs.constraints and vanishing) and M.rank() == M.rows != M.subs(vanishing).rank()

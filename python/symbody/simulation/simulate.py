@@ -5,6 +5,7 @@ from __future__ import annotations
 import warnings
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from functools import partial
 from math import inf
 
 import numpy as np
@@ -28,7 +29,7 @@ from .model import DAMPING, Model, model_of
 from .motion import Motion
 from .options import instants_of, kept_by, options_of
 from .progress import progress_bar
-from .values import given_inputs, parameter_values
+from .values import given_inputs, parameter_values, vanishing
 
 __all__ = ["simulate"]
 
@@ -94,14 +95,15 @@ def simulate(
     """
     instants, options, kept = instants_of(t), options_of(method, rtol, atol, max_step), kept_by(constraints)
     asked, watched = asked_outputs(outputs), watched_events(events)
-    plain = model_of(eqs, given_inputs(eqs, inputs))
+    modelled = partial(model_of, eqs, given_inputs(eqs, inputs), zeros=vanishing(parameters))
+    plain = modelled()
     check_known_along(plain, asked, watched)
     others = parameters_in([*asked.values(), *(event.expression for event in watched)])
     values = parameter_values((*plain.parameters, *others), parameters)[: len(plain.parameters)]
     given = {name: float(value) for name, value in (parameters or {}).items()}
     state = begin(plain, given, initial or {}, guess or {}, float(instants[0]))
     is_damped = bool(eqs.constraints) and kept not in {"projection", "free"}
-    model = model_of(eqs, dict(plain.inputs), is_stabilized=True) if is_damped else plain
+    model = modelled(is_stabilized=True) if is_damped else plain
     if is_damped:
         damping = chosen_damping(plain, values, state, instants) if isinstance(kept, str) else kept
         given |= dict(zip(DAMPING, damping, strict=True))
@@ -146,10 +148,8 @@ class _Course:
                 given=self.parameters,
             )
             outcome = run(problem, state, self.values, self.instants, self.options, keep_going)
-        names = [str(constraint) for constraint in self.model.constraints]
-        rows = [f"the equation of {speed}" for speed in self.model.speeds] + names
         for code in problem.codes:
-            notice_deficiencies(code.tag, rows, "simulate")
+            notice_deficiencies(code.tag, self.model.equation_names, "simulate")
         return outcome
 
     def told(self, outcome: Outcome, asked: Mapping[str, Expr]) -> Motion:

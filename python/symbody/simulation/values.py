@@ -24,6 +24,7 @@ __all__ = [
     "given_inputs",
     "parameter_values",
     "state_values",
+    "vanishing",
 ]
 
 
@@ -62,6 +63,13 @@ def parameter_values(
         )
     values = {name: finite_number(name, value, f"{where}, parameters") for name, value in given.items()}
     return np.array([values[name] for name in names], dtype=np.float64)
+
+
+def vanishing(parameters: object) -> tuple[Expr, ...]:
+    """Return the parameters whose value, or one of them, is zero; what is no number is told by others."""
+    if not isinstance(parameters, Mapping):
+        return ()
+    return tuple(name for name, value in parameters.items() if np.any(np.asarray(value) == 0))
 
 
 def state_values(

@@ -51,6 +51,7 @@ from symbody.symbolic.parse import parse
 from symbody.symbolic.printing import latex, listing, maple
 from symbody.symbolic.program import STAGES, Argument, Program, Result, Routine
 from symbody.symbolic.rewrite import coeff, collect, combine_trig, expand, expand_trig, factor_terms, simplify
+from symbody.symbolic.saddle_point import saddle_point_solve
 from symbody.symbolic.solve import solve
 from symbody.symbolic.sympy_bridge import from_sympy, to_sympy
 from symbody.symbolic.triple import (
@@ -121,6 +122,7 @@ __all__ = [
     "pi",
     "rotate3",
     "rotate_back3",
+    "saddle_point_solve",
     "scale3",
     "sign",
     "simplify",

@@ -11,7 +11,7 @@ from symbody.symbolic.derivation import derivation
 from symbody.symbolic.leaves import ExprLike
 from symbody.symbolic.matrix import Matrix
 
-__all__ = ["ldl_solve"]
+__all__ = ["Elimination", "ldl_solve"]
 
 
 @overload
@@ -42,7 +42,7 @@ def ldl_solve(matrix: Matrix, right: Matrix | Sequence[ExprLike]) -> Matrix | tu
     """
     _check(matrix, right)
     with derivation():
-        elimination = _Elimination(matrix)
+        elimination = Elimination(matrix)
         if not isinstance(right, Matrix):
             return elimination.solve(number(entry, "ldl_solve: the right side") for entry in right)
         columns = [elimination.solve(right.T.row(k)) for k in range(right.columns)]
@@ -51,8 +51,12 @@ def ldl_solve(matrix: Matrix, right: Matrix | Sequence[ExprLike]) -> Matrix | tu
 
 
 @final
-class _Elimination:
-    """The factors of a symmetric matrix: an order of the rows, and for each row what takes it out of the others."""
+class Elimination:
+    """The factors of a symmetric matrix ``A = L^T D L``: an order of the rows, and what takes each out of the others.
+
+    Raises:
+        ExpressionError: every pivot that is left is identically zero.
+    """
 
     def __init__(self, matrix: Matrix) -> None:
         self._rows = [
@@ -109,13 +113,27 @@ class _Elimination:
                 self._rows[a].pop(b, None)
 
     def solve(self, right: Iterable[Expr]) -> tuple[Expr, ...]:
-        """Return the unknowns."""
+        """Return ``A^-1 b``."""
+        return self.backward(self.scaled(self.forward(right)))
+
+    def forward(self, right: Iterable[Expr]) -> tuple[Expr, ...]:
+        """Return ``L^-T b``."""
         values = list(right)
         for row, _, multipliers in self._steps:
-            for other, multiplier in multipliers.items():
-                values[other] -= multiplier * values[row]
-        for row, reciprocal, multipliers in reversed(self._steps):
-            values[row] *= reciprocal
+            if not values[row].is_zero:
+                for other, multiplier in multipliers.items():
+                    values[other] -= multiplier * values[row]
+        return tuple(values)
+
+    def scaled(self, values: Sequence[Expr]) -> tuple[Expr, ...]:
+        """Return ``D^-1 v``."""
+        reciprocals = {row: reciprocal for row, reciprocal, _ in self._steps}
+        return tuple(value * reciprocals[row] for row, value in enumerate(values))
+
+    def backward(self, right: Iterable[Expr]) -> tuple[Expr, ...]:
+        """Return ``L^-1 b``."""
+        values = list(right)
+        for row, _, multipliers in reversed(self._steps):
             for other, multiplier in multipliers.items():
                 values[row] -= multiplier * values[other]
         return tuple(values)

@@ -161,6 +161,10 @@ class Matrix:
         """Return the determinant, by cofactors up to 4x4."""
         return _core.determinant(self._square("determinant"), self.entries)
 
+    def rank(self) -> int:
+        """Return the rank at almost every point: exact, since it is that of the values in the finite field."""
+        return _core.matrix_rank(self.rows, self.columns, self.entries)
+
     def inverse(self) -> Matrix:
         """Return the inverse, by cofactors up to 4x4.
 
