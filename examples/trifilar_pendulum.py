@@ -368,9 +368,7 @@ def simulate(console: Console, equations: Equations) -> None:
     start = perf_counter()
     motion = swing(equations, thrown())
     console.print(result_table(motion, shown, perf_counter() - start))
-    with step(
-        console, f"the motion drawn in {FOLDER}/trifilar_motion.png, and as a page for a browser in .html"
-    ):
+    with step(console, f"the motion drawn in {FOLDER}/trifilar_motion.png, and in .html for a browser"):
         draw(motion, shown)
 
 
