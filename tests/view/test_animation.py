@@ -19,6 +19,7 @@ from symbody.errors import PictureError, ViewError
 from symbody.view import Box, animate
 from tests.view.browser import CHROMIUM, browser
 from tests.view.prescribed import (
+    Prescribed,
     g,
     hanging_plate,
     l,
@@ -72,6 +73,31 @@ def test_bodies_are_the_solids_of_their_inertia(tmp_path: Path) -> None:
     np.testing.assert_allclose(sorted(box["parts"][0]["size"]), [0.1, 0.2, 0.3])
     rods = scene_of(animate(swinging(1.0), tmp_path / "rods.html"))["bodies"]
     assert [rod["parts"][0]["size"][0] for rod in rods] == pytest.approx([0.8, 0.8])
+
+
+def test_a_planar_body_lies_along_its_arms_and_a_disc_stays_flat(tmp_path: Path) -> None:
+    frame = translate(x, y, 0) * rotate("Z", phi)
+    beam, wheel = (
+        Body(frame, 3, Iz=4, name="beam"),
+        Body(translate(x, y, 0), 1, 0.01, 0.01, 0.02, name="wheel"),
+    )
+    strut = Force(ground, 0, 1, 0, at=Point(frame, 1.2, 1.6, 0), on=beam)
+    t = np.linspace(0, 1, 11)
+    motion = Prescribed(
+        t, System([beam, wheel], [strut], coordinates=[x, y, phi]), {x: 9 * t, y: t, phi: t}, {}
+    )
+    bodies = scene_of(animate(motion, tmp_path / "p.html"))["bodies"]
+    box, disc = (body["parts"][0] for body in bodies)
+    assert box["size"][0] == pytest.approx(4), "12 I/m = l^2"
+    assert np.abs(np.array(box["rotation"])[:, 0]) == pytest.approx([0.6, 0.8, 0])
+    thickness = np.linalg.norm(np.subtract(disc["to"], disc["from"]))
+    assert disc["radius"] == pytest.approx(0.2)
+    assert thickness < disc["radius"] / 2
+
+
+def test_the_axes_of_ground_are_in_the_picture(tmp_path: Path) -> None:
+    view = scene_of(animate(swinging(1.0), tmp_path / "p.html"))["view"]
+    assert (np.max(view["extremes"], axis=0) >= 0.25 * view["radius"] - 1e-6).all()
 
 
 def test_traces_shapes_and_forces(tmp_path: Path) -> None:

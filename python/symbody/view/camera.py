@@ -17,6 +17,9 @@ FLAT = 0.02
 
 DIRECTIONS = 100
 
+AXES = 0.25
+"""How far the letters at the axes of ground are from its origin, in radii of the picture; `viewer.js` draws them."""
+
 
 @dataclass(frozen=True)
 class View:
@@ -34,6 +37,12 @@ class View:
     def holding(self, places: Array) -> View:
         """Return the same view from as far as it takes to hold more points."""
         return replace(self, extremes=_extremes(np.concatenate([self.extremes, places])))
+
+    def holding_axes(self) -> View:
+        """Return the same view with the axes of ground, if their origin is in the picture."""
+        if np.linalg.norm(self.center) > self.radius:
+            return self
+        return self.holding(AXES * self.radius * np.eye(3))
 
     @property
     def entry(self) -> dict[str, Any]:

@@ -13,6 +13,10 @@ SAME = 1e-6
 """Principal moments are taken as equal if they differ by less, relative to the largest."""
 
 
+FLAT = 0.4
+"""The thickness of a thin disc at most, relative to its radius."""
+
+
 def equivalent_shape(mass: float, inertia: Array, link: Array | None, least: float) -> dict[str, Any]:
     """Return the homogeneous solid with this mass and inertia, as a part of the page.
 
@@ -23,7 +27,7 @@ def equivalent_shape(mass: float, inertia: Array, link: Array | None, least: flo
     Args:
         mass: the mass; a particle is a ball, and what has inertia without mass (a flywheel) a disc.
         inertia: the tensor about the centre of mass.
-        link: the direction from the joint to the centre of mass, if there is one.
+        link: the direction from the joint to the centre of mass, or of the longest arm, if there is one.
         least: the least length that can be seen.
     """
     moments, axes = np.linalg.eigh(inertia)
@@ -49,7 +53,8 @@ def equivalent_shape(mass: float, inertia: Array, link: Array | None, least: flo
 def _planar(mass: float, moment: float, normal: Array, link: Array | None, least: float) -> dict[str, Any]:
     in_plane = None if link is None else link - (link @ normal) * normal
     if in_plane is None or np.linalg.norm(in_plane) < SAME:
-        return _rod(normal, least, (2 * moment / mass) ** 0.5)
+        radius = (2 * moment / mass) ** 0.5
+        return _rod(normal, _thickness(radius, least), radius)
     along = in_plane / np.linalg.norm(in_plane)
     length = max(least, (12 * moment / mass) ** 0.5)
     axes = np.column_stack([along, np.cross(normal, along), normal])
@@ -57,8 +62,14 @@ def _planar(mass: float, moment: float, normal: Array, link: Array | None, least
 
 
 def _cylinder(mass: float, across: float, along: float, axis: Array, least: float) -> dict[str, Any]:
-    height = np.sqrt(max(12 * (across - along / 2) / mass, 0))
-    return _rod(axis, max(least, float(height)), max(least / 2, (2 * max(along, 0) / mass) ** 0.5))
+    height = float(np.sqrt(max(12 * (across - along / 2) / mass, 0)))
+    radius = max(least / 2, (2 * max(along, 0) / mass) ** 0.5)
+    return _rod(axis, max(height, _thickness(radius, least)), radius)
+
+
+def _thickness(radius: float, least: float) -> float:
+    """Return how thick a disc is drawn whose own thickness can't be seen: a small one is still a disc."""
+    return min(least, FLAT * radius)
 
 
 def _rod(axis: Array, length: float, radius: float) -> dict[str, Any]:

@@ -54,7 +54,7 @@ def scene(motion: Motion, wishes: Wishes, title: str) -> dict[str, Any]:
     core = _core(tracks, own, bones, asked, shift)
     least = THICKNESS * _radius(np.concatenate([core, _reach(motion, tracks[own], given, shift)]))
     parts = [
-        shapes or [_equivalent(motion, body, own[k], least)]
+        shapes or [_equivalent(motion, body, own[k], bones, least)]
         for k, (body, shapes) in enumerate(zip(bodies, given, strict=True))
     ]
     for k in (k for k, shapes in enumerate(given) if not shapes):
@@ -64,7 +64,7 @@ def scene(motion: Motion, wishes: Wishes, title: str) -> dict[str, Any]:
     shown, tips = arrow_entries(motion, drawn, view.radius)
     return {
         "title": title,
-        "view": view.holding((tips - shift).reshape(-1, 3)).entry,
+        "view": view.holding((tips - shift).reshape(-1, 3)).holding_axes().entry,
         "follow": rounded(shift) if wishes.follow else [],
         "thickness": least,
         "times": motion.t.tolist(),
@@ -159,10 +159,10 @@ def _bodies(bodies: Sequence[Body], own: Sequence[int], parts: Sequence[list[Par
     ]
 
 
-def _equivalent(motion: Motion, body: Body, pose: int, least: float) -> Part:
+def _equivalent(motion: Motion, body: Body, pose: int, bones: Skeleton, least: float) -> Part:
     mass, *rest = constants(motion, [body.mass, *body.inertia_entries, *joint(body).coordinates])
-    arm = -np.array(rest[9:])
-    link = arm if np.linalg.norm(arm) > 0 else None
+    to_centre = -np.array(rest[9:])
+    link = to_centre if np.linalg.norm(to_centre) > 0 else bones.longest_arm(pose)
     return {"pose": pose, **equivalent_shape(float(mass), np.array(rest[:9]).reshape(3, 3), link, least)}
 
 

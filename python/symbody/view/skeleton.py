@@ -37,6 +37,11 @@ class Skeleton:
         """Return the skeleton without the rods of some bodies: what they look like is known."""
         return replace(self, rods=[rod for rod in self.rods if rod["body"] not in bodies])
 
+    def longest_arm(self, pose: int) -> Array | None:
+        """Return the way from the origin of a frame to the farthest end of its rods, if it has any."""
+        ends = [np.array(rod["to"]) for rod in self.rods if rod["pose"] == pose and not rod.get("thin")]
+        return max(ends, key=lambda end: float(np.linalg.norm(end)), default=None)
+
 
 def skeleton(motion: Motion, table: FrameTable, tracks: Array) -> Skeleton:
     """Return the skeleton of a model in motion.
