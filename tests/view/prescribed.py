@@ -1,4 +1,4 @@
-"""Motions to look at, integrated by SciPy or prescribed: what simulation will offer to the view."""
+"""Motions to look at that no integrator of ours has computed: prescribed, or by SciPy."""
 
 from __future__ import annotations
 
