@@ -191,7 +191,7 @@ def outputs(motion: Equations) -> Outputs:
         displacement=project(plate.center_of_mass - rest, ground).components,
         angle=180 / sb.pi * sb.atan2(yB + yC - 2 * yA, xB + xC - 2 * xA),
         tension=tuple(-2 * h * multiplier for multiplier in motion.multipliers[6:]),
-        energies={"kinetic energy": T, "potential energy": V, "their sum": T + V},
+        energies={"kinetic energy": T, "potential energy": V, "total energy": T + V},
     )
 
 
@@ -205,9 +205,9 @@ def swing(motion: Equations, guess: dict[Expr, float], duration: float = DURATIO
 def draw(motion: Motion, shown: Outputs) -> None:
     """Write the motion over time, and as a page for a browser."""
     panels = (
-        dict(zip(("$x_G$", "$y_G$", "$z_G$"), shown.displacement, strict=True)),
+        {f"displacement ${x}_G$": u for x, u in zip("xyz", shown.displacement, strict=True)},
         {"rotation": shown.angle},
-        dict(zip(("tension $A_0A$", "tension $B_0B$", "tension $C_0C$"), shown.tension, strict=True)),
+        {f"tension ${P}_0{P}$": F for P, F in zip("ABC", shown.tension, strict=True)},
         shown.energies,
     )
     units = {shown.angle: "deg"} | dict.fromkeys(shown.displacement, "m")
@@ -368,7 +368,7 @@ def simulate(console: Console, equations: Equations) -> None:
     start = perf_counter()
     motion = swing(equations, thrown())
     console.print(result_table(motion, shown, perf_counter() - start))
-    with step(console, f"the motion drawn in {FOLDER}/trifilar_motion.png, and in .html for a browser"):
+    with step(console, f"the motion drawn in {FOLDER}/trifilar_motion.png, and as a page in .html"):
         draw(motion, shown)
 
 

@@ -127,7 +127,7 @@ def test_the_start_satisfies_the_constraints(models: tuple[trifilar.Model, trifi
     motion = trifilar.swing(equations, trifilar.thrown(), 0.1)
     constraints = [*equations.constraints, *sb.time_derivatives(equations.constraints)]
     assert np.abs(motion.evaluate(constraints)[:, 0]).max() < 1e-12
-    energy = trifilar.outputs(equations).energies["their sum"]
+    energy = trifilar.outputs(equations).energies["total energy"]
     assert motion[energy][0] > 1, "it is well away from rest"
 
 
@@ -147,7 +147,7 @@ def test_energy_and_constraints_stay(
 ) -> None:
     equations = models[1].motion
     motion, shown = trifilar.swing(equations, trifilar.thrown(angle, push), 1.0), trifilar.outputs(equations)
-    energy = motion[shown.energies["their sum"]]
+    energy = motion[shown.energies["total energy"]]
     assert np.ptp(energy) < 1e-10 * energy[0]
     rates = sb.time_derivatives(equations.constraints)
     assert np.abs(motion.evaluate([*equations.constraints, *rates])).max() < 1e-11

@@ -31,10 +31,19 @@ def test_panels_have_names_units_and_the_values() -> None:
     motion = swinging(1.0)
     figure = plot(motion, q1, {"a": q1, "b": q2}, units={q1: "rad", q2: "rad"}, title="Swing")
     first, second = figure.axes
-    assert (first.get_ylabel(), second.get_ylabel()) == (f"${q1.latex()}$ [rad]", "[rad]")
+    assert (first.get_ylabel(), second.get_ylabel()) == (f"${q1.latex()}$ [rad]", "angle [rad]")
     assert second.get_xlabel() == "time [s]"
     assert [text.get_text() for text in second.get_legend().get_texts()] == ["a", "b"]
     np.testing.assert_array_equal(second.lines[1].get_ydata(), motion.variables[q2])
+
+
+def test_axes_have_the_name_that_curves_share() -> None:
+    motion = swinging(1.0)
+    share = {"angle of the upper rod": q1 * 2, "angle of the lower rod": q1 + q2}
+    panels = [[q1, q2], share, {"$a b$": 2 * q1, "$a c$": 2 * q2}]
+    assert [label for label, _ in shown(plot(motion, *panels))] == ["angle [rad]", "angle", ""]
+    mixed = {"upper": q1, "sum": q1 + q2}
+    assert [label for label, _ in shown(plot(motion, mixed, units={"sum": "rad"}))] == [""]
 
 
 def shown(figure: Figure) -> list[tuple[str, list[str]]]:

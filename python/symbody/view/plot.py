@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
+from itertools import takewhile
 from pathlib import Path
 from typing import TypeAlias
 
@@ -12,10 +13,9 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from symbody.errors import ViewError
-from symbody.multibody import System
 from symbody.symbolic import Expr
 from symbody.view.motion import Motion
-from symbody.view.overview import overview
+from symbody.view.overview import Group, overview
 from symbody.view.pose import values
 from symbody.view.whole_file import write_whole
 
@@ -47,6 +47,7 @@ def plot(
         motion: what is shown.
         panels: an expression, a list of expressions that share a panel, or a dictionary of them by name.
         units: the unit of an expression, or of the name of a curve; those of a panel that agree stand at its axis.
+            Panels of angles, lengths or their rates alone are in SI units unless others are given.
         time: the unit of time; the empty text if there is none.
         title: the headline.
         path: a file to write as well; its ending says the format, such as ``.png``, ``.svg`` or ``.pdf``.
@@ -65,7 +66,10 @@ def plot(
     >>> plot(motion, x, units={x: "m"}).axes[0].get_ylabel()
     '$x$ [m]'
     """
-    columns = _asked(panels, units or {}) if panels else _overview(motion.system, units or {}, time)
+    groups = overview(motion.system)
+    columns = (
+        _asked(panels, units or {}, _kinds(groups, time)) if panels else _overview(groups, units or {}, time)
+    )
     rows = max(map(len, columns))
     figure = Figure(figsize=(6.5 * len(columns) + 1, 2.4 * rows + 0.8), layout="constrained")
     grid = figure.subplots(rows, len(columns), sharex=True, squeeze=False)
@@ -114,12 +118,51 @@ class _Curves:
         return self.units[0] if len(set(self.units)) == 1 else ""
 
 
-def _asked(panels: Sequence[Panel], units: Units) -> list[list[_Curves]]:
-    """Return the panels of a user by columns."""
-    found = [_panel(_curves(panel), units) for panel in panels]
+LINKING = {"about", "along", "at", "in", "of", "on", "the"}
+"""Words with which the name of an axis doesn't end, or begin."""
+
+Groups: TypeAlias = tuple[list[Group], list[Group]]
+
+
+def _kinds(groups: Groups, time: str) -> dict[Expr, tuple[str, str]]:
+    """Return the kinds of coordinates and speeds, and their units."""
+    return {
+        name: (group.kind, group.unit(time))
+        for part in groups
+        for group in part
+        for name in group.expressions
+    }
+
+
+def _asked(
+    panels: Sequence[Panel], units: Units, kinds: Mapping[Expr, tuple[str, str]]
+) -> list[list[_Curves]]:
+    """Return the panels of a user by columns; coordinates and speeds of one kind have its unit unless one is given."""
+    found = []
+    for curves in map(_curves, panels):
+        shared = {kinds.get(expression, ("", "")) for expression in curves.values()}
+        kind, unit = shared.pop() if len(shared) == 1 else ("", "")
+        found.append(_panel(curves, units, kind or _common_words(curves), unit))
     columns = 2 if len(found) >= WIDE else 1
     rows = -(-len(found) // columns)
     return [found[k : k + rows] for k in range(0, len(found), rows)]
+
+
+def _common_words(names: Iterable[str]) -> str:
+    """Return the words that all names begin with, or else end with.
+
+    >>> _common_words(["kinetic energy", "potential energy"]), _common_words(["tension A", "tension B"])
+    ('energy', 'tension')
+    """
+    words = [name.split() for name in names]
+    for step in (1, -1):
+        places = zip(*(each[::step] for each in words), strict=False)
+        common = [place[0] for place in takewhile(lambda place: len(set(place)) == 1, places)]
+        while common and common[-1] in LINKING:
+            common.pop()
+        if common and not any("$" in word for word in common):
+            return " ".join(common[::step])
+    return ""
 
 
 def _panel(curves: Mapping[str, Expr], units: Units, kind: str = "", unit: str = "") -> _Curves:
@@ -131,11 +174,11 @@ def _panel(curves: Mapping[str, Expr], units: Units, kind: str = "", unit: str =
     return _Curves(curves, given, kind)
 
 
-def _overview(system: System, units: Units, time: str) -> list[list[_Curves]]:
+def _overview(groups: Groups, units: Units, time: str) -> list[list[_Curves]]:
     """Return the coordinates in a column, those of one kind together, and the speeds in another one."""
     return [
-        [_panel(_curves(group.expressions), units, group.kind, group.unit(time)) for group in groups]
-        for groups in overview(system)
+        [_panel(_curves(group.expressions), units, group.kind, group.unit(time)) for group in part]
+        for part in groups
     ]
 
 
