@@ -7,9 +7,12 @@ from scipy.optimize import minimize
 from symbody import (
     Body,
     System,
+    floating_frame,
     functions_of_time,
     lambdify,
+    moving_frame,
     newton_euler,
+    rotate,
     symbols,
     t,
     time_derivative,
@@ -139,6 +142,17 @@ def test_without_constraints_what_is_not_given_is_guessed_or_zero():
     q1, q2 = linkage["theta1"], linkage["theta2"]
     state = consistent_state(linkage.equations, None, {q1: 1}, guess={q2: 0.5})
     assert list(state.values()) == [1.0, 0.5, 0.0, 0.0]
+
+
+def test_coordinates_of_a_pose_begin_at_zero_and_only_a_quaternion_at_one():
+    (u, r), (x, y, psi) = functions_of_time("u r"), functions_of_time("x y psi")
+    car = moving_frame(u, 0, 0, 0, 0, r, pose=translate(x, y, 0) * rotate("Z", psi))
+    state = consistent_state(newton_euler(System([Body(car, m, Iz=1)], speeds=[u, r])), {})
+    assert set(state.values()) == {0.0}
+    free = newton_euler(System([Body(floating_frame(), m, 1, 1, 1)]))
+    state = consistent_state(free, {})
+    assert [value for value in state.values() if value] == [1.0]
+    assert state[free.coordinates[3]] == 1.0
 
 
 def test_states_do_not_depend_on_the_run():

@@ -17,6 +17,13 @@ pub enum Failure {
         /// The last step tried.
         step: f64,
     },
+    /// Steps are so short that the motion would never come to its end.
+    Stalled {
+        /// When.
+        t: f64,
+        /// The last step.
+        step: f64,
+    },
     /// The state can't be put back onto the constraints.
     Projection {
         /// When.
@@ -44,6 +51,7 @@ impl Failure {
         match self {
             Self::NotFinite { t }
             | Self::StepCollapse { t, .. }
+            | Self::Stalled { t, .. }
             | Self::Projection { t, .. }
             | Self::Interrupted { t }
             | Self::Library { t, .. } => *t,
@@ -55,6 +63,7 @@ impl Failure {
         match self {
             Self::NotFinite { .. } => "not_finite",
             Self::StepCollapse { .. } => "step_collapse",
+            Self::Stalled { .. } => "stalled",
             Self::Projection { .. } => "projection",
             Self::Interrupted { .. } => "interrupted",
             Self::Library { .. } => "library",
@@ -68,6 +77,9 @@ impl fmt::Display for Failure {
             Self::NotFinite { .. } => write!(f, "a rate of the state is not a finite number"),
             Self::StepCollapse { step, .. } => {
                 write!(f, "the step has shrunk to {step:.1e} without meeting the tolerances")
+            }
+            Self::Stalled { step, .. } => {
+                write!(f, "steps of about {step:.1e} would never come to the end")
             }
             Self::Projection { change, .. } => {
                 write!(

@@ -9,6 +9,8 @@ use crate::stepper::{Statistics, Stepper};
 
 /// Steps between two looks at whoever watches.
 const STEPS_BETWEEN_LOOKS: usize = 64;
+/// A motion that advances by less than this part of its whole in so many steps never comes to its end.
+const STALLED: (u32, f64) = (100_000, 1e-4);
 
 /// Where the states of the asked instants are written.
 pub struct Record<'a> {
@@ -81,6 +83,7 @@ impl Course<'_> {
         run: &mut Run,
         keep_going: &mut dyn FnMut(f64) -> bool,
     ) -> Result<(), Failure> {
+        let mut patience = Patience::new(stepper.t(), end);
         for step in 1.. {
             if stepper.t() >= end {
                 break;
@@ -99,6 +102,7 @@ impl Course<'_> {
                 return Ok(());
             }
             self.end_step(stepper, run)?;
+            patience.check(step, stepper.t())?;
             if step % STEPS_BETWEEN_LOOKS == 0 && !keep_going(stepper.t()) {
                 return Err(Failure::Interrupted { t: stepper.t() });
             }
@@ -131,6 +135,31 @@ impl Course<'_> {
                 self.projection.project(instant, out)?;
             }
             run.reached += 1;
+        }
+        Ok(())
+    }
+}
+
+/// Sees that time goes on.
+struct Patience {
+    /// Where time was when it was looked at.
+    seen: f64,
+    /// What it has to advance by until the next look.
+    least: f64,
+}
+
+impl Patience {
+    fn new(t: f64, end: f64) -> Self {
+        Self { seen: t, least: STALLED.1 * (end - t) }
+    }
+
+    fn check(&mut self, step: usize, t: f64) -> Result<(), Failure> {
+        if step.is_multiple_of(STALLED.0 as usize) {
+            let advance = t - self.seen;
+            if advance < self.least {
+                return Err(Failure::Stalled { t, step: advance / f64::from(STALLED.0) });
+            }
+            self.seen = t;
         }
         Ok(())
     }

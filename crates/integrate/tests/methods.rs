@@ -3,8 +3,8 @@
 mod problems;
 
 use problems::{
-    METHODS, blows_up, blows_up_jacobian, code, ends_at_one, error, evenly, free, motion, oscillator_of,
-    tolerance, van_der_pol, van_der_pol_jacobian,
+    METHODS, blows_up, blows_up_jacobian, code, dry_friction, ends_at_one, error, evenly, free, motion,
+    oscillator_of, tolerance, van_der_pol, van_der_pol_jacobian,
 };
 use symbody_integrate::{Failure, Method};
 
@@ -106,5 +106,18 @@ fn a_solution_that_becomes_infinite_ends_with_what_was_computed() {
         assert_eq!(run.reached, 11, "{method:?}");
         assert!(error(&states[..11], &instants, |t| vec![1.0 / (1.0 - t)]) < 2e-3, "{method:?}");
         assert!((0.99..1.01).contains(&run.end.0), "{method:?}: {}", run.end.0);
+    }
+}
+
+/// The body sticks after 2 s: from there on its speed chatters about zero.
+#[test]
+fn steps_that_lead_nowhere_end_the_motion() {
+    let dynamics = free(code(dry_friction, 2, 0, 2), None).with_constants(&[]);
+    for method in [Method::Dop853, Method::Tsit5] {
+        let (states, run) = motion(&dynamics, method, &[0.0, 1.0], &evenly(10.0, 10), tolerance(1e-10, 2));
+        assert!(matches!(run.failure, Some(Failure::Stalled { .. })), "{method:?}: {:?}", run.failure);
+        assert_eq!(run.reached, 3, "{method:?}");
+        assert!((states[1][0] - 0.75).abs() < 1e-8);
+        assert!((run.end.0 - 2.0).abs() < 0.1, "{method:?}: {}", run.end.0);
     }
 }

@@ -42,17 +42,24 @@ class Floating(Motion):
         twist: of the child in the parent, in the child's axes.
         kinematics: the pose's coordinates, and their rates by the twist.
         speeds: what of the twist is unknown, if nobody says otherwise.
+        ones: coordinates that are one, not zero, where the child is as the parent: e0.
     """
 
     tag = b"floating"
 
     def __init__(
-        self, pose: Placement, twist: Twist, kinematics: Mapping[Expr, Expr], speeds: Sequence[Expr] = ()
+        self,
+        pose: Placement,
+        twist: Twist,
+        kinematics: Mapping[Expr, Expr],
+        speeds: Sequence[Expr] = (),
+        ones: Sequence[Expr] = (),
     ) -> None:
         self._pose = pose
         self.twist = twist
         self.kinematics = dict(kinematics)
         self.speeds = tuple(speeds)
+        self.ones = tuple(ones)
         self.is_rigid = pose.is_rigid
 
     @property
@@ -82,7 +89,7 @@ class Floating(Motion):
         assert isinstance(pose, Placement), "the inverse of a pose is a pose"
         w, v = (self.to_parent(part) for part in self.twist)
         back = Twist(scale3(number(-1), w), sub3(cross3(w, self.displacement), v))
-        return (Floating(pose, back, self.kinematics, self.speeds),)
+        return (Floating(pose, back, self.kinematics, self.speeds, self.ones),)
 
     def subs(self, substitution: Substitution) -> Motion:
         (x, y, z), (u, v, w) = self.twist
@@ -93,7 +100,8 @@ class Floating(Motion):
             if coordinate not in substitution
         }
         speeds = tuple(speed for speed in self.speeds if speed not in substitution)
-        return Floating(self._pose.subs(substitution), Twist((x, y, z), (u, v, w)), known, speeds)
+        ones = tuple(one for one in self.ones if one not in substitution)
+        return Floating(self._pose.subs(substitution), Twist((x, y, z), (u, v, w)), known, speeds, ones)
 
 
 def floating(position: Triple, quaternion: Quaternion, twist: Twist, speeds: Sequence[Expr]) -> Floating:
@@ -103,7 +111,7 @@ def floating(position: Triple, quaternion: Quaternion, twist: Twist, speeds: Seq
     v = pose.to_parent(twist.linear)
     e = quaternion_rates(quaternion, twist.angular)
     kinematics = dict(zip((*position, *quaternion), (*v, *e), strict=True))
-    return Floating(pose, twist, kinematics, speeds)
+    return Floating(pose, twist, kinematics, speeds, quaternion[:1])
 
 
 def rotation_rows(quaternion: Quaternion) -> Rows:

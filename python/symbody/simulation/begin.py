@@ -10,8 +10,10 @@ from numpy.typing import NDArray
 from symbody.symbolic import Expr
 
 from .consistent import consistent_state
+from .kinematics import kinematics_of
 from .model import Model
-from .values import state_values
+from .overconstraint import check_special_dimensions
+from .values import parameter_values, state_values
 
 __all__ = ["begin"]
 
@@ -34,4 +36,9 @@ def begin(
         )
     state = np.zeros(model.width)
     state[: len(model.state)] = [given.get(name, 0.0) for name in model.state]
+    if model.constraints:
+        kinematics = kinematics_of(model.equations, dict(model.inputs))
+        p = parameter_values(kinematics.parameters, parameters)
+        slopes, _ = kinematics.velocity(t, state[: len(model.coordinates)], p)
+        check_special_dimensions(model, slopes[: len(model.constraints)])
     return state

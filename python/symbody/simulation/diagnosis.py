@@ -38,6 +38,12 @@ def diagnosis(failure: Failure, outcome: Outcome, model: Model, parameters: Arra
             f"{when}: {failure.message}; the constraints can't be satisfied beyond, or the position is singular; look "
             "at the motion up to there (the error's motion); smaller tolerances may pass it, or constraints='baumgarte'"
         )
+    if failure.kind == "stalled":
+        return (
+            f"{when}: {failure.message}; a force may jump back and forth, such as dry friction by sign(v): smooth it, as "
+            "tanh(v/v0), or end the motion by an event; for stiff equations use method='bdf'; what was computed is the "
+            "error's motion"
+        )
     if failure.kind == "step_collapse":
         return (
             f"{when}: {failure.message}; the motion may go to infinity there, or a force jumps: smooth it, or "
@@ -82,5 +88,6 @@ def _singular(model: Model, parameters: Array, t: float, state: Array) -> str:
     names = [str(u) for u, weight in zip(model.speeds, weights, strict=True) if weight > 0.1 * weights.max()]
     together = names[0] if len(names) == 1 else f"a combination of {', '.join(names)}"
     return (
-        f"the mass matrix is singular: {together} moves no mass; give it some, or leave that coordinate out"
+        f"the mass matrix is singular: {together} moves no mass; give it some, or leave that coordinate out; or it's a "
+        "singular position, as Euler angles have, and floating_frame() has not"
     )

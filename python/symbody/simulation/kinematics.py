@@ -120,11 +120,8 @@ def magnitude(expression: Expr) -> Expr:
 
 def neutral_position(system: System) -> Array:
     """Return the coordinates where nobody says more: zero, and no rotation of floating frames, e0 = 1."""
-    ones = set()
-    for frame in all_frames(system.bodies, system.loads, system.gravity):
-        if isinstance(frame.motion, Floating):
-            shifts = free_symbols(frame.motion.displacement)
-            ones |= {next((q for q in frame.motion.kinematics if q not in shifts), None)}
+    frames = all_frames(system.bodies, system.loads, system.gravity)
+    ones = {one for frame in frames if isinstance(frame.motion, Floating) for one in frame.motion.ones}
     return np.array([1.0 if q in ones else 0.0 for q in system.coordinates])
 
 

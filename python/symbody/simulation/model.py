@@ -88,6 +88,11 @@ class Model:
         return self.equations.constraints
 
     @cached_property
+    def independent_constraints(self) -> int:
+        """How many constraints are independent at almost every position."""
+        return self.equations.constraint_jacobian.rank()
+
+    @cached_property
     def parameters(self) -> tuple[Expr, ...]:
         """The symbols that need values, by name: those of the equations and of the inputs."""
         given = free_symbols([value for _, value in self.inputs])

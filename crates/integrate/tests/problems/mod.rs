@@ -148,3 +148,12 @@ pub unsafe extern "C" fn blows_up_jacobian(inputs: *const f64, out: *mut f64) {
     // SAFETY: lengths as documented.
     unsafe { *out = 2.0 * *inputs.add(1) };
 }
+
+/// Dry friction on a body that a force too weak to move it pushes: `x'' = 0.5 - sign(x')`; reads t, x, v.
+pub unsafe extern "C" fn dry_friction(inputs: *const f64, out: *mut f64) {
+    // SAFETY: lengths as documented.
+    let (inputs, out) = unsafe { (slice::from_raw_parts(inputs, 3), slice::from_raw_parts_mut(out, 2)) };
+    let [_, _, v] = *inputs else { unreachable!() };
+    let friction = if v == 0.0 { 0.0 } else { v.signum() };
+    out.copy_from_slice(&[v, 0.5 - friction]);
+}
