@@ -41,7 +41,10 @@ def test_axes_have_the_name_that_curves_share() -> None:
     motion = swinging(1.0)
     share = {"angle of the upper rod": q1 * 2, "angle of the lower rod": q1 + q2}
     panels = [[q1, q2], share, {"$a b$": 2 * q1, "$a c$": 2 * q2}]
-    assert [label for label, _ in shown(plot(motion, *panels))] == ["angle [rad]", "angle", ""]
+    angles, common, symbols_alone = shown(plot(motion, *panels))
+    assert angles == ("angle [rad]", [f"${q1.latex()}$", f"${q2.latex()}$"])
+    assert common == ("angle", ["upper rod", "lower rod"])
+    assert symbols_alone == ("", ["$a b$", "$a c$"])
     mixed = {"upper": q1, "sum": q1 + q2}
     assert [label for label, _ in shown(plot(motion, mixed, units={"sum": "rad"}))] == [""]
 

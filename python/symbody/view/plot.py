@@ -5,7 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
-from itertools import takewhile
+from itertools import dropwhile, takewhile
 from pathlib import Path
 from typing import TypeAlias
 
@@ -165,6 +165,18 @@ def _common_words(names: Iterable[str]) -> str:
     return ""
 
 
+def _distinction(name: str, common: str) -> str:
+    """Return what the name of a curve says beyond the name of its axis.
+
+    >>> _distinction("tension A", "tension"), _distinction("speed of the rod", "speed"), _distinction("q1", "angle")
+    ('A', 'rod', 'q1')
+    """
+    words = name.removeprefix(f"{common} ").removesuffix(f" {common}").split()
+    if len(words) == len(name.split()):
+        return name
+    return " ".join(dropwhile(LINKING.__contains__, words)) or name
+
+
 def _panel(curves: Mapping[str, Expr], units: Units, kind: str = "", unit: str = "") -> _Curves:
     if not curves:
         raise ViewError(
@@ -216,7 +228,8 @@ def _symbol(expression: Expr) -> str:
 def _draw(axes: Axes, motion: Motion, panel: _Curves) -> None:
     rows = values(motion, list(panel.curves.values()))
     for name, unit, row in zip(panel.curves, panel.units, rows, strict=True):
-        label = f"{name} [{unit}]" if unit and not panel.unit else name
+        short = _distinction(name, panel.kind)
+        label = f"{short} [{unit}]" if unit and not panel.unit else short
         axes.plot(motion.t, row, label=label, marker="o" if len(row) == 1 else "")
     name = next(iter(panel.curves)) if len(panel.curves) == 1 else panel.kind
     if len(name) > LONG and "$" not in name:
