@@ -1,0 +1,70 @@
+"""symbody: the native integrators on the compiled equations, and the whole call of `simulate`."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+
+from symbody import simulate
+from symbody.simulation.ida_outcome import ida_outcome
+from symbody.simulation.integrator import Options, Outcome, run
+from symbody.simulation.integrator import Problem as Compiled
+
+from .contender import Contender, decades
+from .problem import Array, Problem
+
+TOOL = "symbody"
+FINEST = {"dop853": 13, "tsit5": 12, "bdf": 12, "esdirk34": 10}
+IDA = "ida"
+"""The constraints as they are, by SUNDIALS: stabilised index 2."""
+
+
+def contenders(problem: Problem) -> list[Contender]:
+    """Return the integration of the compiled system by each method; of constrained ones by IDA, too."""
+    found = [
+        Contender(TOOL, method, decades(finest), _native(problem, method))
+        for method, finest in FINEST.items()
+    ]
+    if problem.model.constraints:
+        found.append(Contender(TOOL, IDA, decades(10), _by_ida(problem)))
+    return found
+
+
+def _native(problem: Problem, method: str) -> Callable[[float], Array]:
+    """Return the integration; constraints are kept by projection after each step, as `simulate` does."""
+    model, values, instants = problem.model, problem.values, problem.instants
+    compiled = Compiled.of(model, method, is_projected=True)
+    start = np.concatenate([problem.start, np.zeros(model.width - len(model.state))])
+
+    def end(tolerance: float) -> Array:
+        return _end(problem, run(compiled, start, values, instants, Options(method, tolerance, tolerance)))
+
+    return end
+
+
+def _by_ida(problem: Problem) -> Callable[[float], Array]:
+    def end(tolerance: float) -> Array:
+        options = Options(IDA, tolerance, tolerance)
+        outcome = ida_outcome(problem.model, problem.start, problem.parameters, problem.instants, options)
+        return _end(problem, outcome)
+
+    return end
+
+
+def _end(problem: Problem, outcome: Outcome) -> Array:
+    if outcome.failure is not None:
+        raise RuntimeError(f"{problem.name}: {outcome.failure.message}")
+    return outcome.states[-1, : len(problem.start)]
+
+
+def whole_call(problem: Problem, instants: int) -> Callable[[float], Array]:
+    """Return `simulate` with all that it does around the integration, for a number of instants."""
+    t = np.linspace(0, problem.duration, instants)
+
+    def end(tolerance: float) -> Array:
+        given = (problem.equations, problem.parameters, problem.initial, t)
+        motion = simulate(*given, rtol=tolerance, atol=tolerance, progress=False)
+        return np.asarray(motion.states[-1])
+
+    return end
