@@ -145,12 +145,12 @@ def test_without_constraints_what_is_not_given_is_guessed_or_zero():
 
 
 def test_coordinates_of_a_pose_begin_at_zero_and_only_a_quaternion_at_one():
-    (u, r), (x, y, psi) = functions_of_time("u r"), functions_of_time("x y psi")
+    (u, r), (x, y, psi), m = functions_of_time("u r"), functions_of_time("x y psi"), symbols("m")
     car = moving_frame(u, 0, 0, 0, 0, r, pose=translate(x, y, 0) * rotate("Z", psi))
-    state = consistent_state(newton_euler(System([Body(car, m, Iz=1)], speeds=[u, r])), {})
+    state = consistent_state(newton_euler(System([Body(car, m, Iz=1)], speeds=[u, r])), {}, {})
     assert set(state.values()) == {0.0}
     free = newton_euler(System([Body(floating_frame(), m, 1, 1, 1)]))
-    state = consistent_state(free, {})
+    state = consistent_state(free, {}, {})
     assert [value for value in state.values() if value] == [1.0]
     assert state[free.coordinates[3]] == 1.0
 

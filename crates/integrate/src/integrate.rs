@@ -154,7 +154,7 @@ impl Patience {
     }
 
     fn check(&mut self, step: usize, t: f64) -> Result<(), Failure> {
-        if step.is_multiple_of(STALLED.0 as usize) {
+        if step % STALLED.0 as usize == 0 {
             let advance = t - self.seen;
             if advance < self.least {
                 return Err(Failure::Stalled { t, step: advance / f64::from(STALLED.0) });

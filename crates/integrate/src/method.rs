@@ -62,7 +62,7 @@ impl Method {
         then: impl FnOnce(&mut dyn Stepper) -> R,
     ) -> Result<R, Failure> {
         if self == Self::Dop853 {
-            return Ok(then(&mut Dop853::new(&dynamics.rates, (t, end), state, tolerances)));
+            return Ok(then(&mut Dop853::new(dynamics, (t, end), state, tolerances)));
         }
         library::start(self, dynamics, t, state, tolerances, then)
     }

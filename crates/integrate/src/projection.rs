@@ -6,6 +6,7 @@
 
 use crate::dynamics::Dynamics;
 use crate::failure::Failure;
+use crate::function::Function;
 
 /// Corrections below this, relative to the state, are the last: the next would be their square.
 const SMALL: f64 = 1e-9;
@@ -57,6 +58,37 @@ impl<'a> Projection<'a> {
             }
         }
         Ok(())
+    }
+}
+
+/// The directions of the speeds that the constraints allow.
+pub struct Tangent<'a> {
+    correction: &'a Function,
+    coordinates: usize,
+}
+
+impl<'a> Tangent<'a> {
+    /// Those of a system whose constraints are kept by projection.
+    pub fn of(dynamics: &'a Dynamics) -> Option<Self> {
+        let coordinates = dynamics.position_correction.as_ref().map_or(0, Function::outputs);
+        dynamics.velocity_correction.as_ref().map(|correction| Self { correction, coordinates })
+    }
+
+    /// A small change of the state, less the part of the speeds' that leads off the rates of the constraints.
+    ///
+    /// The correction is affine in the speeds: what it is without any belongs to constraints that move.
+    pub fn part(&self, t: f64, state: &[f64], mut change: Vec<f64>) -> Vec<f64> {
+        let speeds = self.coordinates..self.coordinates + self.correction.outputs();
+        let (mut at, mut with, mut without) =
+            (state.to_vec(), vec![0.0; speeds.len()], vec![0.0; speeds.len()]);
+        at[speeds.clone()].fill(0.0);
+        self.correction.call(t, &at, &mut without);
+        at[speeds.clone()].copy_from_slice(&change[speeds.clone()]);
+        self.correction.call(t, &at, &mut with);
+        for ((entry, with), without) in change[speeds].iter_mut().zip(with).zip(without) {
+            *entry += with - without;
+        }
+        change
     }
 }
 
