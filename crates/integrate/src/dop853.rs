@@ -246,7 +246,8 @@ impl Stepper for Dop853<'_> {
             self.try_step(h);
             let mut error = self.error(h);
             is_finite = error.is_finite();
-            if let Some(tangent) = self.tangent.as_ref().filter(|_| error > 1.0) {
+            // Not before it has been rejected once: away from singular positions all errors say how accurate it is.
+            if let Some(tangent) = self.tangent.as_ref().filter(|_| was_rejected && error > 1.0) {
                 error = error.min(self.error_along(h, tangent));
             }
             if error <= 1.0 {

@@ -41,8 +41,8 @@ def diagnosis(failure: Failure, outcome: Outcome, model: Model, parameters: Arra
     if failure.kind == "stalled":
         return (
             f"{when}: {failure.message}; a force may jump back and forth, such as dry friction by sign(v): smooth it, "
-            "as tanh(v/v0), or end the motion by an event; for stiff equations use method='bdf'; what was computed is the "
-            "error's motion"
+            "as tanh(v/v0), or end the motion by an event; for stiff equations use method='bdf'; what was computed is "
+            "the error's motion"
         )
     if failure.kind == "step_collapse":
         return (
