@@ -43,11 +43,12 @@ def scene(motion: Motion, wishes: Wishes, title: str) -> dict[str, Any]:
     _check_shapes(wishes.shapes, bodies)
     table = FrameTable()
     own = [table.place(body.frame) for body in bodies]
-    bones = skeleton(motion, table, poses(motion, [body.frame for body in bodies]))
+    of_bodies = poses(motion, table.frames)
+    bones = skeleton(motion, table, of_bodies[own])
     given = [_given(motion, table, body, wishes.shapes.get(body)) for body in bodies]
     bones = bones.without({k for k, shapes in enumerate(given) if shapes})
     axes = [{"name": frame.name, "pose": table.place(frame)} for frame in (ground, *wishes.frames)]
-    tracks = poses(motion, table.frames)
+    tracks = np.concatenate([of_bodies, poses(motion, table.frames[len(of_bodies) :])])
     asked = _asked(motion, wishes)
     up = _up(motion)
     shift = _shift(motion, wishes.follow, tracks[own], up)
