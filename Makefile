@@ -73,6 +73,7 @@ format: $(STAMPS)/develop  ## put the sources into the project's format
 bench: $(STAMPS)/build $(STAMPS)/bench  ## measure against the rivals (a quarter of an hour), write docs/benchmarks/
 	$(BIN)/python -m benchmarks.derive.run
 	$(BIN)/python -m benchmarks.evaluate.run
+	$(BIN)/python -m benchmarks.simulate.run
 
 docs: $(STAMPS)/build $(STAMPS)/docs $(STAMPS)/develop  ## check the documents, write the API reference into site/
 	$(PYTEST) tests/test_documents.py

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from importlib.util import find_spec
 
 import numpy as np
 
@@ -20,13 +21,18 @@ IDA = "ida"
 """The constraints as they are, by SUNDIALS: stabilised index 2."""
 
 
+def missing() -> str:
+    """Return what to install for IDA, nothing if it is there."""
+    return "" if find_spec("sksundae") else "SUNDIALS (pip: scikit-sundae)"
+
+
 def contenders(problem: Problem) -> list[Contender]:
     """Return the integration of the compiled system by each method; of constrained ones by IDA, too."""
     found = [
         Contender(TOOL, method, decades(finest), _native(problem, method))
         for method, finest in FINEST.items()
     ]
-    if problem.model.constraints:
+    if problem.model.constraints and not missing():
         found.append(Contender(TOOL, IDA, decades(10), _by_ida(problem)))
     return found
 

@@ -1,0 +1,197 @@
+"""Tables of what was measured, as Markdown."""
+
+from __future__ import annotations
+
+import os
+import platform
+from collections.abc import Sequence
+from math import isfinite, isinf
+from statistics import median
+from textwrap import fill
+
+from ..evaluate.report import _met, _version
+from . import by_jax, by_scipy, by_symbody
+from .precision import ERRORS, Comparison, Curve, Effort
+from .throughput import ANGLES, ERROR, Rate, Throughput
+
+BOUND = 20.0
+"""How many times longer solve_ivp's best method must take, at least."""
+
+SHOWN = (1e-4, 1e-6, 1e-8, 1e-10, 1e-12)
+"""The tolerances whose points are told."""
+
+WIDTH = 120
+"""Of lines of text."""
+
+PACKAGES = ("symbody", "scipy", "numpy", "llvmlite", "scikit-sundae", "jax")
+
+INTRODUCTION = """\
+# Simulating
+
+Written by `python -m benchmarks.simulate.run`: {rounds} rounds, in each of which every contender runs in turn; a trial
+is as many integrations as fill {milliseconds:.0f} ms (one, of what takes more); medians. Time is that of the processor,
+since other programs ran on the machine; only the throughput of many motions goes by the clock on the wall.
+
+* All integrate the same machine code of the rates, called by symbody's integrators from compiled code, and by solve_ivp
+  by the cheapest call that Python has for it: buffers that stay, one foreign call without conversions, one copy in, one
+  out ({call}).
+  LSODA, Radau and BDF have the Jacobian as machine code, too.
+* The *error* is the largest difference of a coordinate at the end from a reference, in rad; relative and absolute
+  tolerances are equal, and all go through the same decades. Times at equal error are interpolated in powers between the
+  points of a method that no other of its points beats.
+* symbody integrates the ready system, for two instants; what the whole call of `simulate` takes is told below.
+* A system with constraints is integrated by symbody with projection onto them after each step (`ida`: as it is, by
+  SUNDIALS, called from Python); by solve_ivp as ordinary differential equations of index 1, and drifts off them.
+
+Versions: {versions}; Python {python}, {cores} cores.
+
+![Work and precision](simulate.svg)
+"""
+
+
+MANY = """\
+{runs} motions of the double pendulum over {duration:g} s, let go from rest at a grid of angles from {low:g} to {high:g}
+rad, each with the loosest setting whose largest error at the end is at most {error:.0e} rad. The reference is symbody's
+dop853 at 1e-13, from which solve_ivp's Radau at 1e-11 differs by {check:.0e} rad on three of them. Loops in Python are
+measured on a sample and counted for all. JAX has the function that `generate` writes for it, all motions in one call,
+64 bits, and as many threads as it wants; *first* is the first call with the setting, in which JAX compiles.
+"""
+
+
+def introduction(effort: Effort, calls: dict[str, float]) -> str:
+    """Say how it was measured, and with what; calls are the seconds of a call of the rates from Python, by problem."""
+    return INTRODUCTION.format(
+        rounds=effort.rounds,
+        milliseconds=effort.seconds * 1e3,
+        call=", ".join(f"{name}: {seconds * 1e6:.2f} µs" for name, seconds in calls.items()),
+        versions=", ".join(f"{name} {_version(name)}" for name in PACKAGES),
+        python=platform.python_version(),
+        cores=os.cpu_count(),
+    )
+
+
+def comparison(found: Comparison) -> str:
+    """Return the tables of one problem."""
+    checks = "; ".join(f"{what}: {error:.1e} rad" for what, error in found.check.items())
+    told = (
+        "The reference is SciPy's DOP853 at 1e-13 in steps that are far smaller than it needs. From it differ "
+        f"{checks}."
+    )
+    parts = [
+        f"## {found.problem.name[0].upper()}{found.problem.name[1:]}, {found.problem.duration:g} s",
+        "",
+        fill(told, WIDTH),
+        "",
+        *_ratios(found),
+        "",
+        *_methods(found),
+        "",
+        *_calls(found),
+        "",
+        *_points(found),
+        "",
+    ]
+    return "\n".join(parts)
+
+
+def _ratios(found: Comparison) -> list[str]:
+    head = [
+        "| error | symbody | ms | solve_ivp | ms | ratio | target | met |",
+        "|---:|---|---:|---|---:|---:|---:|---|",
+    ]
+    return [*head, *(_ratio(found, error) for error in ERRORS)]
+
+
+def _ratio(found: Comparison, error: float) -> str:
+    own, rival = found.best(by_symbody.TOOL, error), found.best(by_scipy.TOOL, error)
+    cells = " | ".join(
+        "– | –" if isinf(seconds) else f"{method} | {_ms(seconds)}" for method, seconds in (own, rival)
+    )
+    ratio = found.ratio(error)
+    verdict = (
+        f"{ratio:.1f} | ≥ {BOUND:g} | {_met(ratio >= BOUND)}"
+        if isfinite(ratio)
+        else f"– | ≥ {BOUND:g} | not measured"
+    )
+    return f"| {error:.0e} | {cells} | {verdict} |"
+
+
+def _methods(found: Comparison) -> list[str]:
+    """Return the table of the times of all methods at equal errors."""
+    columns = " | ".join(f"ms at {error:.0e}" for error in ERRORS)
+    rows = [
+        f"| {curve.contender.label} | {' | '.join(_ms(curve.seconds(error)) for error in ERRORS)} |"
+        for curve in found.curves
+    ]
+    return [f"| method | {columns} |", "|---|" + "---:|" * len(ERRORS), *rows]
+
+
+def _ms(seconds: float) -> str:
+    return "–" if isinf(seconds) else f"{seconds * 1e3:.3g}"
+
+
+def _calls(found: Comparison) -> list[str]:
+    rows = [
+        f"| {instants} | {point.tolerance:.0e} | {_ms(point.seconds)} |"
+        for instants, curve in found.calls
+        for point in curve.points
+    ]
+    return [
+        "The whole call of `simulate` with what is compiled already: checks, initial state, integration, motion.",
+        "",
+        "| instants | tolerance | ms |",
+        "|---:|---:|---:|",
+        *rows,
+    ]
+
+
+def _points(found: Comparison) -> list[str]:
+    """Return all that was measured: error and time, and how far the state is off its constraints."""
+    has_drift = bool(found.problem.model.constraints)
+    extra = (" drift at 1e-08 |", "---:|") if has_drift else ("", "")
+    measured = {point.tolerance for curve in found.curves for point in curve.points}
+    tolerances = [tolerance for tolerance in SHOWN if tolerance in measured]
+    head = (
+        "| error, ms at a tolerance of |"
+        + "".join(f" {tolerance:.0e} |" for tolerance in tolerances)
+        + extra[0]
+    )
+    rows = [_row(curve, tolerances, has_drift=has_drift) for curve in found.curves]
+    return [head, "|---|" + "---:|" * len(tolerances) + extra[1], *rows]
+
+
+def _row(curve: Curve, tolerances: Sequence[float], *, has_drift: bool) -> str:
+    at = {point.tolerance: point for point in curve.points}
+    cells = [
+        f"{at[tolerance].error:.1e}, {_ms(at[tolerance].seconds)}" if tolerance in at else "–"
+        for tolerance in tolerances
+    ]
+    if has_drift:
+        cells.append("–" if 1e-8 not in at else f"{at[1e-8].drift:.0e}")
+    return f"| {curve.contender.label} | {' | '.join(cells)} |"
+
+
+def throughput(found: Throughput) -> str:
+    """Return the table of many motions."""
+    low, high = ANGLES
+    sentence = MANY.format(
+        runs=found.runs, duration=found.duration, low=low, high=high, error=ERROR, check=found.check
+    )
+    head = [
+        "| many motions | setting | error | measured on | first s | s for all | motions/s | times the loop |",
+        "|---|---|---:|---:|---:|---:|---:|---:|",
+    ]
+    loop = max((r for r in found.rates if "solve_ivp" in r.manner.label), key=lambda r: r.per_second)
+    rows = [_rate(rate, found.runs, loop) for rate in found.rates]
+    lacking = [f"**{by_jax.missing()} is missing.**", ""] if by_jax.missing() else []
+    told = "*Times the loop*: how many times more motions a second than the faster loop of solve_ivp."
+    return "\n".join(["## Many motions", "", fill(sentence, WIDTH), "", *lacking, *head, *rows, "", told, ""])
+
+
+def _rate(rate: Rate, runs: int, loop: Rate) -> str:
+    setting = f"{rate.setting:.0f} steps" if rate.manner.unit == "steps" else f"{rate.setting:.0e}"
+    seconds = median(rate.times) / rate.runs * runs
+    return (
+        f"| {rate.manner.label} | {setting} | {rate.error:.0e} | {rate.runs} | {rate.first:.2f} | {seconds:.3g} "
+        f"| {rate.per_second:.0f} | {rate.per_second / loop.per_second:.1f} |"
+    )

@@ -1,0 +1,85 @@
+"""Measure simulations beside SciPy's solve_ivp and JAX.
+
+    python -m benchmarks.simulate.run [--quick] [--rounds N]
+
+A full run takes some minutes and writes docs/benchmarks/simulate.md and .svg; with --quick the tables are printed.
+"""
+
+from __future__ import annotations
+
+import argparse
+from pathlib import Path
+from time import process_time
+
+from . import by_scipy, report
+from .andrews import andrews
+from .double_pendulum import double_pendulum
+from .plot import write_plot
+from .precision import Comparison, Effort, compared
+from .problem import Problem
+from .throughput import measured
+
+REPORT = Path(__file__).resolve().parents[2] / "docs" / "benchmarks" / "simulate.md"
+CALLS = 20_000
+"""Calls of the rates whose time is taken together."""
+
+
+def main() -> None:
+    """Parse the command line, measure, report."""
+    parser = argparse.ArgumentParser(
+        prog="python -m benchmarks.simulate.run", description=__doc__.splitlines()[0]
+    )
+    parser.add_argument(
+        "--quick", action="store_true", help="a short motion, few tolerances, one round: seconds"
+    )
+    parser.add_argument("--rounds", type=int, default=9, help="trials of each contender (default 9)")
+    arguments = parser.parse_args()
+    if arguments.quick:
+        print(quick())
+        return
+    text, comparisons = full(arguments.rounds)
+    REPORT.parent.mkdir(parents=True, exist_ok=True)
+    write_plot(comparisons, REPORT.with_suffix(".svg"))
+    REPORT.write_text(text, encoding="utf-8")
+    print(f"wrote {REPORT}")
+
+
+def quick() -> str:
+    """Return the tables of short motions and few tolerances."""
+    effort, tolerances = Effort(1, 0.001), (1e-4, 1e-6, 1e-8)
+    problems = [double_pendulum(0.5), andrews()]
+    comparisons = [compared(problem, effort, tolerances) for problem in problems]
+    return tables(effort, comparisons, measured(problems[0], side=3, sample=2, rounds=1))
+
+
+def full(rounds: int) -> tuple[str, list[Comparison]]:
+    """Return all tables, and what the plot shows."""
+    effort, problems = Effort(rounds, 0.02), [double_pendulum(), andrews()]
+    comparisons = [compared(problem, effort) for problem in problems]
+    many = measured(problems[0], side=100, sample=50, rounds=max(3, rounds // 3))
+    return tables(effort, comparisons, many), comparisons
+
+
+def tables(effort: Effort, comparisons: list[Comparison], many: report.Throughput) -> str:
+    """Return the report."""
+    calls = {found.problem.name: _call(found.problem) for found in comparisons}
+    return "\n".join(
+        [
+            report.introduction(effort, calls),
+            *map(report.comparison, comparisons),
+            report.throughput(many),
+        ]
+    )
+
+
+def _call(problem: Problem) -> float:
+    """Return the seconds of a call of the rates from Python."""
+    rates, state = by_scipy.rates(problem), problem.start
+    begin = process_time()
+    for _ in range(CALLS):
+        rates(0.0, state)
+    return (process_time() - begin) / CALLS
+
+
+if __name__ == "__main__":
+    main()
