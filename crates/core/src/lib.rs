@@ -41,6 +41,7 @@ mod monomial;
 mod node;
 mod number;
 mod polynomial;
+pub mod positive_definite;
 mod print;
 mod product;
 mod pythagoras;

@@ -11,7 +11,7 @@ use std::sync::{Mutex, PoisonError};
 
 use pyo3::exceptions::PyKeyError;
 use pyo3::prelude::*;
-use symbody_core::factorization;
+use symbody_core::{factorization, positive_definite};
 
 /// A system, by its tag, and its equations that follow from others.
 type Deficiency = (i64, Vec<usize>);
@@ -23,7 +23,7 @@ static DEFICIENCIES: Mutex<BTreeSet<Deficiency>> = Mutex::new(BTreeSet::new());
 unsafe extern "C" fn factor(n: i64, work: *mut f64, tag: i64) {
     let n = usize::try_from(n).unwrap_or(0);
     let work = unsafe { slice::from_raw_parts_mut(work, factorization::workspace(n)) };
-    if factorization::factor(n, work) > 0 {
+    if !positive_definite::factor(n, work) && factorization::factor(n, work) > 0 {
         let deficiency = (tag, factorization::dependent(n, work).collect());
         DEFICIENCIES.lock().unwrap_or_else(PoisonError::into_inner).insert(deficiency);
     }
@@ -33,7 +33,10 @@ unsafe extern "C" fn factor(n: i64, work: *mut f64, tag: i64) {
 unsafe extern "C" fn solve(n: i64, work: *const f64, x: *mut f64) {
     let n = usize::try_from(n).unwrap_or(0);
     let work = unsafe { slice::from_raw_parts(work, factorization::workspace(n)) };
-    factorization::solve(n, work, unsafe { slice::from_raw_parts_mut(x, n) });
+    let x = unsafe { slice::from_raw_parts_mut(x, n) };
+    if !positive_definite::solve(n, work, x) {
+        factorization::solve(n, work, x);
+    }
 }
 
 /// The address of a C function: `factor(n, work, tag)` or `solve(n, work, x)`, with 64-bit integers.

@@ -119,7 +119,7 @@ class Model:
             self.with_inputs(solution.accelerations), self.with_inputs(solution.multipliers), solution.method
         )
 
-    @property
+    @cached_property
     def equation_names(self) -> list[str]:
         """What to call the rows of the linear system that is solved at run time."""
         constraints = [str(constraint) for constraint in self.constraints]
