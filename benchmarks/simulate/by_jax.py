@@ -14,7 +14,7 @@ import numpy as np
 from symbody import generate
 from symbody.symbolic import Argument, Program, Result, Routine
 
-from .problem import Array, Problem
+from .problem import Array, Problem, instants
 
 Many = Callable[[Array, float], Array]
 """Takes a row for each initial state and a setting; returns a row for each end."""
@@ -67,10 +67,10 @@ def by_odeint(problem: Problem) -> Many:
     import jax.numpy as jnp  # noqa: PLC0415
     from jax.experimental.ode import odeint  # noqa: PLC0415
 
-    rate, instants = rates(problem), jnp.asarray(problem.instants)
+    rate, both = rates(problem), jnp.asarray(instants(problem.duration))
 
     def one(start: Any, tolerance: Any) -> Any:
-        return odeint(lambda y, _t: rate(y), start, instants, rtol=tolerance, atol=tolerance)[-1]
+        return odeint(lambda y, _t: rate(y), start, both, rtol=tolerance, atol=tolerance)[-1]
 
     compiled: dict[float, Any] = {}
 

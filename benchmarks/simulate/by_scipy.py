@@ -32,8 +32,10 @@ def contenders(problem: Problem) -> list[Contender]:
     ]
 
 
-def _end(problem: Problem, method: str, rates: Function, jacobian: Function, tolerance: float) -> Array:
-    return integrated(problem.start, problem.duration, method, rates, jacobian, tolerance)
+def _end(
+    problem: Problem, method: str, rates: Function, jacobian: Function, tolerance: float, duration: float
+) -> Array:
+    return integrated(problem.start, duration, method, rates, jacobian, tolerance)
 
 
 def integrated(

@@ -13,7 +13,7 @@ from symbody.simulation.integrator import Options, Outcome, run
 from symbody.simulation.integrator import Problem as Compiled
 
 from .contender import Contender, decades
-from .problem import Array, Problem
+from .problem import Array, Problem, instants
 
 TOOL = "symbody"
 FINEST = {"dop853": 13, "tsit5": 12, "bdf": 12, "esdirk34": 10}
@@ -37,22 +37,23 @@ def contenders(problem: Problem) -> list[Contender]:
     return found
 
 
-def _native(problem: Problem, method: str) -> Callable[[float], Array]:
+def _native(problem: Problem, method: str) -> Callable[[float, float], Array]:
     """Return the integration; constraints are kept by projection after each step, as `simulate` does."""
-    model, values, instants = problem.model, problem.values, problem.instants
+    model, values = problem.model, problem.values
     compiled = Compiled.of(model, method, is_projected=True)
     start = np.concatenate([problem.start, np.zeros(model.width - len(model.state))])
 
-    def end(tolerance: float) -> Array:
-        return _end(problem, run(compiled, start, values, instants, Options(method, tolerance, tolerance)))
+    def end(tolerance: float, duration: float) -> Array:
+        options = Options(method, tolerance, tolerance)
+        return _end(problem, run(compiled, start, values, instants(duration), options))
 
     return end
 
 
-def _by_ida(problem: Problem) -> Callable[[float], Array]:
-    def end(tolerance: float) -> Array:
+def _by_ida(problem: Problem) -> Callable[[float, float], Array]:
+    def end(tolerance: float, duration: float) -> Array:
         options = Options(IDA, tolerance, tolerance)
-        outcome = ida_outcome(problem.model, problem.start, problem.parameters, problem.instants, options)
+        outcome = ida_outcome(problem.model, problem.start, problem.parameters, instants(duration), options)
         return _end(problem, outcome)
 
     return end
@@ -64,12 +65,11 @@ def _end(problem: Problem, outcome: Outcome) -> Array:
     return outcome.states[-1, : len(problem.start)]
 
 
-def whole_call(problem: Problem, instants: int) -> Callable[[float], Array]:
+def whole_call(problem: Problem, count: int) -> Callable[[float, float], Array]:
     """Return `simulate` with all that it does around the integration, for a number of instants."""
-    t = np.linspace(0, problem.duration, instants)
 
-    def end(tolerance: float) -> Array:
-        given = (problem.equations, problem.parameters, problem.initial, t)
+    def end(tolerance: float, duration: float) -> Array:
+        given = (problem.equations, problem.parameters, problem.initial, np.linspace(0, duration, count))
         motion = simulate(*given, rtol=tolerance, atol=tolerance, progress=False)
         return np.asarray(motion.states[-1])
 

@@ -16,13 +16,13 @@ class Contender:
         tool: whose it is.
         method: which one.
         tolerances: what it is tried at, relative and absolute alike.
-        end: integrates at a tolerance and returns the state at the last instant.
+        end: integrates at a tolerance over a duration, and returns the state at the last instant.
     """
 
     tool: str
     method: str
     tolerances: tuple[float, ...]
-    end: Callable[[float], Array]
+    end: Callable[[float, float], Array]
 
     @property
     def label(self) -> str:

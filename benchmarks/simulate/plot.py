@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from itertools import zip_longest
 from pathlib import Path
 
 import matplotlib as mpl
@@ -34,11 +35,12 @@ def write_plot(comparisons: Sequence[Comparison], path: Path) -> None:
     for axis, comparison in zip(axes, comparisons, strict=True):
         _draw(axis, comparison)
     axes[0].set_ylabel("processor time of one integration [s]")
-    curves = {curve.contender.label: curve for c in comparisons for curve in c.curves}
+    curves = _in_rows([curve for comparison in comparisons for curve in comparison.curves])
     figure.legend(
-        handles=[_line(axes[0], curve, label=label) for label, curve in curves.items()],
+        handles=[_line(curve, label=curve.contender.label) for curve in curves],
         loc="outside lower center",
         ncols=5,
+        handlelength=3.5,
         fontsize="small",
         frameon=False,
     )
@@ -46,18 +48,26 @@ def write_plot(comparisons: Sequence[Comparison], path: Path) -> None:
         figure.savefig(path, metadata={"Date": None} if path.suffix == ".svg" else None, dpi=150)
 
 
+def _in_rows(curves: Sequence[Curve]) -> list[Curve]:
+    """Return a curve of each contender, the tools in turns: a legend fills its columns first."""
+    named = {curve.contender.label: curve for curve in curves}.values()
+    own = [curve for curve in named if curve.contender.tool == by_symbody.TOOL]
+    others = [curve for curve in named if curve.contender.tool != by_symbody.TOOL]
+    return [curve for pair in zip_longest(own, others) for curve in pair if curve is not None]
+
+
 def _draw(axis: Axes, comparison: Comparison) -> None:
     for curve in comparison.curves:
-        axis.add_line(_line(axis, curve))
+        axis.add_line(_line(curve))
     axis.set(
-        xscale="log", yscale="log", title=_title(comparison), xlabel="error of a coordinate at the end [rad]"
+        xscale="log", yscale="log", title=_title(comparison), xlabel="largest error of a coordinate [rad]"
     )
     axis.autoscale_view()
     axis.set_xlim(2e-1, 5e-14)
     axis.grid(which="major", color="#dddddd", linewidth=0.6)
 
 
-def _line(axis: Axes, curve: Curve, label: str | None = None) -> mpl.lines.Line2D:
+def _line(curve: Curve, label: str | None = None) -> mpl.lines.Line2D:
     is_own = curve.contender.tool == by_symbody.TOOL
     return mpl.lines.Line2D(
         [point.error for point in curve.points],

@@ -5,6 +5,7 @@ from __future__ import annotations
 import sys
 from collections.abc import Sequence
 from dataclasses import dataclass, field
+from functools import partial
 from itertools import pairwise
 from math import exp, inf, log
 from statistics import median
@@ -37,7 +38,7 @@ class Point:
 
     Attributes:
         tolerance: what was asked for.
-        error: the largest difference of a coordinate at the end, in rad.
+        error: the largest difference of a coordinate at the ends of the durations, in rad.
         drift: the largest violation of a constraint at the end; None without constraints.
         times: the processor's seconds, of each round.
     """
@@ -117,7 +118,7 @@ class Comparison:
 
 def compared(problem: Problem, effort: Effort, tolerances: Sequence[float] | None = None) -> Comparison:
     """Return the curves of all contenders on a problem, at some tolerances or at all of theirs."""
-    end, check = reference(problem)
+    ends, check = reference(problem)
     contenders = [*by_symbody.contenders(problem), *by_scipy.contenders(problem)]
     asked = (1e-6, 1e-10) if tolerances is None else tolerances
     calls = {
@@ -126,52 +127,64 @@ def compared(problem: Problem, effort: Effort, tolerances: Sequence[float] | Non
         )
         for instants in (3, 1001)
     }
-    curves = in_turns(problem, [*contenders, *calls.values()], end, effort, tolerances)
+    curves = in_turns(problem, [*contenders, *calls.values()], ends, effort, tolerances)
     own = tuple(zip(calls, curves[len(contenders) :], strict=True))
     return Comparison(problem, tuple(curves[: len(contenders)]), own, check)
 
 
-def reference(problem: Problem) -> tuple[Array, dict[str, float]]:
-    """Return the end by SciPy's DOP853 in small steps, and how far other results are from it."""
-    rates, jacobian, n = by_scipy.rates(problem), by_scipy.jacobian(problem), problem.size
-    given = (problem.start, problem.duration)
-    end = by_scipy.integrated(*given, "DOP853", rates, None, 1e-13, problem.duration / 4000)
-    others = {
-        "solve_ivp, Radau at 1e-11": by_scipy.integrated(*given, "Radau", rates, jacobian, 1e-11),
-        "symbody, dop853 at 1e-14": by_symbody.contenders(problem)[0].end(1e-14),
+def reference(problem: Problem) -> tuple[list[Array], dict[str, float]]:
+    """Return the ends of all durations by SciPy's DOP853 in small steps, and how far other results are from them."""
+    rates, jacobian = by_scipy.rates(problem), by_scipy.jacobian(problem)
+    tight = partial(by_scipy.integrated, problem.start)
+    ends = [tight(T, "DOP853", rates, None, 1e-13, T / 4000) for T in problem.durations]
+    own = by_symbody.contenders(problem)[0]
+    check = {
+        "solve_ivp, Radau at 1e-11": _error(
+            problem, [tight(T, "Radau", rates, jacobian, 1e-11) for T in problem.durations], ends
+        ),
+        "symbody, dop853 at 1e-14": _error(problem, [own.end(1e-14, T) for T in problem.durations], ends),
     }
     if problem.published is not None:
-        others["the published end"] = np.array(problem.published)
-    return end, {what: float(np.abs(other[:n] - end[:n]).max()) for what, other in others.items()}
+        check["the published end"] = _error(problem, [np.array(problem.published)], ends[-1:])
+    return ends, check
+
+
+def _error(problem: Problem, found: Sequence[Array], ends: Sequence[Array]) -> float:
+    """Return the largest difference of a coordinate."""
+    n = problem.size
+    return max(float(np.abs(one[:n] - other[:n]).max()) for one, other in zip(found, ends, strict=True))
 
 
 def in_turns(
     problem: Problem,
     contenders: Sequence[Contender],
-    end: Array,
+    ends: Sequence[Array],
     effort: Effort,
     tolerances: Sequence[float] | None = None,
 ) -> list[Curve]:
     """Compare the ends that contenders find with the reference, then time them, round after round."""
-    curves = [Curve(c, tuple(_points(problem, c, end, tolerances or c.tolerances))) for c in contenders]
+    curves = [Curve(c, tuple(_points(problem, c, ends, tolerances or c.tolerances))) for c in contenders]
     for _ in range(effort.rounds):
         for curve in curves:
             for point in curve.points:
                 if not point.times or point.times[0] < SLOW:
-                    point.times.append(_seconds(curve.contender, point.tolerance, effort.seconds))
+                    point.times.append(
+                        _seconds(curve.contender, point.tolerance, problem.duration, effort.seconds)
+                    )
         print(".", end="", file=sys.stderr, flush=True)
     print(f" {problem.name}", file=sys.stderr)
     return curves
 
 
-def _points(problem: Problem, contender: Contender, end: Array, tolerances: Sequence[float]) -> list[Point]:
+def _points(
+    problem: Problem, contender: Contender, ends: Sequence[Array], tolerances: Sequence[float]
+) -> list[Point]:
     points: list[Point] = []
     for tolerance in tolerances:
         begin = process_time()
-        found = contender.end(tolerance)
-        error = float(np.abs(found[: problem.size] - end[: problem.size]).max())
-        points.append(Point(tolerance, error, drift(problem, found)))
-        if process_time() - begin > SLOW:
+        found = [contender.end(tolerance, duration) for duration in problem.durations]
+        points.append(Point(tolerance, _error(problem, found, ends), drift(problem, found[-1])))
+        if process_time() - begin > SLOW * len(ends):
             break
     return points
 
@@ -192,11 +205,11 @@ def _work(problem: Problem) -> list[float]:
     return [0.0] * (problem.model.width - len(problem.model.state))
 
 
-def _seconds(contender: Contender, tolerance: float, least: float) -> float:
+def _seconds(contender: Contender, tolerance: float, duration: float, least: float) -> float:
     """Return the processor's seconds of one integration, from as many as fill a trial."""
     count, begin = 0, process_time()
     while True:
-        contender.end(tolerance)
+        contender.end(tolerance, duration)
         count += 1
         spent = process_time() - begin
         if spent >= least:

@@ -57,6 +57,11 @@ class Problem:
         return len(self.equations.coordinates)
 
     @property
-    def instants(self) -> Array:
-        """The first instant and the last one."""
-        return np.array([0.0, self.duration])
+    def durations(self) -> tuple[float, ...]:
+        """Where errors are looked at: at one instant alone an error may cross zero. The last one is the whole."""
+        return tuple(part * self.duration for part in (0.9, 0.95, 1.0))
+
+
+def instants(duration: float) -> Array:
+    """Return the first instant and the last one."""
+    return np.array([0.0, duration])

@@ -7,7 +7,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 from functools import partial
 from statistics import median
-from time import perf_counter
+from time import perf_counter, process_time
 
 import numpy as np
 
@@ -58,6 +58,7 @@ class Rate:
         runs: how many motions were run.
         first: seconds of the first run with this setting, in which what is compiled is compiled.
         times: seconds by the clock on the wall, of each round.
+        work: seconds of all threads' processors, of each round.
     """
 
     manner: Manner
@@ -66,6 +67,7 @@ class Rate:
     runs: int
     first: float
     times: list[float] = field(default_factory=list)
+    work: list[float] = field(default_factory=list)
 
     @property
     def per_second(self) -> float:
@@ -135,7 +137,10 @@ def measured(problem: Problem, side: int, sample: int, rounds: int) -> Throughpu
         print(".", end="", file=sys.stderr, flush=True)
     for _ in range(rounds):
         for rate, own in found:
-            rate.times.append(_seconds(rate.manner.many, own, rate.setting))
+            wall, work = perf_counter(), process_time()
+            rate.manner.many(own, rate.setting)
+            rate.times.append(perf_counter() - wall)
+            rate.work.append(process_time() - work)
     print(" many motions", file=sys.stderr)
     return Throughput(len(states), problem.duration, tuple(rate for rate, _ in found), check)
 
@@ -154,12 +159,6 @@ def _tuned(manner: Manner, states: Array, ends: Array) -> Rate:
 
 def _error(found: Array, ends: Array) -> float:
     return float(np.abs(found[:, :2] - ends[:, :2]).max())
-
-
-def _seconds(many: Many, states: Array, setting: float) -> float:
-    begin = perf_counter()
-    many(states, setting)
-    return perf_counter() - begin
 
 
 def _instants(problem: Problem) -> Array:
