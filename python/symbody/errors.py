@@ -69,6 +69,10 @@ class SimulationError(SymbodyError, RuntimeError):
         self.motion = motion
 
 
+class ResultsError(SymbodyError, OSError):
+    """A file of results that can't be read or written, or that holds those of another problem."""
+
+
 class ViewError(SymbodyError, ValueError):
     """A motion or a shape that can't be drawn."""
 

@@ -40,15 +40,15 @@ from symbody import (
     time_derivative,
     translate,
 )
-from symbody.errors import ArgumentError, ParameterError, SimulationError
+from symbody.errors import ArgumentError, ParameterError, ResultsError, SimulationError
 from symbody.simulation import many, workers
 from symbody.simulation.event import Event
 from symbody.simulation.grid import grid
 from symbody.simulation.integrator import Options, Problem, run
 from symbody.simulation.many import simulate_many
 from symbody.simulation.model import model_of
-from symbody.simulation.results_file import ResultsError
 from symbody.simulation.runs import Runs
+from symbody.simulation.simulate import simulate
 
 Array = NDArray[np.float64]
 m, l, g = symbols("m l g")
@@ -558,20 +558,28 @@ def test_grids() -> None:
         (
             {m: 1, g: 1},
             {},
-            "parameters: no values for l; the parameters are g, l, m: give each a number, or a row",
+            r"simulate_many: no value for l; give parameters=\{l: ...\}",
         ),
         (
-            {m: 1, g: 1, l: 1, symbols("k"): 2},
+            {m: 1, g: 1, symbols("k"): 2},
             {},
-            "parameters: k stands nowhere in the model; its parameters are g, l",
+            "simulate_many: no value for l; .*; k, which you gave, stands nowhere in the equations",
         ),
-        ({m: 1, g: 1, l: 1, q1: 2}, {}, "parameters: q1 stands nowhere in the model"),
+        (
+            {m: 1, g: 1, l: 1, q1: 2},
+            {},
+            "parameters: q1 is not a parameter of these equations; expected one of",
+        ),
         (
             {m: 1, g: 1, l: 1},
             {x: 1},
-            r"initial: x is no part of the state; expected coordinates, their rates or speeds: q1, q2, q1', q2'",
+            "initial: x is not a coordinate, a rate of one or a speed of this system; expected one of q1, q2, q1', q2'",
         ),
-        ({m: 1, g: 1, l: 1}, {time_derivative(q1, 2): 1}, "initial: q1'' is no part of the state"),
+        (
+            {m: 1, g: 1, l: 1},
+            {time_derivative(q1, 2): 1},
+            r"initial: q1'' is not a coordinate, .*; did you mean q1' or q1\?",
+        ),
     ],
 )
 def test_names_that_are_missing_or_strange(
@@ -583,7 +591,7 @@ def test_names_that_are_missing_or_strange(
 
 def test_parameters_of_outputs_alone() -> None:
     k = symbols("k")
-    with pytest.raises(ParameterError, match="no values for k; the parameters are g, l, m, k"):
+    with pytest.raises(ParameterError, match="simulate_many: no value for k; give"):
         six(outputs={"spring": k * q1})
     runs = six(outputs={"spring": k * q1}, cases=CASES | {k: np.arange(6)})
     np.testing.assert_array_equal(runs.outputs["spring"], np.arange(6)[:, None] * runs.states[:, :, 0])
@@ -592,7 +600,10 @@ def test_parameters_of_outputs_alone() -> None:
 @pytest.mark.parametrize(
     ("options", "message"),
     [
-        ({"constraints": "none"}, "constraints='none' is a str; expected 'projection', 'free', or"),
+        (
+            {"constraints": "none"},
+            "simulate_many: constraints='none' is a str; expected 'projection', 'baumgarte', 'free', or",
+        ),
         ({"threads": 0}, "threads=0 is an int; expected a whole number from 1"),
         ({"executor": 4}, "executor=4 is an int; expected an executor of concurrent.futures"),
         (
@@ -639,6 +650,55 @@ def on_the_circle(**options: Any) -> Runs:
         ModelNotice, match=r"1 of 4 motions failed; the first is case 2 \(m = 1, g = 9.81, l = 0.7, x = 0.9\)"
     ):
         return simulate_many(CIRCLE, {m: 1, g: 9.81}, t=(0, 1), guess={y: -1}, **(given | options))
+
+
+@pytest.mark.parametrize("constraints", ["projection", "baumgarte", (20.0, 1.0), "free"])
+def test_the_motion_of_a_case_is_the_one_that_simulate_gives(constraints: Any) -> None:
+    """All of it: states, work, parameters, what was asked for; also where the time scale chooses the damping."""
+    runs = on_the_circle(constraints=constraints, outputs={"turn": time_derivative(x, 2)})
+    for case in (0, 3, -1):
+        motion = runs.motion(case)
+        given = {name: column[case] for name, column in (runs.parameters | runs.initial).items()}
+        alone = simulate(
+            CIRCLE,
+            {name: given[name] for name in (m, g, l)},
+            {x: given[x]},
+            t=(0, 1),
+            guess={y: -1},
+            constraints=constraints,
+            outputs={"turn": time_derivative(x, 2)},
+        )
+        np.testing.assert_array_equal(motion.t, alone.t)
+        np.testing.assert_array_equal(motion.states, alone.states)
+        np.testing.assert_array_equal(motion.outputs["turn"], alone.outputs["turn"])
+        assert motion.parameters == dict(alone.parameters)
+        assert (motion.message, motion.energy_drift) == (alone.message, alone.energy_drift)
+
+
+def test_cases_without_a_motion_are_told() -> None:
+    runs = on_the_circle()
+    with pytest.raises(
+        ArgumentError, match=r"runs.motion: case 2 has no motion: .* no coordinates were found"
+    ):
+        runs.motion(2)
+    with pytest.raises(ArgumentError, match=r"runs.motion: 4 is an int; expected one of the 4 cases, from 0"):
+        runs.motion(4)
+    with pytest.raises(ArgumentError, match="the states of these motions were not kept"):
+        on_the_circle(keep_states=False, outputs={"height": y}).motion(0)
+
+
+def test_parameters_of_events_alone_differ_from_case_to_case() -> None:
+    height = symbols("h")
+    runs = simulate_many(
+        PENDULUM,
+        {m: 1, l: 1, g: 9.81, height: [0.1, 0.2, 0.3]},
+        {q1: 0.5},
+        t=(0, 2),
+        events=[Event(q1 - height, terminal=True)],
+    )
+    ends = [runs.motion(case).events[-1] for case in range(3)]
+    np.testing.assert_allclose([end.state[q1] for end in ends], [0.1, 0.2, 0.3], atol=1e-12)
+    assert ends[0].t > ends[1].t > ends[2].t
 
 
 def test_constrained_cases_begin_on_their_constraints() -> None:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Any
 
@@ -14,7 +14,8 @@ from symbody.codegen import CompiledFunction, lambdify
 from symbody.errors import SymbodyError
 from symbody.symbolic import Expr, t
 
-from .begin import begin
+from .baumgarte_choice import chosen_damping
+from .begin import begin, begin_free
 from .cases import Cases
 from .event import Event
 from .ida import IDA_FORMS
@@ -68,10 +69,24 @@ class Batch:
             events=self.events,
         )
 
-    @property
-    def damping(self) -> dict[Expr, float]:
-        """The frequency and the damping ratio with which violations of constraints die out, if they do."""
-        return {} if isinstance(self.constraints, str) else dict(zip(DAMPING, self.constraints, strict=True))
+    def damping_of(self, parameters: Mapping[Expr, float], state: Array) -> dict[Expr, float]:
+        """Return the frequency and the damping ratio with which violations of constraints die out, if they do.
+
+        Args:
+            parameters: those of a case.
+            state: where it begins.
+        """
+        if not self.model.is_stabilized:
+            return {}
+        damping = self.constraints
+        if isinstance(damping, str):
+            values = np.array([parameters[name] for name in self._plain.parameters])
+            damping = chosen_damping(self._plain, values, state, self.instants)
+        return dict(zip(DAMPING, damping, strict=True))
+
+    @cached_property
+    def _plain(self) -> Model:
+        return replace(self.model, is_stabilized=False, _functions={})
 
     def empty_results(self, cases: int) -> Results:
         """Return results without values."""
@@ -84,33 +99,36 @@ class Batch:
         """Run some cases, in native threads; one that can't begin, or ends early, says why."""
         results = self.empty_results(cases.count)
         begun, states = self._starts(cases, results, keep_going)
-        for case, outcome in zip(
-            begun, self._outcomes(cases.some(begun), states, threads, keep_going), strict=True
-        ):
+        running = self._damped(cases.some(begun), states)
+        outcomes = self._outcomes(running, states, threads, keep_going)
+        for place, (case, outcome) in enumerate(zip(begun, outcomes, strict=True)):
             if outcome is not None:
-                self._record(results, int(case), outcome, cases.parameters_of(case))
+                self._record(results, int(case), outcome, running.parameters_of(place))
         return results
 
+    def _damped(self, cases: Cases, states: Array) -> Cases:
+        """Return the cases with the parameters of Baumgarte's stabilisation, where there is one."""
+        if not self.model.is_stabilized or not cases.count:
+            return cases
+        chosen = [self.damping_of(cases.parameters_of(k), state) for k, state in enumerate(states)]
+        columns = {name: np.array([damping[name] for damping in chosen]) for name in DAMPING}
+        return replace(cases, parameters={**cases.parameters, **columns})
+
     def _outcomes(
-        self, cases: Cases, states: list[Array], threads: int, keep_going: Callable[[float], bool] | None
+        self, cases: Cases, states: Array, threads: int, keep_going: Callable[[float], bool] | None
     ) -> Iterable[Outcome | None]:
         """Return how the integration of each case went; None where it was not begun."""
-        if not states:
+        if not len(states):
             return []
         if self.options.method in IDA_FORMS:
             return self._by_ida(cases, states, keep_going or (lambda _: True))
-        columns = {
-            **cases.parameters,
-            **{name: np.full(len(states), value) for name, value in self.damping.items()},
-        }
-        names = (*self.model.parameters, *self.damping)
-        parameters = np.stack([columns[name] for name in names], axis=-1)
-        return run_many(
-            self.problem, np.stack(states), parameters, self.instants, self.options, threads, keep_going
-        )
+        parameters = np.empty((len(states), len(self.problem.parameters)))
+        for place, name in enumerate(self.problem.parameters):
+            parameters[:, place] = cases.parameters[name]
+        return run_many(self.problem, states, parameters, self.instants, self.options, threads, keep_going)
 
     def _by_ida(
-        self, cases: Cases, states: list[Array], keep_going: Callable[[float], bool]
+        self, cases: Cases, states: Array, keep_going: Callable[[float], bool]
     ) -> Iterator[Outcome | None]:
         for case, state in enumerate(states):
             if not keep_going(case):
@@ -129,19 +147,18 @@ class Batch:
 
     def _starts(
         self, cases: Cases, results: Results, keep_going: Callable[[float], bool] | None
-    ) -> tuple[NDArray[np.intp], list[Array]]:
+    ) -> tuple[NDArray[np.intp], Array]:
         """Return the cases that can begin, and their states; the others fail."""
-        begun: list[int] = []
-        states: list[Array] = []
-        for case in range(cases.count):
-            if keep_going is not None and case % LOOK == 0 and not keep_going(0):
+        states = begin_free(self.model, cases, self.guess)
+        for looked, case in enumerate(np.flatnonzero(~np.isfinite(states).all(axis=1)).tolist()):
+            if keep_going is not None and looked % LOOK == 0 and not keep_going(0):
                 break
             try:
-                states.append(self.start(cases.parameters_of(case), cases.initial_of(case)))
-                begun.append(case)
+                states[case] = self.start(cases.parameters_of(case), cases.initial_of(case))
             except SymbodyError as error:
                 results.status[case], results.messages[case] = Status.FAILED, str(error)
-        return np.array(begun, dtype=np.intp), states
+        begun = np.flatnonzero(np.isfinite(states).all(axis=1))
+        return begun, states[begun]
 
     def start(self, parameters: Mapping[Expr, float], initial: Mapping[Expr, float]) -> Array:
         """Return the vector at the first instant: what is given, and zero or what the constraints demand."""
@@ -184,9 +201,8 @@ class Batch:
         """Return the values of expressions along a motion, a row for each."""
         if not expressions:
             return np.empty((0, len(instants)))
-        given = {**parameters, **self.damping}
-        function = self._function(tuple(expressions), tuple(given))
-        return np.asarray(function(instants, *states.T, *given.values()))
+        function = self._function(tuple(expressions), tuple(parameters))
+        return np.asarray(function(instants, *states.T, *parameters.values()))
 
     def _function(self, expressions: tuple[Expr, ...], parameters: tuple[Expr, ...]) -> CompiledFunction:
         key = (expressions, parameters)

@@ -9,13 +9,14 @@ from numpy.typing import NDArray
 
 from symbody.symbolic import Expr
 
+from .cases import Cases
 from .consistent import consistent_state
 from .kinematics import kinematics_of
 from .model import Model
 from .overconstraint import check_special_dimensions
 from .values import parameter_values, state_values
 
-__all__ = ["begin"]
+__all__ = ["begin", "begin_free"]
 
 
 def begin(
@@ -42,3 +43,13 @@ def begin(
         slopes, _ = kinematics.velocity(t, state[: len(model.coordinates)], p)
         check_special_dimensions(model, slopes[: len(model.constraints)])
     return state
+
+
+def begin_free(model: Model, cases: Cases, guess: Mapping[Expr, float]) -> NDArray[np.float64]:
+    """Return where many motions begin, a row each: NaN where `begin` has to look, since something is to be solved."""
+    if model.constraints or model.system.has_quasi_velocities:
+        return np.full((cases.count, model.width), np.nan)
+    states = np.zeros((cases.count, model.width))
+    for place, name in enumerate(model.state):
+        states[:, place] = cases.initial.get(name, guess.get(name, 0.0))
+    return states

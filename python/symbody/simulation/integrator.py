@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from math import inf
@@ -11,9 +11,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from symbody.codegen import PreparedCode
-from symbody.symbolic import Expr, free_symbols, number, substitute
+from symbody.symbolic import Expr
 from symbody.symbolic._core import Dynamics
 
+from .asked import parameters_in
 from .event import Event
 from .model import Model
 
@@ -117,13 +118,11 @@ class Problem:
         *,
         is_projected: bool,
         events: Sequence[Event] = (),
-        given: Mapping[Expr, float] | None = None,
     ) -> Problem:
-        """Return what integrates a model: no derivatives for explicit methods, no corrections without constraints.
-
-        Parameters that stand in events alone are numbers there: their values are those given.
-        """
-        code = model.code(_watched(model, events, given or {})) if events else None
+        """Return what integrates a model: no derivatives for explicit methods, no corrections without constraints."""
+        watched = model.along_motion([event.expression for event in events])
+        others = [name for name in parameters_in(watched) if name not in (*model.parameters, *model.damping)]
+        code = model.code(watched, others) if events else None
         return cls(
             width=model.width,
             controlled=len(model.state),
@@ -140,9 +139,14 @@ class Problem:
         events = [] if self.events is None else [self.events[0]]
         return [self.rates, *jacobian, *(self.corrections or ()), *events]
 
+    @property
+    def parameters(self) -> tuple[Expr, ...]:
+        """What needs values: the parameters of the rates, then those that stand in events alone."""
+        return self.codes[-1].parameters
+
     def constants(self, parameters: NDArray[np.float64]) -> NDArray[np.float64]:
         """Return what the functions need of the parameters, one after another."""
-        return np.concatenate([code.prepare(parameters) for code in self.codes])
+        return np.concatenate([code.prepare(parameters[: len(code.parameters)]) for code in self.codes])
 
     @cached_property
     def native(self) -> Dynamics:
@@ -157,13 +161,6 @@ class Problem:
             if self.events is None
             else (_code(self.events[0]), [(event.direction, event.terminal) for event in self.events[1]]),
         )
-
-
-def _watched(model: Model, events: Sequence[Event], given: Mapping[Expr, float]) -> tuple[Expr, ...]:
-    expressions = model.along_motion([event.expression for event in events])
-    inside = {*model.parameters, *model.damping, *model.integrated}
-    others = {name: number(given[name]) for name in free_symbols(expressions) - inside if name in given}
-    return substitute(expressions, others) if others else expressions
 
 
 def _code(code: PreparedCode) -> tuple[int, int, int]:
@@ -206,7 +203,8 @@ def run_many(
     What was not begun when `keep_going` said no is None.
     """
     results = np.full((len(states), len(instants), problem.width), np.nan)
-    constants = np.stack([problem.constants(row) for row in parameters]) if len(parameters) else parameters
+    different, places = np.unique(parameters, axis=0, return_inverse=True)
+    constants = np.array([problem.constants(row) for row in different])[places]
     told = problem.native.integrate_many(
         options.method,
         np.ascontiguousarray(states, float),

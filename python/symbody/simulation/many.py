@@ -14,21 +14,22 @@ from time import monotonic
 from numpy.typing import ArrayLike
 
 from symbody.dynamics import Equations
-from symbody.errors import ArgumentError, ModelNotice, SimulationError
-from symbody.symbolic import Expr, ExprLike, number
+from symbody.errors import ArgumentError, ModelNotice, ResultsError, SimulationError
+from symbody.symbolic import Expr, ExprLike
 from symbody.symbolic.arguments import described
 
+from .asked import asked_outputs, watched_events
 from .batch import Batch
 from .case_check import check_cases
 from .cases import PLACE, Cases, cases_of
 from .event import Event
 from .interruption import Interruption
 from .model import model_of
-from .options import instants_of, options_of
+from .options import instants_of, kept_by, options_of
 from .problem_digest import problem_digest
 from .progress import progress_bar
 from .results import Results
-from .results_file import ResultsError, ResultsFile
+from .results_file import ResultsFile
 from .runs import Runs
 from .values import given_inputs, vanishing
 from .workers import Part, by_executor, cores, in_threads
@@ -105,19 +106,20 @@ def simulate_many(
     Runs(3 cases, 1001 instants)
     """
     workforce = _checked(executor, cores() if threads is None else threads)
+    kept = kept_by(constraints, PLACE)
     all_cases = cases_of(parameters, initial, cases)
     batch = Batch(
         model=model_of(
             eqs,
             given_inputs(eqs, inputs, where=PLACE),
-            is_stabilized=not isinstance(constraints, str),
+            is_stabilized=bool(eqs.constraints) and kept not in {"projection", "free"},
             zeros=vanishing(all_cases.parameters),
         ),
-        instants=instants_of(t),
-        options=options_of(method, rtol, atol, max_step),
-        constraints=_constraints(constraints),
-        outputs=_outputs(outputs),
-        events=tuple(events or ()),
+        instants=instants_of(t, PLACE),
+        options=options_of(method, rtol, atol, max_step, PLACE),
+        constraints=kept,
+        outputs=asked_outputs(outputs, PLACE),
+        events=watched_events(events, PLACE),
         guess=dict(guess or {}),
         keeps_states=keep_states,
     )
@@ -142,18 +144,6 @@ def _checked(executor: object, threads: object) -> tuple[Executor | None, int]:
     if not isinstance(threads, int) or threads < 1:
         raise ArgumentError(f"{PREFIX}threads={described(threads)}; expected a whole number from 1")
     return executor, threads
-
-
-def _constraints(constraints: str | tuple[float, float]) -> str | tuple[float, float]:
-    if constraints in ("projection", "free"):
-        return constraints
-    if not isinstance(constraints, str) and len(constraints) == 2:
-        omega, zeta = map(float, constraints)
-        return omega, zeta
-    raise SimulationError(
-        f"{PREFIX}constraints={described(constraints)}; expected 'projection', 'free', or (omega, zeta) for "
-        "Baumgarte's stabilisation"
-    )
 
 
 def _begun(file: ResultsFile | None, empty: Results) -> Results:
@@ -258,7 +248,3 @@ def _gap_notice(runs: Runs, reason: str, path: object) -> str:
         f"{len(runs.not_run)} of {len(runs)} motions were not run ({reason.removeprefix(PREFIX)}); they are in "
         f".not_run, and their values are NaN; {advice}"
     )
-
-
-def _outputs(outputs: Mapping[str, ExprLike] | None) -> dict[str, Expr]:
-    return {name: number(value) for name, value in (outputs or {}).items()}

@@ -99,12 +99,6 @@ class Model:
         found = {*self.equations.parameters, *(leaf for leaf in given if _is_parameter(leaf))}
         return tuple(sorted(found, key=lambda symbol: symbol.name))
 
-    def other_parameters(self, expressions: Sequence[Expr] = ()) -> tuple[Expr, ...]:
-        """Return the parameters that stand in energies, loads and other expressions, and not in the equations."""
-        energies = [e for e in (self.kinetic_energy, self.potential_energy, self.power) if e is not None]
-        found = {leaf for leaf in free_symbols([*energies, *expressions]) if _is_parameter(leaf)}
-        return tuple(sorted(found - {*self.parameters}, key=lambda symbol: symbol.name))
-
     @property
     def damping(self) -> tuple[Expr, ...]:
         """The frequency and the damping ratio of Baumgarte's stabilisation, where there is one."""

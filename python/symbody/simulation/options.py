@@ -20,7 +20,7 @@ KEPT = ("projection", "baumgarte", "free")
 """The ways to keep constraints: back onto them after each step; by damping what is off; not at all."""
 
 
-def instants_of(given: ArrayLike) -> NDArray[np.float64]:
+def instants_of(given: ArrayLike, where: str = "simulate") -> NDArray[np.float64]:
     """Return the instants of a simulation: a pair means 1001 of them, evenly spaced.
 
     Raises:
@@ -36,12 +36,12 @@ def instants_of(given: ArrayLike) -> NDArray[np.float64]:
             np.array2string(np.asarray(given), threshold=6, separator=", ") if is_row else described(given)
         )
         raise SimulationError(
-            f"simulate: t={shown}; expected the first and the last instant, or all instants, increasing"
+            f"{where}: t={shown}; expected the first and the last instant, or all instants, increasing"
         )
     return np.linspace(instants[0], instants[1], 1001) if len(instants) == 2 else instants
 
 
-def options_of(method: str, rtol: float, atol: float, max_step: float) -> Options:
+def options_of(method: str, rtol: float, atol: float, max_step: float, where: str = "simulate") -> Options:
     """Return how to integrate.
 
     Raises:
@@ -49,14 +49,14 @@ def options_of(method: str, rtol: float, atol: float, max_step: float) -> Option
     """
     methods = (*EXPLICIT, *IMPLICIT, *IDA_FORMS)
     if method not in ("auto", *methods):
-        raise SimulationError(f"simulate: method={method!r}; expected auto, {', '.join(methods)}")
+        raise SimulationError(f"{where}: method={method!r}; expected auto, {', '.join(methods)}")
     for name, value in {"rtol": rtol, "atol": atol, "max_step": max_step}.items():
         if not isinstance(value, Real) or not value > 0 or (value == inf and name != "max_step"):
-            raise SimulationError(f"simulate: {name}={value!r}; expected a positive number")
+            raise SimulationError(f"{where}: {name}={value!r}; expected a positive number")
     return Options("dop853" if method == "auto" else method, rtol, atol, max_step)
 
 
-def kept_by(constraints: object) -> str | tuple[float, float]:
+def kept_by(constraints: object, where: str = "simulate") -> str | tuple[float, float]:
     """Return how constraints are kept: a word, or the frequency and the damping ratio of Baumgarte's stabilisation.
 
     Raises:
@@ -68,6 +68,6 @@ def kept_by(constraints: object) -> str | tuple[float, float]:
         omega, zeta = map(float, constraints)
         return omega, zeta
     raise SimulationError(
-        f"simulate: constraints={described(constraints)}; expected 'projection', 'baumgarte', 'free', or (omega, zeta) "
+        f"{where}: constraints={described(constraints)}; expected 'projection', 'baumgarte', 'free', or (omega, zeta) "
         "for Baumgarte's stabilisation"
     )

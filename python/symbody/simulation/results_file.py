@@ -13,14 +13,9 @@ from typing import Any, BinaryIO
 
 import numpy as np
 
-from symbody.errors import SymbodyError
+from symbody.errors import ResultsError
 
 from .results import Results
-
-
-class ResultsError(SymbodyError, OSError):
-    """A file of results that can't be read or written, or that holds those of another problem."""
-
 
 FORMAT = "symbody results 1"
 """What a file of results begins with; the number goes up when the meaning of its arrays changes."""

@@ -11,11 +11,14 @@ from numpy.typing import NDArray
 from symbody.errors import ArgumentError
 from symbody.multibody import System
 from symbody.symbolic import Expr
+from symbody.symbolic.arguments import described
 
 from .batch import Batch
 from .cases import Cases
 from .integrator import Failure as IntegratorFailure
 from .integrator import Outcome, Statistics
+from .motion import Motion
+from .motion_of import motion_of
 from .results import Results, Status
 
 Array = NDArray[np.float64]
@@ -97,11 +100,46 @@ class Runs:
                 return self.outputs[name]
         states, values = self.states, np.full((len(self), len(self.t)), np.nan)
         for case, reached in enumerate(self.results.reached):
-            parameters = self.cases.parameters_of(case)
-            values[case, :reached] = self.batch.values(
-                [expression], states[case, :reached], self.t[:reached], parameters
-            )
+            if reached:
+                values[case, :reached] = self.batch.values(
+                    [expression], states[case, :reached], self.t[:reached], self._parameters_of(case)
+                )
         return values
+
+    def motion(self, index: int) -> Motion:
+        """Return the motion of one case: to plot, to animate, to look at its energy.
+
+        Args:
+            index: which case it is; negative ones count from the last.
+
+        Raises:
+            ArgumentError: there is no such case, it has no motion, or the states were not kept.
+        """
+        cases = len(self)
+        if not hasattr(index, "__index__") or not -cases <= index < cases:
+            raise ArgumentError(f"runs.motion: {described(index)}; expected one of the {cases} cases, from 0")
+        case = int(index) % cases
+        outcome = self.outcome(case)
+        if outcome is None:
+            _ = self.states
+            why = str(self.results.messages[case]) or "it was not run"
+            raise ArgumentError(f"runs.motion: case {case} has no motion: {why}")
+        message = str(self.results.messages[case]) or "the last instant was reached"
+        return motion_of(
+            self.batch.model,
+            self._parameters_of(case),
+            self.t,
+            self.batch.events,
+            outcome,
+            message,
+            self.batch.outputs,
+        )
+
+    def _parameters_of(self, case: int) -> dict[Expr, float]:
+        parameters = self.cases.parameters_of(case)
+        if not self.batch.model.is_stabilized:
+            return parameters
+        return {**parameters, **self.batch.damping_of(parameters, self.results.states[case, 0])}
 
     def outcome(self, index: int) -> Outcome | None:
         """Return how the integration of one case went, at the instants it reached; None where it never began."""

@@ -20,13 +20,14 @@ from .asked import asked_outputs, check_known_along, parameters_in, watched_even
 from .baumgarte_choice import chosen_damping
 from .begin import begin
 from .diagnosis import diagnosis
-from .event import Event, Occurrence
+from .event import Event
 from .ida import IDA_FORMS
 from .ida_outcome import ida_outcome
 from .integrator import Options, Outcome, Problem, run
 from .interruption import Interruption
 from .model import DAMPING, Model, model_of
 from .motion import Motion
+from .motion_of import motion_of
 from .options import instants_of, kept_by, options_of
 from .progress import progress_bar
 from .values import given_inputs, parameter_values, vanishing
@@ -145,9 +146,9 @@ class _Course:
                 self.options.method,
                 is_projected=self.is_projected,
                 events=self.events,
-                given=self.parameters,
             )
-            outcome = run(problem, state, self.values, self.instants, self.options, keep_going)
+            values = np.array([self.parameters[name] for name in problem.parameters])
+            outcome = run(problem, state, values, self.instants, self.options, keep_going)
         for code in problem.codes:
             notice_deficiencies(code.tag, self.model.equation_names, "simulate")
         return outcome
@@ -172,27 +173,4 @@ class _Course:
         raise SimulationError(message, self._motion(outcome, asked, message))
 
     def _motion(self, outcome: Outcome, asked: Mapping[str, Expr], message: str) -> Motion:
-        size, reached = len(self.model.state), len(outcome.states)
-        t, states = self.instants[:reached], outcome.states
-        if outcome.end[0] > t[-1]:
-            t, states = np.append(t, outcome.end[0]), np.vstack([states, outcome.end[1]])
-        happened = tuple(
-            Occurrence(self.events[k], time, dict(zip(self.model.state, at, strict=False)))
-            for k, time, at in outcome.occurrences
-        )
-        if outcome.failure is None and happened and happened[-1].event.terminal and happened[-1].t == t[-1]:
-            message = f"the event {happened[-1].event} at t = {t[-1]:.9g} s"
-        idle = np.zeros(len(t)) if self.model.power is None else np.full(len(t), np.nan)
-        work = states[:, size] if states.shape[1] > size else idle
-        return Motion(
-            self.model,
-            self.parameters,
-            t,
-            states[:, :size],
-            work,
-            happened,
-            outcome.statistics,
-            outcome.failure is None,
-            message,
-            asked,
-        )
+        return motion_of(self.model, self.parameters, self.instants, self.events, outcome, message, asked)

@@ -20,6 +20,8 @@ from .cases import column_of
 __all__ = [
     "check_equations",
     "check_known",
+    "check_parameters",
+    "check_state_names",
     "finite_number",
     "given_inputs",
     "parameter_values",
@@ -51,6 +53,17 @@ def parameter_values(
     array([9.81, 2.  ])
     """
     given = _mapping(parameters, where, "parameters")
+    check_parameters(names, given, where)
+    values = {name: finite_number(name, value, f"{where}, parameters") for name, value in given.items()}
+    return np.array([values[name] for name in names], dtype=np.float64)
+
+
+def check_parameters(names: Sequence[Expr], given: Mapping[Any, ArrayLike], where: str = "simulate") -> None:
+    """See that all parameters have values, and that these are of symbols.
+
+    Raises:
+        ParameterError: a parameter without a value, or a value of what is no symbol.
+    """
     more = tuple(
         name for name in given if isinstance(name, Expr) and name.kind == "symbol" and name not in names
     )
@@ -61,8 +74,6 @@ def parameter_values(
         raise ParameterError(
             f"{where}: no value for {_listed(missing)}; give parameters={{{_examples(missing)}}}{unused}"
         )
-    values = {name: finite_number(name, value, f"{where}, parameters") for name, value in given.items()}
-    return np.array([values[name] for name in names], dtype=np.float64)
 
 
 def vanishing(parameters: object) -> tuple[Expr, ...]:
@@ -93,14 +104,23 @@ def state_values(
         ParameterError: something that is no coordinate, rate of one, or speed; or a value that isn't finite.
         ArgumentError: it is no mapping, or a value is no number.
     """
-    values = _mapping(given, where, argument)
-    known, expected = system.coordinates, "a coordinate of this system"
+    values, place = _mapping(given, where, argument), f"{where}, {argument}"
     if has_speeds:
-        rates = [time_derivative(q) for q in system.coordinates]
-        known = tuple(dict.fromkeys((*system.coordinates, *system.speeds, *rates)))
-        expected = "a coordinate, a rate of one or a speed of this system"
-    check_known(values, known, f"{where}, {argument}", expected)
+        check_state_names(system, values, place)
+    else:
+        check_known(values, system.coordinates, place, "a coordinate of this system")
     return {name: finite_number(name, value, f"{where}, {argument}") for name, value in values.items()}
+
+
+def check_state_names(system: System, given: Iterable[object], place: str) -> None:
+    """See that all names are of coordinates, their rates or speeds.
+
+    Raises:
+        ParameterError: one isn't.
+    """
+    rates = [time_derivative(q) for q in system.coordinates]
+    known = tuple(dict.fromkeys((*system.coordinates, *system.speeds, *rates)))
+    check_known(given, known, place, "a coordinate, a rate of one or a speed of this system")
 
 
 def given_inputs(

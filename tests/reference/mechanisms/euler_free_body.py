@@ -4,7 +4,17 @@ from __future__ import annotations
 
 from typing import Any
 
-from symbody import Body, Point, System, angular_momentum, floating_frame, ground, newton_euler, project, symbols
+from symbody import (
+    Body,
+    Point,
+    System,
+    angular_momentum,
+    floating_frame,
+    ground,
+    newton_euler,
+    project,
+    symbols,
+)
 
 from .problem import Problem, reference
 

@@ -38,9 +38,7 @@ def n_fourbar(N: int = 2) -> Problem:
 
     cranks = [translate(i * L, 0, 0) * rotate("Z", angle) for i, angle in enumerate(theta)]
     tips = [crank * translate(L, 0, 0) for crank in cranks]
-    couplers = [
-        tip * rotate("Z", angle - crank) for tip, angle, crank in zip(tips, phi, theta, strict=False)
-    ]
+    couplers = [tip * rotate("Z", angle - crank) for tip, angle, crank in zip(tips, phi, theta, strict=False)]
     bodies = [Body(Point(bar, L / 2, 0, 0), m, 0, 0, inertia) for bar in (*cranks, *couplers)]
     gaps = [
         project(Point(coupler, L, 0, 0) - origin(tip), ground)
@@ -58,8 +56,8 @@ def n_fourbar(N: int = 2) -> Problem:
     return Problem(
         newton_euler(system),
         {m: numbers["link_mass"], L: numbers["link_length"], g: numbers["g"]},
-        {angle: pi / 2 for angle in theta}
-        | {angle: 0.0 for angle in phi}
+        dict.fromkeys(theta, pi / 2)
+        | dict.fromkeys(phi, 0.0)
         | {time_derivative(angle): speed for angle in theta}
         | {time_derivative(angle): 0.0 for angle in phi},
         dict(zip(("xB0", "yB0", "vxB0", "vyB0"), (*place[:2], *motion[:2]), strict=True)),
