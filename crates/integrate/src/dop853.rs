@@ -307,16 +307,26 @@ fn count(n: usize) -> f64 {
     n as f64
 }
 
-/// Write `base + h * sum of weights times stages`.
+/// Write `base + h * sum of weights times stages`, four entries at a time: their sums stay in registers.
 fn combine(out: &mut [f64], base: &[f64], h: f64, weights: &[(usize, f64)], stages: &[f64]) {
+    const LANES: usize = 4;
     let n = out.len();
-    out.fill(0.0);
-    for &(place, weight) in weights {
-        for (sum, rate) in out.iter_mut().zip(&stages[place * n..][..n]) {
-            *sum += weight * rate;
+    let mut first = 0;
+    while first + LANES <= n {
+        let mut sums = [0.0; LANES];
+        for &(place, weight) in weights {
+            let rates = &stages[place * n + first..][..LANES];
+            for (sum, rate) in sums.iter_mut().zip(rates) {
+                *sum += weight * rate;
+            }
         }
+        for (lane, sum) in sums.iter().enumerate() {
+            out[first + lane] = base[first + lane] + h * sum;
+        }
+        first += LANES;
     }
-    for (sum, y) in out.iter_mut().zip(base) {
-        *sum = y + h * *sum;
+    for i in first..n {
+        let sum: f64 = weights.iter().map(|&(place, weight)| weight * stages[place * n + i]).sum();
+        out[i] = base[i] + h * sum;
     }
 }
