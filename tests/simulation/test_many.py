@@ -165,6 +165,13 @@ def test_parts_of_the_work_leave_no_trace(monkeypatch: pytest.MonkeyPatch) -> No
 # --- executors -------------------------------------------------------------------------------------------------------
 
 
+# A package with threads, such as JAX, may have been imported by other tests; no task of ours needs it, or its locks.
+in_processes = pytest.mark.filterwarnings(
+    r"ignore:.*os\.fork\(\):RuntimeWarning", r"ignore:.*fork\(\):DeprecationWarning"
+)
+
+
+@in_processes
 @pytest.mark.parametrize("start", ["fork", "spawn"])
 def test_processes_give_every_bit_of_the_threads(start: str) -> None:
     with ProcessPoolExecutor(2, mp_context=multiprocessing.get_context(start)) as executor:
@@ -716,6 +723,7 @@ def test_constrained_cases_begin_on_their_constraints() -> None:
     np.testing.assert_allclose(energy, energy[:, :1] * np.ones(1001), atol=1e-7)
 
 
+@in_processes
 @pytest.mark.parametrize("start", ["fork", "spawn"])
 def test_constrained_cases_are_the_same_elsewhere(start: str) -> None:
     with ProcessPoolExecutor(1, mp_context=multiprocessing.get_context(start)) as executor:
