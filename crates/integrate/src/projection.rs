@@ -74,19 +74,23 @@ impl<'a> Tangent<'a> {
         dynamics.velocity_correction.as_ref().map(|correction| Self { correction, coordinates })
     }
 
-    /// A small change of the state, less the part of the speeds' that leads off the rates of the constraints.
+    /// A small change of the state, less the part that leads off the constraints: of the speeds, and of the coordinates
+    /// where there are as many, since they are the integrals of the speeds as a rule.
     ///
     /// The correction is affine in the speeds: what it is without any belongs to constraints that move.
     pub fn part(&self, t: f64, state: &[f64], mut change: Vec<f64>) -> Vec<f64> {
-        let speeds = self.coordinates..self.coordinates + self.correction.outputs();
-        let (mut at, mut with, mut without) =
-            (state.to_vec(), vec![0.0; speeds.len()], vec![0.0; speeds.len()]);
+        let n = self.correction.outputs();
+        let speeds = self.coordinates..self.coordinates + n;
+        let (mut at, mut with, mut without) = (state.to_vec(), vec![0.0; n], vec![0.0; n]);
         at[speeds.clone()].fill(0.0);
         self.correction.call(t, &at, &mut without);
-        at[speeds.clone()].copy_from_slice(&change[speeds.clone()]);
-        self.correction.call(t, &at, &mut with);
-        for ((entry, with), without) in change[speeds].iter_mut().zip(with).zip(without) {
-            *entry += with - without;
+        let coordinates = if self.coordinates == n { 0..n } else { 0..0 };
+        for part in [coordinates, speeds.clone()].into_iter().filter(|part| !part.is_empty()) {
+            at[speeds.clone()].copy_from_slice(&change[part.clone()]);
+            self.correction.call(t, &at, &mut with);
+            for ((entry, with), without) in change[part].iter_mut().zip(&with).zip(&without) {
+                *entry += with - without;
+            }
         }
         change
     }
