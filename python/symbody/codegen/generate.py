@@ -75,21 +75,30 @@ def generate(
     ['demo.h', 'demo.c', 'demo_check.c', 'Makefile']
     """
     texts = source(model, target, name=name)
-    folder = Path(path)
-    if folder.exists() and not folder.is_dir():
-        raise CodegenError(
-            f"generate: {folder} is a file, and several files are to be written; expected a folder as path"
-        )
-    for file, text in texts.items():
-        _check_replaceable(folder / file, text)
+    folder = _folder(path)
     try:
+        if folder.exists() and not folder.is_dir():
+            raise CodegenError(
+                f"generate: {folder} is a file, and several files are to be written; expected a folder as path"
+            )
+        for file, text in texts.items():
+            _check_replaceable(folder / file, text)
         write_all(folder, texts)
+    except CodegenError:
+        raise
     except OSError as error:
         raise CodegenError(
             f"generate: the folder {folder} can't be written ({error.strerror}); nothing was changed there. "
             "Choose another folder as path"
         ) from error
     return tuple(folder / file for file in texts)
+
+
+def _folder(path: str | os.PathLike[str]) -> Path:
+    try:
+        return Path(path)
+    except TypeError:
+        raise CodegenError(f"generate: {path!r} is no path; expected a folder, such as 'generated'") from None
 
 
 def source(model: Program | Programmable, target: str = "c", *, name: str | None = None) -> dict[str, str]:

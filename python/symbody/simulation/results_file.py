@@ -52,8 +52,9 @@ class ResultsFile:
         except (OSError, EOFError, ValueError, KeyError, AttributeError, zipfile.BadZipFile) as error:
             if isinstance(error, ResultsError):
                 raise
+            reason = getattr(error, "strerror", None) or error
             raise ResultsError(
-                f"simulate_many: {self.path} can't be read as a file of results ({error}); it was left as it is. "
+                f"simulate_many: {self.path} can't be read as a file of results ({reason}); it was left as it is. "
                 "Give another path, or remove the file"
             ) from error
 
@@ -72,10 +73,11 @@ class ResultsFile:
             ResultsError: it can't.
         """
         try:
-            self.path.parent.mkdir(parents=True, exist_ok=True)
-            if self.path.is_dir():
+            place = self.path.resolve()
+            place.parent.mkdir(parents=True, exist_ok=True)
+            if place.is_dir():
                 raise IsADirectoryError(0, "it is a folder")
-            with tempfile.TemporaryFile(dir=self.path.parent):
+            with self._folder_beside(place):
                 pass
         except OSError as error:
             raise self._unwritable(error) from error
@@ -87,15 +89,19 @@ class ResultsFile:
             ResultsError: the file can't be written; what was there before is still there.
         """
         try:
-            with tempfile.TemporaryDirectory(prefix=f".{self.path.name}-", dir=self.path.parent) as folder:
-                temporary = Path(folder) / self.path.name
+            place = self.path.resolve()  # where a link leads to, which stays a link
+            with self._folder_beside(place) as folder:
+                temporary = Path(folder) / place.name
                 with temporary.open("wb") as file:
                     self._save(file, results)
                     file.flush()
                     os.fsync(file.fileno())
-                temporary.replace(self.path)
+                temporary.replace(place)
         except OSError as error:
             raise self._unwritable(error) from error
+
+    def _folder_beside(self, place: Path) -> tempfile.TemporaryDirectory[str]:
+        return tempfile.TemporaryDirectory(prefix=".symbody-", dir=place.parent)
 
     def _save(self, file: BinaryIO, results: Results) -> None:
         arrays: dict[str, Any] = results.arrays()

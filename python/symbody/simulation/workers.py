@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Callable, Iterator
 from concurrent.futures import FIRST_COMPLETED, Executor, Future, wait
+from itertools import count
 from math import inf
 from time import monotonic
 
@@ -15,6 +16,7 @@ from symbody.errors import SimulationError
 
 from .batch import Batch
 from .cases import Cases
+from .interruption import Interruption
 from .parcel import Parcel
 from .results import Results
 
@@ -29,6 +31,14 @@ TASKS = 200
 
 LOOK = 0.1
 """s between two looks for Ctrl-C."""
+
+Call = tuple[int, int]
+"""A call for an executor: the process that it is in, and its number there."""
+
+_calls = count()
+
+_stopped: set[Call] = set()
+"""The calls whose tasks in this process stop, as Ctrl-C came."""
 
 
 def cores() -> int:
@@ -81,9 +91,9 @@ def by_executor(
     Raises:
         SimulationError: tasks were lost: the executor is broken, or a worker can't run the model.
     """
-    parcel, done, lost = Parcel(batch), 0, None
+    parcel, done, lost, call = Parcel(batch), 0, None, (os.getpid(), next(_calls))
     with parcel.open_here():
-        waiting = _submitted(parcel, cases, indices, executor, _fitting(batch))
+        waiting = _submitted(parcel, cases, indices, executor, _fitting(batch), call)
         try:
             while waiting and keep_going(done):
                 ready, _ = wait(waiting, timeout=LOOK, return_when=FIRST_COMPLETED)
@@ -91,29 +101,44 @@ def by_executor(
                     chosen = waiting.pop(future)
                     lost = future.exception() or lost
                     if future.exception() is None:
+                        part = future.result()
                         done += len(chosen)
-                        yield chosen, future.result()
+                        lost = KeyboardInterrupt("a worker was interrupted") if len(part.missing) else lost
+                        yield chosen, part
         finally:
+            if waiting:
+                _stopped.add(call)
             for future in waiting:
                 future.cancel()
-    if lost is not None:
+    if lost is not None and keep_going(done):
         raise _lost(lost) from lost
 
 
 def _submitted(
-    parcel: Parcel[Batch], cases: Cases, indices: NDArray[np.intp], executor: Executor, most: int
+    parcel: Parcel[Batch], cases: Cases, indices: NDArray[np.intp], executor: Executor, most: int, call: Call
 ) -> dict[Future[Results], NDArray[np.intp]]:
     size = min(most, -(-len(indices) // TASKS))
     parts = [indices[start : start + size] for start in range(0, len(indices), size)]
     try:
-        return {executor.submit(_run, parcel, cases.some(part)): part for part in parts}
+        return {executor.submit(_run, parcel, cases.some(part), call): part for part in parts}
     except Exception as error:
         raise _lost(error) from error
 
 
-def _run(parcel: Parcel[Batch], cases: Cases) -> Results:
-    """Run some cases where a worker is."""
-    return parcel.content.run(cases)
+def _run(parcel: Parcel[Batch], cases: Cases, call: Call) -> Results:
+    """Run some cases where a worker is, until Ctrl-C comes to it, or to the sender in the same process.
+
+    A terminal sends Ctrl-C to all processes that it started: a pool ends then without a wait for long motions.
+    """
+    if call[0] == os.getpid():
+        return parcel.content.run(cases, 1, lambda _: call not in _stopped)
+    with Interruption() as interruption:
+        results = parcel.content.run(
+            cases, 1, lambda _: call not in _stopped and not interruption.is_asked_for
+        )
+    if interruption.is_asked_for:
+        _stopped.add(call)
+    return results
 
 
 def _lost(error: BaseException) -> SimulationError:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
+from io import BytesIO
 from itertools import dropwhile, takewhile
 from pathlib import Path
 from typing import TypeAlias
@@ -17,7 +18,7 @@ from symbody.symbolic import Expr
 from symbody.view.motion import Motion
 from symbody.view.overview import Group, overview
 from symbody.view.pose import values
-from symbody.view.whole_file import write_whole
+from symbody.view.whole_file import file_of, write_whole
 
 Panel: TypeAlias = Expr | Sequence[Expr] | Mapping[str, Expr]
 """What one pair of axes shows: an expression, several, or several by the names to show."""
@@ -94,14 +95,18 @@ def save(figure: Figure, path: str | os.PathLike[str]) -> Path:
         PictureError: the file can't be written.
         ViewError: the ending is of no format.
     """
-    file = Path(path)
+    file = file_of(path, "motion.png")
     kind = file.suffix.removeprefix(".").lower()
     known = figure.canvas.get_supported_filetypes()
     if kind not in known:
         raise ViewError(
             f"plot: {file} ends in {kind!r}; expected a format such as {', '.join(sorted(known))}"
         )
-    return write_whole(file, lambda temporary: figure.savefig(temporary, format=kind, dpi=150))
+    content = (
+        BytesIO()
+    )  # a full disk is told by what writes the bytes; in the middle of a format it has other names
+    figure.savefig(content, format=kind, dpi=150)
+    return write_whole(file, lambda temporary: temporary.write_bytes(content.getvalue()))
 
 
 @dataclass(frozen=True)

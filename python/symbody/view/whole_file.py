@@ -10,22 +10,35 @@ from pathlib import Path
 from symbody.errors import PictureError
 
 
+def file_of(path: str | os.PathLike[str], example: str = "motion.html") -> Path:
+    """Return the file of a path.
+
+    Raises:
+        PictureError: it is no path.
+
+    >>> file_of("motion.html").suffix
+    '.html'
+    """
+    try:
+        return Path(path)
+    except TypeError:
+        raise PictureError(f"view: {path!r} is no path; expected one, such as {example!r}") from None
+
+
 def write_whole(path: str | os.PathLike[str], write: Callable[[Path], object]) -> Path:
     """Write a file under a temporary name beside its place, and rename it when all is written.
 
     Raises:
         PictureError: the file can't be written; what was there before is still there.
     """
+    file = file_of(path)
     try:
-        file = Path(path)
-    except TypeError:
-        raise PictureError(f"view: {path!r} is no path; expected one, such as 'motion.html'") from None
-    try:
-        file.parent.mkdir(parents=True, exist_ok=True)
-        with tempfile.TemporaryDirectory(prefix=".symbody-", dir=file.parent) as folder:
-            temporary = Path(folder) / file.name
+        place = file.resolve()  # where a link leads to, which stays a link
+        place.parent.mkdir(parents=True, exist_ok=True)
+        with tempfile.TemporaryDirectory(prefix=".symbody-", dir=place.parent) as folder:
+            temporary = Path(folder) / place.name
             write(temporary)
-            temporary.replace(file)
+            temporary.replace(place)
     except OSError as error:
         raise PictureError(
             f"view: {file} can't be written ({error.strerror or error}); nothing was changed there. "
