@@ -19,6 +19,7 @@ from symbody import (
     System,
     Vector,
     consistent_state,
+    floating_frame,
     functions_of_time,
     ground,
     kinetic_energy,
@@ -133,6 +134,14 @@ def test_what_is_free_drifts_and_what_is_damped_drifts_less():
     ]
     assert drifts[0] > 5 * drifts[1] > 10 * drifts[3]
     assert drifts[2] < drifts[1]
+
+
+def test_rates_of_a_floating_frames_coordinates_follow_from_the_speeds():
+    base = floating_frame()
+    eqs = newton_euler(System([Body(base, m, 1, 2, 3)], gravity=Vector(ground, 0, 0, -g)))
+    height, spin = eqs.coordinates[2], eqs.speeds[0]
+    motion = simulate(eqs, {m: 1, g: 9.81}, {spin: 0.3, eqs.speeds[5]: 2.0}, t=(0, 1), rtol=1e-10, atol=1e-12)
+    np.testing.assert_allclose(motion[time_derivative(height)], -9.81 * motion.t, atol=1e-9)
 
 
 def test_multipliers_are_tensions():

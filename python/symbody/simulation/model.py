@@ -187,8 +187,9 @@ class Model:
         return self.with_inputs([gravitational_energy(self.system.bodies, gravity)])[0]
 
     def with_inputs(self, expressions: Sequence[Expr]) -> tuple[Expr, ...]:
-        """Return the expressions with what is given for the inputs."""
-        return substitute(expressions, dict(self.inputs)) if self.inputs else tuple(expressions)
+        """Return the expressions with what is given for the inputs, and rates of coordinates by the speeds."""
+        given = substitute(expressions, dict(self.inputs)) if self.inputs else tuple(expressions)
+        return substitute(given, self.system.known_rates) if self.system.known_rates else given
 
     def along_motion(self, expressions: Sequence[Expr]) -> tuple[Expr, ...]:
         """Return the expressions with the accelerations and multipliers that the equations of motion give."""
