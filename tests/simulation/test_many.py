@@ -23,6 +23,7 @@ from symbody import (
     Body,
     Equations,
     Expr,
+    Force,
     ModelNotice,
     Point,
     System,
@@ -774,3 +775,24 @@ def test_floating_cases_begin_upright() -> None:
     height = runs[frame.pose.origin[2]]
     np.testing.assert_allclose(height, np.tile(-9.81 * runs.t**2 / 2, (2, 1)), atol=1e-9)
     np.testing.assert_allclose(runs[spin], np.array([[0.5], [1.0]]) * np.ones(1001), atol=1e-9)
+
+
+def test_failures_are_told_in_the_names_of_the_model() -> None:
+    mass = Body(translate(x, 0, 0), m)
+    push = Force(ground, -1 / x, 0, 0, at=mass.center_of_mass, on=mass)
+    eqs = newton_euler(System([mass], [push], coordinates=[x]))
+    with pytest.warns(
+        ModelNotice, match=r"1 of 2 motions failed; the first is case 1 .*: at t = 0 s: x''.* not finite"
+    ):
+        runs = simulate_many(eqs, {m: 1}, {x: [5.0, 0.0]}, t=(0, 1))
+    assert runs.failures[0].message == (
+        "at t = 0 s: x'', the power are not finite there; look for a division by zero, a root or logarithm of what "
+        "became negative, or parameters that make no sense"
+    )
+
+
+def test_a_path_that_is_none_is_told() -> None:
+    with pytest.raises(
+        ArgumentError, match=r"simulate_many: path=3 is an int; expected a path, such as 'runs.npz'"
+    ):
+        simulate_many(CIRCLE, {m: 1, g: 9.81, l: 1}, {x: 0.1}, guess={y: -1}, path=3)  # type: ignore[arg-type]

@@ -17,6 +17,7 @@ from symbody.symbolic import Expr, t
 from .baumgarte_choice import chosen_damping
 from .begin import begin, begin_free
 from .cases import Cases
+from .diagnosis import diagnosis
 from .event import Event
 from .ida import IDA_FORMS
 from .ida_outcome import ida_outcome
@@ -175,7 +176,7 @@ class Batch:
         results.status[case] = (
             Status.FAILED if failure else Status.ENDED_BY_EVENT if is_early else Status.COMPLETED
         )
-        results.messages[case] = failure.message if failure else ""
+        results.messages[case] = self._reason(outcome, parameters)
         results.reached[case] = reached
         results.t_reached[case] = failure.t if failure else outcome.end[0]
         statistics = outcome.statistics
@@ -194,6 +195,13 @@ class Batch:
         results.outputs[case, :, :reached] = self.values(
             list(self.outputs.values()), outcome.states[:, :size], self.instants[:reached], parameters
         )
+
+    def _reason(self, outcome: Outcome, parameters: Mapping[Expr, float]) -> str:
+        """Return why a motion failed, in the names of the model; nothing if it didn't."""
+        if outcome.failure is None:
+            return ""
+        names = (*self.model.parameters, *self.model.damping)
+        return diagnosis(outcome.failure, outcome, self.model, np.array([parameters[name] for name in names]))
 
     def values(
         self, expressions: list[Expr], states: Array, instants: Array, parameters: Mapping[Expr, float]

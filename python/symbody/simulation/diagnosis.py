@@ -16,13 +16,13 @@ Array = NDArray[np.float64]
 def diagnosis(failure: Failure, outcome: Outcome, model: Model, parameters: Array) -> str:
     """Return what happened, when, and the way out, in the names of the model."""
     t, state = outcome.end
-    when = f"simulate: at t = {t:.9g} s"
+    when = f"at t = {t:.9g} s"
     if failure.kind == "ida":
-        return failure.message
+        return failure.message.removeprefix("simulate: ")
     state = state[: len(model.state)]
     singular = _singular(model, parameters, t, np.array(state))
     if singular:
-        return f"{when}: {singular}; what was computed is the error's motion"
+        return f"{when}: {singular}"
     if failure.kind == "not_finite":
         names = _not_finite(model, parameters, t, np.array(state))
         cause = (
@@ -32,27 +32,23 @@ def diagnosis(failure: Failure, outcome: Outcome, model: Model, parameters: Arra
             else "a rate of the state is not finite a step ahead, however short "
             "the step; look for a function that leaves its domain"
         )
-        return f"{when}: {cause}; what was computed is the error's motion"
+        return f"{when}: {cause}"
     if failure.kind == "projection":
         return (
             f"{when}: {failure.message}; the constraints can't be satisfied beyond, or the position is singular; look "
-            "at the motion up to there (the error's motion); smaller tolerances may pass it, or constraints='baumgarte'"
+            "at the motion up to there; smaller tolerances may pass it, or constraints='baumgarte'"
         )
     if failure.kind == "stalled":
         return (
             f"{when}: {failure.message}; a force may jump back and forth, such as dry friction by sign(v): smooth it, "
-            "as tanh(v/v0), or end the motion by an event; for stiff equations use method='bdf'; what was computed is "
-            "the error's motion"
+            "as tanh(v/v0), or end the motion by an event; for stiff equations use method='bdf'"
         )
     if failure.kind == "step_collapse":
         return (
             f"{when}: {failure.message}; the motion may go to infinity there, or a force jumps: smooth it, or "
-            "end the motion by an event; for stiff equations use method='bdf'; what was computed is the error's motion"
+            "end the motion by an event; for stiff equations use method='bdf'"
         )
-    return (
-        f"{when}: the method gave up ({failure.message}); use another method, or "
-        "larger tolerances; what was computed is the error's motion"
-    )
+    return f"{when}: the method gave up ({failure.message}); use another method, or larger tolerances"
 
 
 def _not_finite(model: Model, parameters: Array, t: float, state: Array) -> str:

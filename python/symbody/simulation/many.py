@@ -8,6 +8,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from concurrent.futures import Executor
 from dataclasses import dataclass, field
 from math import inf
+from os import PathLike
 from pathlib import Path
 from time import monotonic
 
@@ -105,7 +106,7 @@ def simulate_many(
     >>> simulate_many(pendulum, {m: 1, g: 9.81, l: [0.5, 1.0, 2.0]}, {theta: 0.1}, t=(0, 2))
     Runs(3 cases, 1001 instants)
     """
-    workforce = _checked(executor, cores() if threads is None else threads)
+    workforce = _checked(executor, cores() if threads is None else threads, path)
     kept = kept_by(constraints, PLACE)
     all_cases = cases_of(parameters, initial, cases)
     batch = Batch(
@@ -135,12 +136,14 @@ def simulate_many(
     return runs
 
 
-def _checked(executor: object, threads: object) -> tuple[Executor | None, int]:
+def _checked(executor: object, threads: object, path: object) -> tuple[Executor | None, int]:
     if not isinstance(executor, Executor | None):
         raise ArgumentError(
             f"{PREFIX}executor={described(executor)}; expected an executor of concurrent.futures, such as "
             "ProcessPoolExecutor(), dask's client.get_executor(), or None for threads of this process"
         )
+    if not isinstance(path, str | PathLike | None):
+        raise ArgumentError(f"{PREFIX}path={described(path)}; expected a path, such as 'runs.npz'")
     if not isinstance(threads, int) or threads < 1:
         raise ArgumentError(f"{PREFIX}threads={described(threads)}; expected a whole number from 1")
     return executor, threads
