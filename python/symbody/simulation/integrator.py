@@ -53,7 +53,10 @@ class Options:
 
 @dataclass(frozen=True)
 class Statistics:
-    """What an integration took: steps, steps tried again, evaluations; and whether the equations look stiff."""
+    """What an integration took: steps, steps tried again, evaluations; and whether the equations look stiff.
+
+    IDA doesn't tell its steps: they are zero.
+    """
 
     steps: int
     rejected: int

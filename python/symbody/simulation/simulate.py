@@ -73,7 +73,7 @@ def simulate(
         outputs: expressions to evaluate at all instants, by name.
         events: what to look for; a terminal one ends the motion.
         constraints: "projection", back onto the constraints and their rates after each step [Eich 1993]; "baumgarte" or
-            its (omega, zeta), damping of what is off; "free", neither.
+            its (omega, zeta), damping of what is off; "free", neither. IDA's methods keep them by themselves.
         guess: where to look for an initial state that satisfies the constraints, for what isn't given.
         max_step: the longest step, in s.
         progress: whether to show a bar; by default where messages go to a terminal, on long runs.
