@@ -59,7 +59,7 @@ class StoppedError(Exception):
 
 _POLL = 200
 """Residuals between two questions whether to go on: some milliseconds."""
-_PATIENCE, _STALL = 10, 1e-12
+_PATIENCE, _STALL = 100, 1e-6
 """The part of the span which the residuals of as many questions must get ahead, at the least."""
 
 
