@@ -201,7 +201,8 @@ class Batch:
         if outcome.failure is None:
             return ""
         names = (*self.model.parameters, *self.model.damping)
-        return diagnosis(outcome.failure, outcome, self.model, np.array([parameters[name] for name in names]))
+        values = np.array([parameters[name] for name in names])
+        return diagnosis(outcome.failure, outcome, self.model, values, self.options.method)
 
     def values(
         self, expressions: list[Expr], states: Array, instants: Array, parameters: Mapping[Expr, float]

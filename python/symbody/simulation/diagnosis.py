@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from .integrator import Failure, Outcome
+from .integrator import EXPLICIT, Failure, Outcome
 from .model import Model
 
 __all__ = ["diagnosis"]
@@ -13,8 +13,9 @@ __all__ = ["diagnosis"]
 Array = NDArray[np.float64]
 
 
-def diagnosis(failure: Failure, outcome: Outcome, model: Model, parameters: Array) -> str:
+def diagnosis(failure: Failure, outcome: Outcome, model: Model, parameters: Array, method: str) -> str:
     """Return what happened, when, and the way out, in the names of the model."""
+    stiff = "; for stiff equations use method='bdf'" if method in EXPLICIT else ""
     t, state = outcome.end
     when = f"at t = {t:.9g} s"
     if failure.kind == "ida":
@@ -41,12 +42,12 @@ def diagnosis(failure: Failure, outcome: Outcome, model: Model, parameters: Arra
     if failure.kind == "stalled":
         return (
             f"{when}: {failure.message}; a force may jump back and forth, such as dry friction by sign(v): smooth it, "
-            "as tanh(v/v0), or end the motion by an event; for stiff equations use method='bdf'"
+            f"as tanh(v/v0), or end the motion by an event{stiff}"
         )
     if failure.kind == "step_collapse":
         return (
             f"{when}: {failure.message}; the motion may go to infinity there, or a force jumps: smooth it, or "
-            "end the motion by an event; for stiff equations use method='bdf'"
+            f"end the motion by an event{stiff}"
         )
     return f"{when}: the method gave up ({failure.message}); use another method, or larger tolerances"
 

@@ -169,7 +169,7 @@ class _Course:
             motion = self._motion(outcome, asked, f"interrupted at t = {outcome.end[0]:.6g} s")
             warnings.warn(f"simulate: {motion.message}; what was computed is kept", ModelNotice, stacklevel=3)
             return motion
-        reason = diagnosis(failure, outcome, self.model, self.values)
+        reason = diagnosis(failure, outcome, self.model, self.values, self.options.method)
         message = f"simulate: {reason}; what was computed is the error's motion"
         raise SimulationError(message, self._motion(outcome, asked, message))
 
