@@ -148,7 +148,10 @@ def test_results_on_a_full_disk_come_back_all_the_same(tmp_path: Path) -> None:
         (code, CodegenError, "generate: the folder {}/code can't be written ({}); "),
     ],
 )
-def test_folders_that_are_closed(write: Writer, error: type[SymbodyError], expected: str, below: str) -> None:
+def test_folders_that_are_closed(
+    write: Writer, error: type[SymbodyError], expected: str, below: str, tmp_path: Path
+) -> None:
+    write(tmp_path)  # imports what it needs, which may be out of reach for whom the folder is closed
     with closed_folder() as closed:
         told = message(error, write, closed / below)
         way_out = "Choose another folder as path" if write is code else "Choose another path"

@@ -45,8 +45,9 @@ def diagnosis(failure: Failure, outcome: Outcome, model: Model, parameters: Arra
             f"as tanh(v/v0), or end the motion by an event{stiff}"
         )
     if failure.kind == "step_collapse":
+        held = "the constraints may let it go no farther, " if model.constraints else ""
         return (
-            f"{when}: {failure.message}; the motion may go to infinity there, or a force jumps: smooth it, or "
+            f"{when}: {failure.message}; {held}the motion may go to infinity there, or a force jumps: smooth it, or "
             f"end the motion by an event{stiff}"
         )
     return f"{when}: the method gave up ({failure.message}); use another method, or larger tolerances"

@@ -30,6 +30,7 @@ __all__ = [
     "linear_solve",
     "listing",
     "matrix_product",
+    "matrix_rank",
     "matvec3",
     "matvec3_transposed",
     "node_count",
