@@ -269,26 +269,39 @@ if __name__ == "__main__":
 """
 
 
-@pytest.mark.parametrize("workers", ["native", "threads", "processes"])
-def test_ctrl_c_in_a_terminal_ends_motions_that_take_long(workers: str, tmp_path: Path) -> None:
-    """It goes to all processes of the terminal, and nobody waits for what the workers have under way."""
+@pytest.mark.parametrize(
+    ("workers", "after", "reach"),
+    [
+        ("native", 0.5, os.killpg),
+        ("threads", 0.5, os.killpg),
+        ("processes", 2.5, os.killpg),
+        pytest.param("processes", 2.5, os.kill, id="processes that get no signal"),
+        pytest.param("processes", 0.5, os.killpg, id="processes that have not begun"),
+    ],
+)
+def test_ctrl_c_in_a_terminal_ends_motions_that_take_long(
+    workers: str, after: float, reach: Callable[[int, int], None], tmp_path: Path
+) -> None:
+    """It goes to all processes of the terminal, or to this one alone; nobody waits for what workers have under way."""
     (tmp_path / "long.py").write_text(_LONG)
     command = [sys.executable, str(tmp_path / "long.py"), workers]
+    signs = tmp_path / "signs"
+    signs.mkdir()
     with subprocess.Popen(
         command,
         stdout=subprocess.PIPE,
-        stderr=subprocess.DEVNULL,
+        stderr=subprocess.PIPE,
         text=True,
-        env=os.environ | {"PYTHONPATH": str(ROOT)},
+        env=os.environ | {"PYTHONPATH": str(ROOT), "TMPDIR": str(signs)},
         start_new_session=True,
     ) as process:
         try:
             assert process.stdout is not None
             assert process.stdout.readline() == "begun\n"
             with pytest.raises(subprocess.TimeoutExpired):
-                process.wait(2.5 if workers == "processes" else 0.5)  # they begin with imports
-            os.killpg(process.pid, signal.SIGINT)
-            told, _ = process.communicate(timeout=20)
+                process.wait(after)
+            reach(process.pid, signal.SIGINT)
+            told, errors = process.communicate(timeout=20)
         finally:
             if process.poll() is None:
                 os.killpg(process.pid, signal.SIGKILL)
@@ -297,6 +310,8 @@ def test_ctrl_c_in_a_terminal_ends_motions_that_take_long(workers: str, tmp_path
         "simulate_many: 4 of 4 motions were not run (interrupted); they are in .not_run, and their values are NaN; "
         "give a path to keep results for another call\n"
     )
+    assert "InvalidStateError" not in errors
+    assert list(signs.iterdir()) == []
 
 
 @pytest.mark.parametrize("write", [page, figure("png"), code], ids=["page", "figure", "code"])

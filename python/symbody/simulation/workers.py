@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable, Iterator
-from concurrent.futures import FIRST_COMPLETED, Executor, Future, wait
-from itertools import count
+from collections.abc import Callable, Iterable, Iterator
+from concurrent.futures import FIRST_COMPLETED, Executor, Future, ProcessPoolExecutor, wait
 from math import inf
 from time import monotonic
 
@@ -19,6 +18,7 @@ from .cases import Cases
 from .interruption import Interruption
 from .parcel import Parcel
 from .results import Results
+from .stop_sign import StopSign
 
 Part = tuple[NDArray[np.intp], Results]
 """Some cases, and what they gave."""
@@ -32,13 +32,8 @@ TASKS = 200
 LOOK = 0.1
 """s between two looks for Ctrl-C."""
 
-Call = tuple[int, int]
-"""A call for an executor: the process that it is in, and its number there."""
-
-_calls = count()
-
-_stopped: set[Call] = set()
-"""The calls whose tasks in this process stop, as Ctrl-C came."""
+_interrupted: set[StopSign] = set()
+"""The calls whose tasks stop in this process alone, as Ctrl-C came to it."""
 
 
 def cores() -> int:
@@ -91,9 +86,9 @@ def by_executor(
     Raises:
         SimulationError: tasks were lost: the executor is broken, or a worker can't run the model.
     """
-    parcel, done, lost, call = Parcel(batch), 0, None, (os.getpid(), next(_calls))
+    parcel, done, lost, sign = Parcel(batch), 0, None, StopSign()
     with parcel.open_here():
-        waiting = _submitted(parcel, cases, indices, executor, _fitting(batch), call)
+        waiting = _submitted(parcel, cases, indices, executor, _fitting(batch), sign)
         try:
             while waiting and keep_going(done):
                 ready, _ = wait(waiting, timeout=LOOK, return_when=FIRST_COMPLETED)
@@ -107,37 +102,52 @@ def by_executor(
                         yield chosen, part
         finally:
             if waiting:
-                _stopped.add(call)
-            for future in waiting:
-                future.cancel()
+                sign.put_up()
+                _withdraw(waiting, executor)
     if lost is not None and keep_going(done):
         raise _lost(lost) from lost
 
 
 def _submitted(
-    parcel: Parcel[Batch], cases: Cases, indices: NDArray[np.intp], executor: Executor, most: int, call: Call
+    parcel: Parcel[Batch],
+    cases: Cases,
+    indices: NDArray[np.intp],
+    executor: Executor,
+    most: int,
+    sign: StopSign,
 ) -> dict[Future[Results], NDArray[np.intp]]:
     size = min(most, -(-len(indices) // TASKS))
     parts = [indices[start : start + size] for start in range(0, len(indices), size)]
     try:
-        return {executor.submit(_run, parcel, cases.some(part), call): part for part in parts}
+        return {executor.submit(_run, parcel, cases.some(part), sign): part for part in parts}
     except Exception as error:
         raise _lost(error) from error
 
 
-def _run(parcel: Parcel[Batch], cases: Cases, call: Call) -> Results:
-    """Run some cases where a worker is, until Ctrl-C comes to it, or to the sender in the same process.
+def _withdraw(waiting: Iterable[Future[Results]], executor: Executor) -> None:
+    """Cancel tasks, but not those of a pool of processes, which see the sign and end as they begin.
+
+    Where a worker is lost after tasks were cancelled, such a pool stumbles over them and never ends its other workers
+    (Python 3.11, its issue 107219).
+    """
+    if not isinstance(executor, ProcessPoolExecutor):
+        for future in waiting:
+            future.cancel()
+
+
+def _run(parcel: Parcel[Batch], cases: Cases, sign: StopSign) -> Results:
+    """Run some cases where a worker is, until its call is over, or Ctrl-C comes to the worker.
 
     A terminal sends Ctrl-C to all processes that it started: a pool ends then without a wait for long motions.
     """
-    if call[0] == os.getpid():
-        return parcel.content.run(cases, 1, lambda _: call not in _stopped)
+    if sign in _interrupted or sign.is_up():
+        return parcel.content.empty_results(cases.count)
+    if sign.is_from_here():
+        return parcel.content.run(cases, 1, lambda _: not sign.is_up())
     with Interruption() as interruption:
-        results = parcel.content.run(
-            cases, 1, lambda _: call not in _stopped and not interruption.is_asked_for
-        )
+        results = parcel.content.run(cases, 1, lambda _: not (interruption.is_asked_for or sign.is_up()))
     if interruption.is_asked_for:
-        _stopped.add(call)
+        _interrupted.add(sign)
     return results
 
 
