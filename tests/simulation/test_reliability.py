@@ -2,6 +2,7 @@
 
 Each is a clear error, nothing is half written, and what was computed is kept. Elsewhere:
 
+- ``test_failures.py``: what goes wrong within the equations, in one motion and in many;
 - ``test_simulate.py``: rates that are not finite, a singular mass matrix, steps that collapse, begins off the
   constraints, Ctrl-C within `simulate`;
 - ``test_many.py``: cases that fail, workers that are lost, Ctrl-C in one process, files of other problems, a process
