@@ -144,6 +144,30 @@ def test_rates_of_a_floating_frames_coordinates_follow_from_the_speeds():
     np.testing.assert_allclose(motion[time_derivative(height)], -9.81 * motion.t, atol=1e-9)
 
 
+@pytest.mark.parametrize("method", ["dop853", "tsit5", "bdf", "ida"])
+@pytest.mark.parametrize("first", [True, False])
+def test_events_at_one_instant_all_happen_and_the_motion_ends(method, first):
+    """Whichever is listed first: the one that ends the motion counts, and comes last."""
+    fall = newton_euler(
+        System([Body(translate(0, 0, x), m)], coordinates=[x], gravity=Vector(ground, 0, 0, -g))
+    )
+    events = [Event(x, terminal=True, name="down"), Event(2 * x, name="seen")]
+    motion = simulate(
+        fall, {m: 1, g: 9.81}, {x: 1}, t=(0, 2), events=events if first else events[::-1], method=method
+    )
+    assert motion.t[-1] == pytest.approx(np.sqrt(2 / 9.81), abs=1e-6)
+    assert [str(occurrence.event) for occurrence in motion.events] == ["seen", "down"]
+
+
+def test_events_between_the_ends_of_long_steps():
+    fall = newton_euler(
+        System([Body(translate(0, 0, x), m)], coordinates=[x], gravity=Vector(ground, 0, 0, -g))
+    )
+    motion = simulate(fall, {m: 1, g: 9.81}, {x: 1}, t=(0, 2), events=[Event(sin(40 * t))], max_step=0.2)
+    assert len(motion.events) == 25
+    np.testing.assert_allclose([event.t for event in motion.events], np.pi / 40 * np.arange(1, 26), atol=1e-9)
+
+
 def test_multipliers_are_tensions():
     motion = simulate(
         CIRCLE, VALUES, {x: 0, y: -0.7, time_derivative(x): 1.5}, t=(0, 2), rtol=1e-10, atol=1e-12
@@ -434,6 +458,19 @@ class TestEndsBeforeTheEnd:
             lambda: simulate(DOUBLE, VALUES, START, events=[q1]),
             SimulationError,
             "simulate: events hold q1; expected Event(expression), from symbody",
+        ),
+        (
+            lambda: Event("q1"),
+            SimulationError,
+            "Event: 'q1' is a str; expected an expression that passes zero, such as z - h",
+        ),
+        (
+            lambda: simulate(CIRCLE, VALUES, {x: 0.7, y: 0}, constraints=(-5, 1)),
+            SimulationError,
+            (
+                "simulate: constraints=(-5, 1); expected two positive numbers, omega in rad/s and zeta: what is off "
+                "would grow otherwise"
+            ),
         ),
         (
             lambda: Event(q1, direction=2),

@@ -6,8 +6,8 @@ use crate::function::Function;
 use crate::projection::Projection;
 use crate::stepper::Stepper;
 
-/// Parts of a step at whose ends signs are compared: a long step may hold two zeros of one function.
-const PARTS: u32 = 4;
+/// Parts of a step at whose ends signs are compared: a long step may hold many zeros of one function.
+const PARTS: u32 = 10;
 
 /// An event that happened.
 #[derive(Clone, Debug, PartialEq)]
@@ -67,8 +67,13 @@ impl<'a> Watch<'a> {
             }
             self.t = t;
         }
-        found.sort_by(|a, b| a.t.total_cmp(&b.t).then(a.event.cmp(&b.event)));
-        if let Some(last) = found.iter().position(|occurrence| kinds[occurrence.event].terminal) {
+        // Of events at one instant those that end the motion come last: it has seen the others.
+        let is_terminal = |occurrence: &Occurrence| kinds[occurrence.event].terminal;
+        found.sort_by(|a, b| {
+            let order = a.t.total_cmp(&b.t).then(is_terminal(a).cmp(&is_terminal(b)));
+            order.then(a.event.cmp(&b.event))
+        });
+        if let Some(last) = found.iter().position(is_terminal) {
             let t = found[last].t;
             found.retain(|occurrence| occurrence.t <= t);
         }

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 from symbody.errors import SimulationError
 from symbody.symbolic import Expr
+from symbody.symbolic.arguments import described
 
 __all__ = ["Event", "Occurrence"]
 
@@ -22,7 +23,7 @@ class Event:
         name: what to call it; by default the expression's text.
 
     Raises:
-        SimulationError: another direction.
+        SimulationError: another direction, or no expression.
     """
 
     expression: Expr
@@ -31,6 +32,10 @@ class Event:
     name: str = ""
 
     def __post_init__(self) -> None:
+        if not isinstance(self.expression, Expr):
+            raise SimulationError(
+                f"Event: {described(self.expression)}; expected an expression that passes zero, such as z - h"
+            )
         if self.direction not in {-1, 0, 1}:
             raise SimulationError(
                 f"Event: direction={self.direction!r}; expected 1 (rising through zero), -1 (falling) or 0 (both)"

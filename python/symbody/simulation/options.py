@@ -65,8 +65,13 @@ def kept_by(constraints: object, where: str = "simulate") -> str | tuple[float, 
     if isinstance(constraints, str) and constraints in KEPT:
         return constraints
     if isinstance(constraints, tuple | list) and len(constraints) == 2:
-        omega, zeta = map(float, constraints)
-        return omega, zeta
+        omega, zeta = constraints
+        if all(isinstance(value, Real) and 0 < float(value) < inf for value in (omega, zeta)):
+            return float(omega), float(zeta)
+        raise SimulationError(
+            f"{where}: constraints=({omega!r}, {zeta!r}); expected two positive numbers, omega in rad/s and zeta: "
+            "what is off would grow otherwise"
+        )
     raise SimulationError(
         f"{where}: constraints={described(constraints)}; expected 'projection', 'baumgarte', 'free', or (omega, zeta) "
         "for Baumgarte's stabilisation"
