@@ -58,7 +58,9 @@ def _machine() -> Any:
         opt=2,
         jit=True,
         reloc="pic",
-        codemodel="small",
+        # Code and its constants may lie more than 2 GB apart in a process with much memory: addresses of 32 bits would
+        # not reach, and LLVM would end the process.
+        codemodel="large",
     )
 
 
