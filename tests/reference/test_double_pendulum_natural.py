@@ -6,22 +6,14 @@ accelerations and multipliers are compared row by row to 1e-12, relative to the 
 
 from __future__ import annotations
 
-import json
-from pathlib import Path
-
 import numpy as np
 import pytest
 from numpy.typing import ArrayLike
 from scipy.integrate import solve_ivp
 
 from symbody import (
-    Body,
     Equations,
-    Point,
-    System,
-    Vector,
     acceleration,
-    functions_of_time,
     gravitational_energy,
     ground,
     kinetic_energy,
@@ -30,35 +22,17 @@ from symbody import (
     newton_euler,
     origin,
     project,
-    rotate,
-    symbols,
     time_derivative,
-    translate,
 )
 from symbody.symbolic import t
+from tests.reference.mechanisms.double_pendulum import ANGLES, GRAVITY, NATURAL, REFERENCE, minimal, natural
+from tests.reference.mechanisms.double_pendulum import PARAMETERS as NUMBERS
 
-REFERENCE = json.loads((Path(__file__).parent / "double_pendulum_natural.json").read_text(encoding="utf-8"))
 ROWS = REFERENCE["rows"]
 TOLERANCE = 1e-12
 
-m1, m2, l1, l2, g = PARAMETERS = symbols("m1 m2 l1 l2 g")
-VALUES = [REFERENCE["parameters"][name] for name in ("m1", "m2", "l1", "l2", "g")]
-x1, y1, x2, y2 = NATURAL = functions_of_time("x1 y1 x2 y2")
-theta = functions_of_time("theta1 theta2")
-GRAVITY = Vector(ground, 0, -g, 0)
-
-
-def natural() -> System:
-    constraints = [x1**2 + y1**2 - l1**2, (x2 - x1) ** 2 + (y2 - y1) ** 2 - l2**2]
-    bodies = [Body(Point(ground, x1, y1, 0), m1), Body(Point(ground, x2, y2, 0), m2)]
-    return System(bodies=bodies, coordinates=NATURAL, constraints=constraints, gravity=GRAVITY)
-
-
-def minimal() -> System:
-    """Return the same pendulum with both angles measured from the vertical."""
-    knee = rotate("Z", theta[0]) * translate(0, -l1, 0)
-    foot = knee * rotate("Z", theta[1] - theta[0]) * translate(0, -l2, 0)
-    return System(bodies=[Body(knee, m1), Body(foot, m2)], coordinates=theta, gravity=GRAVITY)
+VALUES = list(NUMBERS.values())
+PARAMETERS, theta = list(NUMBERS), ANGLES
 
 
 def assert_close(value: ArrayLike, reference: ArrayLike) -> None:

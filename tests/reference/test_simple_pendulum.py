@@ -2,44 +2,18 @@
 
 from __future__ import annotations
 
-import json
-from pathlib import Path
-
 import numpy as np
 from numpy.testing import assert_allclose
 from scipy.integrate import solve_ivp
 
-from symbody import (
-    Body,
-    Point,
-    System,
-    Vector,
-    cos,
-    functions_of_time,
-    ground,
-    lagrange_equations,
-    lambdify,
-    newton_euler,
-    rotate,
-    symbols,
-    translate,
-)
+from symbody import cos, lagrange_equations, lambdify, newton_euler
 from symbody.symbolic import t
+from tests.reference.mechanisms.problem import reference
+from tests.reference.mechanisms.simple_pendulum import PARAMETERS, L, g, m, mass_on_a_circle, rod, theta, x, y
 
-REFERENCE = json.loads((Path(__file__).parent / "simple_pendulum.json").read_text(encoding="utf-8"))
-ROWS = np.array(REFERENCE["rows"])
+ROWS = np.array(reference("simple_pendulum")["rows"])
 
-theta, x, y = functions_of_time("theta x y")
-m, L, g = symbols("m L g")
-VALUES = [REFERENCE["parameters"][name] for name in ("m", "L", "g")]
-GRAVITY = Vector(ground, 0, -g, 0)
-
-
-def rod() -> System:
-    """Return the pendulum with its angle from the horizontal, counter-clockwise, as the coordinate."""
-    return System(
-        bodies=[Body(rotate("Z", theta) * translate(L, 0, 0), m)], coordinates=[theta], gravity=GRAVITY
-    )
+VALUES = [PARAMETERS[symbol] for symbol in (m, L, g)]
 
 
 def test_equation_of_motion() -> None:
@@ -69,13 +43,7 @@ def test_motion_is_the_exact_one() -> None:
 
 
 def test_natural_coordinates_and_the_tension() -> None:
-    system = System(
-        bodies=[Body(Point(ground, x, y, 0), m)],
-        coordinates=[x, y],
-        constraints=[x**2 + y**2 - L**2],
-        gravity=GRAVITY,
-    )
-    equations = lagrange_equations(system)
+    equations = lagrange_equations(mass_on_a_circle())
     (multiplier,) = equations.multipliers
     accelerations = [x.diff(t, 2), y.diff(t, 2)]
     unknowns = [*accelerations, multiplier]

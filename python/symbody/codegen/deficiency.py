@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import warnings
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from threading import Lock
 
 from symbody.errors import ModelNotice
@@ -18,15 +18,16 @@ _lock = Lock()
 _noted: dict[int, set[tuple[int, tuple[int, ...]]]] = {}
 
 
-def notice_deficiencies(tag: int, names: Sequence[str] = (), where: str = "lambdify") -> None:
-    """Warn of the systems of a function in which equations followed from others since the last call.
+def notice_deficiencies(tags: Iterable[int], names: Sequence[str] = (), where: str = "lambdify") -> None:
+    """Warn of the systems of functions in which equations followed from others since the last call, of each once.
 
     Args:
-        tag: what tells the function from others, with :data:`SYSTEMS` low bits zero.
+        tags: what tells the functions from others, with :data:`SYSTEMS` low bits zero.
         names: the names of the equations, by row.
         where: the function that the user called.
     """
-    for number, rows in sorted(_taken(tag >> SYSTEMS)):
+    taken = {deficiency for tag in tags for deficiency in _taken(tag >> SYSTEMS)}
+    for number, rows in sorted(taken):
         noun = "equation" if len(rows) == 1 else "equations"
         listed = ", ".join(names[row] if row < len(names) else f"number {row + 1}" for row in rows)
         verb = "follows from the others" if len(rows) == 1 else "follow from the others"

@@ -93,7 +93,7 @@ class CompiledFunction:
         else:
             self.machine_code.evaluate_columns(columns, points, out, self.threads)
         if self.tape.factorizations:
-            notice_deficiencies(self.machine_code.tag, self.equation_names)
+            notice_deficiencies([self.machine_code.tag], self.equation_names)
         return out
 
     def _is_compiled_for(self, points: int) -> bool:

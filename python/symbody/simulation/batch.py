@@ -3,16 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from symbody.codegen import CompiledFunction, lambdify
 from symbody.errors import SymbodyError
-from symbody.symbolic import Expr, t
+from symbody.symbolic import Expr
 
 from .baumgarte_choice import chosen_damping
 from .begin import begin, begin_free
@@ -54,7 +53,6 @@ class Batch:
     events: tuple[Event, ...]
     guess: Mapping[Expr, float]
     keeps_states: bool
-    _functions: dict[tuple[tuple[Expr, ...], ...], CompiledFunction] = field(default_factory=dict, repr=False)
 
     def __getstate__(self) -> dict[str, Any]:
         """Leave behind what is compiled, which is of this process."""
@@ -210,15 +208,8 @@ class Batch:
         """Return the values of expressions along a motion, a row for each."""
         if not expressions:
             return np.empty((0, len(instants)))
-        function = self._function(tuple(expressions), tuple(parameters))
+        function = self.model.function(expressions, tuple(parameters))
         return np.asarray(function(instants, *states.T, *parameters.values()))
-
-    def _function(self, expressions: tuple[Expr, ...], parameters: tuple[Expr, ...]) -> CompiledFunction:
-        key = (expressions, parameters)
-        if key not in self._functions:
-            values = list(self.model.along_motion(expressions))
-            self._functions[key] = lambdify([t, *self.model.state, *parameters], values)
-        return self._functions[key]
 
     @property
     def width(self) -> int:

@@ -1,4 +1,4 @@
-"""A motion of a batch by IDA: one after another, as IDA is called from Python."""
+"""A motion by IDA, in the terms of the native integrator: what runs one motion or many needn't tell them apart."""
 
 from __future__ import annotations
 

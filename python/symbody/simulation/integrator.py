@@ -166,6 +166,10 @@ class Problem:
         )
 
 
+def _limits(problem: Problem, options: Options) -> tuple[float, float, float, int]:
+    return options.rtol, options.atol, options.max_step, problem.controlled
+
+
 def _code(code: PreparedCode) -> tuple[int, int, int]:
     return code.address, code.constants, len(code.expressions)
 
@@ -185,7 +189,7 @@ def run(
         np.ascontiguousarray(state, float),
         problem.constants(parameters),
         np.ascontiguousarray(instants, float),
-        (options.rtol, options.atol, options.max_step, problem.controlled),
+        _limits(problem, options),
         states,
         keep_going,
     )
@@ -213,7 +217,7 @@ def run_many(
         np.ascontiguousarray(states, float),
         np.ascontiguousarray(constants),
         np.ascontiguousarray(instants, float),
-        (options.rtol, options.atol, options.max_step, problem.controlled),
+        _limits(problem, options),
         results,
         threads,
         keep_going,

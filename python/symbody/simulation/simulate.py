@@ -149,8 +149,7 @@ class _Course:
             )
             values = np.array([self.parameters[name] for name in problem.parameters])
             outcome = run(problem, state, values, self.instants, self.options, keep_going)
-        for code in problem.codes:
-            notice_deficiencies(code.tag, self.model.equation_names, "simulate")
+        notice_deficiencies([code.tag for code in problem.codes], self.model.equation_names, "simulate")
         return outcome
 
     def told(self, outcome: Outcome, asked: Mapping[str, Expr]) -> Motion:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from symbody import (
     Body,
+    Equations,
     Expr,
     Point,
     System,
@@ -55,7 +56,7 @@ def natural_double_pendulum() -> Problem:
     return _problem(lagrange_equations(natural()), (*start["xy"], *start["v"]), NATURAL)
 
 
-def _problem(equations, start: tuple[float, ...], places: tuple[Expr, ...]) -> Problem:
+def _problem(equations: Equations, start: tuple[float, ...], places: tuple[Expr, ...]) -> Problem:
     named = dict(zip(("x1", "y1", "x2", "y2"), places, strict=True))
     named |= {f"v_{name}": time_derivative(place) for name, place in named.items()}
     state = dict(zip((*equations.coordinates, *equations.speeds), start, strict=True))
