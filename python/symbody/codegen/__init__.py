@@ -3,7 +3,7 @@
 from symbody.codegen.generate import TARGETS, generate, source
 from symbody.codegen.lambdify import CompiledFunction, lambdify
 from symbody.codegen.machine_code import MachineCode
-from symbody.codegen.prepared_code import PreparedCode
+from symbody.codegen.prepared_code import PreparedCode, Shortcut
 from symbody.codegen.toolchain import check
 
 __all__ = [
@@ -11,6 +11,7 @@ __all__ = [
     "CompiledFunction",
     "MachineCode",
     "PreparedCode",
+    "Shortcut",
     "check",
     "generate",
     "lambdify",

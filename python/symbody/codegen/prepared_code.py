@@ -11,14 +11,27 @@ import numpy as np
 from numpy.typing import NDArray
 
 from symbody.codegen.llvm import jit
-from symbody.codegen.llvm.module import scalar_text
+from symbody.codegen.llvm.module import scalar_text, shortcut_text
 from symbody.codegen.machine_code import POINTER, next_tag
 from symbody.codegen.preparation import Preparation
 from symbody.codegen.straight_line import Code, Input, code_of, operands, with_operands
 from symbody.errors import CodegenError, ParameterError
 from symbody.symbolic import Argument, Expr
 
-__all__ = ["PreparedCode"]
+__all__ = ["PreparedCode", "Shortcut"]
+
+
+@dataclass(frozen=True)
+class Shortcut:
+    """Faster expressions of the same outputs, for most states.
+
+    Attributes:
+        expressions: the outputs.
+        conditions: all are positive where the expressions are accurate.
+    """
+
+    expressions: tuple[Expr, ...]
+    conditions: tuple[Expr, ...]
 
 
 @dataclass(frozen=True, eq=False)
@@ -32,12 +45,14 @@ class PreparedCode:
         parameters: what changes from one motion to another.
         inputs: what changes from one state to another.
         expressions: the outputs.
+        shortcut: a faster way to them, which is taken where it is accurate.
         tag: what tells the linear systems of this code from those of others.
     """
 
     parameters: tuple[Expr, ...]
     inputs: tuple[Expr, ...]
     expressions: tuple[Expr, ...]
+    shortcut: Shortcut | None = None
     tag: int = field(default_factory=next_tag)
 
     @property
@@ -48,7 +63,7 @@ class PreparedCode:
     @property
     def constants(self) -> int:
         """How many constants it reads."""
-        return len(self._parts[0].results)
+        return len(self._parts.constants.results)
 
     def prepare(self, parameters: NDArray[np.float64]) -> NDArray[np.float64]:
         """Return the constants for values of the parameters."""
@@ -66,36 +81,54 @@ class PreparedCode:
         return out
 
     @cached_property
-    def _parts(self) -> tuple[Code, Code]:
-        """Return the code of the constants, and that of the outputs."""
+    def _parts(self) -> _Parts:
         p = Argument("p", "", self.parameters, "parameters")
         x = Argument("x", "", self.inputs, "velocities")
         preparation = Preparation((p,))
-        rest = preparation.without_parameters(code_of((p, x), self.expressions))
+        ways = [self.expressions]
+        if self.shortcut is not None:
+            ways.append((*self.shortcut.expressions, *self.shortcut.conditions))
+        rests = [preparation.without_parameters(code_of((p, x), way)) for way in ways]
         first, order = len(self.inputs), {number: k for k, number in enumerate(preparation.order)}
-        body = _laid_out(
-            rest, lambda i: i.index if i.array == "x" else first + order[i.index], first + len(order)
-        )
-        return _laid_out(preparation.code(), lambda i: i.index, len(self.parameters)), body
+
+        def position(entry: Input) -> int:
+            return entry.index if entry.array == "x" else first + order[entry.index]
+
+        constants = _laid_out(preparation.code(), lambda entry: entry.index, len(self.parameters))
+        return _Parts(constants, *(_laid_out(rest, position, first + len(order)) for rest in rests))
 
     @cached_property
     def _preparation(self) -> jit.Compiled:
-        return _compiled(self._parts[0], "prepare", next_tag())
+        return _compiled(scalar_text(self._parts.constants, "prepare", jit.lanes(), next_tag()), "prepare")
 
     @cached_property
     def _function(self) -> jit.Compiled:
-        return _compiled(self._parts[1], "evaluate", self.tag)
+        outputs, shortcut = self._parts.outputs, self._parts.shortcut
+        if shortcut is None:
+            text = scalar_text(outputs, "evaluate", jit.lanes(), self.tag)
+        else:
+            text = shortcut_text(shortcut, len(self.expressions), outputs, "evaluate", jit.lanes(), self.tag)
+        return _compiled(text, "evaluate")
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return PreparedCode, (self.parameters, self.inputs, self.expressions)
+        return PreparedCode, (self.parameters, self.inputs, self.expressions, self.shortcut)
 
 
-def _compiled(code: Code, name: str, tag: int) -> jit.Compiled:
+@dataclass(frozen=True)
+class _Parts:
+    """The code of the constants, that of the outputs, and that of a shortcut and its conditions."""
+
+    constants: Code
+    outputs: Code
+    shortcut: Code | None = None
+
+
+def _compiled(text: str, name: str) -> jit.Compiled:
     if not jit.is_available():
         raise CodegenError(
             "machine code needs the package llvmlite, which is not installed here: pip install llvmlite"
         )
-    return jit.compiled(scalar_text(code, name, jit.lanes(), tag), name)
+    return jit.compiled(text, name)
 
 
 def _laid_out(code: Code, position: Callable[[Input], int], size: int) -> Code:

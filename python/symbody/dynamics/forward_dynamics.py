@@ -16,6 +16,7 @@ from symbody.symbolic import (
     derivation,
     ldl_solve,
     linear_solve,
+    null_space_solve,
     number,
     saddle_point_solve,
     substitute,
@@ -38,11 +39,13 @@ class ForwardDynamics:
         accelerations: the rates of the speeds, in their order.
         multipliers: the multipliers, in the order of the constraints.
         method: how they were found.
+        conditions: what has to be positive, as numbers, for all of this to be accurate; nothing by most methods.
     """
 
     accelerations: tuple[Expr, ...]
     multipliers: tuple[Expr, ...]
     method: str
+    conditions: tuple[Expr, ...] = ()
 
 
 @checked(ModelError)
@@ -54,7 +57,9 @@ def forward_dynamics(eqs: Equations, *, method: str = "auto", baumgarte: Damping
         method: "articulated_body", a recursion whose length is proportional to the number of bodies, for a tree
             whose every coordinate drives one motion; "ldl", elimination in the mass matrix, for unconstrained
             equations; "schur_complement", the same for constrained ones, whose multipliers are solved for at run
-            time; "pivoted", a linear system that is solved at run time, for any; "auto", the shortest.
+            time; "null_space", for constrained ones, by independent speeds, without any system for run time, but not
+            where others had better be independent: the conditions tell; "pivoted", a linear system that is solved at
+            run time, for any; "auto", the shortest that is right everywhere.
         baumgarte: omega and zeta of ``phi'' + 2 zeta omega phi' + omega^2 phi = 0``, which keeps the constraints.
 
     Raises:
@@ -169,6 +174,24 @@ def _schur_complement(eqs: Equations, baumgarte: Damping) -> ForwardDynamics:
     return ForwardDynamics(*solution, "schur_complement")
 
 
+def _null_space(eqs: Equations, baumgarte: Damping) -> ForwardDynamics:
+    """Solve the same by independent speeds."""
+    M, J = eqs.mass_matrix, eqs.constraint_jacobian
+    if not eqs.constraints or M != M.T:
+        raise ModelError(
+            "forward_dynamics: the null space is for symmetric mass matrices and constraints; use method='auto'"
+        )
+    with derivation(fresh=True):
+        right = [-entry for entry in _stabilized_bias(eqs, baumgarte)]
+        try:
+            solution = null_space_solve(M, J, eqs.forcing, right)
+        except ExpressionError as failure:
+            raise ModelError(
+                f"forward_dynamics: independent speeds: {failure}; use method='auto'"
+            ) from failure
+    return ForwardDynamics(solution.x, solution.y, "null_space", solution.conditions)
+
+
 def _stabilized_bias(eqs: Equations, baumgarte: Damping) -> tuple[Expr, ...]:
     """Return what is left of ``phi'' + 2 zeta omega phi' + omega^2 phi`` without accelerations."""
     omega, zeta = baumgarte or (0, 0)
@@ -200,6 +223,7 @@ _METHODS: dict[str, Callable[[Equations, Damping], ForwardDynamics]] = {
     "articulated_body": _articulated_body,
     "ldl": _ldl,
     "schur_complement": _schur_complement,
+    "null_space": _null_space,
     "pivoted": _pivoted,
 }
 

@@ -162,6 +162,7 @@ _WAYS = {
     "ldl": "by elimination in the mass matrix",
     "schur_complement": "by elimination in the mass matrix, and a linear system of the multipliers that is solved with "
     "pivoting",
+    "null_space": "by independent speeds, accurate away from states in which others had better be independent",
     "pivoted": "by a linear system that is solved with pivoting",
 }
 

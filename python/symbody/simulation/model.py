@@ -3,26 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Mapping, Sequence
-from dataclasses import dataclass, field
+from contextlib import suppress
+from dataclasses import dataclass, field, replace
 from functools import cached_property, lru_cache
 
-from symbody.codegen import CompiledFunction, PreparedCode, lambdify
+from symbody.codegen import CompiledFunction, PreparedCode, Shortcut, lambdify
 from symbody.dynamics import Equations, ForwardDynamics, forward_dynamics
+from symbody.errors import ModelError
 from symbody.multibody import System, gravitational_energy, kinetic_energy, power
-from symbody.symbolic import (
-    Expr,
-    ExprLike,
-    Matrix,
-    derivation,
-    free_symbols,
-    linear_solve,
-    number,
-    saddle_point_solve,
-    substitute,
-    symbols,
-    t,
-)
+from symbody.symbolic import Expr, ExprLike, cost, free_symbols, number, substitute, symbols, t
 from symbody.symbolic import jacobian as jacobian_of
+
+from .least_change import LeastChange, least_change
 
 __all__ = ["DAMPING", "Model", "model_of"]
 
@@ -107,10 +99,27 @@ class Model:
     @cached_property
     def solution(self) -> ForwardDynamics:
         """The accelerations and multipliers by time, state and parameters."""
+        return self._solved(self.method)
+
+    @cached_property
+    def shortcut(self) -> ForwardDynamics | None:
+        """The same by independent speeds, where that is shorter; accurate where its conditions are positive."""
+        if self.solution.method != "schur_complement":
+            return None
+        with suppress(ModelError):
+            brief = self._solved("null_space")
+            if cost(brief.accelerations).total <= cost(self.solution.accelerations).total:
+                return brief
+        return None
+
+    def _solved(self, method: str) -> ForwardDynamics:
         damping = DAMPING if self.is_stabilized else None
-        solution = forward_dynamics(self.equations, method=self.method, baumgarte=damping)
-        return ForwardDynamics(
-            self.with_inputs(solution.accelerations), self.with_inputs(solution.multipliers), solution.method
+        found = forward_dynamics(self.equations, method=method, baumgarte=damping)
+        return replace(
+            found,
+            accelerations=self.with_inputs(found.accelerations),
+            multipliers=self.with_inputs(found.multipliers),
+            conditions=self.with_inputs(found.conditions),
         )
 
     @cached_property
@@ -128,50 +137,28 @@ class Model:
 
     @cached_property
     def power(self) -> Expr | None:
-        """The power of loads and moving constraints; None where nothing does work."""
+        """The power of loads and moving constraints, by accelerations and multipliers; None where nothing does work."""
         total = sum((power(load) for load in self.system.loads), start=number(0))
         if self.constraints:
             at_rest = dict.fromkeys(self.speeds, number(0))
             drifts = substitute(self.system.rate(self.constraints), at_rest)
             for multiplier, drift in zip(self.multipliers, drifts, strict=True):
                 total -= multiplier * drift
-        return None if total.is_zero else self.along_motion([total])[0]
+        return None if total.is_zero else total
 
     @cached_property
     def rates(self) -> tuple[Expr, ...]:
         """The rates of the coordinates, of the speeds, and of the work."""
-        work = () if self.power is None else (self.power,)
-        return (*self.with_inputs(self.kinematics), *self.solution.accelerations, *work)
+        return self._rates(self.solution)
+
+    def _rates(self, solution: ForwardDynamics) -> tuple[Expr, ...]:
+        work = () if self.power is None else self._along(solution, [self.power])
+        return (*self.with_inputs(self.kinematics), *solution.accelerations, *work)
 
     @property
     def width(self) -> int:
         """The length of the vector that is integrated."""
         return len(self.state) + (self.power is not None)
-
-    @cached_property
-    def corrections(self) -> tuple[tuple[Expr, ...], tuple[Expr, ...]]:
-        """The least changes of coordinates and of speeds that lead onto the constraints, to first order.
-
-        ``M d = phi_q^T mu, phi_q d = -phi`` [Eich 1993]: least in kinetic energy, so that lengths and angles weigh
-        what they should. The coordinates follow by the kinematics.
-        """
-        with derivation(fresh=True):
-            change = self._least_change(self.constraints)
-            speeds = self._least_change(self.system.rate(self.constraints))
-            at_rest = substitute(self.kinematics, dict.fromkeys(self.speeds, number(0)))
-            moved = substitute(self.kinematics, dict(zip(self.speeds, change, strict=True)))
-            coordinates = [rate - rest for rate, rest in zip(moved, at_rest, strict=True)]
-        return self.with_inputs(coordinates), self.with_inputs(speeds)
-
-    def _least_change(self, left: Sequence[Expr]) -> tuple[Expr, ...]:
-        """Return the solution d of ``M d = phi_q^T mu`` and ``phi_q d = -left``."""
-        M, J = self.equations.mass_matrix, self.equations.constraint_jacobian
-        n, m, nothing = M.rows, J.rows, number(0)
-        if self.solution.method == "schur_complement":
-            return saddle_point_solve(M, J, [nothing] * n, [-value for value in left])[0]
-        upper = [[*M.row(i), *(-J[k, i] for k in range(m))] for i in range(n)]
-        matrix = Matrix([*upper, *([*J.row(k), *[nothing] * m] for k in range(m))])
-        return linear_solve(matrix, [*[nothing] * n, *(-value for value in left)])[:n]
 
     @cached_property
     def kinetic_energy(self) -> Expr:
@@ -196,9 +183,12 @@ class Model:
         found, unknown = free_symbols(list(expressions)), {*self.accelerations, *self.multipliers}
         if found.isdisjoint(unknown):
             return self.with_inputs(expressions)
+        return self._along(self.solution, expressions)
+
+    def _along(self, solution: ForwardDynamics, expressions: Sequence[Expr]) -> tuple[Expr, ...]:
         values = {
-            **dict(zip(self.accelerations, self.solution.accelerations, strict=True)),
-            **dict(zip(self.multipliers, self.solution.multipliers, strict=True)),
+            **dict(zip(self.accelerations, solution.accelerations, strict=True)),
+            **dict(zip(self.multipliers, solution.multipliers, strict=True)),
         }
         return substitute(self.with_inputs(expressions), values)
 
@@ -207,20 +197,35 @@ class Model:
         """The variables of compiled code: time, the state, and the work, of which nothing depends."""
         return (t, *self.state, *([_WORK] if self.power is not None else []))
 
-    def code(self, expressions: Sequence[Expr], more: Sequence[Expr] = ()) -> PreparedCode:
+    def code(
+        self, expressions: Sequence[Expr], more: Sequence[Expr] = (), shortcut: Shortcut | None = None
+    ) -> PreparedCode:
         """Return the machine code of expressions of time and state, and of more parameters than the equations have."""
-        return PreparedCode((*self.parameters, *self.damping, *more), self.integrated, tuple(expressions))
+        parameters = (*self.parameters, *self.damping, *more)
+        return PreparedCode(parameters, self.integrated, tuple(expressions), shortcut)
 
     @cached_property
     def rates_code(self) -> PreparedCode:
         """The machine code of the rates."""
-        return self.code(self.rates)
+        brief = self.shortcut
+        shortcut = None if brief is None else Shortcut(self._rates(brief), brief.conditions)
+        return self.code(self.rates, shortcut=shortcut)
 
     @cached_property
     def correction_codes(self) -> tuple[PreparedCode, PreparedCode]:
         """The machine code of the corrections."""
-        coordinates, speeds = self.corrections
-        return self.code(coordinates), self.code(speeds)
+        change = self._least_change(self.solution.method)
+        if self.shortcut is None:
+            return self.code(change.coordinates), self.code(change.speeds)
+        brief = self._least_change(self.shortcut.method)
+        return (
+            self.code(change.coordinates, shortcut=Shortcut(brief.coordinates, brief.conditions)),
+            self.code(change.speeds, shortcut=Shortcut(brief.speeds, brief.conditions)),
+        )
+
+    def _least_change(self, method: str) -> LeastChange:
+        change = least_change(self.equations, method)
+        return LeastChange(*map(self.with_inputs, (change.coordinates, change.speeds, change.conditions)))
 
     @cached_property
     def jacobian_code(self) -> tuple[PreparedCode, list[tuple[int, int]]]:

@@ -47,6 +47,7 @@ from symbody.symbolic.leaves import (
 )
 from symbody.symbolic.linear_solve import linear_solve
 from symbody.symbolic.matrix import Matrix, identity, zeros
+from symbody.symbolic.null_space import NullSpaceSolution, null_space_solve
 from symbody.symbolic.parse import parse
 from symbody.symbolic.printing import latex, listing, maple
 from symbody.symbolic.program import STAGES, Argument, Program, Result, Routine
@@ -77,6 +78,7 @@ __all__ = [
     "Matrix",
     "Max",
     "Min",
+    "NullSpaceSolution",
     "Piecewise",
     "Program",
     "Result",
@@ -117,6 +119,7 @@ __all__ = [
     "maple",
     "matvec3",
     "matvec3_transposed",
+    "null_space_solve",
     "number",
     "parse",
     "pi",

@@ -10,7 +10,7 @@ from symbody.codegen.llvm.sincos import sincos_text
 from symbody.codegen.llvm.writer import Writer
 from symbody.codegen.straight_line import Code, operands
 
-__all__ = ["batch_text", "scalar_text"]
+__all__ = ["batch_text", "scalar_text", "shortcut_text"]
 
 _LIBM = ("sin", "cos", "tan", "asin", "acos", "atan", "sinh", "cosh", "tanh", "exp", "log")
 _DECLARATIONS = (
@@ -32,16 +32,70 @@ def scalar_text(code: Code, name: str, lanes: int, tag: int = 0) -> str:
         lanes: how many angles the processor takes at a time.
         tag: what tells the linear systems of this code from those of others.
     """
-    rows = range(len(code.instructions))
-    function = Function(code, name, rows, 1, lanes, _scalar_input, tag=tag)
-    stores = [(place, f"getelementptr double, ptr %out, i64 {j}") for j, place in enumerate(code.results)]
+    function, texts = _scalar(code, name, lanes, tag)
+    return _module(texts, function.widths)
+
+
+def shortcut_text(shortcut: Code, outputs: int, code: Code, name: str, lanes: int, tag: int = 0) -> str:
+    """Return a module with a function as `scalar_text` has, which tries a shortcut before the code.
+
+    Args:
+        shortcut: what computes the outputs, then conditions: unless all are positive the code has to.
+        outputs: how many outputs there are.
+        code: what it computes.
+        name: the function's name.
+        lanes: how many angles the processor takes at a time.
+        tag: what tells the linear systems of the code from those of others.
+    """
+    whole, texts = _scalar(code, f"{name}_safely", lanes, tag, "noinline cold")
+    brief = Function(shortcut, f"{name}_briefly", range(len(shortcut.instructions)), 1, lanes, _scalar_input)
+    conditions = len(shortcut.results) - outputs
+    targets = [f"ptr %out, i64 {j}" for j in range(outputs)]
+    targets += [f"ptr %uniform, i64 {k}" for k in range(conditions)]
+    stores = [
+        (place, f"getelementptr double, {target}")
+        for place, target in zip(shortcut.results, targets, strict=True)
+    ]
     entry = f"""\
 define void @{name}(ptr noalias %in, ptr noalias %out) {{
+  %conditions = alloca double, i64 {max(conditions, 1)}, align 64
+{brief.calls("0", "0", "%conditions")}
+{_all_positive(conditions)}
+  br i1 %all{conditions}, label %done, label %otherwise
+otherwise:
+  call void @{name}_safely(ptr %in, ptr %out)
+  br label %done
+done:
+  ret void
+}}
+"""
+    return _module([brief.text(stores), *texts, entry], brief.widths | whole.widths)
+
+
+def _all_positive(conditions: int) -> str:
+    """Return the test of conditions; what is no number is not positive."""
+    lines = ["  %all0 = and i1 true, true"]
+    for k in range(conditions):
+        lines += [
+            f"  %place{k} = getelementptr double, ptr %conditions, i64 {k}",
+            f"  %condition{k} = load double, ptr %place{k}, align 8",
+            f"  %positive{k} = fcmp ogt double %condition{k}, 0.0",
+            f"  %all{k + 1} = and i1 %all{k}, %positive{k}",
+        ]
+    return "\n".join(lines)
+
+
+def _scalar(code: Code, name: str, lanes: int, tag: int, attributes: str = "") -> tuple[Function, list[str]]:
+    """Return a function of one state, and the texts of its blocks and of what calls them."""
+    function = Function(code, name, range(len(code.instructions)), 1, lanes, _scalar_input, tag=tag)
+    stores = [(place, f"getelementptr double, ptr %out, i64 {j}") for j, place in enumerate(code.results)]
+    entry = f"""\
+define void @{name}(ptr noalias %in, ptr noalias %out) {attributes} {{
 {function.calls("0", "0", "null")}
   ret void
 }}
 """
-    return _module([function.text(stores), entry], function.widths)
+    return function, [function.text(stores), entry]
 
 
 def batch_text(code: Code, name: str, lanes: int, uniform: Sequence[bool], tag: int = 0) -> str:

@@ -1,0 +1,180 @@
+"""Saddle-point systems by the directions that the conditions leave open, in expressions alone."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from functools import reduce
+from itertools import combinations, permutations
+from operator import mul
+
+from symbody.errors import ExpressionError
+from symbody.symbolic._core import Expr, number
+from symbody.symbolic.block_triangular import Block, block_triangular
+from symbody.symbolic.derivation import derivation
+from symbody.symbolic.functions import Abs
+from symbody.symbolic.ldl import Elimination
+from symbody.symbolic.leaves import ExprLike
+from symbody.symbolic.matrix import Matrix
+
+__all__ = ["NullSpaceSolution", "null_space_solve"]
+
+_LEAST_DETERMINANT = 1e-3
+"""What cancellation has to leave of a determinant, as a part of its terms."""
+
+_LARGEST_GROWTH = 1e6
+"""How many times larger what A makes of a direction may be than what it makes of the direction's own unknown: where
+dependent unknowns race ahead of independent ones, others should be the independent ones."""
+
+
+@dataclass(frozen=True)
+class NullSpaceSolution:
+    """The solution of a saddle-point system in expressions.
+
+    Attributes:
+        x: the unknowns of the matrix.
+        y: the multipliers of the conditions.
+        conditions: where all are positive the numbers of x and y are accurate: to about three digits less than all.
+    """
+
+    x: tuple[Expr, ...]
+    y: tuple[Expr, ...]
+    conditions: tuple[Expr, ...]
+
+
+def null_space_solve(
+    A: Matrix, B: Matrix, right: Sequence[ExprLike], conditions: Sequence[ExprLike]
+) -> NullSpaceSolution:
+    """Return x and y with ``A x = f + B^T y, B x = c``, by a null-space method [Benzi, Golub & Liesen 2005, ch. 6].
+
+    Some unknowns are independent, the others follow from ``B x = c``, block by block: ``x = p + N z`` with ``B N = 0``
+    and ``B p = c``. Then ``N^T A N z = N^T (f - A p)``, for a mechanism its equations of motion in independent speeds
+    [Wehage & Haug 1982]. No system is left for run time, so that this is the fastest way; but there are states in which
+    other unknowns had better be independent, a crank's at its dead centre, and the conditions tell them.
+
+    Args:
+        A: a symmetric matrix, n x n, positive definite as numbers.
+        B: the gradients of m conditions, m x n, which don't follow from each other.
+        right: f, n entries.
+        conditions: c, m entries.
+
+    Raises:
+        ExpressionError: A isn't symmetric, the sizes differ, a condition follows from others, more than three
+            equations have to be solved together, or a pivot is identically zero.
+
+    >>> from symbody.symbolic import Matrix, symbols
+    >>> m, g, a, b = symbols("m g a b")
+    >>> solution = null_space_solve(Matrix([[m, 0], [0, m]]), Matrix([[a, b]]), [0, -m * g], [0])
+    >>> solution.x
+    (a*b*g/(a**2 + b**2), -a**2*g/(a**2 + b**2))
+    >>> solution.conditions
+    (1000000*m - (m + m*a**2/b**2),)
+    """
+    if A.shape != (B.columns, B.columns) or len(right) != A.rows or len(conditions) != B.rows or A != A.T:
+        raise ExpressionError(
+            f"null_space_solve: A is {A.rows}x{A.columns}, B {B.rows}x{B.columns}, the right side has {len(right)} "
+            f"entries, and there are {len(conditions)} conditions; expected a symmetric A with a row for each column "
+            "of B and each entry of the right side, and as many conditions as B has rows"
+        )
+    with derivation():
+        f, c = ([number(entry, "null_space_solve") for entry in side] for side in (right, conditions))
+        dependence = _Dependence(B)
+        p, N = dependence.completed({}, c), dependence.directions
+        images = [_product(A, column) for column in N]
+        mass = _gram(N, images)
+        rest = [force - image for force, image in zip(f, _product(A, p), strict=True)]
+        z = Elimination(mass).solve(_dot(column, rest) for column in N)
+        x = [start + _dot(z, line) for start, line in zip(p, _lines(N, B.columns), strict=True)]
+        y = dependence.multipliers([image - force for image, force in zip(_product(A, x), f, strict=True)])
+        growth = [_LARGEST_GROWTH * A[j, j] - mass[k, k] for k, j in enumerate(dependence.independent)]
+        return NullSpaceSolution(tuple(x), y, (*dependence.certainties, *growth))
+
+
+class _Dependence:
+    """The equations ``B x = c``, solved for the dependent unknowns."""
+
+    def __init__(self, B: Matrix) -> None:
+        order = block_triangular(B)
+        self.B, self.blocks, self.independent = B, order.blocks, order.independent
+        squares = [_square(B, block) for block in self.blocks]
+        self.inverses = [_inverse(square) for square in squares]
+        self.certainties = [_certainty(square) for square in squares if square.rows > 1]
+
+    @property
+    def directions(self) -> list[list[Expr]]:
+        """For each independent unknown, what all of them do where it changes by one, and c is zero."""
+        nothing = [number(0)] * self.B.rows
+        return [self.completed({column: number(1)}, nothing) for column in self.independent]
+
+    def completed(self, given: Mapping[int, Expr], right: Sequence[Expr]) -> list[Expr]:
+        """Return the solution with these independent unknowns; the others of them are zero."""
+        x = [given.get(column, number(0)) for column in range(self.B.columns)]
+        for block, inverse in zip(self.blocks, self.inverses, strict=True):
+            rest = [right[row] - _dot(self.B.row(row), x) for row in block.rows]
+            for column, line in zip(block.columns, inverse, strict=True):
+                x[column] = _dot(line, rest)
+        return x
+
+    def multipliers(self, load: Sequence[Expr]) -> tuple[Expr, ...]:
+        """Return y with ``B^T y = load``, by the rows of the dependent unknowns."""
+        y = [number(0)] * self.B.rows
+        for block, inverse in zip(reversed(self.blocks), reversed(self.inverses), strict=True):
+            rest = [load[column] - _dot(self.B.T.row(column), y) for column in block.columns]
+            for row, line in zip(block.rows, zip(*inverse, strict=True), strict=True):
+                y[row] = _dot(line, rest)
+        return tuple(y)
+
+
+def _square(B: Matrix, block: Block) -> Matrix:
+    return Matrix([[B[row, column] for column in block.columns] for row in block.rows])
+
+
+def _inverse(square: Matrix) -> list[list[Expr]]:
+    """Return the rows of the inverse, by cofactors."""
+    places = range(square.rows)
+    cofactors = [[(-1) ** (i + j) * _minor(square, i, j) for i in places] for j in places]
+    reciprocal = 1 / _dot(square.row(0), [line[0] for line in cofactors])
+    return [[reciprocal * cofactor for cofactor in line] for line in cofactors]
+
+
+def _minor(square: Matrix, i: int, j: int) -> Expr:
+    """Return the determinant without a row and a column."""
+    rows, columns = ([k for k in range(square.rows) if k != left_out] for left_out in (i, j))
+    return sum(_terms(square, rows, columns), start=number(0)) if rows else number(1)
+
+
+def _terms(square: Matrix, rows: Sequence[int], columns: Sequence[int]) -> list[Expr]:
+    """Return the signed products of a determinant that aren't identically zero [Leibniz]."""
+    terms = []
+    for order in permutations(range(len(rows))):
+        inversions = sum(a > b for a, b in combinations(order, 2))
+        factors = (square[row, columns[place]] for row, place in zip(rows, order, strict=True))
+        terms.append(reduce(mul, factors, number((-1) ** inversions)))
+    return [term for term in terms if not term.is_zero]
+
+
+def _certainty(square: Matrix) -> Expr:
+    """Return what is positive where the determinant is more than the rounding errors of its terms."""
+    places = range(square.rows)
+    terms = _terms(square, places, places)
+    size = sum((Abs(term) for term in terms), start=number(0))
+    return Abs(sum(terms, start=number(0))) - _LEAST_DETERMINANT * size
+
+
+def _product(A: Matrix, column: Sequence[Expr]) -> list[Expr]:
+    return [_dot(A.row(i), column) for i in range(A.rows)]
+
+
+def _gram(N: Sequence[Sequence[Expr]], images: Sequence[Sequence[Expr]]) -> Matrix:
+    """Return the symmetric matrix ``N^T A N`` by the images ``A N``."""
+    lower = [[_dot(N[i], images[j]) for j in range(i + 1)] for i in range(len(N))]
+    entries = [lower[max(i, j)][min(i, j)] for i in range(len(N)) for j in range(len(N))]
+    return Matrix.from_entries(len(N), len(N), entries)
+
+
+def _lines(N: Sequence[Sequence[Expr]], count: int) -> list[list[Expr]]:
+    return [[column[i] for column in N] for i in range(count)]
+
+
+def _dot(a: Sequence[Expr], b: Sequence[Expr]) -> Expr:
+    return sum((x * y for x, y in zip(a, b, strict=True)), start=number(0))
