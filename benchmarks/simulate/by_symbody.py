@@ -39,13 +39,14 @@ def contenders(problem: Problem) -> list[Contender]:
 
 def _native(problem: Problem, method: str) -> Callable[[float, float], Array]:
     """Return the integration; constraints are kept by projection after each step, as `simulate` does."""
-    model, values = problem.model, problem.values
+    model = problem.model
     compiled = Compiled.of(model, method, is_projected=True)
+    constants = compiled.constants(problem.values)
     start = np.concatenate([problem.start, np.zeros(model.width - len(model.state))])
 
     def end(tolerance: float, duration: float) -> Array:
         options = Options(method, tolerance, tolerance)
-        return _end(problem, run(compiled, start, values, instants(duration), options))
+        return _end(problem, run(compiled, start, constants, instants(duration), options))
 
     return end
 

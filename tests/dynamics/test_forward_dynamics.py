@@ -152,14 +152,16 @@ def test_constrained() -> None:
 
 
 def test_ways_to_solve_constrained_equations_agree() -> None:
-    """By the Schur complement and by pivoting: the same values, nodes of one class."""
+    """By independent speeds, by the Schur complement and by pivoting: the same values, ever more operations."""
     eqs = newton_euler(bead())
-    one, two = (forward_dynamics(eqs, method=method) for method in ("schur_complement", "pivoted"))
-    assert (one.accelerations, one.multipliers) == (two.accelerations, two.multipliers)
-    assert (
-        cost([*one.accelerations, *one.multipliers]).total
-        < cost([*two.accelerations, *two.multipliers]).total
-    )
+    methods = ("null_space", "schur_complement", "pivoted")
+    first, *others = [forward_dynamics(eqs, method=method) for method in methods]
+    for other in others:
+        assert (first.accelerations, first.multipliers) == (other.accelerations, other.multipliers)
+    costs = [cost([*way.accelerations, *way.multipliers]).total for way in (first, *others)]
+    assert costs == sorted(costs)
+    assert first.conditions
+    assert not any(other.conditions for other in others)
 
 
 def test_coordinates_without_mass_that_a_constraint_moves_are_pivoted() -> None:
@@ -209,7 +211,10 @@ MISTAKES = [
     (
         ModelError,
         lambda: forward_dynamics(newton_euler(bead()), method="magic"),
-        "forward_dynamics: the method 'magic'; expected one of auto, articulated_body, ldl, schur_complement, pivoted",
+        (
+            "forward_dynamics: the method 'magic'; expected one of auto, articulated_body, ldl, schur_complement, "
+            "null_space, pivoted"
+        ),
     ),
     (
         ModelError,
@@ -231,6 +236,11 @@ MISTAKES = [
         ModelError,
         lambda: forward_dynamics(newton_euler(chain(2)), method="schur_complement"),
         "forward_dynamics: the Schur complement is for symmetric mass matrices and constraints; use method='auto'",
+    ),
+    (
+        ModelError,
+        lambda: forward_dynamics(newton_euler(chain(2)), method="null_space"),
+        "forward_dynamics: the null space is for symmetric mass matrices and constraints; use method='auto'",
     ),
     (
         ModelError,

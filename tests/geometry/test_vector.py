@@ -5,10 +5,12 @@ from __future__ import annotations
 import pytest
 
 from symbody import (
+    Frame,
     Point,
     Vector,
     acceleration,
     cos,
+    cost,
     cross,
     dot,
     frozen_velocity,
@@ -56,6 +58,28 @@ def test_points_and_vectors() -> None:
     assert (Q + (P - Q)).coordinates == project(P, ground).coordinates
     assert (P - Vector(T, a, 0, 0)).coordinates == (0, 0, 0)
     assert (Vector(T, a, 0, 0) + origin(T)).coordinates == (a, 0, 0)
+
+
+@pytest.mark.parametrize("frame", [ground, T, T * rotate("X", phi), rotate("Y", a), rotate("Y", a) * T])
+def test_a_vector_between_points_is_what_its_components_are(frame: Frame) -> None:
+    P, Q = Point(T * translate(0, x, 0), a, 0, 0), Point(rotate("Y", a), 0, b, c)
+    components = Vector((P - Q).frame, *(P - Q).components)
+    assert project(P - Q, frame).components == project(components, frame).components
+    numbers = {a: 0.3, b: 2}
+    replaced = project((P - Q).subs(numbers), frame.subs(numbers)).components
+    assert replaced == tuple(u.subs(numbers) for u in project(P - Q, frame).components)
+
+
+def test_a_vector_between_points_turns_from_where_they_meet() -> None:
+    """Not into the frame of one of them and back."""
+    arm, lever = T * rotate("Z", x), translate(a, b, 0) * rotate("Z", c)
+    P, Q = Point(arm, a, 0, 0), Point(lever, b, 0, 0)
+    gap = project(P - Q, ground)
+    assert gap.components == (project(P, ground) - project(Q, ground)).components
+    assert str(gap.components[0]) == str((project(P, ground) - project(Q, ground)).components[0])
+    near = project(Point(lever * rotate("X", phi), a, b, c) - Q, lever)
+    assert near.frame == lever
+    assert cost(project(near, ground).components).total < 20
 
 
 @pytest.mark.parametrize("wrong", [lambda: Vector(ground, 1, 0, 0) + 1, lambda: Point(ground, 0, 0, 0) - 1])

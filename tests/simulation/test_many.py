@@ -107,7 +107,7 @@ def test_each_case_is_what_it_is_alone() -> None:
         alone = run(
             problem,
             REFERENCE.states[case, 0],
-            np.array([given[p] for p in model.parameters]),
+            problem.constants(np.array([given[p] for p in model.parameters])),
             REFERENCE.t,
             Options("dop853", 1e-8, 1e-10),
         )

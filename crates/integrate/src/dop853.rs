@@ -5,6 +5,7 @@
 //! stiff problems in IV.2 of volume II.
 
 mod coefficients;
+mod stages;
 
 use crate::dynamics::Dynamics;
 use crate::failure::Failure;
@@ -13,6 +14,7 @@ use crate::method::Tolerances;
 use crate::projection::Tangent;
 use crate::stepper::{Statistics, Stepper};
 use coefficients::{A, C, DENSE, ERRORS};
+use stages::Stages;
 
 const STAGES: usize = 12;
 const ORDER: i32 = 8;
@@ -35,20 +37,22 @@ pub struct Dop853<'a> {
     state: Vec<f64>,
     /// The next step to try.
     step: f64,
-    /// The rates at the stages, one after another; the first are those at the state if `is_fresh`.
-    stages: Vec<f64>,
+    /// The rates at the stages; the first are those at the state if `is_fresh`.
+    stages: Stages,
     is_fresh: bool,
     /// The step before: its begin, its length, and its states at both ends.
     last: (f64, f64),
     before: Vec<f64>,
     after: Vec<f64>,
     /// The terms of the dense output, if they are those of the last step.
-    dense: Vec<f64>,
+    dense: [Vec<f64>; 7],
     is_dense: bool,
     scratch: Vec<f64>,
+    /// Both estimates of the error.
+    errors: [Vec<f64>; 2],
     /// The state at which the last stage of the step before was evaluated.
     last_stage: Vec<f64>,
-    /// The error of the step before, in units of the tolerance.
+    /// The logarithm of the error of the step before, in units of the tolerance.
     last_error: f64,
     stiff_steps: u32,
     statistics: Statistics,
@@ -64,16 +68,17 @@ impl<'a> Dop853<'a> {
             t,
             state: state.to_vec(),
             step: 0.0,
-            stages: vec![0.0; 16 * n],
+            stages: Stages::new(C.len(), n),
             is_fresh: false,
             last: (t, 0.0),
             before: state.to_vec(),
             after: state.to_vec(),
-            dense: vec![0.0; 7 * n],
+            dense: std::array::from_fn(|_| vec![0.0; n]),
             is_dense: false,
             scratch: vec![0.0; n],
+            errors: [vec![0.0; n], vec![0.0; n]],
             last_stage: vec![0.0; n],
-            last_error: LEAST_ERROR,
+            last_error: LEAST_ERROR.ln(),
             stiff_steps: 0,
             statistics: Statistics::default(),
         };
@@ -83,13 +88,12 @@ impl<'a> Dop853<'a> {
 
     /// Guess the first step from the rates and their change.
     fn first_step(&mut self, end: f64) -> f64 {
-        let n = self.state.len();
         let longest = self.tolerances.max_step.min(end - self.t);
         self.evaluate_first();
-        let (size, rate) = (self.weighted(&self.state), self.weighted(&self.stages[..n]));
+        let (size, rate) = (self.weighted(&self.state), self.weighted(self.stages.row(0)));
         let trial = if size < 1e-5 || rate < 1e-5 { 1e-6 } else { 0.01 * size / rate }.min(longest);
-        self.stage(1, self.t + trial, |_, y, first| y + trial * first);
-        let change: Vec<f64> = (0..n).map(|i| self.stages[n + i] - self.stages[i]).collect();
+        self.stage(1, (self.t, trial), (1.0, &[(0, 1.0)]));
+        let change: Vec<f64> = self.stages.row(1).iter().zip(self.stages.row(0)).map(|(a, b)| a - b).collect();
         let steepest = rate.max(self.weighted(&change) / trial);
         let step = if steepest <= 1e-15 {
             (trial * 1e-3).max(1e-6)
@@ -111,40 +115,34 @@ impl<'a> Dop853<'a> {
 
     fn evaluate_first(&mut self) {
         if !self.is_fresh {
-            let n = self.state.len();
-            self.rates.call(self.t, &self.state, &mut self.stages[..n]);
+            self.rates.call(self.t, &self.state, self.stages.row_mut(0));
             self.statistics.evaluations += 1;
             self.is_fresh = true;
         }
     }
 
-    /// Evaluate a stage at states that follow from those at the begin and the first rates.
-    fn stage(&mut self, place: usize, t: f64, at: impl Fn(usize, f64, f64) -> f64) {
-        let n = self.state.len();
-        for i in 0..n {
-            self.scratch[i] = at(i, self.state[i], self.stages[i]);
-        }
-        self.rates.call(t, &self.scratch, &mut self.stages[place * n..][..n]);
+    /// Evaluate a stage at an instant and at a combination of earlier ones, in steps.
+    fn stage(&mut self, place: usize, (t, h): (f64, f64), (c, weights): (f64, &[(usize, f64)])) {
+        self.stages.step(&mut self.scratch, &self.state, h, weights);
+        self.rates.call(t + c * h, &self.scratch, self.stages.row_mut(place));
         self.statistics.evaluations += 1;
     }
 
     /// Evaluate the stages of a step, and write the state at its end to `after`.
     fn try_step(&mut self, h: f64) {
-        let n = self.state.len();
         for place in 1..STAGES {
-            combine(&mut self.scratch, &self.state, h, A[place], &self.stages);
-            self.rates.call(self.t + C[place] * h, &self.scratch, &mut self.stages[place * n..][..n]);
+            self.stage(place, (self.t, h), (C[place], A[place]));
         }
-        self.statistics.evaluations += STAGES - 1;
-        combine(&mut self.after, &self.state, h, A[STAGES], &self.stages);
+        self.stages.step(&mut self.after, &self.state, h, A[STAGES]);
     }
 
     /// The error of the step in units of the tolerance; NaN if some stage has no finite rate.
-    fn error(&self, h: f64) -> f64 {
-        let n = self.state.len();
-        let estimate =
-            |i: usize| ERRORS.map(|row| row.iter().map(|&(j, e)| e * self.stages[j * n + i]).sum::<f64>());
-        self.weighted_error(h, estimate)
+    fn error(&mut self, h: f64) -> f64 {
+        for (error, weights) in self.errors.iter_mut().zip(ERRORS) {
+            self.stages.sum(error, weights);
+        }
+        let [fifth, third] = &self.errors;
+        self.weighted_error(h, fifth, third)
     }
 
     /// The error without the part that the projection onto the constraints takes away after the step.
@@ -152,34 +150,31 @@ impl<'a> Dop853<'a> {
     /// Near a singular position, where a constraint nearly follows from others, rounding errors along it are large in
     /// the accelerations: they would let no step pass.
     fn error_along(&self, h: f64, tangent: &Tangent<'_>) -> f64 {
-        let n = self.state.len();
-        let [fifth, third] = ERRORS.map(|row| {
-            let all = (0..n).map(|i| row.iter().map(|&(j, e)| e * self.stages[j * n + i]).sum::<f64>());
-            tangent.part(self.t + h, &self.after, all.collect())
-        });
-        self.weighted_error(h, |i| [fifth[i], third[i]])
+        let [fifth, third] =
+            self.errors.each_ref().map(|error| tangent.part(self.t + h, &self.after, error.clone()));
+        self.weighted_error(h, &fifth, &third)
     }
 
     /// Both estimates of an error together, in units of the tolerance.
-    fn weighted_error(&self, h: f64, estimate: impl Fn(usize) -> [f64; 2]) -> f64 {
+    fn weighted_error(&self, h: f64, fifth: &[f64], third: &[f64]) -> f64 {
         let Tolerances { relative, absolute, controlled, .. } = self.tolerances;
-        let (mut fifth, mut third) = (0.0, 0.0);
-        for i in 0..controlled {
-            let scale = absolute + relative * self.state[i].abs().max(self.after[i].abs());
-            let [e5, e3] = estimate(i).map(|error| error / scale);
-            fifth += e5 * e5;
-            third += e3 * e3;
+        let (mut sum5, mut sum3) = (0.0, 0.0);
+        let estimates = fifth.iter().zip(third).take(controlled);
+        for ((e5, e3), (before, after)) in estimates.zip(self.state.iter().zip(&self.after)) {
+            let weight = 1.0 / (absolute + relative * before.abs().max(after.abs()));
+            sum5 += (e5 * weight).powi(2);
+            sum3 += (e3 * weight).powi(2);
         }
-        let both = fifth + 0.01 * third;
-        if both <= 0.0 { 0.0 } else { h.abs() * fifth / (both * count(controlled)).sqrt() }
+        let both = sum5 + 0.01 * sum3;
+        if both <= 0.0 { 0.0 } else { h.abs() * sum5 / (both * count(controlled)).sqrt() }
     }
 
     /// The factor to the next step after one that is accepted, by proportional and integral control
     /// [Hairer & Wanner, volume II, IV.2].
     fn factor(&mut self, error: f64) -> f64 {
-        let (now, before) = (error.max(f64::MIN_POSITIVE), self.last_error);
-        self.last_error = error.max(LEAST_ERROR);
-        SAFETY * now.powf(0.2 * MEMORY - 1.0 / f64::from(ORDER)) * before.powf(MEMORY)
+        let (now, before) = (error.max(f64::MIN_POSITIVE).ln(), self.last_error);
+        self.last_error = now.max(LEAST_ERROR.ln());
+        SAFETY * ((0.2 * MEMORY - 1.0 / f64::from(ORDER)) * now + MEMORY * before).exp()
     }
 
     fn accept(&mut self, h: f64, t: f64) {
@@ -198,12 +193,8 @@ impl<'a> Dop853<'a> {
     fn note_stiffness(&mut self) {
         const BOUND: f64 = 5.0;
         const STEPS: u32 = 15;
-        let n = self.state.len();
-        let (mut rates, mut states) = (0.0, 0.0);
-        for i in 0..n {
-            rates += (self.stages[i] - self.stages[(STAGES - 1) * n + i]).powi(2);
-            states += (self.state[i] - self.last_stage[i]).powi(2);
-        }
+        let rates = squared_distance(self.stages.row(0), self.stages.row(STAGES - 1));
+        let states = squared_distance(&self.state, &self.last_stage);
         let is_at_bound = states > 0.0 && self.last.1 * (rates / states).sqrt() > BOUND;
         self.stiff_steps =
             if is_at_bound { self.stiff_steps + 1 } else { self.stiff_steps.saturating_sub(1) };
@@ -212,24 +203,23 @@ impl<'a> Dop853<'a> {
 
     /// Compute the terms of the dense output of the last step.
     fn prepare_dense(&mut self) {
-        let n = self.state.len();
         let (t, h) = self.last;
-        self.rates.call(t + h, &self.after, &mut self.stages[STAGES * n..][..n]);
+        self.rates.call(t + h, &self.after, self.stages.row_mut(STAGES));
         for place in STAGES + 1..C.len() {
-            combine(&mut self.scratch, &self.before, h, A[place], &self.stages);
-            self.rates.call(t + C[place] * h, &self.scratch, &mut self.stages[place * n..][..n]);
+            self.stages.step(&mut self.scratch, &self.before, h, A[place]);
+            self.rates.call(t + C[place] * h, &self.scratch, self.stages.row_mut(place));
         }
         self.statistics.evaluations += C.len() - STAGES;
-        for i in 0..n {
-            let change = self.after[i] - self.before[i];
-            let (first, end) = (h * self.stages[i], h * self.stages[STAGES * n + i]);
-            self.dense[i] = change;
-            self.dense[n + i] = first - change;
-            self.dense[2 * n + i] = 2.0 * change - first - end;
-            for (k, row) in DENSE.iter().enumerate() {
-                self.dense[(3 + k) * n + i] =
-                    h * row.iter().map(|&(j, d)| d * self.stages[j * n + i]).sum::<f64>();
-            }
+        let [change, first, second, higher @ ..] = &mut self.dense;
+        for i in 0..self.after.len() {
+            let (start, end) = (h * self.stages.row(0)[i], h * self.stages.row(STAGES)[i]);
+            change[i] = self.after[i] - self.before[i];
+            first[i] = start - change[i];
+            second[i] = 2.0 * change[i] - start - end;
+        }
+        for (terms, weights) in higher.iter_mut().zip(DENSE) {
+            self.stages.sum(terms, weights);
+            terms.iter_mut().for_each(|term| *term *= h);
         }
         self.is_dense = true;
     }
@@ -238,7 +228,7 @@ impl<'a> Dop853<'a> {
 impl Stepper for Dop853<'_> {
     fn step(&mut self, end: f64) -> Result<(), Failure> {
         self.evaluate_first();
-        if !self.stages[..self.state.len()].iter().all(|rate| rate.is_finite()) {
+        if !self.stages.row(0).iter().all(|rate| rate.is_finite()) {
             return Err(Failure::NotFinite { t: self.t });
         }
         if self.statistics.steps > 0 {
@@ -291,7 +281,6 @@ impl Stepper for Dop853<'_> {
 
     fn interpolate(&mut self, t: f64, out: &mut [f64]) -> Result<(), Failure> {
         let (start, h) = self.last;
-        let n = out.len();
         if t >= self.t || t >= start + h {
             out.copy_from_slice(&self.after);
             return Ok(());
@@ -301,7 +290,7 @@ impl Stepper for Dop853<'_> {
         }
         let x = (t - start) / h;
         for (i, y) in out.iter_mut().enumerate() {
-            let term = |k: usize| self.dense[k * n + i];
+            let term = |k: usize| self.dense[k][i];
             let sum = (0..7).rev().fold(0.0, |sum, k| (sum + term(k)) * if k % 2 == 0 { x } else { 1.0 - x });
             *y = self.before[i] + sum;
         }
@@ -323,26 +312,6 @@ fn count(n: usize) -> f64 {
     n as f64
 }
 
-/// Write `base + h * sum of weights times stages`, four entries at a time: their sums stay in registers.
-fn combine(out: &mut [f64], base: &[f64], h: f64, weights: &[(usize, f64)], stages: &[f64]) {
-    const LANES: usize = 4;
-    let n = out.len();
-    let mut first = 0;
-    while first + LANES <= n {
-        let mut sums = [0.0; LANES];
-        for &(place, weight) in weights {
-            let rates = &stages[place * n + first..][..LANES];
-            for (sum, rate) in sums.iter_mut().zip(rates) {
-                *sum += weight * rate;
-            }
-        }
-        for (lane, sum) in sums.iter().enumerate() {
-            out[first + lane] = base[first + lane] + h * sum;
-        }
-        first += LANES;
-    }
-    for i in first..n {
-        let sum: f64 = weights.iter().map(|&(place, weight)| weight * stages[place * n + i]).sum();
-        out[i] = base[i] + h * sum;
-    }
+fn squared_distance(a: &[f64], b: &[f64]) -> f64 {
+    a.iter().zip(b).map(|(x, y)| (x - y).powi(2)).sum()
 }

@@ -57,8 +57,12 @@ pub fn integrate(
         statistics: Statistics::default(),
     };
     let motion = |stepper: &mut dyn Stepper| {
-        let mut course =
-            Course { record, watch: Watch::new(dynamics, t, state), projection: Projection::new(dynamics) };
+        let mut course = Course {
+            record,
+            watch: Watch::new(dynamics, t, state),
+            projection: Projection::new(dynamics),
+            state: state.to_vec(),
+        };
         run.failure = course.follow(stepper, end, &mut run, keep_going).err();
         run.statistics = stepper.statistics();
     };
@@ -73,6 +77,8 @@ struct Course<'a> {
     record: Record<'a>,
     watch: Watch<'a>,
     projection: Projection<'a>,
+    /// The state at the end of a step.
+    state: Vec<f64>,
 }
 
 impl Course<'_> {
@@ -112,12 +118,13 @@ impl Course<'_> {
 
     /// Put the state back onto the constraints; the motion is known up to there.
     fn end_step(&mut self, stepper: &mut dyn Stepper, run: &mut Run) -> Result<(), Failure> {
-        let mut state = stepper.state().to_vec();
+        self.state.copy_from_slice(stepper.state());
         if self.projection.is_needed() {
-            self.projection.project(stepper.t(), &mut state)?;
-            stepper.replace(&state);
+            self.projection.project(stepper.t(), &mut self.state)?;
+            stepper.replace(&self.state);
         }
-        run.end = (stepper.t(), state);
+        run.end.0 = stepper.t();
+        run.end.1.copy_from_slice(&self.state);
         Ok(())
     }
 

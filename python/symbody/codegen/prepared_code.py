@@ -99,15 +99,19 @@ class PreparedCode:
 
     @cached_property
     def _preparation(self) -> jit.Compiled:
-        return _compiled(scalar_text(self._parts.constants, "prepare", jit.lanes(), next_tag()), "prepare")
+        return _compiled(
+            lambda lanes: scalar_text(self._parts.constants, "prepare", lanes, next_tag()), "prepare"
+        )
 
     @cached_property
     def _function(self) -> jit.Compiled:
         outputs, shortcut = self._parts.outputs, self._parts.shortcut
-        if shortcut is None:
-            text = scalar_text(outputs, "evaluate", jit.lanes(), self.tag)
-        else:
-            text = shortcut_text(shortcut, len(self.expressions), outputs, "evaluate", jit.lanes(), self.tag)
+
+        def text(lanes: int) -> str:
+            if shortcut is None:
+                return scalar_text(outputs, "evaluate", lanes, self.tag)
+            return shortcut_text(shortcut, len(self.expressions), outputs, "evaluate", lanes, self.tag)
+
         return _compiled(text, "evaluate")
 
     def __reduce__(self) -> tuple[Any, ...]:
@@ -123,12 +127,12 @@ class _Parts:
     shortcut: Code | None = None
 
 
-def _compiled(text: str, name: str) -> jit.Compiled:
+def _compiled(text: Callable[[int], str], name: str) -> jit.Compiled:
     if not jit.is_available():
         raise CodegenError(
             "machine code needs the package llvmlite, which is not installed here: pip install llvmlite"
         )
-    return jit.compiled(text, name)
+    return jit.compiled(text(jit.lanes()), name)
 
 
 def _laid_out(code: Code, position: Callable[[Input], int], size: int) -> Code:

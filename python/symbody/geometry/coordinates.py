@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+from itertools import combinations
+from typing import NamedTuple
+
 from symbody.errors import FrameError
 from symbody.symbolic import add3, derivation, sub3
 
 from .frame import Frame
-from .motion import Motion
+from .motion import Motion, Substitution
 from .triple import Triple, is_null
 
 
@@ -32,6 +35,42 @@ def point_coordinates(p: Triple, source: Frame, target: Frame) -> Triple:
         for motion in down:
             p = motion.to_child(sub3(p, motion.displacement))
     return p
+
+
+class Ends(NamedTuple):
+    """The points between which a vector goes: coordinates and frame of each."""
+
+    tip: Triple
+    tip_frame: Frame
+    tail: Triple
+    tail_frame: Frame
+
+    def subs(self, substitution: Substitution) -> Ends:
+        """Return the points with expressions put in the place of others."""
+        tip, tail = (
+            (x.subs(substitution), y.subs(substitution), z.subs(substitution))
+            for x, y, z in (self.tip, self.tail)
+        )
+        return Ends(tip, self.tip_frame.subs(substitution), tail, self.tail_frame.subs(substitution))
+
+
+def difference(ends: Ends, target: Frame) -> Triple:
+    """Return the components of the vector between two points in a frame.
+
+    The points meet where their ways to the frame meet: from there on it is only the vector that turns. In any other
+    frame turns there and back would have to cancel.
+    """
+    frames = ends.tip_frame, ends.tail_frame, target
+    meeting = max((_common_ancestor(a, b) for a, b in combinations(frames, 2)), key=lambda frame: frame.depth)
+    with derivation():
+        tip = point_coordinates(ends.tip, ends.tip_frame, meeting)
+        tail = point_coordinates(ends.tail, ends.tail_frame, meeting)
+        return vector_components(sub3(tip, tail), meeting, target)
+
+
+def _common_ancestor(a: Frame, b: Frame) -> Frame:
+    up, _ = path(a, b)
+    return a.chain[a.depth - len(up)]
 
 
 def path(source: Frame, target: Frame) -> tuple[list[Motion], list[Motion]]:

@@ -5,10 +5,10 @@ from __future__ import annotations
 from typing import final, overload
 
 from symbody.errors import FrameError
-from symbody.symbolic import add3, sub3
+from symbody.symbolic import add3
 
 from .argument import checked
-from .coordinates import point_coordinates
+from .coordinates import Ends, point_coordinates
 from .frame import Frame
 from .motion import Substitution
 from .triple import NULL, Scalar, Triple, triple
@@ -63,7 +63,8 @@ class Point:
             return self + -other
         if not isinstance(other, Point):
             return NotImplemented
-        return Vector(other.frame, *sub3(self.projected(other.frame).coordinates, other.coordinates))
+        ends = Ends(self.coordinates, self.frame, other.coordinates, other.frame)
+        return Vector.between(ends, other.frame)
 
     def __repr__(self) -> str:
         return self.name or f"Point({self.frame}, {', '.join(map(str, self.coordinates))})"

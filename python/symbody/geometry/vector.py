@@ -8,7 +8,7 @@ from symbody.errors import FrameError
 from symbody.symbolic import Expr, add3, cross3, dot3, number, scale3, sub3
 
 from .argument import checked
-from .coordinates import vector_components
+from .coordinates import Ends, difference, vector_components
 from .frame import Frame
 from .motion import Substitution
 from .triple import Scalar, Triple, expression, triple
@@ -27,25 +27,40 @@ class Vector:
     Vector(ground, 1, 1, 0)
     """
 
-    __slots__ = ("components", "frame", "name")
+    __slots__ = ("_ends", "components", "frame", "name")
+
+    _ends: Ends | None
+    """The points between which it goes, if it was made so: other frames see them, not these components."""
 
     @checked(FrameError)
     def __init__(self, frame: Frame, x: Scalar, y: Scalar, z: Scalar, *, name: str = "") -> None:
         self.frame = frame
         self.components: Triple = triple(x, y, z)
         self.name = name
+        self._ends = None
+
+    @classmethod
+    def between(cls, ends: Ends, frame: Frame, *, name: str = "") -> Vector:
+        """Return the vector between two points, by its components in a frame."""
+        vector = cls(frame, *difference(ends, frame), name=name)
+        vector._ends = ends
+        return vector
 
     @checked(FrameError)
     def projected(self, frame: Frame) -> Vector:
         """Return the same vector, by its components in another frame."""
         if frame == self.frame:
             return self
+        if self._ends is not None:
+            return Vector.between(self._ends, frame, name=self.name)
         return Vector(frame, *vector_components(self.components, self.frame, frame), name=self.name)
 
     def subs(self, substitution: Substitution) -> Vector:
         """Return the vector with expressions put in the place of others."""
         x, y, z = (component.subs(substitution) for component in self.components)
-        return Vector(self.frame.subs(substitution), x, y, z, name=self.name)
+        vector = Vector(self.frame.subs(substitution), x, y, z, name=self.name)
+        vector._ends = None if self._ends is None else self._ends.subs(substitution)
+        return vector
 
     def __add__(self, other: Vector) -> Vector:
         if not isinstance(other, Vector):

@@ -177,17 +177,17 @@ def _code(code: PreparedCode) -> tuple[int, int, int]:
 def run(
     problem: Problem,
     state: NDArray[np.float64],
-    parameters: NDArray[np.float64],
+    constants: NDArray[np.float64],
     instants: NDArray[np.float64],
     options: Options,
     keep_going: Callable[[float], bool] | None = None,
 ) -> Outcome:
-    """Integrate from a state at the first instant through all of them."""
+    """Integrate from a state at the first instant through all of them, with the constants of the parameters."""
     states = np.empty((len(instants), problem.width))
     told = problem.native.integrate(
         options.method,
         np.ascontiguousarray(state, float),
-        problem.constants(parameters),
+        constants,
         np.ascontiguousarray(instants, float),
         _limits(problem, options),
         states,

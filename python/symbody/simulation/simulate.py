@@ -148,7 +148,7 @@ class _Course:
                 events=self.events,
             )
             values = np.array([self.parameters[name] for name in problem.parameters])
-            outcome = run(problem, state, values, self.instants, self.options, keep_going)
+            outcome = run(problem, state, problem.constants(values), self.instants, self.options, keep_going)
         notice_deficiencies([code.tag for code in problem.codes], self.model.equation_names, "simulate")
         return outcome
 

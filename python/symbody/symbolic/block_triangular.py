@@ -47,9 +47,9 @@ def block_triangular(B: Matrix) -> BlockTriangular:
 
     >>> from symbody.symbolic import Matrix, symbols
     >>> a, b, c, d = symbols("a b c d")
-    >>> order = block_triangular(Matrix([[a, b, c, 0], [b, d, a, 0], [0, 0, d, a]]))
+    >>> order = block_triangular(Matrix([[a, b, c, 0, 0], [b, d, a, 0, 0], [0, 0, d, a, b]]))
     >>> [block.columns for block in order.blocks], order.independent
-    ([(1, 2), (3,)], (0,))
+    ([(1, 2), (4,)], (0, 3))
     """
     supports = [{j for j, entry in enumerate(row) if not entry.is_zero} for row in B.tolist()]
     blocks: list[Block] = []

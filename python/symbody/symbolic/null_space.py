@@ -65,10 +65,10 @@ def null_space_solve(
     >>> from symbody.symbolic import Matrix, symbols
     >>> m, g, a, b = symbols("m g a b")
     >>> solution = null_space_solve(Matrix([[m, 0], [0, m]]), Matrix([[a, b]]), [0, -m * g], [0])
-    >>> solution.x
-    (a*b*g/(a**2 + b**2), -a**2*g/(a**2 + b**2))
-    >>> solution.conditions
-    (1000000*m - (m + m*a**2/b**2),)
+    >>> solution.x[0] == a * b * g / (a**2 + b**2), solution.x[1] == -(a**2) * g / (a**2 + b**2)
+    (True, True)
+    >>> solution.conditions == (1e6 * m - (m + m * a**2 / b**2),)
+    True
     """
     if A.shape != (B.columns, B.columns) or len(right) != A.rows or len(conditions) != B.rows or A != A.T:
         raise ExpressionError(
@@ -97,7 +97,11 @@ class _Dependence:
         order = block_triangular(B)
         self.B, self.blocks, self.independent = B, order.blocks, order.independent
         squares = [_square(B, block) for block in self.blocks]
-        self.inverses = [_inverse(square) for square in squares]
+        self.adjugates = [_adjugate(square) for square in squares]
+        self.reciprocals = [
+            1 / _dot(square.row(0), [line[0] for line in adjugate])
+            for square, adjugate in zip(squares, self.adjugates, strict=True)
+        ]
         self.certainties = [_certainty(square) for square in squares if square.rows > 1]
 
     @property
@@ -109,19 +113,20 @@ class _Dependence:
     def completed(self, given: Mapping[int, Expr], right: Sequence[Expr]) -> list[Expr]:
         """Return the solution with these independent unknowns; the others of them are zero."""
         x = [given.get(column, number(0)) for column in range(self.B.columns)]
-        for block, inverse in zip(self.blocks, self.inverses, strict=True):
+        for block, adjugate, reciprocal in zip(self.blocks, self.adjugates, self.reciprocals, strict=True):
             rest = [right[row] - _dot(self.B.row(row), x) for row in block.rows]
-            for column, line in zip(block.columns, inverse, strict=True):
-                x[column] = _dot(line, rest)
+            for column, line in zip(block.columns, adjugate, strict=True):
+                x[column] = reciprocal * _dot(line, rest)
         return x
 
     def multipliers(self, load: Sequence[Expr]) -> tuple[Expr, ...]:
         """Return y with ``B^T y = load``, by the rows of the dependent unknowns."""
         y = [number(0)] * self.B.rows
-        for block, inverse in zip(reversed(self.blocks), reversed(self.inverses), strict=True):
+        steps = zip(self.blocks, self.adjugates, self.reciprocals, strict=True)
+        for block, adjugate, reciprocal in reversed(list(steps)):
             rest = [load[column] - _dot(self.B.T.row(column), y) for column in block.columns]
-            for row, line in zip(block.rows, zip(*inverse, strict=True), strict=True):
-                y[row] = _dot(line, rest)
+            for row, line in zip(block.rows, zip(*adjugate, strict=True), strict=True):
+                y[row] = reciprocal * _dot(line, rest)
         return tuple(y)
 
 
@@ -129,12 +134,10 @@ def _square(B: Matrix, block: Block) -> Matrix:
     return Matrix([[B[row, column] for column in block.columns] for row in block.rows])
 
 
-def _inverse(square: Matrix) -> list[list[Expr]]:
-    """Return the rows of the inverse, by cofactors."""
+def _adjugate(square: Matrix) -> list[list[Expr]]:
+    """Return the rows of the inverse, times the determinant."""
     places = range(square.rows)
-    cofactors = [[(-1) ** (i + j) * _minor(square, i, j) for i in places] for j in places]
-    reciprocal = 1 / _dot(square.row(0), [line[0] for line in cofactors])
-    return [[reciprocal * cofactor for cofactor in line] for line in cofactors]
+    return [[(-1) ** (i + j) * _minor(square, i, j) for i in places] for j in places]
 
 
 def _minor(square: Matrix, i: int, j: int) -> Expr:
