@@ -93,7 +93,8 @@ impl<'a> Dop853<'a> {
         let (size, rate) = (self.weighted(&self.state), self.weighted(self.stages.row(0)));
         let trial = if size < 1e-5 || rate < 1e-5 { 1e-6 } else { 0.01 * size / rate }.min(longest);
         self.stage(1, (self.t, trial), (1.0, &[(0, 1.0)]));
-        let change: Vec<f64> = self.stages.row(1).iter().zip(self.stages.row(0)).map(|(a, b)| a - b).collect();
+        let change: Vec<f64> =
+            self.stages.row(1).iter().zip(self.stages.row(0)).map(|(a, b)| a - b).collect();
         let steepest = rate.max(self.weighted(&change) / trial);
         let step = if steepest <= 1e-15 {
             (trial * 1e-3).max(1e-6)
@@ -219,7 +220,9 @@ impl<'a> Dop853<'a> {
         }
         for (terms, weights) in higher.iter_mut().zip(DENSE) {
             self.stages.sum(terms, weights);
-            terms.iter_mut().for_each(|term| *term *= h);
+            for term in terms {
+                *term *= h;
+            }
         }
         self.is_dense = true;
     }

@@ -45,12 +45,17 @@ impl Stages {
     }
 }
 
+/// The same in vectors of four.
+///
+/// # Safety
+/// The processor has them.
 #[cfg(target_arch = "x86_64")]
 #[target_feature(enable = "avx")]
-fn step_by_avx(stages: &Stages, out: &mut [f64], base: &[f64], h: f64, weights: &[(usize, f64)]) {
+unsafe fn step_by_avx(stages: &Stages, out: &mut [f64], base: &[f64], h: f64, weights: &[(usize, f64)]) {
     step(stages, out, base, h, weights);
 }
 
+#[allow(clippy::inline_always, reason = "what isn't inlined there isn't compiled for those vectors")]
 #[inline(always)]
 fn step(stages: &Stages, out: &mut [f64], base: &[f64], h: f64, weights: &[(usize, f64)]) {
     for (group, (out, base)) in out.chunks_mut(LANES).zip(base.chunks(LANES)).enumerate() {
