@@ -390,6 +390,19 @@ class TestEndsBeforeTheEnd:
             ),
         ),
         (
+            lambda: simulate(DOUBLE, VALUES, START, outputs={1: q1}),
+            ArgumentError,
+            (
+                "simulate, outputs: {1: q1} is a dict; expected a dictionary of names and expressions, such as "
+                "outputs={'height': z}"
+            ),
+        ),
+        (
+            lambda: simulate(DOUBLE, VALUES, START, rtol=True),
+            SimulationError,
+            "simulate: rtol=True; expected a positive number",
+        ),
+        (
             lambda: simulate(DOUBLE, VALUES, START, events=Event(q1)),
             SimulationError,
             "simulate, events: one Event; expected a list of them, events=[Event(...)]",

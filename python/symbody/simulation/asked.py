@@ -20,7 +20,8 @@ def asked_outputs(outputs: Mapping[str, ExprLike] | None, where: str = "simulate
     Raises:
         ArgumentError: no dictionary of names and expressions.
     """
-    if outputs is not None and not isinstance(outputs, Mapping):
+    given: object = outputs or {}
+    if not isinstance(given, Mapping) or any(not isinstance(name, str) for name in given):
         raise ArgumentError(
             f"{where}, outputs: {described(outputs)}; expected a dictionary of names and expressions, such as "
             "outputs={'height': z}"

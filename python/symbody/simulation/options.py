@@ -51,7 +51,8 @@ def options_of(method: str, rtol: float, atol: float, max_step: float, where: st
     if method not in ("auto", *methods):
         raise SimulationError(f"{where}: method={method!r}; expected auto, {', '.join(methods)}")
     for name, value in {"rtol": rtol, "atol": atol, "max_step": max_step}.items():
-        if not isinstance(value, Real) or not value > 0 or (value == inf and name != "max_step"):
+        is_number = isinstance(value, Real) and not isinstance(value, bool)
+        if not is_number or not value > 0 or (value == inf and name != "max_step"):
             raise SimulationError(f"{where}: {name}={value!r}; expected a positive number")
     return Options("dop853" if method == "auto" else method, rtol, atol, max_step)
 
