@@ -8,14 +8,15 @@ from functools import reduce
 from itertools import combinations, permutations
 from operator import mul
 
-from symbody.errors import ExpressionError
 from symbody.symbolic._core import Expr, number
 from symbody.symbolic.block_triangular import Block, block_triangular
 from symbody.symbolic.derivation import derivation
 from symbody.symbolic.functions import Abs
+from symbody.symbolic.gram import dot, gram
 from symbody.symbolic.ldl import Elimination
 from symbody.symbolic.leaves import ExprLike
 from symbody.symbolic.matrix import Matrix
+from symbody.symbolic.saddle_point import check_saddle_point
 
 __all__ = ["NullSpaceSolution", "null_space_solve"]
 
@@ -70,21 +71,16 @@ def null_space_solve(
     >>> solution.conditions == (1e6 * m - (m + m * a**2 / b**2),)
     True
     """
-    if A.shape != (B.columns, B.columns) or len(right) != A.rows or len(conditions) != B.rows or A != A.T:
-        raise ExpressionError(
-            f"null_space_solve: A is {A.rows}x{A.columns}, B {B.rows}x{B.columns}, the right side has {len(right)} "
-            f"entries, and there are {len(conditions)} conditions; expected a symmetric A with a row for each column "
-            "of B and each entry of the right side, and as many conditions as B has rows"
-        )
+    check_saddle_point("null_space_solve", A, B, right, conditions)
     with derivation():
         f, c = ([number(entry, "null_space_solve") for entry in side] for side in (right, conditions))
         dependence = _Dependence(B)
         p, N = dependence.completed({}, c), dependence.directions
         images = [_product(A, column) for column in N]
-        mass = _gram(N, images)
+        mass = gram(N, images)
         rest = [force - image for force, image in zip(f, _product(A, p), strict=True)]
-        z = Elimination(mass).solve(_dot(column, rest) for column in N)
-        x = [start + _dot(z, line) for start, line in zip(p, _lines(N, B.columns), strict=True)]
+        z = Elimination(mass).solve(dot(column, rest) for column in N)
+        x = [start + dot(z, line) for start, line in zip(p, _lines(N, B.columns), strict=True)]
         y = dependence.multipliers([image - force for image, force in zip(_product(A, x), f, strict=True)])
         growth = [_LARGEST_GROWTH * A[j, j] - mass[k, k] for k, j in enumerate(dependence.independent)]
         return NullSpaceSolution(tuple(x), y, (*dependence.certainties, *growth))
@@ -99,7 +95,7 @@ class _Dependence:
         squares = [_square(B, block) for block in self.blocks]
         self.adjugates = [_adjugate(square) for square in squares]
         self.reciprocals = [
-            1 / _dot(square.row(0), [line[0] for line in adjugate])
+            1 / dot(square.row(0), [line[0] for line in adjugate])
             for square, adjugate in zip(squares, self.adjugates, strict=True)
         ]
         self.certainties = [_certainty(square) for square in squares if square.rows > 1]
@@ -114,9 +110,9 @@ class _Dependence:
         """Return the solution with these independent unknowns; the others of them are zero."""
         x = [given.get(column, number(0)) for column in range(self.B.columns)]
         for block, adjugate, reciprocal in zip(self.blocks, self.adjugates, self.reciprocals, strict=True):
-            rest = [right[row] - _dot(self.B.row(row), x) for row in block.rows]
+            rest = [right[row] - dot(self.B.row(row), x) for row in block.rows]
             for column, line in zip(block.columns, adjugate, strict=True):
-                x[column] = reciprocal * _dot(line, rest)
+                x[column] = reciprocal * dot(line, rest)
         return x
 
     def multipliers(self, load: Sequence[Expr]) -> tuple[Expr, ...]:
@@ -124,9 +120,9 @@ class _Dependence:
         y = [number(0)] * self.B.rows
         steps = zip(self.blocks, self.adjugates, self.reciprocals, strict=True)
         for block, adjugate, reciprocal in reversed(list(steps)):
-            rest = [load[column] - _dot(self.B.T.row(column), y) for column in block.columns]
+            rest = [load[column] - dot(self.B.T.row(column), y) for column in block.columns]
             for row, line in zip(block.rows, zip(*adjugate, strict=True), strict=True):
-                y[row] = reciprocal * _dot(line, rest)
+                y[row] = reciprocal * dot(line, rest)
         return tuple(y)
 
 
@@ -165,19 +161,8 @@ def _certainty(square: Matrix) -> Expr:
 
 
 def _product(A: Matrix, column: Sequence[Expr]) -> list[Expr]:
-    return [_dot(A.row(i), column) for i in range(A.rows)]
-
-
-def _gram(N: Sequence[Sequence[Expr]], images: Sequence[Sequence[Expr]]) -> Matrix:
-    """Return the symmetric matrix ``N^T A N`` by the images ``A N``."""
-    lower = [[_dot(N[i], images[j]) for j in range(i + 1)] for i in range(len(N))]
-    entries = [lower[max(i, j)][min(i, j)] for i in range(len(N)) for j in range(len(N))]
-    return Matrix.from_entries(len(N), len(N), entries)
+    return [dot(A.row(i), column) for i in range(A.rows)]
 
 
 def _lines(N: Sequence[Sequence[Expr]], count: int) -> list[list[Expr]]:
     return [[column[i] for column in N] for i in range(count)]
-
-
-def _dot(a: Sequence[Expr], b: Sequence[Expr]) -> Expr:
-    return sum((x * y for x, y in zip(a, b, strict=True)), start=number(0))

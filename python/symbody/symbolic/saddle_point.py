@@ -3,17 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from operator import mul
 
 from symbody.errors import ExpressionError
 from symbody.symbolic._core import Expr, number
 from symbody.symbolic.derivation import derivation
+from symbody.symbolic.gram import dot, gram
 from symbody.symbolic.ldl import Elimination
 from symbody.symbolic.leaves import ExprLike
 from symbody.symbolic.linear_solve import linear_solve
 from symbody.symbolic.matrix import Matrix
 
-__all__ = ["saddle_point_solve"]
+__all__ = ["check_saddle_point", "saddle_point_solve"]
 
 
 def saddle_point_solve(
@@ -39,31 +39,31 @@ def saddle_point_solve(
     >>> saddle_point_solve(Matrix([[m, 0], [0, m]]), Matrix([[1, 0]]), [m * g, m * g], [0])
     ((0, g), (-g*m,))
     """
-    if A.shape != (B.columns, B.columns) or len(right) != A.rows or len(conditions) != B.rows or A != A.T:
-        raise ExpressionError(
-            f"saddle_point_solve: A is {A.rows}x{A.columns}, B {B.rows}x{B.columns}, the right side has {len(right)} "
-            f"entries, and there are {len(conditions)} conditions; expected a symmetric A with a row for each column "
-            "of B and each entry of the right side, and as many conditions as B has rows"
-        )
+    check_saddle_point("saddle_point_solve", A, B, right, conditions)
     with derivation():
         elimination = Elimination(A)
         lines = [elimination.forward(B.row(k)) for k in range(B.rows)]
         scaled = [elimination.scaled(line) for line in lines]
         load = elimination.forward(number(entry, "saddle_point_solve: the right side") for entry in right)
         y = linear_solve(
-            _products(lines, scaled),
-            [condition - _dot(line, load) for condition, line in zip(conditions, scaled, strict=True)],
+            gram(lines, scaled),
+            [condition - dot(line, load) for condition, line in zip(conditions, scaled, strict=True)],
         )
-        sums = [entry + _dot(column, y) for entry, column in zip(load, zip(*lines, strict=True), strict=True)]
+        sums = [entry + dot(column, y) for entry, column in zip(load, zip(*lines, strict=True), strict=True)]
         return elimination.backward(elimination.scaled(sums)), y
 
 
-def _products(lines: Sequence[Sequence[Expr]], scaled: Sequence[Sequence[Expr]]) -> Matrix:
-    """Return the symmetric matrix of the products of all lines."""
-    count = len(lines)
-    lower = [[_dot(lines[i], scaled[j]) for j in range(i + 1)] for i in range(count)]
-    return Matrix([[lower[max(i, j)][min(i, j)] for j in range(count)] for i in range(count)])
+def check_saddle_point(
+    where: str, A: Matrix, B: Matrix, right: Sequence[ExprLike], conditions: Sequence[ExprLike]
+) -> None:
+    """See that the parts of a saddle-point system fit.
 
-
-def _dot(a: Sequence[Expr], b: Sequence[Expr]) -> Expr:
-    return sum(map(mul, a, b), start=number(0))
+    Raises:
+        ExpressionError: A isn't symmetric, or the sizes differ.
+    """
+    if A.shape != (B.columns, B.columns) or len(right) != A.rows or len(conditions) != B.rows or A != A.T:
+        raise ExpressionError(
+            f"{where}: A is {A.rows}x{A.columns}, B {B.rows}x{B.columns}, the right side has {len(right)} "
+            f"entries, and there are {len(conditions)} conditions; expected a symmetric A with a row for each column "
+            "of B and each entry of the right side, and as many conditions as B has rows"
+        )
