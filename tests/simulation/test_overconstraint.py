@@ -8,6 +8,7 @@ from symbody import (
     Equations,
     Point,
     System,
+    Torque,
     Vector,
     functions_of_time,
     ground,
@@ -15,10 +16,12 @@ from symbody import (
     project,
     rotate,
     simulate,
+    simulate_many,
     symbols,
+    time_derivative,
     translate,
 )
-from symbody.errors import ConstraintError
+from symbody.errors import ConstraintError, ModelNotice
 
 m, l, g, d = symbols("m l g d")
 a, b, c, x, y, theta, s = functions_of_time("a b c x y theta s")
@@ -69,3 +72,45 @@ def test_without_what_follows_from_the_others_it_moves() -> None:
     assert np.abs(motion[a] - 0.8).max() > 1
     assert motion.energy_drift < 1e-9
     assert motion.constraint_drift < 1e-12
+
+
+def clutch() -> Equations:
+    """Two wheels, one of which is driven, and a constraint that a factor switches off."""
+    driven = Body(rotate("Z", b), 0, 0, 0, m)
+    wheels = [Body(rotate("Z", a), 0, 0, 0, m), driven]
+    return newton_euler(System(wheels, [Torque(ground, 0, 0, g, on=driven)], [a, b], [d * (a - b)]))
+
+
+@pytest.mark.parametrize("constraints", ["projection", "free", (10.0, 1.0)])
+@pytest.mark.parametrize("method", ["dop853", "bdf"])
+def test_a_parameter_that_takes_a_constraint_away(constraints, method) -> None:
+    """By value the accelerations are one expression, whatever the factor is."""
+    settings = {"t": (0, 1), "constraints": constraints, "method": method}
+    closed = simulate(clutch(), {m: 1, g: 1, d: 0.5}, {a: 0.0, time_derivative(a): 0.15}, **settings)
+    np.testing.assert_allclose(closed.states[-1], [0.4, 0.4, 0.65, 0.65], atol=1e-6)
+    with pytest.raises(ConstraintError) as told:
+        simulate(clutch(), {m: 1, g: 1, d: 0.0}, {a: 0.0}, **settings)
+    assert str(told.value) == (
+        "simulate: with d = 0 fewer constraints are independent, and the equations were derived for other values; "
+        "leave out of the system what follows from the others then: d*(a - b)"
+    )
+
+
+def test_of_many_cases_only_that_one_fails() -> None:
+    numbers = {m: 1, g: 1, d: [0.5, 0.0, 2.0]}
+    with pytest.warns(ModelNotice, match="1 of 3 motions failed; the first is case 1 .* with d = 0 fewer"):
+        runs = simulate_many(clutch(), numbers, {a: 0.0}, t=(0, 1), progress=False)
+    assert [failure.case for failure in runs.failures] == [1]
+    np.testing.assert_allclose(runs.states[[0, 2], -1], [[0.25, 0.25, 0.5, 0.5]] * 2, atol=1e-6)
+
+
+def test_zeros_that_take_nothing_away() -> None:
+    """A crank of no length, whose constraints stay independent."""
+    crank_frame, rod_frame = rotate("Z", a), translate(x, 0, 0) * rotate("Z", b)
+    gap = project(Point(crank_frame, d, 0, 0) - Point(rod_frame, l, 0, 0), ground)
+    bodies = [Body(crank_frame, 0, 0, 0, m), Body(rod_frame, m, 0, 0, m)]
+    equations = newton_euler(System(bodies, [], [a, x, b], gap.components[:2]))
+    initial = {a: 0.3, b: 0.0, time_derivative(a): 1.0}
+    motion = simulate(equations, {m: 1, l: 0.5, d: 0.0}, initial, guess={x: -0.5}, t=(0, 1))
+    np.testing.assert_allclose(motion[a][-1], 1.3, atol=1e-6)
+    np.testing.assert_allclose(motion[x], -0.5, atol=1e-9)

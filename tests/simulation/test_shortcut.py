@@ -8,7 +8,18 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from symbody import lambdify, simulate
+from symbody import (
+    Body,
+    System,
+    dot,
+    functions_of_time,
+    lambdify,
+    newton_euler,
+    origin,
+    simulate,
+    symbols,
+    translate,
+)
 from symbody.simulation.model import Model, model_of
 from tests.reference.mechanisms.andrews import andrews
 from tests.reference.mechanisms.double_pendulum import natural_double_pendulum
@@ -65,6 +76,20 @@ def test_where_the_dependent_speed_is_at_its_dead_centre() -> None:
         np.testing.assert_allclose(
             model.rates_code.evaluate(own, row), slow.evaluate(own, row), rtol=1e-12, atol=1e-14
         )
+
+
+def test_what_would_be_long_or_needs_much_derivation_has_none() -> None:
+    """A net of masses on bars, and as many masses with one constraint over all of them."""
+    places = functions_of_time([f"{axis}{i}" for i in range(12) for axis in "xyz"])
+    masses = [translate(*places[3 * i : 3 * i + 3]) for i in range(12)]
+    m, l = symbols("m l")
+    sides = [origin(masses[i]) - origin(masses[j]) for i in range(12) for j in (i - 1, i - 4) if j >= 0]
+    net = System([Body(mass, m) for mass in masses], [], places, [dot(side, side) - l**2 for side in sides])
+    ring = System([Body(mass, m) for mass in masses], [], places, [sum(place**2 for place in places) - l**2])
+    for system in (net, ring):
+        model = model_of(newton_euler(system))
+        assert model.solution.method == "schur_complement"
+        assert model.shortcut is None
 
 
 def test_through_dead_centres() -> None:

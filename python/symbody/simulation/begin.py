@@ -13,7 +13,7 @@ from .cases import Cases
 from .consistent import consistent_state
 from .kinematics import kinematics_of
 from .model import Model
-from .overconstraint import check_special_dimensions
+from .overconstraint import check_rank
 from .values import parameter_values, state_values
 
 __all__ = ["begin", "begin_free"]
@@ -41,7 +41,7 @@ def begin(
         kinematics = kinematics_of(model.equations, dict(model.inputs))
         p = parameter_values(kinematics.parameters, parameters)
         slopes, _ = kinematics.velocity(t, state[: len(model.coordinates)], p)
-        check_special_dimensions(model, slopes[: len(model.constraints)])
+        check_rank(model, slopes[: len(model.constraints)], parameters)
     return state
 
 

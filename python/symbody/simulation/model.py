@@ -23,6 +23,12 @@ DAMPING = symbols("baumgarte_omega baumgarte_zeta")
 
 Inputs = Mapping[Expr, ExprLike]
 
+_MOST_FREEDOM = 20
+"""Independent speeds up to which a shortcut is derived: its mass matrix is full."""
+
+_LONGEST, _SHORTER = 5000, 0.9
+"""Operations of a shortcut at most, and how many there are for each of the other way."""
+
 
 @dataclass(frozen=True, eq=False)
 class Model:
@@ -103,14 +109,22 @@ class Model:
 
     @cached_property
     def shortcut(self) -> ForwardDynamics | None:
-        """The same by independent speeds, where that is shorter; accurate where its conditions are positive."""
-        if self.solution.method != "schur_complement":
+        """The same by independent speeds, where that is shorter and short; accurate where its conditions are positive.
+
+        A system that is solved at run time takes no time to compile, so that what replaces it has to be short.
+        """
+        if self.solution.method != "schur_complement" or self._freedom > _MOST_FREEDOM:
             return None
         with suppress(ModelError):
             brief = self._solved("null_space")
-            if cost(brief.accelerations).total <= cost(self.solution.accelerations).total:
+            operations, others = (cost(self._rates(way)).total for way in (brief, self.solution))
+            if operations <= min(_SHORTER * others, _LONGEST):
                 return brief
         return None
+
+    @property
+    def _freedom(self) -> int:
+        return len(self.speeds) - self.independent_constraints
 
     def _solved(self, method: str) -> ForwardDynamics:
         damping = DAMPING if self.is_stabilized else None

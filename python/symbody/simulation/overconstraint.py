@@ -1,21 +1,24 @@
-"""Overconstrained mechanisms: constraints that depend on each other along the motion, and at no other position.
+"""Constraints that depend on each other along the motion, and for almost all other positions or parameters don't.
 
 Three parallel cranks move a coupler because their lengths agree; six independent equations for six coordinates would
-let nothing move. Expressions know what holds at almost every position, so there these coordinates stand still.
+let nothing move. Expressions know what holds at almost every position, so there these coordinates stand still. In the
+same way ``k (x - y) = 0`` makes the accelerations of x and y one expression, and k = 0 doesn't part them again.
 """
 
 from __future__ import annotations
+
+from collections.abc import Mapping
 
 import numpy as np
 from numpy.typing import NDArray
 
 from symbody.errors import ConstraintError
-from symbody.symbolic import Expr, Matrix, t
+from symbody.symbolic import Expr, Matrix, number, t
 
 from .least_norm import least_norm
 from .model import Model
 
-__all__ = ["check_special_dimensions"]
+__all__ = ["check_rank"]
 
 Array = NDArray[np.float64]
 
@@ -23,21 +26,50 @@ _SHARE = 1e-6
 """The part of a direction, or of a combination of constraints, that is no rounding error."""
 
 
-def check_special_dimensions(model: Model, phi_q: Array, where: str = "simulate") -> None:
+def check_rank(model: Model, phi_q: Array, parameters: Mapping[Expr, float], where: str = "simulate") -> None:
     """See that what the constraints let move at a position, they let move at almost every other one.
 
     Args:
         model: what moves.
         phi_q: the derivatives of the constraints by the speeds, at a position.
+        parameters: the values of the parameters.
         where: the function that the user called.
 
     Raises:
-        ConstraintError: they don't.
+        ConstraintError: they don't, or a parameter that is zero takes a constraint away.
     """
     kernel = least_norm(phi_q, np.zeros(len(phi_q)))[1]
-    is_driven = any(t in phi.free_symbols for phi in model.constraints)
-    if is_driven or kernel.shape[1] == len(model.speeds) - model.independent_constraints:
+    if kernel.shape[1] == len(model.speeds) - model.independent_constraints:
         return
+    _check_zeros(model, parameters, where)
+    if not any(t in phi.free_symbols for phi in model.constraints):
+        _check_special_dimensions(model, phi_q, kernel, where)
+
+
+def _check_zeros(model: Model, parameters: Mapping[Expr, float], where: str) -> None:
+    zeros = {name: number(0) for name in model.parameters if parameters[name] == 0}
+    phi_q = model.equations.constraint_jacobian
+    left = phi_q.subs(zeros)
+    if not zeros or left.rank() == model.independent_constraints:
+        return
+    without = [
+        str(phi)
+        for k, phi in enumerate(model.constraints)
+        if _without(phi_q, k).rank() < phi_q.rank() and _without(left, k).rank() == left.rank()
+    ]
+    named = " and ".join(f"{name} = 0" for name in zeros)
+    raise ConstraintError(
+        f"{where}: with {named} fewer constraints are independent, and the equations were derived for other values; "
+        f"leave out of the system what follows from the others then: {', '.join(without)}"
+    )
+
+
+def _without(matrix: Matrix, row: int) -> Matrix:
+    rows = [entries for k, entries in enumerate(matrix.tolist()) if k != row]
+    return Matrix.from_entries(len(rows), matrix.columns, [entry for entries in rows for entry in entries])
+
+
+def _check_special_dimensions(model: Model, phi_q: Array, kernel: Array, where: str) -> None:
     moves = np.abs(kernel).max(axis=1) > _SHARE
     special = [
         speed
