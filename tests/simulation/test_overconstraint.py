@@ -100,7 +100,7 @@ def test_of_many_cases_only_that_one_fails() -> None:
     numbers = {m: 1, g: 1, d: [0.5, 0.0, 2.0]}
     with pytest.warns(ModelNotice, match="1 of 3 motions failed; the first is case 1 .* with d = 0 fewer"):
         runs = simulate_many(clutch(), numbers, {a: 0.0}, t=(0, 1), progress=False)
-    assert [failure.case for failure in runs.failures] == [1]
+    assert [failure.index for failure in runs.failures] == [1]
     np.testing.assert_allclose(runs.states[[0, 2], -1], [[0.25, 0.25, 0.5, 0.5]] * 2, atol=1e-6)
 
 
