@@ -89,3 +89,15 @@ def test_energy_is_kept_at_a_tight_tolerance() -> None:
     # A step that ends 1e-3 rad before a singular position may still lead onto another branch.
     assert np.sum(np.array(errors) > 1e-5) <= 1
     assert max(motion.constraint_drift for motion in motions) < 1e-10
+
+
+@pytest.mark.parametrize("N", [1, 2, 3])
+def test_energy_is_kept_at_the_instants_between_steps(N: int) -> None:
+    """Where a long step passes a singular position, the rates beside the constraints say nothing of the motion."""
+    problem = n_fourbar(N)
+    drifts = [
+        simulate(problem.equations, problem.parameters, problem.initial, t=(0, 10), rtol=rtol).energy_drift
+        for rtol in np.linspace(0.9e-10, 1.1e-10, 15)
+    ]
+    assert np.median(drifts) < 7e-10
+    assert np.sum(np.array(drifts) > 1e-9) <= 4

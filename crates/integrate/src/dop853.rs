@@ -11,7 +11,7 @@ use crate::dynamics::Dynamics;
 use crate::failure::Failure;
 use crate::function::Function;
 use crate::method::Tolerances;
-use crate::projection::Tangent;
+use crate::projection::{Projection, Tangent};
 use crate::stepper::{Statistics, Stepper};
 use coefficients::{A, C, DENSE, ERRORS};
 use stages::Stages;
@@ -24,6 +24,8 @@ const SAFETY: f64 = 0.8;
 const MEMORY: f64 = 0.04;
 /// Smaller errors are remembered as this one.
 const LEAST_ERROR: f64 = 1e-4;
+/// Where so little of an error is along the constraints, stages are better put onto them.
+const BESIDE: f64 = 0.01;
 const SHRINK: f64 = 0.333;
 const GROW: f64 = 6.0;
 
@@ -32,6 +34,12 @@ pub struct Dop853<'a> {
     rates: &'a Function,
     /// Where constraints let the speeds go, if they are kept by projection.
     tangent: Option<Tangent<'a>>,
+    projection: Projection<'a>,
+    /// Whether states are put onto the constraints before their rates are evaluated.
+    ///
+    /// Motions on the constraints are the same with and without. Near a singular position the rates beside them are
+    /// large, and what the stages hold of these is no part of the motion; away from there it takes time for nothing.
+    is_careful: bool,
     tolerances: Tolerances,
     t: f64,
     state: Vec<f64>,
@@ -64,6 +72,8 @@ impl<'a> Dop853<'a> {
         let mut new = Self {
             rates: &dynamics.rates,
             tangent: Tangent::of(dynamics),
+            projection: Projection::new(dynamics),
+            is_careful: false,
             tolerances,
             t,
             state: state.to_vec(),
@@ -125,7 +135,17 @@ impl<'a> Dop853<'a> {
     /// Evaluate a stage at an instant and at a combination of earlier ones, in steps.
     fn stage(&mut self, place: usize, (t, h): (f64, f64), (c, weights): (f64, &[(usize, f64)])) {
         self.stages.step(&mut self.scratch, &self.state, h, weights);
-        self.rates.call(t + c * h, &self.scratch, self.stages.row_mut(place));
+        self.evaluate(place, t + c * h);
+    }
+
+    /// Evaluate the rates at the state in `scratch`; there are none where no way leads onto the constraints.
+    fn evaluate(&mut self, place: usize, t: f64) {
+        let rates = self.stages.row_mut(place);
+        if self.is_careful && self.projection.project(t, &mut self.scratch).is_err() {
+            rates.fill(f64::NAN);
+        } else {
+            self.rates.call(t, &self.scratch, rates);
+        }
         self.statistics.evaluations += 1;
     }
 
@@ -202,15 +222,26 @@ impl<'a> Dop853<'a> {
         self.statistics.stiff |= self.stiff_steps >= STEPS;
     }
 
-    /// Compute the terms of the dense output of the last step.
-    fn prepare_dense(&mut self) {
+    /// Evaluate the stages of the dense output of the last step.
+    fn add_stages(&mut self) {
         let (t, h) = self.last;
-        self.rates.call(t + h, &self.after, self.stages.row_mut(STAGES));
+        self.scratch.copy_from_slice(&self.after);
+        self.evaluate(STAGES, t + h);
         for place in STAGES + 1..C.len() {
             self.stages.step(&mut self.scratch, &self.before, h, A[place]);
-            self.rates.call(t + C[place] * h, &self.scratch, self.stages.row_mut(place));
+            self.evaluate(place, t + C[place] * h);
         }
-        self.statistics.evaluations += C.len() - STAGES;
+    }
+
+    /// Compute the terms of the dense output of the last step.
+    fn prepare_dense(&mut self) {
+        self.is_careful = self.projection.is_needed();
+        self.add_stages();
+        if self.is_careful && (STAGES..C.len()).any(|stage| !is_finite(self.stages.row(stage))) {
+            self.is_careful = false;
+            self.add_stages();
+        }
+        let (_, h) = self.last;
         let [change, first, second, higher @ ..] = &mut self.dense;
         for i in 0..self.after.len() {
             let (start, end) = (h * self.stages.row(0)[i], h * self.stages.row(STAGES)[i]);
@@ -231,13 +262,14 @@ impl<'a> Dop853<'a> {
 impl Stepper for Dop853<'_> {
     fn step(&mut self, end: f64) -> Result<(), Failure> {
         self.evaluate_first();
-        if !self.stages.row(0).iter().all(|rate| rate.is_finite()) {
+        if !is_finite(self.stages.row(0)) {
             return Err(Failure::NotFinite { t: self.t });
         }
         if self.statistics.steps > 0 {
             self.note_stiffness();
         }
         let (mut is_finite, mut was_rejected) = (true, false);
+        self.is_careful = false;
         loop {
             let mut h = self.step.min(self.tolerances.max_step);
             if h <= 4.0 * f64::EPSILON * self.t.abs() || h < f64::MIN_POSITIVE {
@@ -255,9 +287,11 @@ impl Stepper for Dop853<'_> {
             self.try_step(h);
             let mut error = self.error(h);
             is_finite = error.is_finite();
-            // Not before it has been rejected once: away from singular positions all errors say how accurate it is.
-            if let Some(tangent) = self.tangent.as_ref().filter(|_| was_rejected && error > 1.0) {
-                error = error.min(self.error_along(h, tangent));
+            if let Some(tangent) = self.tangent.as_ref().filter(|_| error > 1.0) {
+                let along = self.error_along(h, tangent);
+                self.is_careful |= along < BESIDE * error;
+                // Not before it has been rejected once: away from singular positions all errors say how accurate it is.
+                error = if was_rejected { error.min(along) } else { error };
             }
             if error <= 1.0 {
                 let factor = self.factor(error).clamp(SHRINK, GROW);
@@ -313,6 +347,10 @@ impl Stepper for Dop853<'_> {
 #[allow(clippy::cast_precision_loss, reason = "no state has 2^53 numbers")]
 fn count(n: usize) -> f64 {
     n as f64
+}
+
+fn is_finite(rates: &[f64]) -> bool {
+    rates.iter().all(|rate| rate.is_finite())
 }
 
 fn squared_distance(a: &[f64], b: &[f64]) -> f64 {

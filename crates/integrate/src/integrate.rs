@@ -5,6 +5,7 @@ use crate::event::{Occurrence, Watch};
 use crate::failure::Failure;
 use crate::method::{Method, Tolerances};
 use crate::projection::Projection;
+use crate::start::start;
 use crate::stepper::{Statistics, Stepper};
 
 /// Steps between two looks at whoever watches.
@@ -66,7 +67,7 @@ pub fn integrate(
         run.failure = course.follow(stepper, end, &mut run, keep_going).err();
         run.statistics = stepper.statistics();
     };
-    if let Err(failure) = method.start(dynamics, (t, end), state, tolerances, motion) {
+    if let Err(failure) = start(method, dynamics, (t, end), state, tolerances, motion) {
         run.failure = Some(failure);
     }
     run

@@ -13,6 +13,7 @@ mod integrate;
 mod library;
 mod method;
 mod projection;
+mod start;
 mod stepper;
 
 pub use batch::{Case, integrate_many};

@@ -1,10 +1,4 @@
-//! The methods of integration, by name.
-
-use crate::dop853::Dop853;
-use crate::dynamics::Dynamics;
-use crate::failure::Failure;
-use crate::library;
-use crate::stepper::Stepper;
+//! The methods of integration, by name, and what is asked of them.
 
 /// How accurate, and how long a step at most.
 #[derive(Clone, Copy, Debug)]
@@ -50,20 +44,5 @@ impl Method {
     /// Whether it needs the Jacobian.
     pub fn is_implicit(self) -> bool {
         !matches!(self, Self::Dop853 | Self::Tsit5)
-    }
-
-    /// Do something with a stepper of this method, at the beginning of a motion that goes on to `end`.
-    pub fn start<R>(
-        self,
-        dynamics: &Dynamics,
-        (t, end): (f64, f64),
-        state: &[f64],
-        tolerances: Tolerances,
-        then: impl FnOnce(&mut dyn Stepper) -> R,
-    ) -> Result<R, Failure> {
-        if self == Self::Dop853 {
-            return Ok(then(&mut Dop853::new(dynamics, (t, end), state, tolerances)));
-        }
-        library::start(self, dynamics, t, state, tolerances, then)
     }
 }
