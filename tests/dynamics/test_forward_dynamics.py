@@ -235,12 +235,18 @@ MISTAKES = [
     (
         ModelError,
         lambda: forward_dynamics(newton_euler(chain(2)), method="schur_complement"),
-        "forward_dynamics: the Schur complement is for symmetric mass matrices and constraints; use method='auto'",
+        (
+            "forward_dynamics: the method 'schur_complement' is for symmetric mass matrices and constraints; "
+            "use method='auto'"
+        ),
     ),
     (
         ModelError,
         lambda: forward_dynamics(newton_euler(chain(2)), method="null_space"),
-        "forward_dynamics: the null space is for symmetric mass matrices and constraints; use method='auto'",
+        (
+            "forward_dynamics: the method 'null_space' is for symmetric mass matrices and constraints; "
+            "use method='auto'"
+        ),
     ),
     (
         ModelError,

@@ -9,7 +9,7 @@ import pytest
 
 from symbody import Expr, Matrix, lambdify, symbols
 from symbody.errors import ExpressionError
-from symbody.symbolic import derivation, free_symbols, null_space_solve, number, saddle_point_solve
+from symbody.symbolic import derivation, free_symbols, number, saddle_point_solve
 from symbody.symbolic.block_triangular import block_triangular
 
 a, b, c, d = symbols("a b c d")
@@ -37,7 +37,7 @@ def saddle_point(seed: int) -> tuple[Matrix, Matrix, list[Expr], list[Expr]]:
 @pytest.mark.parametrize("seed", range(12))
 def test_the_solution_solves(seed: int) -> None:
     A, B, f, right = saddle_point(seed)
-    solution = null_space_solve(A, B, f, right)
+    solution = saddle_point_solve(A, B, f, right, "null_space")
     x, y = (Matrix.column(list(part)) for part in (solution.x, solution.y))
     assert A @ x - B.T @ y == Matrix.column(f)
     assert B @ x == Matrix.column(right)
@@ -48,7 +48,7 @@ def test_numbers_are_accurate_where_the_conditions_are_positive(seed: int) -> No
     """Of random systems, and of those near to where the block of the dependent unknowns is singular."""
     A, B, f, right = saddle_point(seed)
     with derivation(fresh=True):
-        solution = null_space_solve(A, B, f, right)
+        solution = saddle_point_solve(A, B, f, right, "null_space")
     leaves = sorted(free_symbols([*A.entries, *B.entries, *f, *right]), key=str)
     function = lambdify([leaves], [[*solution.x, *solution.y], list(solution.conditions), A, B, [*f, *right]])
     order = block_triangular(B)
@@ -79,35 +79,24 @@ def test_numbers_are_accurate_where_the_conditions_are_positive(seed: int) -> No
 
 def test_nothing_is_open() -> None:
     """As many conditions as unknowns: x follows from them alone."""
-    solution = null_space_solve(Matrix([[a, 0], [0, b]]), Matrix([[c, 0], [0, d]]), [0, 0], [1, 1])
+    solution = saddle_point_solve(
+        Matrix([[a, 0], [0, b]]), Matrix([[c, 0], [0, d]]), [0, 0], [1, 1], "null_space"
+    )
     assert solution.x == (1 / c, 1 / d)
     assert solution.y == (a / c**2, b / d**2)
     assert [str(condition) for condition in solution.conditions] == ["0.999*Abs(c)", "0.999*Abs(d)"]
 
 
-def test_values_are_those_of_the_schur_complement() -> None:
-    A, B, f, right = saddle_point(3)
+def test_values_are_those_of_the_other_ways() -> None:
+    system = saddle_point(3)
     with derivation(fresh=True):
-        solution = null_space_solve(A, B, f, right)
-        x, y = saddle_point_solve(A, B, f, right)
-    assert (solution.x, solution.y) == (x, y)
+        solution, *others = [
+            saddle_point_solve(*system, method) for method in ("null_space", "schur_complement", "pivoted")
+        ]
+    for other in others:
+        assert (solution.x, solution.y, ()) == (other.x, other.y, other.conditions)
 
 
-@pytest.mark.parametrize(
-    ("A", "B", "f", "message"),
-    [
-        (
-            Matrix([[a, b], [c, d]]),
-            Matrix([[a, b]]),
-            [a, b],
-            "expected a symmetric A with a row for each column",
-        ),
-        (Matrix([[a, b], [b, d]]), Matrix([[a]]), [a, b], "A is 2x2, B 1x1, the right side has 2 entries"),
-        (Matrix([[a, b], [b, d]]), Matrix([[a, b]]), [a], "the right side has 1 entries"),
-        (Matrix([[0, 0], [0, 0]]), Matrix([[a, b]]), [a, b], "has no pivot"),
-        (Matrix([[a, b], [b, d]]), Matrix([[0, 0]]), [a, b], "the equations 1 are no block"),
-    ],
-)
-def test_mistakes(A: Matrix, B: Matrix, f: list[Expr], message: str) -> None:
-    with pytest.raises(ExpressionError, match=message):
-        null_space_solve(A, B, f, [c])
+def test_conditions_that_follow_from_others() -> None:
+    with pytest.raises(ExpressionError, match="the equations 1 are no block"):
+        saddle_point_solve(Matrix([[a, b], [b, d]]), Matrix([[0, 0]]), [a, b], [c], "null_space")

@@ -31,7 +31,8 @@ def saddle_point(seed: int) -> tuple[Matrix, Matrix, list[Expr], list[Expr]]:
 @pytest.mark.parametrize("seed", range(10))
 def test_the_solution_solves(seed: int) -> None:
     A, B, f, conditions = saddle_point(seed)
-    x, y = (Matrix.column(list(part)) for part in saddle_point_solve(A, B, f, conditions))
+    solution = saddle_point_solve(A, B, f, conditions)
+    x, y = (Matrix.column(list(part)) for part in (solution.x, solution.y))
     assert A @ x - B.T @ y == Matrix.column(f)
     assert B @ x == Matrix.column(conditions)
 
@@ -39,12 +40,14 @@ def test_the_solution_solves(seed: int) -> None:
 @pytest.mark.parametrize("seed", range(10))
 def test_numbers_are_those_of_the_whole_system(seed: int) -> None:
     A, B, f, conditions = saddle_point(seed)
-    x, y = saddle_point_solve(A, B, f, conditions)
+    solution = saddle_point_solve(A, B, f, conditions)
     rng = np.random.default_rng(seed)
     leaves = sorted(free_symbols([*A.entries, *B.entries, *f, *conditions]), key=str)
     diagonal = {f"a{i}_{i}" for i in range(6)}
     values = [rng.uniform(5, 6) if str(leaf) in diagonal else rng.normal() for leaf in leaves]
-    found, left, gradients, right = lambdify([leaves], [[*x, *y], A, B, [*f, *conditions]])(values)
+    found, left, gradients, right = lambdify([leaves], [[*solution.x, *solution.y], A, B, [*f, *conditions]])(
+        values
+    )
     whole = np.block([[left, -gradients.T], [gradients, np.zeros((len(gradients), len(gradients)))]])
     np.testing.assert_allclose(found, np.linalg.solve(whole, right), rtol=1e-9, atol=1e-9)
 
@@ -60,12 +63,20 @@ def test_numbers_are_those_of_the_whole_system(seed: int) -> None:
         ),
         (Matrix([[a, b], [b, d]]), Matrix([[a]]), [a, b], "A is 2x2, B 1x1, the right side has 2 entries"),
         (Matrix([[a, b], [b, d]]), Matrix([[a, b]]), [a], "the right side has 1 entries"),
-        (Matrix([[a, 0], [0, 0]]), Matrix([[a, b]]), [a, b], "row 2 of the 2x2 matrix has no pivot"),
+        (Matrix([[0, 0], [0, 0]]), Matrix([[a, b]]), [a, b], "matrix has no pivot"),
     ],
 )
-def test_mistakes(A: Matrix, B: Matrix, f: list[Expr], message: str) -> None:
+@pytest.mark.parametrize("method", ["schur_complement", "null_space"])
+def test_mistakes(A: Matrix, B: Matrix, f: list[Expr], message: str, method: str) -> None:
     with pytest.raises(ExpressionError, match=message):
-        saddle_point_solve(A, B, f, [c])
+        saddle_point_solve(A, B, f, [c], method)
+
+
+def test_an_unknown_method() -> None:
+    with pytest.raises(
+        ExpressionError, match="the method 'magic'; expected one of schur_complement, null_space, piv"
+    ):
+        saddle_point_solve(Matrix([[a]]), Matrix([[b]]), [a], [c], "magic")
 
 
 def test_rank() -> None:

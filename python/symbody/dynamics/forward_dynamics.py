@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
+from functools import partial
 from typing import Annotated, TypeAlias
 
 from symbody.errors import ConstraintError, ExpressionError, ModelError
@@ -16,8 +17,6 @@ from symbody.symbolic import (
     derivation,
     ldl_solve,
     linear_solve,
-    null_space_solve,
-    number,
     saddle_point_solve,
     substitute,
 )
@@ -87,7 +86,7 @@ def _shortest(eqs: Equations, baumgarte: Damping) -> ForwardDynamics:
         recursive = articulated_body.is_applicable(eqs.system, tree)
     if recursive:
         return _shortest_for_tree(eqs, tree)
-    return _ldl(eqs, None) if eqs.mass_matrix == eqs.mass_matrix.T else _pivoted(eqs, None)
+    return _ldl(eqs, None) if eqs.mass_matrix == eqs.mass_matrix.T else _by_saddle_point("pivoted", eqs, None)
 
 
 def _shortest_with_constraints(eqs: Equations, baumgarte: Damping) -> ForwardDynamics:
@@ -99,8 +98,8 @@ def _shortest_with_constraints(eqs: Equations, baumgarte: Damping) -> ForwardDyn
     entries = sum(not entry.is_zero for entry in eqs.mass_matrix.entries)
     if entries <= _MOST_ENTRIES and eqs.constraint_jacobian.rank() == len(eqs.constraints):
         with suppress(ModelError):
-            return _schur_complement(eqs, baumgarte)
-    return _pivoted(eqs, baumgarte)
+            return _eliminated("schur_complement", eqs, baumgarte)
+    return _by_saddle_point("pivoted", eqs, baumgarte)
 
 
 _MOST_ENTRIES = 2000
@@ -158,38 +157,27 @@ def _ldl(eqs: Equations, _: Damping) -> ForwardDynamics:
             raise ModelError(_massless(eqs, failure)) from failure
 
 
-def _schur_complement(eqs: Equations, baumgarte: Damping) -> ForwardDynamics:
-    """Solve ``M q'' = forcing + phi_q^T lambda, phi_q q'' = -bias of phi''``."""
-    M = eqs.mass_matrix
-    if not eqs.constraints or M != M.T:
+def _eliminated(method: str, eqs: Equations, baumgarte: Damping) -> ForwardDynamics:
+    """Solve ``M q'' = forcing + phi_q^T lambda, phi_q q'' = -bias of phi''`` without pivoting in M."""
+    if not eqs.constraints or eqs.mass_matrix != eqs.mass_matrix.T:
         raise ModelError(
-            "forward_dynamics: the Schur complement is for symmetric mass matrices and constraints; use method='auto'"
+            f"forward_dynamics: the method {method!r} is for symmetric mass matrices and constraints; use method='auto'"
         )
-    with derivation(fresh=True):
-        conditions = [-entry for entry in _stabilized_bias(eqs, baumgarte)]
-        try:
-            solution = saddle_point_solve(M, eqs.constraint_jacobian, eqs.forcing, conditions)
-        except ExpressionError as failure:
-            raise ModelError(_massless(eqs, failure)) from failure
-    return ForwardDynamics(*solution, "schur_complement")
-
-
-def _null_space(eqs: Equations, baumgarte: Damping) -> ForwardDynamics:
-    """Solve the same by independent speeds."""
-    M, J = eqs.mass_matrix, eqs.constraint_jacobian
-    if not eqs.constraints or M != M.T:
-        raise ModelError(
-            "forward_dynamics: the null space is for symmetric mass matrices and constraints; use method='auto'"
-        )
-    with derivation(fresh=True):
-        right = [-entry for entry in _stabilized_bias(eqs, baumgarte)]
-        try:
-            solution = null_space_solve(M, J, eqs.forcing, right)
-        except ExpressionError as failure:
+    try:
+        return _by_saddle_point(method, eqs, baumgarte)
+    except ExpressionError as failure:
+        if method == "null_space":
             raise ModelError(
                 f"forward_dynamics: independent speeds: {failure}; use method='auto'"
             ) from failure
-    return ForwardDynamics(solution.x, solution.y, "null_space", solution.conditions)
+        raise ModelError(_massless(eqs, failure)) from failure
+
+
+def _by_saddle_point(method: str, eqs: Equations, baumgarte: Damping) -> ForwardDynamics:
+    with derivation(fresh=True):
+        right = [-entry for entry in _stabilized_bias(eqs, baumgarte)] if eqs.constraints else []
+        solution = saddle_point_solve(eqs.mass_matrix, eqs.constraint_jacobian, eqs.forcing, right, method)
+    return ForwardDynamics(solution.x, solution.y, method, solution.conditions)
 
 
 def _stabilized_bias(eqs: Equations, baumgarte: Damping) -> tuple[Expr, ...]:
@@ -206,25 +194,13 @@ def _massless(eqs: Equations, failure: ExpressionError) -> str:
     )
 
 
-def _pivoted(eqs: Equations, baumgarte: Damping) -> ForwardDynamics:
-    """Solve ``[[M, -phi_q^T], [phi_q, 0]] (q'', lambda) = (forcing, -bias of phi'')``."""
-    n, m = len(eqs.speeds), len(eqs.constraints)
-    J, M = eqs.constraint_jacobian, eqs.mass_matrix
-    with derivation(fresh=True):
-        upper = [[*M.row(i), *(-J[k, i] for k in range(m))] for i in range(n)]
-        lower = [[*J.row(k), *[number(0)] * m] for k in range(m)]
-        bias = _stabilized_bias(eqs, baumgarte) if m else ()
-        solution = linear_solve(Matrix([*upper, *lower]), [*eqs.forcing, *(-entry for entry in bias)])
-    return ForwardDynamics(solution[:n], solution[n:], "pivoted")
-
-
 _METHODS: dict[str, Callable[[Equations, Damping], ForwardDynamics]] = {
     "auto": _shortest,
     "articulated_body": _articulated_body,
     "ldl": _ldl,
-    "schur_complement": _schur_complement,
-    "null_space": _null_space,
-    "pivoted": _pivoted,
+    "schur_complement": partial(_eliminated, "schur_complement"),
+    "null_space": partial(_eliminated, "null_space"),
+    "pivoted": partial(_by_saddle_point, "pivoted"),
 }
 
 

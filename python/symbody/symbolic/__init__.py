@@ -1,6 +1,7 @@
 """Expressions: values first, forms second."""
 
 from symbody.symbolic._core import Expr
+from symbody.symbolic.bordered import SaddlePointSolution
 from symbody.symbolic.calculus import (
     diff,
     free_symbols,
@@ -47,7 +48,6 @@ from symbody.symbolic.leaves import (
 )
 from symbody.symbolic.linear_solve import linear_solve
 from symbody.symbolic.matrix import Matrix, identity, zeros
-from symbody.symbolic.null_space import NullSpaceSolution, null_space_solve
 from symbody.symbolic.parse import parse
 from symbody.symbolic.printing import latex, listing, maple
 from symbody.symbolic.program import STAGES, Argument, Program, Result, Routine
@@ -78,11 +78,11 @@ __all__ = [
     "Matrix",
     "Max",
     "Min",
-    "NullSpaceSolution",
     "Piecewise",
     "Program",
     "Result",
     "Routine",
+    "SaddlePointSolution",
     "UndefinedFunction",
     "acos",
     "add3",
@@ -119,7 +119,6 @@ __all__ = [
     "maple",
     "matvec3",
     "matvec3_transposed",
-    "null_space_solve",
     "number",
     "parse",
     "pi",

@@ -3,22 +3,21 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from functools import reduce
 from itertools import combinations, permutations
 from operator import mul
 
 from symbody.symbolic._core import Expr, number
 from symbody.symbolic.block_triangular import Block, block_triangular
+from symbody.symbolic.bordered import SaddlePointSolution, check_saddle_point
 from symbody.symbolic.derivation import derivation
 from symbody.symbolic.functions import Abs
 from symbody.symbolic.gram import dot, gram
 from symbody.symbolic.ldl import Elimination
 from symbody.symbolic.leaves import ExprLike
 from symbody.symbolic.matrix import Matrix
-from symbody.symbolic.saddle_point import check_saddle_point
 
-__all__ = ["NullSpaceSolution", "null_space_solve"]
+__all__ = ["null_space_solve"]
 
 _LEAST_DETERMINANT = 1e-3
 """What cancellation has to leave of a determinant, as a part of its terms."""
@@ -28,24 +27,9 @@ _LARGEST_GROWTH = 1e4
 dependent unknowns race ahead of independent ones, others should be the independent ones."""
 
 
-@dataclass(frozen=True)
-class NullSpaceSolution:
-    """The solution of a saddle-point system in expressions.
-
-    Attributes:
-        x: the unknowns of the matrix.
-        y: the multipliers of the conditions.
-        conditions: where all are positive the numbers of x and y are accurate, to some four digits less than all.
-    """
-
-    x: tuple[Expr, ...]
-    y: tuple[Expr, ...]
-    conditions: tuple[Expr, ...]
-
-
 def null_space_solve(
     A: Matrix, B: Matrix, right: Sequence[ExprLike], conditions: Sequence[ExprLike]
-) -> NullSpaceSolution:
+) -> SaddlePointSolution:
     """Return x and y with ``A x = f + B^T y, B x = c``, by a null-space method [Benzi, Golub & Liesen 2005, ch. 6].
 
     Some unknowns are independent, the others follow from ``B x = c``, block by block: ``x = p + N z`` with ``B N = 0``
@@ -53,11 +37,7 @@ def null_space_solve(
     [Wehage & Haug 1982]. No system is left for run time, so that this is the fastest way; but there are states in which
     other unknowns had better be independent, a crank's at its dead centre, and the conditions tell them.
 
-    Args:
-        A: a symmetric matrix, n x n, positive definite as numbers.
-        B: the gradients of m conditions, m x n, which don't follow from each other.
-        right: f, n entries.
-        conditions: c, m entries.
+    A has to be positive definite as numbers. The arguments are those of `saddle_point_solve`.
 
     Raises:
         ExpressionError: A isn't symmetric, the sizes differ, a condition follows from others, more than three
@@ -71,7 +51,7 @@ def null_space_solve(
     >>> solution.conditions[-1] == 1e4 * m - (m + m * a**2 / b**2)
     True
     """
-    check_saddle_point("null_space_solve", A, B, right, conditions)
+    check_saddle_point(A, B, right, conditions)
     with derivation():
         f, c = ([number(entry, "null_space_solve") for entry in side] for side in (right, conditions))
         dependence = _Dependence(B)
@@ -83,7 +63,7 @@ def null_space_solve(
         x = [start + dot(z, line) for start, line in zip(p, _lines(N, B.columns), strict=True)]
         y = dependence.multipliers([image - force for image, force in zip(_product(A, x), f, strict=True)])
         growth = [_LARGEST_GROWTH * A[j, j] - mass[k, k] for k, j in enumerate(dependence.independent)]
-        return NullSpaceSolution(tuple(x), y, (*dependence.certainties, *growth))
+        return SaddlePointSolution(tuple(x), y, (*dependence.certainties, *growth))
 
 
 class _Dependence:

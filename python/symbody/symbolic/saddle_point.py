@@ -1,69 +1,57 @@
-"""Saddle-point systems: a symmetric matrix, bordered by conditions."""
+"""Saddle-point systems: a symmetric matrix, bordered by conditions, solved by one of three methods."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 
 from symbody.errors import ExpressionError
-from symbody.symbolic._core import Expr, number
-from symbody.symbolic.derivation import derivation
-from symbody.symbolic.gram import dot, gram
-from symbody.symbolic.ldl import Elimination
+from symbody.symbolic.bordered import SaddlePointSolution, bordered_solve
 from symbody.symbolic.leaves import ExprLike
-from symbody.symbolic.linear_solve import linear_solve
 from symbody.symbolic.matrix import Matrix
+from symbody.symbolic.null_space import null_space_solve
+from symbody.symbolic.schur_complement import schur_complement_solve
 
-__all__ = ["check_saddle_point", "saddle_point_solve"]
+__all__ = ["saddle_point_solve"]
+
+_METHODS: dict[
+    str, Callable[[Matrix, Matrix, Sequence[ExprLike], Sequence[ExprLike]], SaddlePointSolution]
+] = {
+    "schur_complement": schur_complement_solve,
+    "null_space": null_space_solve,
+    "pivoted": bordered_solve,
+}
 
 
 def saddle_point_solve(
-    A: Matrix, B: Matrix, right: Sequence[ExprLike], conditions: Sequence[ExprLike]
-) -> tuple[tuple[Expr, ...], tuple[Expr, ...]]:
-    """Return x and y with ``A x = f + B^T y, B x = c``, by a Schur complement [Benzi, Golub & Liesen 2005, ch. 5].
-
-    ``A = L^T D L`` is eliminated in symbols, where all zeros are known; ``S y = c - B A^-1 f`` with ``S = B A^-1 B^T``
-    is solved at run time, by pivoting. Much shorter than pivoting in the whole system; but A has to be positive
-    definite as numbers, not only as expressions.
+    A: Matrix,
+    B: Matrix,
+    right: Sequence[ExprLike],
+    conditions: Sequence[ExprLike],
+    method: str = "schur_complement",
+) -> SaddlePointSolution:
+    """Return x and y with ``A x = f + B^T y, B x = c`` [Benzi, Golub & Liesen 2005].
 
     Args:
         A: a symmetric matrix, n x n.
         B: the gradients of m conditions, m x n.
         right: f, n entries.
         conditions: c, m entries.
+        method: "schur_complement", whose small system is solved at run time; "null_space", which leaves none, but is
+            accurate only where its conditions are positive; both need an A that is positive definite as numbers.
+            "pivoted", all of it at run time.
 
     Raises:
-        ExpressionError: A isn't symmetric, has a pivot that is identically zero, or the sizes differ.
+        ExpressionError: a method that isn't known; A isn't symmetric, has a pivot that is identically zero, or the
+            sizes differ; or the null space has no small blocks.
 
     >>> from symbody.symbolic import Matrix, symbols
     >>> m, g = symbols("m g")
-    >>> saddle_point_solve(Matrix([[m, 0], [0, m]]), Matrix([[1, 0]]), [m * g, m * g], [0])
+    >>> solution = saddle_point_solve(Matrix([[m, 0], [0, m]]), Matrix([[1, 0]]), [m * g, m * g], [0])
+    >>> solution.x, solution.y
     ((0, g), (-g*m,))
     """
-    check_saddle_point("saddle_point_solve", A, B, right, conditions)
-    with derivation():
-        elimination = Elimination(A)
-        lines = [elimination.forward(B.row(k)) for k in range(B.rows)]
-        scaled = [elimination.scaled(line) for line in lines]
-        load = elimination.forward(number(entry, "saddle_point_solve: the right side") for entry in right)
-        y = linear_solve(
-            gram(lines, scaled),
-            [condition - dot(line, load) for condition, line in zip(conditions, scaled, strict=True)],
-        )
-        sums = [entry + dot(column, y) for entry, column in zip(load, zip(*lines, strict=True), strict=True)]
-        return elimination.backward(elimination.scaled(sums)), y
-
-
-def check_saddle_point(
-    where: str, A: Matrix, B: Matrix, right: Sequence[ExprLike], conditions: Sequence[ExprLike]
-) -> None:
-    """See that the parts of a saddle-point system fit.
-
-    Raises:
-        ExpressionError: A isn't symmetric, or the sizes differ.
-    """
-    if A.shape != (B.columns, B.columns) or len(right) != A.rows or len(conditions) != B.rows or A != A.T:
+    if method not in _METHODS:
         raise ExpressionError(
-            f"{where}: A is {A.rows}x{A.columns}, B {B.rows}x{B.columns}, the right side has {len(right)} "
-            f"entries, and there are {len(conditions)} conditions; expected a symmetric A with a row for each column "
-            "of B and each entry of the right side, and as many conditions as B has rows"
+            f"saddle_point_solve: the method {method!r}; expected one of {', '.join(_METHODS)}"
         )
+    return _METHODS[method](A, B, right, conditions)
