@@ -87,6 +87,17 @@ def test_nothing_is_open() -> None:
     assert [str(condition) for condition in solution.conditions] == ["0.999*Abs(c)", "0.999*Abs(d)"]
 
 
+@pytest.mark.parametrize(("angle", "is_accurate"), [(0.1, True), (1e-4, False), (0.0, False)])
+def test_equations_that_are_nearly_parallel(angle: float, is_accurate: bool) -> None:
+    """Of a block that no independent unknown stands in, cancellation in the determinant is all that tells."""
+    B = Matrix([[0, a, b], [0, c, d]])
+    solution = saddle_point_solve(
+        Matrix([[1, 0, 0], [0, 1, 0], [0, 0, 1]]), B, [0, 0, 0], [1, 1], "null_space"
+    )
+    conditions = lambdify([a, b, c, d], list(solution.conditions))(1.0, 1.0, 1.0, 1.0 + angle)
+    assert bool(np.all(np.array(conditions) > 0)) == is_accurate
+
+
 def test_values_are_those_of_the_other_ways() -> None:
     system = saddle_point(3)
     with derivation(fresh=True):
