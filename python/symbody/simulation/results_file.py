@@ -15,6 +15,7 @@ import numpy as np
 
 from symbody.errors import ResultsError
 
+from .replacement import replacement
 from .results import Results
 
 FORMAT = "symbody results 1"
@@ -77,7 +78,7 @@ class ResultsFile:
             place.parent.mkdir(parents=True, exist_ok=True)
             if place.is_dir():
                 raise IsADirectoryError(0, "it is a folder")
-            with self._folder_beside(place):
+            with tempfile.TemporaryDirectory(prefix=".symbody-", dir=place.parent):
                 pass
         except OSError as error:
             raise self._unwritable(error) from error
@@ -89,19 +90,12 @@ class ResultsFile:
             ResultsError: the file can't be written; what was there before is still there.
         """
         try:
-            place = self.path.resolve()  # where a link leads to, which stays a link
-            with self._folder_beside(place) as folder:
-                temporary = Path(folder) / place.name
-                with temporary.open("wb") as file:
-                    self._save(file, results)
-                    file.flush()
-                    os.fsync(file.fileno())
-                temporary.replace(place)
+            with replacement(self.path) as temporary, temporary.open("wb") as file:
+                self._save(file, results)
+                file.flush()
+                os.fsync(file.fileno())
         except OSError as error:
             raise self._unwritable(error) from error
-
-    def _folder_beside(self, place: Path) -> tempfile.TemporaryDirectory[str]:
-        return tempfile.TemporaryDirectory(prefix=".symbody-", dir=place.parent)
 
     def _save(self, file: BinaryIO, results: Results) -> None:
         arrays: dict[str, Any] = results.arrays()

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import os
-import tempfile
 from collections.abc import Callable
 from pathlib import Path
 
 from symbody.errors import PictureError
+from symbody.simulation.replacement import replacement
 
 
 def file_of(path: str | os.PathLike[str], example: str = "motion.html") -> Path:
@@ -33,12 +33,8 @@ def write_whole(path: str | os.PathLike[str], write: Callable[[Path], object]) -
     """
     file = file_of(path)
     try:
-        place = file.resolve()  # where a link leads to, which stays a link
-        place.parent.mkdir(parents=True, exist_ok=True)
-        with tempfile.TemporaryDirectory(prefix=".symbody-", dir=place.parent) as folder:
-            temporary = Path(folder) / place.name
+        with replacement(file) as temporary:
             write(temporary)
-            temporary.replace(place)
     except OSError as error:
         raise PictureError(
             f"view: {file} can't be written ({error.strerror or error}); nothing was changed there. "
