@@ -23,7 +23,6 @@ pub struct Occurrence {
 /// Looks for events, step by step.
 pub struct Watch<'a> {
     functions: Option<(&'a Function, &'a [EventKind])>,
-    projection: Projection<'a>,
     t: f64,
     values: Vec<f64>,
     state: Vec<f64>,
@@ -36,7 +35,12 @@ impl<'a> Watch<'a> {
         if let Some((f, _)) = functions {
             f.call(t, state, &mut values);
         }
-        Self { functions, projection: Projection::new(dynamics), t, values, state: state.to_vec() }
+        Self { functions, t, values, state: state.to_vec() }
+    }
+
+    /// Whether there are events.
+    pub fn is_needed(&self) -> bool {
+        self.functions.is_some()
     }
 
     /// What an event is; none where there are no events.
@@ -45,19 +49,27 @@ impl<'a> Watch<'a> {
     }
 
     /// The events since the last call, in order of time, up to the first that ends the motion.
-    pub fn events_of_step(&mut self, stepper: &mut dyn Stepper) -> Result<Vec<Occurrence>, Failure> {
+    pub fn events_of_step(
+        &mut self,
+        stepper: &mut dyn Stepper,
+        projection: &mut Projection<'_>,
+    ) -> Result<Vec<Occurrence>, Failure> {
         let Some((function, kinds)) = self.functions else { return Ok(Vec::new()) };
         let (start, end) = (self.t, stepper.t());
+        // A step that was taken again may end where the motion has been.
+        if end <= start {
+            return Ok(Vec::new());
+        }
         let mut found: Vec<Occurrence> = Vec::new();
         let mut after = vec![0.0; self.values.len()];
         for part in 1..=PARTS {
             let t =
                 if part == PARTS { end } else { start + (end - start) * f64::from(part) / f64::from(PARTS) };
-            self.evaluate(function, stepper, t, &mut after)?;
+            self.evaluate(function, (stepper, projection), t, &mut after)?;
             for (event, kind) in kinds.iter().enumerate() {
                 if crosses(self.values[event], after[event], kind.direction) {
-                    let zero =
-                        self.locate(function, stepper, event, (t, self.values[event], after[event]))?;
+                    let bracket = (t, self.values[event], after[event]);
+                    let zero = self.locate(function, (stepper, projection), event, bracket)?;
                     found.push(Occurrence { event, t: zero, state: self.state.clone() });
                 }
             }
@@ -85,7 +97,7 @@ impl<'a> Watch<'a> {
     fn locate(
         &mut self,
         function: &Function,
-        stepper: &mut dyn Stepper,
+        (stepper, projection): (&mut dyn Stepper, &mut Projection<'_>),
         event: usize,
         (mut b, before, mut at_b): (f64, f64, f64),
     ) -> Result<f64, Failure> {
@@ -99,7 +111,7 @@ impl<'a> Watch<'a> {
                 break;
             }
             zero = (b - at_b * width / (at_b - at_a)).clamp(a + 0.001 * width, b - 0.001 * width);
-            self.evaluate(function, stepper, zero, &mut values)?;
+            self.evaluate(function, (stepper, projection), zero, &mut values)?;
             let value = values[event];
             if (value > 0.0) == (at_b > 0.0) && value != 0.0 {
                 (b, at_b, at_a) = (zero, value, at_a / 2.0);
@@ -109,7 +121,7 @@ impl<'a> Watch<'a> {
                 (a, at_a, at_b) = (zero, value, at_b / 2.0);
             }
         }
-        self.evaluate(function, stepper, zero, &mut values)?;
+        self.evaluate(function, (stepper, projection), zero, &mut values)?;
         Ok(zero)
     }
 
@@ -117,14 +129,11 @@ impl<'a> Watch<'a> {
     fn evaluate(
         &mut self,
         function: &Function,
-        stepper: &mut dyn Stepper,
+        (stepper, projection): (&mut dyn Stepper, &mut Projection<'_>),
         t: f64,
         out: &mut [f64],
     ) -> Result<(), Failure> {
-        stepper.interpolate(t, &mut self.state)?;
-        if self.projection.is_needed() {
-            self.projection.project(t, &mut self.state)?;
-        }
+        projection.read(stepper, t, &mut self.state)?;
         function.call(t, &self.state, out);
         Ok(())
     }

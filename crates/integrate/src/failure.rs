@@ -31,6 +31,15 @@ pub enum Failure {
         /// The last change of a coordinate or speed.
         change: f64,
     },
+    /// However long the step to it, a state is put back onto the constraints by a leap of its speeds.
+    Singular {
+        /// When.
+        t: f64,
+        /// The change of a speed.
+        change: f64,
+        /// How large it may be.
+        bound: f64,
+    },
     /// Whoever watches asked to stop.
     Interrupted {
         /// When.
@@ -53,6 +62,7 @@ impl Failure {
             | Self::StepCollapse { t, .. }
             | Self::Stalled { t, .. }
             | Self::Projection { t, .. }
+            | Self::Singular { t, .. }
             | Self::Interrupted { t }
             | Self::Library { t, .. } => *t,
         }
@@ -65,6 +75,7 @@ impl Failure {
             Self::StepCollapse { .. } => "step_collapse",
             Self::Stalled { .. } => "stalled",
             Self::Projection { .. } => "projection",
+            Self::Singular { .. } => "singular",
             Self::Interrupted { .. } => "interrupted",
             Self::Library { .. } => "library",
         }
@@ -85,6 +96,12 @@ impl fmt::Display for Failure {
                 write!(
                     f,
                     "the state can't be put back onto the constraints (the last correction was {change:.1e})"
+                )
+            }
+            Self::Singular { change, bound, .. } => {
+                write!(
+                    f,
+                    "the constraints would change a speed by {change:.1e}, where a step's error explains {bound:.1e}"
                 )
             }
             Self::Interrupted { .. } => write!(f, "interrupted"),

@@ -1,5 +1,6 @@
 //! The loop of an integration.
 
+use crate::branch::Branch;
 use crate::dynamics::Dynamics;
 use crate::event::{Occurrence, Watch};
 use crate::failure::Failure;
@@ -12,6 +13,9 @@ use crate::stepper::{Statistics, Stepper};
 const STEPS_BETWEEN_LOOKS: usize = 64;
 /// A motion that advances by less than this part of its whole in so many steps never comes to its end.
 const STALLED: (u32, f64) = (100_000, 1e-4);
+
+/// A step that ends too close to a singular position is tried again with this part of its length, so many times.
+const AGAIN: (f64, usize) = (0.6, 12);
 
 /// Where the states of the asked instants are written.
 pub struct Record<'a> {
@@ -62,6 +66,7 @@ pub fn integrate(
             record,
             watch: Watch::new(dynamics, t, state),
             projection: Projection::new(dynamics),
+            branch: Branch::new(tolerances),
             state: state.to_vec(),
         };
         run.failure = course.follow(stepper, end, &mut run, keep_going).err();
@@ -78,7 +83,8 @@ struct Course<'a> {
     record: Record<'a>,
     watch: Watch<'a>,
     projection: Projection<'a>,
-    /// The state at the end of a step.
+    branch: Branch,
+    /// The state at the end of a step, on the constraints.
     state: Vec<f64>,
 }
 
@@ -95,8 +101,8 @@ impl Course<'_> {
             if stepper.t() >= end {
                 break;
             }
-            stepper.step(end)?;
-            let events = self.watch.events_of_step(stepper)?;
+            self.step(stepper, end, run)?;
+            let events = self.watch.events_of_step(stepper, &mut self.projection)?;
             let last = events
                 .last()
                 .filter(|event| self.is_terminal(event))
@@ -108,7 +114,7 @@ impl Course<'_> {
                 run.end = place;
                 return Ok(());
             }
-            self.end_step(stepper, run)?;
+            self.end_step(stepper, run);
             patience.check(step, stepper.t())?;
             if step % STEPS_BETWEEN_LOOKS == 0 && !keep_going(stepper.t()) {
                 return Err(Failure::Interrupted { t: stepper.t() });
@@ -117,16 +123,50 @@ impl Course<'_> {
         Ok(())
     }
 
-    /// Put the state back onto the constraints; the motion is known up to there.
-    fn end_step(&mut self, stepper: &mut dyn Stepper, run: &mut Run) -> Result<(), Failure> {
+    /// Take a step whose end is on the constraints, and on the branch of the state before it.
+    ///
+    /// Close to a singular position a step may end where none can begin, or its dense output may be noise: then a shorter
+    /// one is tried, which ends elsewhere. What only might be better is accepted in the end.
+    fn step(&mut self, stepper: &mut dyn Stepper, end: f64, run: &Run) -> Result<(), Failure> {
+        let mut first = None;
+        for time in 0.. {
+            let is_last = !self.projection.is_needed() || time == AGAIN.1;
+            if is_last || stepper.starts_well() {
+                match stepper.step(end).and_then(|()| self.land(stepper, &run.end.1)) {
+                    Ok(()) if is_last || !self.is_read(stepper.t(), run) || stepper.reads_well() => break,
+                    Ok(()) => {}
+                    Err(failure) if is_last => return Err(first.unwrap_or(failure)),
+                    Err(failure) => first = first.or(Some(failure)),
+                }
+            }
+            stepper.retract(AGAIN.0);
+        }
+        Ok(())
+    }
+
+    /// Whether anything is read from the dense output up to an instant.
+    fn is_read(&self, t: f64, run: &Run) -> bool {
+        self.watch.is_needed() || self.record.instants.get(run.reached).is_some_and(|&instant| instant < t)
+    }
+
+    /// Find the state on the constraints at the end of a step.
+    fn land(&mut self, stepper: &dyn Stepper, before: &[f64]) -> Result<(), Failure> {
         self.state.copy_from_slice(stepper.state());
+        if !self.projection.is_needed() {
+            return Ok(());
+        }
+        let speeds = self.projection.speeds();
+        self.projection.bound = self.branch.bound(&before[speeds.clone()], &self.state[speeds]);
+        self.projection.project(stepper.t(), &mut self.state)
+    }
+
+    /// Go on from the state on the constraints; the motion is known up to there.
+    fn end_step(&mut self, stepper: &mut dyn Stepper, run: &mut Run) {
         if self.projection.is_needed() {
-            self.projection.project(stepper.t(), &mut self.state)?;
             stepper.replace(&self.state);
         }
         run.end.0 = stepper.t();
         run.end.1.copy_from_slice(&self.state);
-        Ok(())
     }
 
     fn is_terminal(&self, event: &Occurrence) -> bool {
@@ -138,10 +178,7 @@ impl Course<'_> {
         let n = stepper.state().len();
         while let Some(&instant) = self.record.instants.get(run.reached).filter(|&&instant| instant <= t) {
             let out = &mut self.record.states[run.reached * n..][..n];
-            stepper.interpolate(instant, out)?;
-            if self.projection.is_needed() {
-                self.projection.project(instant, out)?;
-            }
+            self.projection.read(stepper, instant, out)?;
             run.reached += 1;
         }
         Ok(())

@@ -4,7 +4,7 @@
 //! put back onto the constraints, events are located, and the asked instants are read from the dense output.
 
 mod batch;
-mod dop853;
+mod branch;
 mod dynamics;
 mod event;
 mod failure;
@@ -13,6 +13,7 @@ mod integrate;
 mod library;
 mod method;
 mod projection;
+mod runge_kutta;
 mod start;
 mod stepper;
 

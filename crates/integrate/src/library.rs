@@ -104,14 +104,13 @@ pub fn start<R>(
     problem.ode_options.max_nonlinear_solver_failures = usize::MAX;
     let (rates, calls) = (&dynamics.rates, &calls);
     Ok(match method {
-        Method::Tsit5 => run(problem.tsit45().map_err(failed)?, true, rates, calls, tolerances, then),
         Method::Esdirk34 => {
             run(problem.esdirk34::<Solver>().map_err(failed)?, true, rates, calls, tolerances, then)
         }
         Method::TrBdf2 => {
             run(problem.tr_bdf2::<Solver>().map_err(failed)?, true, rates, calls, tolerances, then)
         }
-        Method::Bdf | Method::Dop853 => {
+        Method::Bdf | Method::Dop853 | Method::Tsit5 => {
             run(problem.bdf::<Solver>().map_err(failed)?, false, rates, calls, tolerances, then)
         }
     })
@@ -139,9 +138,11 @@ where
         calls,
         tolerances,
         t,
+        before: (t, y.clone()),
         state: y,
         out,
         steps: 0,
+        retracted: 0,
         marker: std::marker::PhantomData::<&'a E>,
     };
     then(&mut library)
@@ -155,9 +156,27 @@ struct Library<'a, 'c, E, S> {
     tolerances: Tolerances,
     t: f64,
     state: Vec<f64>,
+    /// Where the last step began.
+    before: (f64, Vec<f64>),
     out: Vector,
     steps: usize,
+    retracted: usize,
     marker: std::marker::PhantomData<&'a E>,
+}
+
+impl<'a, E, S> Library<'a, '_, E, S>
+where
+    E: OdeEquations<T = f64, V = Vector> + 'a,
+    S: OdeSolverMethod<'a, E>,
+{
+    /// Hand the state and its rates to the library, which forgets its past.
+    fn begin_anew(&mut self) {
+        self.rates.call(self.t, &self.state, self.out.batch_as_mut_slice(0));
+        self.calls.evaluations.set(self.calls.evaluations.get() + 1);
+        let inner = self.solver.state_mut();
+        inner.y.batch_as_mut_slice(0).copy_from_slice(&self.state);
+        inner.dy.batch_as_mut_slice(0).copy_from_slice(self.out.batch_as_slice(0));
+    }
 }
 
 impl<'a, E, S> Stepper for Library<'a, '_, E, S>
@@ -166,6 +185,8 @@ where
     S: OdeSolverMethod<'a, E>,
 {
     fn step(&mut self, end: f64) -> Result<(), Failure> {
+        self.before.0 = self.t;
+        self.before.1.copy_from_slice(&self.state);
         let stop = end.min(self.t + self.tolerances.max_step);
         let stepped = self.solver.set_stop_time(stop).and_then(|()| self.solver.step());
         let reason = stepped.map_err(|error| failure(&error, self.t, self.calls))?;
@@ -219,18 +240,28 @@ where
             return;
         }
         self.state.copy_from_slice(state);
-        self.rates.call(self.t, state, self.out.batch_as_mut_slice(0));
-        self.calls.evaluations.set(self.calls.evaluations.get() + 1);
+        self.begin_anew();
+    }
+
+    fn retract(&mut self, part: f64) {
+        let step = part * (self.t - self.before.0);
+        self.t = self.before.0;
+        self.state.copy_from_slice(&self.before.1);
+        self.begin_anew();
         let inner = self.solver.state_mut();
-        inner.y.batch_as_mut_slice(0).copy_from_slice(state);
-        inner.dy.batch_as_mut_slice(0).copy_from_slice(self.out.batch_as_slice(0));
+        *inner.t = self.t;
+        *inner.h = step;
+        self.steps -= 1;
+        self.retracted += 1;
     }
 
     fn statistics(&self) -> Statistics {
         let own = self.solver.get_statistics();
         Statistics {
             steps: self.steps,
-            rejected: own.number_of_error_test_failures + own.number_of_nonlinear_solver_fails,
+            rejected: own.number_of_error_test_failures
+                + own.number_of_nonlinear_solver_fails
+                + self.retracted,
             evaluations: self.calls.evaluations.get(),
             jacobians: self.calls.jacobians.get(),
             stiff: false,

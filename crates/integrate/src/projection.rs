@@ -4,9 +4,12 @@
 //! constraints, SIAM J. Numer. Anal. 30 (1993). The corrections are least in the metric of the mass matrix; the
 //! compiled functions give them to first order, and Newton's iteration does the rest.
 
+use std::ops::Range;
+
 use crate::dynamics::Dynamics;
 use crate::failure::Failure;
 use crate::function::Function;
+use crate::stepper::Stepper;
 
 /// Corrections below this, relative to the state, are the last: the next would be their square.
 const SMALL: f64 = 1e-9;
@@ -18,16 +21,37 @@ const ITERATIONS: usize = 8;
 pub struct Projection<'a> {
     dynamics: &'a Dynamics,
     change: Vec<f64>,
+    /// How far a correction may change a speed.
+    pub bound: f64,
 }
 
 impl<'a> Projection<'a> {
     pub fn new(dynamics: &'a Dynamics) -> Self {
-        Self { dynamics, change: Vec::new() }
+        Self { dynamics, change: Vec::new(), bound: f64::INFINITY }
     }
 
     /// Whether there are constraints.
     pub fn is_needed(&self) -> bool {
         self.dynamics.position_correction.is_some() || self.dynamics.velocity_correction.is_some()
+    }
+
+    /// The places of the speeds in the state.
+    pub fn speeds(&self) -> Range<usize> {
+        let coordinates = self.dynamics.position_correction.as_ref().map_or(0, Function::outputs);
+        coordinates..coordinates + self.dynamics.velocity_correction.as_ref().map_or(0, Function::outputs)
+    }
+
+    /// Write the state at an instant of the last step, on the constraints; as the dense output has it where only a leap of
+    /// the speeds would put it there.
+    pub fn read(&mut self, stepper: &mut dyn Stepper, t: f64, out: &mut [f64]) -> Result<(), Failure> {
+        stepper.interpolate(t, out)?;
+        if !self.is_needed() {
+            return Ok(());
+        }
+        match self.project(t, out) {
+            Err(Failure::Singular { .. }) => stepper.interpolate(t, out),
+            other => other,
+        }
     }
 
     /// Change the coordinates, then the speeds, to what the constraints allow.
@@ -55,6 +79,10 @@ impl<'a> Projection<'a> {
             let size = apply(&self.change, &mut state[coordinates..coordinates + speeds]);
             if size.is_nan() {
                 return Err(Failure::Projection { t, change: size });
+            }
+            let change = self.change.iter().fold(0.0, |size: f64, change| size.max(change.abs()));
+            if change > self.bound {
+                return Err(Failure::Singular { t, change, bound: self.bound });
             }
         }
         Ok(())

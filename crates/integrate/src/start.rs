@@ -1,10 +1,10 @@
 //! The begin of a motion: each method is a stepper of its own type.
 
-use crate::dop853::Dop853;
 use crate::dynamics::Dynamics;
 use crate::failure::Failure;
 use crate::library;
 use crate::method::{Method, Tolerances};
+use crate::runge_kutta::RungeKutta;
 use crate::stepper::Stepper;
 
 /// Do something with a stepper of a method, at the begin of a motion that goes on to `end`.
@@ -16,8 +16,8 @@ pub fn start<R>(
     tolerances: Tolerances,
     then: impl FnOnce(&mut dyn Stepper) -> R,
 ) -> Result<R, Failure> {
-    if method == Method::Dop853 {
-        return Ok(then(&mut Dop853::new(dynamics, (t, end), state, tolerances)));
+    if let Some(mut stepper) = RungeKutta::new(method, dynamics, (t, end), state, tolerances) {
+        return Ok(then(&mut stepper));
     }
     library::start(method, dynamics, t, state, tolerances, then)
 }

@@ -19,6 +19,16 @@ pub struct Statistics {
 
 /// A method of integration in the midst of its work.
 pub trait Stepper {
+    /// Whether a step can begin at the state: its rates are those of a neighbouring state.
+    fn starts_well(&mut self) -> bool {
+        true
+    }
+
+    /// Whether the dense output of the last step is as accurate as its end.
+    fn reads_well(&mut self) -> bool {
+        true
+    }
+
     /// Take a step that is accepted, and not beyond `end`.
     fn step(&mut self, end: f64) -> Result<(), Failure>;
 
@@ -33,6 +43,9 @@ pub trait Stepper {
 
     /// Go on from another state at the same instant.
     fn replace(&mut self, state: &[f64]);
+
+    /// Go back to the begin of the last step; the next try is this part of it.
+    fn retract(&mut self, part: f64);
 
     /// What it took so far.
     fn statistics(&self) -> Statistics;

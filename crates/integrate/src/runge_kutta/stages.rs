@@ -29,6 +29,11 @@ impl Stages {
         &mut self.rates[stage * self.stride..][..self.entries]
     }
 
+    /// Copy one row to another.
+    pub(super) fn copy(&mut self, from: usize, to: usize) {
+        self.rates.copy_within(from * self.stride..(from + 1) * self.stride, to * self.stride);
+    }
+
     /// Write the sum of weights times rows.
     pub(super) fn sum(&self, out: &mut [f64], weights: &[(usize, f64)]) {
         self.step(out, &self.nothing, 1.0, weights);

@@ -1,23 +1,26 @@
-//! The explicit Runge–Kutta method of order 8(5, 3) by Dormand and Prince, with dense output of order 7.
+//! Explicit Runge–Kutta methods with step control and dense output; `tableau` says what tells them apart.
 //!
-//! E. Hairer, S. P. Nørsett, G. Wanner, Solving Ordinary Differential Equations I, 2nd ed., 1993: the method and its
-//! error estimate in II.5, the first step and the choice of steps in II.4, the dense output in II.6, the recognition of
-//! stiff problems in IV.2 of volume II.
+//! E. Hairer, S. P. Nørsett, G. Wanner, Solving Ordinary Differential Equations I, 2nd ed., 1993: the first step and the
+//! choice of steps in II.4, the dense output in II.6, the recognition of stiff problems in IV.2 of volume II.
 
-mod coefficients;
+mod dense;
+mod dop853;
+mod near_singular;
 mod stages;
+mod tableau;
+mod tsit5;
 
 use crate::dynamics::Dynamics;
 use crate::failure::Failure;
 use crate::function::Function;
-use crate::method::Tolerances;
+use crate::method::{Method, Tolerances};
 use crate::projection::{Projection, Tangent};
 use crate::stepper::{Statistics, Stepper};
-use coefficients::{A, C, DENSE, ERRORS};
+use dop853::DOP853;
 use stages::Stages;
+use tableau::Tableau;
+use tsit5::TSIT5;
 
-const STAGES: usize = 12;
-const ORDER: i32 = 8;
 /// Steps are chosen by the error of the last one and, a little, by that of the one before, so that few are rejected; these
 /// two take a sixth fewer evaluations than 0.9 and 0 on a double pendulum and on Andrews' mechanism.
 const SAFETY: f64 = 0.8;
@@ -29,8 +32,18 @@ const BESIDE: f64 = 0.01;
 const SHRINK: f64 = 0.333;
 const GROW: f64 = 6.0;
 
-/// The method in the midst of its work.
-pub struct Dop853<'a> {
+/// Where the rates at the state are, which are those of the first stage.
+#[derive(Clone, Copy)]
+enum First {
+    Unknown,
+    /// Among the stages, as those at the end of the last step.
+    AtEnd,
+    InPlace,
+}
+
+/// A method in the midst of its work.
+pub struct RungeKutta<'a> {
+    tableau: &'static Tableau,
     rates: &'a Function,
     /// Where constraints let the speeds go, if they are kept by projection.
     tangent: Option<Tangent<'a>>,
@@ -45,19 +58,23 @@ pub struct Dop853<'a> {
     state: Vec<f64>,
     /// The next step to try.
     step: f64,
-    /// The rates at the stages; the first are those at the state if `is_fresh`.
+    /// The step to go on with after one that was shortened for what happens beside the constraints.
+    regular: f64,
+    /// The same for the step before.
+    last_regular: f64,
+    /// The rates at the stages.
     stages: Stages,
-    is_fresh: bool,
+    first: First,
     /// The step before: its begin, its length, and its states at both ends.
     last: (f64, f64),
     before: Vec<f64>,
     after: Vec<f64>,
     /// The terms of the dense output, if they are those of the last step.
-    dense: [Vec<f64>; 7],
+    dense: Vec<Vec<f64>>,
     is_dense: bool,
     scratch: Vec<f64>,
-    /// Both estimates of the error.
-    errors: [Vec<f64>; 2],
+    /// The estimates of the error.
+    errors: Vec<Vec<f64>>,
     /// The state at which the last stage of the step before was evaluated.
     last_stage: Vec<f64>,
     /// The logarithm of the error of the step before, in units of the tolerance.
@@ -66,10 +83,19 @@ pub struct Dop853<'a> {
     statistics: Statistics,
 }
 
-impl<'a> Dop853<'a> {
-    pub fn new(dynamics: &'a Dynamics, (t, end): (f64, f64), state: &[f64], tolerances: Tolerances) -> Self {
+impl<'a> RungeKutta<'a> {
+    /// A method at the begin of a motion that goes on to `end`; none if it isn't one of these.
+    pub fn new(
+        method: Method,
+        dynamics: &'a Dynamics,
+        (t, end): (f64, f64),
+        state: &[f64],
+        tolerances: Tolerances,
+    ) -> Option<Self> {
+        let tableau = tableau_of(method)?;
         let n = state.len();
         let mut new = Self {
+            tableau,
             rates: &dynamics.rates,
             tangent: Tangent::of(dynamics),
             projection: Projection::new(dynamics),
@@ -78,22 +104,24 @@ impl<'a> Dop853<'a> {
             t,
             state: state.to_vec(),
             step: 0.0,
-            stages: Stages::new(C.len(), n),
-            is_fresh: false,
+            regular: 0.0,
+            last_regular: 0.0,
+            stages: Stages::new(tableau.c.len(), n),
+            first: First::Unknown,
             last: (t, 0.0),
             before: state.to_vec(),
             after: state.to_vec(),
-            dense: std::array::from_fn(|_| vec![0.0; n]),
+            dense: vec![vec![0.0; n]; dense::terms(tableau)],
             is_dense: false,
             scratch: vec![0.0; n],
-            errors: [vec![0.0; n], vec![0.0; n]],
+            errors: vec![vec![0.0; n]; tableau.errors.len()],
             last_stage: vec![0.0; n],
             last_error: LEAST_ERROR.ln(),
             stiff_steps: 0,
             statistics: Statistics::default(),
         };
         new.step = new.first_step(end);
-        new
+        Some(new)
     }
 
     /// Guess the first step from the rates and their change.
@@ -103,13 +131,12 @@ impl<'a> Dop853<'a> {
         let (size, rate) = (self.weighted(&self.state), self.weighted(self.stages.row(0)));
         let trial = if size < 1e-5 || rate < 1e-5 { 1e-6 } else { 0.01 * size / rate }.min(longest);
         self.stage(1, (self.t, trial), (1.0, &[(0, 1.0)]));
-        let change: Vec<f64> =
-            self.stages.row(1).iter().zip(self.stages.row(0)).map(|(a, b)| a - b).collect();
+        let change = difference(self.stages.row(1), self.stages.row(0));
         let steepest = rate.max(self.weighted(&change) / trial);
         let step = if steepest <= 1e-15 {
             (trial * 1e-3).max(1e-6)
         } else {
-            (0.01 / steepest).powf(1.0 / f64::from(ORDER))
+            (0.01 / steepest).powf(self.exponent())
         };
         let step = step.min(100.0 * trial).min(longest);
         if step.is_finite() { step } else { trial }
@@ -124,12 +151,21 @@ impl<'a> Dop853<'a> {
         (sum / count(controlled)).sqrt()
     }
 
+    /// The power of an error that is proportional to the step.
+    fn exponent(&self) -> f64 {
+        1.0 / f64::from(self.tableau.order)
+    }
+
     fn evaluate_first(&mut self) {
-        if !self.is_fresh {
-            self.rates.call(self.t, &self.state, self.stages.row_mut(0));
-            self.statistics.evaluations += 1;
-            self.is_fresh = true;
+        match self.first {
+            First::InPlace => {}
+            First::AtEnd => self.stages.copy(self.tableau.stages, 0),
+            First::Unknown => {
+                self.rates.call(self.t, &self.state, self.stages.row_mut(0));
+                self.statistics.evaluations += 1;
+            }
         }
+        self.first = First::InPlace;
     }
 
     /// Evaluate a stage at an instant and at a combination of earlier ones, in steps.
@@ -151,19 +187,24 @@ impl<'a> Dop853<'a> {
 
     /// Evaluate the stages of a step, and write the state at its end to `after`.
     fn try_step(&mut self, h: f64) {
-        for place in 1..STAGES {
-            self.stage(place, (self.t, h), (C[place], A[place]));
+        let &Tableau { stages, c, a, evaluates_end, .. } = self.tableau;
+        for place in 1..stages {
+            self.stage(place, (self.t, h), (c[place], a[place]));
         }
-        self.stages.step(&mut self.after, &self.state, h, A[STAGES]);
+        std::mem::swap(&mut self.last_stage, &mut self.scratch);
+        self.stages.step(&mut self.after, &self.state, h, a[stages]);
+        if evaluates_end {
+            self.scratch.copy_from_slice(&self.after);
+            self.evaluate(stages, self.t + h);
+        }
     }
 
     /// The error of the step in units of the tolerance; NaN if some stage has no finite rate.
     fn error(&mut self, h: f64) -> f64 {
-        for (error, weights) in self.errors.iter_mut().zip(ERRORS) {
+        for (error, weights) in self.errors.iter_mut().zip(self.tableau.errors) {
             self.stages.sum(error, weights);
         }
-        let [fifth, third] = &self.errors;
-        self.weighted_error(h, fifth, third)
+        self.weighted_error(h, &self.errors)
     }
 
     /// The error without the part that the projection onto the constraints takes away after the step.
@@ -171,23 +212,58 @@ impl<'a> Dop853<'a> {
     /// Near a singular position, where a constraint nearly follows from others, rounding errors along it are large in
     /// the accelerations: they would let no step pass.
     fn error_along(&self, h: f64, tangent: &Tangent<'_>) -> f64 {
-        let [fifth, third] =
-            self.errors.each_ref().map(|error| tangent.part(self.t + h, &self.after, error.clone()));
-        self.weighted_error(h, &fifth, &third)
+        let along = self
+            .errors
+            .iter()
+            .map(|error| tangent.part(self.t + h, &self.after, error.clone()))
+            .collect::<Vec<_>>();
+        self.weighted_error(h, &along)
     }
 
-    /// Both estimates of an error together, in units of the tolerance.
-    fn weighted_error(&self, h: f64, fifth: &[f64], third: &[f64]) -> f64 {
-        let Tolerances { relative, absolute, controlled, .. } = self.tolerances;
-        let (mut sum5, mut sum3) = (0.0, 0.0);
-        let estimates = fifth.iter().zip(third).take(controlled);
-        for ((e5, e3), (before, after)) in estimates.zip(self.state.iter().zip(&self.after)) {
-            let weight = 1.0 / (absolute + relative * before.abs().max(after.abs()));
-            sum5 += (e5 * weight).powi(2);
-            sum3 += (e3 * weight).powi(2);
+    /// The error that decides on a step.
+    ///
+    /// Where nearly all of it leads off the constraints, the step is tried again with stages on them, and what still leads
+    /// off them is left to the projection, whose corrections are bounded. Not before the step has been rejected once:
+    /// away from singular positions all errors say how accurate it is.
+    fn error_that_counts(&mut self, h: f64, was_rejected: bool) -> f64 {
+        let error = self.error(h);
+        let Some(tangent) = self.tangent.as_ref().filter(|_| error > 1.0) else { return error };
+        let along = self.error_along(h, tangent);
+        if along < BESIDE * error {
+            self.is_careful = true;
+            self.regular = self.regular.max(h);
         }
-        let both = sum5 + 0.01 * sum3;
-        if both <= 0.0 { 0.0 } else { h.abs() * sum5 / (both * count(controlled)).sqrt() }
+        if was_rejected { error.min(along) } else { error }
+    }
+
+    /// Choose the next step after one that was accepted: not shorter for what was no matter of its error.
+    fn choose_next(&mut self, h: f64, next: f64, is_last: bool) {
+        // The end of the motion says nothing about the step that accuracy allows.
+        let next = next.max(self.regular);
+        self.step = if is_last { next.max(self.step) } else { next };
+        self.last_regular = std::mem::take(&mut self.regular).max(h);
+    }
+
+    /// The estimates of an error together, in units of the tolerance.
+    fn weighted_error(&self, h: f64, estimates: &[Vec<f64>]) -> f64 {
+        let entries = count(self.tolerances.controlled);
+        match estimates {
+            [one] => h.abs() * (self.weighted_square(one) / entries).sqrt(),
+            [high, low, ..] => {
+                let high = self.weighted_square(high);
+                let both = high + 0.01 * self.weighted_square(low);
+                if both <= 0.0 { 0.0 } else { h.abs() * high / (both * entries).sqrt() }
+            }
+            [] => 0.0,
+        }
+    }
+
+    /// The sum of the squares of an error in units of the tolerance.
+    fn weighted_square(&self, error: &[f64]) -> f64 {
+        let Tolerances { relative, absolute, controlled, .. } = self.tolerances;
+        let ends = self.state.iter().zip(&self.after);
+        let weights = ends.map(|(before, after)| 1.0 / (absolute + relative * before.abs().max(after.abs())));
+        error.iter().zip(weights).take(controlled).map(|(e, weight)| (e * weight).powi(2)).sum()
     }
 
     /// The factor to the next step after one that is accepted, by proportional and integral control
@@ -195,71 +271,46 @@ impl<'a> Dop853<'a> {
     fn factor(&mut self, error: f64) -> f64 {
         let (now, before) = (error.max(f64::MIN_POSITIVE).ln(), self.last_error);
         self.last_error = now.max(LEAST_ERROR.ln());
-        SAFETY * ((0.2 * MEMORY - 1.0 / f64::from(ORDER)) * now + MEMORY * before).exp()
+        SAFETY * ((0.2 * MEMORY - self.exponent()) * now + MEMORY * before).exp()
     }
 
     fn accept(&mut self, h: f64, t: f64) {
-        std::mem::swap(&mut self.last_stage, &mut self.scratch);
         self.last = (self.t, h);
         std::mem::swap(&mut self.before, &mut self.state);
         self.state.copy_from_slice(&self.after);
         self.t = t;
-        self.is_fresh = false;
+        self.first = if self.tableau.evaluates_end { First::AtEnd } else { First::Unknown };
         self.is_dense = false;
         self.statistics.steps += 1;
     }
 
-    /// The last stage of a step and its end are at the same instant: how far apart their rates and their states are
-    /// estimates the largest eigenvalue. An explicit method that is bound by it for many steps is the wrong one.
-    fn note_stiffness(&mut self) {
-        const BOUND: f64 = 5.0;
-        const STEPS: u32 = 15;
-        let rates = squared_distance(self.stages.row(0), self.stages.row(STAGES - 1));
+    /// The step times the largest eigenvalue, as the last stage of the step and its end estimate it: they are at the same
+    /// instant, so that it is how far apart their rates are, for their states.
+    fn steepness(&self) -> f64 {
+        let rates = squared_distance(self.stages.row(0), self.stages.row(self.tableau.stages - 1));
         let states = squared_distance(&self.state, &self.last_stage);
-        let is_at_bound = states > 0.0 && self.last.1 * (rates / states).sqrt() > BOUND;
+        if states > 0.0 { self.last.1 * (rates / states).sqrt() } else { 0.0 }
+    }
+
+    /// An explicit method that is bound by the largest eigenvalue for many steps is the wrong one.
+    fn note_stiffness(&mut self) {
+        const STEPS: u32 = 15;
+        let is_at_bound = self.steepness() > self.tableau.stability;
         self.stiff_steps =
             if is_at_bound { self.stiff_steps + 1 } else { self.stiff_steps.saturating_sub(1) };
         self.statistics.stiff |= self.stiff_steps >= STEPS;
     }
-
-    /// Evaluate the stages of the dense output of the last step.
-    fn add_stages(&mut self) {
-        let (t, h) = self.last;
-        self.scratch.copy_from_slice(&self.after);
-        self.evaluate(STAGES, t + h);
-        for place in STAGES + 1..C.len() {
-            self.stages.step(&mut self.scratch, &self.before, h, A[place]);
-            self.evaluate(place, t + C[place] * h);
-        }
-    }
-
-    /// Compute the terms of the dense output of the last step.
-    fn prepare_dense(&mut self) {
-        self.is_careful = self.projection.is_needed();
-        self.add_stages();
-        if self.is_careful && (STAGES..C.len()).any(|stage| !is_finite(self.stages.row(stage))) {
-            self.is_careful = false;
-            self.add_stages();
-        }
-        let (_, h) = self.last;
-        let [change, first, second, higher @ ..] = &mut self.dense;
-        for i in 0..self.after.len() {
-            let (start, end) = (h * self.stages.row(0)[i], h * self.stages.row(STAGES)[i]);
-            change[i] = self.after[i] - self.before[i];
-            first[i] = start - change[i];
-            second[i] = 2.0 * change[i] - start - end;
-        }
-        for (terms, weights) in higher.iter_mut().zip(DENSE) {
-            self.stages.sum(terms, weights);
-            for term in terms {
-                *term *= h;
-            }
-        }
-        self.is_dense = true;
-    }
 }
 
-impl Stepper for Dop853<'_> {
+impl Stepper for RungeKutta<'_> {
+    fn starts_well(&mut self) -> bool {
+        self.is_start_certain()
+    }
+
+    fn reads_well(&mut self) -> bool {
+        self.is_dense_output_certain()
+    }
+
     fn step(&mut self, end: f64) -> Result<(), Failure> {
         self.evaluate_first();
         if !is_finite(self.stages.row(0)) {
@@ -285,23 +336,16 @@ impl Stepper for Dop853<'_> {
                 h = end - self.t;
             }
             self.try_step(h);
-            let mut error = self.error(h);
-            is_finite = error.is_finite();
-            if let Some(tangent) = self.tangent.as_ref().filter(|_| error > 1.0) {
-                let along = self.error_along(h, tangent);
-                self.is_careful |= along < BESIDE * error;
-                // Not before it has been rejected once: away from singular positions all errors say how accurate it is.
-                error = if was_rejected { error.min(along) } else { error };
-            }
+            let error = self.error_that_counts(h, was_rejected);
             if error <= 1.0 {
                 let factor = self.factor(error).clamp(SHRINK, GROW);
                 self.accept(h, if is_last { end } else { self.t + h });
-                // The end of the motion says nothing about the step that accuracy allows.
                 let next = h * if was_rejected { factor.min(1.0) } else { factor };
-                self.step = if is_last { next.max(self.step) } else { next };
+                self.choose_next(h, next, is_last);
                 return Ok(());
             }
-            let factor = if is_finite { SAFETY * error.powf(-1.0 / f64::from(ORDER)) } else { 0.1 };
+            is_finite = error.is_finite();
+            let factor = if is_finite { SAFETY * error.powf(-self.exponent()) } else { 0.1 };
             self.step = h * factor.clamp(if is_finite { SHRINK } else { 0.1 }, 1.0);
             self.statistics.rejected += 1;
             was_rejected = true;
@@ -325,22 +369,37 @@ impl Stepper for Dop853<'_> {
         if !self.is_dense {
             self.prepare_dense();
         }
-        let x = (t - start) / h;
-        for (i, y) in out.iter_mut().enumerate() {
-            let term = |k: usize| self.dense[k][i];
-            let sum = (0..7).rev().fold(0.0, |sum, k| (sum + term(k)) * if k % 2 == 0 { x } else { 1.0 - x });
-            *y = self.before[i] + sum;
-        }
+        self.value((t - start) / h, out);
         Ok(())
     }
 
     fn replace(&mut self, state: &[f64]) {
         self.state.copy_from_slice(state);
-        self.is_fresh = false;
+        self.first = First::Unknown;
+    }
+
+    fn retract(&mut self, part: f64) {
+        let (t, h) = self.last;
+        self.t = t;
+        self.state.copy_from_slice(&self.before);
+        self.step = part * h;
+        self.regular = self.regular.max(self.last_regular);
+        // The first stage still holds the rates there, unless those at the end of the step have been asked for.
+        self.first = if matches!(self.first, First::InPlace) { First::Unknown } else { First::InPlace };
+        self.statistics.steps -= 1;
+        self.statistics.rejected += 1;
     }
 
     fn statistics(&self) -> Statistics {
         self.statistics
+    }
+}
+
+fn tableau_of(method: Method) -> Option<&'static Tableau> {
+    match method {
+        Method::Dop853 => Some(&DOP853),
+        Method::Tsit5 => Some(&TSIT5),
+        Method::Bdf | Method::Esdirk34 | Method::TrBdf2 => None,
     }
 }
 
@@ -351,6 +410,10 @@ fn count(n: usize) -> f64 {
 
 fn is_finite(rates: &[f64]) -> bool {
     rates.iter().all(|rate| rate.is_finite())
+}
+
+fn difference(a: &[f64], b: &[f64]) -> Vec<f64> {
+    a.iter().zip(b).map(|(x, y)| x - y).collect()
 }
 
 fn squared_distance(a: &[f64], b: &[f64]) -> f64 {

@@ -3,8 +3,22 @@
 //! E. Hairer, S. P. Nørsett, G. Wanner, Solving Ordinary Differential Equations I, 2nd ed., 1993, II.5 and II.6; the
 //! digits are those of the authors' program DOP853. A row lists the places and values of what is not zero.
 
+use super::tableau::{Row, Tableau};
+
+/// The method.
+pub(super) static DOP853: Tableau = Tableau {
+    order: 8,
+    stages: 12,
+    evaluates_end: false,
+    stability: 5.0,
+    c: &C,
+    a: &A,
+    errors: &ERRORS,
+    dense: &DENSE,
+};
+
 /// When the stages are, in steps: the twelve of a step, its end, and three for the dense output.
-pub(super) const C: [f64; 16] = [
+const C: [f64; 16] = [
     0.0,
     0.05260015195876773,
     0.0789002279381516,
@@ -24,7 +38,7 @@ pub(super) const C: [f64; 16] = [
 ];
 
 /// The weights of the earlier stages in each stage; the weights of the thirteenth are those of the step.
-pub(super) const A: [&[(usize, f64)]; 16] = [
+const A: [Row; 16] = [
     &[],
     &[(0, 0.05260015195876773)],
     &[(0, 0.0197250569845379), (1, 0.0591751709536137)],
@@ -120,7 +134,7 @@ pub(super) const A: [&[(usize, f64)]; 16] = [
 ];
 
 /// The weights of the stages in the estimates of the error, of order five and of order three.
-pub(super) const ERRORS: [&[(usize, f64)]; 2] = [
+const ERRORS: [Row; 2] = [
     &[
         (0, 0.01312004499419488),
         (5, -1.2251564463762044),
@@ -144,7 +158,7 @@ pub(super) const ERRORS: [&[(usize, f64)]; 2] = [
 ];
 
 /// The weights of the stages in the last four terms of the dense output.
-pub(super) const DENSE: [&[(usize, f64)]; 4] = [
+const DENSE: [Row; 4] = [
     &[
         (0, -8.428938276109013),
         (5, 0.5667149535193777),

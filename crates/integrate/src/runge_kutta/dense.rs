@@ -1,0 +1,79 @@
+//! The dense output: states between the ends of the last step [Hairer, Nørsett & Wanner 1993, II.6].
+//!
+//! `y(x) = y0 + x (F0 + (1 - x) (F1 + x (F2 + (1 - x) (F3 + ...))))`: the first three terms are the cubic Hermite
+//! polynomial, the others come from the tableau.
+
+use super::tableau::Tableau;
+use super::{RungeKutta, is_finite};
+
+/// The terms of the dense output that make its cubic Hermite polynomial.
+const HERMITE: usize = 3;
+
+/// How many terms the dense output of a method has.
+pub(super) fn terms(tableau: &Tableau) -> usize {
+    HERMITE + tableau.dense.len()
+}
+
+impl RungeKutta<'_> {
+    /// Evaluate the stages of the dense output of the last step.
+    fn add_stages(&mut self) {
+        let ((t, h), &Tableau { stages, c, a, .. }) = (self.last, self.tableau);
+        self.scratch.copy_from_slice(&self.after);
+        self.evaluate(stages, t + h);
+        for place in stages + 1..c.len() {
+            self.stages.step(&mut self.scratch, &self.before, h, a[place]);
+            self.evaluate(place, t + c[place] * h);
+        }
+    }
+
+    /// Compute the terms of the dense output of the last step.
+    pub(super) fn prepare_dense(&mut self) {
+        self.is_careful = self.projection.is_needed();
+        self.add_stages();
+        let &Tableau { stages, c, .. } = self.tableau;
+        if self.is_careful && (stages..c.len()).any(|stage| !is_finite(self.stages.row(stage))) {
+            self.is_careful = false;
+            self.add_stages();
+        }
+        let (_, h) = self.last;
+        let (hermite, higher) = self.dense.split_at_mut(HERMITE);
+        let [change, first, second] = hermite else { unreachable!("there are three terms") };
+        for i in 0..self.after.len() {
+            let (start, end) = (h * self.stages.row(0)[i], h * self.stages.row(stages)[i]);
+            change[i] = self.after[i] - self.before[i];
+            first[i] = start - change[i];
+            second[i] = 2.0 * change[i] - start - end;
+        }
+        for (terms, weights) in higher.iter_mut().zip(self.tableau.dense) {
+            self.stages.sum(terms, weights);
+            for term in terms {
+                *term *= h;
+            }
+        }
+        self.is_dense = true;
+    }
+
+    /// Write the state at a part of the last step.
+    pub(super) fn value(&self, x: f64, out: &mut [f64]) {
+        for (i, y) in out.iter_mut().enumerate() {
+            let terms = self.dense.iter().enumerate().rev();
+            let sum =
+                terms.fold(0.0, |sum, (k, terms)| (sum + terms[i]) * if k % 2 == 0 { x } else { 1.0 - x });
+            *y = self.before[i] + sum;
+        }
+    }
+
+    /// The rates of the dense output at a part of the last step.
+    pub(super) fn slopes(&self, x: f64) -> Vec<f64> {
+        let h = self.last.1;
+        let slope = |i: usize| {
+            let (_, slope) =
+                self.dense.iter().enumerate().rev().fold((0.0, 0.0), |(sum, slope), (k, terms)| {
+                    let (factor, sign) = if k % 2 == 0 { (x, 1.0) } else { (1.0 - x, -1.0) };
+                    ((sum + terms[i]) * factor, slope * factor + sign * (sum + terms[i]))
+                });
+            slope / h
+        };
+        (0..self.after.len()).map(slope).collect()
+    }
+}

@@ -1,0 +1,63 @@
+//! What noise does near a singular position, and how it is noticed.
+//!
+//! Where a constraint nearly follows from others, rounding errors of the positions turn the direction that it forbids,
+//! and the rates hold what is no part of the motion. A step had better begin and be read elsewhere.
+
+use crate::projection::Tangent;
+use crate::stepper::Stepper;
+
+use super::{BESIDE, First, RungeKutta, difference};
+
+/// Rates at the end of a step that change by more than so many times the state, in steps, are noise if the change leads
+/// off the constraints.
+const NOISE: f64 = 30.0;
+/// A dense output whose slope in the middle is off by more than so many tolerances is noise.
+const DEFECT: f64 = 3.0;
+
+impl RungeKutta<'_> {
+    /// Whether the rates at the state are those of the neighbouring state at which the last stage was evaluated, but for
+    /// what an explicit method can integrate.
+    pub(super) fn is_start_certain(&mut self) -> bool {
+        let is_known = self.statistics.steps == 0 || matches!(self.first, First::InPlace);
+        if is_known || self.tangent.is_none() {
+            return true;
+        }
+        self.evaluate_first();
+        if self.steepness() <= NOISE {
+            return true;
+        }
+        let change = difference(self.stages.row(0), self.stages.row(self.tableau.stages - 1));
+        let size = self.weighted(&change);
+        let along = |tangent: &Tangent<'_>| self.weighted(&tangent.part(self.t, &self.state, change));
+        size * self.last.1 <= 1.0
+            || self.tangent.as_ref().is_none_or(|tangent| along(tangent) > BESIDE * size)
+    }
+
+    /// Whether the dense output of the last step satisfies the equations in the middle of the step.
+    ///
+    /// Stages of its own are in no error estimate.
+    pub(super) fn is_dense_output_certain(&mut self) -> bool {
+        let has_own_stages = self.tableau.c.len() > self.tableau.stages + 1;
+        if !has_own_stages || self.tangent.is_none() {
+            return true;
+        }
+        let (t, h) = self.last;
+        let middle = t + 0.5 * h;
+        let mut state = self.after.clone();
+        if self.interpolate(middle, &mut state).is_err()
+            || self.projection.project(middle, &mut state).is_err()
+        {
+            return false;
+        }
+        let mut rates = vec![0.0; state.len()];
+        self.rates.call(middle, &state, &mut rates);
+        self.statistics.evaluations += 1;
+        let defect = difference(&rates, &self.slopes(0.5));
+        let size = h * self.weighted(&defect);
+        size <= DEFECT
+            || self
+                .tangent
+                .as_ref()
+                .is_some_and(|tangent| h * self.weighted(&tangent.part(middle, &state, defect)) <= DEFECT)
+    }
+}
