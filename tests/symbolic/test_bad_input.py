@@ -351,12 +351,6 @@ def test_one_expression_is_a_list_of_one() -> None:
     assert coeff(a * x, x) == a
 
 
-def test_a_list_of_names_gives_a_tuple() -> None:
-    assert symbols(["a", "b"]) == (a, b)
-    assert symbols(["a"]) == (a,)
-    assert functions_of_time(["q"]) == (q,)
-
-
 def test_what_has_a_plain_meaning_is_taken() -> None:
     made = to_sympy(Matrix([[x, 2]]))
     assert made == sympy.Matrix([[sympy.Symbol("x", real=True), 2]])
