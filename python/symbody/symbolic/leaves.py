@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
+from decimal import Decimal
 from fractions import Fraction
 from typing import Any, TypeAlias
 
@@ -36,6 +37,8 @@ _TAKEN = (
     | {"linear_solution": "a component of a solution, symbody.linear_solve"}
 )
 _NAME = re.compile(r"[^\W\d]\w*")
+_DIGITS = r"(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?"
+_NUMBER = re.compile(rf"\s*[+-]?{_DIGITS}\s*(?:/\s*{_DIGITS}\s*)?")
 
 t: Expr = _core.time()
 """The independent variable, time."""
@@ -46,14 +49,40 @@ pi: Expr = _core.pi()
 symbol = _core.symbol
 
 
-def number(value: ExprLike | Fraction) -> Expr:
-    """Return a number as an expression; doubles keep the decimals that print them.
+def number(value: ExprLike | Fraction | Decimal | str) -> Expr:
+    """Return a number as an expression, exactly: a fraction, a decimal, or a text of one.
+
+    Doubles keep the decimals that print them, and so do texts: 0.1 is 1/10.
+
+    Raises:
+        ArgumentError: it is no number.
+        ExpressionError: the text is no number; ``parse`` reads expressions.
 
     >>> from fractions import Fraction
-    >>> number(Fraction(1, 3)) + number(0.5)
-    0.8333333333333334
+    >>> number(Fraction(1, 3)) + number(0.5), number("1/2"), number("1e-3")
+    (0.8333333333333334, 1/2, 0.001)
     """
-    return _core.number(value, "number")
+    return _number_in(value) if isinstance(value, str) else _core.number(value, "number")
+
+
+def _number_in(text: str) -> Expr:
+    if not _NUMBER.fullmatch(text):
+        raise ExpressionError(
+            f"number: {text!r} is no number; expected one such as '1/2', '-7/3', '0.1' or '1e-3'; "
+            "parse reads expressions"
+        )
+    numerator, _, denominator = text.partition("/")
+    if not denominator:
+        return _decimal(numerator)
+    divisor = _decimal(denominator)
+    if divisor.is_zero:
+        raise ExpressionError(f"number: {text!r} is divided by zero")
+    return _decimal(numerator) / divisor
+
+
+def _decimal(text: str) -> Expr:
+    plain = text.strip()
+    return _core.number(int(plain) if plain.lstrip("+-").isdigit() else Decimal(plain), "number")
 
 
 def check_name(name: str) -> None:
