@@ -190,7 +190,8 @@ def test_functions_with_corners_agree_at_the_corners(theirs: sympy.Basic) -> Non
 
 
 INVERSES = [
-    "sec", "csc", "cot", "sech", "csch", "coth", "asinh", "atanh", "asec", "acsc", "acot", "acosh", "asech", "acsch", "acoth",
+    "sec", "csc", "cot", "sech", "csch", "coth", "asinh", "atanh", "asec", "acsc", "acot", "acosh",
+    "asech", "acsch", "acoth",
 ]  # fmt: skip
 
 
@@ -277,7 +278,7 @@ REFUSED = [
     (sympy.nan, r"NaN has .*; expressions hold finite numbers only"),
     (sympy.floor(A), r"floor has .*; it is no continuous function"),
     (sympy.MatrixSymbol("M", 2, 2), r"MatrixSymbol has .*; a matrix needs its entries"),
-    (sympy.MatrixSymbol("M", 2, 2) * sympy.MatrixSymbol("N", 2, 2), r"MatMul has no counterpart here"),
+    (sympy.MatrixSymbol("M", 2, 2) * sympy.MatrixSymbol("N", 2, 2), r"MatrixSymbol has .*; a matrix needs"),
     (ReferenceFrame("N").x, r"N\.x is a Vector of sympy\.physics; convert its components"),
     (sympy.Lambda(A, A**2), "Lambda has no counterpart here"),
 ]
