@@ -16,7 +16,7 @@ _MODULE = {
     "var": _SYMBOLS,
     "Dummy": _SYMBOLS,
     "dynamicsymbols": "functions_of_time('x y')",
-    "Function": "functions_of_time('x') for x(t), or function('f')",
+    "Function": "functions_of_time('x'), or function('f')",
     "Rational": _NUMBER,
     "Integer": _NUMBER,
     "Float": "number('0.1')",
@@ -125,7 +125,7 @@ def no_attribute(owner: str, name: str) -> AttributeError:
     """Return the error for a name that isn't found: it says what is written here, where that is known.
 
     >>> print(no_attribute("Matrix", "inv"))
-    Matrix has no inv; here it is A.inverse()
+    Matrix has no 'inv'; here it is A.inverse()
     """
     known = _HINTS[owner].get(name)
-    return AttributeError(f"{owner} has no {name}" + (f"; here it is {known}" if known else ""))
+    return AttributeError(f"{owner} has no {name!r}" + (f"; here it is {known}" if known else ""))

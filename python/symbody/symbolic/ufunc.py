@@ -19,6 +19,7 @@ from symbody.symbolic.derived_functions import DERIVED, heaviside
 from symbody.symbolic.functions import Abs, Max, Min, atan2, sqrt
 from symbody.symbolic.hint import no_attribute
 from symbody.symbolic.leaves import ExprLike, number
+from symbody.symbolic.matrix import Matrix
 
 __all__ = ["array_ufunc", "attribute"]
 
@@ -112,7 +113,7 @@ def attribute(expression: Expr, name: str) -> Callable[..., Expr]:
 
 
 def _is_symbolic(operand: object) -> bool:
-    return isinstance(operand, Expr) or hasattr(operand, "entries")
+    return isinstance(operand, Expr | Matrix)
 
 
 def _of_numbers(function: Callable[..., Expr]) -> Callable[..., Expr]:
