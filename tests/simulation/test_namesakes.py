@@ -16,24 +16,37 @@ from symbody import (
     Point,
     System,
     Vector,
+    coeff,
+    collect,
     consistent_state,
     equilibrium,
     from_sympy,
     functions_of_time,
+    gradient,
     ground,
     inverse_dynamics,
+    jacobian,
     lambdify,
     newton_euler,
     rotate,
     simulate,
     simulate_many,
     sin,
+    solve,
     symbols,
     t,
     translate,
 )
 from symbody.codegen import source
-from symbody.errors import ModelError, ModelNotice, ParameterError, ProgramError, SimulationError
+from symbody.errors import (
+    ConstraintError,
+    ExpressionError,
+    ModelError,
+    ModelNotice,
+    ParameterError,
+    ProgramError,
+    SimulationError,
+)
 from symbody.symbolic import Argument, Program, Result, Routine
 
 positive = from_sympy(sympy.Symbol("m", positive=True))
@@ -175,6 +188,10 @@ NOT_REPLACED = (
         ("subs", lambda: Matrix([[positive, l]]).subs({real: 2, l: 1})),
         ("diff", lambda: (positive * l).diff(real)),
         ("diff", lambda: Matrix([[positive, l]]).diff(real)),
+        ("jacobian", lambda: jacobian([positive * l, l], [l, real])),
+        ("gradient", lambda: gradient(positive * l, [l, real])),
+        ("coeff", lambda: coeff(positive * l, real)),
+        ("collect", lambda: collect(positive * l + l, real)),
     ],
 )
 def test_work_in_vain_is_noticed(place: str, work: Callable[[], object]) -> None:
@@ -193,6 +210,21 @@ def test_what_is_meant_is_not_noticed() -> None:
         assert (x * plain_x).diff(plain_x) == x
         assert l.subs({real: 2}) == l
         simulate(pendulum(), {**RIGHT, plain_x: 2}, {x: 1}, t=(0, 0.1))
+
+
+def test_equations_and_constraints_of_another_variable() -> None:
+    with (
+        pytest.warns(ModelNotice, match="solve: the m in the expression is"),
+        pytest.raises(ExpressionError, match="no solution: equation 1"),
+    ):
+        solve(2 * positive - 1, real)
+    with pytest.raises(ConstraintError) as caught:
+        System([Body(translate(x, 0, 0), l)], coordinates=[x], constraints=[plain_x**2 - 1])
+    assert str(caught.value) == (
+        "System: constraint 1, x**2 - 1 = 0, holds none of the coordinates; leave it out, or correct it; the x among "
+        "the coordinates is functions_of_time('x'), the x in the constraint is symbols('x'): a symbol is no function "
+        "of time; use the same one in both places"
+    )
 
 
 def test_consistent_states_too() -> None:

@@ -33,6 +33,11 @@ pub fn pairs(mapping: &Bound<'_, PyAny>) -> PyResult<Vec<(Id, Id)>> {
         .collect()
 }
 
+/// What is to be replaced.
+pub fn keys(pairs: &[(Id, Id)]) -> Vec<Id> {
+    pairs.iter().map(|pair| pair.0).collect()
+}
+
 /// Several expressions with every key of the mapping replaced by its value, all at once.
 #[pyfunction]
 fn substitute<'py>(
@@ -41,21 +46,15 @@ fn substitute<'py>(
     mapping: &Bound<'py, PyAny>,
 ) -> PyResult<Bound<'py, PyTuple>> {
     let (roots, pairs) = (operands(expressions, "subs")?, pairs(mapping)?);
-    notice_namesakes(py, "subs", &roots, pairs.iter().map(|pair| pair.0))?;
+    notice_namesakes(py, "subs", &roots, &keys(&pairs))?;
     let replaced = raise(py, with_forms(|graph| graph.substitute(&roots, &pairs)))?;
     tuple(py, replaced)
 }
 
 /// Warn of variables that occur in none of the expressions, where others of their names do.
-pub fn notice_namesakes(
-    py: Python<'_>,
-    place: &str,
-    roots: &[Id],
-    sought: impl Iterator<Item = Id>,
-) -> PyResult<()> {
-    let sought: Vec<Id> = sought.collect();
+pub fn notice_namesakes(py: Python<'_>, place: &str, roots: &[Id], sought: &[Id]) -> PyResult<()> {
     let roles = ("in the expression", "given");
-    let Some(text) = with_forms(|graph| graph.explain_absent(roots, &sought, roles)) else {
+    let Some(text) = with_forms(|graph| graph.explain_absent(roots, sought, roles)) else {
         return Ok(());
     };
     let message = CString::new(format!("{place}: {text}")).unwrap_or_default();
@@ -83,7 +82,7 @@ fn diff_all<'py>(
     variable: &Bound<'py, PyAny>,
 ) -> PyResult<Bound<'py, PyTuple>> {
     let (roots, variable) = (operands(expressions, "diff")?, operand(variable, "diff, variable")?);
-    notice_namesakes(py, "diff", &roots, std::iter::once(variable))?;
+    notice_namesakes(py, "diff", &roots, &[variable])?;
     tuple(py, raise(py, with_graph(|graph| graph.diff_all(&roots, variable)))?)
 }
 
@@ -109,6 +108,7 @@ fn gradient<'py>(
 ) -> PyResult<Bound<'py, PyTuple>> {
     let root = operand(expression, "gradient, expression")?;
     let variables = operands(variables, "gradient, variables")?;
+    notice_namesakes(py, "gradient", &[root], &variables)?;
     tuple(py, raise(py, with_graph(|graph| graph.gradient(root, &variables)))?)
 }
 
@@ -121,6 +121,7 @@ fn jacobian<'py>(
 ) -> PyResult<Vec<Bound<'py, PyTuple>>> {
     let roots = operands(expressions, "jacobian, expressions")?;
     let variables = operands(variables, "jacobian, variables")?;
+    notice_namesakes(py, "jacobian", &roots, &variables)?;
     let rows = raise(py, with_graph(|graph| graph.jacobian(&roots, &variables)))?;
     rows.into_iter().map(|row| tuple(py, row)).collect()
 }

@@ -7,7 +7,7 @@ use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict, PyFrozenSet, PyTuple};
 use symbody_core::{Error, Evaluator, Function, Graph, Id, Number, NumberId, View};
 
-use crate::calculus::{notice_namesakes, pairs};
+use crate::calculus::{keys, notice_namesakes, pairs};
 use crate::convert::{is_sympy, mistake, operand, optional};
 use crate::session::{argument_error, raise, with_forms, with_graph};
 
@@ -374,7 +374,7 @@ impl Expr {
     #[pyo3(signature = (variable, n = Times(1)), text_signature = "($self, variable, n=1)")]
     fn diff(&self, py: Python<'_>, variable: &Bound<'_, PyAny>, n: Times) -> PyResult<Self> {
         let variable = operand(variable, "diff, variable")?;
-        notice_namesakes(py, "diff", &[self.0], std::iter::once(variable))?;
+        notice_namesakes(py, "diff", &[self.0], &[variable])?;
         let derive = |graph: &mut Graph| (0..n.0).try_fold(self.0, |id, _| graph.diff(id, variable));
         raise(py, with_graph(derive)).map(Self)
     }
@@ -387,7 +387,7 @@ impl Expr {
             return Err(argument_error(py, message.to_owned()));
         }
         let pairs = pairs(mapping)?;
-        notice_namesakes(py, "subs", &[self.0], pairs.iter().map(|pair| pair.0))?;
+        notice_namesakes(py, "subs", &[self.0], &keys(&pairs))?;
         let replaced = raise(py, with_forms(|graph| graph.substitute(&[self.0], &pairs)))?;
         Ok(Self(replaced[0]))
     }
