@@ -81,10 +81,10 @@ def test_demo_tells_what_it_finds_and_writes_whole_files(demo: tuple[str, Path])
     names = {str(path.relative_to(out)) for path in out.parent.rglob("*") if path.is_file()}
     pictures = {"trifilar_motion.html", "trifilar_motion.png"}
     equations = {"trifilar_equations.tex", "trifilar_equations.txt"}
-    fortran = {"fortran/Makefile", "fortran/model.f90", "fortran/model_check.f90"}
+    fortran = {"fortran/Makefile", "fortran/Trifilar_pendulum.f90", "fortran/Trifilar_pendulum_check.f90"}
     matlab = {name for name in names if name.startswith("matlab/")}
     assert names == pictures | equations | fortran | matlab
-    assert {"matlab/+model/right_hand_side.m", "matlab/model_check.m"} <= matlab
+    assert {"matlab/+Trifilar_pendulum/right_hand_side.m", "matlab/Trifilar_pendulum_check.m"} <= matlab
     picture = imread(out / "trifilar_motion.png")
     assert picture.std() > 0.05, "the picture is not empty"
     text = (out / "trifilar_equations.txt").read_text(encoding="utf-8")

@@ -3,6 +3,8 @@
 The public names, layer by layer; ``import symbody as sb`` or import them from here.
 """
 
+from typing import TYPE_CHECKING
+
 from symbody.codegen import CompiledFunction, MachineCode, generate, lambdify
 from symbody.dynamics import (
     Equations,
@@ -123,8 +125,16 @@ from symbody.symbolic import (
     to_sympy,
     zeros,
 )
+from symbody.symbolic.hint import no_attribute
 
 draw_with("symbody.view")
+
+if not TYPE_CHECKING:  # where types are checked, a name that isn't here is a mistake
+
+    def __getattr__(name: str) -> object:
+        """Say what others' names are called here."""
+        raise no_attribute("symbody", name)
+
 
 __all__ = [
     "Abs",

@@ -5,17 +5,21 @@ from __future__ import annotations
 import sys
 from random import Random
 
+import numpy as np
 import pytest
 import sympy
-from sympy.physics.mechanics import dynamicsymbols
+from sympy.physics.mechanics import LagrangesMethod, ReferenceFrame, dynamicsymbols
 
 from symbody.errors import ExpressionError
 from symbody.symbolic import (
     Expr,
+    Matrix,
     Piecewise,
     cos,
+    exp,
     function,
     functions_of_time,
+    identity,
     number,
     pi,
     sin,
@@ -156,3 +160,141 @@ def test_sympy_is_an_extra(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setitem(sys.modules, "sympy", None)
     with pytest.raises(ImportError, match=r"SymPy isn't installed; pip install 'symbody\[sympy\]'"):
         to_sympy(a)
+
+
+# --- what mechanics brings along ---
+
+REAL = sympy.Symbol("a", real=True)
+
+
+@pytest.mark.parametrize(
+    "theirs",
+    [
+        sympy.Heaviside(REAL),
+        sympy.Heaviside(REAL, 0),
+        sympy.Heaviside(REAL, 1),
+        sympy.Heaviside(REAL - 1, sympy.Rational(1, 3)),
+        sympy.sinc(REAL),
+        sympy.Heaviside(REAL) * sympy.sinc(REAL**2),
+        sympy.sign(REAL) * sympy.Abs(REAL),
+        sympy.Max(REAL, 0, -1) + sympy.Min(REAL, 1),
+        sympy.atan2(REAL, -1),
+        sympy.cbrt(REAL**2),
+        sympy.Piecewise((REAL, REAL > 0), (sympy.sin(REAL), REAL < -1), (2, True)),
+    ],
+)
+def test_functions_with_corners_agree_at_the_corners(theirs: sympy.Basic) -> None:
+    ours = from_sympy(theirs)
+    for at in (-1.5, -1.0, -0.5, 0.0, 0.25, 1.0, 2.0):
+        assert ours.evaluate({a: at}) == pytest.approx(float(theirs.subs(REAL, at)), rel=1e-14)
+
+
+INVERSES = [
+    "sec", "csc", "cot", "sech", "csch", "coth", "asinh", "atanh", "asec", "acsc", "acot", "acosh",
+    "asech", "acsch", "acoth",
+]  # fmt: skip
+
+
+@pytest.mark.parametrize("name", INVERSES)
+def test_functions_by_others_agree(name: str) -> None:
+    theirs = getattr(sympy, name)(REAL)
+    at = {"asec": 1.7, "acsc": 1.7, "acosh": 1.7, "acoth": 1.7}.get(name, 0.6)
+    for sign_of in (1, -1) if name not in {"acosh", "asech"} else (1,):
+        assert from_sympy(theirs).evaluate({a: sign_of * at}) == pytest.approx(
+            float(theirs.subs(REAL, sign_of * at)), rel=1e-13
+        )
+    slope = from_sympy(theirs).diff(a).evaluate({a: at})
+    assert slope == pytest.approx(float(theirs.diff(REAL).subs(REAL, at)), rel=1e-13)
+
+
+def test_matrices_and_lists() -> None:
+    ours = Matrix([[a, sin(x)], [0.5, time_derivative(x)]])
+    theirs = sympy.Matrix([[A, sympy.sin(X)], [0.5, X.diff(T)]])
+    assert ours.to_sympy() == to_sympy(ours) == theirs
+    for kind in (sympy.Matrix, sympy.ImmutableMatrix, sympy.SparseMatrix, sympy.ImmutableSparseMatrix):
+        assert from_sympy(kind(theirs)) == ours
+    assert from_sympy(theirs.T * 2) == 2 * ours.T
+    assert from_sympy(2 * sympy.ImmutableMatrix(theirs).T) == 2 * ours.T
+    assert from_sympy(sympy.Identity(2)) == identity(2)
+    assert from_sympy(sympy.zeros(0, 3)).shape == (0, 3)
+    assert from_sympy([A, (B, [theirs])]) == [a, (b, [ours])]
+    assert from_sympy(sympy.Tuple(A, B)) == (a, b)
+    assert from_sympy(sympy.Array([[A, B], [1, 2]])) == [[a, b], [1, 2]]
+    assert from_sympy({A: 1, X: sympy.Rational(1, 2)}) == {a: 1, x: number("1/2")}
+    assert to_sympy([a, (b, {x: 1})]) == [A, (B, {X: 1})]
+    assert list(from_sympy(np.array([A, B], dtype=object))) == [a, b]
+    assert from_sympy([a, ours]) == [a, ours]
+
+
+def test_many_entries_that_sympy_makes_on_the_fly() -> None:
+    """Entries of SymPy's matrices may be new objects at each call, in the places of others that are gone."""
+    entries = [[A ** (i + 1) + j for j in range(30)] for i in range(30)]
+    found = from_sympy(sympy.Matrix(entries))
+    assert found == Matrix([[a ** (i + 1) + j for j in range(30)] for i in range(30)])
+
+
+def test_equations_are_differences() -> None:
+    assert from_sympy(sympy.Eq(A * X, B)) == a * x - b
+    assert from_sympy([sympy.Eq(A, 1), sympy.Eq(B, A)]) == [a - 1, b - a]
+
+
+def test_numbers_are_exact() -> None:
+    assert from_sympy(sympy.Float("0.1", 40)) == number("1/10")
+    assert from_sympy(sympy.Float("0.12345678901234567890123", 23)) == number("0.12345678901234567890123")
+    assert from_sympy(sympy.Float(2) ** 0.5) == number(2**0.5)
+    assert from_sympy(sympy.E) == exp(1)
+    for value in (
+        number("1/3"),
+        number(0.1),
+        number(0.1) / 3,
+        number(0.1) * number(1e-17) + 1,
+        number(10) ** 30,
+    ):
+        assert from_sympy(to_sympy(value)) == value
+
+
+def test_from_mechanics_of_sympy() -> None:
+    """Lagrange's equations as SymPy derives them are ours."""
+    m, g, l = sympy.symbols("m g l", positive=True)
+    q = dynamicsymbols("q")
+    L = m * l**2 * q.diff(T) ** 2 / 2 + m * g * l * sympy.cos(q)
+    method = LagrangesMethod(L, [q])
+    found = from_sympy(method.form_lagranges_equations())
+    theta, (M, G, R) = functions_of_time("q"), symbols("m g l", positive=True)
+    assert found == Matrix([[M * R**2 * time_derivative(theta, 2) + M * G * R * sin(theta)]])
+    assert from_sympy(method.mass_matrix) == Matrix([[M * R**2]])
+
+
+REFUSED = [
+    (sympy.DiracDelta(A), "DiracDelta has no counterpart here: .*; an impulse has no value"),
+    (sympy.Integral(X, T), "Integral has no counterpart here: .*; let SymPy evaluate it first"),
+    (
+        sympy.conjugate(sympy.Symbol("z")),
+        r"conjugate has .*; expressions are real; make SymPy's symbols",
+    ),
+    (sympy.re(sympy.Symbol("z")) + A, r"re has .*; expressions are real"),
+    (sympy.Abs(sympy.Symbol("z")).diff(sympy.Symbol("z")), r"re has .*; expressions are real"),
+    (A > 0, r"StrictGreaterThan has .*; a condition is no number"),
+    (sympy.nan, r"NaN has .*; expressions hold finite numbers only"),
+    (sympy.floor(A), r"floor has .*; it is no continuous function"),
+    (sympy.MatrixSymbol("M", 2, 2), r"MatrixSymbol has .*; a matrix needs its entries"),
+    (sympy.MatrixSymbol("M", 2, 2) * sympy.MatrixSymbol("N", 2, 2), r"MatrixSymbol has .*; a matrix needs"),
+    (ReferenceFrame("N").x, r"N\.x is a Vector of sympy\.physics; convert its components"),
+    (sympy.Lambda(A, A**2), "Lambda has no counterpart here"),
+]
+
+
+@pytest.mark.parametrize(("theirs", "message"), REFUSED, ids=[row[1][:20] for row in REFUSED])
+def test_what_is_refused_says_why(theirs: object, message: str) -> None:
+    with pytest.raises(ExpressionError, match=message):
+        from_sympy(theirs)
+
+
+@pytest.mark.parametrize("seed", range(10))
+def test_structures_there_and_back(seed: int) -> None:
+    entries = [expression(100 * seed + k, 2) for k in range(4)]
+    there = to_sympy({a: (entries, Matrix([entries]))})
+    back = from_sympy(there)[a]
+    if not sympy.Matrix(there[A][0]).has(sympy.I, sympy.nan, sympy.zoo):
+        for found, expected in zip([*back[0], *back[1]], [*entries, *entries], strict=True):
+            assert_same_value(found, expected)

@@ -37,6 +37,8 @@ pub struct Graph {
     number_index: FxHashMap<Number, u32>,
     names: Vec<Box<str>>,
     name_index: FxHashMap<Box<str>, u32>,
+    /// Which kinds of variables have a name, a bit each, by the name's number.
+    name_kinds: Vec<u8>,
     /// Values that are recognised when they are made: small integers and simple fractions, unsigned.
     pub(crate) plain_values: FxHashMap<Element, NumberId>,
     /// Points of the circle of arguments seen before; a cache, derived from the graph alone.
@@ -222,8 +224,15 @@ impl Graph {
         }
         let id = u32::try_from(self.names.len()).unwrap_or(u32::MAX);
         self.names.push(name.into());
+        self.name_kinds.push(0);
         self.name_index.insert(name.into(), id);
         id
+    }
+
+    /// Whether more than one kind of variables has this name: symbols of different assumptions, functions of time.
+    pub(crate) fn has_namesakes(&self, name: &str) -> bool {
+        let id = self.name_index.get(name);
+        id.is_some_and(|&id| self.name_kinds[id as usize].count_ones() > 1)
     }
 
     /// The node of a number.
@@ -265,6 +274,7 @@ impl Graph {
             Assumption::Real | Assumption::None => Element::draw(&key),
         };
         let flags = if assumption == Assumption::None { Flags::COMPLEX } else { Flags::default() };
+        self.name_kinds[name_id as usize] |= 2 << assumption as u8;
         self.intern(Kind::Symbol(assumption), flags, &[name_id], value)
     }
 
@@ -272,6 +282,7 @@ impl Graph {
     pub fn time_function(&mut self, name: &str, order: u32) -> Id {
         let name_id = self.name_id(name);
         let value = Element::draw(&Key::new("time function").text(name).word(order.into()));
+        self.name_kinds[name_id as usize] |= 1;
         let level = u8::try_from(order).unwrap_or(u8::MAX).saturating_add(1);
         self.intern(Kind::TimeFunction, Flags::TIME.at_level(level), &[name_id, order], value)
     }

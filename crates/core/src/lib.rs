@@ -38,6 +38,7 @@ mod lower;
 mod matrix;
 mod minor;
 mod monomial;
+mod namesake;
 mod node;
 mod number;
 mod polynomial;

@@ -56,13 +56,15 @@ impl Graph {
             }
         }
         let outside = self.post_order_where(outputs, |id| !is_input(id) && !inside.contains(&id));
-        let variables = outside.into_iter().filter(|&id| self.is_variable(id));
-        names.extend(variables.map(|id| self.to_text(id)));
+        let needed: Vec<Id> = outside.into_iter().filter(|&id| self.is_variable(id)).collect();
+        names.extend(needed.iter().map(|&id| self.to_text(id)));
         names.sort_unstable();
         names.dedup();
+        let explained = self.explain_namesakes(&needed, inputs, ("without a value", "given"));
         Error::MissingInput(format!(
-            "no value for {}: make each an input, or substitute it",
-            names.join(", ")
+            "no value for {}: make each an input, or substitute it{}",
+            names.join(", "),
+            explained.map_or_else(String::new, |text| format!("; {text}"))
         ))
     }
 }

@@ -1,5 +1,7 @@
 //! Derivatives and substitution of many expressions at once.
 
+use std::ffi::CString;
+
 use pyo3::prelude::*;
 use pyo3::types::{PyFrozenSet, PyTuple};
 use symbody_core::Id;
@@ -31,6 +33,11 @@ pub fn pairs(mapping: &Bound<'_, PyAny>) -> PyResult<Vec<(Id, Id)>> {
         .collect()
 }
 
+/// What is to be replaced.
+pub fn keys(pairs: &[(Id, Id)]) -> Vec<Id> {
+    pairs.iter().map(|pair| pair.0).collect()
+}
+
 /// Several expressions with every key of the mapping replaced by its value, all at once.
 #[pyfunction]
 fn substitute<'py>(
@@ -39,8 +46,32 @@ fn substitute<'py>(
     mapping: &Bound<'py, PyAny>,
 ) -> PyResult<Bound<'py, PyTuple>> {
     let (roots, pairs) = (operands(expressions, "subs")?, pairs(mapping)?);
+    notice_namesakes(py, "subs", &roots, &keys(&pairs))?;
     let replaced = raise(py, with_forms(|graph| graph.substitute(&roots, &pairs)))?;
     tuple(py, replaced)
+}
+
+/// Warn of variables that occur in none of the expressions, where others of their names do.
+pub fn notice_namesakes(py: Python<'_>, place: &str, roots: &[Id], sought: &[Id]) -> PyResult<()> {
+    let roles = ("in the expression", "given");
+    let Some(text) = with_forms(|graph| graph.explain_absent(roots, sought, roles)) else {
+        return Ok(());
+    };
+    let message = CString::new(format!("{place}: {text}")).unwrap_or_default();
+    let category = py.import("symbody.errors")?.getattr("ModelNotice")?;
+    PyErr::warn(py, &category, &message, 1)
+}
+
+/// How variables that are needed differ from those of the same names that are given; nothing if none do.
+#[pyfunction]
+fn namesakes(
+    needed: &Bound<'_, PyAny>,
+    given: &Bound<'_, PyAny>,
+    roles: (String, String),
+) -> PyResult<String> {
+    let (needed, given) = (operands(needed, "namesakes")?, operands(given, "namesakes")?);
+    let text = with_forms(|graph| graph.explain_namesakes(&needed, &given, (&roles.0, &roles.1)));
+    Ok(text.unwrap_or_default())
 }
 
 /// The derivatives of several expressions with respect to one variable.
@@ -51,6 +82,7 @@ fn diff_all<'py>(
     variable: &Bound<'py, PyAny>,
 ) -> PyResult<Bound<'py, PyTuple>> {
     let (roots, variable) = (operands(expressions, "diff")?, operand(variable, "diff, variable")?);
+    notice_namesakes(py, "diff", &roots, &[variable])?;
     tuple(py, raise(py, with_graph(|graph| graph.diff_all(&roots, variable)))?)
 }
 
@@ -76,6 +108,7 @@ fn gradient<'py>(
 ) -> PyResult<Bound<'py, PyTuple>> {
     let root = operand(expression, "gradient, expression")?;
     let variables = operands(variables, "gradient, variables")?;
+    notice_namesakes(py, "gradient", &[root], &variables)?;
     tuple(py, raise(py, with_graph(|graph| graph.gradient(root, &variables)))?)
 }
 
@@ -88,11 +121,13 @@ fn jacobian<'py>(
 ) -> PyResult<Vec<Bound<'py, PyTuple>>> {
     let roots = operands(expressions, "jacobian, expressions")?;
     let variables = operands(variables, "jacobian, variables")?;
+    notice_namesakes(py, "jacobian", &roots, &variables)?;
     let rows = raise(py, with_graph(|graph| graph.jacobian(&roots, &variables)))?;
     rows.into_iter().map(|row| tuple(py, row)).collect()
 }
 
 pub fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
+    module.add_function(wrap_pyfunction!(namesakes, module)?)?;
     module.add_function(wrap_pyfunction!(substitute, module)?)?;
     module.add_function(wrap_pyfunction!(diff_all, module)?)?;
     module.add_function(wrap_pyfunction!(free_symbols, module)?)?;

@@ -3,7 +3,7 @@
 use num_bigint::BigInt;
 use pyo3::prelude::*;
 use pyo3::types::{PyBool, PyFloat, PyInt, PyString};
-use symbody_core::{Id, Number};
+use symbody_core::{Error, Id, Number};
 
 use crate::expr::Expr;
 use crate::session::{argument_error, raise, with_graph};
@@ -70,6 +70,9 @@ fn number(object: &Bound<'_, PyAny>) -> PyResult<Option<Number>> {
             return raise(py, Number::from_big(num, den)).map(Some);
         }
     }
+    if object.get_type().name()?.to_str()? == "Decimal" {
+        return decimal(object).map(Some);
+    }
     if object.hasattr("dtype")? && object.getattr("ndim")?.extract::<usize>()? == 0 {
         let plain = object.call_method0("item")?;
         if plain.is_instance_of::<PyFloat>() || plain.is_instance_of::<PyInt>() {
@@ -78,6 +81,26 @@ fn number(object: &Bound<'_, PyAny>) -> PyResult<Option<Number>> {
     }
     Ok(None)
 }
+
+/// A number of Python's `decimal`, exactly; it prints as a double where that is exact.
+fn decimal(object: &Bound<'_, PyAny>) -> PyResult<Number> {
+    let py = object.py();
+    let rounded: f64 = object.call_method0("__float__")?.extract()?;
+    if !object.call_method0("is_finite")?.extract::<bool>()? {
+        return raise(py, Number::from_f64(rounded));
+    }
+    let exponent: i64 = object.call_method0("adjusted")?.extract()?;
+    if exponent.abs() > LARGEST_EXPONENT {
+        return raise(py, Err(Error::NumberTooLarge(object.str()?.to_string())));
+    }
+    let (num, den) = object.call_method0("as_integer_ratio")?.extract()?;
+    let exact = raise(py, Number::from_big(num, den))?;
+    let plain = Number::from_f64(rounded).ok().filter(|plain| plain.same_value(&exact));
+    Ok(plain.unwrap_or(exact))
+}
+
+/// Powers of ten beyond it have more digits than any number of expressions.
+const LARGEST_EXPONENT: i64 = 1_000_000;
 
 fn integer(object: &Bound<'_, PyAny>) -> PyResult<Number> {
     if let Ok(value) = object.extract::<i64>() {

@@ -4,9 +4,10 @@ use num_bigint::BigInt;
 use pyo3::basic::CompareOp;
 use pyo3::exceptions::PyAttributeError;
 use pyo3::prelude::*;
-use pyo3::types::{PyBytes, PyFrozenSet, PyTuple};
+use pyo3::types::{PyBytes, PyDict, PyFrozenSet, PyTuple};
 use symbody_core::{Error, Evaluator, Function, Graph, Id, Number, NumberId, View};
 
+use crate::calculus::{keys, notice_namesakes, pairs};
 use crate::convert::{is_sympy, mistake, operand, optional};
 use crate::session::{argument_error, raise, with_forms, with_graph};
 
@@ -114,9 +115,35 @@ impl Expr {
         let py = slf.py();
         let equal = match (op, optional(other)) {
             (CompareOp::Eq | CompareOp::Ne, Ok(Some(id))) => with_forms(|graph| graph.equal(slf.get().0, id)),
+            (_, Ok(Some(id))) => return Err(no_order(py, slf.get().0, id, op)),
             _ => return Ok(py.NotImplemented()),
         };
         Ok((equal == matches!(op, CompareOp::Eq)).into_pyobject(py)?.to_owned().into_any().unbind())
+    }
+
+    /// `NumPy`'s functions of expressions, alone or beside arrays.
+    #[pyo3(signature = (ufunc, method, *inputs, **options))]
+    fn __array_ufunc__<'py>(
+        slf: &Bound<'py, Self>,
+        ufunc: &Bound<'py, PyAny>,
+        method: &Bound<'py, PyAny>,
+        inputs: &Bound<'py, PyTuple>,
+        options: Option<&Bound<'py, PyDict>>,
+    ) -> PyResult<Bound<'py, PyAny>> {
+        let bridge = slf.py().import("symbody.symbolic.ufunc")?;
+        bridge.call_method1("array_ufunc", (ufunc, method, inputs, options))
+    }
+
+    /// What isn't found elsewhere: the methods that `NumPy` calls for entries of arrays, or an error with our name for it.
+    fn __getattr__<'py>(slf: &Bound<'py, Self>, name: &str) -> PyResult<Bound<'py, PyAny>> {
+        let (py, class) = (slf.py(), slf.get_type());
+        if let Ok(descriptor) = class.getattr(name) {
+            return descriptor.call_method1("__get__", (slf,)); // its own error, again
+        }
+        if name.starts_with('_') {
+            return Err(PyAttributeError::new_err(format!("'Expr' object has no attribute '{name}'")));
+        }
+        py.import("symbody.symbolic.ufunc")?.call_method1("attribute", (slf, name))
     }
 
     /// Agrees with `==`, and for simple numbers with Python's own numbers.
@@ -347,15 +374,49 @@ impl Expr {
     #[pyo3(signature = (variable, n = Times(1)), text_signature = "($self, variable, n=1)")]
     fn diff(&self, py: Python<'_>, variable: &Bound<'_, PyAny>, n: Times) -> PyResult<Self> {
         let variable = operand(variable, "diff, variable")?;
+        notice_namesakes(py, "diff", &[self.0], &[variable])?;
         let derive = |graph: &mut Graph| (0..n.0).try_fold(self.0, |id, _| graph.diff(id, variable));
         raise(py, with_graph(derive)).map(Self)
     }
 
     /// The expression with every key of the mapping replaced by its value, all at once.
-    fn subs(&self, py: Python<'_>, mapping: &Bound<'_, PyAny>) -> PyResult<Self> {
-        let pairs = crate::calculus::pairs(mapping)?;
+    #[pyo3(signature = (mapping, *value))]
+    fn subs(&self, py: Python<'_>, mapping: &Bound<'_, PyAny>, value: &Bound<'_, PyTuple>) -> PyResult<Self> {
+        if !value.is_empty() {
+            let message = "subs takes one mapping of variables to their values: subs({x: 1}), not subs(x, 1)";
+            return Err(argument_error(py, message.to_owned()));
+        }
+        let pairs = pairs(mapping)?;
+        notice_namesakes(py, "subs", &[self.0], &keys(&pairs))?;
         let replaced = raise(py, with_forms(|graph| graph.substitute(&[self.0], &pairs)))?;
         Ok(Self(replaced[0]))
+    }
+}
+
+/// The error for a comparison whose truth nobody knows.
+fn no_order(py: Python<'_>, left: Id, right: Id, op: CompareOp) -> PyErr {
+    let sign = match op {
+        CompareOp::Lt => "<",
+        CompareOp::Le => "<=",
+        CompareOp::Gt => ">",
+        _ => ">=",
+    };
+    let (left, right) = with_forms(|graph| (quoted(graph, left), quoted(graph, right)));
+    let message = format!(
+        "{left} {sign} {right}: expressions have no order; Max(a, b) and Min(a, b) choose, a condition is an \
+         expression that is positive, as in Piecewise((value, a - b)) for a > b, and float(e) makes a number"
+    );
+    argument_error(py, message)
+}
+
+/// An expression as far as a message shows it.
+fn quoted(graph: &Graph, id: Id) -> String {
+    const SHOWN: usize = 40;
+    let text = graph.to_text(id);
+    if text.chars().count() <= SHOWN {
+        text
+    } else {
+        format!("{}...", text.chars().take(SHOWN).collect::<String>())
     }
 }
 

@@ -4,6 +4,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyTuple;
 use symbody_core::Matrix;
 
+use crate::calculus::notice_namesakes;
 use crate::convert::operands;
 use crate::expr::{Expr, tuple};
 use crate::session::{raise, with_graph};
@@ -55,6 +56,7 @@ fn solve<'py>(
 ) -> PyResult<Bound<'py, PyTuple>> {
     let equations = operands(equations, "solve, equations")?;
     let unknowns = operands(unknowns, "solve, unknowns")?;
+    notice_namesakes(py, "solve", &equations, &unknowns)?;
     tuple(py, raise(py, with_graph(|graph| graph.solve(&equations, &unknowns)))?)
 }
 

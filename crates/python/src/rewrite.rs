@@ -4,6 +4,7 @@ use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use symbody_core::{Error, Graph, Id};
 
+use crate::calculus::notice_namesakes;
 use crate::convert::{mistake, operand, operands};
 use crate::expr::Expr;
 use crate::session::{raise, with_forms};
@@ -45,6 +46,7 @@ fn rewrite(py: Python<'_>, name: &str, expression: &Bound<'_, PyAny>) -> PyResul
 fn collect(py: Python<'_>, expression: &Bound<'_, PyAny>, variables: &Bound<'_, PyAny>) -> PyResult<Expr> {
     let root = operand(expression, "collect, expression")?;
     let variables = operands(variables, "collect, variables")?;
+    notice_namesakes(py, "collect", &[root], &variables)?;
     raise(py, with_forms(|graph| graph.collect(root, &variables))).map(Expr)
 }
 
@@ -57,6 +59,7 @@ fn coeff(
     n: &Bound<'_, PyAny>,
 ) -> PyResult<Expr> {
     let (root, variable) = (operand(expression, "coeff, expression")?, operand(variable, "coeff, variable")?);
+    notice_namesakes(py, "coeff", &[root], &[variable])?;
     let n = n.extract().map_err(|_| mistake(n, "coeff, n", "a whole number"))?;
     raise(py, with_forms(|graph| graph.coeff(root, variable, n))).map(Expr)
 }

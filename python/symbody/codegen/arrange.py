@@ -12,13 +12,14 @@ from symbody.codegen.count import counts_by_stage
 from symbody.codegen.describe import described
 from symbody.codegen.language import Language
 from symbody.codegen.module import Array, Function, Module
-from symbody.codegen.names import Scope, identifier
+from symbody.codegen.names import Scope, program_identifier
 from symbody.codegen.preparation import Preparation
 from symbody.codegen.runtime import factor_size
 from symbody.codegen.sample import Sample, sample_of
 from symbody.codegen.straight_line import Code, Input, code_of
 from symbody.errors import ProgramError
 from symbody.symbolic import Argument, Program, Routine, t
+from symbody.symbolic.identifier import identifier
 
 __all__ = ["module_name", "module_of"]
 
@@ -35,7 +36,8 @@ def module_of(
 
 def module_name(name: str, language: Language) -> str:
     """Return the identifier of a program of this name, which its files are called by."""
-    return Scope(language.reserved, language.case_sensitive).claim(name)
+    reserved = language.reserved if language.reserved_programs is None else language.reserved_programs
+    return program_identifier(name, Scope(reserved, language.case_sensitive))
 
 
 _IN_PLACE = (
@@ -49,8 +51,8 @@ class _Arrangement:
 
     def __init__(self, program: Program, language: Language, limit: int | None) -> None:
         self.program, self.language, self.limit = program, language, limit
-        self.scope = Scope(language.reserved, language.case_sensitive)
-        self.name = self.scope.claim(program.name)  # the first of all, as in `module_name`
+        self.name = module_name(program.name, language)
+        self.scope = Scope(language.reserved, language.case_sensitive).inner([self.name])
         self.routines = {routine.name: self.scope.claim(routine.name) for routine in program.routines}
         self.arrays = {argument.name: self._argument(argument) for argument in program.arguments}
         self.constants: list[tuple[str, str]] = []

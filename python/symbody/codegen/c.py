@@ -24,6 +24,11 @@ fmax fma div abs index signbit isnan isinf isfinite nan round trunc hypot sign_o
 failures printf I
 """
 
+_HEADERS = """
+assert complex ctype errno fenv float inttypes iso646 limits locale math setjmp signal stdalign stdarg stdatomic
+stdbool stddef stdint stdio stdlib stdnoreturn string tgmath threads time uchar wchar wctype symbody
+"""
+
 LANGUAGE = Language(
     comment=("/*", "*/"),
     declare="const double {name} = {value};",
@@ -37,6 +42,7 @@ LANGUAGE = Language(
         select="({} > 0.0 ? {} : {})",
     ),
     reserved=frozenset(_KEYWORDS.split()),
+    reserved_programs=frozenset([*_KEYWORDS.split(), *_HEADERS.split()]),
     literal=lambda value: {"inf": "INFINITY", "-inf": "-INFINITY", "nan": "NAN"}.get(
         repr(value), number_text(value)
     ),

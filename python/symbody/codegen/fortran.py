@@ -25,6 +25,7 @@ __all__ = ["FORTRAN"]
 _NAMES = """
 dp real64 iso_fortran_env abs acos asin atan atan2 cos cosh exp log max maxval merge min reshape sign sin sinh size
 sqrt tan tanh transpose real integer sign_of least greatest compare failures reference symbody_factor symbody_solve
+iso_c_binding ieee_arithmetic ieee_exceptions ieee_features omp_lib openacc mpi mpi_f08
 """
 
 LANGUAGE = Language(

@@ -18,7 +18,7 @@ baremodule begin break catch const continue do else elseif end export false fina
 isa let local macro module mutable primitive quote return struct true try type using where while abstract
 abs acos asin atan cos cosh exp log max min sign sin sinh sqrt tan tanh ifelse pi im Inf NaN undef Array Vector Matrix
 eltype promote_type reshape permutedims number compare reference failures linear_solve exit println include
-real_sqrt real_log real_asin real_acos real_power
+real_sqrt real_log real_asin real_acos real_power same main Base Core Main
 """
 
 LANGUAGE = Language(

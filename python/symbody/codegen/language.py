@@ -33,6 +33,7 @@ class Language:
         matrix: an entry of a matrix, as ``{}({}, {})``; none where matrices are arrays, row by row.
         scalar: a result that is one number, where it is assigned.
         reserved: words that can't be names, those of the functions included.
+        reserved_programs: names that programs and their files can't have; none where these are the reserved words.
         qualified: whether the names of functions begin with that of the program.
         continuation: what ends a line that goes on in the next one.
     """
@@ -43,6 +44,7 @@ class Language:
     functions: Mapping[str, str]
     reserved: frozenset[str]
     literal: Callable[[float], str]
+    reserved_programs: frozenset[str] | None = None
     entry: str = "{}[{}]"
     matrix: str = ""
     scalar: str = "{}"

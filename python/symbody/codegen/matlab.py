@@ -18,7 +18,7 @@ break case catch classdef continue else elseif end for function global if otherw
 spmd switch try while do until unwind_protect endfunction endif endfor endwhile end_try_catch i j I J e pi eps
 Inf NaN inf nan ans class double char size numel all any isequal functions ones zeros abs acos asin atan atan2
 cos cosh exp log max min power sign sin sinh sqrt tan tanh isnan select least greatest real imag real_or_nan
-compare fprintf error reshape linear_solve
+compare fprintf error reshape linear_solve same reference
 """
 
 _SOMETIMES_COMPLEX = ("sqrt", "log", "asin", "acos")

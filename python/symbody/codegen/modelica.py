@@ -28,7 +28,8 @@ elseif elsewhen encapsulated end enumeration equation expandable extends externa
 import impure in initial inner input loop model not operator or outer output package parameter partial protected
 public pure record redeclare replaceable return stream then true type when while within
 Real Integer Boolean String time abs sign sqrt sin cos tan asin acos atan atan2 sinh cosh tanh exp log min max
-Modelica transpose reference same self_check pre edge change sample delay homotopy noEvent smooth size fill zeros
+Modelica ModelicaServices ModelicaReference Complex transpose reference same
+self_check pre edge change sample delay homotopy noEvent smooth size fill zeros
 """
 
 LANGUAGE = Language(

@@ -1,47 +1,30 @@
-"""The user's names as identifiers of a language."""
+"""The names of a program in a language: reserved words and names that are taken are avoided."""
 
 from __future__ import annotations
 
-import re
-import unicodedata
 from collections.abc import Iterable
 from dataclasses import dataclass, field
 
-__all__ = ["Scope", "identifier"]
+from symbody.symbolic.identifier import identifier
 
-_RATES = ("", "_dot", "_ddot", "_dddot")
-_LETTER = re.compile(r"(?:GREEK|CYRILLIC)(?: SMALL| CAPITAL)?(?: LETTER)? (?P<name>\w+)")
-_DIFF = re.compile(r"diff\((?P<name>.*), t, (?P<order>\d+)\)")
-_LONGEST = 48
+__all__ = ["Scope", "program_identifier"]
+
+_DEVICES = frozenset(
+    ["con", "prn", "aux", "nul", *(f"{port}{k}" for port in ("com", "lpt") for k in range(1, 10))]
+)
+"""Windows has no files of these names, with whatever ending."""
 
 
-def identifier(name: str) -> str:
-    """Return a name in letters, digits and underscores.
+def program_identifier(name: str, scope: Scope) -> str:
+    """Return the identifier of a program, which its files are called by: not a word that the scope reserves.
 
-    >>> [identifier(name) for name in ("θ1'", "Ω", "q''", "X1[2]", "diff(q, t, 4)", "é₂", "2a")]
-    ['theta1_dot', 'Omega', 'q_ddot', 'X1_2', 'q_d4', 'e2', 'x2a']
+    >>> scope = Scope(frozenset({"class"}))
+    >>> [program_identifier(name, scope) for name in ("crane", "class", "aux")]
+    ['crane', 'class_program', 'aux_program']
     """
-    higher = _DIFF.fullmatch(name)
-    if higher:
-        return f"{identifier(higher['name'])}_d{higher['order']}"
-    base = name.rstrip("'")
-    rates = len(name) - len(base)
-    suffix = _RATES[rates] if rates < len(_RATES) else f"_d{rates}"
-    latin = re.sub(r"[^A-Za-z0-9]+", "_", "".join(map(_latin, base))).strip("_")[:_LONGEST]
-    return ("" if latin[:1].isalpha() else "x") + latin + suffix
-
-
-def _latin(letter: str) -> str:
-    if letter.isascii():
-        return letter
-    plain = unicodedata.normalize("NFKD", letter)[0]
-    if plain.isascii():
-        return plain
-    found = _LETTER.match(unicodedata.name(plain, ""))
-    if not found:
-        return f"u{ord(letter):X}"
-    word = found["name"].lower()
-    return word.capitalize() if letter.isupper() else word
+    wanted = identifier(name)
+    is_usable = scope.is_free(wanted) and wanted.lower() not in _DEVICES
+    return wanted if is_usable else f"{wanted}_program"
 
 
 @dataclass
@@ -64,16 +47,17 @@ class Scope:
         """Return the identifier of a name, which nothing else in the scope has; or of another one, if it is taken."""
         wanted = identifier(name)
         candidate = f"{wanted}_" if self._key(wanted) in self.reserved else wanted
-        if otherwise and not self._is_free(candidate):
+        if otherwise and not self.is_free(candidate):
             wanted = candidate = identifier(otherwise)
         number = 1
-        while not self._is_free(candidate):
+        while not self.is_free(candidate):
             number += 1
             candidate = f"{wanted}_{number}"
         self._taken.add(self._key(candidate))
         return candidate
 
-    def _is_free(self, candidate: str) -> bool:
+    def is_free(self, candidate: str) -> bool:
+        """Whether an identifier is neither reserved nor taken."""
         return self._key(candidate) not in self._taken and self._key(candidate) not in self.reserved
 
     def inner(self, names: Iterable[str] = ()) -> Scope:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import builtins
 import keyword
+import sys
 from collections.abc import Sequence
 from dataclasses import dataclass
 
@@ -24,8 +25,11 @@ __all__ = [
     "values_lines",
 ]
 
-_OWN = "np jnp jax ca math entries shape array square linear_solve compare main function model sys"
+_OWN = "np jnp jax ca math entries shape array square linear_solve compare main function model same sys"
 _RESERVED = frozenset([*keyword.kwlist, *keyword.softkwlist, *dir(builtins), *_OWN.split()])
+_LIBRARIES = "numpy scipy jax jaxlib ml_dtypes opt_einsum casadi symbody sitecustomize usercustomize"
+_MODULES = frozenset([*keyword.kwlist, *sys.stdlib_module_names, *_LIBRARIES.split()])
+"""A file of one of these names would be imported in the place of the library."""
 
 
 def python_language(prefix: str, **other: str) -> Language:
@@ -39,6 +43,7 @@ def python_language(prefix: str, **other: str) -> Language:
         assign="{place} = {value}",
         functions=functions(**{**own, **pairs, **other}),
         reserved=_RESERVED,
+        reserved_programs=_MODULES,
         literal=number_text,
         factor="{work} = square({work}, {n})",
         solve="{x} = linear_solve({work}, {x})",

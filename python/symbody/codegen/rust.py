@@ -17,7 +17,7 @@ _NAMES = """
 as break const continue crate else enum extern false fn for if impl in let loop match mod move mut pub ref return self
 Self static struct super trait true type unsafe use where while async await dyn abstract become box do final macro
 override priv typeof unsized virtual yield try union f64 main sign_of least greatest factor solve compare failures
-reference gen std
+reference gen std core alloc process
 """
 
 _METHODS = ("sqrt", "sin", "cos", "tan", "asin", "acos", "atan", "sinh", "cosh", "tanh", "exp")

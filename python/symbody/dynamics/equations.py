@@ -130,7 +130,7 @@ class Equations:
     def program(
         self,
         *,
-        name: str = "model",
+        name: str | None = None,
         outputs: Outputs | None = None,
         baumgarte: Damping = None,
         method: str | None = "auto",

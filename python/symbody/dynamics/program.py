@@ -21,6 +21,7 @@ from symbody.symbolic import (
     number,
     t,
 )
+from symbody.symbolic.identifier import title_identifier
 
 from .baumgarte import Damping
 from .equations import Equations
@@ -49,7 +50,7 @@ _ALWAYS = {
 def program(
     eqs: Equations,
     *,
-    name: str = "model",
+    name: str | None = None,
     outputs: Outputs | None = None,
     baumgarte: Damping = None,
     method: str | None = "auto",
@@ -58,7 +59,7 @@ def program(
 
     Args:
         eqs: the equations of motion.
-        name: what the generated code is called.
+        name: what the generated code is called; the name of the system as an identifier, or "model", by default.
         outputs: what else the code computes: expressions, vectors or matrices by name.
         baumgarte: omega and zeta of the stabilisation in the forward dynamics.
         method: how the forward dynamics is solved, see `forward_dynamics`; None leaves it out, and the right-hand side.
@@ -92,7 +93,8 @@ def program(
         f"the equations of motion of {', '.join(map(str, eqs.coordinates))}{_drift(eqs, method, baumgarte)}"
     )
     completed = tuple(_with_arguments(routine, arguments) for routine in routines)
-    return Program(name, meaning, tuple(arguments), completed)
+    named = title_identifier(eqs.system.name, "model") if name is None else name
+    return Program(named, meaning, tuple(arguments), completed)
 
 
 def _equations_of_motion(eqs: Equations) -> list[Routine]:

@@ -13,6 +13,7 @@ from symbody.geometry.argument import checked
 from symbody.geometry.floating import Floating, known_rates, rate_by
 from symbody.geometry.triple import Rate, expression
 from symbody.symbolic import Expr, functions_of_time, time_derivative
+from symbody.symbolic.namesake import namesake_note
 
 from .body import Body
 from .coordinate import check_function_of_time, rate_of_any
@@ -223,7 +224,8 @@ def _fault(constraint: Expr, coordinates: Sequence[Expr], speeds: Sequence[Expr]
         return "is no condition; leave it out"
     leaves = constraint.free_symbols
     if not any(coordinate in leaves for coordinate in coordinates):
-        return "holds none of the coordinates; leave it out, or correct it"
+        note = namesake_note(coordinates, leaves, ("among the coordinates", "in the constraint"))
+        return f"holds none of the coordinates; leave it out, or correct it{note}"
     rate = rate_of_any(coordinates, leaves)
     speed = next(
         (u for u in speeds if u.name in {leaf.name for leaf in leaves if leaf.depends_on_time}), None

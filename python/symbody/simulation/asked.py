@@ -7,6 +7,7 @@ from collections.abc import Mapping, Sequence
 from symbody.errors import ArgumentError, SimulationError
 from symbody.symbolic import Expr, ExprLike, free_symbols
 from symbody.symbolic.arguments import described, expression
+from symbody.symbolic.namesake import namesake_note
 
 from .event import Event
 from .model import Model
@@ -70,4 +71,5 @@ def check_known_along(
             raise SimulationError(
                 f"{where}: {name} holds {', '.join(sorted(map(str, strange)))}; expected an expression of time, "
                 "coordinates, speeds, accelerations, multipliers and parameters"
+                f"{namesake_note(strange, known, ('asked for', 'of the motion'))}"
             )

@@ -15,6 +15,7 @@ from symbody.multibody import System
 from symbody.symbolic import Expr, ExprLike, free_symbols, number, substitute
 from symbody.symbolic import t as symbolic_time
 from symbody.symbolic.arguments import described
+from symbody.symbolic.namesake import namesake_note
 
 from .driven_motion import followed_motion, prescribed_motion
 from .driving_load import driving_loads
@@ -91,11 +92,16 @@ class InverseDynamics:
         return np.asarray(function(self.t, rows, forces, _column(self.parameters.values())))
 
     def _check_known(self, wanted: Iterable[Expr], known: set[Expr]) -> None:
-        strange = sorted(map(str, free_symbols(list(wanted)) - known))
+        unknown = free_symbols(list(wanted)) - known
+        strange, note = (
+            sorted(map(str, unknown)),
+            namesake_note(unknown, known, ("asked for", "of the motion")),
+        )
         if strange:
             raise SimulationError(
                 f"{_WHERE}: {', '.join(strange)} is nothing that this motion knows; expected time, coordinates, "
                 "speeds, accelerations, multipliers and parameters of its system, and the loads that were solved for"
+                f"{note}"
             )
 
 

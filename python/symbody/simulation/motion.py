@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 from symbody.errors import ModelError, ParameterError, SimulationError, SymbodyError
 from symbody.multibody import System
 from symbody.symbolic import Expr, ExprLike, free_symbols, number
+from symbody.symbolic.namesake import namesake_note
 
 from .drawing import drawer
 from .event import Occurrence
@@ -104,17 +105,21 @@ class Motion:
         model = self.model
         known = {*model.integrated, *model.accelerations, *model.multipliers, *self.parameters}
         known |= {key for key, _ in model.inputs}
-        strange = sorted(map(str, free_symbols(model.with_inputs(wanted)) - known))
+        unknown = free_symbols(model.with_inputs(wanted)) - known
+        strange, note = (
+            sorted(map(str, unknown)),
+            namesake_note(unknown, known, ("asked for", "of the motion")),
+        )
         symbols = [leaf for leaf in free_symbols(wanted) if str(leaf) in strange and leaf.kind == "symbol"]
         if symbols:
             raise ParameterError(
                 f"motion: {', '.join(sorted(map(str, symbols)))} has no value in this motion; give it with the "
-                "parameters of simulate"
+                f"parameters of simulate{note}"
             )
         if strange:
             raise SimulationError(
                 f"motion: {', '.join(strange)} is nothing that this motion knows; expected time, coordinates, speeds, "
-                "accelerations, multipliers and parameters of its system"
+                f"accelerations, multipliers and parameters of its system{note}"
             )
 
     @cached_property

@@ -14,6 +14,7 @@ from symbody.errors import ArgumentError, ModelError, ParameterError
 from symbody.multibody import System
 from symbody.symbolic import Expr, ExprLike, t, time_derivative
 from symbody.symbolic.arguments import described, expression
+from symbody.symbolic.namesake import namesake_note
 
 from .cases import column_of
 
@@ -72,7 +73,8 @@ def check_parameters(names: Sequence[Expr], given: Mapping[Any, ArrayLike], wher
     if missing:
         unused = f"; {_listed(more)}, which you gave, stands nowhere in the equations" if more else ""
         raise ParameterError(
-            f"{where}: no value for {_listed(missing)}; give parameters={{{_examples(missing)}}}{unused}"
+            f"{where}: no value for {_listed(missing)}; give parameters={{{_examples(missing)}}}"
+            f"{namesake_note(missing, given) or unused}"
         )
 
 
@@ -150,6 +152,7 @@ def given_inputs(
             raise ModelError(
                 f"{where}, inputs: {_found(function)} is no function of time that the equations hold beside "
                 f"coordinates and speeds; expected {_listed(names) or 'none: leave inputs out'}"
+                f"{namesake_note(eqs.inputs, [function], _EXPECTED)}"
             )
     known = {function.name for function in (*given, *besides)}
     missing = [name for name in names if name not in known]
@@ -216,7 +219,12 @@ def check_known(given: Iterable[object], known: Sequence[Expr], place: str, expe
     """
     for name in given:
         if not isinstance(name, Expr) or name not in known:
-            raise ParameterError(f"{place}: {_found(name)} is not {expected}; {_near(name, known)}")
+            near = namesake_note(known, [name], _EXPECTED) or f"; {_near(name, known)}"
+            raise ParameterError(f"{place}: {_found(name)} is not {expected}{near}")
+
+
+_EXPECTED = ("expected", "given")
+"""What two variables of one name are, to `namesake_note`."""
 
 
 def _mapping(given: object, where: str, argument: str) -> Mapping[Any, ArrayLike]:

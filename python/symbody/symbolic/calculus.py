@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from typing import Any, overload
 
 from symbody.symbolic import _core
 from symbody.symbolic._core import Expr
@@ -50,18 +51,38 @@ def free_symbols(expressions: Sequence[ExprLike]) -> frozenset[Expr]:
     return _core.free_symbols(expressions)
 
 
-def time_derivative(expression: ExprLike, n: int = 1) -> Expr:
-    """Return the n-th total time derivative: x becomes x', x' becomes x''.
+@overload
+def time_derivative(expression: ExprLike, n: int = 1) -> Expr: ...
+@overload
+def time_derivative(expression: Matrix, n: int = 1) -> Matrix: ...
+@overload
+def time_derivative(expression: list[Any], n: int = 1) -> list[Any]: ...
+@overload
+def time_derivative(expression: tuple[Any, ...], n: int = 1) -> tuple[Any, ...]: ...
+def time_derivative(expression: Any, n: int = 1) -> Any:
+    """Return the n-th total time derivative: x becomes x', x' becomes x''; of a list or a matrix, that of each entry.
 
     >>> from symbody import functions_of_time, time_derivative
-    >>> x = functions_of_time("x")
+    >>> x, y = functions_of_time("x y")
     >>> time_derivative(x**2, 2)
     2*(x*x'' + x'**2)
+    >>> time_derivative([x, x * y])
+    [x', x*y' + x'*y]
     """
-    result = _core.number(expression, "time_derivative, expression")
-    for _ in range(size(n, "time_derivative: n", "derivatives")):
-        (result,) = _core.time_derivatives((result,))
-    return result
+    if isinstance(expression, list | tuple):
+        return type(expression)([time_derivative(each, n) for each in expression])
+    times = size(n, "time_derivative: n", "derivatives")
+    if isinstance(expression, Matrix):
+        entries = _derived(expression.entries, times)
+        return Matrix.from_entries(expression.rows, expression.columns, entries)
+    return _derived((_core.number(expression, "time_derivative, expression"),), times)[0]
+
+
+def _derived(expressions: Sequence[ExprLike], times: int) -> Sequence[Any]:
+    """Return the time derivatives of several expressions, which share each sweep."""
+    for _ in range(times):
+        expressions = _core.time_derivatives(expressions)
+    return expressions
 
 
 def time_derivatives(expressions: Sequence[ExprLike]) -> tuple[Expr, ...]:

@@ -114,8 +114,10 @@ def Max(*args: ExprLike) -> Expr:
     return _core.apply("Max", args)
 
 
-def Piecewise(*branches: tuple[ExprLike, ExprLike], otherwise: ExprLike = 0) -> Expr:
-    """Return the value of the first branch ``(value, condition)`` whose condition is positive.
+def Piecewise(*branches: tuple[ExprLike, ExprLike | bool], otherwise: ExprLike = 0) -> Expr:
+    """Return the value of the first branch ``(value, condition)`` whose condition is positive, as ``x`` is for x > 0.
+
+    A last branch ``(value, True)`` says the same as ``otherwise=value``.
 
     >>> from symbody import Piecewise, symbols
     >>> x, k = symbols("x k")
@@ -124,8 +126,10 @@ def Piecewise(*branches: tuple[ExprLike, ExprLike], otherwise: ExprLike = 0) -> 
     0
     """
     flat: list[ExprLike] = []
-    for branch in branches:
+    for place, branch in enumerate(branches, 1):
         if not isinstance(branch, tuple) or len(branch) != 2:  # type: ignore[redundant-expr]  # users may err
             raise ArgumentError(f"a branch of Piecewise is a pair (value, condition > 0), found {branch!r}")
+        if branch[1] is True and place == len(branches):
+            return _core.apply("Piecewise", (*flat, branch[0]))
         flat.extend(branch)
     return _core.apply("Piecewise", (*flat, otherwise))

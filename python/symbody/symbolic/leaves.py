@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
+from decimal import Decimal
 from fractions import Fraction
 from typing import Any, TypeAlias
 
@@ -12,6 +13,7 @@ from symbody.errors import ArgumentError, ExpressionError
 from symbody.symbolic import _core
 from symbody.symbolic._core import Expr
 from symbody.symbolic.arguments import described, size
+from symbody.symbolic.name_list import is_list_of_names, names_in
 
 __all__ = [
     "ExprLike",
@@ -35,6 +37,8 @@ _TAKEN = (
     | {"linear_solution": "a component of a solution, symbody.linear_solve"}
 )
 _NAME = re.compile(r"[^\W\d]\w*")
+_DIGITS = r"(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eE][+-]?[0-9]+)?"
+_NUMBER = re.compile(rf"\s*[+-]?{_DIGITS}\s*(?:/\s*{_DIGITS}\s*)?")
 
 t: Expr = _core.time()
 """The independent variable, time."""
@@ -45,28 +49,40 @@ pi: Expr = _core.pi()
 symbol = _core.symbol
 
 
-def number(value: ExprLike | Fraction) -> Expr:
-    """Return a number as an expression; doubles keep the decimals that print them.
+def number(value: ExprLike | Fraction | Decimal | str) -> Expr:
+    """Return a number as an expression, exactly: a fraction, a decimal, or a text of one.
+
+    Doubles keep the decimals that print them, and so do texts: 0.1 is 1/10.
+
+    Raises:
+        ArgumentError: it is no number.
+        ExpressionError: the text is no number; ``parse`` reads expressions.
 
     >>> from fractions import Fraction
-    >>> number(Fraction(1, 3)) + number(0.5)
-    0.8333333333333334
+    >>> number(Fraction(1, 3)) + number(0.5), number("1/2"), number("1e-3")
+    (0.8333333333333334, 1/2, 0.001)
     """
-    return _core.number(value, "number")
+    return _number_in(value) if isinstance(value, str) else _core.number(value, "number")
 
 
-def _names(names: str | Iterable[str], place: str) -> list[str]:
-    """Return the names in a text or in a list of texts."""
-    texts = [names] if isinstance(names, str) or not isinstance(names, Iterable) else list(names)
-    for text in texts:
-        if not isinstance(text, str):
-            raise ArgumentError(f"{place}: {described(text)}; expected names in a text, such as 'm g l1'")
-    found = [name for text in texts for name in text.replace(",", " ").split()]
-    if not found:
-        raise ExpressionError(f"no name in {names!r}; expected names separated by blanks, such as 'm g l1'")
-    for name in found:
-        check_name(name)
-    return found
+def _number_in(text: str) -> Expr:
+    if not _NUMBER.fullmatch(text):
+        raise ExpressionError(
+            f"number: {text!r} is no number; expected one such as '1/2', '-7/3', '0.1' or '1e-3'; "
+            "parse reads expressions"
+        )
+    numerator, _, denominator = text.partition("/")
+    if not denominator:
+        return _decimal(numerator)
+    divisor = _decimal(denominator)
+    if divisor.is_zero:
+        raise ExpressionError(f"number: {text!r} is divided by zero")
+    return _decimal(numerator) / divisor
+
+
+def _decimal(text: str) -> Expr:
+    plain = text.strip()
+    return _core.number(int(plain) if plain.lstrip("+-").isdigit() else Decimal(plain), "number")
 
 
 def check_name(name: str) -> None:
@@ -79,38 +95,50 @@ def check_name(name: str) -> None:
         raise ExpressionError(f"the name {name!r} stands for {_TAKEN[name]}; choose another name")
 
 
-def _one_or_all(names: str | Iterable[str], made: tuple[Expr, ...]) -> Any:
-    return made[0] if isinstance(names, str) and len(made) == 1 else made
+def _named(names: object, make: Callable[[str], Expr], place: str) -> Any:
+    """Return what is made of each name, in the structure that the names have."""
+    if isinstance(names, str):
+        made = tuple(make(name) for name in _checked(names_in(names)))
+        return made if is_list_of_names(names) else made[0]
+    if not isinstance(names, Iterable):
+        raise ArgumentError(f"{place}: {described(names)}; expected names in a text, such as 'm g l1'")
+    listed = [_named(each, make, place) for each in names]
+    return type(names)(listed) if isinstance(names, tuple | set | frozenset) else listed
+
+
+def _checked(names: list[str]) -> list[str]:
+    for name in names:
+        check_name(name)
+    return names
 
 
 def symbols(names: str | Iterable[str], *, positive: bool = False, real: bool = True) -> Any:
-    """Return the symbols of these names: one alone or a tuple for a text, a tuple for a list of names.
+    """Return the symbols of these names: one alone, a tuple for several or a range, a list for a list of texts.
 
+    Names and ranges are written as for SymPy: ``"x y"``, ``"x0:3"`` (x0, x1, x2), ``"a:d"``, ``"x,"`` (a tuple of one).
     A symbol is real unless ``real=False``; the roots of a ``positive`` one are taken exactly.
 
     >>> from symbody import sqrt, symbols
     >>> m, g = symbols("m g")
     >>> length = symbols("length", positive=True)
-    >>> sqrt(length**2)
-    length
+    >>> sqrt(length**2), symbols("q1:4"), symbols(["k"])
+    (length, (q1, q2, q3), [k])
     """
     for option, value in (("positive", positive), ("real", real)):
         if not isinstance(value, bool):
             raise ArgumentError(f"symbols: {option} is {value!r}; expected True or False")
-    made = [_core.symbol(name, positive=positive, real=real) for name in _names(names, "symbols")]
-    return _one_or_all(names, tuple(made))
+    return _named(names, lambda name: _core.symbol(name, positive=positive, real=real), "symbols")
 
 
 def functions_of_time(names: str | Iterable[str]) -> Any:
-    """Return functions of time of these names, as ``symbols`` does; primes denote their derivatives.
+    """Return functions of time of these names, ranges too, as ``symbols`` does; primes denote their derivatives.
 
     >>> from symbody import functions_of_time, time_derivative
     >>> x, y = functions_of_time("x y")
     >>> time_derivative(x * y)
     x*y' + x'*y
     """
-    made = tuple(_core.time_function(name) for name in _names(names, "functions_of_time"))
-    return _one_or_all(names, made)
+    return _named(names, _core.time_function, "functions_of_time")
 
 
 @dataclass(frozen=True)
@@ -143,7 +171,9 @@ def function(name: str) -> UndefinedFunction:
     >>> f(x * y, y).diff(x)
     y*D[1](f)(x*y, y)
     """
-    checked = _names(name, "function")
-    if len(checked) > 1:
-        raise ExpressionError(f"function: {len(checked)} names in {name!r}; expected one, such as 'f'")
-    return UndefinedFunction(checked[0])
+    if not isinstance(name, str):
+        raise ArgumentError(f"function: {described(name)}; expected a name in a text, such as 'f'")
+    found = _checked(names_in(name))
+    if len(found) > 1:
+        raise ExpressionError(f"function: {len(found)} names in {name!r}; expected one, such as 'f'")
+    return UndefinedFunction(found[0])

@@ -14,6 +14,7 @@ from symbody.symbolic import _core
 from symbody.symbolic._core import Expr
 from symbody.symbolic.arguments import described, size
 from symbody.symbolic.encoding import Encoded, decode, encode
+from symbody.symbolic.hint import no_attribute
 from symbody.symbolic.leaves import ExprLike
 
 __all__ = ["Matrix", "identity", "zeros"]
@@ -95,6 +96,19 @@ class Matrix:
         picked_columns = _places(j, self.columns, "columns")
         entries = [self.entries[a * self.columns + b] for a in picked_rows for b in picked_columns]
         return Matrix.from_entries(len(picked_rows), len(picked_columns), entries)
+
+    def __array_ufunc__(self, ufunc: np.ufunc, method: str, *inputs: Any, **options: Any) -> Any:
+        """Apply a function of NumPy to the entries; a result of two dimensions is a matrix again."""
+        from symbody.symbolic.ufunc import array_ufunc  # noqa: PLC0415 - only who calls NumPy's functions needs it
+
+        result = array_ufunc(ufunc, method, inputs, options)
+        is_matrix = isinstance(result, np.ndarray) and result.ndim == 2 and result.dtype == object
+        return Matrix(result.tolist()) if is_matrix else result
+
+    def __getattr__(self, name: str) -> Any:
+        if name.startswith("_"):
+            raise AttributeError(f"'Matrix' object has no attribute {name!r}")
+        raise no_attribute("Matrix", name)
 
     def __array__(self, dtype: object = None, copy: bool | None = None) -> NDArray[np.object_]:  # noqa: FBT001 - NumPy's
         array = np.empty(self.shape, dtype=object)
@@ -202,6 +216,12 @@ class Matrix:
     def __reduce__(self) -> tuple[Any, ...]:
         """Pickle the entries together, for they share much."""
         return _decoded, (self.rows, self.columns, encode(self.entries))
+
+    def to_sympy(self) -> Any:
+        """Return the matrix as SymPy has it; ``to_sympy`` has more options."""
+        from symbody.symbolic.sympy_bridge import to_sympy  # noqa: PLC0415 - it converts matrices, and stands above
+
+        return to_sympy(self)
 
     def latex(self) -> str:
         """Return the matrix in LaTeX."""

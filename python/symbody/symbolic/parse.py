@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Mapping
-from fractions import Fraction
+from decimal import Decimal
 from functools import cache
 from math import isinf
 from typing import TypeAlias
@@ -164,8 +164,8 @@ class _Builder(Transformer_NonRecursive[Token, Expr]):
         if token.isdecimal():
             return _core.number(int(token))
         value = float(token)
-        beyond = isinf(value) or (value == 0.0 and Fraction(token) != 0)
-        return _core.number(Fraction(token) if beyond else value)
+        is_beyond = isinf(value) or (value == 0.0 and Decimal(token) != 0)
+        return _core.number(Decimal(token) if is_beyond else value)
 
     def name(self, token: Token) -> Expr:
         meaning = self._names.get(token)

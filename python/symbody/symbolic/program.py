@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import re
 from collections import Counter
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from math import prod
 
 from symbody.errors import ProgramError
 from symbody.symbolic._core import Expr, free_symbols
+from symbody.symbolic.namesake import namesake_note
 
 __all__ = ["STAGES", "Argument", "Program", "Result", "Routine"]
 
@@ -106,7 +107,7 @@ class Program:
         _check_name("program", self.name)
         _check_single("the arguments", (argument.name for argument in self.arguments))
         _check_single("the routines", (routine.name for routine in self.routines))
-        _check_single("the variables", (str(v) for argument in self.arguments for v in argument.variables))
+        _check_single_variables([v for argument in self.arguments for v in argument.variables])
         for routine in self.routines:
             _check_closed(routine, self.arguments_of(routine))
 
@@ -132,6 +133,7 @@ def _check_closed(routine: Routine, arguments: Iterable[Argument]) -> None:
             raise ProgramError(
                 f"the result {result.name} of {routine.name} contains {', '.join(missing)}, and is no function of its "
                 f"arguments {names}; substitute a value, or make it a parameter or an input"
+                f"{namesake_note(leaves - given, given, ('in the result', 'among the arguments'))}"
             )
 
 
@@ -140,6 +142,17 @@ def _check_name(kind: str, name: str) -> None:
         raise ProgramError(
             f"the name {name!r} of the {kind} can't stand in code; expected letters, digits and _ after a letter"
         )
+
+
+def _check_single_variables(variables: Sequence[Expr]) -> None:
+    """Raise an error for variables of one name, which are the same one, or differ by their assumptions."""
+    names = [str(variable) for variable in variables]
+    for name, count in Counter(names).items():
+        same = [variable for variable in variables if count > 1 and str(variable) == name]
+        note = namesake_note(same[:1], same[1:], ("in one place", "in another"))
+        if note:
+            raise ProgramError(f"the variables have the name {name} {count} times{note}")
+    _check_single("the variables", names)
 
 
 def _check_single(kind: str, names: Iterable[str]) -> None:

@@ -1,0 +1,133 @@
+"""NumPy's functions of expressions: ``np.cos(x)``, of arrays that hold expressions as well.
+
+NumPy asks an operand that is an expression for ``__array_ufunc__``, and the entries of an array of objects for methods
+of the functions' names; both lead to the table here. Operators stay NumPy's own, entry by entry.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping
+from functools import partial
+from typing import Any
+
+import numpy as np
+
+from symbody.errors import ArgumentError
+from symbody.symbolic import functions
+from symbody.symbolic._core import Expr
+from symbody.symbolic.derived_functions import DERIVED, heaviside
+from symbody.symbolic.functions import Abs, Max, Min, atan2, sqrt
+from symbody.symbolic.hint import no_attribute
+from symbody.symbolic.leaves import ExprLike, number
+from symbody.symbolic.matrix import Matrix
+
+__all__ = ["array_ufunc", "attribute"]
+
+_OPERATORS = frozenset(
+    {
+        "add",
+        "subtract",
+        "multiply",
+        "divide",
+        "power",
+        "negative",
+        "positive",
+        "absolute",
+        "square",
+        "reciprocal",
+    }
+    | {"equal", "not_equal", "less", "less_equal", "greater", "greater_equal"}
+    | {"matmul", "vecdot", "matvec", "vecmat"}
+)
+"""What NumPy does with Python's operators, entry by entry."""
+
+_NAMES = {
+    **{name: name for name in ("sin", "cos", "tan", "sinh", "cosh", "tanh", "exp", "log", "sqrt", "sign")},
+    **{name: name for name in ("exp2", "expm1", "log1p", "log2", "log10", "cbrt", "degrees", "radians")},
+    **{f"arc{name}": f"a{name}" for name in ("sin", "cos", "tan", "sinh", "cosh", "tanh")},
+    "rad2deg": "degrees",
+    "deg2rad": "radians",
+}
+"""NumPy's functions of one argument, and what they are called here."""
+
+
+def _hypot(x: Expr, y: Expr) -> Expr:
+    return sqrt(x**2 + y**2)
+
+
+def _clip(x: Expr, low: ExprLike | None, high: ExprLike | None, out: None = None) -> Expr:
+    above = x if low is None else Max(x, low)
+    return above if high is None else Min(above, high)
+
+
+_FUNCTIONS: Mapping[str, Callable[..., Expr]] = {
+    **{theirs: DERIVED.get(ours) or getattr(functions, ours) for theirs, ours in _NAMES.items()},
+    "fabs": Abs,
+    "arctan2": atan2,
+    "hypot": _hypot,
+    "maximum": Max,
+    "minimum": Min,
+    "fmax": Max,
+    "fmin": Min,
+    "heaviside": heaviside,
+    "clip": _clip,
+}
+"""The functions of expressions by NumPy's names."""
+
+
+def array_ufunc(
+    ufunc: np.ufunc, method: str, inputs: Iterable[object], options: Mapping[str, Any] | None = None
+) -> Any:
+    """Return what a function of NumPy gives for operands of which one is an expression or a matrix.
+
+    Raises:
+        ArgumentError: expressions have no such function.
+
+    >>> from symbody import symbols
+    >>> x, y = symbols("x y")
+    >>> np.arctan2(y, x), np.cos([x, y])
+    (atan2(y, x), array([cos(x), cos(y)], dtype=object))
+    """
+    name = ufunc.__name__
+    if name in _OPERATORS:
+        applied = ufunc
+    elif name in _FUNCTIONS:
+        applied = np.frompyfunc(_of_numbers(_FUNCTIONS[name]), ufunc.nin, 1)
+    else:
+        raise _unknown(name)
+    arrays = [np.asarray(each, dtype=object) if _is_symbolic(each) else each for each in inputs]
+    return getattr(applied, method)(*arrays, **options or {})
+
+
+def attribute(expression: Expr, name: str) -> Callable[..., Expr]:
+    """Return the method that NumPy calls for an entry of an array of objects.
+
+    Raises:
+        AttributeError: there is no such method; the message has our way, where SymPy's users expect another one.
+    """
+    if name in _FUNCTIONS:
+        return partial(_FUNCTIONS[name], expression)
+    if isinstance(getattr(np, name, None), np.ufunc) and name not in _OPERATORS:
+        return partial(_refuse, name)
+    raise no_attribute("Expr", name)
+
+
+def _is_symbolic(operand: object) -> bool:
+    return isinstance(operand, Expr | Matrix)
+
+
+def _of_numbers(function: Callable[..., Expr]) -> Callable[..., Expr]:
+    """Return the function for entries that may be numbers of NumPy."""
+    return lambda *entries: function(*(number(entry) for entry in entries))
+
+
+def _refuse(name: str, *_: object) -> Expr:
+    raise _unknown(name)
+
+
+def _unknown(name: str) -> ArgumentError:
+    supported = ", ".join(sorted({*_FUNCTIONS, *_OPERATORS}))
+    return ArgumentError(
+        f"np.{name}: expressions have no such function; expected one of {supported}. "
+        "lambdify makes functions of numbers, to which all of NumPy applies"
+    )

@@ -1,0 +1,98 @@
+"""Numbers from texts, decimals and NumPy's scalars are exact."""
+
+from __future__ import annotations
+
+from decimal import Decimal
+from fractions import Fraction
+
+import numpy as np
+import pytest
+
+from symbody import Expr, number, parse, symbols
+from symbody.errors import ArgumentError, ExpressionError
+
+x = symbols("x")
+
+
+@pytest.mark.parametrize(
+    ("text", "value"),
+    [
+        ("1/2", Fraction(1, 2)),
+        (" 3 ", 3),
+        ("-7/3", Fraction(-7, 3)),
+        ("+4/6", Fraction(2, 3)),
+        (" -1 / 2 ", Fraction(-1, 2)),
+        ("0.1", Fraction(1, 10)),
+        (".5", Fraction(1, 2)),
+        ("2.", 2),
+        ("1e-3", Fraction(1, 1000)),
+        ("1E6", 10**6),
+        ("1.5/4", Fraction(3, 8)),
+        ("-0", 0),
+        ("0.1234567890123456789", Fraction("0.1234567890123456789")),
+        ("123456789012345678901234567890", 123456789012345678901234567890),
+        ("1e-400", Fraction(1, 10**400)),
+        ("9.81", Fraction(981, 100)),
+    ],
+)
+def test_a_text_is_the_number_that_it_says(text: str, value: Fraction | int) -> None:
+    assert Fraction(*number(text).ratio) == value
+
+
+def test_how_it_prints() -> None:
+    texts = ("1/2", "0.1", "1e-3", "-7/3", "3", "2.50")
+    assert [str(number(text)) for text in texts] == ["1/2", "0.1", "0.001", "-7/3", "3", "2.5"]
+    assert number("0.1").same_form(number(0.1))
+    assert number("0.1").is_decimal
+
+
+@pytest.mark.parametrize("value", [Decimal("0.1"), Decimal("-2.5e-7"), Decimal(12), Decimal("1e30")])
+def test_decimals_are_exact_wherever_numbers_are(value: Decimal) -> None:
+    for made in (number(value), number(str(value)), parse(str(value)), (value * (x + 1)).subs({x: 0})):  # type: ignore[operator]
+        assert Fraction(*made.ratio) == Fraction(value)
+
+
+def test_a_decimal_of_many_digits() -> None:
+    value = Decimal("0.12345678901234567890123")
+    assert Fraction(*number(value).ratio) == Fraction(value)
+
+
+@pytest.mark.parametrize(
+    "value", [np.float64(0.1), np.int64(3), np.float32(0.5), np.uint8(7), np.array(2.5), np.array([x])[0]]
+)
+def test_scalars_of_numpy(value: object) -> None:
+    assert number(value) == (value if isinstance(value, Expr) else value.item())  # type: ignore[arg-type,attr-defined]
+
+
+ONE = "expected one such as '1/2', '-7/3', '0.1' or '1e-3'; parse reads expressions"
+
+
+@pytest.mark.parametrize(
+    "text",
+    ["", "x", "0,5", "1/2/3", "1//2", "pi/2", "nan", "inf", "-inf", "1_000", "0x10", "1e", "--1", "1 2", "½", "١", "2j",
+     "50%"],
+)  # fmt: skip
+def test_texts_of_no_number(text: str) -> None:
+    with pytest.raises(ExpressionError) as caught:
+        number(text)
+    assert str(caught.value) == f"number: {text!r} is no number; {ONE}"
+
+
+@pytest.mark.parametrize("text", ["1/0", "0/0", "1/0.0", "1/-0"])
+def test_a_zero_below_the_line(text: str) -> None:
+    with pytest.raises(ExpressionError, match=r"divided by zero|is no number"):
+        number(text)
+
+
+@pytest.mark.parametrize("value", ["1e9999999999", "1e-99999999", Decimal("1e4000000")])
+def test_numbers_that_fill_the_memory(value: str | Decimal) -> None:
+    with pytest.raises(ExpressionError, match="more than a million digits"):
+        number(value)
+    with pytest.raises(ExpressionError, match="more than a million digits"):
+        parse(str(value))
+
+
+@pytest.mark.parametrize("value", [None, True, 1j, np.bool_(True), b"1", [1]])
+def test_what_is_no_number(value: object) -> None:
+    with pytest.raises(ArgumentError, match="expected an expression or a number"):
+        number(value)  # type: ignore[arg-type]
