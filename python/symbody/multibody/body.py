@@ -11,6 +11,7 @@ from symbody.geometry.argument import checked
 from symbody.geometry.motion import Translation
 from symbody.geometry.triple import expression, triple
 from symbody.symbolic import Expr, Matrix, matvec3
+from symbody.symbolic.arguments import brief
 
 Place: TypeAlias = Annotated[
     Point | Frame, "the centre of mass: a point, such as Point(frame, x, y, z), or a frame whose origin it is"
@@ -57,8 +58,9 @@ class Body:
         for name, value in zip(names, (self.mass, *self.moments, *self.products), strict=True):
             if value.depends_on_time:
                 raise BodyError(
-                    f"Body: {name} = {value} depends on time; expected a constant, such as symbols('m'): bodies are "
-                    "rigid and neither gain nor lose mass; make several bodies of parts that move in each other"
+                    f"Body: {name} = {brief(value)} depends on time; expected a constant, such as symbols('m'): "
+                    "bodies are rigid and neither gain nor lose mass; make several bodies of parts that move in each "
+                    "other"
                 )
 
     @property
