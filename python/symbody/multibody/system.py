@@ -19,6 +19,7 @@ from .body import Body
 from .coordinate import check_function_of_time, rate_of_any
 from .frames import all_frames
 from .load import Load
+from .physical_inertia import report_impossible_differences
 
 Thing = TypeVar("Thing", Body, Load)
 
@@ -126,6 +127,7 @@ class System:
         self._check_coordinates()
         self._check_constraints()
         self._check_multipliers()
+        report_impossible_differences(self.bodies)
 
     def _check_coordinates(self) -> None:
         if not self.driving:
