@@ -57,6 +57,8 @@ def report_impossible_inertia(body: Body) -> None:
 
 def report_impossible_differences(bodies: Sequence[Body]) -> None:
     """Give a notice of bodies joined rigidly, some of them taken away from others, that together are no body."""
+    if not any(_is_taken_away(body) for body in bodies):
+        return
     groups: dict[Frame, list[Body]] = {}
     for body in bodies:
         groups.setdefault(_carrier(body.frame), []).append(body)
