@@ -119,8 +119,8 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
         errors.FrameError,
         lambda: rotate("Z", phi) * vehicle,
         (
-            "Frame([[cos(phi), -sin(phi), 0, 0], [sin(phi), cos(phi), 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]) * vehicle: "
-            "the second frame hangs on a moving master frame, whose place is unknown; put the moving frame first"
+            'rotate("Z", phi) * vehicle: the second frame hangs on a moving master frame, whose place is unknown; put '
+            "the moving frame first"
         ),
     ),
     (
@@ -181,8 +181,7 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
         errors.FrameError,
         lambda: dot(Vector(ground, 1, 2, 3), G),
         (
-            "dot: v = Point(Frame([[1, 0, 0, x], [0, 1, 0, y], [0, 0, 1, 0], [0, 0, 0, 1]]), 0, 0, 0) is a "
-            "Point; expected a vector, such as Vector(frame, x, y, z)"
+            "dot: v = Point(translate(x, y, 0), 0, 0, 0) is a Point; expected a vector, such as Vector(frame, x, y, z)"
         ),
     ),
     (
@@ -194,8 +193,8 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
         errors.FrameError,
         lambda: project(G, G),
         (
-            "project: frame = Point(Frame([[1, 0, 0, x], [0, 1, 0, y], [0, 0, 1, 0], [0, 0, 0, 1]]), 0, 0, "
-            "0) is a Point; expected a frame, such as ground or rotate('Z', angle)"
+            "project: frame = Point(translate(x, y, 0), 0, 0, 0) is a Point; expected a frame, such as ground or "
+            "rotate('Z', angle)"
         ),
     ),
     (
@@ -273,8 +272,7 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
         errors.LoadError,
         lambda: Force(ground, F, 0, 0, at=G, on=G),
         (
-            "Force: on = Point(Frame([[1, 0, 0, x], [0, 1, 0, y], [0, 0, 1, 0], [0, 0, 0, 1]]), 0, 0, 0) is "
-            "a Point; expected a body, such as Body(frame, mass)"
+            "Force: on = Point(translate(x, y, 0), 0, 0, 0) is a Point; expected a body, such as Body(frame, mass)"
         ),
     ),
     (
@@ -388,8 +386,8 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
         errors.ModelError,
         lambda: newton_equations({body}, G),
         (
-            "newton_equations: frame = Point(Frame([[1, 0, 0, x], [0, 1, 0, y], [0, 0, 1, 0], [0, 0, 0, "
-            "1]]), 0, 0, 0) is a Point; expected a frame, such as ground or rotate('Z', angle)"
+            "newton_equations: frame = Point(translate(x, y, 0), 0, 0, 0) is a Point; expected a frame, such as "
+            "ground or rotate('Z', angle)"
         ),
     ),
     (
@@ -681,8 +679,7 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
         errors.ModelError,
         lambda: newton_euler(System([Body(translate(x, time_derivative(x), 0), m)], coordinates=[x])),
         (
-            "newton_euler: Frame([[1, 0, 0, x], [0, 1, 0, x'], [0, 0, 1, 0], [0, 0, 0, 1]]) holds the rate x'; "
-            "expected frames of coordinates and time alone"
+            "newton_euler: translate(x, x', 0) holds the rate x'; expected frames of coordinates and time alone"
         ),
     ),
     (

@@ -4,6 +4,9 @@ Every message says where, what was found, what was expected and the way out, in 
 ``tests/test_errors.py`` holds each of them verbatim.
 """
 
+import inspect
+import warnings
+
 
 class SymbodyError(Exception):
     """The root: whoever catches it catches every mistake that symbody reports."""
@@ -83,3 +86,11 @@ class PictureError(SymbodyError, OSError):
 
 class ModelNotice(UserWarning):
     """Something was left out of a result, on purpose, and the user should know."""
+
+
+def notify(message: str) -> None:
+    """Warn with a `ModelNotice` at the line outside of symbody that led here."""
+    frame, level = inspect.currentframe(), 1
+    while frame is not None and frame.f_globals.get("__name__", "").partition(".")[0] == "symbody":
+        frame, level = frame.f_back, level + 1
+    warnings.warn(message, ModelNotice, stacklevel=level)

@@ -115,6 +115,15 @@ def test_frozen_velocity_is_that_of_the_material_point() -> None:
     assert frozen_velocity(contact, wheel).components == (0, 0, 0)
 
 
+def test_frozen_velocity_in_the_axes_of_the_frame() -> None:
+    rim = Point(T, a, b, 0)
+    seen, own = frozen_velocity(rim, T), frozen_velocity(rim, T, axes=T)
+    assert (seen.frame, own.frame) == (ground, T)
+    assert own.components == project(seen, T).components
+    turned = rotate("X", b)
+    assert frozen_velocity(rim, T, axes=turned).components == project(seen, turned).components
+
+
 def test_substitution() -> None:
     assert Point(T, a * x, 0, 0).subs({x: b, phi: 0}).projected(ground).coordinates == (b + a * b, 0, 0)
     assert Vector(T, a, x, 0).subs({a: 1, x: 2}).components == (1, 2, 0)

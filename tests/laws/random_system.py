@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import warnings
 from dataclasses import dataclass, field
 from random import Random
 
@@ -10,6 +11,7 @@ from symbody import (
     Expr,
     Force,
     Frame,
+    ModelNotice,
     Point,
     System,
     Torque,
@@ -143,6 +145,13 @@ def random_floating_system(
 
 
 def _random_system(maker: Maker, frames: list[Frame], *, size: int, loads: int) -> System:
+    """Return a system with any inertias: the laws are algebra, which doesn't ask whether a body has them."""
+    with warnings.catch_warnings():
+        warnings.filterwarnings("ignore", ".*(no body has|together none|no body is joined)", ModelNotice)
+        return _drawn(maker, frames, size=size, loads=loads)
+
+
+def _drawn(maker: Maker, frames: list[Frame], *, size: int, loads: int) -> System:
     random, bodies = maker.random, [maker.body(frame) for frame in frames[1:]]
     while len(bodies) < size or not maker.coordinates:
         frame = random.choice(frames[-2:]) * maker.motion()

@@ -62,6 +62,12 @@ impl Graph {
         linear
     }
 
+    /// The number in an angle, in radians, multiples of pi aside.
+    #[must_use]
+    pub fn radians(&self, angle: Id) -> Number {
+        self.linear(angle).number
+    }
+
     /// The expanded monomials of a node; `None` when there are too many.
     fn monomials(&self, id: Id) -> Option<Monomials> {
         let mut steps = vec![Step::Visit(id)];

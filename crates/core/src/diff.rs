@@ -77,7 +77,11 @@ impl Graph {
     }
 
     fn check_variable(&self, variable: Id) -> Result<(), Error> {
-        if self.is_variable(variable) { Ok(()) } else { Err(Error::NotAVariable(self.to_text(variable))) }
+        if self.is_variable(variable) {
+            Ok(())
+        } else {
+            Err(Error::NotAVariable(self.to_quotation(variable)))
+        }
     }
 
     fn dependence(&self, roots: &[Id], variables: &[Id]) -> Dependence {

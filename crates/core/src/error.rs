@@ -60,6 +60,23 @@ pub enum Error {
     MissingInput(String),
 }
 
+/// Characters of an expression that a message quotes: its beginning, and its end.
+const QUOTED: (usize, usize) = (51, 26);
+
+/// What a message quotes of a text: all of it, or its beginning and its end.
+#[must_use]
+pub fn quoted(text: &str) -> String {
+    let line = text.split_whitespace().collect::<Vec<_>>().join(" ");
+    let length = line.chars().count();
+    let (beginning, end) = QUOTED;
+    if length <= beginning + end + 3 {
+        return line;
+    }
+    let head: String = line.chars().take(beginning).collect();
+    let tail: String = line.chars().skip(length - end).collect();
+    format!("{head}...{tail}")
+}
+
 impl fmt::Display for Error {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {

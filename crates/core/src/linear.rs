@@ -31,7 +31,7 @@ impl Graph {
         let mut numbers: FxHashMap<Element, usize> = FxHashMap::default();
         for (number, &unknown) in unknowns.iter().enumerate() {
             if !self.is_variable(unknown) {
-                return Err(Error::NotAVariable(self.to_text(unknown)));
+                return Err(Error::NotAVariable(self.to_quotation(unknown)));
             }
             numbers.insert(self.value(unknown), number);
         }
@@ -128,7 +128,7 @@ impl Graph {
             // A slope that has a pole where the unknowns are zero depends on them.
             let coefficient = self.without(slope, unknowns).ok();
             let Some(coefficient) = coefficient.filter(|&coefficient| self.equal(slope, coefficient)) else {
-                let (equation, unknown) = (self.to_text(equation), self.to_text(unknown));
+                let (equation, unknown) = (self.to_quotation(equation), self.to_quotation(unknown));
                 return Err(Error::NotLinear { equation, unknown });
             };
             if coefficient != Id::ZERO {

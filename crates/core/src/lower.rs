@@ -52,7 +52,7 @@ impl Graph {
         for id in self.post_order_where(outputs, |id| !is_input(id)) {
             if self.kind(id) == Kind::Application {
                 inside.push(id);
-                names.push(self.to_text(id));
+                names.push(self.to_quotation(id));
             }
         }
         let outside = self.post_order_where(outputs, |id| !is_input(id) && !inside.contains(&id));
@@ -90,7 +90,7 @@ impl<'a> Lowering<'a> {
         };
         for (&input, position) in inputs.iter().zip(0..) {
             if !graph.is_variable(input) {
-                return Err(Error::NotAVariable(graph.to_text(input)));
+                return Err(Error::NotAVariable(graph.to_quotation(input)));
             }
             lowering.code.tape.inputs.push(graph.to_text(input));
             lowering.inputs.entry(graph.value(input)).or_insert(position);

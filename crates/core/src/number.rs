@@ -10,7 +10,7 @@ use num_traits::{One, Signed, ToPrimitive, Zero};
 use std::cmp::Ordering;
 use std::hash::{Hash, Hasher};
 
-use crate::error::Error;
+use crate::error::{Error, quoted};
 use crate::gcd::reduced;
 
 /// An exact rational; `decimal` records that it came from doubles and prints as one.
@@ -327,7 +327,7 @@ impl Number {
             return Ok(Self::integer(1).with_decimal(self.decimal));
         }
         let bits = self.numerator().bits().max(self.denominator().bits());
-        let too_large = || Error::NumberTooLarge(format!("({self})**{exponent}"));
+        let too_large = || Error::NumberTooLarge(quoted(&format!("({self})**{exponent}")));
         if bits > 1 && bits.saturating_mul(exponent.unsigned_abs()) > BITS {
             return Err(too_large());
         }

@@ -73,7 +73,7 @@ impl Graph {
     fn zero_divisor(&mut self, factors: &[Factor]) -> Error {
         let dividend: Vec<Factor> = factors.iter().copied().filter(|&(id, _)| id != Id::ZERO).collect();
         let dividend = self.product(&dividend).unwrap_or(Id::ONE);
-        Error::DivisionByZero(self.to_text(dividend))
+        Error::DivisionByZero(self.to_quotation(dividend))
     }
 
     /// The derivation's node for a product of integer powers, found by its value alone.

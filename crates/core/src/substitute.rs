@@ -4,6 +4,7 @@ use rustc_hash::FxHashMap;
 
 use crate::error::Error;
 use crate::field::Element;
+use crate::function::Function;
 use crate::graph::Graph;
 use crate::node::{Id, Kind, View};
 
@@ -11,7 +12,8 @@ impl Graph {
     /// The expressions with every target replaced, all at once.
     ///
     /// A replacement of x(t) also replaces x', x'', ... by its time derivatives, unless these have
-    /// replacements of their own; a replacement of t turns x(t) into x(value).
+    /// replacements of their own; a replacement of t turns x(t) into x(value). Doubles that stand for
+    /// multiples of pi are such multiples where they come beside other terms into a sine, cosine or tangent.
     ///
     /// # Errors
     /// When a target is a number, or a divisor becomes zero.
@@ -20,7 +22,7 @@ impl Graph {
         let mut time = None;
         for &(target, replacement) in pairs {
             match self.kind(target) {
-                Kind::Number => return Err(Error::NotAVariable(self.to_text(target))),
+                Kind::Number => return Err(Error::NotAVariable(self.to_quotation(target))),
                 Kind::Time => time = Some(replacement),
                 _ => {}
             }
@@ -61,6 +63,12 @@ impl Graph {
         }
         if self.children(id).iter().all(|child| done[child] == *child) {
             return Ok(id);
+        }
+        if let View::Function(function @ (Function::Sin | Function::Cos | Function::Tan), args) =
+            self.view(id)
+        {
+            let argument = self.angle_beside_others(done[&args.get(0)]);
+            return self.apply(function, &[argument]);
         }
         self.rebuild(id, &|_, child| done[&child])
     }

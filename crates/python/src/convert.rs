@@ -3,7 +3,7 @@
 use num_bigint::BigInt;
 use pyo3::prelude::*;
 use pyo3::types::{PyBool, PyFloat, PyInt, PyString};
-use symbody_core::{Error, Id, Number};
+use symbody_core::{Error, Id, Number, quoted};
 
 use crate::expr::Expr;
 use crate::session::{argument_error, raise, with_graph};
@@ -115,7 +115,7 @@ pub fn mistake(object: &Bound<'_, PyAny>, place: &str, expected: &str) -> PyErr 
     let kind = class.name().map_or_else(|_| "object".to_owned(), |name| name.to_string());
     let article =
         if kind.starts_with(['a', 'e', 'i', 'o', 'u', 'A', 'E', 'I', 'O', 'U']) { "an" } else { "a" };
-    let text = object.repr().map_or_else(|_| String::new(), |repr| repr.to_string());
+    let text = object.repr().map_or_else(|_| String::new(), |repr| quoted(&repr.to_string()));
     let text = if object.is_none() { text } else { format!("{text} is {article} {kind}") };
     let place = if place.is_empty() { String::new() } else { format!("{place}: ") };
     argument_error(object.py(), format!("{place}{text}; expected {expected}{}", way_out(object)))

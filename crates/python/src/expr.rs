@@ -460,8 +460,8 @@ fn constant_value(graph: &Graph, id: Id) -> Result<f64, Error> {
     if let Some(&variable) = graph.variables(&[id]).first() {
         return Err(Error::MissingInput(format!(
             "{} has no number: it contains {}; substitute values first",
-            graph.to_text(id),
-            graph.to_text(variable)
+            graph.to_quotation(id),
+            graph.to_quotation(variable)
         )));
     }
     let tape = graph.tape(&[], &[id])?;

@@ -6,6 +6,7 @@
     reason = "PyO3 hands over extracted arguments by value and `self` by reference"
 )]
 
+mod angle;
 mod calculus;
 mod convert;
 mod expr;
@@ -28,6 +29,7 @@ fn _core(module: &Bound<'_, PyModule>) -> PyResult<()> {
     session::register(module)?;
     leaves::register(module)?;
     nary::register(module)?;
+    angle::register(module)?;
     calculus::register(module)?;
     integrate::register(module)?;
     kernel::register(module)?;

@@ -17,7 +17,7 @@ from symbody.codegen.llvm.jit import is_available, lanes
 from symbody.codegen.machine_code import MachineCode
 from symbody.errors import ArgumentError, ExpressionError, ParameterError, SymbodyError
 from symbody.symbolic import Expr, Matrix
-from symbody.symbolic.arguments import described, expression
+from symbody.symbolic.arguments import brief, described, expression
 from symbody.symbolic.encoding import Encoded, decode, encode
 from symbody.symbolic.tape import Tape
 
@@ -220,7 +220,7 @@ def _argument(argument: object) -> tuple[Expr, ...] | Expr:
         if all(isinstance(leaf, Expr) and leaf.is_variable for leaf in listed):
             return listed
     raise ArgumentError(
-        f"lambdify, arguments: {argument!r} is not a variable; "
+        f"lambdify, arguments: {brief(repr(argument))} is not a variable; "
         "expected symbols, functions of time, their derivatives, or lists of these"
     )
 

@@ -8,6 +8,7 @@ from symbody.errors import ModelError
 from symbody.multibody import Action, Load, System
 from symbody.multibody.load import action_velocity
 from symbody.symbolic import Expr, Matrix, dot3, jacobian, number
+from symbody.symbolic.arguments import brief
 
 
 def with_added_mass(mass_matrix: Matrix, system: System) -> Matrix:
@@ -45,14 +46,14 @@ def check_loads(system: System, where: str) -> None:
         jerk = _rate(_leaves(actions), system, 3)
         if jerk is not None:
             raise ModelError(
-                f"{where}: {load} holds {jerk}; expected coordinates, speeds and accelerations at most"
+                f"{where}: {brief(load)} holds {jerk}; expected coordinates, speeds and accelerations at most"
             )
         slopes = _slopes(actions, system)
         acceleration = _rate(_union(slopes.entries), system, 2)
         if acceleration is not None:
             raise ModelError(
-                f"{where}: {load} isn't linear in the acceleration {acceleration}; give a function of time for the "
-                "load, and its law as an equation beside those of motion"
+                f"{where}: {brief(load)} isn't linear in the acceleration {acceleration}; give a function of time "
+                "for the load, and its law as an equation beside those of motion"
             )
     if system.gravity is not None:
         acceleration = _rate(_union(system.gravity.components), system, 2)
@@ -71,8 +72,8 @@ def _check_floating(load: Load, leaves: Iterable[Expr], system: System, where: s
     rate = min(rates, key=lambda leaf: (leaf.name, leaf.order), default=None)
     if rate is not None:
         raise ModelError(
-            f"{where}: {load} holds {rate}, of a coordinate of a floating frame; write it by the rates of the speeds, "
-            "as acceleration(point) does"
+            f"{where}: {brief(load)} holds {rate}, of a coordinate of a floating frame; write it by the rates of the "
+            "speeds, as acceleration(point) does"
         )
 
 

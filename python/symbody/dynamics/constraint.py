@@ -9,6 +9,7 @@ from typing import NamedTuple
 from symbody.errors import ConstraintError, ModelNotice
 from symbody.multibody import System
 from symbody.symbolic import Expr, Matrix, derivation, gradient, jacobian, number, t, time_derivative, zeros
+from symbody.symbolic.arguments import brief
 
 
 def constraint_jacobian(system: System) -> Matrix:
@@ -100,10 +101,13 @@ class _Combination(NamedTuple):
 
 
 def _tell(system: System, place: int, combined: Sequence[int], rest: Expr) -> None:
-    constraint, others = f"System: constraint {place + 1}, {system.constraints[place]} = 0,", _named(combined)
+    constraint, others = (
+        f"System: constraint {place + 1}, {brief(system.constraints[place])} = 0,",
+        _named(combined),
+    )
     if rest.is_constant and not rest.is_zero:
         raise ConstraintError(
-            f"{constraint} contradicts {others}: together they say that {rest} = 0; correct one of them"
+            f"{constraint} contradicts {others}: together they say that {brief(rest)} = 0; correct one of them"
         )
     warnings.warn(
         f"{constraint} depends on {others}: its gradient is a combination of theirs, so that their multipliers aren't "

@@ -20,6 +20,7 @@ from symbody.symbolic import (
     saddle_point_solve,
     substitute,
 )
+from symbody.symbolic.arguments import brief
 
 from . import articulated_body
 from .baumgarte import Damping
@@ -239,6 +240,6 @@ def dependent_speeds(eqs: Equations, dependent: Speeds) -> dict[Expr, Expr]:
 def _column(eqs: Equations, speed: Expr) -> int:
     if speed not in eqs.speeds:
         raise ConstraintError(
-            f"dependent_speeds: {speed} is no speed; expected some of {', '.join(map(str, eqs.speeds))}"
+            f"dependent_speeds: {brief(speed)} is no speed; expected some of {brief(', '.join(map(str, eqs.speeds)))}"
         )
     return eqs.speeds.index(speed)

@@ -14,6 +14,7 @@ from symbody.multibody import Action, Body, System
 from symbody.multibody.coordinate import rate_of_any
 from symbody.multibody.selection import select
 from symbody.symbolic import Expr, derivation, free_symbols
+from symbody.symbolic.arguments import brief
 
 from .added_mass import check_loads
 from .partial_motion import PartialTwist, partial_twists, partial_twists_by_speeds
@@ -100,7 +101,7 @@ def _check_motion(frame: Frame, system: System, where: str) -> None:
     rate = rate_of_any(system.coordinates, leaves)
     if rate is not None:
         raise ModelError(
-            f"{where}: {frame} holds the rate {rate}; expected frames of coordinates and time alone"
+            f"{where}: {brief(frame)} holds the rate {rate}; expected frames of coordinates and time alone"
         )
     names = {u.name: "a speed" for u in system.quasi_velocities}
     names |= {q.name: "a coordinate of a floating frame" for q in system.kinematics}
@@ -109,7 +110,7 @@ def _check_motion(frame: Frame, system: System, where: str) -> None:
     )
     if taken is not None:
         raise ModelError(
-            f"{where}: {frame} is moved by {taken}, {names[taken]}; expected coordinates of its own"
+            f"{where}: {brief(frame)} is moved by {taken}, {names[taken]}; expected coordinates of its own"
         )
 
 
@@ -119,8 +120,8 @@ def _check_twist(tree: FrameTree, place: int, where: str) -> None:
             speed = next((u for u in tree.system.speeds if u in slope.free_symbols), None)
             if speed is not None:
                 raise ModelError(
-                    f"{where}: the velocities of {tree.frames[place]} aren't linear in the speed {speed}; expected "
-                    "velocities that are linear in all speeds"
+                    f"{where}: the velocities of {brief(tree.frames[place])} aren't linear in the speed {speed}; "
+                    "expected velocities that are linear in all speeds"
                 )
 
 
@@ -171,7 +172,7 @@ def _ordered(root: Frame, targets: Sequence[Frame]) -> tuple[list[Frame], list[i
         for link in _missing(frame, places):
             if link.parent is None:
                 raise ModelError(
-                    f"System: one body hangs on {root}, another one on {link}; build all on the same one"
+                    f"System: one body hangs on {brief(root)}, another one on {brief(link)}; build all on the same one"
                 )
             parents.append(places[link.parent.key])
             places[link.key] = len(ordered)

@@ -26,6 +26,7 @@ from symbody.symbolic import (
     time_derivative,
     time_derivatives,
 )
+from symbody.symbolic.arguments import brief
 
 from .added_mass import with_added_mass
 from .composite_rigid_body import mass_matrix
@@ -80,8 +81,8 @@ def _check_no_quasi_velocities(system: System) -> None:
     moved = next((frame for frame in frames if given_twist(frame) is not None), None)
     if moved is not None:
         raise ModelError(
-            f"lagrange_equations: {moved} moves by velocities in its own axes, which are no rates of coordinates; use "
-            "newton_euler"
+            f"lagrange_equations: {brief(moved)} moves by velocities in its own axes, which are no rates of "
+            "coordinates; use newton_euler"
         )
 
 

@@ -19,6 +19,7 @@ from symbody.symbolic import (
     substitute,
     time_derivatives,
 )
+from symbody.symbolic.arguments import brief
 
 from .added_mass import with_added_mass
 from .base_inertia import base_inertias
@@ -109,8 +110,8 @@ def _check_rigid(tree: FrameTree) -> None:
     for frame in tree.frames:
         if not frame.is_rigid:
             raise FrameError(
-                f"newton_euler: {frame} isn't rigid: the entries of its matrix make no rotation by themselves, only "
-                "together with constraints; use lagrange_equations"
+                f"newton_euler: {brief(frame)} isn't rigid: the entries of its matrix make no rotation by "
+                "themselves, only together with constraints; use lagrange_equations"
             )
 
 

@@ -21,6 +21,7 @@ from symbody.symbolic import (
     number,
     t,
 )
+from symbody.symbolic.arguments import brief
 from symbody.symbolic.identifier import title_identifier
 
 from .baumgarte import Damping
@@ -205,8 +206,8 @@ def _scalar(name: str, value: ExprLike) -> Expr:
         return number(value)
     except ArgumentError as failure:
         raise ProgramError(
-            f"program: the output {name} is or holds {value!r}; expected an expression, a vector, a matrix or a list "
-            "of expressions"
+            f"program: the output {name} is or holds {brief(repr(value))}; expected an expression, a vector, a "
+            "matrix or a list of expressions"
         ) from failure
 
 

@@ -7,6 +7,7 @@ from typing import NamedTuple
 
 from symbody.errors import FrameError
 from symbody.symbolic import add3, derivation, sub3
+from symbody.symbolic.arguments import brief
 
 from .frame import Frame
 from .motion import Motion, Substitution
@@ -87,7 +88,7 @@ def path(source: Frame, target: Frame) -> tuple[list[Motion], list[Motion]]:
             b = b.parent
         else:
             raise FrameError(
-                f"{source} can't be seen from {target}: one hangs on {source.ancestor}, the other on "
+                f"{brief(source)} can't be seen from {brief(target)}: one hangs on {source.ancestor}, the other on "
                 f"{target.ancestor}, and the place of a moving master frame is unknown; build both on the same one"
             )
     down.reverse()

@@ -7,15 +7,17 @@ from typing import Annotated, Protocol, TypeAlias, runtime_checkable
 
 from symbody.errors import FrameError
 from symbody.symbolic import Expr, functions_of_time
+from symbody.symbolic.arguments import brief
 
+from .angle import angle as angle_in_radians
 from .argument import checked
 from .floating import floating
 from .frame import Frame, ground
 from .motion import AXES, Motion, Rotation, Translation
-from .orientation import ROUGH, exact_axis
+from .orientation import ROUGH, exact_axis, report_rounding
 from .skew_axis import is_unit, rotation_about
 from .tracking import tracking
-from .triple import Scalar, Triple, expression, triple
+from .triple import Scalar, Triple, triple
 from .twist import Twist
 
 Functions: TypeAlias = Annotated[
@@ -50,10 +52,19 @@ def translate(x: Scalar, y: Scalar, z: Scalar) -> Frame:
 def rotate(axis: Axis, angle: Scalar) -> Frame:
     """Return the frame rotated about "X", "Y", "Z", a unit triple or a vector; right-handed.
 
-    >>> rotate("Z", 0) == ground
-    True
+    Doubles that stand for multiples of pi are such multiples: ``math.pi/2``, ``math.radians(30)``. So are doubles in
+    the axis that stand for roots, such as ``1/math.sqrt(3)``.
+
+    Args:
+        axis: about which.
+        angle: in radians. A number has a notice if it is a multiple of pi but for digits left out (1.5708), or more
+            than a full turn (90).
+
+    >>> import math
+    >>> rotate("Z", math.pi / 2).matrix[0, :3]
+    Matrix([[0, -1, 0]])
     """
-    turn = expression(angle)
+    turn = angle_in_radians(angle, "rotate")
     if isinstance(axis, str):
         return ground.then(Rotation(_principal(axis), turn))
     return ground.then(_about(_axis_components(axis), turn))
@@ -142,15 +153,17 @@ def _functions(what: str, given: Sequence[Expr] | None, names: Sequence[str], of
         return list(functions_of_time([f"{name}_{of}" if of else name for name in names]))
     if len(given) != len(names) or any(f.kind != "time_function" or f.order for f in given):
         raise FrameError(
-            f"floating_frame: {what} = {', '.join(map(str, given))}; expected {len(names)} functions of time, such as "
-            f"functions_of_time({' '.join(names)!r})"
+            f"floating_frame: {what} = {brief(', '.join(map(str, given)))}; expected {len(names)} functions of time, "
+            f"such as functions_of_time({' '.join(names)!r})"
         )
     return tuple(given)
 
 
 def _principal(axis: str) -> int:
     if len(axis) != 1 or axis.upper() not in AXES:
-        raise FrameError(f"rotate: unknown axis {axis!r}, expected 'X', 'Y', 'Z', a unit triple or a Vector")
+        raise FrameError(
+            f"rotate: unknown axis {brief(repr(axis))}, expected 'X', 'Y', 'Z', a unit triple or a Vector"
+        )
     return AXES.index(axis.upper())
 
 
@@ -163,9 +176,8 @@ def _axis_components(axis: Sequence[Scalar] | HasComponents) -> Triple:
     return triple(*components)
 
 
-def _about(axis: Triple, angle: Scalar) -> Motion:
-    turn = expression(angle)
-    shown = f"rotate: the axis ({', '.join(str(component) for component in axis)})"
+def _about(axis: Triple, turn: Expr) -> Motion:
+    shown = f"rotate: the axis ({brief(', '.join(map(str, axis)))})"
     if not all(component.is_constant for component in axis):
         if not is_unit(axis):
             raise FrameError(f"{shown} isn't of length 1 whatever its variables; divide it by its length")
@@ -174,5 +186,7 @@ def _about(axis: Triple, angle: Scalar) -> Motion:
     length = sum(entry * entry for entry in numbers) ** 0.5
     if abs(length - 1) > ROUGH:
         raise FrameError(f"{shown} has length {length:.6g}, expected 1; divide it by its length")
-    exact = axis if is_unit(axis) else exact_axis(*numbers)
-    return rotation_about(exact, turn)
+    if is_unit(axis):
+        return rotation_about(axis, turn)
+    report_rounding(abs(length - 1), f"{shown} is off length 1", "it was divided by its length")
+    return rotation_about(exact_axis(*numbers), turn)

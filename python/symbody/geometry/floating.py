@@ -91,6 +91,11 @@ class Floating(Motion):
         back = Twist(scale3(number(-1), w), sub3(cross3(w, self.displacement), v))
         return (Floating(pose, back, self.kinematics, self.speeds, self.ones),)
 
+    def __repr__(self) -> str:
+        if self.ones:
+            return "floating_frame()"
+        return f"moving_frame({', '.join(map(str, (*self.twist.linear, *self.twist.angular)))})"
+
     def subs(self, substitution: Substitution) -> Motion:
         (x, y, z), (u, v, w) = self.twist
         x, y, z, u, v, w = substitute((x, y, z, u, v, w), substitution)

@@ -8,12 +8,14 @@ from typing import Annotated, NamedTuple, TypeAlias, TypeVar, final
 
 from symbody.errors import FrameError
 from symbody.symbolic import Expr, Matrix, add3, derivation, dot3, number
+from symbody.symbolic.arguments import brief
 
 from .argument import checked
 from .floating import Floating
 from .motion import Motion, Rotation, Rows, Substitution, Translation
-from .orientation import ROUGH, distance_from_rotation, turns
+from .orientation import ROUGH, distance_from_rotation, report_rounding, turns
 from .placement import Placement, is_rotation
+from .rounded_matrix import without_rounding
 from .triple import NULL, Scalar, Triple, triple
 from .twist import Twist
 
@@ -106,8 +108,8 @@ class Frame:
             return NotImplemented
         if other.carrier is not None or other.ancestor.carrier is not None:
             raise FrameError(
-                f"{self} * {other}: the second frame hangs on a moving master frame, whose place is unknown; "
-                "put the moving frame first"
+                f"{brief(self)} * {brief(other)}: the second frame hangs on a moving master frame, whose place is "
+                "unknown; put the moving frame first"
             )
         frame = self
         for motion in other.motions:
@@ -194,20 +196,23 @@ class Frame:
         return hash(self.key)
 
     def __repr__(self) -> str:
-        if self.name:
-            return self.name
-        return (
-            f"Frame({self.matrix.tolist()})"
-            if self.depth <= _SHOWN
-            else f"Frame({self.depth} motions from {self.ancestor})"
-        )
+        """Return the name, or what makes the frame out of the last one that has a name: motion by motion."""
+        frame, motions = self, list[Motion]()
+        while not frame.name and frame.parent is not None and frame.motion is not None:
+            motions.append(frame.motion)
+            frame = frame.parent
+        start = frame.name or ground.name
+        if len(motions) > _SHOWN:
+            return f"Frame({len(motions)} motions from {start})"
+        known = [] if motions and frame == ground else [start]
+        return " * ".join([*known, *map(str, reversed(motions))])
 
     def _repr_latex_(self) -> str:
         return f"${self.matrix.latex()}$"
 
 
 _SHOWN = 12
-"""Motions of the longest chain that is shown as a matrix."""
+"""Motions of the longest chain that is shown."""
 
 UNMOVED = Pose(
     (triple(1, 0, 0), triple(0, 1, 0), triple(0, 0, 1)),
@@ -254,7 +259,7 @@ def _as_matrix(matrix: Rows4) -> Matrix:
         )
     last = result.entries[12:]
     if tuple(last) != (number(0), number(0), number(0), number(1)):
-        raise FrameError(f"Frame: the last row is {', '.join(map(str, last))}, expected 0, 0, 0, 1")
+        raise FrameError(f"Frame: the last row is {', '.join(map(brief, last))}, expected 0, 0, 0, 1")
     return result
 
 
@@ -262,7 +267,7 @@ def _from_matrix(matrix: Matrix) -> Frame:
     e = matrix.entries
     rows, origin = ((e[0], e[1], e[2]), (e[4], e[5], e[6]), (e[8], e[9], e[10])), (e[3], e[7], e[11])
     if not all(entry.is_constant for row in rows for entry in row):
-        return ground.then(Placement(rows, origin))
+        return ground.then(Placement(without_rounding(rows), origin))
     numbers = [[float(entry) for entry in row] for row in rows]
     defect = distance_from_rotation(numbers)
     if defect > ROUGH:
@@ -270,6 +275,11 @@ def _from_matrix(matrix: Matrix) -> Frame:
             f"Frame: the rotation part isn't rigid: its rows are off a right-handed orthonormal triad by {defect:.3g}; "
             "give a rotation matrix, or build the frame with translate and rotate"
         )
+    report_rounding(
+        defect,
+        "Frame: the rotation part is off a right-handed orthonormal triad",
+        "it was replaced by rotations about z, y and x; give all digits, or build the frame with translate and rotate",
+    )
     frame = ground.then(Translation(origin))
     for axis, angle in turns(numbers):
         frame = frame.then(Rotation(axis, angle))

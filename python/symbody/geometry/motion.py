@@ -8,9 +8,9 @@ from functools import cached_property
 from hashlib import blake2b
 from typing import ClassVar, final
 
-from symbody.symbolic import Expr, cos, number, rotate3, rotate_back3, scale3, sin
+from symbody.symbolic import Expr, cos, exact_angle, number, rotate3, rotate_back3, scale3, sin
 
-from .triple import NULL, Rate, Scalar, Triple, expression, is_null, rates
+from .triple import NULL, Rate, Scalar, Triple, is_null, rates
 
 Substitution = Mapping[Expr, Scalar]
 Rows = tuple[Triple, Triple, Triple]
@@ -59,6 +59,10 @@ class Motion(ABC):
     @abstractmethod
     def subs(self, substitution: Substitution) -> Motion:
         """Return the motion with expressions put in the place of others."""
+
+    @abstractmethod
+    def __repr__(self) -> str:
+        """Return what makes the motion, as a user writes it."""
 
     def merged(self, following: Motion) -> Motion | None:
         """Return the one elementary motion that this and the following one make, or None."""
@@ -128,6 +132,9 @@ class Translation(Motion):
         x, y, z = self._displacement
         return Translation((x.subs(substitution), y.subs(substitution), z.subs(substitution)))
 
+    def __repr__(self) -> str:
+        return f"translate({', '.join(map(str, self._displacement))})"
+
     def merged(self, following: Motion) -> Motion | None:
         """Merge only what cancels: any other sum would hide the frame in between from those who share it."""
         if not isinstance(following, Translation):
@@ -168,7 +175,10 @@ class Rotation(Motion):
         return (Rotation(self.axis, -self.angle),)
 
     def subs(self, substitution: Substitution) -> Motion:
-        return Rotation(self.axis, expression(self.angle.subs(substitution)))
+        return Rotation(self.axis, exact_angle(self.angle.subs(substitution)))
+
+    def __repr__(self) -> str:
+        return f'rotate("{AXES[self.axis]}", {self.angle})'
 
     def merged(self, following: Motion) -> Motion | None:
         if isinstance(following, Rotation) and following.axis == self.axis:

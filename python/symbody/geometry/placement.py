@@ -48,6 +48,10 @@ class Placement(Motion):
     def inverse(self) -> tuple[Motion, ...]:
         return (Placement(transposed(self.rows), sub3(NULL, self.to_child(self._displacement))),)
 
+    def __repr__(self) -> str:
+        rows = [[*row, place] for row, place in zip(self.rows, self._displacement, strict=True)]
+        return f"Frame({[*rows, [0, 0, 0, 1]]})"
+
     def subs(self, substitution: Substitution) -> Placement:
         values = Matrix([self.variables]).subs(substitution).entries
         rows = (

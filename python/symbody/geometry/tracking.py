@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from symbody.errors import ExpressionError, FrameError
 from symbody.symbolic import Expr, derivation, solve, time_derivative
+from symbody.symbolic.arguments import brief
 
 from .floating import Floating
 from .frame import Frame, ground
@@ -20,7 +21,7 @@ def tracking(pose: Frame, velocities: Twist) -> Floating:
     """
     if pose.ancestor != ground or not pose.is_rigid or pose.kinematics:
         raise FrameError(
-            f"moving_frame: the pose {pose}; expected a frame of translations and rotations away from ground"
+            f"moving_frame: the pose {brief(pose)}; expected a frame of translations and rotations away from ground"
         )
     with derivation():
         rows, origin = pose.pose
@@ -36,7 +37,7 @@ def _rates(pose: Frame, velocities: Twist) -> dict[Expr, Expr]:
     try:
         rates = solve([d - u, e - v, f - w, a - p, b - q, c - r], [time_derivative(x) for x in coordinates])
     except ExpressionError as failure:
-        listed = ", ".join(map(str, coordinates))
+        listed = brief(", ".join(map(str, coordinates)))
         raise FrameError(
             f"moving_frame: the pose by {listed} can't follow the velocities: {failure}"
         ) from failure

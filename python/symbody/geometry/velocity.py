@@ -100,8 +100,21 @@ def angular_velocity(frame: Frame) -> Vector:
 
 
 @checked(FrameError)
-def frozen_velocity(point: Point, frame: Frame) -> Vector:
-    """Return the velocity of the material point of a frame that coincides with a point, in the root's axes."""
+def frozen_velocity(point: Point, frame: Frame, *, axes: Frame | None = None) -> Vector:
+    """Return the velocity of the material point of a frame that coincides with a point.
+
+    Args:
+        point: where.
+        frame: of which the point is for the moment.
+        axes: the frame in whose axes the components are, such as ``frame`` itself; by default the root: ground, or the
+            moving master frame.
+
+    >>> from symbody import Point, functions_of_time, ground, rotate, symbols
+    >>> r, phi = symbols("r"), functions_of_time("phi")
+    >>> disc = rotate("Z", phi)
+    >>> frozen_velocity(Point(disc, r, 0, 0), disc, axes=disc).components
+    (0, r*phi', 0)
+    """
     with derivation():
-        components, axes = material_velocity(point.projected(frame).coordinates, frame)
-        return Vector(axes, *components).projected(frame.ancestor)
+        components, own = material_velocity(point.projected(frame).coordinates, frame)
+        return Vector(own, *components).projected(frame.ancestor if axes is None else axes)

@@ -11,6 +11,9 @@ from symbody.geometry.argument import checked
 from symbody.geometry.motion import Translation
 from symbody.geometry.triple import expression, triple
 from symbody.symbolic import Expr, Matrix, matvec3
+from symbody.symbolic.arguments import brief
+
+from .physical_inertia import report_impossible_inertia
 
 Place: TypeAlias = Annotated[
     Point | Frame, "the centre of mass: a point, such as Point(frame, x, y, z), or a frame whose origin it is"
@@ -24,6 +27,9 @@ class Body:
     The products of inertia have a minus sign off the diagonal: ``[[Ix, -Cxy, -Cxz], [-Cxy, Iy, -Cyz],
     [-Cxz, -Cyz, Iz]]``. Masses and inertias may be zero, or negative: what is subtracted from another body. Two bodies
     are never equal, even if all their values are.
+
+    Numbers that no body has, such as the moments 1, 1 and 5, have a notice. One moment alone has none: a motion in a
+    plane needs no other. Negative ones are checked with the bodies from which they are taken, by the `System`.
 
     >>> from symbody import Point, ground, symbols
     >>> Body(Point(ground, 1, 0, 0), symbols("m")).mass
@@ -50,6 +56,7 @@ class Body:
         self.products = triple(Cyz, Cxz, Cxy)
         self.name = name
         self._check_constant()
+        report_impossible_inertia(self)
 
     def _check_constant(self) -> None:
         """A mass that changes would take momentum with it, and no equation here knows where to."""
@@ -57,8 +64,9 @@ class Body:
         for name, value in zip(names, (self.mass, *self.moments, *self.products), strict=True):
             if value.depends_on_time:
                 raise BodyError(
-                    f"Body: {name} = {value} depends on time; expected a constant, such as symbols('m'): bodies are "
-                    "rigid and neither gain nor lose mass; make several bodies of parts that move in each other"
+                    f"Body: {name} = {brief(value)} depends on time; expected a constant, such as symbols('m'): "
+                    "bodies are rigid and neither gain nor lose mass; make several bodies of parts that move in each "
+                    "other"
                 )
 
     @property

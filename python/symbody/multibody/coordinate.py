@@ -6,12 +6,13 @@ from collections.abc import Iterable
 
 from symbody.errors import ModelError
 from symbody.symbolic import Expr
+from symbody.symbolic.arguments import brief
 
 
 def check_function_of_time(thing: Expr, where: str) -> None:
     """Raise an error unless a coordinate or a multiplier is a function of time, itself and no rate."""
     if thing.kind != "time_function" or thing.order != 0:
-        raise ModelError(f"{where} {thing} isn't a function of time; make it with functions_of_time")
+        raise ModelError(f"{where} {brief(thing)} isn't a function of time; make it with functions_of_time")
 
 
 def rate_of_any(coordinates: Iterable[Expr], leaves: Iterable[Expr]) -> Expr | None:

@@ -12,6 +12,7 @@ from symbody.geometry.argument import checked
 from symbody.geometry.coordinates import path
 from symbody.geometry.kinematics import Seen, material_velocity, spin
 from symbody.symbolic import Expr, derivation, dot3, number
+from symbody.symbolic.arguments import brief
 
 from .body import Body
 
@@ -72,12 +73,12 @@ class _Vectorial(Load):
             self.vector = Vector(what, *components)
         else:
             raise LoadError(
-                f"{kind}: {what!r} with {len(components)} components, expected a vector alone, or a frame and three "
-                "components"
+                f"{kind}: {brief(what)} with {len(components)} components, expected a vector alone, or a frame and "
+                "three components"
             )
         if on is reaction:
             raise LoadError(
-                f"{kind}: acts and reacts on the same body {on!r}; name two bodies, or leave reaction out"
+                f"{kind}: acts and reacts on the same body {brief(on)}; name two bodies, or leave reaction out"
             )
         self.on, self.reaction, self.name = on, reaction, name
 

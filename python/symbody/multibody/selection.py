@@ -9,6 +9,7 @@ from typing import Annotated, TypeAlias
 
 from symbody.errors import ModelError, ModelNotice
 from symbody.geometry import Frame, Vector
+from symbody.symbolic.arguments import brief
 
 from .body import Body
 from .load import Action, Load
@@ -41,9 +42,9 @@ class Selection:
         for load in self.loads:
             inside = [action for action in load.actions if action.body in members]
             if not inside:
-                bodies = " and ".join(str(action.body) for action in load.actions)
+                bodies = " and ".join(brief(action.body) for action in load.actions)
                 warnings.warn(
-                    f"{where}: {load} is left out, for it acts on {bodies}, not in the set",
+                    f"{where}: {brief(load)} is left out, for it acts on {bodies}, not in the set",
                     ModelNotice,
                     stacklevel=3,
                 )
@@ -61,7 +62,7 @@ def select(objects: Objects, where: str, gravity: Vector | None = None) -> Selec
     strangers = [thing for thing in things if not isinstance(thing, Body | Load)]
     if strangers:
         raise ModelError(
-            f"{where}: {strangers[0]!r} is neither a body nor a load; give bodies, forces and torques"
+            f"{where}: {brief(strangers[0])} is neither a body nor a load; give bodies, forces and torques"
         )
     if isinstance(objects, set | frozenset):
         bodies.sort(key=lambda body: body.key)

@@ -13,12 +13,14 @@ from symbody.geometry.argument import checked
 from symbody.geometry.floating import Floating, known_rates, rate_by
 from symbody.geometry.triple import Rate, expression
 from symbody.symbolic import Expr, functions_of_time, time_derivative
+from symbody.symbolic.arguments import brief
 from symbody.symbolic.namesake import namesake_note
 
 from .body import Body
 from .coordinate import check_function_of_time, rate_of_any
 from .frames import all_frames
 from .load import Load
+from .physical_inertia import report_impossible_differences
 
 Thing = TypeVar("Thing", Body, Load)
 
@@ -126,6 +128,7 @@ class System:
         self._check_coordinates()
         self._check_constraints()
         self._check_multipliers()
+        report_impossible_differences(self.bodies)
 
     def _check_coordinates(self) -> None:
         if not self.driving:
@@ -148,8 +151,8 @@ class System:
     def _check_gravity(self) -> None:
         if self.gravity is not None and self.gravity.frame.ancestor != self.root:
             raise ModelError(
-                f"System: the gravity is given in {self.gravity.frame}, which can't be seen from {self.root}, on "
-                f"which the bodies hang; give its components in {self.root}"
+                f"System: the gravity is given in {brief(self.gravity.frame)}, which can't be seen from {self.root}, "
+                f"on which the bodies hang; give its components in {self.root}"
             )
 
     def _check_constraints(self) -> None:
@@ -161,7 +164,7 @@ class System:
         for number, constraint in enumerate(self.constraints, start=1):
             fault = _fault(constraint, self.coordinates, self.quasi_velocities)
             if fault:
-                raise ConstraintError(f"System: constraint {number}, {constraint} = 0, {fault}")
+                raise ConstraintError(f"System: constraint {number}, {brief(constraint)} = 0, {fault}")
 
     def _check_multipliers(self) -> None:
         for multiplier in self.multipliers:
@@ -246,7 +249,7 @@ def _ordered(things: Collection[Thing]) -> tuple[Thing, ...]:
 def _check_single(things: Sequence[object], kind: str) -> None:
     if len(set(things)) < len(things):
         twice = next(thing for thing in things if things.count(thing) > 1)
-        raise ModelError(f"System: {kind} {twice} is given twice; give it once")
+        raise ModelError(f"System: {kind} {brief(twice)} is given twice; give it once")
 
 
 def _completed(given: Sequence[Expr], needed: Iterable[Expr]) -> tuple[Expr, ...]:

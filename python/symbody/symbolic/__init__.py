@@ -48,6 +48,7 @@ from symbody.symbolic.leaves import (
 )
 from symbody.symbolic.linear_solve import linear_solve
 from symbody.symbolic.matrix import Matrix, identity, zeros
+from symbody.symbolic.multiple_of_pi import exact_angle, meant_multiple_of_pi, multiple_of_pi, radians
 from symbody.symbolic.parse import parse
 from symbody.symbolic.printing import latex, listing, maple
 from symbody.symbolic.program import STAGES, Argument, Program, Result, Routine
@@ -100,6 +101,7 @@ __all__ = [
     "derivation",
     "diff",
     "dot3",
+    "exact_angle",
     "exp",
     "expand",
     "expand_trig",
@@ -119,9 +121,12 @@ __all__ = [
     "maple",
     "matvec3",
     "matvec3_transposed",
+    "meant_multiple_of_pi",
+    "multiple_of_pi",
     "number",
     "parse",
     "pi",
+    "radians",
     "rotate3",
     "rotate_back3",
     "saddle_point_solve",

@@ -6,18 +6,27 @@ from symbody.errors import ArgumentError
 from symbody.symbolic import _core
 from symbody.symbolic._core import Expr
 
-__all__ = ["described", "expression", "size"]
+__all__ = ["brief", "described", "expression", "size"]
 
 
 _SHOWN = 80
-"""Characters of an argument that a message quotes."""
+"""Characters of a thing that a message quotes."""
+
+
+def brief(thing: object) -> str:
+    """Return how a message calls a thing: by what prints it, of a long text the beginning and the end.
+
+    >>> from symbody import symbols
+    >>> brief(sum(symbols(f"stiffness_{n}") for n in range(20)))
+    'stiffness_0 + stiffness_1 + stiffness_2 + stiffness...tiffness_18 + stiffness_19'
+    """
+    text = " ".join(str(thing).split())
+    return text if len(text) <= _SHOWN else f"{text[: _SHOWN - 29]}...{text[-26:]}"
 
 
 def described(value: object) -> str:
-    """Return what was found in words: ``3 is an int``; of a long thing only the beginning."""
-    shown, kind = repr(value), type(value).__name__
-    if len(shown) > _SHOWN:
-        shown = f"{shown[:_SHOWN]}..."
+    """Return what was found in words: ``3 is an int``; of a long thing the beginning and the end."""
+    shown, kind = brief(repr(value)), type(value).__name__
     article = "an" if kind[0] in "aeiouAEIOU" else "a"
     return shown if value is None else f"{shown} is {article} {kind}"
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from symbody.errors import ArgumentError
 from symbody.symbolic import _core
 from symbody.symbolic._core import Expr
+from symbody.symbolic.arguments import brief
 from symbody.symbolic.leaves import ExprLike
 
 __all__ = [
@@ -30,18 +31,18 @@ __all__ = [
 
 
 def sin(x: ExprLike) -> Expr:
-    """Return the sine of an angle in radians."""
-    return _core.apply("sin", (x,))
+    """Return the sine of an angle in radians; ``math.pi/2`` beside other terms is pi/2, alone a number."""
+    return _core.apply("sin", (_core.angle_beside_others(x, "sin"),))
 
 
 def cos(x: ExprLike) -> Expr:
-    """Return the cosine of an angle in radians."""
-    return _core.apply("cos", (x,))
+    """Return the cosine of an angle in radians; ``math.pi/2`` beside other terms is pi/2, alone a number."""
+    return _core.apply("cos", (_core.angle_beside_others(x, "cos"),))
 
 
 def tan(x: ExprLike) -> Expr:
-    """Return the tangent of an angle in radians."""
-    return _core.apply("tan", (x,))
+    """Return the tangent of an angle in radians; ``math.pi/2`` beside other terms is pi/2, alone a number."""
+    return _core.apply("tan", (_core.angle_beside_others(x, "tan"),))
 
 
 def asin(x: ExprLike) -> Expr:
@@ -128,7 +129,9 @@ def Piecewise(*branches: tuple[ExprLike, ExprLike | bool], otherwise: ExprLike =
     flat: list[ExprLike] = []
     for place, branch in enumerate(branches, 1):
         if not isinstance(branch, tuple) or len(branch) != 2:  # type: ignore[redundant-expr]  # users may err
-            raise ArgumentError(f"a branch of Piecewise is a pair (value, condition > 0), found {branch!r}")
+            raise ArgumentError(
+                f"a branch of Piecewise is a pair (value, condition > 0), found {brief(repr(branch))}"
+            )
         if branch[1] is True and place == len(branches):
             return _core.apply("Piecewise", (*flat, branch[0]))
         flat.extend(branch)

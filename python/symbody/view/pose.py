@@ -11,6 +11,7 @@ from scipy.spatial.transform import Rotation
 from symbody.errors import ViewError
 from symbody.geometry import Frame, Point, Vector
 from symbody.symbolic import Expr
+from symbody.symbolic.arguments import brief
 from symbody.view.motion import Motion
 
 Array = NDArray[np.float64]
@@ -33,7 +34,7 @@ def values(motion: Motion, expressions: Sequence[Expr]) -> Array:
     if not np.isfinite(rows).all():
         k, i = np.argwhere(~np.isfinite(rows))[0]
         raise ViewError(
-            f"view: {expressions[k]} is {rows[k, i]} at t = {motion.t[i]:g}; expected finite numbers: "
+            f"view: {brief(expressions[k])} is {rows[k, i]} at t = {motion.t[i]:g}; expected finite numbers: "
             "correct the parameters, or draw the motion up to there"
         )
     return rows

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from symbody.errors import ViewError
 from symbody.geometry import ground
 from symbody.multibody import Body
+from symbody.symbolic.arguments import brief
 from symbody.view.arrow import arrow_entries, load_arrows, reaction_arrows
 from symbody.view.camera import view_of
 from symbody.view.equivalent import equivalent_shape
@@ -82,8 +83,8 @@ def _check_shapes(shapes: Mapping[Body, object], bodies: Sequence[Body]) -> None
     for body in shapes:
         if body not in bodies:
             raise ViewError(
-                f"view: there is a shape for {body!r}, which is no body of the system; "
-                f"expected one of {', '.join(map(repr, bodies))}"
+                f"view: there is a shape for {brief(body)}, which is no body of the system; "
+                f"expected one of {brief(', '.join(map(str, bodies)))}"
             )
 
 
@@ -103,8 +104,8 @@ def _shift(motion: Motion, followed: Body | None, tracks: Array, up: Array) -> A
         return np.zeros((len(motion.t), 3))
     if followed not in motion.system.bodies:
         raise ViewError(
-            f"animate: {followed!r} to follow is no body of the system; "
-            f"expected one of {', '.join(map(repr, motion.system.bodies))}"
+            f"animate: {brief(followed)} to follow is no body of the system; "
+            f"expected one of {brief(', '.join(map(str, motion.system.bodies)))}"
         )
     path = tracks[motion.system.bodies.index(followed), :, :3]
     way = path - path[0]

@@ -14,6 +14,7 @@ mod reader;
 mod text;
 mod tree;
 
+use crate::error::quoted;
 use crate::graph::Graph;
 use crate::node::Id;
 
@@ -88,6 +89,12 @@ impl Graph {
     #[must_use]
     pub fn to_text(&self, id: Id) -> String {
         self.printed(id, Format::Text)
+    }
+
+    /// What a message quotes of the text.
+    #[must_use]
+    pub fn to_quotation(&self, id: Id) -> String {
+        quoted(&self.to_text(id))
     }
 
     /// LaTeX without dollar signs; a large expression as an `aligned` list of definitions and the result.

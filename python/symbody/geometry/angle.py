@@ -1,0 +1,33 @@
+"""Angles as users write them: in radians, with doubles that stand for multiples of pi."""
+
+from __future__ import annotations
+
+from math import pi
+
+from symbody.errors import notify
+from symbody.symbolic import Expr, exact_angle, meant_multiple_of_pi, radians
+from symbody.symbolic.arguments import brief
+
+from .triple import Scalar
+
+
+def angle(value: Scalar, where: str) -> Expr:
+    """Return an angle whose doubles are multiples of pi where they stand for one; report what looks like a mistake.
+
+    A number that is a multiple of pi but for digits left out, or more than a full turn, has a notice.
+    """
+    exact = exact_angle(value)
+    number = radians(exact)
+    if number.is_zero:
+        return exact
+    shown = f"{where}: angle = {brief(value)}" + ("" if exact.is_number else f" holds {number}, which")
+    meant = meant_multiple_of_pi(number)
+    if meant is not None:
+        gap = abs(float(number) - float(meant))
+        notify(f"{shown} is within {gap:.2g} of {meant}; write {meant} with symbody.pi if that is meant")
+    elif abs(float(number)) > 2 * pi:
+        notify(
+            f"{shown} is more than a full turn; angles are in radians: write math.radians({number}) if degrees are "
+            "meant"
+        )
+    return exact

@@ -1,0 +1,178 @@
+"""Inertias that no body has: second moments of mass that would be negative in some direction.
+
+With the tensor J about a point, ``S = 1/2 tr(J) 1 - J`` holds the second moments ``∫ x^2 dm``, ``∫ x y dm``. A
+distribution of mass has the mass m, the first moments h and these second moments exactly if no direction is negative in
+
+    P = | S  h |
+        | h' m |
+
+[Wensing, Kim & Slotine, IEEE Robotics and Automation Letters 3 (2018), p. 60]. For S alone this says that the largest
+principal moment of inertia is at most the sum of the other two. P of bodies that are joined rigidly adds up:
+``X P X'`` with the 4x4 matrix X of the frame; so bodies taken away from others are checked together with these.
+
+One moment of inertia alone is how a motion in a plane, or a rotor, is written: the other two are then unknown.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, TypeAlias
+
+import numpy as np
+from numpy.typing import NDArray
+
+from symbody.errors import notify
+from symbody.geometry import Frame
+from symbody.geometry.kinematics import pose_from
+from symbody.symbolic import Expr
+from symbody.symbolic.arguments import brief
+
+if TYPE_CHECKING:
+    from .body import Body
+
+Array: TypeAlias = NDArray[np.float64]
+
+ROUNDED = 1e-3
+"""The part by which a principal moment may exceed the sum of the others: printed digits are rounded."""
+
+
+def report_impossible_inertia(body: Body) -> None:
+    """Give a notice of moments of inertia that no body has; what is taken away from a body is left to its system.
+
+    Moments in symbols aren't checked. Where products are symbols, the moments alone are: those about any three axes
+    obey the same inequality.
+    """
+    if _is_planar(body) or not all(moment.is_constant for moment in body.moments):
+        return
+    J = _tensor(body)
+    taken_away = np.linalg.eigvalsh(J)[2] <= 0 and not _is_positive(body.mass)
+    if taken_away or _is_possible(J):
+        return
+    given = "no body has these moments and products" if body.has_products else "no body has these moments"
+    notify(
+        f"{_named(body)}: {given} of inertia: {_fault(J)}; check the numbers, their units, and that they are about the "
+        "centre of mass"
+    )
+
+
+def report_impossible_differences(bodies: Sequence[Body]) -> None:
+    """Give a notice of bodies joined rigidly, some of them taken away from others, that together are no body."""
+    if not any(_is_taken_away(body) for body in bodies):
+        return
+    groups: dict[Frame, list[Body]] = {}
+    for body in bodies:
+        groups.setdefault(_carrier(body.frame), []).append(body)
+    for carrier, group in groups.items():
+        fault = _fault_of_sum(carrier, group) if any(_is_taken_away(body) for body in group) else ""
+        if fault and len(group) == 1:
+            notify(
+                f"System: {_named(group[0])} has a negative mass or moment of inertia, and no body is joined to it "
+                "rigidly from which it could be taken away; build it on the frame of that body"
+            )
+        elif fault:
+            names = brief(", ".join(_named(body) for body in group))
+            notify(f"System: {names}: joined rigidly, these bodies are together none: {fault}")
+
+
+def _tensor(body: Body) -> Array:
+    """Return the tensor of inertia, or the moments alone where the products aren't all numbers."""
+    entries = body.inertia_entries
+    if all(entry.is_constant for entry in entries):
+        return np.array([float(entry) for entry in entries]).reshape(3, 3)
+    return np.diag([float(moment) for moment in body.moments])
+
+
+def _is_planar(body: Body) -> bool:
+    """Tell whether one moment alone is given, and isn't negative."""
+    given = [moment for moment in body.moments if not moment.is_zero]
+    return len(given) == 1 and not body.has_products and not _is_negative(given[0])
+
+
+def _is_positive(value: Expr) -> bool:
+    return value.is_constant and float(value) > 0
+
+
+def _is_negative(value: Expr) -> bool:
+    return value.is_constant and float(value) < 0
+
+
+def _is_taken_away(body: Body) -> bool:
+    return any(_is_negative(value) for value in (body.mass, *body.moments))
+
+
+def _second_moments(J: Array) -> Array:
+    return np.asarray(np.trace(J) / 2 * np.eye(3) - J)
+
+
+def _is_possible(J: Array) -> bool:
+    """Tell whether no principal moment exceeds the sum of the other two, but for rounded digits."""
+    a, b, c = np.linalg.eigvalsh(J)
+    return float(c - a - b) <= ROUNDED * float(max(abs(a), abs(c)))
+
+
+def _fault(J: Array) -> str:
+    """Return what is wrong with the principal moments of a tensor."""
+    a, b, c = (_shown(value) for value in np.linalg.eigvalsh(J))
+    what = f"the principal moments are {a}, {b} and {c}"
+    return (
+        f"{what}, and none can be negative"
+        if a.startswith("-")
+        else f"{what}, and {c} is more than {a} + {b}"
+    )
+
+
+def _shown(value: float) -> str:
+    return f"{value:.6g}"
+
+
+def _carrier(frame: Frame) -> Frame:
+    """Return the last frame of the chain that moves, in which the frame is fixed."""
+    while frame.parent is not None and frame.motion is not None and frame.motion.is_constant:
+        frame = frame.parent
+    return frame
+
+
+def _fault_of_sum(carrier: Frame, group: Sequence[Body]) -> str:
+    """Return what is wrong with bodies that are joined, if all that decides it are numbers."""
+    parts = [_pseudo_inertia(carrier, body) for body in group]
+    known = [part for part in parts if part is not None]
+    if len(known) < len(parts):
+        return ""
+    total, scale = sum(known, np.zeros((4, 4))), sum((np.abs(np.diag(part)) for part in known), np.zeros(4))
+    unit = np.diag(1 / np.sqrt(np.where(scale > 0, scale, 1)))
+    if np.linalg.eigvalsh(unit @ total @ unit)[0] >= -ROUNDED:
+        return ""
+    S, h, m = total[:3, :3], total[:3, 3], total[3, 3]
+    if m <= 0:
+        return f"their masses add up to {_shown(m)}"
+    about_center = S - np.outer(h, h) / m
+    return f"about their centre of mass {_fault(np.trace(about_center) * np.eye(3) - about_center)}"
+
+
+def _pseudo_inertia(carrier: Frame, body: Body) -> Array | None:
+    """Return P of a body in a frame in which it is fixed, if it holds numbers alone."""
+    rows, place = pose_from(body.frame, carrier)
+    values = (body.mass, *body.inertia_entries, *(entry for row in rows for entry in row), *place)
+    if not all(value.is_constant for value in values):
+        return None
+    numbers = np.array([float(value) for value in values])
+    J, R, p = numbers[1:10].reshape(3, 3), numbers[10:19].reshape(3, 3), numbers[19:]
+    P, X = np.zeros((4, 4)), np.eye(4)
+    P[:3, :3], P[3, 3] = _of_lamina(J) if _is_alone(J) else _second_moments(J), numbers[0]
+    X[:3, :3], X[:3, 3] = R, p
+    return np.asarray(X @ P @ X.T)
+
+
+def _is_alone(J: Array) -> bool:
+    """Tell whether one moment of inertia is all that is given."""
+    return bool(np.count_nonzero(J) == np.count_nonzero(np.diag(J)) == 1)
+
+
+def _of_lamina(J: Array) -> Array:
+    """Return the second moments of a thin plate across the axis of the one moment of inertia."""
+    moment = np.diag(J)
+    return np.diag(np.where(moment == 0, moment.sum() / 2, 0))
+
+
+def _named(body: Body) -> str:
+    return brief(body.name) if body.name else brief(body)

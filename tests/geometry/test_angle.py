@@ -1,0 +1,214 @@
+"""Doubles in angles: those that stand for multiples of pi are these, others that look like mistakes are reported."""
+
+from __future__ import annotations
+
+import math
+import warnings
+
+import numpy as np
+import pytest
+
+from symbody import (
+    Expr,
+    Frame,
+    ModelNotice,
+    cos,
+    cost,
+    functions_of_time,
+    ground,
+    newton_euler,
+    number,
+    parse,
+    pi,
+    rotate,
+    sin,
+    sqrt,
+    symbols,
+    tan,
+    translate,
+)
+from symbody.symbolic import identity
+from tests.reference import robot as reference
+
+q, psi = functions_of_time("q psi")
+a = symbols("a")
+
+MULTIPLES = [
+    (math.pi / 2, pi / 2),
+    (-math.pi / 4, -pi / 4),
+    (2 * math.pi / 3, 2 * pi / 3),
+    (3 * (math.pi / 6), pi / 2),
+    (math.radians(90), pi / 2),
+    (math.radians(45) * 3, 3 * pi / 4),
+    (math.radians(7), 7 * pi / 180),
+    (math.radians(22.5), pi / 8),
+    (math.pi / 11, pi / 11),
+    (math.pi - math.pi / 3, 2 * pi / 3),
+    (math.acos(0), pi / 2),
+    (math.atan(1), pi / 4),
+    (5 * math.pi, 5 * pi),
+    (np.pi / 2, pi / 2),
+    (np.float64(math.pi), pi),
+    (np.array(math.pi), pi),
+    (number(math.pi) / 2, pi / 2),
+]
+
+
+@pytest.mark.parametrize(("double", "exact"), MULTIPLES)
+@pytest.mark.parametrize("axis", ["X", (1, 0, 0), (0.6, 0.8, 0)])
+def test_the_double_next_to_a_multiple_of_pi_is_that_multiple(double: float, exact: Expr, axis: str) -> None:
+    assert rotate(axis, double) == rotate(axis, exact)
+    assert rotate(axis, q + double) == rotate(axis, q + exact)
+    assert rotate(axis, q).subs({q: double}) == rotate(axis, exact)
+    assert rotate(axis, q - psi).subs({psi: double}) == rotate(axis, q - exact)
+
+
+def test_sines_take_angles() -> None:
+    assert sin(q + math.pi / 2).same_form(cos(q))
+    assert tan(q + math.radians(45)).same_form(tan(q + pi / 4))
+    assert sin(q + psi).subs({psi: math.pi / 2}).same_form(cos(q))
+    assert cos(2 * (q + math.pi / 8)) == cos(2 * q + pi / 4)
+    assert cos(psi + (q + math.pi / 2)) == -sin(psi + q)
+
+
+def test_what_is_no_angle_keeps_its_digits() -> None:
+    """Lengths hold decimals, and the sine of a number alone is data; so do angles that are other numbers."""
+    assert parse("sin(3.141592653589793)") == sin(math.pi) == sin(q).subs({q: math.pi}) != 0
+    assert translate(math.pi, 0, 0) != translate(pi, 0, 0)
+    assert sin(q + math.pi / 2 + 1e-12) != cos(q)
+    for angle in (0.3, 1.5, 1.6, 0.1, 2.0, 3.0, 1e-9, 0.12345, 355, 5.0):
+        assert sin(q + angle) == parse(f"sin(q(t) + {angle})")
+
+
+def test_doubles_of_axes_are_the_roots_that_they_stand_for() -> None:
+    for axis, exact in (
+        ((1 / math.sqrt(2), 0, 1 / math.sqrt(2)), (sqrt(2) / 2, 0, sqrt(2) / 2)),
+        ((-1 / math.sqrt(3),) * 3, (-sqrt(3) / 3,) * 3),
+        (np.array([1, -2, 3]) / np.sqrt(14), (sqrt(14) / 14, -sqrt(14) / 7, 3 * sqrt(14) / 14)),
+        ((0.6, 0.8, 0), (number(3) / 5, number(4) / 5, 0)),
+        ((math.cos(math.radians(10)), math.sin(math.radians(10)), 0), (cos(pi / 18), sin(pi / 18), 0)),
+    ):
+        frame = rotate(tuple(axis), q)
+        assert frame == rotate(exact, q)
+        assert frame.matrix[:3, :3] @ frame.matrix[:3, :3].T == identity(3)
+
+
+@pytest.mark.parametrize("degrees", [7, 10, 22.5, 36, 90, -123.5])
+def test_a_matrix_of_doubles_is_turned_by_degrees(degrees: float) -> None:
+    c, s = math.cos(math.radians(degrees)), math.sin(math.radians(degrees))
+    turned = Frame([[c, -s, 0, 0], [s, c, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]])
+    assert turned == rotate("Z", math.radians(degrees))
+
+
+def test_the_panda_by_doubles_takes_as_few_operations(monkeypatch: pytest.MonkeyPatch) -> None:
+    def by_doubles(joint: dict[str, list[list[float]]], coordinate: Expr | None) -> Frame:
+        r = joint["R"]
+        about_x = round(math.atan2(r[2][1], r[1][1]) / (math.pi / 2)) * math.pi / 2
+        about_z = math.atan2(r[1][0], r[0][0])
+        placed = translate(*joint["xyz"]) * rotate("Z", about_z) * rotate("X", about_x)  # type: ignore[arg-type]
+        return placed if coordinate is None else placed * rotate(tuple(joint["axis"]), coordinate)  # type: ignore[arg-type]
+
+    monkeypatch.setattr(reference, "_joint_frame", by_doubles)
+    panda = reference.robot_on(ground, (), "panda_7dof").system
+    assert cost(newton_euler(panda).residuals).total == 564
+
+
+NEARLY = [
+    (1.5708, "1.5708 is within 3.7e-06 of pi/2; write pi/2 with symbody.pi if that is meant"),
+    (3.1416, "3.1416 is within 7.3e-06 of pi; write pi with symbody.pi if that is meant"),
+    (3.1415, "3.1415 is within 9.3e-05 of pi; write pi with symbody.pi if that is meant"),
+    (-0.7854, "-0.7854 is within 1.8e-06 of -pi/4; write -pi/4 with symbody.pi if that is meant"),
+    (1.57, "1.57 is within 0.0008 of pi/2; write pi/2 with symbody.pi if that is meant"),
+    (6.2832, "6.2832 is within 1.5e-05 of 2*pi; write 2*pi with symbody.pi if that is meant"),
+    (
+        np.float32(math.pi / 2),
+        "1.5707964 is within 4.4e-08 of pi/2; write pi/2 with symbody.pi if that is meant",
+    ),
+    (
+        q + 1.5708,
+        "q + 1.5708 holds 1.5708, which is within 3.7e-06 of pi/2; write pi/2 with symbody.pi if that is meant",
+    ),
+    (90, "90 is more than a full turn; angles are in radians: write math.radians(90) if degrees are meant"),
+    (
+        -45.0,
+        "-45.0 is more than a full turn; angles are in radians: write math.radians(-45.0) if degrees are meant",
+    ),
+    (
+        q - 90,
+        (
+            "q - 90 holds -90, which is more than a full turn; angles are in radians: write math.radians(-90) if "
+            "degrees are meant"
+        ),
+    ),
+]
+
+
+@pytest.mark.parametrize(("angle", "message"), NEARLY)
+@pytest.mark.parametrize("axis", ["Z", (0.6, 0, 0.8)])
+def test_what_looks_like_a_mistake_has_one_notice(angle: Expr, message: str, axis: str) -> None:
+    with pytest.warns(ModelNotice) as notices:
+        rotate(axis, angle)
+    assert [str(notice.message) for notice in notices] == [f"rotate: angle = {message}"]
+    assert notices[0].filename == __file__
+
+
+def test_ordinary_angles_have_no_notice() -> None:
+    """Of the numbers with three decimals, one in a hundred looks like a multiple of pi at most."""
+    noticed = 0
+    for thousandths in range(1, 6284, 7):
+        with warnings.catch_warnings(record=True) as caught:
+            warnings.simplefilter("always")
+            rotate("Z", thousandths / 1000)
+        noticed += len(caught)
+    assert noticed <= 9
+    for quiet in (4 * pi, 90 * pi / 180, 0.1, 0.5, 1.5, 3.15, 0.79, 1.6, 6, a, 90 * q, math.radians(720)):
+        rotate("Z", quiet)
+
+
+def test_a_matrix_that_is_made_orthonormal_says_so() -> None:
+    c, s = round(math.cos(0.3), 8), round(math.sin(0.3), 8)
+    with pytest.warns(ModelNotice) as notices:
+        frame = Frame([[c, -s, 0, 1], [s, c, 0, 2], [0, 0, 1, 3], [0, 0, 0, 1]])
+    assert [str(notice.message) for notice in notices] == [
+        (
+            "Frame: the rotation part is off a right-handed orthonormal triad by 3.64e-09, more than rounding of "
+            "doubles explains; it was replaced by rotations about z, y and x; give all digits, or build the frame with "
+            "translate and rotate"
+        )
+    ]
+    assert frame.matrix[:3, :3] @ frame.matrix[:3, :3].T == identity(3)
+
+
+def test_matrices_of_doubles_and_exact_ones_say_nothing() -> None:
+    for angle in (0.3, 1.0, 2.5):
+        frame = rotate("Z", angle) * rotate("Y", 0.7) * rotate("X", -1.1)
+        Frame([[float(entry) for entry in row] for row in frame.matrix.tolist()])
+    Frame([[cos(q), -sin(q), 0, a], [sin(q), cos(q), 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]])
+    Frame([[0.6, -0.8, 0, 0], [0.8, 0.6, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]])
+
+
+@pytest.mark.parametrize("degrees", [90, -90, 45, 180, 20])
+def test_a_matrix_of_symbols_and_doubles_is_a_rotation(degrees: float) -> None:
+    """Denavit and Hartenberg's matrix: a turn about z by q, then about x by a number."""
+    twist = math.radians(degrees)
+    c, s, u, v = cos(q), sin(q), math.cos(twist), math.sin(twist)
+    link = Frame([[c, -s * u, s * v, a * c], [s, c * u, -c * v, a * s], [0, v, u, 0.3], [0, 0, 0, 1]])
+    assert link.is_rigid
+    assert link.matrix == (rotate("Z", q) * translate(a, 0, 0.3) * rotate("X", twist)).matrix
+
+
+def test_a_matrix_of_natural_coordinates_keeps_its_numbers() -> None:
+    rows = [[q, -psi, 6.1e-17, 0], [psi, q, 0, 0], [0, 0, 1.0, 0], [0, 0, 0, 1]]
+    assert Frame(rows).matrix.tolist() == rows
+    assert not Frame(rows).is_rigid
+
+
+def test_an_axis_that_is_made_a_unit_vector_says_so() -> None:
+    with pytest.warns(ModelNotice) as notices:
+        assert rotate((0.70710678, 0, 0.70710678), q) == rotate((sqrt(2) / 2, 0, sqrt(2) / 2), q)
+    assert [str(notice.message) for notice in notices] == [
+        (
+            "rotate: the axis (0.70710678, 0, 0.70710678) is off length 1 by 1.68e-09, more than rounding of doubles "
+            "explains; it was divided by its length"
+        )
+    ]
