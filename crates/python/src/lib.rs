@@ -8,6 +8,7 @@
 
 mod calculus;
 mod convert;
+mod deficiency;
 mod expr;
 mod integrate;
 mod kernel;
@@ -29,6 +30,7 @@ fn _core(module: &Bound<'_, PyModule>) -> PyResult<()> {
     leaves::register(module)?;
     nary::register(module)?;
     calculus::register(module)?;
+    deficiency::register(module)?;
     integrate::register(module)?;
     kernel::register(module)?;
     matrix::register(module)?;
