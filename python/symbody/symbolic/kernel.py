@@ -7,4 +7,4 @@ from symbody.symbolic._core import kernel_address, kernel_workspace, take_defici
 __all__ = ["Noted", "kernel_address", "kernel_workspace", "take_deficiencies"]
 
 Noted: TypeAlias = tuple[int, int, list[int], list[tuple[int, list[int]]]]
-"""The number of a system, how many equations it has, those that follow from others, and those that contradict others."""
+"""A system: its number, its equations, those that follow from others, and those that contradict others."""
