@@ -105,6 +105,14 @@ def _tell(system: System, place: int, combined: Sequence[int], rest: Expr) -> No
         raise ConstraintError(
             f"{constraint} contradicts {others}: together they say that {rest} = 0; correct one of them"
         )
+    if not rest.is_zero and rest.free_symbols.isdisjoint({*system.coordinates, *system.speeds}):
+        warnings.warn(
+            f"{constraint} contradicts {others} wherever {rest} isn't zero: their gradients are combinations of each "
+            "other; correct one of them, or leave it out",
+            ModelNotice,
+            stacklevel=5,
+        )
+        return
     warnings.warn(
         f"{constraint} depends on {others}: its gradient is a combination of theirs, so that their multipliers aren't "
         "determined; forward dynamics takes the least ones; leave it out if it's one too many",

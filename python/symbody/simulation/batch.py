@@ -17,6 +17,7 @@ from symbody.symbolic.deficiency import noting
 from .baumgarte_choice import chosen_damping
 from .begin import begin, begin_free
 from .cases import Cases
+from .contradictory_constraints import without_contradictions
 from .diagnosis import diagnosis
 from .event import Event
 from .ida import IDA_FORMS
@@ -104,7 +105,9 @@ class Batch:
         outcomes = self._outcomes(running, states, threads, keep_going)
         for place, (case, outcome) in enumerate(zip(begun, outcomes, strict=True)):
             if outcome is not None:
-                self._record(results, int(case), outcome, running.parameters_of(place))
+                parameters = running.parameters_of(place)
+                judged = without_contradictions(outcome, self.model, parameters, self.instants)
+                self._record(results, int(case), judged, parameters)
         return results
 
     def _damped(self, cases: Cases, states: Array) -> Cases:

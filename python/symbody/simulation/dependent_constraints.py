@@ -10,8 +10,9 @@ from numpy.typing import ArrayLike, NDArray
 
 from symbody.symbolic import Expr, Matrix, pi, substitute
 
-from .consistent import shortened
 from .model import Model
+from .named_constraint import listed, named_constraints
+from .vanishing_combinations import vanishing_combinations
 
 __all__ = ["DependentConstraints", "dependent_constraints", "described_dependence"]
 
@@ -19,8 +20,6 @@ Array = NDArray[np.float64]
 
 NEAR = 1e-3
 """Singular values of the scaled Jacobian below this part of the largest belong to nearly dependent constraints."""
-SHARE = 1e-3
-"""The part of the largest share in a combination below which a constraint doesn't take part."""
 PLACES = 4
 """Places nearby at which gradients are looked at: at a singular position, one may vanish."""
 _NAMED = 4
@@ -108,42 +107,19 @@ def _is_angle(model: Model, coordinate: Expr) -> bool:
 
 
 def _factor(M: Array) -> Array:
-    """Return L; where some motions move no mass, lengths for the speeds that are no smaller than those of the others."""
+    """Return L; where some motions move no mass, a length for each speed, no smaller than those of the others."""
     try:
-        lower: Array = np.linalg.cholesky(M)
-        return lower
+        return np.asarray(np.linalg.cholesky(M), np.float64)
     except np.linalg.LinAlgError:
         sizes = np.sqrt(np.abs(np.diag(M)))
         least = sizes[sizes > 0].min(initial=np.inf)
         return np.diag(np.where(sizes > 0, sizes, least if np.isfinite(least) else 1.0))
 
 
-def vanishing_combinations(J: Array, near: float) -> list[Array]:
-    """Return combinations of rows that nearly vanish, each of as few rows as elimination finds.
-
-    The left singular vectors of small singular values span them. Each is given a row of its own, a late one rather than
-    an early one, in which the others have no share: dependences that have nothing to do with each other come apart.
-    """
-    U, s, _ = np.linalg.svd(J)
-    rank = int(np.sum(s > near * s.max(initial=0.0)))
-    basis = U[:, rank:]
-    for c in range(basis.shape[1]):
-        sizes = np.abs(basis[:, c:]).max(axis=1)
-        row = int(np.flatnonzero(sizes >= SHARE * sizes.max())[-1])
-        pivot = c + int(np.argmax(np.abs(basis[row, c:])))
-        basis[:, [c, pivot]] = basis[:, [pivot, c]]
-        others = np.arange(basis.shape[1]) != c
-        basis[:, others] -= np.outer(basis[:, c], basis[row, others] / basis[row, c])
-        basis[:, c] /= np.linalg.norm(basis[:, c])
-    return [
-        np.where(np.abs(column) > SHARE * np.abs(column).max(initial=0.0), column, 0.0) for column in basis.T
-    ]
-
-
 def _group(model: Model, J: Array, combination: Array, largest: float) -> DependentConstraints:
     rows = tuple(int(row) for row in np.flatnonzero(combination))
     ratio = float(np.linalg.norm(combination @ J) / (np.linalg.norm(combination) * largest))
-    names = tuple(f"{row + 1} ({shortened(model.constraints[row])})" for row in rows)
+    names = tuple(named_constraints(model.constraints, rows))
     return DependentConstraints(rows, names, ratio, _are_dependent(model, rows))
 
 
@@ -169,8 +145,5 @@ def _listed(group: DependentConstraints) -> str:
     share = f"ratio of singular values {group.ratio:.1e}"
     if len(group.rows) == 1:
         return f"constraint {group.names[0]} restrains no motion there, or hardly any ({share})"
-    shown = ", ".join(group.names[:_NAMED]) + (
-        f" and {len(group.rows) - _NAMED} more" if len(group.rows) > _NAMED else ""
-    )
     how = "dependent" if group.ratio < 1e-10 else "nearly dependent"
-    return f"constraints {shown} are {how} there ({share})"
+    return f"constraints {listed(group.names)} are {how} there ({share})"

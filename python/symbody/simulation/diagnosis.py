@@ -19,7 +19,7 @@ def diagnosis(failure: Failure, outcome: Outcome, model: Model, parameters: Arra
     stiff = "; for stiff equations use method='bdf'" if method in EXPLICIT else ""
     t, state = outcome.end
     when = f"at t = {t:.9g} s"
-    if failure.kind == "ida":
+    if failure.kind in {"ida", "contradiction"}:
         return failure.message.removeprefix("simulate: ")
     state = state[: len(model.state)]
     singular = _singular(model, parameters, t, np.array(state))

@@ -6,11 +6,16 @@ from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from math import nan
 
+import numpy as np
+
 from symbody.symbolic import Expr
 from symbody.symbolic.deficiency import Deficiency
 
+from .consistent import term_sizes
 from .integrator import Options, Outcome
+from .kinematics import kinematics_of
 from .model import Model
+from .named_constraint import named_constraints
 
 __all__ = [
     "Finding",
@@ -20,6 +25,10 @@ __all__ = [
     "notices_of_batch",
     "notices_of_motion",
 ]
+
+
+LEFT = 1e-3
+"""The part of its terms by which a constraint is off where a motion has left it: free motions drift by less."""
 
 
 @dataclass(frozen=True, order=True)
@@ -76,8 +85,31 @@ def _deficiencies(motion: Integrated) -> Iterable[Finding]:
     return deficiency_findings(motion.outcome.deficiencies, motion.model)
 
 
+def _violations(motion: Integrated) -> Iterable[Finding]:
+    """Return the constraint that is off most where a motion has left its constraints, at its end."""
+    model, outcome = motion.model, motion.outcome
+    if not model.constraints or outcome.failure is not None:
+        return []
+    kinematics = kinematics_of(model.equations, dict(model.inputs))
+    p = np.array([motion.parameters[name] for name in kinematics.parameters])
+    q = np.array(outcome.end[1][: len(model.coordinates)])
+    with np.errstate(all="ignore"):
+        phi, phi_q, sizes = kinematics.position(outcome.end[0], q, p)
+        off = np.abs(phi) / term_sizes(q, phi_q, sizes)
+    worst = int(np.argmax(off))
+    if not off[worst] > LEFT:
+        return []
+    (name,) = named_constraints(model.constraints, [worst])
+    return [Finding("violation", f"constraint {name}", float(off[worst]))]
+
+
 ROWS: dict[str, _Row] = {
     "deficient": _Row(_deficiencies, "{subject}"),
+    "violation": _Row(
+        _violations,
+        "the motion has left its constraints: at its end {subject} is off by {size:.1g} of the size of its terms; "
+        "leave out constraints that follow from the others, use smaller tolerances, or constraints='baumgarte'",
+    ),
     "stiff": _Row(
         _stiffness,
         "stability, not accuracy, bounds the steps: the equations are stiff; method='bdf' may be faster",

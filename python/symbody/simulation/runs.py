@@ -17,11 +17,11 @@ from symbody.symbolic.deficiency import noting
 
 from .batch import Batch
 from .cases import Cases
-from .consistent import shortened
 from .integrator import Failure as IntegratorFailure
 from .integrator import Outcome, Statistics
 from .motion import Motion
 from .motion_of import motion_of
+from .named_constraint import shortened
 from .notices import Finding, deficiency_findings, notices_of_batch
 from .results import Results, Status
 

@@ -19,6 +19,7 @@ from symbody.symbolic.deficiency import noting
 from .asked import asked_outputs, check_known_along, parameters_in, watched_events
 from .baumgarte_choice import chosen_damping
 from .begin import begin
+from .contradictory_constraints import without_contradictions
 from .diagnosis import diagnosis
 from .event import Event
 from .ida import IDA_FORMS
@@ -140,7 +141,8 @@ class _Course:
                 return not interruption.is_asked_for
 
             outcome = self._integrated(state, keep_going)
-        return replace(outcome, deficiencies=frozenset(found))
+        outcome = replace(outcome, deficiencies=frozenset(found))
+        return without_contradictions(outcome, self.model, self.parameters, self.instants)
 
     def _integrated(self, state: Array, keep_going: Callable[[float], bool]) -> Outcome:
         if self.options.method in IDA_FORMS:
