@@ -11,20 +11,20 @@ __all__ = ["listed", "named_constraints", "shortened"]
 _SHOWN = 80
 
 
-def shortened(expression: Expr) -> str:
+def shortened(expression: Expr, most: int = _SHOWN) -> str:
     """Return the text of an expression, or its beginning."""
     text = str(expression)
-    return text if len(text) <= _SHOWN else f"{text[:_SHOWN]}..."
+    return text if len(text) <= most else f"{text[:most]}..."
 
 
-def named_constraints(constraints: Sequence[Expr], rows: Iterable[int]) -> list[str]:
+def named_constraints(constraints: Sequence[Expr], rows: Iterable[int], most: int = _SHOWN) -> list[str]:
     """Return the names of some constraints.
 
     >>> from symbody import symbols
     >>> named_constraints(symbols("x y"), [1])
     ['2 (y = 0)']
     """
-    return [f"{row + 1} ({shortened(constraints[row])} = 0)" for row in rows]
+    return [f"{row + 1} ({shortened(constraints[row], most)} = 0)" for row in rows]
 
 
 def listed(names: Sequence[str], most: int = 6) -> str:
