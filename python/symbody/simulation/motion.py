@@ -20,6 +20,7 @@ from .drawing import drawer
 from .event import Occurrence
 from .integrator import Statistics
 from .model import Model
+from .unknown import unknown_variables
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -104,18 +105,15 @@ class Motion:
         model = self.model
         known = {*model.integrated, *model.accelerations, *model.multipliers, *self.parameters}
         known |= {key for key, _ in model.inputs}
-        strange = sorted(map(str, free_symbols(model.with_inputs(wanted)) - known))
-        symbols = [leaf for leaf in free_symbols(wanted) if str(leaf) in strange and leaf.kind == "symbol"]
+        strange = free_symbols(model.with_inputs(wanted)) - known
+        symbols = [leaf for leaf in strange if leaf.kind == "symbol"]
         if symbols:
             raise ParameterError(
                 f"motion: {', '.join(sorted(map(str, symbols)))} has no value in this motion; give it with the "
                 "parameters of simulate"
             )
         if strange:
-            raise SimulationError(
-                f"motion: {', '.join(strange)} is nothing that this motion knows; expected time, coordinates, speeds, "
-                "accelerations, multipliers and parameters of its system"
-            )
+            raise SimulationError(unknown_variables("motion", strange, self.model.system))
 
     @cached_property
     def outputs(self) -> dict[str, Array]:
