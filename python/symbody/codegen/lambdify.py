@@ -173,7 +173,7 @@ def lambdify(
     Calls of 20 000 operations or more (operations times points), and functions with linear systems, run in machine
     code, several points at a time; small ones run without being compiled. What runs a call doesn't depend on earlier
     ones, so equal calls have equal results; the two ways agree to rounding. A linear system of deficient rank gets its
-    solution of least norm, and a notice.
+    solution of least norm, and a notice that names the equations that follow from others, or contradict them.
 
     Args:
         arguments: variables, or lists of variables, which become arrays with a row for each.

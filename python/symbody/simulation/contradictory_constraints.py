@@ -48,11 +48,12 @@ def without_contradictions(
     times, states = _course(outcome, model, instants)
     kinematics = kinematics_of(model.equations, dict(model.inputs))
     p = np.array([parameters[name] for name in kinematics.parameters])
-    place = _first(kinematics, p, times, states, max(instants[-1] - instants[0], 1e-300))
+    span = float(instants[-1] - instants[0]) or 1.0
+    place = _first(kinematics, p, times, states, span)
     if place is None:
         return replace(outcome, deficiencies=outcome.deficiencies - noted | {_followed(d) for d in noted})
     t, state = float(times[place]), states[place]
-    rows = contradictory_rows(kinematics, p, t, state, instants[-1] - instants[0])
+    rows = contradictory_rows(kinematics, p, t, state, span)
     reached = max(1, min(place + 1, len(outcome.states)))
     return replace(
         outcome,

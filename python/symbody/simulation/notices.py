@@ -108,7 +108,8 @@ ROWS: dict[str, _Row] = {
     "violation": _Row(
         _violations,
         "the motion has left its constraints: at its end {subject} is off by {size:.1g} of the size of its terms; "
-        "leave out constraints that follow from the others, use smaller tolerances, or constraints='baumgarte'",
+        "use smaller tolerances or another way to keep them (constraints=...), and leave out those that follow from "
+        "others",
     ),
     "stiff": _Row(
         _stiffness,
