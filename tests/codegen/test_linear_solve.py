@@ -12,6 +12,7 @@ import jax
 import jax.numpy as jnp
 import numpy as np
 import pytest
+import scipy.linalg
 
 from symbody.codegen.runtime import NAMES, SNIPPETS, factor_size, runtime_text
 from symbody.symbolic.kernel import kernel_address, kernel_workspace, take_deficiencies
@@ -20,15 +21,17 @@ from tests.codegen.linear_systems import System, systems, weights
 
 ROOT = Path(__file__).parents[2]
 
-factor = ctypes.CFUNCTYPE(None, ctypes.c_int64, ctypes.c_void_p, ctypes.c_int64)(kernel_address("factor"))
-solve = ctypes.CFUNCTYPE(None, ctypes.c_int64, ctypes.c_void_p, ctypes.c_void_p)(kernel_address("solve"))
+factor = ctypes.CFUNCTYPE(None, ctypes.c_int64, ctypes.c_void_p)(kernel_address("factor"))
+solve = ctypes.CFUNCTYPE(None, ctypes.c_int64, ctypes.c_void_p, ctypes.c_void_p, ctypes.c_int64)(
+    kernel_address("solve")
+)
 
 
-def solved_by_kernel(a: np.ndarray, b: np.ndarray, tag: int = 0) -> np.ndarray:
+def solved_by_kernel(a: np.ndarray, b: np.ndarray, number: int = 0) -> np.ndarray:
     work, x = np.zeros(kernel_workspace(len(b))), b.copy()
     work[: a.size] = a.ravel()
-    factor(len(b), work.ctypes.data, tag)
-    solve(len(b), work.ctypes.data, x.ctypes.data)
+    factor(len(b), work.ctypes.data)
+    solve(len(b), work.ctypes.data, x.ctypes.data, number)
     return x
 
 
@@ -46,10 +49,48 @@ def test_two_hundred_systems() -> None:
 
 def test_kernel() -> None:
     assert take_deficiencies() == []
-    assert_solved(systems(), [solved_by_kernel(s.a, s.b, tag) for tag, s in enumerate(systems())])
-    expected = [(tag, list(s.dependent)) for tag, s in enumerate(systems()) if s.dependent]
-    assert take_deficiencies() == expected
+    assert_solved(systems(), [solved_by_kernel(s.a, s.b, number) for number, s in enumerate(systems())])
+    expected = [(number, len(s.b), s.dependent) for number, s in enumerate(systems()) if s.dependent]
+    found = take_deficiencies()
+    assert [(number, n, _named(rows, against)) for number, n, rows, against in found] == expected
     assert take_deficiencies() == []
+
+
+def _named(dependent: Sequence[int], contradictions: Sequence[tuple[int, Sequence[int]]]) -> tuple[int, ...]:
+    return tuple(sorted([*dependent, *(row for row, _ in contradictions)]))
+
+
+def test_contradictory_equations_are_told_from_dependent_ones() -> None:
+    """Against SciPy: the row is a combination of the others' rows, and its right side isn't that of theirs."""
+    for number, system in enumerate(systems()):
+        solved_by_kernel(system.a, system.b, number)
+    checked = 0
+    for number, _, _, contradictions in take_deficiencies():
+        system = systems()[number]
+        assert bool(contradictions) == (system.kind in {"inconsistent", "weighted"})
+        weight = weights(system.a)
+        a, b = weight[:, None] * system.a, weight * system.b
+        for row, others in contradictions:
+            rest = list(others)
+            shares, *_ = scipy.linalg.lstsq(a[rest].T, a[row]) if rest else (np.zeros(0),)
+            assert np.allclose(a[rest].T @ shares, a[row], atol=1e-2 * np.abs(a).max())
+            assert abs(shares @ b[rest] - b[row]) > 1e-6
+            checked += 1
+    assert checked > 50
+
+
+@pytest.mark.parametrize("off", [0.0, 1e-15, 1e-12, 1e-10, 1e-6, 1e-3, 1.0])
+@pytest.mark.parametrize("unit", [1e-9, 1.0, 1e9])
+def test_what_rounding_leaves_is_no_contradiction(off: float, unit: float) -> None:
+    """A redundant system whose dependent equations are off by so much of their terms."""
+    system = next(s for s in systems() if s.kind == "redundant" and len(s.dependent) > 1)
+    b = system.b.copy()
+    b[system.dependent[0]] += off * np.abs(b).max()
+    solved_by_kernel(system.a, unit * b)
+    [(_, _, dependent, contradictions)] = take_deficiencies()
+    contradictory = off > 1e-8
+    assert [row for row, _ in contradictions] == ([system.dependent[0]] if contradictory else [])
+    assert _named(dependent, contradictions) == system.dependent
 
 
 @pytest.fixture(scope="module", params=[*COMPILED, *LIBRARIES])
@@ -216,4 +257,6 @@ def test_numpy_solves_batches() -> None:
     x = linear_solve_of("numpy")(a, list(b))
     for batch in np.ndindex(7, 3):
         assert np.allclose(x[:, *batch], solved_by_kernel(a[batch], b[:, *batch]), rtol=1e-10, atol=1e-12)
-    assert take_deficiencies() == [(0, [3])]
+    assert [(n, rows, [row for row, _ in others]) for _, n, rows, others in take_deficiencies()] == [
+        (4, [], [3])
+    ]

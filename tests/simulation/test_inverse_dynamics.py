@@ -535,7 +535,7 @@ def test_mistakes_are_told():
     assert np.allclose(found.forces[x], [-6, -8, -10])
     assert np.allclose(found[f + time_derivative(f)], [2, 4, 6])
     with pytest.raises(
-        SimulationError, match="inverse_dynamics: y is nothing that this motion knows; expected"
+        SimulationError, match="inverse_dynamics: no values of y; this motion has values of time, the"
     ):
         found[y + x]
 
@@ -555,7 +555,7 @@ def test_a_simulated_motion_brings_its_own():
     with pytest.raises(SimulationError, match="the forces along x, y are not determined: other values move"):
         inverse_dynamics(linkage.equations, motion)
     other = double_pendulum()
-    with pytest.raises(SimulationError, match=r"motion: theta1.* is nothing that this motion knows"):
+    with pytest.raises(SimulationError, match=r"motion: no values of theta1"):
         inverse_dynamics(other.equations, motion, other.parameters)
 
 

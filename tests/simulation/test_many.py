@@ -439,7 +439,7 @@ def test_other_files_are_left_alone(content: bytes, tmp_path: Path) -> None:
         six(path=file)
     assert file.read_bytes() == content
     np.savez(file, a=[1.0])
-    with pytest.raises(ResultsError, match="it doesn't say 'symbody results 1'"):
+    with pytest.raises(ResultsError, match="it doesn't say 'symbody results 2'"):
         six(path=file)
 
 

@@ -509,9 +509,9 @@ class TestEndsBeforeTheEnd:
             lambda: simulate(DOUBLE, VALUES, START, t=(0, 1))[y],
             SimulationError,
             (
-                "motion: y is nothing that this motion knows; expected time, coordinates, speeds, "
-                "accelerations, multipliers "
-                "and parameters of its system"
+                "motion: no values of y; this motion has values of time, the coordinates q1 and q2, the speeds q1' and "
+                "q2', accelerations, multipliers and parameters; y is no coordinate or speed of this system: use "
+                "those, or add it to the system before simulating"
             ),
         ),
         (

@@ -14,6 +14,7 @@ from symbody import (
     translate,
 )
 from symbody.errors import ArgumentError, ParameterError
+from symbody.simulation.unknown import unknown_variables
 from symbody.simulation.values import parameter_values, state_values
 
 m, g, length = symbols("m g l_1")
@@ -86,3 +87,17 @@ def test_other_functions_are_no_part_of_a_state():
     ):
         state_values(system, {y: 1}, where="consistent_state", argument="guess")
     assert state_values(system, None) == {}
+
+
+def test_what_a_motion_has_no_values_of_is_said_in_plain_words() -> None:
+    x = functions_of_time("x")
+    system = System([Body(translate(x, 0, 0), m)], coordinates=[x])
+    third, foreign = time_derivative(time_derivative(time_derivative(x))), functions_of_time("u v")
+    assert unknown_variables("motion", [third], system) == (
+        "motion: no values of x'''; this motion has values of time, the coordinates x, the speeds x', accelerations, "
+        "multipliers and parameters; x''' is of too high an order: read the accelerations, and differentiate their "
+        "values, as by numpy.gradient"
+    )
+    assert unknown_variables("motion", foreign, system).endswith(
+        "; u and v are no coordinate or speed of this system: use those, or add them to the system before simulating"
+    )

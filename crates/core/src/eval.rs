@@ -1,5 +1,8 @@
 //! Evaluation of a tape in doubles: at one point, or at many points, a block of them at a time.
 
+use std::collections::BTreeSet;
+
+use crate::deficiency::Deficiency;
 use crate::error::Error;
 use crate::linear_systems::{LinearSystems, Memory, solution_of};
 use crate::tape::{Instruction, Operand, Tape};
@@ -95,6 +98,14 @@ impl Evaluator {
     /// # Errors
     /// When there are too few or too many inputs.
     pub fn evaluate(&self, inputs: &[f64]) -> Result<Vec<f64>, Error> {
+        Ok(self.evaluate_noting(inputs)?.0)
+    }
+
+    /// The outputs at one point, and the linear systems of deficient rank there.
+    ///
+    /// # Errors
+    /// When there are too few or too many inputs.
+    pub fn evaluate_noting(&self, inputs: &[f64]) -> Result<(Vec<f64>, BTreeSet<Deficiency>), Error> {
         self.check(inputs.len())?;
         let mut out = vec![0.0; self.outputs];
         let mut slots = [&self.constants, inputs].concat();
@@ -108,7 +119,7 @@ impl Evaluator {
             done = store.steps;
             out[store.output] = slots[store.slot as usize];
         }
-        Ok(out)
+        Ok((out, memory.deficiencies))
     }
 
     /// One instruction at one point.
@@ -128,6 +139,18 @@ impl Evaluator {
     /// # Errors
     /// When there are too few or too many inputs, or an array has not the length `points`.
     pub fn evaluate_columns(&self, inputs: &[Column], points: usize) -> Result<Vec<f64>, Error> {
+        Ok(self.evaluate_columns_noting(inputs, points)?.0)
+    }
+
+    /// The outputs at many points, and the linear systems of deficient rank at some of them.
+    ///
+    /// # Errors
+    /// When there are too few or too many inputs, or an array has not the length `points`.
+    pub fn evaluate_columns_noting(
+        &self,
+        inputs: &[Column],
+        points: usize,
+    ) -> Result<(Vec<f64>, BTreeSet<Deficiency>), Error> {
         self.check(inputs.len())?;
         for input in inputs {
             if let Column::Array(array) = input
@@ -146,7 +169,7 @@ impl Evaluator {
             let block = Block { inputs, constants: &self.constants, systems, start, len };
             self.evaluate_block(&block, &mut registers, &mut memory, &mut out, points);
         }
-        Ok(out)
+        Ok((out, memory.deficiencies))
     }
 
     fn evaluate_block(

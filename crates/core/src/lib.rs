@@ -16,7 +16,9 @@ mod collect;
 mod collector;
 mod combine_trig;
 mod content;
+pub mod contradiction;
 mod cost;
+mod deficiency;
 mod diff;
 mod distribute;
 mod emit;
@@ -66,6 +68,7 @@ pub mod vector;
 
 pub use classes::Classes;
 pub use cost::Cost;
+pub use deficiency::Deficiency;
 pub use error::{Error, quoted};
 pub use eval::{Column, Evaluator};
 pub use field::Element;

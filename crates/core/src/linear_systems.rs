@@ -1,5 +1,8 @@
 //! The linear systems of a tape at run time: matrices and right sides gathered from slots, lane by lane.
 
+use std::collections::BTreeSet;
+
+use crate::deficiency::Deficiency;
 use crate::factorization::{factor, solve, workspace};
 use crate::tape::{Instruction, Operand, Tape};
 
@@ -22,10 +25,11 @@ struct Solution {
     right: Vec<u32>,
 }
 
-/// Factorised matrices and solutions, for each of some lanes.
+/// Factorised matrices and solutions, for each of some lanes, and the systems of deficient rank.
 pub(crate) struct Memory {
     factorizations: Vec<Vec<f64>>,
     solutions: Vec<Vec<f64>>,
+    pub(crate) deficiencies: BTreeSet<Deficiency>,
 }
 
 impl LinearSystems {
@@ -46,6 +50,7 @@ impl LinearSystems {
         Memory {
             factorizations: self.matrices.iter().map(|matrix| area(workspace(matrix.size))).collect(),
             solutions: self.solutions.iter().map(|solution| area(solution.right.len())).collect(),
+            deficiencies: BTreeSet::new(),
         }
     }
 
@@ -83,6 +88,7 @@ impl LinearSystems {
             for (place, &slot) in result.iter_mut().zip(right) {
                 *place = read(slot, lane);
             }
+            memory.deficiencies.extend(Deficiency::of(*matrix as u32, size, area, result));
             solve(size, area, result);
         }
     }

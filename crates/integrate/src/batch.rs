@@ -25,8 +25,10 @@ pub struct Case<'a> {
 /// Integrate many motions at the same instants; their states are written one motion after another.
 ///
 /// `keep_going` is asked some times a second, with the number of motions that are done; motions that were not begun
-/// when it said no have no run.
-pub fn integrate_many(
+/// when it said no have no run. `notes` is called on the thread of a motion before and after it: what it returns
+/// afterwards, such as what compiled code has noted, stands beside the run.
+#[allow(clippy::too_many_arguments, reason = "the arguments of an integration")]
+pub fn integrate_many<N: Clone + Send>(
     dynamics: &Dynamics<MachineCode>,
     method: Method,
     cases: &[Case<'_>],
@@ -34,10 +36,11 @@ pub fn integrate_many(
     tolerances: Tolerances,
     threads: usize,
     keep_going: &mut dyn FnMut(usize) -> bool,
-) -> Vec<Option<Run>> {
+    notes: &(dyn Fn() -> N + Sync),
+) -> Vec<Option<(Run, N)>> {
     let stop = AtomicBool::new(false);
     let done = AtomicUsize::new(0);
-    let mut runs: Vec<Option<Run>> = vec![None; cases.len()];
+    let mut runs: Vec<Option<(Run, N)>> = vec![None; cases.len()];
     let Record { instants, states } = record;
     let size = states.len() / cases.len().max(1);
     let work = Mutex::new(cases.iter().zip(states.chunks_mut(size.max(1))).zip(&mut runs));
@@ -53,7 +56,9 @@ pub fn integrate_many(
                     let record = Record { instants, states };
                     let own = dynamics.with_constants(case.constants);
                     let mut unstopped = |_| !stop.load(Ordering::Relaxed);
-                    *run = Some(integrate(&own, method, case.state, record, tolerances, &mut unstopped));
+                    notes();
+                    let ended = integrate(&own, method, case.state, record, tolerances, &mut unstopped);
+                    *run = Some((ended, notes()));
                     done.fetch_add(1, Ordering::Relaxed);
                 }
             });

@@ -105,8 +105,9 @@ fn many_motions_are_those_that_come_one_by_one_whatever_the_threads() {
         let mut states = vec![f64::NAN; 9 * 8 * 2];
         let record = Record { instants: &instants, states: &mut states };
         let limits = tolerance(1e-9, 2);
-        let runs = integrate_many(&code, Method::Dop853, &cases, record, limits, threads, &mut |_| true);
-        assert!(runs.iter().flatten().all(|run| run.reached == 8) && runs.iter().all(Option::is_some));
+        let runs =
+            integrate_many(&code, Method::Dop853, &cases, record, limits, threads, &mut |_| true, &|| ());
+        assert!(runs.iter().flatten().all(|(run, ())| run.reached == 8) && runs.iter().all(Option::is_some));
         assert_eq!(states, alone);
     }
 }

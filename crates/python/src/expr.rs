@@ -1,14 +1,17 @@
 //! The class `Expr`: a node of the graph with Python's operators.
 
+use std::collections::BTreeSet;
+
 use num_bigint::BigInt;
 use pyo3::basic::CompareOp;
 use pyo3::exceptions::PyAttributeError;
 use pyo3::prelude::*;
 use pyo3::types::{PyBytes, PyDict, PyFrozenSet, PyTuple};
-use symbody_core::{Error, Evaluator, Function, Graph, Id, Number, NumberId, View};
+use symbody_core::{Deficiency, Error, Evaluator, Function, Graph, Id, Number, NumberId, View};
 
 use crate::calculus::{keys, notice_namesakes, pairs};
 use crate::convert::{is_sympy, mistake, operand, optional};
+use crate::deficiency::report;
 use crate::session::{argument_error, raise, with_forms, with_graph};
 
 /// An immutable expression. Comparison is by value: equal mathematics is equal.
@@ -160,7 +163,9 @@ impl Expr {
     }
 
     fn __float__(&self, py: Python<'_>) -> PyResult<f64> {
-        raise(py, with_forms(|graph| constant_value(graph, self.0)))
+        let (value, found) = raise(py, with_forms(|graph| constant_value(graph, self.0)))?;
+        report(py, found, "float")?;
+        Ok(value)
     }
 
     fn __int__(&self, py: Python<'_>) -> PyResult<BigInt> {
@@ -190,7 +195,9 @@ impl Expr {
             }
         }
         let tape = raise(py, with_forms(|graph| graph.tape(&inputs, &[self.0])))?;
-        Ok(raise(py, Evaluator::new(&tape).evaluate(&numbers))?[0])
+        let (outputs, found) = raise(py, Evaluator::new(&tape).evaluate_noting(&numbers))?;
+        report(py, found, "evaluate")?;
+        Ok(outputs[0])
     }
 
     /// The same expression in `SymPy`.
@@ -453,9 +460,9 @@ fn rational_hash(number: &Number) -> Option<isize> {
 }
 
 /// The value of an expression without symbols.
-fn constant_value(graph: &Graph, id: Id) -> Result<f64, Error> {
+fn constant_value(graph: &Graph, id: Id) -> Result<(f64, BTreeSet<Deficiency>), Error> {
     if let Some(number) = graph.as_number(id) {
-        return Ok(number.to_f64());
+        return Ok((number.to_f64(), BTreeSet::new()));
     }
     if let Some(&variable) = graph.variables(&[id]).first() {
         return Err(Error::MissingInput(format!(
@@ -465,7 +472,8 @@ fn constant_value(graph: &Graph, id: Id) -> Result<f64, Error> {
         )));
     }
     let tape = graph.tape(&[], &[id])?;
-    Ok(Evaluator::new(&tape).evaluate(&[])?[0])
+    let (outputs, found) = Evaluator::new(&tape).evaluate_noting(&[])?;
+    Ok((outputs[0], found))
 }
 
 /// The parts of a node as expressions of their own.

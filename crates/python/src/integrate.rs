@@ -13,6 +13,8 @@ use pyo3::exceptions::{PyKeyboardInterrupt, PyValueError};
 use pyo3::prelude::*;
 use symbody_integrate as native;
 
+use crate::deficiency::{Noted, take};
+
 /// Time between two looks at signals and progress.
 const LOOK: Duration = Duration::from_millis(50);
 
@@ -24,6 +26,8 @@ type Occurrences = Vec<(usize, f64, Vec<f64>)>;
 type Statistics = (usize, usize, usize, usize, bool);
 /// How many instants were reached, events, the end, the kind of failure with time and message, statistics.
 type Run = (usize, Occurrences, (f64, Vec<f64>), Option<(&'static str, f64, String)>, Statistics);
+/// A run, and what its linear systems lacked.
+type RunOfMany = (Run, Vec<Noted>);
 
 /// A system of equations as compiled code.
 #[pyclass(frozen)]
@@ -105,7 +109,8 @@ impl Dynamics {
 
     /// Integrate many motions in several threads; a row of states, constants and `out` for each.
     ///
-    /// `keep_going` is called with the number of motions that are done. Motions that were not begun have no run.
+    /// `keep_going` is called with the number of motions that are done. Motions that were not begun have no run; beside each
+    /// run stands what its linear systems lacked.
     #[allow(clippy::too_many_arguments, reason = "the arguments of an integration")]
     fn integrate_many(
         &self,
@@ -118,7 +123,7 @@ impl Dynamics {
         mut out: PyBuffer<f64>,
         threads: usize,
         keep_going: Option<Py<PyAny>>,
-    ) -> PyResult<Vec<Option<Run>>> {
+    ) -> PyResult<Vec<Option<RunOfMany>>> {
         let method = named(method)?;
         let (begins, constants, instants) = (states.to_vec(py)?, constants.to_vec(py)?, instants.to_vec(py)?);
         let cases = begins.len() / self.states.max(1);
@@ -140,9 +145,21 @@ impl Dynamics {
             let tolerances = limits(tolerances);
             #[allow(clippy::cast_precision_loss, reason = "a count of motions")]
             let mut watched = |done: usize| look.keeps_going(done as f64);
-            native::integrate_many(&self.code, method, &cases, record, tolerances, threads, &mut watched)
+            native::integrate_many(
+                &self.code,
+                method,
+                &cases,
+                record,
+                tolerances,
+                threads,
+                &mut watched,
+                &take,
+            )
         });
-        look.error.map_or_else(|| Ok(runs.into_iter().map(|run| run.map(told)).collect()), Err)
+        look.error.map_or_else(
+            || Ok(runs.into_iter().map(|run| run.map(|(run, noted)| (told(run), noted))).collect()),
+            Err,
+        )
     }
 }
 

@@ -9,6 +9,7 @@
 mod angle;
 mod calculus;
 mod convert;
+mod deficiency;
 mod expr;
 mod integrate;
 mod kernel;
@@ -31,6 +32,7 @@ fn _core(module: &Bound<'_, PyModule>) -> PyResult<()> {
     nary::register(module)?;
     angle::register(module)?;
     calculus::register(module)?;
+    deficiency::register(module)?;
     integrate::register(module)?;
     kernel::register(module)?;
     matrix::register(module)?;

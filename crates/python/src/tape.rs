@@ -6,6 +6,7 @@ use pyo3::types::{PyList, PyTuple};
 use symbody_core::{Column, Cost, Evaluator, Instruction, Operand, Staged};
 
 use crate::convert::operands;
+use crate::deficiency::note;
 use crate::session::{raise, with_forms};
 
 /// Additions, multiplications, divisions, functions.
@@ -104,7 +105,9 @@ impl Tape {
 
     /// The outputs at one point.
     fn evaluate(&self, py: Python<'_>, inputs: Vec<f64>) -> PyResult<Vec<f64>> {
-        raise(py, self.evaluator.evaluate(&inputs))
+        let (outputs, found) = raise(py, self.evaluator.evaluate_noting(&inputs))?;
+        note(found);
+        Ok(outputs)
     }
 
     /// The outputs at many points, output by output, into `out`; an input of one value serves all points.
@@ -123,8 +126,9 @@ impl Tape {
                 _ => Column::Array(value),
             })
             .collect();
-        let result = py.detach(|| self.evaluator.evaluate_columns(&columns, points));
-        let result = raise(py, result)?;
+        let result = py.detach(|| self.evaluator.evaluate_columns_noting(&columns, points));
+        let (result, found) = raise(py, result)?;
+        note(found);
         PyBuffer::<f64>::get(out)?.copy_from_slice(py, &result)
     }
 }

@@ -12,12 +12,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from symbody.codegen.deficiency import notice_deficiencies
 from symbody.codegen.llvm.jit import is_available, lanes
 from symbody.codegen.machine_code import MachineCode
 from symbody.errors import ArgumentError, ExpressionError, ParameterError, SymbodyError
 from symbody.symbolic import Expr, Matrix
 from symbody.symbolic.arguments import brief, described, expression
+from symbody.symbolic.deficiency import noting, report
 from symbody.symbolic.encoding import Encoded, decode, encode
 from symbody.symbolic.tape import Tape
 
@@ -82,6 +82,14 @@ class CompiledFunction:
 
     def _evaluated(self, columns: list[NDArray[np.float64]], points: int) -> NDArray[np.float64]:
         """Return the outputs, a row for each."""
+        if not self.tape.factorizations:
+            return self._unreported(columns, points)
+        with noting() as found:
+            out = self._unreported(columns, points)
+        report(found, self.equation_names)
+        return out
+
+    def _unreported(self, columns: list[NDArray[np.float64]], points: int) -> NDArray[np.float64]:
         out = np.empty((self.tape.outputs, points))
         if not self._is_compiled_for(points):
             self.tape.evaluate_columns(columns, points, out.reshape(-1))
@@ -92,8 +100,6 @@ class CompiledFunction:
             out = np.ascontiguousarray(rows.T)
         else:
             self.machine_code.evaluate_columns(columns, points, out, self.threads)
-        if self.tape.factorizations:
-            notice_deficiencies([self.machine_code.tag], self.equation_names)
         return out
 
     def _is_compiled_for(self, points: int) -> bool:
@@ -167,7 +173,7 @@ def lambdify(
     Calls of 20 000 operations or more (operations times points), and functions with linear systems, run in machine
     code, several points at a time; small ones run without being compiled. What runs a call doesn't depend on earlier
     ones, so equal calls have equal results; the two ways agree to rounding. A linear system of deficient rank gets its
-    solution of least norm, and a notice.
+    solution of least norm, and a notice that names the equations that follow from others, or contradict them.
 
     Args:
         arguments: variables, or lists of variables, which become arrays with a row for each.

@@ -7,29 +7,23 @@ from collections.abc import Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass, field
 from functools import cached_property
-from itertools import count, pairwise
+from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
 
-from symbody.codegen.deficiency import SYSTEMS
 from symbody.codegen.llvm import jit
 from symbody.codegen.llvm.module import batch_text, scalar_text
 from symbody.codegen.straight_line import Code, Input, code_of_tape
 from symbody.symbolic import Expr
+from symbody.symbolic.deficiency import Deficiency, noting, report
 from symbody.symbolic.tape import Tape
 
-__all__ = ["POINTER", "MachineCode", "next_tag"]
+__all__ = ["POINTER", "MachineCode"]
 
-_TAGS = count(1)
 _WORTH = 10_000_000
 """Operations for which a thread is worth being woken: about half a millisecond's."""
 POINTER, _INTEGER = ctypes.c_void_p, ctypes.c_int64
-
-
-def next_tag() -> int:
-    """Return what tells the linear systems of one function from those of all others."""
-    return next(_TAGS) << SYSTEMS
 
 
 @dataclass(frozen=True, eq=False)
@@ -44,12 +38,10 @@ class MachineCode:
     Attributes:
         inputs: the variables.
         expressions: the outputs.
-        tag: what tells the linear systems of this code from those of others.
     """
 
     inputs: tuple[Expr, ...]
     expressions: tuple[Expr, ...]
-    tag: int = field(default_factory=next_tag)
     _batches: dict[tuple[bool, ...], jit.Compiled] = field(default_factory=dict)
     _scalars: list[jit.Compiled] = field(default_factory=list)
 
@@ -84,26 +76,28 @@ class MachineCode:
         function = compiled.function(POINTER, POINTER, _INTEGER, _INTEGER, _INTEGER)
         pointers = (POINTER * len(columns))(*(column.ctypes.data for column in columns))
 
-        def run(start: int, end: int) -> None:
-            function(pointers, out.ctypes.data, start, end, points)
+        def run(start: int, end: int) -> set[Deficiency]:
+            with noting() as found:
+                function(pointers, out.ctypes.data, start, end, points)
+            return found
 
         parts = _parts(points, min(threads, max(points * self.operations // _WORTH, 1)))
         if len(parts) == 1:
-            run(*parts[0])
+            report(run(*parts[0]))
             return
         with ThreadPoolExecutor(len(parts)) as pool:
-            list(pool.map(lambda part: run(*part), parts))
+            report(set().union(*pool.map(lambda part: run(*part), parts)))
 
     def _scalar(self) -> jit.Compiled:
         if not self._scalars:
-            text = scalar_text(self._code([0] * len(self.inputs)), "scalar", jit.lanes(), self.tag)
+            text = scalar_text(self._code([0] * len(self.inputs)), "scalar", jit.lanes())
             self._scalars.append(jit.compiled(text, "scalar"))
         return self._scalars[0]
 
     def _batch(self, uniform: tuple[bool, ...]) -> jit.Compiled:
         if uniform not in self._batches:
             code = self._code([0 if is_uniform else 1 for is_uniform in uniform])
-            text = batch_text(code, "batch", jit.lanes(), uniform, self.tag)
+            text = batch_text(code, "batch", jit.lanes(), uniform)
             self._batches[uniform] = jit.compiled(text, "batch")
         return self._batches[uniform]
 

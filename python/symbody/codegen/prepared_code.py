@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
 
@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from symbody.codegen.llvm import jit
 from symbody.codegen.llvm.module import scalar_text, shortcut_text
-from symbody.codegen.machine_code import POINTER, next_tag
+from symbody.codegen.machine_code import POINTER
 from symbody.codegen.preparation import Preparation
 from symbody.codegen.straight_line import Code, Input, code_of, operands, with_operands
 from symbody.errors import CodegenError, ParameterError
@@ -46,14 +46,12 @@ class PreparedCode:
         inputs: what changes from one state to another.
         expressions: the outputs.
         shortcut: a faster way to them, which is taken where it is accurate.
-        tag: what tells the linear systems of this code from those of others.
     """
 
     parameters: tuple[Expr, ...]
     inputs: tuple[Expr, ...]
     expressions: tuple[Expr, ...]
     shortcut: Shortcut | None = None
-    tag: int = field(default_factory=next_tag)
 
     @property
     def address(self) -> int:
@@ -99,9 +97,7 @@ class PreparedCode:
 
     @cached_property
     def _preparation(self) -> jit.Compiled:
-        return _compiled(
-            lambda lanes: scalar_text(self._parts.constants, "prepare", lanes, next_tag()), "prepare"
-        )
+        return _compiled(lambda lanes: scalar_text(self._parts.constants, "prepare", lanes), "prepare")
 
     @cached_property
     def _function(self) -> jit.Compiled:
@@ -109,8 +105,8 @@ class PreparedCode:
 
         def text(lanes: int) -> str:
             if shortcut is None:
-                return scalar_text(outputs, "evaluate", lanes, self.tag)
-            return shortcut_text(shortcut, len(self.expressions), outputs, "evaluate", lanes, self.tag)
+                return scalar_text(outputs, "evaluate", lanes)
+            return shortcut_text(shortcut, len(self.expressions), outputs, "evaluate", lanes)
 
         return _compiled(text, "evaluate")
 

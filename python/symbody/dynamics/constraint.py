@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import warnings
 from collections.abc import Sequence
+from importlib import import_module
 from typing import NamedTuple
 
 from symbody.errors import ConstraintError, ModelNotice
@@ -80,8 +81,17 @@ def _check_motion_is_left(system: System, independent: int) -> None:
     if independent == n and not is_driven:
         raise ConstraintError(
             f"System: {n} independent constraints on {n} {what} leave no motion; expected fewer constraints than "
-            f"{what}, or one that drives the system and holds the time t"
+            f"{what}, or one that drives the system and holds the time t{_overconstrained(system)}"
         )
+
+
+def _overconstrained(system: System) -> str:
+    """Return what is redundant in a mechanism that moves by its special dimensions alone, if this is one.
+
+    That takes numbers, and so a higher layer, which is looked up for this message only.
+    """
+    found: str = import_module("symbody.simulation.redundant_constraints").advice(system)
+    return found and f". With parameters that are all 1, {found}"
 
 
 class _Combination(NamedTuple):
@@ -109,6 +119,14 @@ def _tell(system: System, place: int, combined: Sequence[int], rest: Expr) -> No
         raise ConstraintError(
             f"{constraint} contradicts {others}: together they say that {brief(rest)} = 0; correct one of them"
         )
+    if not rest.is_zero and rest.free_symbols.isdisjoint({*system.coordinates, *system.speeds}):
+        warnings.warn(
+            f"{constraint} contradicts {others} wherever {rest} isn't zero: their gradients are combinations of each "
+            "other; correct one of them, or leave it out",
+            ModelNotice,
+            stacklevel=5,
+        )
+        return
     warnings.warn(
         f"{constraint} depends on {others}: its gradient is a combination of theirs, so that their multipliers aren't "
         "determined; forward dynamics takes the least ones; leave it out if it's one too many",

@@ -7,6 +7,7 @@ from symbody.simulation.grid import grid
 from symbody.simulation.inverse_dynamics import InverseDynamics, inverse_dynamics
 from symbody.simulation.many import simulate_many
 from symbody.simulation.motion import Motion
+from symbody.simulation.redundant_constraints import Redundancy, redundant_constraints
 from symbody.simulation.runs import Runs
 from symbody.simulation.simulate import simulate
 
@@ -16,11 +17,13 @@ __all__ = [
     "InverseDynamics",
     "Motion",
     "Occurrence",
+    "Redundancy",
     "Runs",
     "consistent_state",
     "equilibrium",
     "grid",
     "inverse_dynamics",
+    "redundant_constraints",
     "simulate",
     "simulate_many",
 ]

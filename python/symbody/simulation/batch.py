@@ -12,16 +12,19 @@ from numpy.typing import NDArray
 
 from symbody.errors import SymbodyError
 from symbody.symbolic import Expr
+from symbody.symbolic.deficiency import noting
 
 from .baumgarte_choice import chosen_damping
 from .begin import begin, begin_free
 from .cases import Cases
+from .contradictory_constraints import without_contradictions
 from .diagnosis import diagnosis
 from .event import Event
 from .ida import IDA_FORMS
 from .ida_outcome import ida_outcome
 from .integrator import Options, Outcome, Problem, run_many
 from .model import DAMPING, Model
+from .notices import Integrated, deficiency_findings, findings_of
 from .results import Results, Status
 
 Array = NDArray[np.float64]
@@ -102,7 +105,9 @@ class Batch:
         outcomes = self._outcomes(running, states, threads, keep_going)
         for place, (case, outcome) in enumerate(zip(begun, outcomes, strict=True)):
             if outcome is not None:
-                self._record(results, int(case), outcome, running.parameters_of(place))
+                parameters = running.parameters_of(place)
+                judged = without_contradictions(outcome, self.model, parameters, self.instants)
+                self._record(results, int(case), judged, parameters)
         return results
 
     def _damped(self, cases: Cases, states: Array) -> Cases:
@@ -134,15 +139,17 @@ class Batch:
                 yield None
                 continue
             parameters, start = cases.parameters_of(case), state[: len(self.model.state)]
-            yield ida_outcome(
-                self.model,
-                start,
-                parameters,
-                self.instants,
-                self.options,
-                self.events,
-                _still(keep_going, case),
-            )
+            with noting() as found:
+                outcome = ida_outcome(
+                    self.model,
+                    start,
+                    parameters,
+                    self.instants,
+                    self.options,
+                    self.events,
+                    _still(keep_going, case),
+                )
+            yield replace(outcome, deficiencies=frozenset(found))
 
     def _starts(
         self, cases: Cases, results: Results, keep_going: Callable[[float], bool] | None
@@ -152,10 +159,12 @@ class Batch:
         for looked, case in enumerate(np.flatnonzero(~np.isfinite(states).all(axis=1)).tolist()):
             if keep_going is not None and looked % LOOK == 0 and not keep_going(0):
                 break
-            try:
-                states[case] = self.start(cases.parameters_of(case), cases.initial_of(case))
-            except SymbodyError as error:
-                results.status[case], results.messages[case] = Status.FAILED, str(error)
+            with noting() as found:
+                try:
+                    states[case] = self.start(cases.parameters_of(case), cases.initial_of(case))
+                except SymbodyError as error:
+                    results.status[case], results.messages[case] = Status.FAILED, str(error)
+            results.findings[case] = deficiency_findings(found, self.model)
         begun = np.flatnonzero(np.isfinite(states).all(axis=1))
         return begun, states[begun]
 
@@ -190,9 +199,13 @@ class Batch:
         )
         if self.keeps_states:
             results.states[case, :reached, : outcome.states.shape[1]] = outcome.states
-        results.outputs[case, :, :reached] = self.values(
-            list(self.outputs.values()), outcome.states[:, :size], self.instants[:reached], parameters
-        )
+        with noting() as found:
+            results.outputs[case, :, :reached] = self.values(
+                list(self.outputs.values()), outcome.states[:, :size], self.instants[:reached], parameters
+            )
+        met = replace(outcome, deficiencies=outcome.deficiencies | found)
+        findings = findings_of(Integrated(self.model, parameters, self.options, met))
+        results.findings[case] = tuple(dict.fromkeys((*results.findings[case], *findings)))
 
     def _reason(self, outcome: Outcome, parameters: Mapping[Expr, float]) -> str:
         """Return why a motion failed, in the names of the model; nothing if it didn't."""

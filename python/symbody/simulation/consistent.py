@@ -12,12 +12,14 @@ from symbody.dynamics import Equations
 from symbody.errors import ConstraintError
 from symbody.symbolic import Expr, ExprLike, time_derivative
 
+from .contradiction import contradiction_between, contradictory_rows_of
 from .gauss_newton import gauss_newton
 from .kinematics import Kinematics, kinematics_of, neutral_position
 from .least_norm import least_norm
+from .named_constraint import shortened
 from .values import check_equations, parameter_values, state_values
 
-__all__ = ["consistent_state"]
+__all__ = ["consistent_state", "term_sizes"]
 
 Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]
@@ -93,7 +95,7 @@ class Positions:
         """Return the equations, scaled where the search begins."""
         with np.errstate(all="ignore"):
             _, phi_q, sizes = kinematics.position(t, q, p)
-        return cls(kinematics, p, t, _scale(q, phi_q, sizes))
+        return cls(kinematics, p, t, term_sizes(q, phi_q, sizes))
 
     def linearization(self, q: Array, is_free: Flags) -> tuple[Array, Array]:
         """Return the scaled constraints and their derivatives by the free coordinates."""
@@ -105,7 +107,7 @@ class Positions:
         """Return the largest violation in the size of its terms; infinite where something isn't finite."""
         with np.errstate(all="ignore"):
             phi, phi_q, sizes = self.kinematics.position(self.t, q, self.p)
-        error = float(np.max(np.abs(phi) / _scale(q, phi_q, sizes)))
+        error = float(np.max(np.abs(phi) / term_sizes(q, phi_q, sizes)))
         return error if np.isfinite(error) else np.inf
 
     def solved(self, q: Array, is_free: Flags) -> Array:
@@ -165,7 +167,7 @@ def beginnings(start: Array, is_free: Flags) -> Iterator[Array]:
         yield start + size * np.maximum(np.abs(start), 0.3) * shift
 
 
-def _scale(q: Array, phi_q: Array, sizes: Array) -> Array:
+def term_sizes(q: Array, phi_q: Array, sizes: Array) -> Array:
     """Return the sizes of the terms of the constraints, and no less than what a thousandth of the coordinates makes."""
     scale = np.maximum(sizes, 1e-3 * np.abs(phi_q) @ np.maximum(np.abs(q), 1))
     return np.where(np.isfinite(scale) & (scale > 0), scale, 1.0)
@@ -230,6 +232,10 @@ def velocities(
         u = u + least_norm(A, b - A @ u)[0]
         error = _relative(A, b, u)
     if not (error <= ROUNDED).all():
+        against = contradictory_rows_of(A[:m], b[:m], np.abs(b[:m])) if np.isfinite(A).all() else ()
+        if against:
+            told = contradiction_between(kinematics.system.constraints, against)
+            raise ConstraintError(f"{_WHERE}: at t = {t:g} s {told}")
         raise ConstraintError(_impossible(kinematics, t, error, places, fixed))
     return u
 
@@ -258,8 +264,13 @@ def _given_rates(kinematics: Kinematics, given: Mapping[Expr, float]) -> tuple[l
 
 
 def _unsatisfied(kinematics: Kinematics, p: Array, t: float, q: Array, fixed: Mapping[Expr, float]) -> str:
-    phi, _, sizes = kinematics.position(t, q, p)
+    phi, phi_q, sizes = kinematics.position(t, q, p)
     system = kinematics.system
+    against = (
+        contradictory_rows_of(phi_q, phi, term_sizes(q, phi_q, sizes)) if np.isfinite(phi_q).all() else ()
+    )
+    if against:
+        return f"at t = {t:g} s {contradiction_between(system.constraints, against)}"
     named = [name for name in system.coordinates if name in fixed]
     left = [
         f"constraint {k + 1}, {shortened(constraint)} = 0, is off by {phi[k]:.3g}"
@@ -306,13 +317,6 @@ def _impossible(
 
 
 _NAMED = 4
-_SHOWN = 80
-
-
-def shortened(expression: Expr) -> str:
-    """Return the text of an expression, or its beginning."""
-    text = str(expression)
-    return text if len(text) <= _SHOWN else f"{text[:_SHOWN]}..."
 
 
 def _values(names: Sequence[Expr], values: Mapping[Expr, float]) -> str:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from .dependent_constraints import dependent_constraints, described_dependence
 from .integrator import EXPLICIT, Failure, Outcome
 from .model import Model
 
@@ -18,7 +19,7 @@ def diagnosis(failure: Failure, outcome: Outcome, model: Model, parameters: Arra
     stiff = "; for stiff equations use method='bdf'" if method in EXPLICIT else ""
     t, state = outcome.end
     when = f"at t = {t:.9g} s"
-    if failure.kind == "ida":
+    if failure.kind in {"ida", "contradiction"}:
         return failure.message.removeprefix("simulate: ")
     state = state[: len(model.state)]
     singular = _singular(model, parameters, t, np.array(state))
@@ -34,6 +35,9 @@ def diagnosis(failure: Failure, outcome: Outcome, model: Model, parameters: Arra
             "the step; look for a function that leaves its domain"
         )
         return f"{when}: {cause}"
+    dependent = _dependent(model, parameters, t, np.array(state)) if failure.kind in _BY_CONSTRAINTS else ""
+    if dependent:
+        return f"{when}: {failure.message}; {dependent}"
     if failure.kind == "projection":
         return (
             f"{when}: {failure.message}; the constraints can't be satisfied beyond, or the position is singular; look "
@@ -51,6 +55,20 @@ def diagnosis(failure: Failure, outcome: Outcome, model: Model, parameters: Arra
             f"end the motion by an event{stiff}"
         )
     return f"{when}: the method gave up ({failure.message}); use another method, or larger tolerances"
+
+
+_BY_CONSTRAINTS = {"projection", "stalled", "step_collapse"}
+"""The kinds of failure that constraints cause where they become dependent."""
+
+
+def _dependent(model: Model, parameters: Array, t: float, state: Array) -> str:
+    """Return which constraints are dependent at a state, and what to do about it."""
+    found = described_dependence(dependent_constraints(model, parameters, t, state))
+    return found and (
+        f"{found}: a singular position, or near one, from which several motions may go on; begin with another "
+        "state, change the dimensions, or end the motion by an event before it; constraints that depend on each "
+        "other wherever the mechanism moves should be left out"
+    )
 
 
 def _not_finite(model: Model, parameters: Array, t: float, state: Array) -> str:

@@ -13,8 +13,9 @@ from symbody.errors import SimulationError
 from symbody.symbolic import Expr, ExprLike
 
 from .balance import Balance
-from .consistent import beginnings, positions, shortened
+from .consistent import beginnings, positions
 from .kinematics import kinematics_of
+from .named_constraint import shortened
 from .statics import statics_of
 from .values import given_inputs, parameter_values, state_values
 

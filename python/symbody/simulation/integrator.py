@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from math import inf
@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from symbody.codegen import PreparedCode
 from symbody.symbolic import Expr
 from symbody.symbolic._core import Dynamics
+from symbody.symbolic.deficiency import Deficiency, deficiencies_of, noting
 
 from .asked import parameters_in
 from .event import Event
@@ -84,6 +85,7 @@ class Outcome:
         end: where the motion ended.
         failure: why it ended early, other than by an event.
         statistics: what it took.
+        deficiencies: the linear systems without a unique solution that it met.
     """
 
     states: NDArray[np.float64]
@@ -91,6 +93,7 @@ class Outcome:
     end: tuple[float, list[float]]
     failure: Failure | None
     statistics: Statistics
+    deficiencies: frozenset[Deficiency] = frozenset()
 
 
 @dataclass(frozen=True, eq=False)
@@ -211,7 +214,8 @@ def run_many(
     """
     results = np.full((len(states), len(instants), problem.width), np.nan)
     different, places = np.unique(parameters, axis=0, return_inverse=True)
-    constants = np.array([problem.constants(row) for row in different])[places]
+    prepared = [_prepared(problem, row) for row in different]
+    constants = np.array([values for values, _ in prepared])[places]
     told = problem.native.integrate_many(
         options.method,
         np.ascontiguousarray(states, float),
@@ -222,7 +226,19 @@ def run_many(
         threads,
         keep_going,
     )
-    return [None if one is None else _outcome(one, rows) for one, rows in zip(told, results, strict=True)]
+    return [
+        None if one is None else _outcome(one[0], rows, prepared[place][1] | deficiencies_of(one[1]))
+        for one, rows, place in zip(told, results, places, strict=True)
+    ]
+
+
+def _prepared(
+    problem: Problem, parameters: NDArray[np.float64]
+) -> tuple[NDArray[np.float64], set[Deficiency]]:
+    """Return the constants, and the linear systems of parameters alone that have no unique solution."""
+    with noting() as found:
+        constants = problem.constants(parameters)
+    return constants, found
 
 
 _Told = tuple[
@@ -234,7 +250,7 @@ _Told = tuple[
 ]
 
 
-def _outcome(told: _Told, states: NDArray[np.float64]) -> Outcome:
+def _outcome(told: _Told, states: NDArray[np.float64], deficiencies: Iterable[Deficiency] = ()) -> Outcome:
     reached, occurrences, end, failure, statistics = told
     return Outcome(
         states[:reached],
@@ -242,4 +258,5 @@ def _outcome(told: _Told, states: NDArray[np.float64]) -> Outcome:
         end,
         None if failure is None else Failure(*failure),
         Statistics(*statistics),
+        frozenset(deficiencies),
     )

@@ -21,6 +21,7 @@ from .driven_motion import followed_motion, prescribed_motion
 from .driving_load import driving_loads
 from .kinematics import Kinematics, kinematics_of
 from .motion import Motion
+from .unknown import unknown_variables
 from .values import given_inputs
 
 __all__ = ["InverseDynamics", "inverse_dynamics"]
@@ -92,17 +93,11 @@ class InverseDynamics:
         return np.asarray(function(self.t, rows, forces, _column(self.parameters.values())))
 
     def _check_known(self, wanted: Iterable[Expr], known: set[Expr]) -> None:
-        unknown = free_symbols(list(wanted)) - known
-        strange, note = (
-            sorted(map(str, unknown)),
-            namesake_note(unknown, known, ("asked for", "of the motion")),
-        )
+        strange = free_symbols(list(wanted)) - known
         if strange:
-            raise SimulationError(
-                f"{_WHERE}: {', '.join(strange)} is nothing that this motion knows; expected time, coordinates, "
-                "speeds, accelerations, multipliers and parameters of its system, and the loads that were solved for"
-                f"{note}"
-            )
+            loads = ", and of the loads that were solved for"
+            note = namesake_note(strange, known, ("asked for", "of the motion"))
+            raise SimulationError(unknown_variables(_WHERE, strange, self.system, loads) + note)
 
 
 def _column(values: Iterable[float]) -> Array:

@@ -12,9 +12,10 @@ from numpy.typing import NDArray
 from symbody.errors import ConstraintError, SimulationError
 from symbody.symbolic import Expr
 
-from .consistent import EXACT, Positions, positions, shortened
+from .consistent import EXACT, Positions, positions
 from .kinematics import Kinematics
 from .least_norm import least_norm_many
+from .named_constraint import shortened
 from .prescription import Path
 
 __all__ = ["Course", "course"]

@@ -26,6 +26,7 @@ from .cases import PLACE, Cases, cases_of
 from .event import Event
 from .interruption import Interruption
 from .model import model_of
+from .notices import notices_of_batch
 from .options import instants_of, kept_by, options_of
 from .problem_digest import problem_digest
 from .progress import progress_bar
@@ -133,6 +134,8 @@ def simulate_many(
     runs = Runs(batch, all_cases, results)
     for notice in filter(None, (_failure_notice(runs), _gap_notice(runs, reason, path), run.fault)):
         warnings.warn(ModelNotice(PREFIX + notice.removeprefix(PREFIX)), stacklevel=2)
+    for notice in notices_of_batch(results.findings.tolist(), PLACE):
+        warnings.warn(ModelNotice(notice), stacklevel=2)
     return runs
 
 

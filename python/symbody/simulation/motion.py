@@ -21,6 +21,7 @@ from .drawing import drawer
 from .event import Occurrence
 from .integrator import Statistics
 from .model import Model
+from .unknown import unknown_variables
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -105,22 +106,16 @@ class Motion:
         model = self.model
         known = {*model.integrated, *model.accelerations, *model.multipliers, *self.parameters}
         known |= {key for key, _ in model.inputs}
-        unknown = free_symbols(model.with_inputs(wanted)) - known
-        strange, note = (
-            sorted(map(str, unknown)),
-            namesake_note(unknown, known, ("asked for", "of the motion")),
-        )
-        symbols = [leaf for leaf in free_symbols(wanted) if str(leaf) in strange and leaf.kind == "symbol"]
+        strange = free_symbols(model.with_inputs(wanted)) - known
+        note = namesake_note(strange, known, ("asked for", "of the motion"))
+        symbols = [leaf for leaf in strange if leaf.kind == "symbol"]
         if symbols:
             raise ParameterError(
                 f"motion: {', '.join(sorted(map(str, symbols)))} has no value in this motion; give it with the "
                 f"parameters of simulate{note}"
             )
         if strange:
-            raise SimulationError(
-                f"motion: {', '.join(strange)} is nothing that this motion knows; expected time, coordinates, speeds, "
-                f"accelerations, multipliers and parameters of its system{note}"
-            )
+            raise SimulationError(unknown_variables("motion", strange, self.model.system) + note)
 
     @cached_property
     def outputs(self) -> dict[str, Array]:

@@ -17,6 +17,7 @@ from symbody.symbolic import Expr, Matrix, number, t
 
 from .least_norm import least_norm
 from .model import Model
+from .redundant_constraints import redundancy, scaled
 
 __all__ = ["check_rank"]
 
@@ -77,13 +78,13 @@ def _check_special_dimensions(model: Model, phi_q: Array, kernel: Array, where: 
         if is_free and _is_locked(model, speed)
     ]
     if special:
-        combinations = least_norm(phi_q.T, np.zeros(phi_q.shape[1]))[1]
-        places = [str(k + 1) for k, row in enumerate(combinations) if np.abs(row).max() > _SHARE]
+        found = redundancy(model.constraints, [scaled(phi_q)])
+        places = [str(row + 1) for row in found.rows]
         raise ConstraintError(
             f"{where}: the constraints let {', '.join(map(str, special))} be other than zero at this position, but at "
             f"almost no other one: constraints {', '.join(places)} depend on each other here. If they do so "
-            "wherever the mechanism moves, by its special dimensions, leave out as many of them as follow from the "
-            "others; if they don't, begin at another position"
+            f"wherever the mechanism moves, by its special dimensions, it is overconstrained: leave out "
+            f"{found.count} of them{found.choices}; if they don't, begin at another position"
         )
 
 

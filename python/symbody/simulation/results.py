@@ -10,6 +10,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from .notices import Finding
+
 Array = NDArray[np.float64]
 
 
@@ -31,7 +33,8 @@ class Results:
         reached: how many of the instants each case reached.
         t_reached: the time up to which each case is known; NaN where it never began.
         messages: why a case ended before its time; the empty text if it didn't.
-        counts: a row a case: steps, rejected steps, evaluations, Jacobians.
+        counts: a row a case: steps, rejected steps, evaluations, Jacobians, stiff.
+        findings: for each case what its user should know.
         outputs: one array for each name, a row a case.
         states: a state for each case and instant; without instants if states are not kept.
         occurrences: for each case the events: which, when, and the state there.
@@ -42,6 +45,7 @@ class Results:
     t_reached: Array
     messages: NDArray[np.object_]
     counts: NDArray[np.int64]
+    findings: NDArray[np.object_]
     outputs: Array
     states: Array
     occurrences: NDArray[np.object_]
@@ -49,17 +53,16 @@ class Results:
     @classmethod
     def empty(cls, cases: int, instants: int, kept: int, state: int, outputs: int) -> Results:
         """Return results of cases that have not been run; ``kept`` instants have room for their states."""
-        occurrences = np.empty(cases, dtype=object)
-        occurrences[:] = [()] * cases
         return cls(
             np.zeros(cases, dtype=np.int8),
             np.zeros(cases, dtype=np.int64),
             np.full(cases, np.nan),
             np.full(cases, "", dtype=object),
             np.zeros((cases, COUNTS), dtype=np.int64),
+            _nothings(cases),
             np.full((cases, outputs, instants), np.nan),
             np.full((cases, kept, state), np.nan),
-            occurrences,
+            _nothings(cases),
         )
 
     @property
@@ -74,8 +77,8 @@ class Results:
 
     def arrays(self) -> dict[str, NDArray[Any]]:
         """Return all as arrays of numbers and texts, for a file."""
-        case = [k for k, events in enumerate(self.occurrences) for _ in events]
-        events = [event for events in self.occurrences for event in events]
+        case, events = _flat(self.occurrences)
+        found_in, findings = _flat(self.findings)
         size = self.states.shape[2]
         return {
             "status": self.status,
@@ -85,7 +88,11 @@ class Results:
             "counts": self.counts,
             "outputs": self.outputs,
             "states": self.states,
-            "event_case": np.array(case, dtype=np.int64),
+            "finding_case": found_in,
+            "finding_kind": np.array([finding.kind for finding in findings], dtype=np.str_),
+            "finding_subject": np.array([finding.subject for finding in findings], dtype=np.str_),
+            "finding_size": np.array([finding.size for finding in findings], dtype=np.float64),
+            "event_case": case,
             "event_number": np.array([event for event, _, _ in events], dtype=np.int64),
             "event_t": np.array([t for _, t, _ in events], dtype=np.float64),
             "event_state": np.array([state for _, _, state in events], dtype=np.float64).reshape(-1, size),
@@ -94,18 +101,45 @@ class Results:
     @classmethod
     def of_arrays(cls, arrays: Mapping[str, NDArray[Any]]) -> Results:
         """Return the results of `arrays`."""
-        occurrences = np.empty(len(arrays["status"]), dtype=object)
-        occurrences[:] = [()] * len(occurrences)
-        events: Iterable[tuple[Any, ...]] = zip(
-            *(arrays[f"event_{name}"] for name in ("case", "number", "t", "state")), strict=True
-        )
-        for case, event, t, state in events:
+        cases = len(arrays["status"])
+        occurrences, findings = _nothings(cases), _nothings(cases)
+        for case, event, t, state in _rows(arrays, "event", "case", "number", "t", "state"):
             occurrences[case] += ((int(event), float(t), state),)
-        columns = {name: arrays[name] for name in _COLUMNS if name not in ("messages", "occurrences")}
-        return cls(**columns, messages=arrays["messages"].astype(object), occurrences=occurrences)
+        for case, kind, subject, size in _rows(arrays, "finding", "case", "kind", "subject", "size"):
+            findings[case] += (Finding(str(kind), str(subject), float(size)),)
+        texts = arrays["messages"].astype(object)
+        columns = {name: arrays[name] for name in _COLUMNS if name in arrays and name != "messages"}
+        return cls(**columns, messages=texts, occurrences=occurrences, findings=findings)
+
+
+def _nothings(cases: int) -> NDArray[np.object_]:
+    """Return an empty tuple for each case."""
+    column = np.empty(cases, dtype=object)
+    column[:] = [()] * cases
+    return column
+
+
+def _flat(column: NDArray[np.object_]) -> tuple[NDArray[np.int64], list[Any]]:
+    """Return all entries of the tuples of a column, one after another, and the case of each."""
+    cases = [case for case, entries in enumerate(column) for _ in entries]
+    return np.array(cases, dtype=np.int64), [entry for entries in column for entry in entries]
+
+
+def _rows(arrays: Mapping[str, NDArray[Any]], what: str, *names: str) -> Iterable[tuple[Any, ...]]:
+    return zip(*(arrays[f"{what}_{name}"] for name in names), strict=True)
 
 
 COUNTS = 5
 """Numbers of the statistics of a case: steps, rejected, evaluations, Jacobians, stiff."""
 
-_COLUMNS = ("reached", "t_reached", "messages", "counts", "outputs", "states", "occurrences", "status")
+_COLUMNS = (
+    "reached",
+    "t_reached",
+    "messages",
+    "counts",
+    "findings",
+    "outputs",
+    "states",
+    "occurrences",
+    "status",
+)

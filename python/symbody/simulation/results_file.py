@@ -18,7 +18,7 @@ from symbody.errors import ResultsError
 from .replacement import replacement
 from .results import Results
 
-FORMAT = "symbody results 1"
+FORMAT = "symbody results 2"
 """What a file of results begins with; the number goes up when the meaning of its arrays changes."""
 
 

@@ -2,16 +2,18 @@
 
 from __future__ import annotations
 
+import warnings
 from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
 
-from symbody.errors import ArgumentError
+from symbody.errors import ArgumentError, ModelNotice
 from symbody.multibody import System
 from symbody.symbolic import Expr
 from symbody.symbolic.arguments import described
+from symbody.symbolic.deficiency import noting
 
 from .batch import Batch
 from .cases import Cases
@@ -19,6 +21,8 @@ from .integrator import Failure as IntegratorFailure
 from .integrator import Outcome, Statistics
 from .motion import Motion
 from .motion_of import motion_of
+from .named_constraint import shortened
+from .notices import Finding, deficiency_findings, notices_of_batch
 from .results import Results, Status
 
 Array = NDArray[np.float64]
@@ -99,11 +103,16 @@ class Runs:
             if output == expression:
                 return self.outputs[name]
         states, values = self.states, np.full((len(self), len(self.t)), np.nan)
+        findings: list[tuple[Finding, ...]] = [()] * len(self)
         for case, reached in enumerate(self.results.reached):
             if reached:
-                values[case, :reached] = self.batch.values(
-                    [expression], states[case, :reached], self.t[:reached], self._parameters_of(case)
-                )
+                with noting() as found:
+                    values[case, :reached] = self.batch.values(
+                        [expression], states[case, :reached], self.t[:reached], self._parameters_of(case)
+                    )
+                findings[case] = deficiency_findings(found, self.batch.model)
+        for notice in notices_of_batch(findings, f"runs[{shortened(expression)}]"):
+            warnings.warn(notice, ModelNotice, stacklevel=2)
         return values
 
     def motion(self, index: int) -> Motion:
@@ -179,6 +188,11 @@ class Runs:
             )
             for i in np.flatnonzero(self.results.status == Status.FAILED).tolist()
         ]
+
+    @cached_property
+    def findings(self) -> list[tuple[Finding, ...]]:
+        """What a user should know of each case, such as that it is stiff; nothing of most."""
+        return list(self.results.findings)
 
     @property
     def not_run(self) -> list[int]:

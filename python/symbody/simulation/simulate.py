@@ -3,22 +3,23 @@
 from __future__ import annotations
 
 import warnings
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, replace
 from functools import partial
 from math import inf
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from symbody.codegen.deficiency import notice_deficiencies
 from symbody.dynamics import Equations
 from symbody.errors import ModelNotice, SimulationError
 from symbody.symbolic import Expr, ExprLike
+from symbody.symbolic.deficiency import noting
 
 from .asked import asked_outputs, check_known_along, parameters_in, watched_events
 from .baumgarte_choice import chosen_damping
 from .begin import begin
+from .contradictory_constraints import without_contradictions
 from .diagnosis import diagnosis
 from .event import Event
 from .ida import IDA_FORMS
@@ -28,6 +29,7 @@ from .interruption import Interruption
 from .model import DAMPING, Model, model_of
 from .motion import Motion
 from .motion_of import motion_of
+from .notices import Integrated, findings_of, notices_of_motion
 from .options import instants_of, kept_by, options_of
 from .progress import progress_bar
 from .values import given_inputs, parameter_values, vanishing
@@ -131,37 +133,34 @@ class _Course:
         with (
             Interruption() as interruption,
             progress_bar("simulate", last - first, is_shown=is_shown) as show,
+            noting() as found,
         ):
 
             def keep_going(time: float) -> bool:
                 show(time - first)
                 return not interruption.is_asked_for
 
-            if self.options.method in IDA_FORMS:
-                size = len(self.model.state)
-                given = (self.parameters, self.instants, self.options, self.events, keep_going)
-                return ida_outcome(self.model, state[:size], *given)
-            problem = Problem.of(
-                self.model,
-                self.options.method,
-                is_projected=self.is_projected,
-                events=self.events,
-            )
-            values = np.array([self.parameters[name] for name in problem.parameters])
-            outcome = run(problem, state, problem.constants(values), self.instants, self.options, keep_going)
-        notice_deficiencies([code.tag for code in problem.codes], self.model.equation_names, "simulate")
-        return outcome
+            outcome = self._integrated(state, keep_going)
+        outcome = replace(outcome, deficiencies=frozenset(found))
+        return without_contradictions(outcome, self.model, self.parameters, self.instants)
+
+    def _integrated(self, state: Array, keep_going: Callable[[float], bool]) -> Outcome:
+        if self.options.method in IDA_FORMS:
+            size = len(self.model.state)
+            given = (self.parameters, self.instants, self.options, self.events, keep_going)
+            return ida_outcome(self.model, state[:size], *given)
+        problem = Problem.of(
+            self.model, self.options.method, is_projected=self.is_projected, events=self.events
+        )
+        values = np.array([self.parameters[name] for name in problem.parameters])
+        return run(problem, state, problem.constants(values), self.instants, self.options, keep_going)
 
     def told(self, outcome: Outcome, asked: Mapping[str, Expr]) -> Motion:
         """Return the motion; raise an error that holds it if it failed."""
         failure = outcome.failure
-        if outcome.statistics.is_stiff and failure is None:
-            warnings.warn(
-                "simulate: stability, not accuracy, bounds the steps: the equations are stiff; method='bdf' may be "
-                "faster",
-                ModelNotice,
-                stacklevel=3,
-            )
+        findings = findings_of(Integrated(self.model, self.parameters, self.options, outcome))
+        for notice in notices_of_motion(findings):
+            warnings.warn(notice, ModelNotice, stacklevel=3)
         if failure is None:
             return self._motion(outcome, asked, "the last instant was reached")
         if failure.kind == "interrupted":

@@ -19,8 +19,9 @@ def linear_solve(
     """Return the solution x of ``A x = b`` as values that are computed at run time, by elimination with pivoting.
 
     No symbolic pivot can vanish: the pivots are chosen among the numbers. Where A is singular, x is the solution of
-    least norm (of least squares where there is none). The derivative is ``dx = A^-1 (db - dA x)``, right where
-    the rank of A is constant. Solutions with one matrix share its factorisation.
+    least norm (of least squares where there is none), and a notice says which equations follow from others, or
+    contradict them. The derivative is ``dx = A^-1 (db - dA x)``, right where the rank of A is constant. Solutions
+    with one matrix share its factorisation.
 
     Args:
         matrix: A, n x n.

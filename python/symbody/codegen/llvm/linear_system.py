@@ -15,7 +15,7 @@ def factor(w: Writer, memory: Memory, place: int, size: int, entries: Sequence[s
     _store(w, memory.areas[place], entries)
     for lane in range(w.lanes):
         pointer = _address(w, memory.areas[place], lane)
-        w.lines.append(f"  call void @symbody_factor(i64 {size}, ptr {pointer}, i64 {memory.tags[place]})")
+        w.lines.append(f"  call void @symbody_factor(i64 {size}, ptr {pointer})")
 
 
 def solve(w: Writer, memory: Memory, place: int, matrix: int, right: Sequence[str]) -> None:
@@ -23,7 +23,10 @@ def solve(w: Writer, memory: Memory, place: int, matrix: int, right: Sequence[st
     _store(w, memory.areas[place], right)
     for lane in range(w.lanes):
         factors, solution = _address(w, memory.areas[matrix], lane), _address(w, memory.areas[place], lane)
-        w.lines.append(f"  call void @symbody_solve(i64 {len(right)}, ptr {factors}, ptr {solution})")
+        number = memory.numbers[matrix]
+        w.lines.append(
+            f"  call void @symbody_solve(i64 {len(right)}, ptr {factors}, ptr {solution}, i64 {number})"
+        )
 
 
 def component(w: Writer, memory: Memory, solution: int, index: int) -> str:

@@ -16,27 +16,26 @@ _LIBM = ("sin", "cos", "tan", "asin", "acos", "atan", "sinh", "cosh", "tanh", "e
 _DECLARATIONS = (
     *(f"declare double @{name}(double) readnone nounwind willreturn" for name in _LIBM),
     *(f"declare double @{name}(double, double) readnone nounwind willreturn" for name in ("atan2", "pow")),
-    "declare void @symbody_factor(i64, ptr, i64)",
-    "declare void @symbody_solve(i64, ptr, ptr)",
+    "declare void @symbody_factor(i64, ptr)",
+    "declare void @symbody_solve(i64, ptr, ptr, i64)",
     '!0 = !{!"branch_weights", i32 1, i32 100000}',
     "!1 = !{}",
 )
 
 
-def scalar_text(code: Code, name: str, lanes: int, tag: int = 0) -> str:
+def scalar_text(code: Code, name: str, lanes: int) -> str:
     """Return a module with the function ``void name(const double *in, double *out)``.
 
     Args:
         code: what it computes.
         name: the function's name.
         lanes: how many angles the processor takes at a time.
-        tag: what tells the linear systems of this code from those of others.
     """
-    function, texts = _scalar(code, name, lanes, tag)
+    function, texts = _scalar(code, name, lanes)
     return _module(texts, function.widths)
 
 
-def shortcut_text(shortcut: Code, outputs: int, code: Code, name: str, lanes: int, tag: int = 0) -> str:
+def shortcut_text(shortcut: Code, outputs: int, code: Code, name: str, lanes: int) -> str:
     """Return a module with a function as `scalar_text` has, which tries a shortcut before the code.
 
     Args:
@@ -45,9 +44,8 @@ def shortcut_text(shortcut: Code, outputs: int, code: Code, name: str, lanes: in
         code: what it computes.
         name: the function's name.
         lanes: how many angles the processor takes at a time.
-        tag: what tells the linear systems of the code from those of others.
     """
-    whole, texts = _scalar(code, f"{name}_safely", lanes, tag, "noinline cold")
+    whole, texts = _scalar(code, f"{name}_safely", lanes, "noinline cold")
     brief = Function(shortcut, f"{name}_briefly", range(len(shortcut.instructions)), 1, lanes, _scalar_input)
     conditions = len(shortcut.results) - outputs
     targets = [f"ptr %out, i64 {j}" for j in range(outputs)]
@@ -85,9 +83,9 @@ def _all_positive(conditions: int) -> str:
     return "\n".join(lines)
 
 
-def _scalar(code: Code, name: str, lanes: int, tag: int, attributes: str = "") -> tuple[Function, list[str]]:
+def _scalar(code: Code, name: str, lanes: int, attributes: str = "") -> tuple[Function, list[str]]:
     """Return a function of one state, and the texts of its blocks and of what calls them."""
-    function = Function(code, name, range(len(code.instructions)), 1, lanes, _scalar_input, tag=tag)
+    function = Function(code, name, range(len(code.instructions)), 1, lanes, _scalar_input)
     stores = [(place, f"getelementptr double, ptr %out, i64 {j}") for j, place in enumerate(code.results)]
     entry = f"""\
 define void @{name}(ptr noalias %in, ptr noalias %out) {attributes} {{
@@ -98,7 +96,7 @@ define void @{name}(ptr noalias %in, ptr noalias %out) {attributes} {{
     return function, [function.text(stores), entry]
 
 
-def batch_text(code: Code, name: str, lanes: int, uniform: Sequence[bool], tag: int = 0) -> str:
+def batch_text(code: Code, name: str, lanes: int, uniform: Sequence[bool]) -> str:
     """Return a module with a function of many states, so many in a vector.
 
     ``void name(const double *const *in, double *out, int64 first, int64 last, int64 stride)``: input k of state i is
@@ -110,8 +108,8 @@ def batch_text(code: Code, name: str, lanes: int, uniform: Sequence[bool], tag: 
     before = [] if with_systems else [k for k, stage in enumerate(code.stages) if stage == 0]
     each = sorted(set(range(len(code.instructions))) - set(before))
     slots = {place: slot for slot, place in enumerate(_shared(code, before, each))}
-    prologue = Function(code, f"{name}_once", before, 1, lanes, _pointed_input, tag=tag)
-    body = Function(code, f"{name}_each", each, lanes, lanes, _batch_input(uniform), slots, tag)
+    prologue = Function(code, f"{name}_once", before, 1, lanes, _pointed_input)
+    body = Function(code, f"{name}_each", each, lanes, lanes, _batch_input(uniform), slots)
     once = prologue.text([(p, f"getelementptr double, ptr %uniform, i64 {slots[p]}") for p in slots])
     many = body.text([(place, f"@{j}") for j, place in enumerate(code.results)])
     loop = _loop(name, prologue, body, lanes, len(slots))

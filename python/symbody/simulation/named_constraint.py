@@ -1,0 +1,37 @@
+"""What constraints are called in messages: their number, and the beginning of their text."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+
+from symbody.symbolic import Expr
+
+__all__ = ["listed", "named_constraints", "shortened"]
+
+_SHOWN = 80
+
+
+def shortened(expression: Expr, most: int = _SHOWN) -> str:
+    """Return the text of an expression, or its beginning."""
+    text = str(expression)
+    return text if len(text) <= most else f"{text[:most]}..."
+
+
+def named_constraints(constraints: Sequence[Expr], rows: Iterable[int], most: int = _SHOWN) -> list[str]:
+    """Return the names of some constraints.
+
+    >>> from symbody import symbols
+    >>> named_constraints(symbols("x y"), [1])
+    ['2 (y = 0)']
+    """
+    return [f"{row + 1} ({shortened(constraints[row], most)} = 0)" for row in rows]
+
+
+def listed(names: Sequence[str], most: int = 6) -> str:
+    """Return names as a sentence lists them, and how many more there are.
+
+    >>> listed(["1", "2", "3"]), listed(["1", "2", "3"], most=1)
+    ('1, 2 and 3', '1 and 2 more')
+    """
+    shown = [*names[:most], *([f"{len(names) - most} more"] if len(names) > most else [])]
+    return " and ".join(filter(None, [", ".join(shown[:-1]), shown[-1]]))

@@ -1,0 +1,164 @@
+"""Notices: what a user should know of a motion that was integrated, or of the cases of a batch."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from math import nan
+
+import numpy as np
+
+from symbody.symbolic import Expr
+from symbody.symbolic.deficiency import Deficiency
+
+from .consistent import term_sizes
+from .integrator import Options, Outcome
+from .kinematics import kinematics_of
+from .model import Model
+from .named_constraint import named_constraints
+
+__all__ = [
+    "Finding",
+    "Integrated",
+    "deficiency_findings",
+    "findings_of",
+    "notices_of_batch",
+    "notices_of_motion",
+]
+
+
+LEFT = 1e-3
+"""The part of its terms by which a constraint is off where a motion has left it: free motions drift by less."""
+
+
+@dataclass(frozen=True, order=True)
+class Finding:
+    """Something that the user of a motion should know.
+
+    Attributes:
+        kind: a name of `ROWS`.
+        subject: what it is about, in the user's names; cases with the same subject are reported together.
+        size: how bad it is, where that is a number: of many cases the worst one is reported.
+    """
+
+    kind: str
+    subject: str = ""
+    size: float = nan
+
+
+@dataclass(frozen=True, eq=False)
+class Integrated:
+    """A motion as it was integrated.
+
+    Attributes:
+        model: what moved.
+        parameters: their values.
+        options: how it was integrated.
+        outcome: how that went.
+    """
+
+    model: Model
+    parameters: Mapping[Expr, float]
+    options: Options
+    outcome: Outcome
+
+
+@dataclass(frozen=True)
+class _Row:
+    """A kind of finding.
+
+    Attributes:
+        find: returns the findings of this kind in a motion.
+        sentence: what to say, with ``{subject}`` and ``{size}``.
+    """
+
+    find: Callable[[Integrated], Iterable[Finding]]
+    sentence: str
+
+
+def _stiffness(motion: Integrated) -> Iterable[Finding]:
+    outcome = motion.outcome
+    return [Finding("stiff")] if outcome.statistics.is_stiff and outcome.failure is None else []
+
+
+def _deficiencies(motion: Integrated) -> Iterable[Finding]:
+    return deficiency_findings(motion.outcome.deficiencies, motion.model)
+
+
+def _violations(motion: Integrated) -> Iterable[Finding]:
+    """Return the constraint that is off most where a motion has left its constraints, at its end."""
+    model, outcome = motion.model, motion.outcome
+    if not model.constraints or outcome.failure is not None:
+        return []
+    kinematics = kinematics_of(model.equations, dict(model.inputs))
+    p = np.array([motion.parameters[name] for name in kinematics.parameters])
+    q = np.array(outcome.end[1][: len(model.coordinates)])
+    with np.errstate(all="ignore"):
+        phi, phi_q, sizes = kinematics.position(outcome.end[0], q, p)
+        off = np.abs(phi) / term_sizes(q, phi_q, sizes)
+    worst = int(np.argmax(off))
+    if not off[worst] > LEFT:
+        return []
+    (name,) = named_constraints(model.constraints, [worst])
+    return [Finding("violation", f"constraint {name}", float(off[worst]))]
+
+
+ROWS: dict[str, _Row] = {
+    "deficient": _Row(_deficiencies, "{subject}"),
+    "violation": _Row(
+        _violations,
+        "the motion has left its constraints: at its end {subject} is off by {size:.1g} of the size of its terms; "
+        "use smaller tolerances or another way to keep them (constraints=...), and leave out those that follow from "
+        "others",
+    ),
+    "stiff": _Row(
+        _stiffness,
+        "stability, not accuracy, bounds the steps: the equations are stiff; method='bdf' may be faster",
+    ),
+}
+"""By kind, how a finding is made and what is said of it, in the order in which findings are reported."""
+
+
+def deficiency_findings(deficiencies: Iterable[Deficiency], model: Model) -> tuple[Finding, ...]:
+    """Return the findings about linear systems without a unique solution, in the names of a model."""
+    names = model.equation_names
+    return tuple(Finding("deficient", found.sentence(names)) for found in sorted(deficiencies))
+
+
+def findings_of(motion: Integrated) -> tuple[Finding, ...]:
+    """Return what there is to say of a motion."""
+    return tuple(finding for row in ROWS.values() for finding in row.find(motion))
+
+
+def notices_of_motion(findings: Iterable[Finding], where: str = "simulate") -> list[str]:
+    """Return a text for each finding of one motion."""
+    return [f"{where}: {_sentence(finding)}" for finding in findings]
+
+
+def notices_of_batch(findings: Sequence[Iterable[Finding]], where: str) -> list[str]:
+    """Return a text for each kind and subject of findings, with the number of cases in which it was found.
+
+    Args:
+        findings: those of each case.
+        where: the function that the user called.
+    """
+    grouped: dict[tuple[str, str], dict[int, Finding]] = {}
+    for case, found in enumerate(findings):
+        for finding in found:
+            grouped.setdefault((finding.kind, finding.subject), {})[case] = finding
+    kinds = list(ROWS)
+    ordered = sorted(grouped.values(), key=lambda cases: kinds.index(next(iter(cases.values())).kind))
+    return [f"{where}: {_counted(cases, len(findings))}" for cases in ordered]
+
+
+def _counted(cases: Mapping[int, Finding], count: int) -> str:
+    """Return what was found in some cases; its size is that of the worst case."""
+    first = min(cases)
+    worst = max(cases, key=lambda case: (cases[case].size > -1, cases[case].size))
+    named = f"first case {first}" if worst == first else f"first case {first}, worst case {worst}"
+    noun = "case" if count == 1 else "cases"
+    return f"in {len(cases)} of {count} {noun}, {named}: {_sentence(cases[worst])}"
+
+
+def _sentence(finding: Finding) -> str:
+    return ROWS[finding.kind].sentence.format(subject=finding.subject, size=finding.size)

@@ -1,0 +1,57 @@
+"""What to say of variables that a motion has no values of."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+
+from symbody.multibody import System
+from symbody.symbolic import Expr
+
+from .named_constraint import listed
+
+__all__ = ["unknown_variables"]
+
+_LISTED = 8
+
+
+def unknown_variables(place: str, unknown: Iterable[Expr], system: System, more: str = "") -> str:
+    """Return which variables have no values along a motion, which ones have, and the way out.
+
+    Args:
+        place: where they were asked for.
+        unknown: the variables.
+        system: what moves.
+        more: what else has values.
+
+    >>> from symbody import Body, functions_of_time, symbols, translate
+    >>> (x, y), m = functions_of_time("x y"), symbols("m")
+    >>> text = unknown_variables("motion", [y], System([Body(translate(x, 0, 0), m)], coordinates=[x]))
+    >>> text.partition(";")[0]
+    'motion: no values of y'
+    """
+    names = sorted(set(unknown), key=str)
+    known = f"the coordinates {_shown(system.coordinates)}, the speeds {_shown(system.speeds)}"
+    return (
+        f"{place}: no values of {_shown(names)}; this motion has values of time, {known}, accelerations, multipliers "
+        f"and parameters{more}; {_way_out(names, system)}"
+    )
+
+
+def _way_out(names: Sequence[Expr], system: System) -> str:
+    own = {coordinate.name for coordinate in (*system.coordinates, *system.speeds)}
+    rates = [name for name in names if name.order and name.name in own]
+    if rates:
+        verb = "is" if len(rates) == 1 else "are"
+        return (
+            f"{_shown(rates)} {verb} of too high an order: read the accelerations, and differentiate their values, "
+            "as by numpy.gradient"
+        )
+    verb, what = ("is", "it") if len(names) == 1 else ("are", "them")
+    return (
+        f"{_shown(names)} {verb} no coordinate or speed of this system: use those, or add {what} to the system before "
+        "simulating"
+    )
+
+
+def _shown(names: Sequence[Expr]) -> str:
+    return listed([str(name) for name in names], most=_LISTED)

@@ -1,0 +1,143 @@
+"""Constraints that contradict each other: an error with their names, by any method; redundant ones go on."""
+
+import warnings
+
+import numpy as np
+import pytest
+
+from symbody import (
+    Body,
+    Equations,
+    Expr,
+    System,
+    cos,
+    forward_dynamics,
+    functions_of_time,
+    lambdify,
+    newton_euler,
+    simulate,
+    simulate_many,
+    sin,
+    symbols,
+    t,
+    time_derivative,
+    translate,
+)
+from symbody.errors import ConstraintError, ModelNotice, SimulationError
+from tests.simulation.test_notices import told
+
+x, y = functions_of_time("x y")
+m, a, b = symbols("m a b")
+WAY_OUT = (
+    "contradict each other: they ask for different motions of the same coordinates; correct them, or leave out what "
+    "should follow from the others"
+)
+
+
+def beads(*constraints: Expr) -> Equations:
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", ModelNotice)
+        return newton_euler(
+            System([Body(translate(q, 0, 0), m) for q in (x, y)], [], [x, y], list(constraints))
+        )
+
+
+METHODS = [("dop853", way) for way in ("projection", "baumgarte", "free")] + [
+    ("bdf", "projection"),
+    ("ida", "projection"),
+]
+
+
+@pytest.mark.parametrize(("method", "constraints"), METHODS)
+def test_accelerations_that_contradict(method: str, constraints: str) -> None:
+    """At rest at the origin, positions and speeds satisfy both."""
+    equations = beads(x - t**2, x - 2 * t**2)
+    with pytest.raises(SimulationError) as error:
+        simulate(equations, {m: 1}, t=(0, 5), method=method, constraints=constraints)
+    assert str(error.value) == (
+        f"simulate: at t = 0 s: constraints 1 (x - t**2 = 0) and 2 (x - 2*t**2 = 0) {WAY_OUT}; what was computed is "
+        "the error's motion"
+    )
+    assert len(error.value.motion.t) == 1  # type: ignore[attr-defined]
+
+
+@pytest.mark.parametrize("method", ["dop853", "bdf"])
+def test_constraints_that_part_later(method: str) -> None:
+    with pytest.raises(
+        SimulationError, match=r"at t = 0\.005 s: constraints 1 .* and 2 .* contradict each other"
+    ):
+        simulate(beads(x - sin(t), x - sin(t) - t**4), {m: 1}, t=(0, 5), method=method)
+
+
+@pytest.mark.parametrize("begin", [0.0, np.pi / 4])
+def test_nothing_begins(begin: float) -> None:
+    """At pi/4 positions agree, and speeds don't."""
+    with pytest.raises(ConstraintError) as error:
+        simulate(beads(x - sin(t), x - cos(t)), {m: 1}, t=(begin, begin + 1))
+    assert str(error.value) == (
+        f"consistent_state: at t = {begin:g} s constraints 1 (x - sin(t) = 0) and 2 (x - cos(t) = 0) {WAY_OUT}"
+    )
+
+
+def test_the_system_says_so_first() -> None:
+    with pytest.warns(ModelNotice) as notices:
+        newton_euler(System([Body(translate(x, 0, 0), m)], [], [x], [x - sin(t), x - cos(t)]))
+    assert str(notices[0].message) == (
+        "System: constraint 2, x - cos(t) = 0, contradicts constraint 1 wherever sin(t) - cos(t) isn't zero: their "
+        "gradients are combinations of each other; correct one of them, or leave it out"
+    )
+
+
+def test_forward_dynamics_tells_contradictions_from_dependences() -> None:
+    def notices(*constraints: Expr) -> list[str]:
+        names = ["x''", "y''", "first", "second"]
+        accelerations = forward_dynamics(beads(*constraints)).accelerations
+        function = lambdify([t, m, x, y], [*accelerations], equation_names=names)
+        return told(lambda: function(0.3, 1.0, 0.0, 0.0))
+
+    (contradiction,) = notices(x - sin(t), x - cos(t))
+    assert contradiction == (
+        "lambdify: linear system 1 of the function has no solution at some points: equation second contradicts "
+        "equation first there; what fits all equations best was taken"
+    )
+    (dependence,) = notices(x - sin(t), 2 * x - 2 * sin(t))
+    assert dependence == (
+        "lambdify: linear system 1 of the function is of deficient rank at some points: equation second follows from "
+        "the others there; its solution of least norm was taken"
+    )
+
+
+@pytest.mark.parametrize("off", [0.0, 1e-15, 1e-12])
+def test_redundant_constraints_that_rounding_parts_go_on(off: float) -> None:
+    equations = beads(x - a * sin(t), x - b * sin(t))
+    values = {m: 1, a: 1.0, b: 1.0 + off}
+    notices = told(lambda: simulate(equations, values, t=(0, 5)))
+    assert len(notices) == 1
+    assert "equation x - b*sin(t) follows from the others there" in notices[0]
+
+
+def test_of_many_cases_only_those_fail_that_contradict() -> None:
+    equations = beads(x - a * t**2, x - b * t**2)
+    values = {m: 1, a: 1.0, b: [1.0, 2.0, 1.0]}
+    with pytest.warns(ModelNotice) as notices:
+        runs = simulate_many(equations, values, t=(0, 1))
+    assert [failure.index for failure in runs.failures] == [1]
+    assert runs.failures[0].message == (
+        f"at t = 0 s: constraints 1 (x - a*t**2 = 0) and 2 (x - b*t**2 = 0) {WAY_OUT}"
+    )
+    texts = [str(notice.message) for notice in notices]
+    assert any(
+        text.startswith("simulate_many: in 2 of 3 cases, first case 0: linear system 1") for text in texts
+    )
+    np.testing.assert_allclose(runs[x][[0, 2], -1], 1.0, atol=1e-9)
+
+
+def test_a_motion_that_leaves_its_constraints_says_so() -> None:
+    """Independent at almost every position, dependent on the constraints: no way back is found off them."""
+    gap = x - y**2 - sin(t)
+    notices = told(lambda: simulate(beads(gap, gap * (3 + x)), {m: 1}, t=(0, 5)))
+    assert any(
+        notice.startswith("simulate: the motion has left its constraints: at its end constraint")
+        for notice in notices
+    )
+    assert told(lambda: simulate(beads(gap), {m: 1}, {time_derivative(y): 0.5}, t=(0, 1))) == []

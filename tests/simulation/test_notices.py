@@ -1,0 +1,168 @@
+"""Notices of one motion and of many: each belongs to a run, and a batch reports each once, with its cases."""
+
+import warnings
+from collections.abc import Callable
+from concurrent.futures import Executor, ProcessPoolExecutor, ThreadPoolExecutor
+from math import nan
+from pathlib import Path
+from threading import Barrier
+from typing import Any
+
+import numpy as np
+import pytest
+
+from symbody import (
+    Body,
+    Equations,
+    Force,
+    System,
+    functions_of_time,
+    ground,
+    lambdify,
+    linear_solve,
+    newton_euler,
+    simulate,
+    simulate_many,
+    symbols,
+    time_derivative,
+    translate,
+)
+from symbody.errors import ModelNotice
+from symbody.simulation.integrator import Options, Problem, run
+from symbody.simulation.model import model_of
+from symbody.simulation.notices import Finding, notices_of_batch
+from symbody.symbolic.deficiency import noting
+
+x, y = functions_of_time("x y")
+m, k, A = symbols("m k A")
+DEFICIENT = (
+    "linear system 1 of the function is of deficient rank at some points: equation number 2 follows from the others "
+    "there; its solution of least norm was taken"
+)
+STIFF = "stability, not accuracy, bounds the steps: the equations are stiff; method='bdf' may be faster"
+
+
+def driven(force: Any) -> Equations:
+    body = Body(translate(x, 0, 0), m)
+    return newton_euler(System([body], [Force(ground, force, 0, 0, at=body.center_of_mass, on=body)], [x]))
+
+
+BY_PARAMETERS = driven(-x * linear_solve([[1, A], [A, 1]], [k, k])[0])
+"""A spring whose stiffness solves a system of parameters alone, which is singular at A = 1."""
+BY_STATE = driven(-linear_solve([[1, A + 0 * x], [A * (1 + x - x), 1 + 1e-30 * x]], [k * x, k * x])[0])
+"""The same, but for every state."""
+DAMPED = driven(-k * time_derivative(x) - x)
+
+
+def told(call: Callable[[], object]) -> list[str]:
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always")
+        call()
+    return [str(each.message) for each in caught]
+
+
+SINGULAR = [case for case in range(20) if case % 7 == 3]
+VALUES = {m: 1.0, k: 4.0, A: [1.0 if case in SINGULAR else 0.5 for case in range(20)]}
+BATCH = [f"simulate_many: in 3 of 20 cases, first case 3: {DEFICIENT}"]
+
+
+@pytest.mark.parametrize("equations", [BY_PARAMETERS, BY_STATE], ids=["parameters", "state"])
+@pytest.mark.parametrize("method", ["dop853", "bdf", "ida"])
+def test_a_deficiency_belongs_to_its_run(equations: Equations, method: str) -> None:
+    def one(a: float) -> list[str]:
+        return told(lambda: simulate(equations, {m: 1, k: 4, A: a}, {x: 1}, t=(0, 0.2), method=method))
+
+    def many() -> list[str]:
+        return told(lambda: simulate_many(equations, VALUES, {x: 1}, t=(0, 0.2), method=method))
+
+    assert [one(0.5), one(1.0), one(0.5)] == [[], [f"simulate: {DEFICIENT}"], []]
+    assert [many(), one(0.5), one(1.0)] == [BATCH, [], [f"simulate: {DEFICIENT}"]]
+
+
+@pytest.mark.parametrize("workers", [ThreadPoolExecutor, ProcessPoolExecutor])
+def test_workers_report_to_the_batch(workers: type[Executor], capfd: pytest.CaptureFixture[str]) -> None:
+    with workers(2) as executor:  # type: ignore[call-arg]
+        notices = told(
+            lambda: simulate_many(
+                BY_PARAMETERS, VALUES, {x: 1}, t=(0, 0.2), executor=executor, progress=False
+            )
+        )
+    assert notices == BATCH
+    assert "ModelNotice" not in capfd.readouterr().err
+
+
+def test_results_of_a_file_are_reported_again(tmp_path: Path) -> None:
+    def run() -> Any:
+        return simulate_many(BY_PARAMETERS, VALUES, {x: 1}, t=(0, 0.2), path=tmp_path / "runs.npz")
+
+    assert [told(run), told(run)] == [BATCH, BATCH]
+    with pytest.warns(ModelNotice):
+        runs = run()
+    assert [case for case, findings in enumerate(runs.findings) if findings] == SINGULAR
+    assert runs.findings[3] == (Finding("deficient", DEFICIENT, pytest.approx(nan, nan_ok=True)),)
+
+
+def test_outputs_of_a_batch_are_reported_once() -> None:
+    """They are evaluated by functions that report for themselves where nobody collects."""
+    outputs = {"stiffness": linear_solve([[1, A], [A, 1]], [k, k])[0]}
+
+    def many() -> Any:
+        return simulate_many(DAMPED, {**VALUES, k: 1.0}, {x: 1}, t=(0, 0.2), outputs=outputs)
+
+    assert told(many) == BATCH
+
+
+def test_what_is_read_from_runs_is_reported_with_its_cases() -> None:
+    with pytest.warns(ModelNotice):
+        runs = simulate_many(BY_PARAMETERS, VALUES, {x: 1}, t=(0, 0.2))
+    acceleration = time_derivative(time_derivative(x))
+    assert told(lambda: runs[acceleration]) == [f"runs[x'']: in 3 of 20 cases, first case 3: {DEFICIENT}"]
+
+
+def test_stiff_cases_are_counted() -> None:
+    stiffness = [1.0, 1e4, 1.0, 2e4]
+    assert told(lambda: simulate_many(DAMPED, {m: 1, k: stiffness}, {x: 1}, t=(0, 10))) == [
+        f"simulate_many: in 2 of 4 cases, first case 1: {STIFF}"
+    ]
+    assert told(lambda: simulate(DAMPED, {m: 1, k: 1e4}, {x: 1}, t=(0, 10))) == [f"simulate: {STIFF}"]
+
+
+def test_two_simulations_at_once_keep_their_deficiencies() -> None:
+    """Many times, on two threads that begin together, with one model between them."""
+    barrier, problem = Barrier(2), Problem.of(model_of(BY_STATE), "dop853", is_projected=False)
+    assert [str(name) for name in problem.parameters] == ["A", "k", "m"]
+    state, instants = np.array([1.0, *[0.0] * (problem.width - 1)]), np.linspace(0, 1, 3)
+
+    def one(a: float) -> set[str]:
+        barrier.wait()
+        found: set[str] = set()
+        for _ in range(50):
+            with noting() as noted:
+                run(problem, state, problem.constants(np.array([a, 4.0, 1.0])), instants, Options())
+            found |= {deficiency.sentence() for deficiency in noted}
+        return found
+
+    with ThreadPoolExecutor(2) as pool:
+        assert list(pool.map(one, [0.5, 1.0])) == [set(), {DEFICIENT}]
+
+
+@pytest.mark.parametrize("options", [{}, {"compile": False}, {"threads": 2}])
+def test_functions_report_systems_of_parameters(options: dict[str, Any]) -> None:
+    stiffness = lambdify([A, k], linear_solve([[1, A], [A, 1]], [k, k]), **options)
+    points = np.linspace(0.0, 0.5, 40)
+    assert told(lambda: stiffness(points, 4.0)) == []
+    assert told(lambda: stiffness(np.append(points, 1.0), 4.0)) == [f"lambdify: {DEFICIENT}"]
+    assert told(lambda: stiffness(points, 4.0)) == []
+
+
+def test_evaluation_of_one_expression_reports() -> None:
+    value = linear_solve([[1, A], [A, 1]], [k, k])[0]
+    assert told(lambda: value.evaluate({A: 1.0, k: 4.0})) == [f"evaluate: {DEFICIENT}"]
+    assert told(lambda: value.evaluate({A: 0.5, k: 4.0})) == []
+
+
+def test_the_worst_of_many_cases_is_named() -> None:
+    findings = [(), (Finding("stiff", "", 0.1),), (Finding("stiff", "", 0.3),), (Finding("stiff", "", 0.2),)]
+    assert notices_of_batch(findings, "simulate_many") == [
+        f"simulate_many: in 3 of 4 cases, first case 1, worst case 2: {STIFF}"
+    ]
