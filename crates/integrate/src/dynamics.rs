@@ -22,6 +22,8 @@ pub struct Dynamics<F = Function> {
     pub position_correction: Option<F>,
     /// The change of the speeds that leads onto the rates of the constraints: the speeds follow the coordinates.
     pub velocity_correction: Option<F>,
+    /// The kinetic and the potential energy, where their balance can be watched.
+    pub energies: Option<F>,
     /// Functions whose zeros are events.
     pub events: Option<(F, Vec<EventKind>)>,
 }
@@ -40,6 +42,7 @@ impl Dynamics<MachineCode> {
             jacobian: self.jacobian.as_ref().map(|(code, places)| (function(code), places.clone())),
             position_correction: self.position_correction.as_ref().map(&mut function),
             velocity_correction: self.velocity_correction.as_ref().map(&mut function),
+            energies: self.energies.as_ref().map(&mut function),
             events: self.events.as_ref().map(|(code, kinds)| (function(code), kinds.clone())),
         }
     }
@@ -53,6 +56,7 @@ impl Dynamics<MachineCode> {
             jacobian,
             self.position_correction.as_ref(),
             self.velocity_correction.as_ref(),
+            self.energies.as_ref(),
             events,
         ]
         .into_iter()

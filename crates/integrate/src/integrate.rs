@@ -1,5 +1,6 @@
 //! The loop of an integration.
 
+use crate::balance::{Balance, Imbalance};
 use crate::branch::Branch;
 use crate::dynamics::Dynamics;
 use crate::event::{Occurrence, Watch};
@@ -36,6 +37,8 @@ pub struct Run {
     pub end: (f64, Vec<f64>),
     /// Why it ended early, if not by an event.
     pub failure: Option<Failure>,
+    /// What is off in the balance of energy, if that is more than errors explain.
+    pub imbalance: Option<Imbalance>,
     /// What it took.
     pub statistics: Statistics,
 }
@@ -59,6 +62,7 @@ pub fn integrate(
         occurrences: Vec::new(),
         end: (t, state.to_vec()),
         failure: None,
+        imbalance: None,
         statistics: Statistics::default(),
     };
     let motion = |stepper: &mut dyn Stepper| {
@@ -67,10 +71,12 @@ pub fn integrate(
             watch: Watch::new(dynamics, t, state),
             projection: Projection::new(dynamics),
             branch: Branch::new(tolerances),
+            balance: Balance::new(dynamics, tolerances, t, state),
             state: state.to_vec(),
         };
         run.failure = course.follow(stepper, end, &mut run, keep_going).err();
         run.statistics = stepper.statistics();
+        run.imbalance = course.balance.imbalance(run.end.0, &run.end.1, run.statistics.errors);
     };
     if let Err(failure) = start(method, dynamics, (t, end), state, tolerances, motion) {
         run.failure = Some(failure);
@@ -84,6 +90,7 @@ struct Course<'a> {
     watch: Watch<'a>,
     projection: Projection<'a>,
     branch: Branch,
+    balance: Balance<'a>,
     /// The state at the end of a step, on the constraints.
     state: Vec<f64>,
 }
@@ -115,6 +122,7 @@ impl Course<'_> {
                 return Ok(());
             }
             self.end_step(stepper, run);
+            self.balance.watch(step, run.end.0, &run.end.1);
             patience.check(step, stepper.t())?;
             if step % STEPS_BETWEEN_LOOKS == 0 && !keep_going(stepper.t()) {
                 return Err(Failure::Interrupted { t: stepper.t() });

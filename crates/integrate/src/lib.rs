@@ -3,6 +3,7 @@
 //! Functions are machine code, known by their addresses. A stepper carries the state on; after each step the state is
 //! put back onto the constraints, events are located, and the asked instants are read from the dense output.
 
+mod balance;
 mod batch;
 mod branch;
 mod dynamics;
@@ -17,6 +18,7 @@ mod runge_kutta;
 mod start;
 mod stepper;
 
+pub use balance::Imbalance;
 pub use batch::{Case, integrate_many};
 pub use dynamics::{Dynamics, EventKind};
 pub use event::Occurrence;

@@ -259,6 +259,8 @@ where
         let own = self.solver.get_statistics();
         Statistics {
             steps: self.steps,
+            #[allow(clippy::cast_precision_loss, reason = "a count of steps")]
+            errors: self.steps as f64,
             rejected: own.number_of_error_test_failures
                 + own.number_of_nonlinear_solver_fails
                 + self.retracted,

@@ -339,6 +339,7 @@ impl Stepper for RungeKutta<'_> {
             let error = self.error_that_counts(h, was_rejected);
             if error <= 1.0 {
                 let factor = self.factor(error).clamp(SHRINK, GROW);
+                self.statistics.errors += error;
                 self.accept(h, if is_last { end } else { self.t + h });
                 let next = h * if was_rejected { factor.min(1.0) } else { factor };
                 self.choose_next(h, next, is_last);

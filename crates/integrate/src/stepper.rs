@@ -9,6 +9,8 @@ pub struct Statistics {
     pub steps: usize,
     /// Steps that were tried again, shorter.
     pub rejected: usize,
+    /// The errors of the accepted steps, in tolerances, one added to the other; one each where nobody knows them.
+    pub errors: f64,
     /// Evaluations of the rates.
     pub evaluations: usize,
     /// Evaluations of the Jacobian.

@@ -24,8 +24,16 @@ type Code = (usize, usize, usize);
 type Occurrences = Vec<(usize, f64, Vec<f64>)>;
 /// Steps, rejected steps, evaluations of the rates and of the Jacobian, and whether the problem looks stiff.
 type Statistics = (usize, usize, usize, usize, bool);
-/// How many instants were reached, events, the end, the kind of failure with time and message, statistics.
-type Run = (usize, Occurrences, (f64, Vec<f64>), Option<(&'static str, f64, String)>, Statistics);
+/// How many instants were reached, events, the end, the kind of failure with time and message, statistics, and since
+/// when and how much the balance of energy is off.
+type Run = (
+    usize,
+    Occurrences,
+    (f64, Vec<f64>),
+    Option<(&'static str, f64, String)>,
+    Statistics,
+    Option<(f64, f64)>,
+);
 /// A run, and what its linear systems lacked.
 type RunOfMany = (Run, Vec<Noted>);
 
@@ -39,12 +47,13 @@ pub struct Dynamics {
 #[pymethods]
 impl Dynamics {
     #[new]
-    #[pyo3(signature = (rates, jacobian=None, position_correction=None, velocity_correction=None, events=None))]
+    #[pyo3(signature = (rates, jacobian=None, position_correction=None, velocity_correction=None, energies=None, events=None))]
     fn new(
         rates: Code,
         jacobian: Option<(Code, Vec<(usize, usize)>)>,
         position_correction: Option<Code>,
         velocity_correction: Option<Code>,
+        energies: Option<Code>,
         events: Option<(Code, Vec<(i32, bool)>)>,
     ) -> Self {
         let states = rates.2;
@@ -62,6 +71,7 @@ impl Dynamics {
                 jacobian: jacobian.map(|(own, places)| (code(own), places)),
                 position_correction: position_correction.map(code),
                 velocity_correction: velocity_correction.map(code),
+                energies: energies.map(code),
                 events: events.map(|(own, those)| (code(own), kinds(those))),
             },
         }
@@ -230,7 +240,9 @@ fn told(run: native::Run) -> Run {
     let occurrences = run.occurrences.into_iter().map(|o| (o.event, o.t, o.state)).collect();
     let failure = run.failure.map(|failure| (failure.kind(), failure.t(), failure.to_string()));
     let s = run.statistics;
-    (run.reached, occurrences, run.end, failure, (s.steps, s.rejected, s.evaluations, s.jacobians, s.stiff))
+    let imbalance = run.imbalance.map(|found| (found.t, found.part));
+    let statistics = (s.steps, s.rejected, s.evaluations, s.jacobians, s.stiff);
+    (run.reached, occurrences, run.end, failure, statistics, imbalance)
 }
 
 pub fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {

@@ -86,6 +86,8 @@ class Outcome:
         failure: why it ended early, other than by an event.
         statistics: what it took.
         deficiencies: the linear systems without a unique solution that it met.
+        imbalance: since when, and by which part of the largest energy that moves, the balance of energy was off; None
+            where the errors of the steps explain what is off, or nobody knows the energy.
     """
 
     states: NDArray[np.float64]
@@ -94,6 +96,7 @@ class Outcome:
     failure: Failure | None
     statistics: Statistics
     deficiencies: frozenset[Deficiency] = frozenset()
+    imbalance: tuple[float, float] | None = None
 
 
 @dataclass(frozen=True, eq=False)
@@ -106,6 +109,7 @@ class Problem:
         rates: the rates of the vector.
         jacobian: their derivatives that aren't zero, with rows and columns; for implicit methods.
         corrections: the ways back onto the constraints, of coordinates and of speeds; none without projection.
+        energies: the kinetic and the potential energy; none where their sum isn't constant.
         events: functions whose zeros are events, and the events.
     """
 
@@ -114,6 +118,7 @@ class Problem:
     rates: PreparedCode
     jacobian: tuple[PreparedCode, list[tuple[int, int]]] | None = None
     corrections: tuple[PreparedCode, PreparedCode] | None = None
+    energies: PreparedCode | None = None
     events: tuple[PreparedCode, tuple[Event, ...]] | None = None
 
     @classmethod
@@ -135,6 +140,7 @@ class Problem:
             rates=model.rates_code,
             jacobian=model.jacobian_code if method in IMPLICIT else None,
             corrections=model.correction_codes if is_projected and model.constraints else None,
+            energies=model.energies_code,
             events=None if code is None else (code, tuple(events)),
         )
 
@@ -143,7 +149,8 @@ class Problem:
         """All functions, in the order in which their constants stand."""
         jacobian = [] if self.jacobian is None else [self.jacobian[0]]
         events = [] if self.events is None else [self.events[0]]
-        return [self.rates, *jacobian, *(self.corrections or ()), *events]
+        energies = [] if self.energies is None else [self.energies]
+        return [self.rates, *jacobian, *(self.corrections or ()), *energies, *events]
 
     @property
     def parameters(self) -> tuple[Expr, ...]:
@@ -163,6 +170,7 @@ class Problem:
             None if self.jacobian is None else (_code(self.jacobian[0]), self.jacobian[1]),
             None if positions is None else _code(positions),
             None if velocities is None else _code(velocities),
+            None if self.energies is None else _code(self.energies),
             None
             if self.events is None
             else (_code(self.events[0]), [(event.direction, event.terminal) for event in self.events[1]]),
@@ -247,11 +255,12 @@ _Told = tuple[
     tuple[float, list[float]],
     tuple[str, float, str] | None,
     tuple[int, int, int, int, bool],
+    tuple[float, float] | None,
 ]
 
 
 def _outcome(told: _Told, states: NDArray[np.float64], deficiencies: Iterable[Deficiency] = ()) -> Outcome:
-    reached, occurrences, end, failure, statistics = told
+    reached, occurrences, end, failure, statistics, imbalance = told
     return Outcome(
         states[:reached],
         occurrences,
@@ -259,4 +268,5 @@ def _outcome(told: _Told, states: NDArray[np.float64], deficiencies: Iterable[De
         None if failure is None else Failure(*failure),
         Statistics(*statistics),
         frozenset(deficiencies),
+        imbalance,
     )

@@ -226,6 +226,18 @@ class Model:
         return self.code(self.rates, shortcut=shortcut)
 
     @cached_property
+    def energies_code(self) -> PreparedCode | None:
+        """The machine code of the kinetic and the potential energy; None where their sum less the work isn't constant.
+
+        Nobody knows the work of prescribed motions, nor the height of what is carried by a moving frame.
+        """
+        is_carried = self.potential_energy is None and self.system.gravity is not None
+        energies = [self.kinetic_energy, self.potential_energy or number(0)]
+        if is_carried or not free_symbols(energies) <= {*self.parameters, *self.state}:
+            return None
+        return self.code(energies)
+
+    @cached_property
     def correction_codes(self) -> tuple[PreparedCode, PreparedCode]:
         """The machine code of the corrections."""
         change = self._least_change(self.solution.method)

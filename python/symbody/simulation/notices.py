@@ -39,11 +39,13 @@ class Finding:
         kind: a name of `ROWS`.
         subject: what it is about, in the user's names; cases with the same subject are reported together.
         size: how bad it is, where that is a number: of many cases the worst one is reported.
+        t: since when, in s, where that is known.
     """
 
     kind: str
     subject: str = ""
     size: float = nan
+    t: float = nan
 
 
 @dataclass(frozen=True, eq=False)
@@ -69,7 +71,7 @@ class _Row:
 
     Attributes:
         find: returns the findings of this kind in a motion.
-        sentence: what to say, with ``{subject}`` and ``{size}``.
+        sentence: what to say, with ``{subject}``, ``{size}`` and ``{t}``.
     """
 
     find: Callable[[Integrated], Iterable[Finding]]
@@ -83,6 +85,11 @@ def _stiffness(motion: Integrated) -> Iterable[Finding]:
 
 def _deficiencies(motion: Integrated) -> Iterable[Finding]:
     return deficiency_findings(motion.outcome.deficiencies, motion.model)
+
+
+def _imbalance(motion: Integrated) -> Iterable[Finding]:
+    found = motion.outcome.imbalance
+    return [] if found is None else [Finding("imbalance", size=found[1], t=found[0])]
 
 
 def _violations(motion: Integrated) -> Iterable[Finding]:
@@ -110,6 +117,12 @@ ROWS: dict[str, _Row] = {
         "the motion has left its constraints: at its end {subject} is off by {size:.1g} of the size of its terms; "
         "use smaller tolerances or another way to keep them (constraints=...), and leave out those that follow from "
         "others",
+    ),
+    "imbalance": _Row(
+        _imbalance,
+        "the balance of energy, work included, is off by {size:.1g} of the largest energy that moves, more than the "
+        "tolerances explain, from t = {t:.6g} s on or a little before; use smaller tolerances, constraints='projection', "
+        "or method='dop853', and look for a force that jumps or a singular position there",
     ),
     "stiff": _Row(
         _stiffness,
@@ -161,4 +174,4 @@ def _counted(cases: Mapping[int, Finding], count: int) -> str:
 
 
 def _sentence(finding: Finding) -> str:
-    return ROWS[finding.kind].sentence.format(subject=finding.subject, size=finding.size)
+    return ROWS[finding.kind].sentence.format(subject=finding.subject, size=finding.size, t=finding.t)

@@ -183,6 +183,7 @@ _Run: TypeAlias = tuple[
     tuple[float, list[float]],
     tuple[str, float, str] | None,
     tuple[int, int, int, int, bool],
+    tuple[float, float] | None,
 ]
 
 @final
@@ -193,6 +194,7 @@ class Dynamics:
         jacobian: tuple[_Code, Sequence[tuple[int, int]]] | None = None,
         position_correction: _Code | None = None,
         velocity_correction: _Code | None = None,
+        energies: _Code | None = None,
         events: tuple[_Code, Sequence[tuple[int, bool]]] | None = None,
     ) -> Dynamics: ...
     @property

@@ -25,7 +25,14 @@ pub fn free(
     rates: MachineCode,
     jacobian: Option<(MachineCode, Vec<(usize, usize)>)>,
 ) -> Dynamics<MachineCode> {
-    Dynamics { rates, jacobian, position_correction: None, velocity_correction: None, events: None }
+    Dynamics {
+        rates,
+        jacobian,
+        position_correction: None,
+        velocity_correction: None,
+        energies: None,
+        events: None,
+    }
 }
 
 /// The same relative and absolute tolerance for all of the state, and steps of any length.

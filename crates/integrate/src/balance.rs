@@ -1,0 +1,117 @@
+//! The balance of energy along a motion: what the state has of it, less the work done, is constant but for errors.
+
+use crate::dynamics::Dynamics;
+use crate::function::Function;
+use crate::method::Tolerances;
+
+/// Steps between two looks at the energy, and looks between two at what errors make of it.
+const LOOK: (usize, usize) = (4, 8);
+/// How many times what the errors of the steps explain is still explained: they are estimates.
+const MARGIN: f64 = 10.0;
+/// The part of the energies that rounding errors may take.
+const ROUNDING: f64 = 1e-11;
+
+/// What is off in the balance of energy.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Imbalance {
+    /// When it was first more than the errors of the steps explain.
+    pub t: f64,
+    /// The most that it was off, relative to the largest of the kinetic energy, the change of the potential energy, and
+    /// the work.
+    pub part: f64,
+}
+
+/// Watches the balance of energy.
+pub struct Balance<'a> {
+    /// The kinetic and the potential energy.
+    energies: Option<&'a Function>,
+    tolerances: Tolerances,
+    /// What they were at first, less the work.
+    first: f64,
+    first_potential: f64,
+    /// The largest energy that moves, and the largest at all.
+    moving: f64,
+    largest: f64,
+    /// The most that errors of one tolerance in each entry of the state change the energy.
+    spread: f64,
+    /// By how much the balance was off, and when.
+    seen: Vec<(f64, f64)>,
+}
+
+impl<'a> Balance<'a> {
+    pub fn new(dynamics: &'a Dynamics, tolerances: Tolerances, t: f64, state: &[f64]) -> Self {
+        let mut new = Self {
+            energies: dynamics.energies.as_ref(),
+            tolerances,
+            first: 0.0,
+            first_potential: 0.0,
+            moving: 0.0,
+            largest: 0.0,
+            spread: 0.0,
+            seen: Vec::new(),
+        };
+        if let Some([kinetic, potential]) = new.at(t, state) {
+            new.first = kinetic + potential - new.work(state);
+            new.first_potential = potential;
+        }
+        new.look(t, state);
+        new
+    }
+
+    /// Look at the balance after a step, now and then.
+    pub fn watch(&mut self, step: usize, t: f64, state: &[f64]) {
+        if step.is_multiple_of(LOOK.0) {
+            self.look(t, state);
+        }
+    }
+
+    fn look(&mut self, t: f64, state: &[f64]) {
+        let Some([kinetic, potential]) = self.at(t, state) else { return };
+        let work = self.work(state);
+        for energy in [kinetic, potential - self.first_potential, work] {
+            self.moving = self.moving.max(energy.abs());
+        }
+        self.largest = self.largest.max(kinetic.abs() + potential.abs());
+        if self.seen.len().is_multiple_of(LOOK.1) {
+            self.widen(t, state, kinetic + potential);
+        }
+        self.seen.push((t, (kinetic + potential - work - self.first).abs()));
+    }
+
+    /// What is off until the end of a motion, if it is more than the errors of its steps explain, whose sum is in
+    /// tolerances.
+    pub fn imbalance(&mut self, t: f64, state: &[f64], errors: f64) -> Option<Imbalance> {
+        self.look(t, state);
+        let [kinetic, potential] = self.at(t, state)?;
+        self.widen(t, state, kinetic + potential);
+        let explained = MARGIN * (1.0 + errors) * self.spread + ROUNDING * self.largest;
+        let &(t, _) = self.seen.iter().find(|(_, off)| *off > explained)?;
+        let most = self.seen.iter().fold(0.0, |most: f64, (_, off)| most.max(*off));
+        Some(Imbalance { t, part: most / self.moving.max(f64::MIN_POSITIVE) })
+    }
+
+    /// The work is an entry behind those that are controlled, where there is some.
+    fn work(&self, state: &[f64]) -> f64 {
+        state.get(self.tolerances.controlled).copied().unwrap_or(0.0)
+    }
+
+    fn at(&self, t: f64, state: &[f64]) -> Option<[f64; 2]> {
+        let mut energies = [0.0; 2];
+        self.energies?.call(t, state, &mut energies);
+        energies.iter().all(|energy| energy.is_finite()).then_some(energies)
+    }
+
+    /// Add what errors of one tolerance in each entry change here to what they change elsewhere.
+    fn widen(&mut self, t: f64, state: &[f64], energy: f64) {
+        let Tolerances { relative, absolute, controlled, .. } = self.tolerances;
+        let mut near = state.to_vec();
+        let mut sum = 0.0;
+        for i in 0..controlled {
+            near[i] = state[i] + absolute + relative * state[i].abs();
+            let changed = self.at(t, &near);
+            sum += changed.map_or(0.0, |[kinetic, potential]| (kinetic + potential - energy).abs());
+            near[i] = state[i];
+        }
+        self.spread = self.spread.max(sum);
+    }
+}
