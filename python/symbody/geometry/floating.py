@@ -17,6 +17,7 @@ from symbody.symbolic import (
     Expr,
     cross3,
     dot3,
+    free_symbols,
     number,
     scale3,
     sub3,
@@ -141,9 +142,25 @@ def known_rates(kinematics: Mapping[Expr, Expr]) -> dict[Expr, Expr]:
     return {time_derivative(coordinate): rate for coordinate, rate in kinematics.items()}
 
 
+def by_speeds(kinematics: Mapping[Expr, Expr], values: Sequence[Expr]) -> tuple[Expr, ...]:
+    """Return values with the rates of coordinates, of any order, written by the speeds and their rates.
+
+    ``q' = K u`` gives ``q'' = K u' + K' u``, in which ``K'`` holds first rates: each substitution lowers the order.
+    """
+    if not kinematics:
+        return tuple(values)
+    names = {coordinate.name for coordinate in kinematics}
+    rates = (
+        leaf for leaf in free_symbols(list(values)) if leaf.kind == "time_function" and leaf.name in names
+    )
+    known, written = known_rates(kinematics), tuple(values)
+    for _ in range(max((rate.order for rate in rates), default=0)):
+        written = substitute(written, known)
+    return written
+
+
 def rate_by(kinematics: Mapping[Expr, Expr]) -> Rate:
     """Return the time derivative, with the rates of coordinates given by speeds."""
     if not kinematics:
         return time_derivatives
-    known = known_rates(kinematics)
-    return lambda values: substitute(time_derivatives(values), known)
+    return lambda values: by_speeds(kinematics, time_derivatives(values))

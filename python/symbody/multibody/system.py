@@ -10,7 +10,7 @@ from typing import Annotated, TypeAlias, TypeVar, final
 from symbody.errors import ConstraintError, ModelError
 from symbody.geometry import Frame, Scalar, Vector
 from symbody.geometry.argument import checked
-from symbody.geometry.floating import Floating, known_rates, rate_by
+from symbody.geometry.floating import Floating, by_speeds, known_rates, rate_by
 from symbody.geometry.triple import Rate, expression
 from symbody.symbolic import Expr, functions_of_time, time_derivative
 
@@ -115,6 +115,10 @@ class System:
     def rate(self) -> Rate:
         """The time derivative, with these rates put in."""
         return rate_by(self.kinematics)
+
+    def by_speeds(self, expressions: Sequence[Expr]) -> tuple[Expr, ...]:
+        """Return expressions with the rates of coordinates, of any order, by the speeds and their rates."""
+        return by_speeds(self.kinematics, expressions)
 
     def _check(self) -> None:
         if not self.bodies:

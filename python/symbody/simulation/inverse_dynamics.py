@@ -12,12 +12,13 @@ from symbody.codegen import lambdify
 from symbody.dynamics import Equations
 from symbody.errors import ArgumentError, ModelError, SimulationError
 from symbody.multibody import System
-from symbody.symbolic import Expr, ExprLike, free_symbols, number, substitute
+from symbody.symbolic import Expr, ExprLike, free_symbols, number
 from symbody.symbolic import t as symbolic_time
 from symbody.symbolic.arguments import described
 
 from .driven_motion import followed_motion, prescribed_motion
 from .driving_load import driving_loads
+from .given_input import with_given
 from .kinematics import Kinematics, kinematics_of
 from .motion import Motion
 from .values import given_inputs
@@ -79,19 +80,23 @@ class InverseDynamics:
             SimulationError: an expression of something that isn't known here.
         """
         system = self.system
-        wanted = substitute([number(each) for each in expressions], dict(self.inputs))
-        wanted = substitute(wanted, system.known_rates)
+        asked = [number(each) for each in expressions]
+        wanted = self._by_state(asked)
         states = [*system.coordinates, *system.speeds, *system.accelerations, *system.multipliers]
         own = {*system.coordinates, *system.driving}
         loads = {name: values for name, values in self.forces.items() if name not in own}
-        self._check_known(wanted, {symbolic_time, *states, *loads, *self.parameters})
+        self._check_known(asked, {symbolic_time, *states, *loads, *self.parameters})
         function = lambdify([symbolic_time, states, list(loads), list(self.parameters)], list(wanted))
         rows = np.hstack([self.coordinates, self.speeds, self.accelerations, self.multipliers]).T
         forces = np.array(list(loads.values())).reshape(len(loads), len(self))
         return np.asarray(function(self.t, rows, forces, _column(self.parameters.values())))
 
-    def _check_known(self, wanted: Iterable[Expr], known: set[Expr]) -> None:
-        strange = sorted(map(str, free_symbols(list(wanted)) - known))
+    def _by_state(self, expressions: Sequence[Expr]) -> tuple[Expr, ...]:
+        return with_given(self.system, tuple(self.inputs.items()), expressions)
+
+    def _check_known(self, asked: Sequence[Expr], known: set[Expr]) -> None:
+        leaves = free_symbols(asked)
+        strange = sorted(str(leaf) for leaf in leaves if not free_symbols(self._by_state([leaf])) <= known)
         if strange:
             raise SimulationError(
                 f"{_WHERE}: {', '.join(strange)} is nothing that this motion knows; expected time, coordinates, "

@@ -17,10 +17,11 @@ from symbody.multibody import System
 from symbody.multibody.frames import all_frames
 from symbody.symbolic import Abs, Expr, ExprLike, derivation, free_symbols, jacobian, number, substitute, t
 
+from .given_input import Given, with_given
+
 __all__ = ["Kinematics", "kinematics_of", "magnitude", "neutral_position"]
 
 Array = NDArray[np.float64]
-Given = tuple[tuple[Expr, Expr], ...]
 
 
 @dataclass(frozen=True, eq=False)
@@ -82,7 +83,7 @@ class Kinematics:
         return [t, state, list(self.parameters)]
 
     def _with_inputs(self, expressions: Iterable[Expr]) -> tuple[Expr, ...]:
-        return substitute(tuple(expressions), dict(self.given))
+        return with_given(self.system, self.given, tuple(expressions))
 
     def check_inputs(self, where: str) -> None:
         """Raise an error for functions of time that have no values.

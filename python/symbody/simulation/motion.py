@@ -33,7 +33,8 @@ Array = NDArray[np.float64]
 class Motion:
     """A motion: the state at each instant, and the value of any expression of the model along it.
 
-    ``motion[expression]`` takes expressions of time, coordinates, speeds, accelerations, multipliers and parameters.
+    ``motion[expression]`` takes expressions of time, coordinates, speeds, accelerations, multipliers and parameters,
+    and derivatives of these by time.
 
     Attributes:
         model: what moves.
@@ -103,18 +104,18 @@ class Motion:
         """Raise an error that names what has no value."""
         model = self.model
         known = {*model.integrated, *model.accelerations, *model.multipliers, *self.parameters}
-        known |= {key for key, _ in model.inputs}
-        strange = sorted(map(str, free_symbols(model.with_inputs(wanted)) - known))
-        symbols = [leaf for leaf in free_symbols(wanted) if str(leaf) in strange and leaf.kind == "symbol"]
+        strange = [
+            leaf for leaf in free_symbols(wanted) if not free_symbols(model.along_motion([leaf])) <= known
+        ]
+        symbols = sorted(str(leaf) for leaf in strange if leaf.kind == "symbol")
         if symbols:
             raise ParameterError(
-                f"motion: {', '.join(sorted(map(str, symbols)))} has no value in this motion; give it with the "
-                "parameters of simulate"
+                f"motion: {', '.join(symbols)} has no value in this motion; give it with the parameters of simulate"
             )
         if strange:
             raise SimulationError(
-                f"motion: {', '.join(strange)} is nothing that this motion knows; expected time, coordinates, speeds, "
-                "accelerations, multipliers and parameters of its system"
+                f"motion: {', '.join(sorted(map(str, strange)))} is nothing that this motion knows; expected time, "
+                "coordinates, speeds, accelerations, multipliers and parameters of its system"
             )
 
     @cached_property

@@ -11,7 +11,8 @@ from symbody.geometry.floating import Floating
 from symbody.multibody.frames import all_frames
 from symbody.symbolic import Expr, free_symbols, jacobian, number, substitute, t
 
-from .kinematics import Given, magnitude
+from .given_input import Given, with_given
+from .kinematics import magnitude
 
 __all__ = ["Statics", "statics_of"]
 
@@ -51,7 +52,7 @@ class Statics:
         """What is zero: the residuals at rest, the constraints, and one less the squares of Euler parameters."""
         at_rest = dict.fromkeys((*self.equations.accelerations, *self.equations.speeds), number(0))
         residuals = substitute(self._residuals, at_rest)
-        constraints = substitute(self.equations.constraints, dict(self.given))
+        constraints = self._with_given(self.equations.constraints)
         norms = [sum((e * e for e in four), start=number(-1)) for four in self.quaternions]
         return (*residuals, *constraints, *norms)
 
@@ -72,7 +73,7 @@ class Statics:
         at_rest = dict.fromkeys((*eqs.accelerations, *eqs.speeds), number(0))
         inertia = jacobian(list(self._residuals), list(eqs.accelerations)).subs(at_rest)
         damping = jacobian(list(self._residuals), list(eqs.speeds)).subs(at_rest)
-        kinematics = substitute(tuple(eqs.kinematics.values()), dict(self.given))
+        kinematics = self._with_given(tuple(eqs.kinematics.values()))
         rates = jacobian(list(kinematics), list(eqs.speeds))
         variables: list[Expr | list[Expr]] = [
             t,
@@ -84,8 +85,10 @@ class Statics:
 
     @cached_property
     def _residuals(self) -> tuple[Expr, ...]:
-        known = self.equations.system.known_rates
-        return substitute(substitute(self.equations.residuals, dict(self.given)), known)
+        return self._with_given(self.equations.residuals)
+
+    def _with_given(self, expressions: tuple[Expr, ...]) -> tuple[Expr, ...]:
+        return with_given(self.equations.system, self.given, expressions)
 
 
 @lru_cache(maxsize=32)

@@ -16,6 +16,7 @@ from symbody.symbolic import Expr, ExprLike, t, time_derivative
 from symbody.symbolic.arguments import described, expression
 
 from .cases import column_of
+from .given_input import check_no_circle
 
 __all__ = [
     "check_equations",
@@ -158,7 +159,9 @@ def given_inputs(
             f"{where}: the equations hold the functions of time {_listed(missing)}, which are neither coordinates nor "
             f"speeds; give them by time and state, as inputs={{{missing[0]}: sin(t)}}"
         )
-    return {function: _input(eqs, function, value, where) for function, value in given.items()}
+    formulas = {function: _input(eqs, function, value, where) for function, value in given.items()}
+    check_no_circle(eqs.system, formulas, where)
+    return formulas
 
 
 def check_equations(eqs: object, where: str) -> None:
