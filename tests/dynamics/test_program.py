@@ -170,8 +170,8 @@ MISTAKES = [
     (
         {"outputs": {"jerk": time_derivative(x, 3)}},
         (
-            "program: the output jerk holds x''', of which the equations of motion know nothing; expected an expression "
-            "of coordinates, speeds, accelerations, multipliers, parameters, inputs and time"
+            "program: the output jerk holds x''', of which the equations of motion know nothing; expected an "
+            "expression of coordinates, speeds, accelerations, multipliers, parameters, inputs and time"
         ),
     ),
     (

@@ -43,7 +43,7 @@ class Floating(Motion):
         twist: of the child in the parent, in the child's axes.
         kinematics: the pose's coordinates, and their rates by the twist.
         speeds: what of the twist is unknown, if nobody says otherwise.
-        ones: coordinates that are one, not zero, where the child is as the parent: e0.
+        quaternion: the Euler parameters of the pose, whose norm is one; empty where it is written in other coordinates.
     """
 
     tag = b"floating"
@@ -54,13 +54,13 @@ class Floating(Motion):
         twist: Twist,
         kinematics: Mapping[Expr, Expr],
         speeds: Sequence[Expr] = (),
-        ones: Sequence[Expr] = (),
+        quaternion: Sequence[Expr] = (),
     ) -> None:
         self._pose = pose
         self.twist = twist
         self.kinematics = dict(kinematics)
         self.speeds = tuple(speeds)
-        self.ones = tuple(ones)
+        self.quaternion = tuple(quaternion)
         self.is_rigid = pose.is_rigid
 
     @property
@@ -90,7 +90,7 @@ class Floating(Motion):
         assert isinstance(pose, Placement), "the inverse of a pose is a pose"
         w, v = (self.to_parent(part) for part in self.twist)
         back = Twist(scale3(number(-1), w), sub3(cross3(w, self.displacement), v))
-        return (Floating(pose, back, self.kinematics, self.speeds, self.ones),)
+        return (Floating(pose, back, self.kinematics, self.speeds, self.quaternion),)
 
     def subs(self, substitution: Substitution) -> Motion:
         (x, y, z), (u, v, w) = self.twist
@@ -101,8 +101,8 @@ class Floating(Motion):
             if coordinate not in substitution
         }
         speeds = tuple(speed for speed in self.speeds if speed not in substitution)
-        ones = tuple(one for one in self.ones if one not in substitution)
-        return Floating(self._pose.subs(substitution), Twist((x, y, z), (u, v, w)), known, speeds, ones)
+        quaternion = substitute(self.quaternion, substitution)
+        return Floating(self._pose.subs(substitution), Twist((x, y, z), (u, v, w)), known, speeds, quaternion)
 
 
 def floating(position: Triple, quaternion: Quaternion, twist: Twist, speeds: Sequence[Expr]) -> Floating:
@@ -112,7 +112,7 @@ def floating(position: Triple, quaternion: Quaternion, twist: Twist, speeds: Seq
     v = pose.to_parent(twist.linear)
     e = quaternion_rates(quaternion, twist.angular)
     kinematics = dict(zip((*position, *quaternion), (*v, *e), strict=True))
-    return Floating(pose, twist, kinematics, speeds, quaternion[:1])
+    return Floating(pose, twist, kinematics, speeds, quaternion)
 
 
 def rotation_rows(quaternion: Quaternion) -> Rows:

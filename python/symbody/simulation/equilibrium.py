@@ -36,7 +36,10 @@ class Equilibrium:
         multipliers: the multipliers of the constraints.
         holding: the forces along the coordinates that were fixed, which hold them.
         residual: the largest force or moment that is left in the equations of motion.
-        eigenvalues: the s of the small motions ``x exp(s t)`` about it, in 1/s, the fastest growing first.
+        eigenvalues: the s of the small motions ``x exp(s t)`` about it, in 1/s, the fastest growing first. Nothing is
+            held: the holding forces act on as constant forces along the coordinates that were fixed.
+        held_eigenvalues: those of the motions in which the fixed coordinates stay where they are; the same ones where
+            nothing is fixed.
     """
 
     coordinates: dict[Expr, float]
@@ -44,12 +47,22 @@ class Equilibrium:
     holding: dict[Expr, float]
     residual: float
     eigenvalues: NDArray[np.complex128]
+    held_eigenvalues: NDArray[np.complex128]
 
     @property
     def is_stable(self) -> bool:
-        """Whether no small motion about it grows: none of the eigenvalues has a positive real part."""
-        size = np.abs(self.eigenvalues).max(initial=0.0)
-        return bool((self.eigenvalues.real <= 1e-8 * size).all())
+        """Whether no small motion of the free system grows: none of the eigenvalues has a positive real part."""
+        return _decays(self.eigenvalues)
+
+    @property
+    def is_stable_held(self) -> bool:
+        """Whether no small motion grows while the fixed coordinates stay where they are."""
+        return _decays(self.held_eigenvalues)
+
+
+def _decays(eigenvalues: NDArray[np.complex128]) -> bool:
+    size = np.abs(eigenvalues).max(initial=0.0)
+    return bool((eigenvalues.real <= 1e-8 * size).all())
 
 
 def equilibrium(
@@ -65,6 +78,10 @@ def equilibrium(
 
     ``-forcing - phi_q^T lambda = 0`` and ``phi = 0`` at zero speeds and accelerations, by damped Gauss-Newton steps
     with derivatives from the graph. Which of several equilibria is found depends on the guess; it may be unstable.
+
+    Where coordinates are fixed, the system by itself stays at rest there only if the forces that hold them are zero, or
+    act on as constant forces along these coordinates: so the eigenvalues are meant. Those of the system that is held
+    have a name of their own.
 
     Args:
         eqs: equations of motion.
@@ -113,7 +130,8 @@ def _result(problem: Balance, solution: tuple[Array, Array]) -> Equilibrium:
         multipliers=_named(problem.equations.multipliers, forces[:m]),
         holding=_named(order, forces[m:]),
         residual=float(np.abs(F[:n]).max()),
-        eigenvalues=problem.small_motion(q, forces).eigenvalues(),
+        eigenvalues=problem.small_motion(q, forces, is_held=False).eigenvalues(),
+        held_eigenvalues=problem.small_motion(q, forces, is_held=True).eigenvalues(),
     )
 
 
