@@ -1,8 +1,8 @@
 """Regular forms: of several forms of one value, the one that divides by zero in the fewest positions.
 
-``w*tan(a)/sin(a)`` and ``w/cos(a)`` are equal, and only the second one has a number at ``a = 0``. Whether a form has one
-is tried at zeros and right angles of each coordinate, and of each two of them; whether the value goes to infinity there,
-or could have a number, is seen from the numbers beside.
+``w*tan(a)/sin(a)`` and ``w/cos(a)`` are equal, and only the second one has a number at ``a = 0``. Each form is
+evaluated at zeros and right angles of each coordinate, and of each two of them. Where a form has no number, the numbers
+nearby show whether its value goes to infinity or stays finite.
 """
 
 from __future__ import annotations

@@ -10,8 +10,9 @@ from functools import cached_property, lru_cache
 from symbody.codegen import CompiledFunction, PreparedCode, Shortcut, lambdify
 from symbody.dynamics import Equations, ForwardDynamics, forward_dynamics
 from symbody.errors import ModelError
-from symbody.multibody import System, gravitational_energy, kinetic_energy, power
-from symbody.symbolic import Expr, ExprLike, cost, free_symbols, number, substitute, symbols, t
+from symbody.multibody import System, gravitational_energy, kinetic_energy
+from symbody.multibody.load import action_power
+from symbody.symbolic import Expr, ExprLike, cost, derivation, free_symbols, number, substitute, symbols, t
 from symbody.symbolic import jacobian as jacobian_of
 
 from .given_input import with_given
@@ -153,7 +154,8 @@ class Model:
     @cached_property
     def power(self) -> Expr | None:
         """The power of loads and moving constraints, by accelerations and multipliers; None where nothing does work."""
-        total = sum((power(load) for load in self.system.loads), start=number(0))
+        with derivation():
+            total = sum(map(action_power, self.system.actions), start=number(0))
         if self.constraints:
             at_rest = dict.fromkeys(self.speeds, number(0))
             drifts = substitute(self.system.rate(self.constraints), at_rest)

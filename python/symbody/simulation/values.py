@@ -157,7 +157,8 @@ def given_inputs(
     if missing:
         raise ModelError(
             f"{where}: the equations hold the functions of time {_listed(missing)}, which are neither coordinates nor "
-            f"speeds; give them by time and state, as inputs={{{missing[0]}: sin(t)}}"
+            f"speeds; give them by time and state, as inputs={{{missing[0]}: sin(t)}}, or add what is unknown to the "
+            "coordinates of the System"
         )
     formulas = {function: _input(eqs, function, value, where) for function, value in given.items()}
     check_no_circle(eqs.system, formulas, where)
