@@ -211,12 +211,15 @@ class System:
         free = (name for name in (f"lambda{k}" for k in count(1)) if name not in taken)
         return tuple(functions_of_time(name) for name in islice(free, len(self.constraints)))
 
+    @cached_property
+    def leaves(self) -> frozenset[Expr]:
+        """All symbols and functions of time that stand in the model, also those which its equations don't need."""
+        return frozenset({*self.coordinates, *self.quasi_velocities}).union(
+            *(value.free_symbols for value in self._values())
+        )
+
     def _names(self) -> frozenset[str]:
-        """Return the names of all that stands in the model."""
-        leaves = {*self.coordinates, *self.quasi_velocities}
-        for value in self._values():
-            leaves |= value.free_symbols
-        return frozenset(leaf.name for leaf in leaves if leaf.kind != "application")
+        return frozenset(leaf.name for leaf in self.leaves if leaf.kind != "application")
 
     def _values(self) -> Iterator[Expr]:
         yield from self.constraints

@@ -16,6 +16,7 @@ from .balance import Balance
 from .consistent import beginnings, positions, shortened
 from .kinematics import kinematics_of
 from .statics import statics_of
+from .unused import notice_unused
 from .values import given_inputs, parameter_values, state_values
 
 __all__ = ["Equilibrium", "equilibrium"]
@@ -110,6 +111,7 @@ def equilibrium(
     p = parameter_values(statics.parameters, parameters, where=_WHERE)
     held = state_values(eqs.system, fixed, where=_WHERE, argument="fixed", has_speeds=False)
     near = state_values(eqs.system, guess, where=_WHERE, argument="guess", has_speeds=False)
+    notice_unused(eqs, parameters or {}, list(given.values()), _WHERE)
     problem = Balance(statics, t, p, tuple(held))
     constants = dict(zip(statics.parameters, p, strict=True))
     of_constraints = np.array([constants[name] for name in kinematics.parameters])

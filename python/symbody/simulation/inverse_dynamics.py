@@ -21,6 +21,7 @@ from .driving_load import driving_loads
 from .given_input import with_given
 from .kinematics import Kinematics, kinematics_of
 from .motion import Motion
+from .unused import notice_unused
 from .values import given_inputs
 
 __all__ = ["InverseDynamics", "inverse_dynamics"]
@@ -160,6 +161,10 @@ def inverse_dynamics(
         driven = followed_motion(kinematics, motion, needed, numbers)
     else:
         driven = prescribed_motion(kinematics, motion, t, needed, numbers, guess)
+    formulas = (
+        [value for value in motion.values() if isinstance(value, Expr)] if isinstance(motion, Mapping) else []
+    )
+    notice_unused(eqs, numbers, [*given.values(), *formulas], _WHERE)
     equations = driving_loads(eqs, kinematics.given, () if loads else driven.driving, loads, _WHERE)
     forces, multipliers = equations.solved(driven.instants, driven.course, driven.parameters)
     return InverseDynamics(
