@@ -339,7 +339,7 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
     ),
     (
         errors.ModelError,
-        lambda: newton_euler(System([body], coordinates=[x, phi])),
+        lambda: newton_euler(System([body], coordinates=[x, y, phi])),
         (
             "newton_euler: the coordinate phi appears in no frame of a body and in no constraint; leave it out of the "
             "coordinates, or build a frame with it"
@@ -650,7 +650,11 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
     (
         errors.ConstraintError,
         lambda: System([Body(vehicle, m)], coordinates=[x], speeds=[y], constraints=[x - y]),
-        "System: constraint 1, x - y = 0, holds the speed y; expected an expression of coordinates and time",
+        (
+            "System: constraint 1, x - y = 0, holds the speed y; expected coordinates and time, as constraints of "
+            "velocities aren't supported; if it is the rate of a condition on coordinates, give that condition; if "
+            "not, as for what rolls, choose speeds that keep it: moving_frame(..., pose=...) and System(speeds=[...])"
+        ),
     ),
     (
         errors.ConstraintError,
@@ -673,7 +677,51 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
     (
         errors.ConstraintError,
         lambda: constrained(time_derivative(x) - a * y),
-        "System: constraint 1, x' - a*y = 0, holds the rate x'; expected an expression of coordinates and time",
+        (
+            "System: constraint 1, x' - a*y = 0, holds the rate x'; expected coordinates and time, as constraints of "
+            "velocities aren't supported; if it is the rate of a condition on coordinates, give that condition; if "
+            "not, as for what rolls, choose speeds that keep it: moving_frame(..., pose=...) and System(speeds=[...])"
+        ),
+    ),
+    (
+        errors.ConstraintError,
+        lambda: constrained(a * time_derivative(x) - time_derivative(y) - 2),
+        (
+            "System: constraint 1, a*x' - y' - 2 = 0, holds the rate x'; expected coordinates and time, as constraints "
+            "of velocities aren't supported; give its integral, a*x - 2*t - y, less the value that this has in the "
+            "beginning"
+        ),
+    ),
+    (
+        errors.ConstraintError,
+        lambda: constrained(time_derivative(x)),
+        (
+            "System: constraint 1, x' = 0, holds the rate x'; expected coordinates and time, as constraints of "
+            "velocities aren't supported; give its integral, x, less the value that this has in the beginning"
+        ),
+    ),
+    (
+        errors.ConstraintError,
+        lambda: constrained(x - time_derivative(y, 2)),
+        (
+            "System: constraint 1, x - y'' = 0, holds the acceleration y''; expected coordinates and time, as "
+            "constraints of velocities aren't supported; if it is the rate of a condition on coordinates, give that "
+            "condition; if not, as for what rolls, choose speeds that keep it: moving_frame(..., pose=...) and "
+            "System(speeds=[...])"
+        ),
+    ),
+    (
+        errors.ConstraintError,
+        lambda: constrained(a - a + 5),
+        "System: constraint 1, 5 = 0, is never true; correct it, or leave it out",
+    ),
+    (
+        errors.ConstraintError,
+        lambda: constrained(functions_of_time("forgotten") - a),
+        (
+            "System: constraint 1, forgotten - a = 0, holds none of the coordinates, and forgotten, a function of "
+            "time; add forgotten to coordinates=[...], or correct the constraint"
+        ),
     ),
     (
         errors.ModelError,

@@ -15,11 +15,13 @@ from symbody import (
     Min,
     Piecewise,
     System,
+    Torque,
     Vector,
     acos,
     asin,
     atan,
     atan2,
+    cos,
     cosh,
     exp,
     functions_of_time,
@@ -37,6 +39,7 @@ from symbody import (
     symbols,
     tan,
     tanh,
+    time_derivative,
     translate,
 )
 from symbody.codegen.sample import Sample
@@ -205,9 +208,35 @@ def robot_program(name: str) -> Program:
     return newton_euler(robot(name).system).program(name=name)
 
 
+@cache
+def watched() -> Program:
+    """Outputs of all that there is: a coordinate in no equation, rates, inputs and their rates, what was solved for."""
+    (q1, q2, x), force, (l, m, gain) = (
+        functions_of_time("q1 q2 x"),
+        functions_of_time("F"),
+        symbols("l m gain"),
+    )
+    first = rotate("Z", q1) * translate(l, 0, 0)
+    second = first * rotate("Z", q2) * translate(l, 0, 0)
+    bodies = [Body(first, m), Body(second, m), Body(translate(0, 0, x), m)]
+    push = Torque(ground, 0, 0, force, on=bodies[0])
+    system = System(bodies, [push], coordinates=[q1, q2, x], constraints=[x - l * sin(q2)], name="watched")
+    equations = lagrange_equations(system)
+    (multiplier,) = equations.multipliers
+    outputs = {
+        "place": [l * cos(q1), l * sin(q1)],
+        "second_rates": [time_derivative(q, 2) for q in (q1, q2, x)],
+        "reaction": multiplier * gain,
+        "reference": force + t,
+        "slope": time_derivative(force) - time_derivative(q1),
+    }
+    return equations.program(name="watched", outputs=outputs)
+
+
 PROGRAMS = {
     "pendulum": pendulum,
     "everything": everything,
+    "watched": watched,
     "calls": calls,
     "long": long,
     "double_pendulum": double_pendulum,

@@ -8,13 +8,16 @@ from symbody import (
     Body,
     Matrix,
     System,
+    Torque,
     Vector,
+    cos,
     functions_of_time,
     ground,
     lagrange_equations,
     newton_euler,
     rotate,
     symbols,
+    t,
     time_derivative,
     translate,
 )
@@ -116,6 +119,31 @@ def test_outputs() -> None:
     assert k in program.arguments[0].variables
 
 
+def test_outputs_of_what_stands_in_no_equation() -> None:
+    """A cyclic coordinate, its rates, the time, a parameter of its own, the rate of an input."""
+    (q1, q2), torque, (m, l, gain) = functions_of_time("q1 q2"), functions_of_time("tau"), symbols("m l gain")
+    first = rotate("Z", q1) * translate(l, 0, 0)
+    bodies = [Body(first, m), Body(first * rotate("Z", q2) * translate(l, 0, 0), m)]
+    drive = Torque(ground, 0, 0, torque, on=bodies[0])
+    equations = newton_euler(System(bodies, [drive], coordinates=[q1, q2]))
+    outputs = {
+        "x": l * cos(q1),
+        "rates": [time_derivative(q1), time_derivative(q1, 2)],
+        "drift": gain * t,
+        "slope": time_derivative(torque),
+    }
+    program = equations.program(outputs=outputs)
+    assert {argument.name: argument.variables for argument in program.arguments} == {
+        "p": (gain, l, m),
+        "t": (t,),
+        "r": (torque, time_derivative(torque)),
+        "q": (q1, q2),
+        "u": equations.speeds,
+        "a": equations.accelerations,
+    }
+    assert routine(program, "outputs") == {"x": (), "rates": (2,), "drift": (), "slope": ()}
+
+
 def test_both_formalisms_make_the_same_values() -> None:
     one, two = newton_euler(bead()).program(), lagrange_equations(bead()).program()
     for left, right in zip(one.routines, two.routines, strict=True):
@@ -137,6 +165,13 @@ MISTAKES = [
         (
             "program: the output error holds z, of which the equations of motion know nothing; expected an expression "
             "of coordinates, speeds, accelerations, multipliers, parameters, inputs and time"
+        ),
+    ),
+    (
+        {"outputs": {"jerk": time_derivative(x, 3)}},
+        (
+            "program: the output jerk holds x''', of which the equations of motion know nothing; expected an "
+            "expression of coordinates, speeds, accelerations, multipliers, parameters, inputs and time"
         ),
     ),
     (

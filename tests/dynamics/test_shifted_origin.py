@@ -44,7 +44,8 @@ def arm(*, along: str = "Y", on_the_way: bool = False, base: Frame = ground) -> 
     if on_the_way:
         bodies.append(Body(elbow, symbols("M")))
     push = Force(Vector(ground, *symbols("Fx Fy Fz")), at=Point(lower, *symbols("u v w")), on=bodies[1])
-    return System(bodies, [push], SHOULDER, gravity=Vector(ground, 0, 0, -symbols("g")))
+    given = [leaf for motion in base.motions for leaf in motion.leaves if leaf.kind == "time_function"]
+    return System(bodies, [push], SHOULDER, gravity=Vector(ground, 0, 0, -symbols("g")), inputs=given)
 
 
 def by_hand(system: System) -> list[Expr]:

@@ -165,4 +165,7 @@ def _drawn(maker: Maker, frames: list[Frame], *, size: int, loads: int) -> Syste
     forces = [maker.load(frames, bodies) for _ in range(loads)]
     moved = {leaf for body in bodies for motion in body.frame.motions for leaf in motion.leaves}
     coordinates = [q for q in maker.coordinates if q in moved]
-    return System(bodies, forces, coordinates, gravity=gravity)
+    given = frames[1].parent.motions if frames[1].parent is not None else []
+    functions = {leaf for motion in given for leaf in motion.leaves if leaf.kind == "time_function"}
+    inputs = sorted(functions - {*coordinates}, key=str)
+    return System(bodies, forces, coordinates, gravity=gravity, inputs=inputs)

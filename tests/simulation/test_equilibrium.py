@@ -98,8 +98,10 @@ def test_what_is_held_takes_a_force():
     found = of(linkage, {"F": -100.0}, fixed={"phi": 1.0}, guess={"s": 0.4})
     arm = -r * np.sin(1) - r**2 * np.sin(1) * np.cos(1) / np.sqrt(l**2 - r**2 * np.sin(1) ** 2)
     assert np.isclose(found.holding[linkage["phi"]], 100 * arm, rtol=1e-12)
-    assert found.eigenvalues.size == 0
-    assert found.is_stable
+    assert found.held_eigenvalues.size == 0
+    assert found.is_stable_held
+    assert found.eigenvalues.size == 2
+    assert not found.is_stable
 
 
 def test_a_box_on_a_ball_joint_hangs_below_it():

@@ -7,6 +7,7 @@ from scipy.linalg import solve
 
 from symbody import (
     Body,
+    Expr,
     Force,
     System,
     Torque,
@@ -46,7 +47,9 @@ def drive(linkage, motion, instants, parameters=None, **more):
         more["guess"] = {linkage[name]: value for name, value in more["guess"].items()}
     if "unknowns" in more:
         more["unknowns"] = [linkage[name] for name in more["unknowns"]]
-    return inverse_dynamics(linkage.equations, motion, values | {w: 7.0}, instants, **more)
+    if any(isinstance(value, Expr) and value.has(w) for value in motion.values()):
+        values[w] = 7.0
+    return inverse_dynamics(linkage.equations, motion, values, instants, **more)
 
 
 def slope(function, x):

@@ -470,8 +470,8 @@ class TestEndsBeforeTheEnd:
             ModelError,
             (
                 "simulate: the equations hold the functions of time u, which are neither coordinates nor "
-                "speeds; give them "
-                "by time and state, as inputs={u: sin(t)}"
+                "speeds; give them by time and state, as inputs={u: sin(t)}, or add what is unknown to the coordinates "
+                "of the System"
             ),
         ),
         (

@@ -76,11 +76,8 @@ def test_what_nobody_knows_has_no_unit() -> None:
     s, c, r = *functions_of_time("s c"), symbols("r")
     wheel = translate(s, 0, 0) * rotate("Y", s / r)
     hull = floating_frame("hull")
-    system = System(
-        [Body(wheel, 1, 1, 1, 1), Body(hull, 1, 1, 1, 1)],
-        [Force(hull, c, 0, 0, at=origin(hull), on=Body(hull, 1))],
-        [s, c],
-    )
+    bodies = [Body(wheel, 1, 1, 1, 1), Body(hull, 1, 1, 1, 1)]
+    system = System(bodies, [Force(hull, c, 0, 0, at=origin(hull), on=bodies[1])], [s, c])
     coordinates, speeds = overview(system)
     assert [(group.kind, group.unit("s"), len(group.expressions)) for group in (*coordinates, *speeds)] == [
         ("length", "m", 4),

@@ -8,7 +8,15 @@ from symbody.codegen import runtime
 from symbody.codegen.expression import wrapped
 from symbody.codegen.language import Language, functions, number_text
 from symbody.codegen.module import Array, Function, Module
-from symbody.codegen.printer import block_lines, comment_block, compared, head, head_of_function, mark
+from symbody.codegen.printer import (
+    beside_arguments,
+    block_lines,
+    comment_block,
+    compared,
+    head,
+    head_of_function,
+    mark,
+)
 from symbody.codegen.target import Target
 
 __all__ = ["JULIA"]
@@ -146,7 +154,8 @@ def _check(module: Module) -> str:
             lines += wrapped(f"{array.name} = {value}", LANGUAGE, "    ")
     lines += ["    same = true", f'    println("{module.name}: entries, largest relative error")']
     lines += [f"    {_assignment(module.prepare, package)}"] if module.prepare else []
-    for function, references in zip(module.routines, module.references, strict=True):
+    for routine, references in zip(module.routines, module.references, strict=True):
+        function = beside_arguments(module, routine)
         lines += ["", *wrapped(_assignment(function, package), LANGUAGE, "    ")]
         for result, reference in compared(function, references):
             lines += _comparison(function, result, reference)

@@ -8,7 +8,15 @@ from symbody.codegen import runtime
 from symbody.codegen.expression import wrapped
 from symbody.codegen.language import Language, functions, number_text
 from symbody.codegen.module import Array, Function, Module
-from symbody.codegen.printer import block_lines, comment_block, compared, head, head_of_function, mark
+from symbody.codegen.printer import (
+    beside_arguments,
+    block_lines,
+    comment_block,
+    compared,
+    head,
+    head_of_function,
+    mark,
+)
 from symbody.codegen.target import Target
 
 __all__ = ["MATLAB"]
@@ -155,7 +163,8 @@ def _check(module: Module) -> str:
         lines += _wrapped_list(f"{name} = {_column(values)};")
     lines += [f"    fprintf('{module.name}: entries, largest relative error\\n');", "    same = true;"]
     lines += [f"    {_signature(module, module.prepare)};"] if module.prepare else []
-    for function, references in zip(module.routines, module.references, strict=True):
+    for routine, references in zip(module.routines, module.references, strict=True):
+        function = beside_arguments(module, routine)
         lines += ["", *wrapped(f"{_signature(module, function)};", LANGUAGE, "    ")]
         for result, reference in compared(function, references):
             lines += _reference(result, reference)

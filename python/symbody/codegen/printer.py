@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import replace
 from importlib.metadata import version
 from math import isfinite
 from textwrap import wrap
@@ -15,6 +16,7 @@ from symbody.codegen.statement import Block, Clear, Factor, Let, Read, Section, 
 
 __all__ = [
     "MARK",
+    "beside_arguments",
     "block_lines",
     "comment_block",
     "head",
@@ -165,6 +167,20 @@ def compared(
     """Return the results of a function that have finite reference values, with these."""
     pairs = zip(function.results, references, strict=True)
     return [(result, values) for result, values in pairs if all(map(isfinite, values))]
+
+
+def beside_arguments(module: Module, function: Function) -> Function:
+    """Return a function whose results have other names than the module's arguments.
+
+    A self-check that keeps all of them in variables would else give the accelerations that one routine has found to
+    the next one, which takes accelerations as an argument.
+    """
+    taken = {array.name for array in module.arguments} | {r.name for f in module.functions for r in f.results}
+    names = {array.name: f"{array.name}_found" for array in module.arguments}
+    names = {name: other if other not in taken else f"{other}_" for name, other in names.items()}
+    return replace(
+        function, results=tuple(replace(r, name=names.get(r.name, r.name)) for r in function.results)
+    )
 
 
 def comment_block(lines: Iterable[str], sign: str) -> list[str]:

@@ -12,7 +12,7 @@ from symbody.codegen import runtime
 from symbody.codegen.expression import wrapped
 from symbody.codegen.language import Language, functions, number_text
 from symbody.codegen.module import Array, Function, Module
-from symbody.codegen.printer import block_lines, compared, head, head_of_function, mark
+from symbody.codegen.printer import beside_arguments, block_lines, compared, head, head_of_function, mark
 from symbody.codegen.target import Target
 
 __all__ = [
@@ -182,7 +182,8 @@ def check_text(module: Module, library: Library) -> str:
     lines += [f'    print("{module.name}: entries, largest relative error")', "    same = True"]
     if module.prepare:
         lines += [f"    {module.prepare.results[0].name} = {_call(module, module.prepare, library)}"]
-    for function, references in zip(module.routines, module.references, strict=True):
+    for routine, references in zip(module.routines, module.references, strict=True):
+        function = beside_arguments(module, routine)
         names = ", ".join(result.name for result in function.results)
         lines += ["", *wrapped(f"{names} = {_call(module, function, library)}", library.language, "    ")]
         for result, reference in compared(function, references):

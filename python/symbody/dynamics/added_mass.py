@@ -17,23 +17,13 @@ def with_added_mass(mass_matrix: Matrix, system: System) -> Matrix:
     It is symmetric if the loads see to it: a force on one coordinate by the acceleration of another is none that a
     mass could exert.
     """
-    actions = [
-        action
-        for load in system.loads
-        for action in load.actions
-        if action.body in system.bodies and _holds_acceleration(action, system)
-    ]
+    actions = [action for action in system.actions if _holds_acceleration(action, system)]
     return mass_matrix - _slopes(actions, system) if actions else mass_matrix
 
 
 def has_added_mass(system: System) -> bool:
     """Tell whether some load depends on accelerations."""
-    return any(
-        _holds_acceleration(action, system)
-        for load in system.loads
-        for action in load.actions
-        if action.body in system.bodies
-    )
+    return any(_holds_acceleration(action, system) for action in system.actions)
 
 
 def check_loads(system: System, where: str) -> None:

@@ -12,7 +12,6 @@ from symbody.geometry.motion import Motion
 from symbody.geometry.twist import Twist
 from symbody.multibody import Action, Body, System
 from symbody.multibody.coordinate import rate_of_any
-from symbody.multibody.selection import select
 from symbody.symbolic import Expr, derivation, free_symbols
 from symbody.symbolic.arguments import brief
 
@@ -144,7 +143,7 @@ def _check_used(tree: FrameTree, where: str) -> None:
 
 
 def _build(system: System) -> FrameTree:
-    actions = tuple(select(system, "System").actions("System"))
+    actions = system.actions
     targets = [body.frame for body in system.bodies]
     targets += [action.anchor.frame for action in actions if action.is_force]
     given, _ = _ordered(system.root, targets)

@@ -87,8 +87,9 @@ def program(
         Routine("energies", "energies of the bodies", (), _energies(eqs)),
     ]
     if outputs:
+        results = _outputs(outputs, eqs)
         _check_time_functions(outputs, eqs, routines)
-        routines.append(Routine("outputs", "what else was asked for", (), _outputs(outputs)))
+        routines.append(Routine("outputs", "what else was asked for", (), results))
     arguments = _arguments(eqs, _leaves(routines))
     meaning = (
         f"the equations of motion of {', '.join(map(str, eqs.coordinates))}{_drift(eqs, method, baumgarte)}"
@@ -179,14 +180,17 @@ def _energies(eqs: Equations) -> tuple[Result, ...]:
     return kinetic, Result("potential", "the potential energy of weight", (weight,), ())
 
 
-def _outputs(outputs: Mapping[str, Output]) -> tuple[Result, ...]:
+def _outputs(outputs: Mapping[str, Output], eqs: Equations) -> tuple[Result, ...]:
+    """Return the outputs, with the rates of coordinates that are no speeds written by speeds and accelerations."""
     results = []
     for name, value in outputs.items():
         if name in _MEANINGS:
             raise ProgramError(
                 f"program: the output {name} has the name of an argument, {_MEANINGS[name][0]}; choose another name"
             )
-        results.append(_result(name, value))
+        result = _result(name, value)
+        by_speeds = eqs.system.by_speeds(result.expressions)
+        results.append(Result(name, result.meaning, by_speeds, result.shape))
     return tuple(results)
 
 
@@ -281,11 +285,13 @@ def _leaves(routines: Iterable[Routine]) -> frozenset[Expr]:
 
 def _check_time_functions(outputs: Mapping[str, Output], eqs: Equations, routines: Iterable[Routine]) -> None:
     """Raise an error that names the first output with a function of time that the equations don't know."""
-    known = {*_leaves(routines), *eqs.accelerations, *eqs.multipliers, t}
+    motion = {*eqs.coordinates, *eqs.speeds, *eqs.accelerations, *eqs.multipliers}
+    inputs = {leaf.name for leaf in _leaves(routines) if leaf.kind == "time_function"}
+    inputs -= {leaf.name for leaf in motion}
     for name, value in outputs.items():
-        strange = {
-            leaf for leaf in _leaves([_routine("outputs", "", _result(name, value))]) if leaf.depends_on_time
-        } - known
+        leaves = {leaf for leaf in free_symbols(_result(name, value).expressions) if leaf.depends_on_time}
+        known = {*motion, t, *(leaf for leaf in leaves - {t} if leaf.name in inputs)}
+        strange = {leaf for leaf in leaves if not free_symbols(eqs.system.by_speeds([leaf])) <= known}
         if strange:
             first = min(strange, key=_by_name)
             raise ProgramError(

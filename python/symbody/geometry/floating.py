@@ -17,6 +17,7 @@ from symbody.symbolic import (
     Expr,
     cross3,
     dot3,
+    free_symbols,
     number,
     scale3,
     sub3,
@@ -42,7 +43,7 @@ class Floating(Motion):
         twist: of the child in the parent, in the child's axes.
         kinematics: the pose's coordinates, and their rates by the twist.
         speeds: what of the twist is unknown, if nobody says otherwise.
-        ones: coordinates that are one, not zero, where the child is as the parent: e0.
+        quaternion: the Euler parameters of the pose, whose norm is one; empty where it is written in other coordinates.
     """
 
     tag = b"floating"
@@ -53,13 +54,13 @@ class Floating(Motion):
         twist: Twist,
         kinematics: Mapping[Expr, Expr],
         speeds: Sequence[Expr] = (),
-        ones: Sequence[Expr] = (),
+        quaternion: Sequence[Expr] = (),
     ) -> None:
         self._pose = pose
         self.twist = twist
         self.kinematics = dict(kinematics)
         self.speeds = tuple(speeds)
-        self.ones = tuple(ones)
+        self.quaternion = tuple(quaternion)
         self.is_rigid = pose.is_rigid
 
     @property
@@ -89,7 +90,7 @@ class Floating(Motion):
         assert isinstance(pose, Placement), "the inverse of a pose is a pose"
         w, v = (self.to_parent(part) for part in self.twist)
         back = Twist(scale3(number(-1), w), sub3(cross3(w, self.displacement), v))
-        return (Floating(pose, back, self.kinematics, self.speeds, self.ones),)
+        return (Floating(pose, back, self.kinematics, self.speeds, self.quaternion),)
 
     def __repr__(self) -> str:
         if self.ones:
@@ -105,8 +106,8 @@ class Floating(Motion):
             if coordinate not in substitution
         }
         speeds = tuple(speed for speed in self.speeds if speed not in substitution)
-        ones = tuple(one for one in self.ones if one not in substitution)
-        return Floating(self._pose.subs(substitution), Twist((x, y, z), (u, v, w)), known, speeds, ones)
+        quaternion = substitute(self.quaternion, substitution)
+        return Floating(self._pose.subs(substitution), Twist((x, y, z), (u, v, w)), known, speeds, quaternion)
 
 
 def floating(position: Triple, quaternion: Quaternion, twist: Twist, speeds: Sequence[Expr]) -> Floating:
@@ -116,7 +117,7 @@ def floating(position: Triple, quaternion: Quaternion, twist: Twist, speeds: Seq
     v = pose.to_parent(twist.linear)
     e = quaternion_rates(quaternion, twist.angular)
     kinematics = dict(zip((*position, *quaternion), (*v, *e), strict=True))
-    return Floating(pose, twist, kinematics, speeds, quaternion[:1])
+    return Floating(pose, twist, kinematics, speeds, quaternion)
 
 
 def rotation_rows(quaternion: Quaternion) -> Rows:
@@ -146,9 +147,25 @@ def known_rates(kinematics: Mapping[Expr, Expr]) -> dict[Expr, Expr]:
     return {time_derivative(coordinate): rate for coordinate, rate in kinematics.items()}
 
 
+def by_speeds(kinematics: Mapping[Expr, Expr], values: Sequence[Expr]) -> tuple[Expr, ...]:
+    """Return values with the rates of coordinates, of any order, written by the speeds and their rates.
+
+    ``q' = K u`` gives ``q'' = K u' + K' u``, in which ``K'`` holds first rates: each substitution lowers the order.
+    """
+    if not kinematics:
+        return tuple(values)
+    names = {coordinate.name for coordinate in kinematics}
+    rates = (
+        leaf for leaf in free_symbols(list(values)) if leaf.kind == "time_function" and leaf.name in names
+    )
+    known, written = known_rates(kinematics), tuple(values)
+    for _ in range(max((rate.order for rate in rates), default=0)):
+        written = substitute(written, known)
+    return written
+
+
 def rate_by(kinematics: Mapping[Expr, Expr]) -> Rate:
     """Return the time derivative, with the rates of coordinates given by speeds."""
     if not kinematics:
         return time_derivatives
-    known = known_rates(kinematics)
-    return lambda values: substitute(time_derivatives(values), known)
+    return lambda values: by_speeds(kinematics, time_derivatives(values))

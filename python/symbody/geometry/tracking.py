@@ -1,15 +1,36 @@
-"""Tracking equations: the rates of a pose's coordinates by the velocities in its own axes."""
+"""Tracking equations: the rates of a pose's coordinates by the velocities in its own axes.
+
+Where a pose has fewer than six coordinates, the six velocities say some things twice, and the rates can be written in
+several ways: by some of the velocities, or by the least squares of all, ``A^T A q' = A^T v``, which divide by zero only
+where a coordinate moves nothing. All have the same value; the most regular one is taken.
+"""
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Sequence
+from functools import cache
+from itertools import permutations
+
 from symbody.errors import ExpressionError, FrameError
-from symbody.symbolic import Expr, derivation, solve, time_derivative
+from symbody.symbolic import (
+    Expr,
+    derivation,
+    jacobian,
+    matvec3,
+    number,
+    simplify,
+    solve,
+    time_derivative,
+    time_derivatives,
+)
 from symbody.symbolic.arguments import brief
 
 from .floating import Floating
 from .frame import Frame, ground
 from .kinematics import twist
 from .placement import Placement
+from .regular_form import regular_form
+from .triple import Triple
 from .twist import Twist
 
 
@@ -31,17 +52,68 @@ def tracking(pose: Frame, velocities: Twist) -> Floating:
 
 
 def _rates(pose: Frame, velocities: Twist) -> dict[Expr, Expr]:
-    (a, b, c), (d, e, f) = twist(pose)
-    (p, q, r), (u, v, w) = velocities
     coordinates = _coordinates(pose)
+    rates = [time_derivative(x) for x in coordinates]
+    turning, moving = (_less(*parts) for parts in zip(twist(pose), velocities, strict=True))
     try:
-        rates = solve([d - u, e - v, f - w, a - p, b - q, c - r], [time_derivative(x) for x in coordinates])
+        first = solve([*moving, *turning], rates)
     except ExpressionError as failure:
         listed = brief(", ".join(map(str, coordinates)))
         raise FrameError(
             f"moving_frame: the pose by {listed} can't follow the velocities: {failure}"
         ) from failure
-    return dict(zip(coordinates, rates.values(), strict=True))
+    others = _other_ways(turning, _along_ground(pose, velocities), rates) if len(rates) < _ALL else []
+
+    @cache
+    def solution(way: int) -> dict[Expr, Expr]:
+        with derivation(fresh=True):
+            return solve(others[way], rates)
+
+    def forms(rate: Expr) -> Iterator[Expr]:
+        yield first[rate]
+        yield simplify(first[rate])
+        for way in range(len(others)):
+            yield solution(way)[rate]
+            yield simplify(solution(way)[rate])
+
+    return {q: regular_form(forms(rate), coordinates) for q, rate in zip(coordinates, rates, strict=True)}
+
+
+_ALL = 6
+"""Coordinates that need all velocities."""
+
+
+def _less(a: Triple, b: Triple) -> Triple:
+    """Return the difference, as equations are written: of what is looked for and what is given."""
+    return a[0] - b[0], a[1] - b[1], a[2] - b[2]
+
+
+def _along_ground(pose: Frame, velocities: Twist) -> Triple:
+    """Return the equations of the origin's rates in the axes of ground: ``p' - R v = 0``."""
+    (x, y, z), origin = pose.pose
+    p, q, r = time_derivatives(origin)
+    return _less((p, q, r), matvec3((*x, *y, *z), velocities.linear))
+
+
+def _other_ways(turning: Triple, moving: Triple, rates: Sequence[Expr]) -> list[list[Expr]]:
+    """Return equations of the same rates: angular velocities first, in all orders; and least squares."""
+    orders = [[*order, *moving] for order in permutations(turning)]
+    squares = [
+        [*_normal(turning, rates), *moving],
+        [*turning, *_normal(moving, rates)],
+        _normal([*turning, *moving], rates),
+    ]
+    return [*orders, *squares]
+
+
+def _normal(equations: Sequence[Expr], rates: Sequence[Expr]) -> list[Expr]:
+    """Return ``A^T (A q' - v)`` of equations ``A q' - v``."""
+    slopes = jacobian(equations, rates)
+    products = [
+        sum((slopes[i, j] * equation for i, equation in enumerate(equations)), start=number(0))
+        for j in range(len(rates))
+    ]
+    return [product for product in products if not product.is_zero]
 
 
 def _coordinates(pose: Frame) -> list[Expr]:

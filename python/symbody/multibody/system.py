@@ -2,24 +2,26 @@
 
 from __future__ import annotations
 
+import warnings
 from collections.abc import Collection, Iterable, Iterator, Sequence
 from functools import cached_property
 from itertools import count, islice
 from typing import Annotated, TypeAlias, TypeVar, final
 
-from symbody.errors import ConstraintError, ModelError
+from symbody.errors import ConstraintError, ModelError, ModelNotice
 from symbody.geometry import Frame, Scalar, Vector
 from symbody.geometry.argument import checked
-from symbody.geometry.floating import Floating, known_rates, rate_by
+from symbody.geometry.floating import Floating, by_speeds, known_rates, rate_by
 from symbody.geometry.triple import Rate, expression
 from symbody.symbolic import Expr, functions_of_time, time_derivative
 from symbody.symbolic.arguments import brief
-from symbody.symbolic.namesake import namesake_note
 
 from .body import Body
-from .coordinate import check_function_of_time, rate_of_any
+from .coordinate import check_function_of_time
 from .frames import all_frames
-from .load import Load
+from .holonomic import fault_of
+from .load import Action, Load
+from .oversight import notices
 from .physical_inertia import report_impossible_differences
 
 Thing = TypeVar("Thing", Body, Load)
@@ -51,6 +53,8 @@ class System:
         speeds: the functions of time that are velocities in moving frames (quasi-velocities); those of floating frames
             come first unless they are listed.
         multipliers: one function of time per constraint; ``lambda1``, ``lambda2``, ... by default.
+        inputs: the functions of time in frames that are given from outside. Others that move bodies are inputs too, but
+            a notice names them: they may be coordinates that were forgotten. Those in loads need not be listed.
         name: what to call the system.
 
     Sets are put in an order that doesn't depend on the run.
@@ -67,6 +71,7 @@ class System:
         *,
         speeds: Coordinates = (),
         multipliers: Coordinates = (),
+        inputs: Coordinates = (),
         name: str = "",
     ) -> None:
         self.bodies: tuple[Body, ...] = _ordered(bodies)
@@ -81,12 +86,19 @@ class System:
         self.constraints = tuple(expression(constraint) for constraint in constraints)
         self.name = name
         self.multipliers = tuple(multipliers) or self._default_multipliers()
+        self.inputs = tuple(expression(each) for each in inputs)
         self._check()
 
     @property
     def root(self) -> Frame:
         """The frame on which all bodies hang: ground, or a moving master frame."""
         return self.bodies[0].frame.ancestor
+
+    @cached_property
+    def actions(self) -> tuple[Action, ...]:
+        """What the loads do to the bodies; what they do to other bodies is left out."""
+        members = {*self.bodies}
+        return tuple(action for load in self.loads for action in load.actions if action.body in members)
 
     @cached_property
     def driving(self) -> tuple[Expr, ...]:
@@ -119,6 +131,10 @@ class System:
         """The time derivative, with these rates put in."""
         return rate_by(self.kinematics)
 
+    def by_speeds(self, expressions: Sequence[Expr]) -> tuple[Expr, ...]:
+        """Return expressions with the rates of coordinates, of any order, by the speeds and their rates."""
+        return by_speeds(self.kinematics, expressions)
+
     def _check(self) -> None:
         if not self.bodies:
             raise ModelError("System: no bodies; give at least one")
@@ -128,7 +144,10 @@ class System:
         self._check_coordinates()
         self._check_constraints()
         self._check_multipliers()
+        self._check_inputs()
         report_impossible_differences(self.bodies)
+        for notice in notices(self):
+            warnings.warn(f"System: {notice}", ModelNotice, stacklevel=4)
 
     def _check_coordinates(self) -> None:
         if not self.driving:
@@ -148,6 +167,15 @@ class System:
                     "leave it out of one of them"
                 )
 
+    def _check_inputs(self) -> None:
+        for given in self.inputs:
+            check_function_of_time(given, "System: the input")
+            if given in (*self.coordinates, *self.quasi_velocities, *self.multipliers):
+                raise ModelError(
+                    f"System: {given} is an input and unknown; leave it out of inputs, or of coordinates, speeds and "
+                    "multipliers"
+                )
+
     def _check_gravity(self) -> None:
         if self.gravity is not None and self.gravity.frame.ancestor != self.root:
             raise ModelError(
@@ -162,7 +190,7 @@ class System:
                 f"System: {len(self.multipliers)} multipliers for {m} constraints; give one for each"
             )
         for number, constraint in enumerate(self.constraints, start=1):
-            fault = _fault(constraint, self.coordinates, self.quasi_velocities)
+            fault = fault_of(constraint, self.coordinates, self.quasi_velocities)
             if fault:
                 raise ConstraintError(f"System: constraint {number}, {brief(constraint)} = 0, {fault}")
 
@@ -186,12 +214,15 @@ class System:
         free = (name for name in (f"lambda{k}" for k in count(1)) if name not in taken)
         return tuple(functions_of_time(name) for name in islice(free, len(self.constraints)))
 
+    @cached_property
+    def leaves(self) -> frozenset[Expr]:
+        """All symbols and functions of time that stand in the model, also those which its equations don't need."""
+        return frozenset({*self.coordinates, *self.quasi_velocities}).union(
+            *(value.free_symbols for value in self._values())
+        )
+
     def _names(self) -> frozenset[str]:
-        """Return the names of all that stands in the model."""
-        leaves = {*self.coordinates, *self.quasi_velocities}
-        for value in self._values():
-            leaves |= value.free_symbols
-        return frozenset(leaf.name for leaf in leaves if leaf.kind != "application")
+        return frozenset(leaf.name for leaf in self.leaves if leaf.kind != "application")
 
     def _values(self) -> Iterator[Expr]:
         yield from self.constraints
@@ -220,22 +251,6 @@ class System:
         if self.constraints:
             parts.append(f"{len(self.constraints)} constraints")
         return f"System({', '.join([self.name, *parts] if self.name else parts)})"
-
-
-def _fault(constraint: Expr, coordinates: Sequence[Expr], speeds: Sequence[Expr]) -> str:
-    if constraint.is_zero:
-        return "is no condition; leave it out"
-    leaves = constraint.free_symbols
-    if not any(coordinate in leaves for coordinate in coordinates):
-        note = namesake_note(coordinates, leaves, ("among the coordinates", "in the constraint"))
-        return f"holds none of the coordinates; leave it out, or correct it{note}"
-    rate = rate_of_any(coordinates, leaves)
-    speed = next(
-        (u for u in speeds if u.name in {leaf.name for leaf in leaves if leaf.depends_on_time}), None
-    )
-    if speed is not None:
-        return f"holds the speed {speed}; expected an expression of coordinates and time"
-    return "" if rate is None else f"holds the rate {rate}; expected an expression of coordinates and time"
 
 
 def _ordered(things: Collection[Thing]) -> tuple[Thing, ...]:

@@ -10,6 +10,7 @@ from symbody.symbolic.arguments import described, expression
 from symbody.symbolic.namesake import namesake_note
 
 from .event import Event
+from .given_input import check_explicit
 from .model import Model
 
 __all__ = ["asked_outputs", "check_known_along", "parameters_in", "watched_events"]
@@ -55,11 +56,13 @@ def parameters_in(expressions: Sequence[Expr]) -> tuple[Expr, ...]:
 def check_known_along(
     model: Model, outputs: Mapping[str, Expr], events: Sequence[Event], where: str = "simulate"
 ) -> None:
-    """See that outputs and events hold nothing but what a motion of the model knows.
+    """See that inputs, outputs and events hold nothing but what a motion of the model knows.
 
     Raises:
+        ModelError: an input brings accelerations into the equations of motion.
         SimulationError: one holds something else; it is named.
     """
+    check_explicit(model.equations, model.inputs, where)
     wanted = {f"the output {name!r}": value for name, value in outputs.items()}
     wanted |= {f"the event {event}": event.expression for event in events}
     known = {*model.integrated, *model.accelerations, *model.multipliers}

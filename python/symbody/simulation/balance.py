@@ -45,20 +45,12 @@ class Balance:
 
     def values(self, q: Array, forces: Array) -> tuple[Array, Array, Array]:
         """Return the conditions, their derivatives by all coordinates and forces, and the sizes of their terms."""
-        m, n = len(self.equations.constraints), len(self.equations.speeds)
+        m, is_held = len(self.equations.constraints), ~self.is_free
+        holding = np.zeros(len(q))
+        holding[is_held] = forces[m:]
         with np.errstate(all="ignore"):
-            F, slopes, sizes = self.statics.function(self.t, q, forces[:m], self.p)
-            rates = self.rates(q)[~self.is_free]
-        along = np.zeros((len(F), len(self.held)))
-        along[:n] = -rates.T
-        return F + along @ forces[m:], np.hstack([slopes, along]), sizes + np.abs(along) @ np.abs(forces[m:])
-
-    def rates(self, q: Array) -> Array:
-        """Return ``dq'/du``."""
-        rates: Array = self.statics.small_motion(
-            self.t, q, np.zeros(len(self.equations.multipliers)), self.p
-        )[2]
-        return rates
+            F, slopes, sizes = self.statics.function(self.t, q, forces[:m], holding, self.p)
+        return F, slopes[:, np.concatenate([np.ones(len(q) + m, dtype=bool), is_held])], sizes
 
     def scale(self, q: Array, forces: Array) -> Array:
         """Return the sizes of the terms, and no less than what a thousandth of the coordinates makes."""
@@ -116,12 +108,18 @@ class Balance:
         kept: Array = U[:, sizes > 1e-6]
         return kept
 
-    def small_motion(self, q: Array, forces: Array) -> SmallMotion:
-        """Return the linear equations of the motions that constraints and held coordinates allow."""
+    def small_motion(self, q: Array, forces: Array, *, is_held: bool) -> SmallMotion:
+        """Return the linear equations of the motions that the constraints allow.
+
+        Args:
+            q: the equilibrium.
+            forces: the multipliers, and what holds coordinates there.
+            is_held: whether these stay where they are; else they are free, and the forces on them stay as they are.
+        """
         m, n = len(self.equations.constraints), len(self.equations.speeds)
         M, C, K = self.statics.small_motion(self.t, q, forces[:m], self.p)
         _, slopes, _ = self.values(q, forces)
-        reactions = slopes[:n, len(q) :].T
+        reactions = slopes[:n, len(q) : None if is_held else len(q) + m].T
         _, Z = least_norm(reactions, np.zeros(len(reactions)))
         S = slopes[:n, : len(q)] @ K
         return SmallMotion(Z.T @ M @ Z, Z.T @ C @ Z, Z.T @ S @ Z)

@@ -61,6 +61,12 @@ class Batch:
         """Leave behind what is compiled, which is of this process."""
         return {name: value for name, value in self.__dict__.items() if name in self.__dataclass_fields__}
 
+    @property
+    def expressions(self) -> list[Expr]:
+        """What is asked of the model: outputs, events, and what stands for inputs."""
+        events = (event.expression for event in self.events)
+        return [*self.outputs.values(), *events, *dict(self.model.inputs).values()]
+
     @cached_property
     def problem(self) -> Problem:
         """The compiled functions of the integration."""

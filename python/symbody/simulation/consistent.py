@@ -10,16 +10,17 @@ from numpy.typing import ArrayLike, NDArray
 
 from symbody.dynamics import Equations
 from symbody.errors import ConstraintError
-from symbody.symbolic import Expr, ExprLike, time_derivative
+from symbody.symbolic import Expr, ExprLike, number, time_derivative
 
 from .contradiction import contradiction_between, contradictory_rows_of
 from .gauss_newton import gauss_newton
 from .kinematics import Kinematics, kinematics_of, neutral_position
 from .least_norm import least_norm
 from .named_constraint import shortened
+from .unused import notice_unused
 from .values import check_equations, parameter_values, state_values
 
-__all__ = ["consistent_state", "term_sizes"]
+__all__ = ["consistent_state", "start_of", "term_sizes"]
 
 Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]
@@ -69,6 +70,21 @@ def consistent_state(
     >>> [round(value, 12) for value in state.values()]
     [3.0, -4.0, 4.0, 3.0]
     """
+    state = start_of(eqs, parameters, initial, guess=guess, t=t, inputs=inputs)
+    notice_unused(eqs, parameters or {}, [number(value) for value in (inputs or {}).values()], _WHERE)
+    return state
+
+
+def start_of(
+    eqs: Equations,
+    parameters: Mapping[Expr, ArrayLike] | None,
+    initial: Mapping[Expr, ArrayLike] | None,
+    *,
+    guess: Mapping[Expr, ArrayLike] | None = None,
+    t: float = 0.0,
+    inputs: Mapping[Expr, ExprLike] | None = None,
+) -> dict[Expr, float]:
+    """Return the same as `consistent_state`, for other functions that have looked at the parameters themselves."""
     check_equations(eqs, _WHERE)
     kinematics = kinematics_of(eqs, inputs)
     kinematics.check_inputs(_WHERE)

@@ -148,8 +148,9 @@ class DifferentialAlgebraicEquations:
 
     def observed(self, expressions: Sequence[Expr]) -> PreparedCode:
         """Return the machine code of expressions of time, state, accelerations, multipliers and parameters."""
-        by_state = substitute(expressions, self.model.system.known_rates)
-        values = self.model.with_inputs(by_state)
+        values = self.model.with_inputs(expressions)
+        if any(leaf.depends_on_time for leaf in free_symbols(values) - {*self.inputs}):
+            values = self.model.along_motion(expressions)  # rates of accelerations are no unknowns
         leaves = free_symbols(values)
         parameters = sorted(
             (leaf for leaf in leaves if leaf.kind == "symbol" and not leaf.depends_on_time),

@@ -14,8 +14,9 @@ from symbody.dynamics import Equations
 from symbody.errors import ModelError, SimulationError
 from symbody.symbolic import Expr, Matrix, free_symbols, jacobian, number, substitute, t, time_derivative
 
+from .given_input import Given, with_given
 from .kinematic_analysis import Course
-from .kinematics import Given, magnitude
+from .kinematics import magnitude
 from .least_norm import least_norm_many
 
 __all__ = ["DrivingLoads", "driving_loads"]
@@ -54,8 +55,7 @@ class DrivingLoads:
     @cached_property
     def residuals(self) -> tuple[Expr, ...]:
         """The residuals of the equations of motion, of time, coordinates, speeds and accelerations."""
-        known = self.equations.system.known_rates
-        return substitute(substitute(self.equations.residuals, dict(self.given)), known)
+        return with_given(self.equations.system, self.given, self.equations.residuals)
 
     @cached_property
     def parameters(self) -> tuple[Expr, ...]:
@@ -89,7 +89,7 @@ class DrivingLoads:
         """Return ``-K^T``, with K the derivatives by the speeds of the rates along which forces are."""
         eqs = self.equations
         rates = [eqs.kinematics.get(time_derivative(name), name) for name in self.along]
-        return -jacobian(list(substitute(rates, dict(self.given))), list(eqs.speeds)).T
+        return -jacobian(list(with_given(eqs.system, self.given, rates)), list(eqs.speeds)).T
 
     def _check_linear(self, slopes: Sequence[Sequence[Expr]]) -> None:
         leaves = free_symbols(self.residuals)

@@ -17,6 +17,7 @@ from .consistent import beginnings, positions
 from .kinematics import kinematics_of
 from .named_constraint import shortened
 from .statics import statics_of
+from .unused import notice_unused
 from .values import given_inputs, parameter_values, state_values
 
 __all__ = ["Equilibrium", "equilibrium"]
@@ -37,7 +38,10 @@ class Equilibrium:
         multipliers: the multipliers of the constraints.
         holding: the forces along the coordinates that were fixed, which hold them.
         residual: the largest force or moment that is left in the equations of motion.
-        eigenvalues: the s of the small motions ``x exp(s t)`` about it, in 1/s, the fastest growing first.
+        eigenvalues: the s of the small motions ``x exp(s t)`` about it, in 1/s, the fastest growing first. Nothing is
+            held: the holding forces act on as constant forces along the coordinates that were fixed.
+        held_eigenvalues: those of the motions in which the fixed coordinates stay where they are; the same ones where
+            nothing is fixed.
     """
 
     coordinates: dict[Expr, float]
@@ -45,12 +49,22 @@ class Equilibrium:
     holding: dict[Expr, float]
     residual: float
     eigenvalues: NDArray[np.complex128]
+    held_eigenvalues: NDArray[np.complex128]
 
     @property
     def is_stable(self) -> bool:
-        """Whether no small motion about it grows: none of the eigenvalues has a positive real part."""
-        size = np.abs(self.eigenvalues).max(initial=0.0)
-        return bool((self.eigenvalues.real <= 1e-8 * size).all())
+        """Whether no small motion of the free system grows: none of the eigenvalues has a positive real part."""
+        return _decays(self.eigenvalues)
+
+    @property
+    def is_stable_held(self) -> bool:
+        """Whether no small motion grows while the fixed coordinates stay where they are."""
+        return _decays(self.held_eigenvalues)
+
+
+def _decays(eigenvalues: NDArray[np.complex128]) -> bool:
+    size = np.abs(eigenvalues).max(initial=0.0)
+    return bool((eigenvalues.real <= 1e-8 * size).all())
 
 
 def equilibrium(
@@ -66,6 +80,10 @@ def equilibrium(
 
     ``-forcing - phi_q^T lambda = 0`` and ``phi = 0`` at zero speeds and accelerations, by damped Gauss-Newton steps
     with derivatives from the graph. Which of several equilibria is found depends on the guess; it may be unstable.
+
+    Where coordinates are fixed, the system by itself stays at rest there only if the forces that hold them are zero, or
+    act on as constant forces along these coordinates: so the eigenvalues are meant. Those of the system that is held
+    have a name of their own.
 
     Args:
         eqs: equations of motion.
@@ -94,6 +112,7 @@ def equilibrium(
     p = parameter_values(statics.parameters, parameters, where=_WHERE)
     held = state_values(eqs.system, fixed, where=_WHERE, argument="fixed", has_speeds=False)
     near = state_values(eqs.system, guess, where=_WHERE, argument="guess", has_speeds=False)
+    notice_unused(eqs, parameters or {}, list(given.values()), _WHERE)
     problem = Balance(statics, t, p, tuple(held))
     constants = dict(zip(statics.parameters, p, strict=True))
     of_constraints = np.array([constants[name] for name in kinematics.parameters])
@@ -114,7 +133,8 @@ def _result(problem: Balance, solution: tuple[Array, Array]) -> Equilibrium:
         multipliers=_named(problem.equations.multipliers, forces[:m]),
         holding=_named(order, forces[m:]),
         residual=float(np.abs(F[:n]).max()),
-        eigenvalues=problem.small_motion(q, forces).eigenvalues(),
+        eigenvalues=problem.small_motion(q, forces, is_held=False).eigenvalues(),
+        held_eigenvalues=problem.small_motion(q, forces, is_held=True).eigenvalues(),
     )
 
 

@@ -12,16 +12,18 @@ from symbody.codegen import lambdify
 from symbody.dynamics import Equations
 from symbody.errors import ArgumentError, ModelError, SimulationError
 from symbody.multibody import System
-from symbody.symbolic import Expr, ExprLike, free_symbols, number, substitute
+from symbody.symbolic import Expr, ExprLike, free_symbols, number
 from symbody.symbolic import t as symbolic_time
 from symbody.symbolic.arguments import described
 from symbody.symbolic.namesake import namesake_note
 
 from .driven_motion import followed_motion, prescribed_motion
 from .driving_load import driving_loads
+from .given_input import with_given
 from .kinematics import Kinematics, kinematics_of
 from .motion import Motion
 from .unknown import unknown_variables
+from .unused import notice_unused
 from .values import given_inputs
 
 __all__ = ["InverseDynamics", "inverse_dynamics"]
@@ -81,19 +83,22 @@ class InverseDynamics:
             SimulationError: an expression of something that isn't known here.
         """
         system = self.system
-        wanted = substitute([number(each) for each in expressions], dict(self.inputs))
-        wanted = substitute(wanted, system.known_rates)
+        asked = [number(each) for each in expressions]
+        wanted = self._by_state(asked)
         states = [*system.coordinates, *system.speeds, *system.accelerations, *system.multipliers]
         own = {*system.coordinates, *system.driving}
         loads = {name: values for name, values in self.forces.items() if name not in own}
-        self._check_known(wanted, {symbolic_time, *states, *loads, *self.parameters})
+        self._check_known(asked, {symbolic_time, *states, *loads, *self.parameters})
         function = lambdify([symbolic_time, states, list(loads), list(self.parameters)], list(wanted))
         rows = np.hstack([self.coordinates, self.speeds, self.accelerations, self.multipliers]).T
         forces = np.array(list(loads.values())).reshape(len(loads), len(self))
         return np.asarray(function(self.t, rows, forces, _column(self.parameters.values())))
 
-    def _check_known(self, wanted: Iterable[Expr], known: set[Expr]) -> None:
-        strange = free_symbols(list(wanted)) - known
+    def _by_state(self, expressions: Sequence[Expr]) -> tuple[Expr, ...]:
+        return with_given(self.system, tuple(self.inputs.items()), expressions)
+
+    def _check_known(self, asked: Sequence[Expr], known: set[Expr]) -> None:
+        strange = [leaf for leaf in free_symbols(asked) if not free_symbols(self._by_state([leaf])) <= known]
         if strange:
             loads = ", and of the loads that were solved for"
             note = namesake_note(strange, known, ("asked for", "of the motion"))
@@ -156,6 +161,10 @@ def inverse_dynamics(
         driven = followed_motion(kinematics, motion, needed, numbers)
     else:
         driven = prescribed_motion(kinematics, motion, t, needed, numbers, guess)
+    formulas = (
+        [value for value in motion.values() if isinstance(value, Expr)] if isinstance(motion, Mapping) else []
+    )
+    notice_unused(eqs, numbers, [*given.values(), *formulas], _WHERE)
     equations = driving_loads(eqs, kinematics.given, () if loads else driven.driving, loads, _WHERE)
     forces, multipliers = equations.solved(driven.instants, driven.course, driven.parameters)
     return InverseDynamics(

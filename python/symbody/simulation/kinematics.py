@@ -17,10 +17,11 @@ from symbody.multibody import System
 from symbody.multibody.frames import all_frames
 from symbody.symbolic import Abs, Expr, ExprLike, derivation, free_symbols, jacobian, number, substitute, t
 
-__all__ = ["Kinematics", "kinematics_of", "magnitude", "neutral_position"]
+from .given_input import Given, with_given
+
+__all__ = ["Kinematics", "kinematics_of", "magnitude", "neutral_position", "quaternions"]
 
 Array = NDArray[np.float64]
-Given = tuple[tuple[Expr, Expr], ...]
 
 
 @dataclass(frozen=True, eq=False)
@@ -82,7 +83,7 @@ class Kinematics:
         return [t, state, list(self.parameters)]
 
     def _with_inputs(self, expressions: Iterable[Expr]) -> tuple[Expr, ...]:
-        return substitute(tuple(expressions), dict(self.given))
+        return with_given(self.system, self.given, tuple(expressions))
 
     def check_inputs(self, where: str) -> None:
         """Raise an error for functions of time that have no values.
@@ -118,10 +119,16 @@ def magnitude(expression: Expr) -> Expr:
     return sum(terms, start=number(0))
 
 
+def quaternions(system: System) -> tuple[tuple[Expr, ...], ...]:
+    """Return the Euler parameters of floating frames, four each, that hold coordinates."""
+    frames = all_frames(system.bodies, system.loads, system.gravity)
+    found = [frame.motion.quaternion for frame in frames if isinstance(frame.motion, Floating)]
+    return tuple(four for four in dict.fromkeys(found) if not {*four}.isdisjoint(system.coordinates))
+
+
 def neutral_position(system: System) -> Array:
     """Return the coordinates where nobody says more: zero, and no rotation of floating frames, e0 = 1."""
-    frames = all_frames(system.bodies, system.loads, system.gravity)
-    ones = {one for frame in frames if isinstance(frame.motion, Floating) for one in frame.motion.ones}
+    ones = {four[0] for four in quaternions(system)}
     return np.array([1.0 if q in ones else 0.0 for q in system.coordinates])
 
 

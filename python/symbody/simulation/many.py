@@ -33,6 +33,7 @@ from .progress import progress_bar
 from .results import Results
 from .results_file import ResultsFile
 from .runs import Runs
+from .unused import notice_unused
 from .values import given_inputs, vanishing
 from .workers import Part, by_executor, cores, in_threads
 
@@ -126,6 +127,7 @@ def simulate_many(
         keeps_states=keep_states,
     )
     check_cases(batch, all_cases)
+    notice_unused(eqs, all_cases.parameters, batch.expressions, PLACE)
     file = None if path is None else ResultsFile(Path(path), problem_digest(batch, all_cases))
     results = _begun(file, batch.empty_results(all_cases.count))
     run = _Run(batch, all_cases, results, file)

@@ -10,10 +10,12 @@ from functools import cached_property, lru_cache
 from symbody.codegen import CompiledFunction, PreparedCode, Shortcut, lambdify
 from symbody.dynamics import Equations, ForwardDynamics, forward_dynamics
 from symbody.errors import ModelError
-from symbody.multibody import System, gravitational_energy, kinetic_energy, power
-from symbody.symbolic import Expr, ExprLike, cost, free_symbols, number, substitute, symbols, t
+from symbody.multibody import System, gravitational_energy, kinetic_energy
+from symbody.multibody.load import action_power
+from symbody.symbolic import Expr, ExprLike, cost, derivation, free_symbols, number, substitute, symbols, t
 from symbody.symbolic import jacobian as jacobian_of
 
+from .given_input import with_given
 from .least_change import LeastChange, least_change
 
 __all__ = ["DAMPING", "Model", "model_of"]
@@ -152,7 +154,8 @@ class Model:
     @cached_property
     def power(self) -> Expr | None:
         """The power of loads and moving constraints, by accelerations and multipliers; None where nothing does work."""
-        total = sum((power(load) for load in self.system.loads), start=number(0))
+        with derivation():
+            total = sum(map(action_power, self.system.actions), start=number(0))
         if self.constraints:
             at_rest = dict.fromkeys(self.speeds, number(0))
             drifts = substitute(self.system.rate(self.constraints), at_rest)
@@ -189,15 +192,23 @@ class Model:
 
     def with_inputs(self, expressions: Sequence[Expr]) -> tuple[Expr, ...]:
         """Return the expressions with what is given for the inputs, and rates of coordinates by the speeds."""
-        given = substitute(expressions, dict(self.inputs)) if self.inputs else tuple(expressions)
-        return substitute(given, self.system.known_rates) if self.system.known_rates else given
+        return with_given(self.system, self.inputs, expressions)
 
     def along_motion(self, expressions: Sequence[Expr]) -> tuple[Expr, ...]:
-        """Return the expressions with the accelerations and multipliers that the equations of motion give."""
-        found, unknown = free_symbols(list(expressions)), {*self.accelerations, *self.multipliers}
-        if found.isdisjoint(unknown):
-            return self.with_inputs(expressions)
-        return self._along(self.solution, expressions)
+        """Return the expressions with the accelerations and multipliers that the equations of motion give.
+
+        Higher rates are the derivatives of these along the motion: each substitution lowers their order.
+        """
+        values = self.with_inputs(expressions)
+        for _ in range(self._rates_above_state(values)):
+            values = self.with_inputs(self._along(self.solution, values))
+        return values
+
+    def _rates_above_state(self, expressions: Sequence[Expr]) -> int:
+        """Return of which order the highest rates are: 1 for accelerations and multipliers, 0 without any."""
+        first = {unknown.name: unknown.order for unknown in (*self.accelerations, *self.multipliers)}
+        functions = (leaf for leaf in free_symbols(list(expressions)) if leaf.kind == "time_function")
+        return max((leaf.order - first[leaf.name] + 1 for leaf in functions if leaf.name in first), default=0)
 
     def _along(self, solution: ForwardDynamics, expressions: Sequence[Expr]) -> tuple[Expr, ...]:
         values = {

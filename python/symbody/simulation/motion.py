@@ -35,7 +35,8 @@ Array = NDArray[np.float64]
 class Motion:
     """A motion: the state at each instant, and the value of any expression of the model along it.
 
-    ``motion[expression]`` takes expressions of time, coordinates, speeds, accelerations, multipliers and parameters.
+    ``motion[expression]`` takes expressions of time, coordinates, speeds, accelerations, multipliers and parameters,
+    and derivatives of these by time.
 
     Attributes:
         model: what moves.
@@ -105,14 +106,14 @@ class Motion:
         """Raise an error that names what has no value."""
         model = self.model
         known = {*model.integrated, *model.accelerations, *model.multipliers, *self.parameters}
-        known |= {key for key, _ in model.inputs}
-        strange = free_symbols(model.with_inputs(wanted)) - known
+        strange = [
+            leaf for leaf in free_symbols(wanted) if not free_symbols(model.along_motion([leaf])) <= known
+        ]
         note = namesake_note(strange, known, ("asked for", "of the motion"))
-        symbols = [leaf for leaf in strange if leaf.kind == "symbol"]
+        symbols = sorted(str(leaf) for leaf in strange if leaf.kind == "symbol")
         if symbols:
             raise ParameterError(
-                f"motion: {', '.join(sorted(map(str, symbols)))} has no value in this motion; give it with the "
-                f"parameters of simulate{note}"
+                f"motion: {', '.join(symbols)} has no value in this motion; give it with the parameters of simulate{note}"
             )
         if strange:
             raise SimulationError(unknown_variables("motion", strange, self.model.system) + note)

@@ -32,6 +32,7 @@ from .motion_of import motion_of
 from .notices import Integrated, findings_of, notices_of_motion
 from .options import instants_of, kept_by, options_of
 from .progress import progress_bar
+from .unused import notice_unused
 from .values import given_inputs, parameter_values, vanishing
 
 __all__ = ["simulate"]
@@ -62,7 +63,8 @@ def simulate(
 
     Args:
         eqs: the equations of motion.
-        parameters: values of the parameters, also of those that stand in events and outputs alone; others may be there.
+        parameters: values of the parameters, also of those that stand in events and outputs alone. Others of the model
+            may be there; one that stands nowhere in it is named in a notice.
         initial: values of coordinates, their rates or speeds at the first instant. What isn't named is free: zero
             without constraints, and changed as little as the constraints demand with them.
         t: the first and the last instant (1001 instants, evenly spaced), or the instants themselves, in s.
@@ -104,6 +106,7 @@ def simulate(
     others = parameters_in([*asked.values(), *(event.expression for event in watched)])
     values = parameter_values((*plain.parameters, *others), parameters)[: len(plain.parameters)]
     given = {name: float(value) for name, value in (parameters or {}).items()}
+    notice_unused(eqs, given, [*dict(plain.inputs).values(), *others], "simulate")
     state = begin(plain, given, initial or {}, guess or {}, float(instants[0]))
     is_damped = bool(eqs.constraints) and kept not in {"projection", "free"}
     model = modelled(is_stabilized=True) if is_damped else plain

@@ -7,18 +7,17 @@ from functools import cached_property, lru_cache
 
 from symbody.codegen import CompiledFunction, lambdify
 from symbody.dynamics import Equations
-from symbody.geometry.floating import Floating
-from symbody.multibody.frames import all_frames
-from symbody.symbolic import Expr, free_symbols, jacobian, number, substitute, t
+from symbody.symbolic import Expr, free_symbols, gradient, jacobian, number, substitute, symbol, t
 
-from .kinematics import Given, magnitude
+from .given_input import Given, with_given
+from .kinematics import magnitude, quaternions
 
 __all__ = ["Statics", "statics_of"]
 
 
 @dataclass(frozen=True, eq=False)
 class Statics:
-    """The conditions of equilibrium ``-forcing - phi_q^T lambda = 0`` and ``phi = 0``, compiled for numbers.
+    """The conditions of equilibrium ``-forcing - phi_q^T lambda - K^T h = 0`` and ``phi = 0``, compiled for numbers.
 
     Attributes:
         equations: the equations of motion.
@@ -38,42 +37,42 @@ class Statics:
     @cached_property
     def quaternions(self) -> tuple[tuple[Expr, ...], ...]:
         """The Euler parameters of floating frames, whose norms are one."""
-        system = self.equations.system
-        found = []
-        for frame in all_frames(system.bodies, system.loads, system.gravity):
-            if isinstance(frame.motion, Floating):
-                shifts = free_symbols(frame.motion.displacement)
-                found.append(tuple(q for q in frame.motion.kinematics if q not in shifts))
-        return tuple(dict.fromkeys(quaternion for quaternion in found if quaternion))
+        return quaternions(self.equations.system)
+
+    @cached_property
+    def holding(self) -> tuple[Expr, ...]:
+        """Stand-ins for forces h along the coordinates."""
+        return tuple(
+            symbol(f"holding {k}") for k in range(len(self.equations.coordinates))
+        )  # as no user writes
 
     @cached_property
     def conditions(self) -> tuple[Expr, ...]:
         """What is zero: the residuals at rest, the constraints, and one less the squares of Euler parameters."""
         at_rest = dict.fromkeys((*self.equations.accelerations, *self.equations.speeds), number(0))
-        residuals = substitute(self._residuals, at_rest)
-        constraints = substitute(self.equations.constraints, dict(self.given))
+        power = sum((h * rate for h, rate in zip(self.holding, self._rates, strict=True)), start=number(0))
+        along = gradient(power, self.equations.speeds)
+        residuals = substitute([r - h for r, h in zip(self._residuals, along, strict=True)], at_rest)
+        constraints = self._with_given(self.equations.constraints)
         norms = [sum((e * e for e in four), start=number(-1)) for four in self.quaternions]
         return (*residuals, *constraints, *norms)
 
     @cached_property
     def function(self) -> CompiledFunction:
-        """The function of t, q, lambda and p that returns the conditions, their derivatives and sizes of terms."""
-        q, multipliers = self.equations.coordinates, self.equations.multipliers
-        slopes = jacobian(list(self.conditions), [*q, *multipliers])
+        """The function of t, q, lambda, h and p that returns the conditions, their derivatives and sizes of terms."""
+        unknowns = [[*self.equations.coordinates], [*self.equations.multipliers], [*self.holding]]
+        slopes = jacobian(list(self.conditions), [name for names in unknowns for name in names])
         sizes = [magnitude(condition) for condition in self.conditions]
-        return lambdify(
-            [t, list(q), list(multipliers), list(self.parameters)], [list(self.conditions), slopes, sizes]
-        )
+        return lambdify([t, *unknowns, list(self.parameters)], [list(self.conditions), slopes, sizes])
 
     @cached_property
     def small_motion(self) -> CompiledFunction:
-        """The function of t, q, lambda and p that returns M, ``dr/du`` and ``dq'/du`` at rest."""
+        """The function of t, q, lambda and p that returns M, ``dr/du`` and ``K = dq'/du`` at rest."""
         eqs = self.equations
         at_rest = dict.fromkeys((*eqs.accelerations, *eqs.speeds), number(0))
         inertia = jacobian(list(self._residuals), list(eqs.accelerations)).subs(at_rest)
         damping = jacobian(list(self._residuals), list(eqs.speeds)).subs(at_rest)
-        kinematics = substitute(tuple(eqs.kinematics.values()), dict(self.given))
-        rates = jacobian(list(kinematics), list(eqs.speeds))
+        rates = jacobian(list(self._rates), list(eqs.speeds))
         variables: list[Expr | list[Expr]] = [
             t,
             list(eqs.coordinates),
@@ -83,9 +82,15 @@ class Statics:
         return lambdify(variables, [inertia, damping, rates])
 
     @cached_property
+    def _rates(self) -> tuple[Expr, ...]:
+        return self._with_given(tuple(self.equations.kinematics.values()))
+
+    @cached_property
     def _residuals(self) -> tuple[Expr, ...]:
-        known = self.equations.system.known_rates
-        return substitute(substitute(self.equations.residuals, dict(self.given)), known)
+        return self._with_given(self.equations.residuals)
+
+    def _with_given(self, expressions: tuple[Expr, ...]) -> tuple[Expr, ...]:
+        return with_given(self.equations.system, self.given, expressions)
 
 
 @lru_cache(maxsize=32)

@@ -17,6 +17,7 @@ from symbody.symbolic.arguments import described, expression
 from symbody.symbolic.namesake import namesake_note
 
 from .cases import column_of
+from .given_input import check_no_circle
 
 __all__ = [
     "check_equations",
@@ -159,9 +160,12 @@ def given_inputs(
     if missing:
         raise ModelError(
             f"{where}: the equations hold the functions of time {_listed(missing)}, which are neither coordinates nor "
-            f"speeds; give them by time and state, as inputs={{{missing[0]}: sin(t)}}"
+            f"speeds; give them by time and state, as inputs={{{missing[0]}: sin(t)}}, or add what is unknown to the "
+            "coordinates of the System"
         )
-    return {function: _input(eqs, function, value, where) for function, value in given.items()}
+    formulas = {function: _input(eqs, function, value, where) for function, value in given.items()}
+    check_no_circle(eqs.system, formulas, where)
+    return formulas
 
 
 def check_equations(eqs: object, where: str) -> None:

@@ -1,0 +1,47 @@
+"""Oversights: what a user may have forgotten in a system, where it can be derived none the less."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+from symbody.geometry.floating import Floating
+
+if TYPE_CHECKING:
+    from .system import System
+
+__all__ = ["notices"]
+
+
+def notices(system: System) -> Iterator[str]:
+    """Return what a user should look at: loads on other bodies, and motions that nobody has called unknown or given."""
+    yield from _foreign_loads(system)
+    yield from _given_motions(system)
+
+
+def _foreign_loads(system: System) -> Iterator[str]:
+    members = {*system.bodies}
+    for load in system.loads:
+        bodies = dict.fromkeys(action.body for action in load.actions)
+        strangers = [body for body in bodies if body not in members]
+        if not strangers:
+            continue
+        named = " and ".join(map(str, strangers))
+        outside = "none of its bodies" if len(strangers) == 1 else "not among its bodies"
+        what = "is left out, for it acts" if len(strangers) == len(bodies) else "acts"
+        left = "" if len(strangers) == len(bodies) else ", which is left out"
+        yield f"{load} {what} on {named}, {outside}{left}; add what is missing to bodies"
+
+
+def _given_motions(system: System) -> Iterator[str]:
+    """Return the functions of time that move bodies, and stand in no list."""
+    known = {*system.coordinates, *system.quasi_velocities, *system.inputs}
+    motions = (m for body in system.bodies for m in body.frame.motions if not isinstance(m, Floating))
+    functions = {leaf for motion in motions for leaf in motion.leaves if leaf.kind == "time_function"}
+    given = sorted(str(function) for function in functions - known if not function.order)
+    if given:
+        moves, adds = ("moves", "is no coordinate") if len(given) == 1 else ("move", "are no coordinates")
+        yield (
+            f"{', '.join(given)} {moves} bodies and {adds}, so that the motion must be given from outside; add "
+            "what is unknown to coordinates=[...], what is given to inputs=[...]"
+        )

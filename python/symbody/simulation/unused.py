@@ -1,0 +1,44 @@
+"""Values that nothing uses: of parameters that stand nowhere in a model, and in nothing that is asked of it."""
+
+from __future__ import annotations
+
+import warnings
+from collections.abc import Iterable, Sequence
+from difflib import get_close_matches
+
+from symbody.dynamics import Equations
+from symbody.errors import ModelNotice
+from symbody.symbolic import Expr, free_symbols
+
+__all__ = ["notice_unused"]
+
+
+def notice_unused(
+    eqs: Equations, given: Iterable[Expr], asked: Sequence[Expr], where: str, *, stacklevel: int = 3
+) -> None:
+    """Name the parameters that have a value and stand nowhere: not in the model, and in nothing that is asked of it.
+
+    One dictionary of parameters serves all calls of a model: those which some call doesn't need, such as a mass that
+    cancels, stand in its bodies, loads or frames, and are none of these.
+
+    Args:
+        eqs: the equations.
+        given: the parameters that have values.
+        asked: other expressions: outputs, events, what stands for inputs.
+        where: the function that the user called.
+        stacklevel: how far above the user is.
+    """
+    known = {*eqs.parameters, *eqs.system.leaves, *free_symbols(list(asked))}
+    unused = sorted(str(name) for name in {*given} - known)
+    if not unused:
+        return
+    names = sorted(str(leaf) for leaf in known if leaf.kind == "symbol")
+    near = sorted({match for name in unused for match in get_close_matches(name, names, n=2, cutoff=0.6)})
+    what, stands = ("parameter", "stands") if len(unused) == 1 else ("parameters", "stand")
+    meant = f"; did you mean {' or '.join(near)}?" if near else ""
+    warnings.warn(
+        f"{where}: the {what} {', '.join(unused)} {stands} nowhere in this model, nor in outputs, events and inputs: "
+        f"the value has no effect{meant}",
+        ModelNotice,
+        stacklevel=stacklevel,
+    )

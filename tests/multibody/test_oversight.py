@@ -1,0 +1,135 @@
+"""Oversights in a system: named once, when it is made, and nowhere else."""
+
+from __future__ import annotations
+
+import warnings
+
+import pytest
+
+from symbody import (
+    Body,
+    Force,
+    ModelNotice,
+    System,
+    Torque,
+    Vector,
+    forward_dynamics,
+    functions_of_time,
+    generate,
+    ground,
+    lagrange_equations,
+    moving_frame,
+    newton_euler,
+    rotate,
+    simulate,
+    sin,
+    symbols,
+    t,
+    time_derivative,
+    translate,
+)
+from symbody.errors import ModelError
+
+x, phi, tau = functions_of_time("x phi tau")
+m, l, g, F = symbols("m l g F")
+cart = Body(translate(x, 0, 0), m, name="cart")
+bob = Body(translate(x, 0, 0) * rotate("Z", phi) * translate(0, -l, 0), m, name="bob")
+WEIGHT = Vector(ground, 0, -g, 0)
+
+
+def notices_of(*args: object, **more: object) -> tuple[System, list[str]]:
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always")
+        system = System(*args, **more)  # type: ignore[arg-type]
+    assert all(issubclass(each.category, ModelNotice) and each.filename == __file__ for each in caught)
+    return system, [str(each.message) for each in caught]
+
+
+@pytest.mark.parametrize(
+    ("load", "message"),
+    [
+        (
+            Force(ground, F, 0, 0, at=bob.center_of_mass, on=bob, name="push"),
+            "System: push is left out, for it acts on bob, none of its bodies; add what is missing to bodies",
+        ),
+        (
+            Torque(ground, 0, 0, F, on=bob, reaction=Body(ground, 1, name="wall"), name="motor"),
+            (
+                "System: motor is left out, for it acts on bob and wall, not among its bodies; add what is missing to "
+                "bodies"
+            ),
+        ),
+        (
+            Force(ground, F, 0, 0, at=cart.center_of_mass, on=cart, reaction=bob, name="spring"),
+            "System: spring acts on bob, none of its bodies, which is left out; add what is missing to bodies",
+        ),
+    ],
+)
+def test_a_load_on_a_foreign_body_is_named_once(load: Force | Torque, message: str) -> None:
+    system, found = notices_of([cart], [load], [x])
+    assert found == [message]
+    for formalism in (newton_euler, lagrange_equations):  # warnings are errors here
+        equations = formalism(system)
+        assert equations.mass_matrix[0, 0] == m
+        forward_dynamics(equations)
+
+
+def test_a_foreign_load_does_no_work_on_the_system() -> None:
+    stray = Force(ground, F, 0, 0, at=bob.center_of_mass, on=bob, name="push")
+    system, _ = notices_of([cart], [stray], [x])
+    motion = simulate(newton_euler(system), {m: 1.0}, {time_derivative(x): 2.0}, t=(0, 1))
+    assert motion.model.power is None
+    assert motion.energy_drift < 1e-12
+
+
+def test_a_forgotten_coordinate_is_named_when_the_system_is_made() -> None:
+    _, found = notices_of([cart, bob], coordinates=[x], gravity=WEIGHT)
+    (notice,) = found
+    assert notice == (
+        "System: phi moves bodies and is no coordinate, so that the motion must be given from outside; add what is "
+        "unknown to coordinates=[...], what is given to inputs=[...]"
+    )
+    _, found = notices_of([bob], coordinates=[tau], gravity=WEIGHT)
+    assert found[0].startswith("System: phi, x move bodies and are no coordinates, so that")
+
+
+def test_what_is_listed_as_an_input_is_meant() -> None:
+    system, found = notices_of([cart, bob], coordinates=[x], gravity=WEIGHT, inputs=[phi])
+    assert found == []
+    equations = newton_euler(system)
+    motion = simulate(equations, {m: 1.0, l: 0.5, g: 9.81}, t=(0, 1), inputs={phi: sin(t)})
+    assert motion[phi][-1] == pytest.approx(0.8414709848)
+    with pytest.raises(ModelError) as caught:
+        simulate(equations, {m: 1.0, l: 0.5, g: 9.81}, t=(0, 1))
+    assert str(caught.value) == (
+        "simulate: the equations hold the functions of time phi, which are neither coordinates nor speeds; give them "
+        "by time and state, as inputs={phi: sin(t)}, or add what is unknown to the coordinates of the System"
+    )
+
+
+def test_inputs_of_loads_and_of_moving_frames_need_no_list() -> None:
+    """Torques and the speeds of moving frames are given as often as not."""
+    drive = Torque(ground, 0, 0, tau, on=bob)
+    assert notices_of([cart, bob], [drive], [x, phi])[1] == []
+    (speed, turn, y, psi) = functions_of_time("speed turn y psi")
+    car = moving_frame(speed, 0, 0, 0, 0, turn, pose=translate(x, y, 0) * rotate("Z", psi))
+    assert notices_of([Body(car, m, Iz=1)], speeds=[turn])[1] == []
+
+
+def test_an_unknown_is_no_input() -> None:
+    with pytest.raises(ModelError) as caught:
+        System([cart, bob], coordinates=[x, phi], inputs=[phi])
+    assert str(caught.value) == (
+        "System: phi is an input and unknown; leave it out of inputs, or of coordinates, speeds and multipliers"
+    )
+    with pytest.raises(ModelError, match="System: the input l isn't a function of time"):
+        System([cart, bob], coordinates=[x, phi], inputs=[l])
+
+
+def test_code_of_a_declared_input(tmp_path: object) -> None:
+    system, _ = notices_of([cart, bob], coordinates=[x], inputs=[phi])
+    program = newton_euler(system).program()
+    assert [a.variables for a in program.arguments if a.name == "r"] == [
+        (phi, time_derivative(phi), time_derivative(phi, 2))
+    ]
+    assert generate(program, "c", str(tmp_path))
