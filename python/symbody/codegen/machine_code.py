@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from symbody.codegen.deficiency import SYSTEMS
 from symbody.codegen.llvm import jit
-from symbody.codegen.llvm.module import batch_text, scalar_text
+from symbody.codegen.llvm.module import batch_modules, scalar_modules
 from symbody.codegen.straight_line import Code, Input, code_of_tape
 from symbody.symbolic import Expr
 from symbody.symbolic.tape import Tape
@@ -96,15 +96,16 @@ class MachineCode:
 
     def _scalar(self) -> jit.Compiled:
         if not self._scalars:
-            text = scalar_text(self._code([0] * len(self.inputs)), "scalar", jit.lanes(), self.tag)
-            self._scalars.append(jit.compiled(text, "scalar"))
+            code = self._code([0] * len(self.inputs))
+            assembly = scalar_modules(code, "scalar", jit.lanes(), self.tag)
+            self._scalars.append(jit.compiled(assembly, "scalar"))
         return self._scalars[0]
 
     def _batch(self, uniform: tuple[bool, ...]) -> jit.Compiled:
         if uniform not in self._batches:
             code = self._code([0 if is_uniform else 1 for is_uniform in uniform])
-            text = batch_text(code, "batch", jit.lanes(), uniform, self.tag)
-            self._batches[uniform] = jit.compiled(text, "batch")
+            assembly = batch_modules(code, "batch", jit.lanes(), uniform, self.tag)
+            self._batches[uniform] = jit.compiled(assembly, "batch")
         return self._batches[uniform]
 
     def _code(self, stages: Sequence[int]) -> Code:

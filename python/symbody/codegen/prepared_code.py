@@ -11,7 +11,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from symbody.codegen.llvm import jit
-from symbody.codegen.llvm.module import scalar_text, shortcut_text
+from symbody.codegen.llvm.assembly import Assembly
+from symbody.codegen.llvm.module import scalar_modules, shortcut_modules
 from symbody.codegen.machine_code import POINTER, next_tag
 from symbody.codegen.preparation import Preparation
 from symbody.codegen.straight_line import Code, Input, code_of, operands, with_operands
@@ -100,19 +101,19 @@ class PreparedCode:
     @cached_property
     def _preparation(self) -> jit.Compiled:
         return _compiled(
-            lambda lanes: scalar_text(self._parts.constants, "prepare", lanes, next_tag()), "prepare"
+            lambda lanes: scalar_modules(self._parts.constants, "prepare", lanes, next_tag()), "prepare"
         )
 
     @cached_property
     def _function(self) -> jit.Compiled:
         outputs, shortcut = self._parts.outputs, self._parts.shortcut
 
-        def text(lanes: int) -> str:
+        def assembly(lanes: int) -> Assembly:
             if shortcut is None:
-                return scalar_text(outputs, "evaluate", lanes, self.tag)
-            return shortcut_text(shortcut, len(self.expressions), outputs, "evaluate", lanes, self.tag)
+                return scalar_modules(outputs, "evaluate", lanes, self.tag)
+            return shortcut_modules(shortcut, len(self.expressions), outputs, "evaluate", lanes, self.tag)
 
-        return _compiled(text, "evaluate")
+        return _compiled(assembly, "evaluate")
 
     def __reduce__(self) -> tuple[Any, ...]:
         return PreparedCode, (self.parameters, self.inputs, self.expressions, self.shortcut)
@@ -127,12 +128,12 @@ class _Parts:
     shortcut: Code | None = None
 
 
-def _compiled(text: Callable[[int], str], name: str) -> jit.Compiled:
+def _compiled(assembly: Callable[[int], Assembly], name: str) -> jit.Compiled:
     if not jit.is_available():
         raise CodegenError(
             "machine code needs the package llvmlite, which is not installed here: pip install llvmlite"
         )
-    return jit.compiled(text(jit.lanes()), name)
+    return jit.compiled(assembly(jit.lanes()), name)
 
 
 def _laid_out(code: Code, position: Callable[[Input], int], size: int) -> Code:

@@ -128,6 +128,8 @@ class _Course:
     def followed(self, state: Array, *, is_shown: bool | None) -> Outcome:
         """Integrate; Ctrl-C ends it between two steps."""
         first, last = float(self.instants[0]), float(self.instants[-1])
+        is_ida = self.options.method in IDA_FORMS
+        problem, constants = (None, np.empty(0)) if is_ida else self._compiled()
         with (
             Interruption() as interruption,
             progress_bar("simulate", last - first, is_shown=is_shown) as show,
@@ -137,20 +139,22 @@ class _Course:
                 show(time - first)
                 return not interruption.is_asked_for
 
-            if self.options.method in IDA_FORMS:
+            if problem is None:
                 size = len(self.model.state)
                 given = (self.parameters, self.instants, self.options, self.events, keep_going)
                 return ida_outcome(self.model, state[:size], *given)
-            problem = Problem.of(
-                self.model,
-                self.options.method,
-                is_projected=self.is_projected,
-                events=self.events,
-            )
-            values = np.array([self.parameters[name] for name in problem.parameters])
-            outcome = run(problem, state, problem.constants(values), self.instants, self.options, keep_going)
+            outcome = run(problem, state, constants, self.instants, self.options, keep_going)
         notice_deficiencies([code.tag for code in problem.codes], self.model.equation_names, "simulate")
         return outcome
+
+    def _compiled(self) -> tuple[Problem, Array]:
+        """Return the compiled functions and their constants; Ctrl-C interrupts, as there is no motion yet to keep."""
+        method, events = self.options.method, self.events
+        problem = Problem.of(self.model, method, is_projected=self.is_projected, events=events)
+        values = np.array([self.parameters[name] for name in problem.parameters])
+        constants = problem.constants(values)
+        problem.native  # noqa: B018 - compiled now
+        return problem, constants
 
     def told(self, outcome: Outcome, asked: Mapping[str, Expr]) -> Motion:
         """Return the motion; raise an error that holds it if it failed."""

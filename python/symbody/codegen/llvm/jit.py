@@ -12,6 +12,7 @@ try:
 except ImportError:  # machines without it evaluate the tape
     llvm = None
 
+from symbody.codegen.llvm.assembly import Assembly
 from symbody.symbolic.kernel import kernel_address
 
 __all__ = ["Compiled", "compiled", "is_available", "lanes"]
@@ -28,11 +29,11 @@ class Compiled:
 
     Attributes:
         address: where the function begins.
-        engine: what owns the memory.
+        engines: what owns the memory.
     """
 
     address: int
-    engine: Any
+    engines: tuple[Any, ...]
 
     def function(self, *arguments: Any) -> Any:
         """Return the function for Python, of these types of C and without a result; it runs without the interpreter."""
@@ -73,8 +74,35 @@ def lanes() -> int:
     return 4 if features.get("avx2") else 2
 
 
-def compiled(text: str, name: str) -> Compiled:
-    """Return the machine code of one function of a module."""
+def compiled(assembly: Assembly, name: str) -> Compiled:
+    """Return the machine code of one function.
+
+    Python takes a turn between two modules: that is when Ctrl-C interrupts.
+    """
+    objects = [_object(part.text) for part in assembly.parts]
+    entry = _loaded(_object(assembly.entry))
+    engines = [_loaded(made) for made in objects]
+    addresses = [
+        engine.get_function_address(part_name)
+        for engine, part in zip(engines, assembly.parts, strict=True)
+        for part_name in part.names
+    ]
+    if addresses:
+        table = (ctypes.c_void_p * len(addresses)).from_address(entry.get_global_value_address("parts"))
+        table[:] = addresses
+    return Compiled(entry.get_function_address(name), (entry, *engines))
+
+
+def _loaded(made: bytes) -> Any:
+    """Return an engine that owns the code of a module; one each, as it looks for constants near the first one's."""
+    engine = llvm.create_mcjit_compiler(llvm.parse_assembly(""), _machine())
+    engine.add_object_file(llvm.ObjectFileRef.from_data(made))
+    engine.finalize_object()
+    return engine
+
+
+def _object(text: str) -> bytes:
+    """Return the machine code of one module, which isn't loaded yet."""
     machine = _machine()
     module = llvm.parse_assembly(text)
     module.triple, module.data_layout = machine.triple, str(machine.target_data)
@@ -84,6 +112,5 @@ def compiled(text: str, name: str) -> Compiled:
     options.loop_vectorization = False
     builder = llvm.create_pass_builder(machine, options)
     builder.getModulePassManager().run(module, builder)
-    engine = llvm.create_mcjit_compiler(module, machine)
-    engine.finalize_object()
-    return Compiled(engine.get_function_address(name), engine)
+    made: bytes = machine.emit_object(module)
+    return made
