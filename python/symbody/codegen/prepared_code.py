@@ -77,8 +77,18 @@ class PreparedCode:
 
     def evaluate(self, parameters: NDArray[np.float64], inputs: NDArray[np.float64]) -> NDArray[np.float64]:
         """Return the outputs for one state."""
-        row, out = np.concatenate([inputs, self.prepare(parameters)]), np.empty(len(self.expressions))
-        self._function.function(POINTER, POINTER)(row.ctypes.data, out.ctypes.data)
+        values: NDArray[np.float64] = self.evaluate_rows(parameters, inputs[np.newaxis])[0]
+        return values
+
+    def evaluate_rows(
+        self, parameters: NDArray[np.float64], rows: NDArray[np.float64]
+    ) -> NDArray[np.float64]:
+        """Return the outputs for states, each a row of inputs, in rows."""
+        constants = np.broadcast_to(self.prepare(parameters), (len(rows), self.constants))
+        states, out = np.hstack([rows, constants]), np.empty((len(rows), len(self.expressions)))
+        function = self._function.function(POINTER, POINTER)
+        for state, row in zip(states, out, strict=True):
+            function(state.ctypes.data, row.ctypes.data)
         return out
 
     @cached_property
