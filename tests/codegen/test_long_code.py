@@ -26,6 +26,7 @@ from symbody import (
     ground,
     lagrange_equations,
     lambdify,
+    linear_solve,
     rotate,
     simulate,
     sin,
@@ -187,3 +188,17 @@ def test_code_in_several_modules_runs_from_any_thread():
     again = np.empty((1, 100_000))
     code.evaluate_columns(columns, 100_000, again)
     assert np.array_equal(out, again)
+
+
+def test_zeros_of_large_matrices_are_set_at_once():
+    """A band of three in 30 equations: 88 entries are stored, and no zero is."""
+    band = {-1: y, 0: 4 + x, 1: x * y}
+    matrix = [[band.get(j - i, 0) for j in range(30)] for i in range(30)]
+    solution = list(linear_solve(matrix, [1 + k * x for k in range(30)]))
+    for is_batch in (False, True):
+        assert not re.search(r"store double 0x0000000000000000,", "".join(texts(solution, is_batch=is_batch)))
+    values = np.linspace(0.1, 1.0, 9)
+    found = lambdify([x, y], solution, compile=True)(values, 0.5)
+    for value, column in zip(values, found.T, strict=True):
+        numbers = np.diag(np.full(30, 4 + value)) + np.diag([0.5] * 29, -1) + np.diag([value * 0.5] * 29, 1)
+        np.testing.assert_allclose(column, np.linalg.solve(numbers, 1 + value * np.arange(30)), rtol=1e-12)

@@ -29,7 +29,7 @@ from .model import DAMPING, Model, model_of
 from .motion import Motion
 from .motion_of import motion_of
 from .options import instants_of, kept_by, options_of
-from .progress import progress_bar
+from .progress import preparation_bar, progress_bar
 from .values import given_inputs, parameter_values, vanishing
 
 __all__ = ["simulate"]
@@ -76,7 +76,8 @@ def simulate(
             its (omega, zeta), damping of what is off; "free", neither. IDA's methods keep them by themselves.
         guess: where to look for an initial state that satisfies the constraints, for what isn't given.
         max_step: the longest step, in s.
-        progress: whether to show a bar; by default where messages go to a terminal, on long runs.
+        progress: whether to show bars, of derivation and compilation after two seconds, and of the integration; by
+            default where messages go to a terminal.
 
     Raises:
         ParameterError: a value is missing, belongs to nothing, or isn't finite.
@@ -102,7 +103,8 @@ def simulate(
     others = parameters_in([*asked.values(), *(event.expression for event in watched)])
     values = parameter_values((*plain.parameters, *others), parameters)[: len(plain.parameters)]
     given = {name: float(value) for name, value in (parameters or {}).items()}
-    state = begin(plain, given, initial or {}, guess or {}, float(instants[0]))
+    with preparation_bar(is_shown=progress):
+        state = begin(plain, given, initial or {}, guess or {}, float(instants[0]))
     is_damped = bool(eqs.constraints) and kept not in {"projection", "free"}
     model = modelled(is_stabilized=True) if is_damped else plain
     if is_damped:
@@ -129,7 +131,8 @@ class _Course:
         """Integrate; Ctrl-C ends it between two steps."""
         first, last = float(self.instants[0]), float(self.instants[-1])
         is_ida = self.options.method in IDA_FORMS
-        problem, constants = (None, np.empty(0)) if is_ida else self._compiled()
+        with preparation_bar(is_shown=is_shown):
+            problem, constants = (None, np.empty(0)) if is_ida else self._compiled()
         with (
             Interruption() as interruption,
             progress_bar("simulate", last - first, is_shown=is_shown) as show,

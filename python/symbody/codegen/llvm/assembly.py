@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 
-from symbody.codegen.llvm.helper import CHECKED, SINCOS, Helper
+from symbody.codegen.llvm.helper import CHECKED, CLEAR, SINCOS, Helper
 from symbody.codegen.llvm.piece import Piece
 from symbody.codegen.llvm.sincos import checked_text, sincos_text
 from symbody.codegen.llvm.vector import vector_type
@@ -27,6 +27,13 @@ _SYSTEM = {
     **dict.fromkeys(("atan2", "pow"), _TWO),
 }
 """The functions of the system, and names for their arguments."""
+
+_CLEAR = f"""\
+define internal void @{CLEAR}(ptr %place, i64 %size) noinline {{
+  call void @llvm.memset.p0.i64(ptr align 8 %place, i8 0, i64 %size, i1 false)
+  ret void
+}}
+"""
 
 _DECLARATIONS = (
     *(
@@ -106,11 +113,14 @@ def _helpers(pieces: Iterable[Piece]) -> set[Helper]:
 def _texts(helpers: set[Helper]) -> list[str]:
     """Return the helpers; sines that are called need those that become a part of the code."""
     needed = helpers | {Helper(SINCOS, helper.lanes) for helper in helpers if helper.name == CHECKED}
+    return [_text(helper) for helper in sorted(needed)]
+
+
+def _text(helper: Helper) -> str:
+    if helper == CLEAR:
+        return _CLEAR
     special = {SINCOS: sincos_text, CHECKED: checked_text}
-    return [
-        special[helper.name](helper.lanes) if helper.name in special else _each_lane(helper)
-        for helper in sorted(needed)
-    ]
+    return special[helper.name](helper.lanes) if helper.name in special else _each_lane(helper)
 
 
 def _each_lane(helper: Helper) -> str:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-__all__ = ["CHECKED", "SINCOS", "Helper"]
+__all__ = ["CHECKED", "CLEAR", "SINCOS", "Helper"]
 
 SINCOS, CHECKED = "sincos", "checked_sincos"
 """Sine and cosine of small angles; and of all, for those that are called rather than made part of the code."""
@@ -23,3 +23,7 @@ class Helper:
 
     def __str__(self) -> str:
         return f"{self.name}_{self.lanes}"
+
+
+CLEAR = Helper("clear", 1)
+"""Sets bytes to zero; called, since LLVM compares what it knows to set memory with every store after it."""

@@ -3,6 +3,9 @@
 from __future__ import annotations
 
 import ctypes
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
+from contextvars import ContextVar
 from dataclasses import dataclass
 from functools import cache
 from typing import Any
@@ -15,7 +18,9 @@ except ImportError:  # machines without it evaluate the tape
 from symbody.codegen.llvm.assembly import Assembly
 from symbody.symbolic.kernel import kernel_address
 
-__all__ = ["Compiled", "compiled", "is_available", "lanes"]
+__all__ = ["Compiled", "compiled", "is_available", "lanes", "watched"]
+
+_WATCHER: ContextVar[Callable[[int, int], None]] = ContextVar("watcher", default=lambda _part, _parts: None)
 
 
 def is_available() -> bool:
@@ -79,8 +84,8 @@ def compiled(assembly: Assembly, name: str) -> Compiled:
 
     Python takes a turn between two modules: that is when Ctrl-C interrupts.
     """
-    objects = [_object(part.text) for part in assembly.parts]
-    entry = _loaded(_object(assembly.entry))
+    *objects, last = _objects([*(part.text for part in assembly.parts), assembly.entry])
+    entry = _loaded(last)
     engines = [_loaded(made) for made in objects]
     addresses = [
         engine.get_function_address(part_name)
@@ -91,6 +96,24 @@ def compiled(assembly: Assembly, name: str) -> Compiled:
         table = (ctypes.c_void_p * len(addresses)).from_address(entry.get_global_value_address("parts"))
         table[:] = addresses
     return Compiled(entry.get_function_address(name), (entry, *engines))
+
+
+@contextmanager
+def watched(watcher: Callable[[int, int], None]) -> Iterator[None]:
+    """Report each module that is compiled in this context before it is: its number, and how many the function has."""
+    token = _WATCHER.set(watcher)
+    try:
+        yield
+    finally:
+        _WATCHER.reset(token)
+
+
+def _objects(texts: Sequence[str]) -> list[bytes]:
+    objects = []
+    for number, text in enumerate(texts, 1):
+        _WATCHER.get()(number, len(texts))
+        objects.append(_object(text))
+    return objects
 
 
 def _loaded(made: bytes) -> Any:
