@@ -97,15 +97,15 @@ class MachineCode:
     def _scalar(self) -> jit.Compiled:
         if not self._scalars:
             code = self._code([0] * len(self.inputs))
-            assembly = scalar_modules(code, "scalar", jit.lanes(), self.tag)
-            self._scalars.append(jit.compiled(assembly, "scalar"))
+            assembly = scalar_modules(code, "scalar", jit.lanes())
+            self._scalars.append(jit.compiled(assembly, "scalar", self.tag))
         return self._scalars[0]
 
     def _batch(self, uniform: tuple[bool, ...]) -> jit.Compiled:
         if uniform not in self._batches:
             code = self._code([0 if is_uniform else 1 for is_uniform in uniform])
-            assembly = batch_modules(code, "batch", jit.lanes(), uniform, self.tag)
-            self._batches[uniform] = jit.compiled(assembly, "batch")
+            assembly = batch_modules(code, "batch", jit.lanes(), uniform)
+            self._batches[uniform] = jit.compiled(assembly, "batch", self.tag)
         return self._batches[uniform]
 
     def _code(self, stages: Sequence[int]) -> Code:

@@ -111,7 +111,7 @@ class PreparedCode:
     @cached_property
     def _preparation(self) -> jit.Compiled:
         return _compiled(
-            lambda lanes: scalar_modules(self._parts.constants, "prepare", lanes, next_tag()), "prepare"
+            lambda lanes: scalar_modules(self._parts.constants, "prepare", lanes), "prepare", next_tag()
         )
 
     @cached_property
@@ -120,10 +120,10 @@ class PreparedCode:
 
         def assembly(lanes: int) -> Assembly:
             if shortcut is None:
-                return scalar_modules(outputs, "evaluate", lanes, self.tag)
-            return shortcut_modules(shortcut, len(self.expressions), outputs, "evaluate", lanes, self.tag)
+                return scalar_modules(outputs, "evaluate", lanes)
+            return shortcut_modules(shortcut, len(self.expressions), outputs, "evaluate", lanes)
 
-        return _compiled(assembly, "evaluate")
+        return _compiled(assembly, "evaluate", self.tag)
 
     def __reduce__(self) -> tuple[Any, ...]:
         return PreparedCode, (self.parameters, self.inputs, self.expressions, self.shortcut)
@@ -138,12 +138,12 @@ class _Parts:
     shortcut: Code | None = None
 
 
-def _compiled(assembly: Callable[[int], Assembly], name: str) -> jit.Compiled:
+def _compiled(assembly: Callable[[int], Assembly], name: str, tag: int) -> jit.Compiled:
     if not jit.is_available():
         raise CodegenError(
             "machine code needs the package llvmlite, which is not installed here: pip install llvmlite"
         )
-    return jit.compiled(assembly(jit.lanes()), name)
+    return jit.compiled(assembly(jit.lanes()), name, tag)
 
 
 def _laid_out(code: Code, position: Callable[[Input], int], size: int) -> Code:

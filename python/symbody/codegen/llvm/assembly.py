@@ -8,7 +8,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 
-from symbody.codegen.llvm.helper import CHECKED, CLEAR, SINCOS, Helper
+from symbody.codegen.llvm.helper import CHECKED, CLEAR, SINCOS, TAG, Helper
 from symbody.codegen.llvm.piece import Piece
 from symbody.codegen.llvm.sincos import checked_text, sincos_text
 from symbody.codegen.llvm.vector import vector_type
@@ -28,12 +28,15 @@ _SYSTEM = {
 }
 """The functions of the system, and names for their arguments."""
 
-_CLEAR = f"""\
+_FIXED = {
+    CLEAR: f"""\
 define internal void @{CLEAR}(ptr %place, i64 %size) noinline {{
   call void @llvm.memset.p0.i64(ptr align 8 %place, i8 0, i64 %size, i1 false)
   ret void
 }}
-"""
+""",
+    TAG: f"@{TAG} = global i64 0, align 8",
+}
 
 _DECLARATIONS = (
     *(
@@ -117,8 +120,8 @@ def _texts(helpers: set[Helper]) -> list[str]:
 
 
 def _text(helper: Helper) -> str:
-    if helper == CLEAR:
-        return _CLEAR
+    if helper in _FIXED:
+        return _FIXED[helper]
     special = {SINCOS: sincos_text, CHECKED: checked_text}
     return special[helper.name](helper.lanes) if helper.name in special else _each_lane(helper)
 

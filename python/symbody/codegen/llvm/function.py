@@ -36,7 +36,6 @@ class Function:
         pack: how many angles of one state the processor takes at a time.
         load: how an input is loaded.
         uniform: where values that are the same for all states are found, by place.
-        tag: what tells the linear systems from those of other code.
     """
 
     def __init__(
@@ -48,7 +47,6 @@ class Function:
         pack: int,
         load: Load,
         uniform: Mapping[int, int] | None = None,
-        tag: int = 0,
     ) -> None:
         self.code, self.name, self.lanes = code, name, lanes
         self.order = _ordered(code, list(rows))
@@ -56,7 +54,7 @@ class Function:
         self.cut = _cut(code, self.order, places)
         old = {new: place for place, new in places.items()}
         slots = {old[new]: slot for new, slot in self.cut.slots.items()}
-        self.memory = Memory(code, self.cut.size, tag)
+        self.memory = Memory(code, self.cut.size)
         inlined = are_inlined(code, self.order, wave_size(lanes, pack))
         self.frame = Frame(code, pack, load, slots, dict(uniform or {}), self.memory, inlined)
 

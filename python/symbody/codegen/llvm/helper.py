@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-__all__ = ["CHECKED", "CLEAR", "SINCOS", "Helper"]
+__all__ = ["CHECKED", "CLEAR", "SINCOS", "TAG", "Helper"]
 
 SINCOS, CHECKED = "sincos", "checked_sincos"
 """Sine and cosine of small angles; and of all, for those that are called rather than made part of the code."""
@@ -24,6 +24,9 @@ class Helper:
     def __str__(self) -> str:
         return f"{self.name}_{self.lanes}"
 
+
+TAG = Helper("symbody_tag", 1)
+"""A number that is put in when code is loaded: what tells its linear systems from those of other code."""
 
 CLEAR = Helper("clear", 1)
 """Sets bytes to zero; called, since LLVM compares what it knows to set memory with every store after it."""

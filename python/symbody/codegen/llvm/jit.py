@@ -7,18 +7,32 @@ from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from contextvars import ContextVar
 from dataclasses import dataclass
-from functools import cache
+from functools import cache, partial
+from importlib.metadata import version
 from typing import Any
 
 try:
+    import llvmlite
     import llvmlite.binding as llvm
 except ImportError:  # machines without it evaluate the tape
     llvm = None
 
 from symbody.codegen.llvm.assembly import Assembly
+from symbody.codegen.llvm.helper import TAG
+from symbody.codegen.llvm.object_cache import cached
 from symbody.symbolic.kernel import kernel_address
 
 __all__ = ["Compiled", "compiled", "is_available", "lanes", "watched"]
+
+_OPTIONS: dict[str, Any] = {"opt": 2, "jit": True, "reloc": "pic", "codemodel": "large"}
+"""Numbers are found relative to the code, as in a shared library: absolute addresses take a register each.
+
+Code and its constants may lie more than 2 GB apart in a process with much memory: addresses of 32 bits would not
+reach, and LLVM would end the process.
+"""
+
+_LEVEL = 1
+"""Straight-line code gains nothing from higher levels of optimisation, which take twice the time."""
 
 _WATCHER: ContextVar[Callable[[int, int], None]] = ContextVar("watcher", default=lambda _part, _parts: None)
 
@@ -57,17 +71,8 @@ def _target() -> Any:
 
 def _machine() -> Any:
     """Return this processor; a new one for each engine, which takes it over."""
-    # Numbers are found relative to the code, as in a shared library: absolute addresses take a register each.
-    return _target().create_target_machine(
-        cpu=llvm.get_host_cpu_name(),
-        features=llvm.get_host_cpu_features().flatten(),
-        opt=2,
-        jit=True,
-        reloc="pic",
-        # Code and its constants may lie more than 2 GB apart in a process with much memory: addresses of 32 bits would
-        # not reach, and LLVM would end the process.
-        codemodel="large",
-    )
+    features = llvm.get_host_cpu_features().flatten()
+    return _target().create_target_machine(cpu=llvm.get_host_cpu_name(), features=features, **_OPTIONS)
 
 
 @cache
@@ -79,10 +84,15 @@ def lanes() -> int:
     return 4 if features.get("avx2") else 2
 
 
-def compiled(assembly: Assembly, name: str) -> Compiled:
+def compiled(assembly: Assembly, name: str, tag: int = 0) -> Compiled:
     """Return the machine code of one function.
 
     Python takes a turn between two modules: that is when Ctrl-C interrupts.
+
+    Args:
+        assembly: its modules.
+        name: its name.
+        tag: what tells its linear systems from those of other code.
     """
     *objects, last = _objects([*(part.text for part in assembly.parts), assembly.entry])
     entry = _loaded(last)
@@ -95,6 +105,10 @@ def compiled(assembly: Assembly, name: str) -> Compiled:
     if addresses:
         table = (ctypes.c_void_p * len(addresses)).from_address(entry.get_global_value_address("parts"))
         table[:] = addresses
+    for engine in (entry, *engines):
+        place = engine.get_global_value_address(str(TAG))
+        if place:
+            ctypes.c_int64.from_address(place).value = tag
     return Compiled(entry.get_function_address(name), (entry, *engines))
 
 
@@ -112,8 +126,16 @@ def _objects(texts: Sequence[str]) -> list[bytes]:
     objects = []
     for number, text in enumerate(texts, 1):
         _WATCHER.get()(number, len(texts))
-        objects.append(_object(text))
+        objects.append(cached(_identity(), text, partial(_object, text)))
     return objects
+
+
+@cache
+def _identity() -> str:
+    """Return what machine code depends on beside its text."""
+    features = llvm.get_host_cpu_features().flatten()
+    versions = (version("symbody"), llvmlite.__version__, llvm.llvm_version_info)
+    return repr((*versions, llvm.get_default_triple(), llvm.get_host_cpu_name(), features, _OPTIONS, _LEVEL))
 
 
 def _loaded(made: bytes) -> Any:
@@ -129,8 +151,7 @@ def _object(text: str) -> bytes:
     machine = _machine()
     module = llvm.parse_assembly(text)
     module.triple, module.data_layout = machine.triple, str(machine.target_data)
-    # Straight-line code gains nothing from higher levels, which take twice the time.
-    options = llvm.create_pipeline_tuning_options(speed_level=1)
+    options = llvm.create_pipeline_tuning_options(speed_level=_LEVEL)
     options.slp_vectorization = False
     options.loop_vectorization = False
     builder = llvm.create_pass_builder(machine, options)

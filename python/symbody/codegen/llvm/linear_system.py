@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from symbody.codegen.llvm.helper import CLEAR
+from symbody.codegen.llvm.helper import CLEAR, TAG
 from symbody.codegen.llvm.memory import Memory
 from symbody.codegen.llvm.writer import Writer
 
@@ -17,9 +17,11 @@ _MANY = 64
 def factor(w: Writer, memory: Memory, place: int, size: int, entries: Sequence[str]) -> None:
     """Factorise the matrix of the instruction at a place."""
     _store(w, memory.areas[place], entries)
+    w.helpers.add(TAG)
+    tag = w.let(f"add i64 {w.let(f'load i64, ptr @{TAG}, align 8')}, {memory.numbers[place]}")
     for lane in range(w.lanes):
         pointer = _address(w, memory.areas[place], lane)
-        w.lines.append(f"  call void @symbody_factor(i64 {size}, ptr {pointer}, i64 {memory.tags[place]})")
+        w.lines.append(f"  call void @symbody_factor(i64 {size}, ptr {pointer}, i64 {tag})")
 
 
 def solve(w: Writer, memory: Memory, place: int, matrix: int, right: Sequence[str]) -> None:

@@ -13,17 +13,17 @@ class Memory:
 
     Attributes:
         areas: start and size of each factorisation and solution, by the place of its instruction.
-        tags: what tells each factorisation from those of other code.
+        numbers: the number of each factorisation, by the place of its instruction.
         size: all of it, in doubles.
     """
 
-    def __init__(self, code: Code, slots: int, tag: int) -> None:
+    def __init__(self, code: Code, slots: int) -> None:
         self.areas: dict[int, tuple[int, int]] = {}
-        self.tags: dict[int, int] = {}
+        self.numbers: dict[int, int] = {}
         self.size = slots
         for place, row in enumerate(code.instructions, code.first_instruction):
             if row[0] == "factor":
-                self.tags[place] = tag + len(self.tags)
+                self.numbers[place] = len(self.numbers)
                 self._add(place, kernel_workspace(row[1]))
             elif row[0] == "solve":
                 self._add(place, len(row) - 2)

@@ -14,21 +14,18 @@ from symbody.codegen.straight_line import Code, operands
 __all__ = ["batch_modules", "scalar_modules", "shortcut_modules"]
 
 
-def scalar_modules(code: Code, name: str, lanes: int, tag: int = 0) -> Assembly:
+def scalar_modules(code: Code, name: str, lanes: int) -> Assembly:
     """Return modules with the function ``void name(const double *in, double *out)``.
 
     Args:
         code: what it computes.
         name: the function's name.
         lanes: how many angles the processor takes at a time.
-        tag: what tells the linear systems of this code from those of others.
     """
-    return assembled(*_scalar(code, name, lanes, tag))
+    return assembled(*_scalar(code, name, lanes))
 
 
-def shortcut_modules(
-    shortcut: Code, outputs: int, code: Code, name: str, lanes: int, tag: int = 0
-) -> Assembly:
+def shortcut_modules(shortcut: Code, outputs: int, code: Code, name: str, lanes: int) -> Assembly:
     """Return modules with a function as `scalar_modules` has, which tries a shortcut before the code.
 
     Args:
@@ -37,9 +34,8 @@ def shortcut_modules(
         code: what it computes.
         name: the function's name.
         lanes: how many angles the processor takes at a time.
-        tag: what tells the linear systems of the code from those of others.
     """
-    whole, safely = _scalar(code, f"{name}_safely", lanes, tag, "noinline cold")
+    whole, safely = _scalar(code, f"{name}_safely", lanes, "noinline cold")
     brief = Function(shortcut, f"{name}_briefly", range(len(shortcut.instructions)), 1, lanes, _scalar_input)
     conditions = len(shortcut.results) - outputs
     targets = [f"ptr %out, i64 {j}" for j in range(outputs)]
@@ -78,9 +74,9 @@ def _all_positive(conditions: int) -> str:
     return "\n".join(lines)
 
 
-def _scalar(code: Code, name: str, lanes: int, tag: int, attributes: str = "") -> tuple[list[Piece], str]:
+def _scalar(code: Code, name: str, lanes: int, attributes: str = "") -> tuple[list[Piece], str]:
     """Return the blocks of a function of one state, and the text of what calls them."""
-    function = Function(code, name, range(len(code.instructions)), 1, lanes, _scalar_input, tag=tag)
+    function = Function(code, name, range(len(code.instructions)), 1, lanes, _scalar_input)
     stores = [(place, f"getelementptr double, ptr %out, i64 {j}") for j, place in enumerate(code.results)]
     entry = f"""\
 define void @{name}(ptr noalias %in, ptr noalias %out) {attributes} {{
@@ -91,7 +87,7 @@ define void @{name}(ptr noalias %in, ptr noalias %out) {attributes} {{
     return function.pieces(stores), entry
 
 
-def batch_modules(code: Code, name: str, lanes: int, uniform: Sequence[bool], tag: int = 0) -> Assembly:
+def batch_modules(code: Code, name: str, lanes: int, uniform: Sequence[bool]) -> Assembly:
     """Return modules with a function of many states, so many in a vector.
 
     ``void name(const double *const *in, double *out, int64 first, int64 last, int64 stride)``: input k of state i is
@@ -103,8 +99,8 @@ def batch_modules(code: Code, name: str, lanes: int, uniform: Sequence[bool], ta
     before = [] if with_systems else [k for k, stage in enumerate(code.stages) if stage == 0]
     each = sorted(set(range(len(code.instructions))) - set(before))
     slots = {place: slot for slot, place in enumerate(_shared(code, before, each))}
-    prologue = Function(code, f"{name}_once", before, 1, lanes, _pointed_input, tag=tag)
-    body = Function(code, f"{name}_each", each, lanes, lanes, _batch_input(uniform), slots, tag)
+    prologue = Function(code, f"{name}_once", before, 1, lanes, _pointed_input)
+    body = Function(code, f"{name}_each", each, lanes, lanes, _batch_input(uniform), slots)
     once = prologue.pieces([(p, f"getelementptr double, ptr %uniform, i64 {slots[p]}") for p in slots])
     many = body.pieces([(place, f"@{j}") for j, place in enumerate(code.results)])
     return assembled([*once, *many], _loop(name, prologue, body, lanes, len(slots)))
