@@ -14,6 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from symbody.codegen.llvm.jit import is_available, lanes
 from symbody.codegen.machine_code import MachineCode
+from symbody.codegen.worth import is_worth_compiling
 from symbody.errors import ArgumentError, ExpressionError, ParameterError, SymbodyError
 from symbody.symbolic import Expr, Matrix
 from symbody.symbolic.arguments import brief, described, expression
@@ -22,9 +23,6 @@ from symbody.symbolic.encoding import Encoded, decode, encode
 from symbody.symbolic.tape import Tape
 
 __all__ = ["CompiledFunction", "lambdify"]
-
-_WORTH = 20_000
-"""Operations of a call for which compiling pays: machine code needs a tenth of the time, and some ms to be made."""
 
 #: A structure of outputs: one expression, a sequence of expressions, a matrix, or a sequence of these.
 Outputs = Any
@@ -104,7 +102,7 @@ class CompiledFunction:
 
     def _is_compiled_for(self, points: int) -> bool:
         if self.compile is None:
-            is_worth = points * sum(self.tape.operations) >= _WORTH
+            is_worth = is_worth_compiling(sum(self.tape.operations), points)
             return points > 0 and (is_worth or bool(self.tape.factorizations)) and is_available()
         return points > 0 and self.compile
 
@@ -170,10 +168,12 @@ def lambdify(
 ) -> CompiledFunction:
     """Return a fast function of the arguments that evaluates the expressions.
 
-    Calls of 20 000 operations or more (operations times points), and functions with linear systems, run in machine
-    code, several points at a time; small ones run without being compiled. What runs a call doesn't depend on earlier
-    ones, so equal calls have equal results; the two ways agree to rounding. A linear system of deficient rank gets its
-    solution of least norm, and a notice that names the equations that follow from others, or contradict them.
+    Calls at many points (2000, and 200 000 divided by the operations of the function) run in machine code, several
+    points at a time, and so do functions with linear systems. Other calls are evaluated: to compile the function takes
+    as long as some fifty of them or more. What runs a call doesn't depend on earlier ones, so equal calls have equal
+    results; the two ways agree to rounding. A loop of many calls at few points is faster with ``compile=True``.
+    A linear system of deficient rank gets its solution of least norm, and a notice that names the equations that follow
+    from others, or contradict them.
 
     Args:
         arguments: variables, or lists of variables, which become arrays with a row for each.

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from symbody.codegen.llvm import jit
-from symbody.codegen.llvm.module import batch_text, scalar_text
+from symbody.codegen.llvm.module import batch_modules, scalar_modules
 from symbody.codegen.straight_line import Code, Input, code_of_tape
 from symbody.symbolic import Expr
 from symbody.symbolic.deficiency import Deficiency, noting, report
@@ -90,15 +90,15 @@ class MachineCode:
 
     def _scalar(self) -> jit.Compiled:
         if not self._scalars:
-            text = scalar_text(self._code([0] * len(self.inputs)), "scalar", jit.lanes())
-            self._scalars.append(jit.compiled(text, "scalar"))
+            code = self._code([0] * len(self.inputs))
+            self._scalars.append(jit.compiled(scalar_modules(code, "scalar", jit.lanes()), "scalar"))
         return self._scalars[0]
 
     def _batch(self, uniform: tuple[bool, ...]) -> jit.Compiled:
         if uniform not in self._batches:
             code = self._code([0 if is_uniform else 1 for is_uniform in uniform])
-            text = batch_text(code, "batch", jit.lanes(), uniform)
-            self._batches[uniform] = jit.compiled(text, "batch")
+            assembly = batch_modules(code, "batch", jit.lanes(), uniform)
+            self._batches[uniform] = jit.compiled(assembly, "batch")
         return self._batches[uniform]
 
     def _code(self, stages: Sequence[int]) -> Code:

@@ -11,7 +11,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from symbody.codegen.llvm import jit
-from symbody.codegen.llvm.module import scalar_text, shortcut_text
+from symbody.codegen.llvm.assembly import Assembly
+from symbody.codegen.llvm.module import scalar_modules, shortcut_modules
 from symbody.codegen.machine_code import POINTER
 from symbody.codegen.preparation import Preparation
 from symbody.codegen.straight_line import Code, Input, code_of, operands, with_operands
@@ -74,8 +75,18 @@ class PreparedCode:
 
     def evaluate(self, parameters: NDArray[np.float64], inputs: NDArray[np.float64]) -> NDArray[np.float64]:
         """Return the outputs for one state."""
-        row, out = np.concatenate([inputs, self.prepare(parameters)]), np.empty(len(self.expressions))
-        self._function.function(POINTER, POINTER)(row.ctypes.data, out.ctypes.data)
+        values: NDArray[np.float64] = self.evaluate_rows(parameters, inputs[np.newaxis])[0]
+        return values
+
+    def evaluate_rows(
+        self, parameters: NDArray[np.float64], rows: NDArray[np.float64]
+    ) -> NDArray[np.float64]:
+        """Return the outputs for states, each a row of inputs, in rows."""
+        constants = np.broadcast_to(self.prepare(parameters), (len(rows), self.constants))
+        states, out = np.hstack([rows, constants]), np.empty((len(rows), len(self.expressions)))
+        function = self._function.function(POINTER, POINTER)
+        for state, row in zip(states, out, strict=True):
+            function(state.ctypes.data, row.ctypes.data)
         return out
 
     @cached_property
@@ -97,18 +108,18 @@ class PreparedCode:
 
     @cached_property
     def _preparation(self) -> jit.Compiled:
-        return _compiled(lambda lanes: scalar_text(self._parts.constants, "prepare", lanes), "prepare")
+        return _compiled(lambda lanes: scalar_modules(self._parts.constants, "prepare", lanes), "prepare")
 
     @cached_property
     def _function(self) -> jit.Compiled:
         outputs, shortcut = self._parts.outputs, self._parts.shortcut
 
-        def text(lanes: int) -> str:
+        def assembly(lanes: int) -> Assembly:
             if shortcut is None:
-                return scalar_text(outputs, "evaluate", lanes)
-            return shortcut_text(shortcut, len(self.expressions), outputs, "evaluate", lanes)
+                return scalar_modules(outputs, "evaluate", lanes)
+            return shortcut_modules(shortcut, len(self.expressions), outputs, "evaluate", lanes)
 
-        return _compiled(text, "evaluate")
+        return _compiled(assembly, "evaluate")
 
     def __reduce__(self) -> tuple[Any, ...]:
         return PreparedCode, (self.parameters, self.inputs, self.expressions, self.shortcut)
@@ -123,12 +134,12 @@ class _Parts:
     shortcut: Code | None = None
 
 
-def _compiled(text: Callable[[int], str], name: str) -> jit.Compiled:
+def _compiled(assembly: Callable[[int], Assembly], name: str) -> jit.Compiled:
     if not jit.is_available():
         raise CodegenError(
             "machine code needs the package llvmlite, which is not installed here: pip install llvmlite"
         )
-    return jit.compiled(text(jit.lanes()), name)
+    return jit.compiled(assembly(jit.lanes()), name)
 
 
 def _laid_out(code: Code, position: Callable[[Input], int], size: int) -> Code:

@@ -272,12 +272,28 @@ class Model:
         places = [(i, j) for i in range(rows) for j in range(columns) if not slopes[i, j].is_zero]
         return self.code([slopes[place] for place in places]), places
 
-    def function(self, expressions: Sequence[Expr], parameters: tuple[Expr, ...]) -> CompiledFunction:
-        """Return a function of time, state and parameters that evaluates expressions along motions."""
-        key = (tuple(expressions), parameters)
+    def unknowns_in(self, expressions: Sequence[Expr]) -> tuple[Expr, ...]:
+        """Return the accelerations and multipliers that expressions hold; none if they hold further rates."""
+        found = free_symbols(self.with_inputs(expressions))
+        unknowns = (*self.accelerations, *self.multipliers)
+        if any(leaf.depends_on_time for leaf in found - {*self.integrated, *unknowns}):
+            return ()
+        return tuple(name for name in unknowns if name in found)
+
+    def function(
+        self, expressions: Sequence[Expr], parameters: tuple[Expr, ...], known: tuple[Expr, ...] = ()
+    ) -> CompiledFunction:
+        """Return a function of time, state and parameters that evaluates expressions along motions.
+
+        Args:
+            expressions: what it evaluates.
+            parameters: the last of its arguments.
+            known: accelerations and multipliers whose values it takes before these, instead of solving for them.
+        """
+        key = (tuple(expressions), parameters, known)
         if key not in self._functions:
-            values = list(self.along_motion(key[0]))
-            arguments = [t, *self.state, *parameters]
+            values = list((self.with_inputs if known else self.along_motion)(key[0]))
+            arguments = [t, *self.state, *known, *parameters]
             self._functions[key] = lambdify(arguments, values, equation_names=self.equation_names)
         return self._functions[key]
 

@@ -21,6 +21,7 @@ from .drawing import drawer
 from .event import Occurrence
 from .integrator import Statistics
 from .model import Model
+from .rates_along import accelerations_along
 from .unknown import unknown_variables
 
 if TYPE_CHECKING:
@@ -94,13 +95,24 @@ class Motion:
         wanted = [number(expression) for expression in expressions]
         if not wanted:
             return np.empty((0, len(self.t)))
+        known = self.model.unknowns_in(wanted)
+        return self._values(wanted, known, [self._solved_for(name) for name in known])
+
+    def _values(self, wanted: Sequence[Expr], known: tuple[Expr, ...], columns: Sequence[Array]) -> Array:
+        """Return the values of expressions, given those of accelerations and multipliers in them."""
         try:
-            function = self.model.function(wanted, tuple(self.parameters))
+            function = self.model.function(wanted, tuple(self.parameters), known)
         except SymbodyError as failure:
             self._explain(wanted)
             raise SimulationError(f"motion: {failure}") from failure
-        values = function(self.t, *self.states.T, *self.parameters.values())
+        values = function(self.t, *self.states.T, *columns, *self.parameters.values())
         return np.stack([np.broadcast_to(row, self.t.shape) for row in values])
+
+    def _solved_for(self, unknown: Expr) -> Array:
+        """Return the values of an acceleration or a multiplier; all of them are found at the first one."""
+        if unknown in self.model.accelerations:
+            return self.accelerations[:, self.model.accelerations.index(unknown)]
+        return self.multipliers[:, self.model.multipliers.index(unknown)]
 
     def _explain(self, wanted: Sequence[Expr]) -> None:
         """Raise an error that names what has no value."""
@@ -126,12 +138,13 @@ class Motion:
     @cached_property
     def accelerations(self) -> Array:
         """The rates of the speeds, a row for each instant."""
-        return self.evaluate(self.model.accelerations).T
+        return accelerations_along(self.model, self.parameters, self.t, self.states)
 
     @cached_property
     def multipliers(self) -> Array:
         """The multipliers of the constraints, a row for each instant: ``M u' = forcing + phi_q^T lambda``."""
-        return self.evaluate(self.model.multipliers).T
+        model = self.model
+        return self._values(model.multipliers, (), ()).T if model.multipliers else np.empty((len(self.t), 0))
 
     def state_at(self, instant: int = -1) -> dict[Expr, float]:
         """Return the coordinates and speeds at the instant of a number: what another simulation can begin with."""

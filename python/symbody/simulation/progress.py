@@ -5,9 +5,22 @@ from __future__ import annotations
 import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from threading import Timer
 
 from rich.console import Console
-from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
+from rich.progress import (
+    BarColumn,
+    MofNCompleteColumn,
+    Progress,
+    TextColumn,
+    TimeElapsedColumn,
+    TimeRemainingColumn,
+)
+
+from symbody.codegen.llvm.jit import watched
+
+PATIENCE = 2.0
+"""Seconds of derivation and compilation after which their bar is shown."""
 
 
 @contextmanager
@@ -33,3 +46,33 @@ def progress_bar(
     with Progress(*columns, console=Console(file=sys.stderr)) as progress:
         task = progress.add_task(what, total=total)
         yield lambda done: progress.update(task, completed=done)
+
+
+@contextmanager
+def preparation_bar(*, is_shown: bool | None = None) -> Iterator[None]:
+    """Show that equations are derived and compiled while the block runs, if it takes longer than :data:`PATIENCE`.
+
+    Args:
+        is_shown: whether to show it; by default where messages go to a terminal.
+    """
+    if not (sys.stderr.isatty() if is_shown is None else is_shown):
+        yield
+        return
+    columns = (TextColumn("{task.description}"), BarColumn(), TimeElapsedColumn())
+    console = Console(file=sys.stderr)
+    bar = Progress(*columns, console=console, transient=console.is_terminal)
+    task = bar.add_task("derive the equations", total=None)
+    timer = Timer(PATIENCE, bar.start)
+    timer.start()
+
+    def show(part: int, parts: int) -> None:
+        bar.update(task, description=f"compile the equations, part {part} of {parts}")
+
+    try:
+        with watched(show):
+            yield
+    finally:
+        timer.cancel()
+        timer.join()
+        if bar.live.is_started:
+            bar.stop()

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import warnings
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import partial
 from math import inf
@@ -31,7 +31,7 @@ from .motion import Motion
 from .motion_of import motion_of
 from .notices import Integrated, findings_of, notices_of_motion
 from .options import instants_of, kept_by, options_of
-from .progress import progress_bar
+from .progress import preparation_bar, progress_bar
 from .unused import notice_unused
 from .values import given_inputs, parameter_values, vanishing
 
@@ -80,7 +80,8 @@ def simulate(
             its (omega, zeta), damping of what is off; "free", neither. IDA's methods keep them by themselves.
         guess: where to look for an initial state that satisfies the constraints, for what isn't given.
         max_step: the longest step, in s.
-        progress: whether to show a bar; by default where messages go to a terminal, on long runs.
+        progress: whether to show bars, of derivation and compilation after two seconds, and of the integration; by
+            default where messages go to a terminal.
 
     Raises:
         ParameterError: a value is missing, belongs to nothing, or isn't finite.
@@ -107,7 +108,8 @@ def simulate(
     values = parameter_values((*plain.parameters, *others), parameters)[: len(plain.parameters)]
     given = {name: float(value) for name, value in (parameters or {}).items()}
     notice_unused(eqs, given, [*dict(plain.inputs).values(), *others], "simulate")
-    state = begin(plain, given, initial or {}, guess or {}, float(instants[0]))
+    with preparation_bar(is_shown=progress):
+        state = begin(plain, given, initial or {}, guess or {}, float(instants[0]))
     is_damped = bool(eqs.constraints) and kept not in {"projection", "free"}
     model = modelled(is_stabilized=True) if is_damped else plain
     if is_damped:
@@ -133,30 +135,36 @@ class _Course:
     def followed(self, state: Array, *, is_shown: bool | None) -> Outcome:
         """Integrate; Ctrl-C ends it between two steps."""
         first, last = float(self.instants[0]), float(self.instants[-1])
-        with (
-            Interruption() as interruption,
-            progress_bar("simulate", last - first, is_shown=is_shown) as show,
-            noting() as found,
-        ):
+        is_ida = self.options.method in IDA_FORMS
+        with noting() as found:
+            with preparation_bar(is_shown=is_shown):
+                problem, constants = (None, np.empty(0)) if is_ida else self._compiled()
+            with (
+                Interruption() as interruption,
+                progress_bar("simulate", last - first, is_shown=is_shown) as show,
+            ):
 
-            def keep_going(time: float) -> bool:
-                show(time - first)
-                return not interruption.is_asked_for
+                def keep_going(time: float) -> bool:
+                    show(time - first)
+                    return not interruption.is_asked_for
 
-            outcome = self._integrated(state, keep_going)
+                if problem is None:
+                    size = len(self.model.state)
+                    given = (self.parameters, self.instants, self.options, self.events, keep_going)
+                    outcome = ida_outcome(self.model, state[:size], *given)
+                else:
+                    outcome = run(problem, state, constants, self.instants, self.options, keep_going)
         outcome = replace(outcome, deficiencies=frozenset(found))
         return without_contradictions(outcome, self.model, self.parameters, self.instants)
 
-    def _integrated(self, state: Array, keep_going: Callable[[float], bool]) -> Outcome:
-        if self.options.method in IDA_FORMS:
-            size = len(self.model.state)
-            given = (self.parameters, self.instants, self.options, self.events, keep_going)
-            return ida_outcome(self.model, state[:size], *given)
-        problem = Problem.of(
-            self.model, self.options.method, is_projected=self.is_projected, events=self.events
-        )
+    def _compiled(self) -> tuple[Problem, Array]:
+        """Return the compiled functions and their constants; Ctrl-C interrupts, as there is no motion yet to keep."""
+        method, events = self.options.method, self.events
+        problem = Problem.of(self.model, method, is_projected=self.is_projected, events=events)
         values = np.array([self.parameters[name] for name in problem.parameters])
-        return run(problem, state, problem.constants(values), self.instants, self.options, keep_going)
+        constants = problem.constants(values)
+        problem.native  # noqa: B018 - compiled now
+        return problem, constants
 
     def told(self, outcome: Outcome, asked: Mapping[str, Expr]) -> Motion:
         """Return the motion; raise an error that holds it if it failed."""

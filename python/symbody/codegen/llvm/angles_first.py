@@ -20,16 +20,24 @@ def angles_first(reads: Sequence[Sequence[int]], trigonometric: Sequence[bool], 
     >>> angles_first([[0], [1, 0], [0], [2, 3]], [True, False, True, False], first=1)
     [0, 2, 1, 3]
     """
-    depths = _depths(reads, trigonometric, first)
     order: list[int] = []
     placed = [False] * len(reads)
-    for depth in range(1, max(depths, default=0) + 1):
-        level = [k for k, is_wave in enumerate(trigonometric) if is_wave and depths[k] == depth]
+    for level in _levels(reads, trigonometric, first):
         order += _below(level, reads, placed, first)
         order += sorted(level, key=lambda k: (reads[k][0], k))
         for k in level:
             placed[k] = True
     return order + [k for k, is_placed in enumerate(placed) if not is_placed]
+
+
+def _levels(reads: Sequence[Sequence[int]], trigonometric: Sequence[bool], first: int) -> list[list[int]]:
+    """Return the sines and cosines by how many of them are taken of one another up to each."""
+    depths = _depths(reads, trigonometric, first)
+    levels: list[list[int]] = [[] for _ in range(max(depths, default=0))]
+    for k, is_wave in enumerate(trigonometric):
+        if is_wave:
+            levels[depths[k] - 1].append(k)
+    return levels
 
 
 def _depths(reads: Sequence[Sequence[int]], trigonometric: Sequence[bool], first: int) -> list[int]:

@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field
-from itertools import groupby
+from dataclasses import dataclass
+from math import inf
 from typing import TypeAlias
 
 from symbody.codegen.llvm import linear_system
 from symbody.codegen.llvm.memory import Memory
 from symbody.codegen.llvm.operation import operation
-from symbody.codegen.llvm.wave import waves
+from symbody.codegen.llvm.piece import Piece
+from symbody.codegen.llvm.run import segments
+from symbody.codegen.llvm.wave import wave_size, waves
 from symbody.codegen.llvm.writer import Writer
 from symbody.codegen.straight_line import Code, Instruction, operands
 
@@ -31,7 +33,7 @@ class Frame:
         slots: where values that cross blocks are kept, by place.
         uniform: where values that are the same for all states are found, by place.
         memory: where matrices and solutions are kept.
-        widths: the numbers of angles that are taken at a time; the blocks add theirs.
+        are_waves_inlined: whether sines and cosines become a part of the code.
     """
 
     code: Code
@@ -40,7 +42,7 @@ class Frame:
     slots: Mapping[int, int]
     uniform: Mapping[int, int]
     memory: Memory
-    widths: set[int] = field(default_factory=set)
+    are_waves_inlined: bool
 
 
 class BlockWriter(Writer):
@@ -52,11 +54,9 @@ class BlockWriter(Writer):
         self.values: dict[int, str] = {}
         self.runs = 0
 
-    def text(self, name: str, attribute: str) -> str:
-        """Return the block as a function; all blocks of a function take the same arguments."""
-        arrays = ", ".join(f"ptr noalias %{array}" for array in ("in", "out", "work", "uniform"))
-        head = f"define internal void @{name}({arrays}, i64 %i, i64 %stride) {attribute} alignstack(64) {{"
-        return "\n".join([head, *self.lines, "  ret void", "}", ""])
+    def piece(self, name: str, attribute: str) -> Piece:
+        """Return the block as a function."""
+        return Piece(name, tuple(self.lines), frozenset(self.helpers), attribute)
 
     def rows(self, rows: Sequence[int], stores: Sequence[tuple[int, str]]) -> None:
         """Write instructions, by number, and store values, by place, where they are awaited."""
@@ -64,10 +64,12 @@ class BlockWriter(Writer):
         waiting: dict[int, list[str]] = {}
         for place, target in stores:
             waiting.setdefault(place, []).append(target)
-        for is_wave, group in groupby(rows, key=lambda k: self.code.instructions[k][0] in {"sin", "cos"}):
-            places = [first + k for k in group]
-            for run in self._runs(places) if is_wave else ():
-                self._waves(run)
+        # What is called keeps no value in a register: results are stored before the next call.
+        most = inf if self.frame.are_waves_inlined else wave_size(self.lanes, self.frame.pack)
+        for is_wave, segment in segments(self.code, rows, most):
+            places = [first + k for k in segment]
+            if is_wave:
+                self._waves(places)
             for place in places:
                 if not is_wave:
                     self._instruction(place, self.code.instructions[place - first])
@@ -91,21 +93,13 @@ class BlockWriter(Writer):
     def _all(self, places: Sequence[int]) -> list[str]:
         return [self.value(place) for place in places]
 
-    def _runs(self, places: Sequence[int]) -> list[list[int]]:
-        """Return sines and cosines in runs that don't wait for one another."""
-        runs: list[list[int]] = [[]]
-        for place in places:
-            if self.code.instructions[place - self.code.first_instruction][1] in runs[-1]:
-                runs.append([])
-            runs[-1].append(place)
-        return runs
-
     def _waves(self, places: Sequence[int]) -> None:
         """Take the sines and cosines of some instructions together."""
         rows = [self.code.instructions[place - self.code.first_instruction] for place in places]
         angles = list(dict.fromkeys(angle for _, angle in rows))
         self.runs += 1
-        pairs = waves(self, self._all(angles), self.frame.pack, self.runs, self.frame.widths)
+        run = self.runs if self.frame.are_waves_inlined else None
+        pairs = waves(self, self._all(angles), self.frame.pack, run)
         both = dict(zip(angles, pairs, strict=True))
         for place, (name, angle) in zip(places, rows, strict=True):
             self.values[place] = both[angle][name == "cos"]

@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+from bisect import bisect_right
 from collections.abc import Iterable, Mapping, Sequence
-from functools import cached_property
 
 from symbody.codegen.block import Cut, cut
 from symbody.codegen.llvm.angles_first import angles_first
 from symbody.codegen.llvm.block import BlockWriter, Frame, Load
 from symbody.codegen.llvm.memory import Memory
+from symbody.codegen.llvm.piece import Piece
+from symbody.codegen.llvm.run import are_inlined
+from symbody.codegen.llvm.wave import wave_size
 from symbody.codegen.straight_line import Code, operands
 
 __all__ = ["Function"]
@@ -52,36 +55,32 @@ class Function:
         old = {new: place for place, new in places.items()}
         slots = {old[new]: slot for new, slot in self.cut.slots.items()}
         self.memory = Memory(code, self.cut.size)
-        self.frame = Frame(code, pack, load, slots, dict(uniform or {}), self.memory)
-
-    @property
-    def widths(self) -> set[int]:
-        """The numbers of angles that are taken at a time, once the text is written."""
-        return self.frame.widths
+        inlined = are_inlined(code, self.order, wave_size(lanes, pack))
+        self.frame = Frame(code, pack, load, slots, dict(uniform or {}), self.memory, inlined)
 
     @property
     def blocks(self) -> int:
         """The number of blocks; at least one."""
         return max(len(self.cut.starts) - 1, 1)
 
-    def text(self, stores: Sequence[tuple[int, str]]) -> str:
-        """Return the functions of the blocks; each stores the results that it makes, the last one also the others."""
-        texts = []
-        for block in range(self.blocks):
+    def pieces(self, stores: Sequence[tuple[int, str]]) -> list[Piece]:
+        """Return the blocks; each stores the results that it makes, the last one also the others."""
+        pieces, attribute = [], "alwaysinline" if self.blocks == 1 else "noinline"
+        for block, here in enumerate(self._shared_out(stores)):
             rows = self.order[self.cut.starts[block] : self.cut.starts[block + 1]] if self.order else []
-            made = {self.code.first_instruction + k for k in rows}
-            is_last = block == self.blocks - 1
-            here = [(p, to) for p, to in stores if p in made or (is_last and p not in self._made)]
             writer = BlockWriter(self.frame, lanes=self.lanes)
             writer.rows(rows, here)
-            texts.append(
-                writer.text(f"{self.name}{block}", "alwaysinline" if self.blocks == 1 else "noinline")
-            )
-        return "\n".join(texts)
+            pieces.append(writer.piece(f"{self.name}{block}", attribute))
+        return pieces
 
-    @cached_property
-    def _made(self) -> set[int]:
-        return {self.code.first_instruction + k for k in self.order}
+    def _shared_out(self, stores: Sequence[tuple[int, str]]) -> list[list[tuple[int, str]]]:
+        """Return what each block stores."""
+        number = {self.code.first_instruction + k: n for n, k in enumerate(self.order)}
+        here: list[list[tuple[int, str]]] = [[] for _ in range(self.blocks)]
+        for place, target in stores:
+            block = bisect_right(self.cut.starts, number[place]) - 1 if place in number else -1
+            here[block].append((place, target))
+        return here
 
     def calls(self, i: str, stride: str, uniform: str, out: str = "%out") -> str:
         """Return the calls of the blocks, with the memory that they share."""

@@ -3,18 +3,37 @@
 from __future__ import annotations
 
 import ctypes
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
+from contextvars import ContextVar
 from dataclasses import dataclass
-from functools import cache
+from functools import cache, partial
+from importlib.metadata import version
 from typing import Any
 
 try:
+    import llvmlite
     import llvmlite.binding as llvm
 except ImportError:  # machines without it evaluate the tape
     llvm = None
 
+from symbody.codegen.llvm.assembly import Assembly
+from symbody.codegen.llvm.object_cache import cached
 from symbody.symbolic.kernel import kernel_address
 
-__all__ = ["Compiled", "compiled", "is_available", "lanes"]
+__all__ = ["Compiled", "compiled", "is_available", "lanes", "watched"]
+
+_OPTIONS: dict[str, Any] = {"opt": 2, "jit": True, "reloc": "pic", "codemodel": "large"}
+"""Numbers are found relative to the code, as in a shared library: absolute addresses take a register each.
+
+Code and its constants may lie more than 2 GB apart in a process with much memory: addresses of 32 bits would not
+reach, and LLVM would end the process.
+"""
+
+_LEVEL = 1
+"""Straight-line code gains nothing from higher levels of optimisation, which take twice the time."""
+
+_WATCHER: ContextVar[Callable[[int, int], None]] = ContextVar("watcher", default=lambda _part, _parts: None)
 
 
 def is_available() -> bool:
@@ -28,11 +47,11 @@ class Compiled:
 
     Attributes:
         address: where the function begins.
-        engine: what owns the memory.
+        engines: what owns the memory.
     """
 
     address: int
-    engine: Any
+    engines: tuple[Any, ...]
 
     def function(self, *arguments: Any) -> Any:
         """Return the function for Python, of these types of C and without a result; it runs without the interpreter."""
@@ -51,17 +70,8 @@ def _target() -> Any:
 
 def _machine() -> Any:
     """Return this processor; a new one for each engine, which takes it over."""
-    # Numbers are found relative to the code, as in a shared library: absolute addresses take a register each.
-    return _target().create_target_machine(
-        cpu=llvm.get_host_cpu_name(),
-        features=llvm.get_host_cpu_features().flatten(),
-        opt=2,
-        jit=True,
-        reloc="pic",
-        # Code and its constants may lie more than 2 GB apart in a process with much memory: addresses of 32 bits would
-        # not reach, and LLVM would end the process.
-        codemodel="large",
-    )
+    features = llvm.get_host_cpu_features().flatten()
+    return _target().create_target_machine(cpu=llvm.get_host_cpu_name(), features=features, **_OPTIONS)
 
 
 @cache
@@ -73,17 +83,72 @@ def lanes() -> int:
     return 4 if features.get("avx2") else 2
 
 
-def compiled(text: str, name: str) -> Compiled:
-    """Return the machine code of one function of a module."""
+def compiled(assembly: Assembly, name: str) -> Compiled:
+    """Return the machine code of one function.
+
+    Python takes a turn between two modules: that is when Ctrl-C interrupts.
+
+    Args:
+        assembly: its modules.
+        name: its name.
+    """
+    *objects, last = _objects([*(part.text for part in assembly.parts), assembly.entry])
+    entry = _loaded(last)
+    engines = [_loaded(made) for made in objects]
+    addresses = [
+        engine.get_function_address(part_name)
+        for engine, part in zip(engines, assembly.parts, strict=True)
+        for part_name in part.names
+    ]
+    if addresses:
+        table = (ctypes.c_void_p * len(addresses)).from_address(entry.get_global_value_address("parts"))
+        table[:] = addresses
+    return Compiled(entry.get_function_address(name), (entry, *engines))
+
+
+@contextmanager
+def watched(watcher: Callable[[int, int], None]) -> Iterator[None]:
+    """Report each module that is compiled in this context before it is: its number, and how many the function has."""
+    token = _WATCHER.set(watcher)
+    try:
+        yield
+    finally:
+        _WATCHER.reset(token)
+
+
+def _objects(texts: Sequence[str]) -> list[bytes]:
+    objects = []
+    for number, text in enumerate(texts, 1):
+        _WATCHER.get()(number, len(texts))
+        objects.append(cached(_identity(), text, partial(_object, text)))
+    return objects
+
+
+@cache
+def _identity() -> str:
+    """Return what machine code depends on beside its text."""
+    features = llvm.get_host_cpu_features().flatten()
+    versions = (version("symbody"), llvmlite.__version__, llvm.llvm_version_info)
+    return repr((*versions, llvm.get_default_triple(), llvm.get_host_cpu_name(), features, _OPTIONS, _LEVEL))
+
+
+def _loaded(made: bytes) -> Any:
+    """Return an engine that owns the code of a module; one each, as it looks for constants near the first one's."""
+    engine = llvm.create_mcjit_compiler(llvm.parse_assembly(""), _machine())
+    engine.add_object_file(llvm.ObjectFileRef.from_data(made))
+    engine.finalize_object()
+    return engine
+
+
+def _object(text: str) -> bytes:
+    """Return the machine code of one module, which isn't loaded yet."""
     machine = _machine()
     module = llvm.parse_assembly(text)
     module.triple, module.data_layout = machine.triple, str(machine.target_data)
-    # Straight-line code gains nothing from higher levels, which take twice the time.
-    options = llvm.create_pipeline_tuning_options(speed_level=1)
+    options = llvm.create_pipeline_tuning_options(speed_level=_LEVEL)
     options.slp_vectorization = False
     options.loop_vectorization = False
     builder = llvm.create_pass_builder(machine, options)
     builder.getModulePassManager().run(module, builder)
-    engine = llvm.create_mcjit_compiler(module, machine)
-    engine.finalize_object()
-    return Compiled(engine.get_function_address(name), engine)
+    made: bytes = machine.emit_object(module)
+    return made

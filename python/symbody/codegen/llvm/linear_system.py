@@ -4,10 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from symbody.codegen.llvm.helper import CLEAR
 from symbody.codegen.llvm.memory import Memory
 from symbody.codegen.llvm.writer import Writer
 
 __all__ = ["component", "factor", "solve"]
+
+_MANY = 64
+"""Zeros that are stored together rather than one by one."""
 
 
 def factor(w: Writer, memory: Memory, place: int, size: int, entries: Sequence[str]) -> None:
@@ -37,8 +41,16 @@ def component(w: Writer, memory: Memory, solution: int, index: int) -> str:
 
 
 def _store(w: Writer, area: tuple[int, int], values: Sequence[str]) -> None:
+    """Store values lane by lane; many zeros at once, since each line takes time to compile."""
+    zero = w.number(0.0)
+    are_set = sum(value == zero for value in values) >= _MANY
     for lane in range(w.lanes):
+        if are_set:
+            w.helpers.add(CLEAR)
+            w.lines.append(f"  call void @{CLEAR}(ptr {_address(w, area, lane)}, i64 {8 * len(values)})")
         for entry, value in enumerate(values):
+            if are_set and value == zero:
+                continue
             one = w.lane(value, lane)
             w.lines.append(f"  store double {one}, ptr {_address(w, area, lane, entry)}, align 8")
 

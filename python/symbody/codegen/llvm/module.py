@@ -2,41 +2,31 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 
+from symbody.codegen.llvm.assembly import Assembly, assembled
 from symbody.codegen.llvm.block import Load
 from symbody.codegen.llvm.function import Function
-from symbody.codegen.llvm.sincos import sincos_text
+from symbody.codegen.llvm.piece import Piece
 from symbody.codegen.llvm.writer import Writer
 from symbody.codegen.straight_line import Code, operands
 
-__all__ = ["batch_text", "scalar_text", "shortcut_text"]
-
-_LIBM = ("sin", "cos", "tan", "asin", "acos", "atan", "sinh", "cosh", "tanh", "exp", "log")
-_DECLARATIONS = (
-    *(f"declare double @{name}(double) readnone nounwind willreturn" for name in _LIBM),
-    *(f"declare double @{name}(double, double) readnone nounwind willreturn" for name in ("atan2", "pow")),
-    "declare void @symbody_factor(i64, ptr)",
-    "declare void @symbody_solve(i64, ptr, ptr, i64)",
-    '!0 = !{!"branch_weights", i32 1, i32 100000}',
-    "!1 = !{}",
-)
+__all__ = ["batch_modules", "scalar_modules", "shortcut_modules"]
 
 
-def scalar_text(code: Code, name: str, lanes: int) -> str:
-    """Return a module with the function ``void name(const double *in, double *out)``.
+def scalar_modules(code: Code, name: str, lanes: int) -> Assembly:
+    """Return modules with the function ``void name(const double *in, double *out)``.
 
     Args:
         code: what it computes.
         name: the function's name.
         lanes: how many angles the processor takes at a time.
     """
-    function, texts = _scalar(code, name, lanes)
-    return _module(texts, function.widths)
+    return assembled(*_scalar(code, name, lanes))
 
 
-def shortcut_text(shortcut: Code, outputs: int, code: Code, name: str, lanes: int) -> str:
-    """Return a module with a function as `scalar_text` has, which tries a shortcut before the code.
+def shortcut_modules(shortcut: Code, outputs: int, code: Code, name: str, lanes: int) -> Assembly:
+    """Return modules with a function as `scalar_modules` has, which tries a shortcut before the code.
 
     Args:
         shortcut: what computes the outputs, then conditions: unless all are positive the code has to.
@@ -45,7 +35,7 @@ def shortcut_text(shortcut: Code, outputs: int, code: Code, name: str, lanes: in
         name: the function's name.
         lanes: how many angles the processor takes at a time.
     """
-    whole, texts = _scalar(code, f"{name}_safely", lanes, "noinline cold")
+    whole, safely = _scalar(code, f"{name}_safely", lanes, "noinline cold")
     brief = Function(shortcut, f"{name}_briefly", range(len(shortcut.instructions)), 1, lanes, _scalar_input)
     conditions = len(shortcut.results) - outputs
     targets = [f"ptr %out, i64 {j}" for j in range(outputs)]
@@ -55,6 +45,7 @@ def shortcut_text(shortcut: Code, outputs: int, code: Code, name: str, lanes: in
         for place, target in zip(shortcut.results, targets, strict=True)
     ]
     entry = f"""\
+{safely}
 define void @{name}(ptr noalias %in, ptr noalias %out) {{
   %conditions = alloca double, i64 {max(conditions, 1)}, align 64
 {brief.calls("0", "0", "%conditions")}
@@ -67,7 +58,7 @@ done:
   ret void
 }}
 """
-    return _module([brief.text(stores), *texts, entry], brief.widths | whole.widths)
+    return assembled([*brief.pieces(stores), *whole], entry)
 
 
 def _all_positive(conditions: int) -> str:
@@ -83,8 +74,8 @@ def _all_positive(conditions: int) -> str:
     return "\n".join(lines)
 
 
-def _scalar(code: Code, name: str, lanes: int, attributes: str = "") -> tuple[Function, list[str]]:
-    """Return a function of one state, and the texts of its blocks and of what calls them."""
+def _scalar(code: Code, name: str, lanes: int, attributes: str = "") -> tuple[list[Piece], str]:
+    """Return the blocks of a function of one state, and the text of what calls them."""
     function = Function(code, name, range(len(code.instructions)), 1, lanes, _scalar_input)
     stores = [(place, f"getelementptr double, ptr %out, i64 {j}") for j, place in enumerate(code.results)]
     entry = f"""\
@@ -93,11 +84,11 @@ define void @{name}(ptr noalias %in, ptr noalias %out) {attributes} {{
   ret void
 }}
 """
-    return function, [function.text(stores), entry]
+    return function.pieces(stores), entry
 
 
-def batch_text(code: Code, name: str, lanes: int, uniform: Sequence[bool]) -> str:
-    """Return a module with a function of many states, so many in a vector.
+def batch_modules(code: Code, name: str, lanes: int, uniform: Sequence[bool]) -> Assembly:
+    """Return modules with a function of many states, so many in a vector.
 
     ``void name(const double *const *in, double *out, int64 first, int64 last, int64 stride)``: input k of state i is
     ``in[k][i]``, or ``in[k][0]`` where it is ``uniform`` and of stage 0; output j is ``out[j*stride + i]``. There must
@@ -110,10 +101,9 @@ def batch_text(code: Code, name: str, lanes: int, uniform: Sequence[bool]) -> st
     slots = {place: slot for slot, place in enumerate(_shared(code, before, each))}
     prologue = Function(code, f"{name}_once", before, 1, lanes, _pointed_input)
     body = Function(code, f"{name}_each", each, lanes, lanes, _batch_input(uniform), slots)
-    once = prologue.text([(p, f"getelementptr double, ptr %uniform, i64 {slots[p]}") for p in slots])
-    many = body.text([(place, f"@{j}") for j, place in enumerate(code.results)])
-    loop = _loop(name, prologue, body, lanes, len(slots))
-    return _module([once, many, loop], prologue.widths | body.widths)
+    once = prologue.pieces([(p, f"getelementptr double, ptr %uniform, i64 {slots[p]}") for p in slots])
+    many = body.pieces([(place, f"@{j}") for j, place in enumerate(code.results)])
+    return assembled([*once, *many], _loop(name, prologue, body, lanes, len(slots)))
 
 
 def _shared(code: Code, before: Sequence[int], each: Sequence[int]) -> list[int]:
@@ -154,12 +144,6 @@ define internal void @{name}_vector(
   ret void
 }}
 """
-
-
-def _module(texts: Iterable[str], widths: Iterable[int]) -> str:
-    """Return a module: functions, the sines and cosines that they call, and what these call."""
-    waves = [sincos_text(lanes) for lanes in sorted(widths)]
-    return "\n".join([*texts, *waves, *_DECLARATIONS, ""])
 
 
 def _scalar_input(w: Writer, number: int) -> str:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from symbody.codegen.llvm.helper import Helper
 from symbody.codegen.llvm.writer import Writer
 
 __all__ = ["operation"]
@@ -43,9 +44,10 @@ def _sign(w: Writer, value: str) -> str:
 
 
 def _system(w: Writer, name: str, values: Sequence[str]) -> str:
-    """Call a function of the system, lane by lane."""
-    results = []
-    for lane in range(w.lanes):
-        arguments = ", ".join(f"double {w.lane(value, lane)}" for value in values)
-        results.append(w.let(f"call double @{name}({arguments})"))
-    return w.gathered(results)
+    """Call a function of the system; one of the module calls it for each lane."""
+    arguments = ", ".join(f"{w.V} {value}" for value in values)
+    if w.lanes == 1:
+        return w.let(f"call double @{name}({arguments})")
+    helper = Helper(name, w.lanes)
+    w.helpers.add(helper)
+    return w.let(f"call {w.V} @{helper}({arguments})")

@@ -13,7 +13,7 @@ from __future__ import annotations
 from symbody.codegen.llvm.vector import constant, vector_type
 from symbody.codegen.llvm.writer import Writer
 
-__all__ = ["LARGEST", "sincos_text"]
+__all__ = ["LARGEST", "checked_text", "sincos_text"]
 
 LARGEST = 1.0e5
 """The largest angle of the fast reduction: the multiple of pi/2 keeps its exact product with the first part."""
@@ -40,24 +40,42 @@ _COSINE = (
 def sincos_text(lanes: int) -> str:
     """Return the functions of a module that take sine and cosine of so many angles.
 
-    ``@sincos<lanes>`` does so for angles up to :data:`LARGEST`, ``@is_large<lanes>`` tells whether one of them is
-    beyond or is no number, and ``@system_sincos<lanes>`` serves all.
+    ``@sincos_<lanes>`` does so for angles up to :data:`LARGEST`, ``@is_large_<lanes>`` tells whether one of them is
+    beyond or is no number, and ``@system_sincos_<lanes>`` serves all.
     """
     body = Writer(lanes)
     n, bits = _quadrant(body)
     sine, cosine = _in_quadrant(body, bits, *_polynomials(body, _reduced(body, n)))
     V, lines = vector_type(lanes), "\n".join(body.lines)
     return f"""\
-define internal {{ {V}, {V} }} @sincos{lanes}({V} %x) alwaysinline {{
+define internal {{ {V}, {V} }} @sincos_{lanes}({V} %x) alwaysinline {{
 {lines}
 {_pair(V, sine, cosine)}
 }}
 
-define internal i1 @is_large{lanes}({V} %x) alwaysinline {{
+define internal i1 @is_large_{lanes}({V} %x) alwaysinline {{
 {_is_large(lanes)}
 }}
 
 {_system_text(lanes)}"""
+
+
+def checked_text(lanes: int) -> str:
+    """Return ``@checked_sincos_<lanes>``, which serves all angles by the functions of `sincos_text`."""
+    V = vector_type(lanes)
+    both, result = f"{{ {V}, {V} }}", f"ret {{ {V}, {V} }}"
+    return f"""\
+define internal {both} @checked_sincos_{lanes}({V} %x) noinline {{
+  %large = call i1 @is_large_{lanes}({V} %x)
+  br i1 %large, label %slow, label %fast, !prof !0
+fast:
+  %ours = call {both} @sincos_{lanes}({V} %x)
+  {result} %ours
+slow:
+  %theirs = call {both} @system_sincos_{lanes}({V} %x)
+  {result} %theirs
+}}
+"""
 
 
 def _pair(V: str, sine: str, cosine: str) -> str:
@@ -158,4 +176,4 @@ def _system_text(lanes: int) -> str:
         lines += [f"  %c{k} = insertelement {V} {cosine}, double %cos{k}, i32 {k}"]
         sine, cosine = f"%s{k}", f"%c{k}"
     body = "\n".join([*lines, _pair(V, sine, cosine)])
-    return f"define internal {{ {V}, {V} }} @system_sincos{lanes}({V} %x) noinline cold {{\n{body}\n}}\n"
+    return f"define internal {{ {V}, {V} }} @system_sincos_{lanes}({V} %x) noinline cold {{\n{body}\n}}\n"

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from symbody.codegen.llvm.helper import Helper
 from symbody.codegen.llvm.vector import constant, vector_type
 
 __all__ = ["Writer"]
@@ -15,6 +16,7 @@ class Writer:
         self.V, self.mask = vector_type(lanes), vector_type(lanes, "i1")
         self.suffix = "f64" if lanes == 1 else f"v{lanes}f64"
         self.lines: list[str] = []
+        self.helpers: set[Helper] = set()
         self.count = 0
 
     def let(self, instruction: str) -> str:

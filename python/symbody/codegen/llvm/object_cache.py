@@ -1,0 +1,135 @@
+"""Machine code on disk, between processes: a folder of this user's, of bounded size, in which each file proves itself.
+
+A file is named by a digest of all that its code depends on: the module's text, the versions of symbody, llvmlite and
+LLVM, and the processor. It holds its code behind a digest of name and code, so that what was cut off, changed or
+renamed is seen. Code is compiled where none is found; nothing here ever raises an error or changes a result.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import os
+import stat
+import tempfile
+from collections.abc import Callable
+from contextlib import suppress
+from pathlib import Path
+
+__all__ = ["BOUND", "VARIABLE", "cached", "folder"]
+
+VARIABLE = "SYMBODY_CACHE"
+"""The environment variable with the folder, or "off"."""
+
+BOUND = 256 << 20
+"""Bytes in the folder at most; what was not used for longest is removed."""
+
+_SHORTEST = 8_000
+"""Characters of a module's text that is kept: shorter ones compile in some ms."""
+
+_DIGEST = hashlib.sha256().digest_size
+_SUFFIX = ".o"
+
+
+def cached(identity: str, text: str, make: Callable[[], bytes]) -> bytes:
+    """Return the machine code of a module from the folder, or make it and keep it there.
+
+    Args:
+        identity: what the code depends on beside the text.
+        text: the module.
+        make: compiles it.
+    """
+    place = _place(identity, text) if len(text) >= _SHORTEST else None
+    if place is None:
+        return make()
+    found = _read(place)
+    if found is not None:
+        return found
+    made = make()
+    with suppress(OSError):
+        _write(place, made)
+        _trim(place.parent)
+    return made
+
+
+def folder() -> Path | None:
+    """Return where machine code is kept; None where that is switched off, or the folder isn't this user's alone.
+
+    Others could put code there that this process would run.
+    """
+    chosen = os.environ.get(VARIABLE, "")
+    if chosen.strip().lower() in {"off", "0", "no", "false"} or not hasattr(os, "getuid"):
+        return None
+    try:
+        place = Path(chosen).expanduser().absolute() if chosen else _standard()
+        place.mkdir(mode=0o700, parents=True, exist_ok=True)
+        return place if _is_own(place.lstat(), stat.S_ISDIR) else None
+    except (OSError, RuntimeError, ValueError):
+        return None
+
+
+def _standard() -> Path:
+    """Return the folder by the XDG base directory specification."""
+    given = os.environ.get("XDG_CACHE_HOME", "")
+    return (Path(given) if Path(given).is_absolute() else Path.home() / ".cache") / "symbody"
+
+
+def _is_own(found: os.stat_result, is_kind: Callable[[int], bool]) -> bool:
+    return is_kind(found.st_mode) and found.st_uid == os.getuid() and not found.st_mode & 0o022
+
+
+def _place(identity: str, text: str) -> Path | None:
+    home = folder()
+    name = hashlib.sha256(f"{identity}\0{text}".encode()).hexdigest()
+    return None if home is None else home / (name + _SUFFIX)
+
+
+def _proof(place: Path, code: bytes) -> bytes:
+    return hashlib.sha256(place.name.encode() + code).digest()
+
+
+def _read(place: Path) -> bytes | None:
+    """Return the code in a file, and note that it was used; None if it isn't whole."""
+    try:
+        handle = os.open(place, os.O_RDONLY | os.O_NOFOLLOW | os.O_NONBLOCK)
+        with os.fdopen(handle, "rb") as file:
+            if not _is_own(os.fstat(handle), stat.S_ISREG):
+                return None
+            proof, code = file.read(_DIGEST), file.read()
+    except OSError:
+        return None
+    if proof != _proof(place, code):
+        return None
+    with suppress(OSError):
+        os.utime(place)
+    return code
+
+
+def _write(place: Path, code: bytes) -> None:
+    """Write a file whole, and put it into its place in one step."""
+    handle, temporary = tempfile.mkstemp(suffix=_SUFFIX, prefix=".", dir=place.parent)
+    try:
+        with os.fdopen(handle, "wb") as file:
+            file.write(_proof(place, code) + code)
+        Path(temporary).replace(place)
+    except BaseException:
+        with suppress(OSError):
+            Path(temporary).unlink()
+        raise
+
+
+def _trim(home: Path) -> None:
+    """Remove the files that were not used for longest, down to three quarters of the bound."""
+    found = []
+    for file in home.glob(f"*{_SUFFIX}"):
+        with suppress(OSError):
+            state = file.stat()
+            found.append((state.st_mtime_ns, file.name, state.st_size))
+    size = sum(each for _, _, each in found)
+    if size <= BOUND:
+        return
+    for _, name, each in sorted(found):
+        with suppress(OSError):
+            (home / name).unlink()
+        size -= each
+        if size <= BOUND * 3 // 4:
+            return

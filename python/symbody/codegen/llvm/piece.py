@@ -1,0 +1,44 @@
+"""Functions of LLVM's as pieces, which are put together to modules."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from symbody.codegen.llvm.helper import Helper
+
+__all__ = ["Piece"]
+
+_TYPED = "ptr noalias %in, ptr noalias %out, ptr noalias %work, ptr noalias %uniform, i64 %i, i64 %stride"
+
+
+@dataclass(frozen=True)
+class Piece:
+    """A function without result; all have the same arguments.
+
+    Attributes:
+        name: its name.
+        lines: what it does.
+        helpers: what it calls, beside functions of the system.
+        attribute: whether it becomes a part of what calls it.
+    """
+
+    name: str
+    lines: tuple[str, ...]
+    helpers: frozenset[Helper] = frozenset()
+    attribute: str = "noinline"
+
+    def definition(self, linkage: str = "") -> str:
+        """Return its text."""
+        head = f"define {linkage} void @{self.name}({_TYPED}) {self.attribute} alignstack(64) {{"
+        return "\n".join([head, *self.lines, "  ret void", "}", ""])
+
+    def call_by_address(self, number: int) -> str:
+        """Return a function of this name that calls the one whose address has a place in the table ``@parts``."""
+        return f"""\
+define internal void @{self.name}({_TYPED}) alwaysinline {{
+  %place = getelementptr ptr, ptr @parts, i64 {number}
+  %part = load ptr, ptr %place
+  call void %part({_TYPED.replace(" noalias", "")})
+  ret void
+}}
+"""

@@ -1,0 +1,65 @@
+"""What is shown while equations are derived and compiled."""
+
+from __future__ import annotations
+
+import threading
+from collections.abc import Callable
+
+import pytest
+
+from symbody import MachineCode, simulate, symbols
+from symbody.codegen.llvm.jit import watched
+from symbody.simulation import progress
+from tests.codegen.test_long_code import chain
+from tests.simulation.test_simulate import START, VALUES, double_pendulum
+
+
+class AtOnce:
+    """A timer that doesn't wait."""
+
+    def __init__(self, _seconds: float, call: Callable[[], None]) -> None:
+        self.start = call
+
+    def cancel(self) -> None:
+        """There is nothing to cancel."""
+
+    def join(self) -> None:
+        """There is nothing to wait for."""
+
+
+class Never(AtOnce):
+    """A timer that waits forever."""
+
+    def __init__(self, _seconds: float, _call: Callable[[], None]) -> None:
+        self.start = lambda: None
+
+
+def test_each_part_is_reported_before_it_is_compiled():
+    x, y = symbols("x y")
+    parts: list[tuple[int, int]] = []
+    code = MachineCode((x, y), tuple(chain(6000)[-1:]))
+    with watched(lambda part, count: parts.append((part, count))):
+        assert code.address
+    assert len(parts) > 2
+    assert parts == [(k, len(parts)) for k in range(1, len(parts) + 1)]
+
+
+def test_derivation_and_compilation_are_shown_where_they_take_long(monkeypatch, capsys):
+    monkeypatch.setattr(progress, "Timer", AtOnce)
+    simulate(double_pendulum(), VALUES, START, t=(0, 0.1), progress=True)
+    assert "compile the equations, part 1 of 1" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("is_shown", [True, None])
+def test_nothing_is_shown_of_what_is_quick_or_goes_to_no_terminal(monkeypatch, capsys, is_shown):
+    monkeypatch.setattr(progress, "Timer", Never if is_shown else AtOnce)
+    with progress.preparation_bar(is_shown=is_shown):
+        MachineCode((symbols("x"),), (symbols("x") + 2,)).address  # noqa: B018 - it compiles
+    assert capsys.readouterr().err == ""
+
+
+def test_no_timer_is_left_behind_after_an_error():
+    before = threading.active_count()
+    with pytest.raises(KeyboardInterrupt), progress.preparation_bar(is_shown=True):
+        raise KeyboardInterrupt
+    assert threading.active_count() == before
