@@ -15,7 +15,7 @@ import pytest
 
 from symbody.codegen.runtime import NAMES, SNIPPETS, factor_size, runtime_text
 from symbody.symbolic.kernel import kernel_address, kernel_workspace, take_deficiencies
-from tests.codegen.linear_solve_drivers import COMPILED, LIBRARIES, Solved, solved_by
+from tests.codegen.linear_solve_drivers import COMPILED, LIBRARIES, NEEDED, Solved, solved_by
 from tests.codegen.linear_systems import System, systems, weights
 
 ROOT = Path(__file__).parents[2]
@@ -52,7 +52,13 @@ def test_kernel() -> None:
     assert take_deficiencies() == []
 
 
-@pytest.fixture(scope="module", params=[*COMPILED, *LIBRARIES])
+LANGUAGES = [
+    pytest.param(name, marks=pytest.mark.needs(NEEDED[name]) if name in NEEDED else ())
+    for name in (*COMPILED, *LIBRARIES)
+]
+
+
+@pytest.fixture(scope="module", params=LANGUAGES)
 def language(
     request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory
 ) -> tuple[str, list[str], Path]:
