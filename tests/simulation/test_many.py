@@ -7,7 +7,6 @@ import os
 import signal
 import subprocess
 import sys
-import threading
 from collections.abc import Callable, Iterator
 from concurrent.futures import Executor, Future, ProcessPoolExecutor, ThreadPoolExecutor
 from contextlib import contextmanager
@@ -280,15 +279,20 @@ def interrupt() -> None:
     os.kill(os.getpid(), signal.SIGINT)
 
 
-def test_an_interruption_keeps_what_is_done(monkeypatch: pytest.MonkeyPatch) -> None:
-    """A signal comes when the first of many motions are done; it is noted, and what has not been run is listed."""
+def interrupt_after(monkeypatch: pytest.MonkeyPatch, least: int) -> None:
+    """Press Ctrl-C, once, as soon as so many motions are done."""
 
     @contextmanager
     def impatient(*_: object, **__: object) -> Iterator[Callable[[float], None]]:
         told = iter([interrupt])
-        yield lambda done: next(told, int)() if done else None
+        yield lambda done: next(told, int)() if done >= least else None
 
     monkeypatch.setattr(many, "progress_bar", impatient)
+
+
+def test_an_interruption_keeps_what_is_done(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A signal comes when the first of many motions are done; it is noted, and what has not been run is listed."""
+    interrupt_after(monkeypatch, 1)
     count, before = 20_000, signal.getsignal(signal.SIGINT)
     cases = {l: np.linspace(0.5, 1, count)}
     with pytest.warns(ModelNotice, match=f"of {count} motions were not run \\(interrupted\\)"):
@@ -301,16 +305,14 @@ def test_an_interruption_keeps_what_is_done(monkeypatch: pytest.MonkeyPatch) -> 
     assert runs.completed.sum() == done
 
 
-def test_an_interruption_of_an_executor_keeps_what_is_done() -> None:
+def test_an_interruption_of_an_executor_keeps_what_is_done(monkeypatch: pytest.MonkeyPatch) -> None:
     class Interrupted(Lossy):
         def submit(self, fn: Callable[..., Any], /, *args: Any, **kwargs: Any) -> Future[Any]:
             if self.count < 4:
                 return super().submit(fn, *args, **kwargs)
-            if self.count == 4:
-                threading.Timer(0.3, interrupt).start()
-            self.count += 1
             return Future()
 
+    interrupt_after(monkeypatch, 4)
     with pytest.warns(ModelNotice, match=r"2 of 6 motions were not run \(interrupted\)"):
         runs = six(executor=Interrupted(lambda _: False))
     assert runs.not_run == [4, 5]
