@@ -46,6 +46,7 @@ out/.demo: $(STAMPS)/build $(PYTHON_SOURCES) $(EXAMPLE)
 build: $(STAMPS)/build  ## build the Rust extension (release) into .venv and install the package there
 
 test: lint test-rust test-python  ## everything that is tested, lints included
+	@$(TOOLS) --no-install lint
 
 test-rust:
 	$(call say,Rust tests)

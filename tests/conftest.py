@@ -72,7 +72,7 @@ def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter) -> None:
         counts = sorted(Counter(name for names in wanted for name in names).items())
         listed = ", ".join(f"{name} ({count})" for name, count in counts)
         terminalreporter.write_line(
-            f"{len(wanted)} tests skipped for want of {listed}; `python -m symbody doctor` says how to get them"
+            f"{len(wanted)} tests skipped for want of {listed}; scripts/tools.py lists their packages"
         )
     for test in unexcused(terminalreporter):
         terminalreporter.write_line(f"skipped, which CI does not allow: {test}")

@@ -12,6 +12,7 @@ import hashlib
 import os
 import subprocess
 import sys
+from collections.abc import Iterable
 from pathlib import Path
 
 import pytest
@@ -28,22 +29,23 @@ GOLDEN = ROOT / "tests" / "golden"
 COMPILES_LONG = ("long", "trifilar", "panda_7dof", "solo12_floating")
 
 
-RUNS = [
-    run_of(program, target, is_slow=target == "jax" and program in COMPILES_LONG)
-    for program in PROGRAMS
-    for target in TARGETS
-]
+def runs_of(programs: Iterable[str]) -> list[object]:
+    """The parameters of tests that run programs in all targets."""
+    return [
+        run_of(program, target, is_slow=target == "jax" and program in COMPILES_LONG)
+        for program in programs
+        for target in TARGETS
+    ]
 
 
-@pytest.mark.parametrize(("program", "target"), RUNS)
+@pytest.mark.parametrize(("program", "target"), runs_of(PROGRAMS))
 def test_against_the_evaluator(program: str, target: str) -> None:
     report = check(PROGRAMS[program](), target)
     results = [result for routine in PROGRAMS[program]().routines for result in routine.results]
     assert report.count("  ok") == len(results)
 
 
-@pytest.mark.parametrize("name", run_of_each())
-@pytest.mark.parametrize("robot", REFERENCES)
+@pytest.mark.parametrize(("robot", "name"), runs_of(REFERENCES))
 def test_against_other_programs(robot: str, name: str) -> None:
     target = TARGETS[name]
     program, sample = at_reference_state(robot)
@@ -81,7 +83,7 @@ def digest() -> str:
     return sums.hexdigest()
 
 
-@pytest.mark.parametrize("seed", ["1", "2"])
+@pytest.mark.parametrize("seed", ["1", pytest.param("2", marks=pytest.mark.slow)])
 def test_same_bytes_in_every_process(seed: str) -> None:
     code = "from tests.codegen.test_targets import digest; print(digest())"
     environment = os.environ | {"PYTHONHASHSEED": seed}
