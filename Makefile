@@ -16,6 +16,14 @@ SELECT := $(if $(CI),,-m "not slow")
 RIVALS := $(if $(CI),$(STAMPS)/bench)
 PYTEST := $(BIN)/python -m pytest --numprocesses=2
 
+# What the system's package manager has is installed where that is allowed; `make INSTALL=no test` leaves the system as it is.
+INSTALL ?= yes
+TOOLS  := $(PYTHON) scripts/tools.py $(if $(filter no,$(INSTALL)),--no-install)
+
+# A lint whose tool could not be installed is left out; in CI, $(STAMPS)/tools-lint has failed before.
+cargo-lint = @if cargo $(firstword $(2)) --version >/dev/null 2>&1; \
+  then set -x; cargo $(2); else echo "Skipped for want of $(1): cargo $(2)"; fi
+
 say = @printf '\n\033[1m== %s\033[0m\n' "$(1)"
 
 .DEFAULT_GOAL := help
@@ -38,24 +46,22 @@ out/.demo: $(STAMPS)/build $(PYTHON_SOURCES) $(EXAMPLE)
 build: $(STAMPS)/build  ## build the Rust extension (release) into .venv and install the package there
 
 test: lint test-rust test-python  ## everything that is tested, lints included
+	@$(TOOLS) --no-install lint
 
 test-rust:
 	$(call say,Rust tests)
 	cargo test --workspace $(LOCKED)
 
-test-python: $(STAMPS)/build $(STAMPS)/develop $(RIVALS)
+test-python: $(STAMPS)/tools-test $(STAMPS)/build $(STAMPS)/develop $(RIVALS)
 	$(call say,Python tests: laws$(,) references$(,) doctests$(,) documents$(,) examples$(,) benchmarks)
 	$(PYTEST) $(SELECT)
 
 lint: lint-rust lint-python  ## formats, lints, types and layers
 
-lint-rust:
+lint-rust: $(STAMPS)/tools-lint
 	$(call say,Rust lints)
-	@cargo fmt --version >/dev/null && cargo clippy --version >/dev/null || { \
-	  echo "rustfmt and clippy are missing: rustup component add rustfmt clippy, or apt-get install rustfmt rust-clippy"; \
-	  exit 1; }
-	cargo fmt --all --check
-	cargo clippy --workspace --all-targets $(LOCKED) -- --deny warnings
+	$(call cargo-lint,rustfmt,fmt --all --check)
+	$(call cargo-lint,clippy,clippy --workspace --all-targets $(LOCKED) -- --deny warnings)
 
 lint-python: $(STAMPS)/build $(STAMPS)/develop
 	$(call say,Python lints: format$(,) lint$(,) types$(,) layers)
@@ -65,10 +71,11 @@ lint-python: $(STAMPS)/build $(STAMPS)/develop
 	$(BIN)/python -m mypy.stubtest symbody.symbolic._core
 	$(BIN)/lint-imports
 
-format: $(STAMPS)/develop  ## put the sources into the project's format
+format: $(STAMPS)/develop  ## put the sources into the project's format, and README.md into that of an index
 	cargo fmt --all
 	$(BIN)/ruff check --fix --exit-zero .
 	$(BIN)/ruff format .
+	$(BIN)/python scripts/index_page.py
 
 bench: $(STAMPS)/build $(STAMPS)/bench  ## measure against the rivals (a quarter of an hour), write docs/benchmarks/
 	$(BIN)/python -m benchmarks.derive.run
@@ -89,6 +96,8 @@ clean:  ## remove all that was made
 
 $(STAMPS)/venv: scripts/environment.py
 	$(call say,Making $(VENV))
+	@command -v $(PYTHON) >/dev/null || INSTALL=$(INSTALL) sh scripts/package.sh python3
+	$(TOOLS) build
 	$(PYTHON) $< $(VENV)
 	$(BIN)/pip install --quiet "maturin>=1.9.4,<2"
 	@mkdir -p $(STAMPS) && touch $@
@@ -98,7 +107,13 @@ $(STAMPS)/build: $(STAMPS)/venv $(RUST) pyproject.toml
 	VIRTUAL_ENV=$(abspath $(VENV)) $(BIN)/maturin develop --release $(LOCKED)
 	@touch $@
 
-# The other tools come from the groups of pyproject.toml, pinned there.
+# The package manager is asked once; a tool that comes later by another way is found all the same.
+$(STAMPS)/tools-lint $(STAMPS)/tools-test: $(STAMPS)/tools-%: $(STAMPS)/venv scripts/tools.py
+	$(call say,Looking for the tools that $* needs)
+	$(TOOLS) $*
+	@touch $@
+
+# The other packages of Python come from the groups of pyproject.toml, pinned there.
 $(STAMPS)/develop $(STAMPS)/bench $(STAMPS)/docs: $(STAMPS)/venv pyproject.toml
 	$(call say,Installing the tools to $(@F))
 	$(BIN)/pip install --quiet --group $(@F)

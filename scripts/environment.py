@@ -1,4 +1,4 @@
-"""Make the virtual environment of the project, on a machine that has Python and cargo and nothing else.
+"""Make the virtual environment of the project, on a machine that has Python and nothing else.
 
 Usage: python3 scripts/environment.py .venv
 
@@ -6,7 +6,6 @@ Debian splits ``ensurepip`` off Python into the package python3-venv, so ``pytho
 fresh machine. The ways to put pip into the environment are tried in turn; the last is pip's own installer.
 """
 
-import re
 import shutil
 import subprocess
 import sys
@@ -16,7 +15,6 @@ from importlib.util import find_spec
 from pathlib import Path
 
 PYTHON_NEEDED = (3, 11)
-RUST_NEEDED = (1, 85)  # as `rust-version` in Cargo.toml
 PIP_NEEDED = "pip>=25.1"  # the first that installs dependency groups
 PIP_INSTALLER = "https://bootstrap.pypa.io/get-pip.py"
 
@@ -38,18 +36,6 @@ def check_python() -> None:
             f"Python {needed} or newer is needed, this is {found}.\n"
             f"Name another one: make PYTHON=python{needed} demo"
         )
-
-
-def check_cargo() -> None:
-    """Raise where cargo is missing or too old."""
-    way_out = "Install Rust from https://rustup.rs (no root needed), or `apt-get install cargo` on Debian 13."
-    if shutil.which("cargo") is None:
-        raise SetupError(f"cargo, which builds the Rust extension, was not found.\n{way_out}")
-    text = subprocess.run(["cargo", "--version"], capture_output=True, text=True, check=True).stdout
-    found = re.search(r"(\d+)\.(\d+)", text)
-    if found and tuple(map(int, found.groups())) < RUST_NEEDED:
-        needed = ".".join(map(str, RUST_NEEDED))
-        raise SetupError(f"cargo {needed} or newer is needed, this is {text.strip()}.\n{way_out}")
 
 
 def with_ensurepip(folder: Path) -> None:
@@ -97,10 +83,9 @@ def make_environment(folder: Path) -> None:
 
 
 def main(folder: str) -> None:
-    """Check the tools and make the environment, or say what is missing."""
+    """Check Python and make the environment, or say what is missing."""
     try:
         check_python()
-        check_cargo()
         make_environment(Path(folder))
     except SetupError as error:
         sys.exit(f"\n{error}\n")

@@ -1,9 +1,26 @@
-"""What every process that runs tests begins with."""
+"""What every process that runs tests begins with: Ctrl-C acts, and tests say which programs they need.
+
+A test marked ``needs("gfortran")`` is skipped where that program is missing, and counted in one line at the end. With
+CI in the environment it fails there, unless no package of the system offers the program, and no other test may be
+skipped.
+"""
 
 from __future__ import annotations
 
 import os
+import shutil
 import signal
+from collections import Counter
+
+import pytest
+
+from scripts.tools import TOOLS, is_at_hand
+
+NOT_PACKAGED = {"julia", "omc"}
+"""Programs that no package of the systems that we know offers."""
+
+MISSING = "missing programs"
+"""The property of a skipped test that lists what it misses."""
 
 
 def pytest_configure() -> None:
@@ -14,3 +31,52 @@ def pytest_configure() -> None:
     os.environ["SYMBODY_CACHE"] = "off"
     if signal.getsignal(signal.SIGINT) == signal.SIG_IGN:
         signal.signal(signal.SIGINT, signal.default_int_handler)
+
+
+def is_missing(program: str) -> bool:
+    """Whether the machine lacks a program; one that the table of tools lists may have several names."""
+    listed = [tool for tool in TOOLS if program in (tool.name, *tool.commands)]
+    return not any(map(is_at_hand, listed)) and shutil.which(program) is None
+
+
+def pytest_runtest_setup(item: pytest.Item) -> None:
+    """Skip a test whose programs are missing; in CI, fail where a package has them."""
+    missing = sorted({name for mark in item.iter_markers("needs") for name in mark.args if is_missing(name)})
+    if not missing:
+        return
+    if "CI" in os.environ and not NOT_PACKAGED.issuperset(missing):
+        pytest.fail(f"missing: {', '.join(missing)}; scripts/tools.py installs what CI needs", pytrace=False)
+    item.user_properties.append((MISSING, " ".join(missing)))
+    pytest.skip(f"for want of {', '.join(missing)}")
+
+
+def unexcused(reporter: pytest.TerminalReporter) -> list[str]:
+    """Return what was skipped for another reason than a missing program, where nothing else may be."""
+    skipped = reporter.stats.get("skipped", []) if "CI" in os.environ else []
+    return [
+        report.nodeid for report in skipped if MISSING not in dict(getattr(report, "user_properties", ()))
+    ]
+
+
+@pytest.hookimpl(trylast=True)
+def pytest_sessionfinish(session: pytest.Session) -> None:
+    """Let a run in CI fail that skipped more than it may."""
+    reporter = session.config.pluginmanager.get_plugin("terminalreporter")
+    if reporter and session.exitstatus == pytest.ExitCode.OK and unexcused(reporter):
+        session.exitstatus = pytest.ExitCode.TESTS_FAILED
+
+
+@pytest.hookimpl(trylast=True)
+def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter) -> None:
+    """Count the tests that were skipped for want of programs, in one line."""
+    skipped = terminalreporter.stats.get("skipped", [])
+    properties = [dict(getattr(report, "user_properties", ())) for report in skipped]
+    wanted = [found[MISSING].split() for found in properties if MISSING in found]
+    if wanted:
+        counts = sorted(Counter(name for names in wanted for name in names).items())
+        listed = ", ".join(f"{name} ({count})" for name, count in counts)
+        tests = "1 test" if len(wanted) == 1 else f"{len(wanted)} tests"
+        packages = "scripts/tools.py names the packages, where there are any"
+        terminalreporter.write_line(f"{tests} skipped for want of {listed}; {packages}")
+    for test in unexcused(terminalreporter):
+        terminalreporter.write_line(f"skipped, which CI does not allow: {test}")

@@ -14,13 +14,12 @@ import pytest
 from benchmarks.derive.by_symbody import chain as symbolic_chain
 from benchmarks.evaluate import by_symbody, report
 from benchmarks.evaluate.measure import RIVALS, Effort, Timing, compare, difference, in_turns
-from benchmarks.evaluate.native import available
 from benchmarks.evaluate.robot import chain, from_reference
 from benchmarks.evaluate.states import random_states
 from benchmarks.evaluate.targets import CHAIN, FORWARD, INVERSE, PANDA, SPEEDS, Bound
 from symbody import cost, newton_euler
 
-needs_compiler = pytest.mark.skipif(not available("cc"), reason="no C compiler")
+needs_compiler = pytest.mark.needs("cc")
 ROBOTS = {"panda": "panda_7dof", "solo12": "solo12_floating"}
 LOOK = Effort(rounds=1, seconds=1e-6)
 
@@ -38,6 +37,7 @@ def test_all_contenders_agree() -> None:
         assert [(function, t.label) for t in timings if not t.agrees] == []
 
 
+@pytest.mark.needs("g++")
 @pytest.mark.slow
 @pytest.mark.skipif("CI" not in os.environ, reason="rivals are wanted where everything runs")
 def test_all_rivals_are_there() -> None:

@@ -1,11 +1,15 @@
 """symbody: the equations of motion of multibody systems, derived in symbols, checked, and run.
 
-The public names, layer by layer; ``import symbody as sb`` or import them from here.
+The public names, layer by layer; ``import symbody as sb`` or import them from here. The layers that turn equations into
+code and numbers are loaded when one of their names is first used: with SciPy and LLVM, they take longer than the rest.
 """
 
+from __future__ import annotations
+
+import sys
+from importlib import import_module
 from typing import TYPE_CHECKING
 
-from symbody.codegen import CompiledFunction, MachineCode, generate, lambdify
 from symbody.dynamics import (
     Equations,
     ForwardDynamics,
@@ -52,23 +56,6 @@ from symbody.multibody import (
     power,
     show,
 )
-from symbody.simulation import (
-    Equilibrium,
-    Event,
-    InverseDynamics,
-    Motion,
-    Occurrence,
-    Redundancy,
-    Runs,
-    consistent_state,
-    equilibrium,
-    grid,
-    inverse_dynamics,
-    redundant_constraints,
-    simulate,
-    simulate_many,
-)
-from symbody.simulation.drawing import draw_with
 from symbody.symbolic import (
     Abs,
     Cost,
@@ -129,13 +116,26 @@ from symbody.symbolic import (
 )
 from symbody.symbolic.hint import no_attribute
 
-draw_with("symbody.view")
+if TYPE_CHECKING:
+    from symbody.codegen import CompiledFunction, MachineCode, generate, lambdify
+    from symbody.simulation import (
+        Equilibrium,
+        Event,
+        InverseDynamics,
+        Motion,
+        Occurrence,
+        Redundancy,
+        Runs,
+        consistent_state,
+        equilibrium,
+        grid,
+        inverse_dynamics,
+        redundant_constraints,
+        simulate,
+        simulate_many,
+    )
 
-if not TYPE_CHECKING:  # where types are checked, a name that isn't here is a mistake
-
-    def __getattr__(name: str) -> object:
-        """Say what others' names are called here."""
-        raise no_attribute("symbody", name)
+    __version__: str
 
 
 __all__ = [
@@ -255,3 +255,27 @@ __all__ = [
     "velocity",
     "zeros",
 ]
+
+_LATER = ("codegen", "simulation", "view")
+"""The layers that are loaded with the first use of theirs, the lower first."""
+
+if not TYPE_CHECKING:  # for type checkers, a module with this function has every name
+
+    def __getattr__(name: str) -> object:
+        """Load the layer that a public name is in, when it is first used [PEP 562]."""
+        if name in _LATER:
+            return import_module(f"symbody.{name}")
+        if name == "__version__":
+            value = import_module("importlib.metadata").version("symbody")
+        elif name in __all__:
+            layers = (import_module(f"symbody.{layer}") for layer in _LATER)
+            value = next(getattr(layer, name) for layer in layers if name in layer.__all__)
+        else:
+            raise no_attribute("symbody", name)
+        globals()[name] = value
+        return value
+
+
+def __dir__() -> list[str]:
+    """List the public names, loaded or not."""
+    return sorted({*globals(), *__all__, *_LATER, "__version__"})

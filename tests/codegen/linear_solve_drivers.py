@@ -181,6 +181,9 @@ def numpy(folder: Path) -> list[str]:
     return [sys.executable, "-W", "error", "solve.py"]
 
 
+NEEDED = {"C": "cc", "Fortran": "gfortran", "Rust": "rustc", "Octave": "octave-cli"}
+"""The programs that they need."""
+
 COMPILED: dict[str, Callable[[Path], list[str]]] = {"C": c, "Fortran": fortran, "Rust": rust}
 """These have the whole algorithm, and name the equations that follow from others."""
 

@@ -12,7 +12,7 @@ from symbody.codegen.module import Function
 from symbody.codegen.toolchain import check_files
 from symbody.symbolic import Argument, Program, Result, Routine, cos, exp, sin, symbols
 from tests.codegen.programs import PROGRAMS, calls
-from tests.codegen.test_targets import at_hand
+from tests.codegen.running import run_of_each
 
 
 def functions(program: Program, target: str) -> dict[str, Function]:
@@ -40,9 +40,9 @@ def test_it_is_said_above_the_routine() -> None:
 
 
 @pytest.mark.parametrize("limit", [1, 4, 1000])
-@pytest.mark.parametrize("target", ["c", "fortran", "julia", "rust"])
+@pytest.mark.parametrize("target", run_of_each(["c", "fortran", "julia", "rust"]))
 def test_calls_of_routines_in_parts(target: str, limit: int) -> None:
-    chosen = at_hand(target)
+    chosen = TARGETS[target]
     module = module_of(calls(), chosen.language, limit)
     assert [call.name for call in module.routines[1].calls] == [module.routines[0].name]
     report = check_files(chosen, module.name, chosen.files(module))

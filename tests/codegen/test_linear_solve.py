@@ -16,7 +16,7 @@ import scipy.linalg
 
 from symbody.codegen.runtime import NAMES, SNIPPETS, factor_size, runtime_text
 from symbody.symbolic.kernel import kernel_address, kernel_workspace, take_deficiencies
-from tests.codegen.linear_solve_drivers import COMPILED, LIBRARIES, Solved, solved_by
+from tests.codegen.linear_solve_drivers import COMPILED, LIBRARIES, NEEDED, Solved, solved_by
 from tests.codegen.linear_systems import System, systems, weights
 
 ROOT = Path(__file__).parents[2]
@@ -93,7 +93,13 @@ def test_what_rounding_leaves_is_no_contradiction(off: float, unit: float) -> No
     assert _named(dependent, contradictions) == system.dependent
 
 
-@pytest.fixture(scope="module", params=[*COMPILED, *LIBRARIES])
+LANGUAGES = [
+    pytest.param(name, marks=pytest.mark.needs(NEEDED[name]) if name in NEEDED else ())
+    for name in (*COMPILED, *LIBRARIES)
+]
+
+
+@pytest.fixture(scope="module", params=LANGUAGES)
 def language(
     request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory
 ) -> tuple[str, list[str], Path]:

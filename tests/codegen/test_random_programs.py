@@ -9,6 +9,7 @@ import pytest
 
 from symbody.codegen import check
 from symbody.symbolic import Argument, Expr, Program, Result, Routine, t
+from tests.codegen.running import run_of_each
 from tests.symbolic.random_expression import COORDINATES, SYMBOLS, expression
 
 RATES = [tuple(x.diff(t, order) for x in COORDINATES) for order in range(1, 5)]
@@ -31,7 +32,7 @@ def routines(first: int) -> Iterator[Routine]:
             yield Routine(f"r{seed}", "", NAMES, (Result("y", "", (drawn,), ()),))
 
 
-@pytest.mark.parametrize("target", ["c", "fortran", "matlab", "python", "casadi", "rust"])
+@pytest.mark.parametrize("target", run_of_each(["c", "fortran", "matlab", "python", "casadi", "rust"]))
 @pytest.mark.parametrize("first", [1000, 2000])
 def test_random_programs(first: int, target: str) -> None:
     chosen = tuple(islice(routines(first), 20))

@@ -12,62 +12,50 @@ import hashlib
 import os
 import subprocess
 import sys
+from collections.abc import Iterable
 from pathlib import Path
 
 import pytest
 
 from symbody.codegen.arrange import module_name, module_of
 from symbody.codegen.generate import TARGETS, source
-from symbody.codegen.target import Target
-from symbody.codegen.toolchain import check, check_files, missing_tools
+from symbody.codegen.toolchain import check, check_files
 from symbody.errors import CodegenError
 from tests.codegen.programs import PROGRAMS, REFERENCES, at_reference_state, double_pendulum, pendulum
+from tests.codegen.running import run_of, run_of_each
 
 ROOT = Path(__file__).parents[2]
 GOLDEN = ROOT / "tests" / "golden"
-RUN_WHERE_AT_HAND = ("julia", "modelica")
-"""Their tools come with no package of the system: golden files always, runs where there is one, also in CI."""
-
 COMPILES_LONG = ("long", "trifilar", "panda_7dof", "solo12_floating")
 
 
-def at_hand(name: str) -> Target:
-    target = TARGETS[name]
-    is_optional = name in RUN_WHERE_AT_HAND or "CI" not in os.environ
-    if is_optional and missing_tools(target):
-        pytest.skip(f"{missing_tools(target)[0]} isn't installed")
-    return target
+def runs_of(programs: Iterable[str]) -> list[object]:
+    """The parameters of tests that run programs in all targets."""
+    return [
+        run_of(program, target, is_slow=target == "jax" and program in COMPILES_LONG)
+        for program in programs
+        for target in TARGETS
+    ]
 
 
-RUNS = [
-    pytest.param(
-        program, target, marks=pytest.mark.slow if target == "jax" and program in COMPILES_LONG else ()
-    )
-    for program in PROGRAMS
-    for target in TARGETS
-]
-
-
-@pytest.mark.parametrize(("program", "target"), RUNS)
+@pytest.mark.parametrize(("program", "target"), runs_of(PROGRAMS))
 def test_against_the_evaluator(program: str, target: str) -> None:
-    at_hand(target)
     report = check(PROGRAMS[program](), target)
     results = [result for routine in PROGRAMS[program]().routines for result in routine.results]
     assert report.count("  ok") == len(results)
 
 
-@pytest.mark.parametrize("name", TARGETS)
-@pytest.mark.parametrize("robot", REFERENCES)
+@pytest.mark.parametrize(("robot", "name"), runs_of(REFERENCES))
 def test_against_other_programs(robot: str, name: str) -> None:
-    target = at_hand(name)
+    target = TARGETS[name]
     program, sample = at_reference_state(robot)
     module = module_of(program, target.language, target.limit, sample)
     check_files(target, module.name, target.files(module))
 
 
-@pytest.mark.parametrize("name", TARGETS)
+@pytest.mark.parametrize("name", run_of_each())
 def test_a_mistake_is_found(name: str) -> None:
-    target, program = at_hand(name), double_pendulum()
+    target, program = TARGETS[name], double_pendulum()
     texts = source(program, name)
     wrong = {file: text if "check" in file else text.replace("sin(", "cos(") for file, text in texts.items()}
     assert wrong != texts
@@ -95,7 +83,7 @@ def digest() -> str:
     return sums.hexdigest()
 
 
-@pytest.mark.parametrize("seed", ["1", "2"])
+@pytest.mark.parametrize("seed", ["1", pytest.param("2", marks=pytest.mark.slow)])
 def test_same_bytes_in_every_process(seed: str) -> None:
     code = "from tests.codegen.test_targets import digest; print(digest())"
     environment = os.environ | {"PYTHONHASHSEED": seed}

@@ -7,7 +7,6 @@ import os
 import signal
 import subprocess
 import sys
-import threading
 from collections.abc import Callable, Iterator
 from concurrent.futures import Executor, Future, ProcessPoolExecutor, ThreadPoolExecutor
 from contextlib import contextmanager
@@ -280,15 +279,20 @@ def interrupt() -> None:
     os.kill(os.getpid(), signal.SIGINT)
 
 
-def test_an_interruption_keeps_what_is_done(monkeypatch: pytest.MonkeyPatch) -> None:
-    """A signal comes when the first of many motions are done; it is noted, and what has not been run is listed."""
+def interrupt_after(monkeypatch: pytest.MonkeyPatch, least: int) -> None:
+    """Press Ctrl-C, once, as soon as so many motions are done."""
 
     @contextmanager
     def impatient(*_: object, **__: object) -> Iterator[Callable[[float], None]]:
         told = iter([interrupt])
-        yield lambda done: next(told, int)() if done else None
+        yield lambda done: next(told, int)() if done >= least else None
 
     monkeypatch.setattr(many, "progress_bar", impatient)
+
+
+def test_an_interruption_keeps_what_is_done(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A signal comes when the first of many motions are done; it is noted, and what has not been run is listed."""
+    interrupt_after(monkeypatch, 1)
     count, before = 20_000, signal.getsignal(signal.SIGINT)
     cases = {l: np.linspace(0.5, 1, count)}
     with pytest.warns(ModelNotice, match=f"of {count} motions were not run \\(interrupted\\)"):
@@ -301,16 +305,14 @@ def test_an_interruption_keeps_what_is_done(monkeypatch: pytest.MonkeyPatch) -> 
     assert runs.completed.sum() == done
 
 
-def test_an_interruption_of_an_executor_keeps_what_is_done() -> None:
+def test_an_interruption_of_an_executor_keeps_what_is_done(monkeypatch: pytest.MonkeyPatch) -> None:
     class Interrupted(Lossy):
         def submit(self, fn: Callable[..., Any], /, *args: Any, **kwargs: Any) -> Future[Any]:
             if self.count < 4:
                 return super().submit(fn, *args, **kwargs)
-            if self.count == 4:
-                threading.Timer(0.3, interrupt).start()
-            self.count += 1
             return Future()
 
+    interrupt_after(monkeypatch, 4)
     with pytest.warns(ModelNotice, match=r"2 of 6 motions were not run \(interrupted\)"):
         runs = six(executor=Interrupted(lambda _: False))
     assert runs.not_run == [4, 5]
@@ -469,20 +471,22 @@ def test_a_full_disk_costs_no_results(tmp_path: Path, monkeypatch: pytest.Monkey
 
 
 _CUT = """
-import sys, time
+import sys
+from itertools import count
 import numpy as np
 from symbody.simulation import many
 from tests.simulation.test_many import CASES, PENDULUM, g, m, q1, six
-many.SAVE_EVERY = many.SAVE_PAUSE = 0.0
-savez = np.savez
+many.SAVE_EVERY = many.SAVE_PAUSE = -1.0  # whatever the clock says
+savez, saves = np.savez, count(1)
 
-def slow(file, **arrays):
+def watched(file, **arrays):
     savez(file, **arrays)
     file.flush()
-    print("written", flush=True)
-    time.sleep(60 if arrays["status"].all() else 0)
+    if next(saves) == 2:
+        print("written", flush=True)
+        sys.stdin.read()  # until the end
 
-np.savez = slow
+np.savez = watched
 six(path=sys.argv[1], threads=1)
 """
 
@@ -491,12 +495,10 @@ def test_a_process_killed_as_it_writes_leaves_a_whole_file(tmp_path: Path) -> No
     """It is killed at the second save, when all is in the temporary file but nothing in its place."""
     file = tmp_path / "runs.npz"
     command = [sys.executable, "-c", _CUT, str(file)]
-    with subprocess.Popen(
-        command, stdout=subprocess.PIPE, text=True, cwd=Path(__file__).parents[2]
-    ) as process:
+    pipes: dict[str, Any] = {"stdin": subprocess.PIPE, "stdout": subprocess.PIPE}
+    with subprocess.Popen(command, **pipes, text=True, cwd=Path(__file__).parents[2]) as process:
         assert process.stdout is not None
-        for _ in range(2):
-            assert process.stdout.readline() == "written\n"
+        assert process.stdout.readline() == "written\n"
         process.kill()
     with np.load(file) as stored:
         assert stored["status"].tolist() == [1, 1, 1, 1, 0, 0]

@@ -5,6 +5,8 @@ import signal
 import threading
 import time
 import warnings
+from contextlib import nullcontext
+from importlib import import_module
 from itertools import pairwise
 
 import numpy as np
@@ -289,9 +291,14 @@ def test_a_thousand_motions_are_those_of_a_thousand_calls():
         assert np.array_equal(row, simulate(DOUBLE, {**VALUES, l: length}, START, t=(0, 2)).states)
 
 
-def test_ctrl_c_keeps_what_was_computed():
-    pressed = threading.Timer(0.3, os.kill, (os.getpid(), signal.SIGINT))
-    pressed.start()
+def at_each_look(monkeypatch, act):
+    """Act wherever a simulation asks whether to go on, some times a second, with the time that it has reached."""
+    bar = nullcontext(act)
+    monkeypatch.setattr(import_module("symbody.simulation.simulate"), "progress_bar", lambda *_, **__: bar)
+
+
+def test_ctrl_c_keeps_what_was_computed(monkeypatch):
+    at_each_look(monkeypatch, lambda reached: reached > 1 and os.kill(os.getpid(), signal.SIGINT))
     with pytest.warns(ModelNotice, match="interrupted at t = .*; what was computed is kept"):
         motion = simulate(DOUBLE, VALUES, START, t=(0, 1e6))
     assert not motion.completed
@@ -299,14 +306,27 @@ def test_ctrl_c_keeps_what_was_computed():
     assert np.isfinite(motion.states).all()
 
 
-def test_threads_of_the_program_go_on_meanwhile():
+def test_threads_of_the_program_go_on_meanwhile(monkeypatch):
+    """Another thread counts to three between two looks of a long motion, and only then presses Ctrl-C."""
     ticks = []
-    clock = threading.Thread(target=lambda: [(ticks.append(0), time.sleep(0.001)) for _ in range(50)])
-    clock.start()
-    simulate(DOUBLE, VALUES, START, t=(0, 200), rtol=1e-11, atol=1e-12)
-    seen = len(ticks)
+
+    def count():
+        while len(ticks) < 3:
+            time.sleep(0.001)
+            ticks.append(0)
+        os.kill(os.getpid(), signal.SIGINT)
+
+    clock = threading.Thread(target=count)
+
+    def look(_reached):
+        ticks.clear()
+        if clock.ident is None:
+            clock.start()
+
+    at_each_look(monkeypatch, look)
+    with pytest.warns(ModelNotice, match="interrupted"):
+        assert not simulate(DOUBLE, VALUES, START, t=(0, 1e6)).completed
     clock.join()
-    assert seen > 1
 
 
 class TestEndsBeforeTheEnd:

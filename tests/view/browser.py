@@ -17,9 +17,9 @@ from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import Any
 
-CHROMIUM = next(
-    (found for name in ("chromium", "chromium-browser", "google-chrome") if (found := shutil.which(name))), ""
-)
+from scripts.tools import TOOLS
+
+NAMES = next(tool.commands for tool in TOOLS if tool.name == "chromium")
 FLAGS = [
     "--headless=new", "--no-sandbox", "--remote-debugging-pipe", "--no-first-run", "--disable-dev-shm-usage",
     "--disable-gpu", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader",
@@ -128,10 +128,10 @@ def _pipe() -> tuple[int, int]:
 @contextmanager
 def browser() -> Iterator[Browser]:
     """Start a browser, and end it."""
-    assert CHROMIUM, "no Chromium on this machine: apt-get install chromium"
+    chromium = next(filter(None, map(shutil.which, NAMES)))
     (its_input, to_browser), (from_browser, its_output) = _pipe(), _pipe()
     with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as profile:
-        command = [CHROMIUM, *FLAGS, f"--user-data-dir={profile}"]
+        command = [chromium, *FLAGS, f"--user-data-dir={profile}"]
         process = subprocess.Popen(
             [sys.executable, "-c", LAUNCHER, str(its_input), str(its_output), *command],
             pass_fds=(its_input, its_output),

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import errno
 import json
-import os
 import re
 from dataclasses import replace
 from pathlib import Path
@@ -17,7 +16,7 @@ from scipy.spatial.transform import Rotation
 from symbody import Body, Force, Point, System, Torque, functions_of_time, ground, rotate, translate
 from symbody.errors import PictureError, ViewError
 from symbody.view import Box, animate
-from tests.view.browser import CHROMIUM, browser
+from tests.view.browser import browser
 from tests.view.prescribed import (
     Prescribed,
     g,
@@ -39,9 +38,7 @@ from tests.view.prescribed import (
     z,
 )
 
-needs_browser = pytest.mark.skipif(
-    not CHROMIUM and "CI" not in os.environ, reason="no Chromium on this machine: apt-get install chromium"
-)
+needs_browser = pytest.mark.needs("chromium")
 XHTML = "http://www.w3.org/1999/xhtml"  # three.js names the namespace of a canvas; nothing is fetched
 
 

@@ -12,7 +12,7 @@ from matplotlib.image import imread
 
 import symbody as sb
 from symbody.errors import SimulationError
-from tests.view.browser import CHROMIUM, browser
+from tests.view.browser import browser
 
 m, l, g, k = sb.symbols("m l g k")
 x, y = sb.functions_of_time("x y")
@@ -71,7 +71,7 @@ def test_what_was_computed_before_a_failure_can_be_looked_at(tmp_path: Path) -> 
     assert motion.plot().axes[0].get_xlim()[1] == pytest.approx(motion.t[-1])
 
 
-@pytest.mark.skipif(not CHROMIUM, reason="no Chromium on this machine")
+@pytest.mark.needs("chromium")
 def test_a_browser_shows_it_without_a_word(swing: sb.Motion, tmp_path: Path) -> None:
     file = swing.animate(
         tmp_path / "swing.html", reactions=True, traces=[swing.system.bodies[0].center_of_mass]

@@ -16,7 +16,7 @@ from symbody.codegen.target import Target
 from symbody.errors import CodegenError
 from symbody.symbolic import Program
 
-__all__ = ["TOOLS", "check", "check_files", "missing_tools"]
+__all__ = ["TOOLS", "check", "check_files", "missing_tools", "needed_tools"]
 
 TOOLS = {
     "make": "GNU Make; on Debian and Ubuntu: apt-get install make",
@@ -74,10 +74,15 @@ def check_files(target: Target, name: str, texts: Mapping[str, str]) -> str:
         return "".join(_run(command.format(name=name), folder, target) for command in target.check)
 
 
+def needed_tools(target: Target) -> list[str]:
+    """Return the programs that the self-check of a target needs."""
+    words = [*(command.split()[0] for command in target.check), *target.tools]
+    return [word for word in words if word in TOOLS]
+
+
 def missing_tools(target: Target) -> list[str]:
     """Return the programs that the self-check of a target needs and that aren't at hand."""
-    words = [*(command.split()[0] for command in target.check), *target.tools]
-    return [word for word in words if word in TOOLS and shutil.which(word) is None]
+    return [tool for tool in needed_tools(target) if shutil.which(tool) is None]
 
 
 def _run(command: str, folder: str, target: Target) -> str:

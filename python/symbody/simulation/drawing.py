@@ -1,4 +1,4 @@
-"""Who draws motions: a layer above says so, and is loaded when the first motion is drawn."""
+"""Who draws motions: the layer above, which is loaded when the first motion is drawn."""
 
 from __future__ import annotations
 
@@ -6,25 +6,13 @@ from collections.abc import Callable
 from importlib import import_module
 from typing import Any
 
-from symbody.errors import ViewError
+__all__ = ["DRAWN_BY", "drawer"]
 
-__all__ = ["draw_with", "drawer"]
-
-_modules: list[str] = []
-
-
-def draw_with(module: str) -> None:
-    """Let the functions `plot` and `animate` of a module draw motions."""
-    _modules[:] = [module]
+DRAWN_BY = "symbody.view"
+"""A name and no import: motions are computed without what draws them, and don't know how that is done."""
 
 
 def drawer(name: str) -> Callable[..., Any]:
-    """Return the function that draws.
-
-    Raises:
-        ViewError: nobody draws.
-    """
-    if not _modules:
-        raise ViewError(f"Motion.{name}: nothing draws motions; import symbody, which knows what does")
-    function: Callable[..., Any] = getattr(import_module(_modules[0]), name)
+    """Return the function that draws: `plot` or `animate`."""
+    function: Callable[..., Any] = getattr(import_module(DRAWN_BY), name)
     return function

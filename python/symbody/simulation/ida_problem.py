@@ -12,7 +12,6 @@ from typing import Any, TextIO
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.sparse import csc_matrix
 
 from symbody.codegen import PreparedCode
 
@@ -117,6 +116,8 @@ class IdaProblem:
     @property
     def pattern(self) -> Any:
         """The places of what isn't zero in the Jacobian, column by column as the values are."""
+        from scipy.sparse import csc_matrix  # noqa: PLC0415 - slow to load, and other methods need none
+
         n = len(self.dae.unknowns)
         return csc_matrix((np.ones(len(self.rows)), (self.rows, self.columns)), shape=(n, n))
 

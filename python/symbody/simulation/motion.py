@@ -125,7 +125,8 @@ class Motion:
         symbols = sorted(str(leaf) for leaf in strange if leaf.kind == "symbol")
         if symbols:
             raise ParameterError(
-                f"motion: {', '.join(symbols)} has no value in this motion; give it with the parameters of simulate{note}"
+                f"motion: {', '.join(symbols)} has no value in this motion; give it with the parameters of "
+                f"simulate{note}"
             )
         if strange:
             raise SimulationError(unknown_variables("motion", strange, self.model.system) + note)

@@ -121,8 +121,8 @@ ROWS: dict[str, _Row] = {
     "imbalance": _Row(
         _imbalance,
         "the balance of energy, work included, is off by {size:.1g} of the largest energy that moves, more than the "
-        "tolerances explain, from t = {t:.6g} s on or a little before; use smaller tolerances, constraints='projection', "
-        "or method='dop853', and look for a force that jumps or a singular position there",
+        "tolerances explain, from t = {t:.6g} s on or a little before; use smaller tolerances, or method='dop853' with "
+        "constraints='projection', and look for a force that jumps or a singular position there",
     ),
     "stiff": _Row(
         _stiffness,

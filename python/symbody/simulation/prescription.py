@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
-from scipy.interpolate import BSpline, make_interp_spline
 
 from symbody.codegen import CompiledFunction, lambdify
 from symbody.errors import ArgumentError, ModelError, SimulationError
@@ -17,6 +17,9 @@ from symbody.symbolic.arguments import described
 
 from .cases import column_of
 from .values import check_known
+
+if TYPE_CHECKING:
+    from scipy.interpolate import BSpline
 
 __all__ = ["Prescription", "prescription_of"]
 
@@ -136,4 +139,6 @@ def _spline(name: Expr, column: Array, instants: Array, where: str) -> BSpline:
             f"{where}, motion: {name} has {len(column)} samples; expected six finite ones at least, for a spline "
             "whose second rate is smooth"
         )
+    from scipy.interpolate import make_interp_spline  # noqa: PLC0415 - slow to load, and few prescribe samples
+
     return make_interp_spline(instants, column, k=5)

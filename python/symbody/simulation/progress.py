@@ -7,16 +7,6 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from threading import Timer
 
-from rich.console import Console
-from rich.progress import (
-    BarColumn,
-    MofNCompleteColumn,
-    Progress,
-    TextColumn,
-    TimeElapsedColumn,
-    TimeRemainingColumn,
-)
-
 from symbody.codegen.llvm.jit import watched
 
 PATIENCE = 2.0
@@ -37,6 +27,15 @@ def progress_bar(
     if not (sys.stderr.isatty() if is_shown is None else is_shown):
         yield lambda _: None
         return
+    from rich.console import Console  # noqa: PLC0415 - slow to load, and most motions show no bar
+    from rich.progress import (  # noqa: PLC0415
+        BarColumn,
+        MofNCompleteColumn,
+        Progress,
+        TextColumn,
+        TimeRemainingColumn,
+    )
+
     columns = (
         TextColumn(what),
         BarColumn(),
@@ -58,6 +57,9 @@ def preparation_bar(*, is_shown: bool | None = None) -> Iterator[None]:
     if not (sys.stderr.isatty() if is_shown is None else is_shown):
         yield
         return
+    from rich.console import Console  # noqa: PLC0415 - as above
+    from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn  # noqa: PLC0415
+
     columns = (TextColumn("{task.description}"), BarColumn(), TimeElapsedColumn())
     console = Console(file=sys.stderr)
     bar = Progress(*columns, console=console, transient=console.is_terminal)

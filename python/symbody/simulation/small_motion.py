@@ -6,7 +6,6 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.linalg import LinAlgError, eig, eigh
 
 __all__ = ["SmallMotion"]
 
@@ -33,12 +32,14 @@ class SmallMotion:
         Conservative systems have the squares of frequencies as the eigenvalues of a symmetric pencil: these are
         found without the loss of digits that a double zero has in the general one.
         """
+        from scipy.linalg import eig, eigh  # noqa: PLC0415 - slow to load, and simulations need none
+
         if self.is_conservative:
             try:
                 squares = eigh(self.stiffness, self.inertia, eigvals_only=True)
                 roots = np.sqrt(-_without_rounding(squares) + 0j)
                 return _sorted(np.concatenate([roots, -roots]))
-            except LinAlgError:
+            except np.linalg.LinAlgError:
                 pass
         n = len(self.inertia)
         right = np.block([[np.eye(n), np.zeros((n, n))], [np.zeros((n, n)), self.inertia]])

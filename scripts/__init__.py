@@ -1,0 +1,1 @@
+"""What the Makefile runs, also before there is an environment."""

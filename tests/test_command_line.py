@@ -1,0 +1,152 @@
+"""``python -m symbody``: what it can do, its version, and the doctor's report."""
+
+from __future__ import annotations
+
+import os
+import platform
+import subprocess
+import sys
+import tomllib
+from importlib import metadata
+from pathlib import Path
+
+import pytest
+
+import symbody
+from symbody import doctor
+from symbody.__main__ import COMMANDS, main
+from symbody.codegen.toolchain import TOOLS
+
+ROOT = Path(__file__).parent.parent
+PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
+
+
+def lines_of(found: list[doctor.Finding]) -> dict[str, str]:
+    return {one.name: str(one) for one in found}
+
+
+def test_without_a_command_it_says_what_it_can_do(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main([]) == 0
+    told = capsys.readouterr().out
+    assert told.startswith("usage: python -m symbody ")
+    assert all(f"    {command} " in told for command in COMMANDS)
+
+
+def test_help_is_the_same(capsys: pytest.CaptureFixture[str]) -> None:
+    main([])
+    told = capsys.readouterr().out
+    with pytest.raises(SystemExit) as ended:
+        main(["--help"])
+    assert (ended.value.code, capsys.readouterr().out) == (0, told)
+
+
+def test_version(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["version"]) == 0
+    assert capsys.readouterr().out == f"symbody {symbody.__version__}\n"
+
+
+def test_an_unknown_command(capsys: pytest.CaptureFixture[str]) -> None:
+    with pytest.raises(SystemExit) as ended:
+        main(["docter"])
+    assert ended.value.code == 2
+    assert "invalid choice: 'docter'" in capsys.readouterr().err
+
+
+def test_the_doctor_finds_what_is_there(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["doctor"]) == 0
+    first, *_, last = capsys.readouterr().out.splitlines()
+    assert first.startswith(f"symbody {symbody.__version__}, Python {platform.python_version()}, ")
+    assert last == "symbody has what it needs."
+
+
+def test_each_dependency_extra_and_program_is_looked_for() -> None:
+    names = set(lines_of(doctor.findings()))
+    assert {line.partition(">=")[0] for line in PROJECT["dependencies"]} <= names
+    assert {*TOOLS, "scikit-sundae", "jupyterlab", "expressions", "machine code"} <= names
+
+
+def test_missing_programs_are_no_fault(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    monkeypatch.setenv("PATH", str(tmp_path))
+    found = doctor.findings()
+    assert lines_of(found)["gfortran"] == (
+        "  gfortran       missing      the GNU Fortran compiler: on Debian and Ubuntu: apt-get install gfortran"
+    )
+    assert not any(one.is_fault for one in found)
+
+
+def test_programs_that_fail(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    for name, body in {
+        "cc": "exit 1",
+        "gfortran": "echo GNU Fortran 12.2.0",
+        "julia": "echo no number",
+    }.items():
+        (tmp_path / name).write_text(f"#!/bin/sh\n{body}\n")
+        (tmp_path / name).chmod(0o755)
+    (tmp_path / "omc").write_bytes(b"\x7fELF no program")
+    (tmp_path / "omc").chmod(0o755)
+    monkeypatch.setenv("PATH", str(tmp_path))
+    states = {one.name: one.state for one in doctor.findings()}
+    assert [states[name] for name in ("cc", "gfortran", "julia", "omc")] == [
+        "fails",
+        "12.2.0",
+        "fails",
+        "fails",
+    ]
+
+
+@pytest.mark.parametrize(
+    ("name", "found", "line"),
+    [
+        ("numpy", "1.25.9", '  numpy          1.25.9, too old pip install "numpy>=1.26"'),
+        ("lark", None, '  lark           missing      pip install "lark>=1.1.9"'),
+    ],
+)
+def test_packages_that_symbody_needs(
+    name: str,
+    found: str | None,
+    line: str,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    versions(monkeypatch, {name: found})
+    assert main(["doctor"]) == 1
+    told = capsys.readouterr().out
+    assert line in told.splitlines()
+    assert told.endswith(f"\nsymbody can't work as it is: look at {name}.\n")
+
+
+def test_extras_that_are_missing_are_no_fault(monkeypatch: pytest.MonkeyPatch) -> None:
+    versions(monkeypatch, {"dask": None})
+    found = doctor.findings()
+    assert lines_of(found)["dask"] == (
+        "  dask           missing      runs simulate_many on the workers of a cluster: "
+        'pip install "symbody[dask]"'
+    )
+    assert not any(one.is_fault for one in found)
+
+
+def versions(monkeypatch: pytest.MonkeyPatch, replaced: dict[str, str | None]) -> None:
+    """Let packages have other versions, or none."""
+    true_version = metadata.version
+
+    def version(name: str) -> str:
+        found = replaced.get(name, "")
+        if found is None:
+            raise metadata.PackageNotFoundError(name)
+        return found or true_version(name)
+
+    monkeypatch.setattr(doctor.metadata, "version", version)
+
+
+def test_machine_code_that_does_not_work() -> None:
+    code = "import sys; sys.modules['llvmlite'] = None; from symbody.__main__ import main; sys.exit(main(['doctor']))"
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False)
+    assert done.returncode == 1
+    assert "\n  machine code   fails        " in done.stdout
+    assert done.stdout.endswith("look at machine code.\n")
+
+
+def test_as_a_program() -> None:
+    command = [sys.executable, "-W", "error", "-m", "symbody"]
+    environment = os.environ | {"COLUMNS": "100"}
+    assert subprocess.run(command, capture_output=True, text=True, check=True, env=environment).stdout

@@ -1,0 +1,145 @@
+"""What ``import symbody`` loads: the language of models; what computes numbers is loaded with its first use."""
+
+from __future__ import annotations
+
+import pickle
+import subprocess
+import sys
+import textwrap
+from importlib.metadata import version
+from pathlib import Path
+
+import pytest
+
+import symbody
+from symbody import codegen, simulation, view
+
+MODELS = "dynamics errors geometry multibody symbolic"
+
+LOADED = """
+import sys
+before = {name.partition(".")[0] for name in sys.modules} | sys.stdlib_module_names
+%s
+packages = {name.partition(".")[0] for name in sys.modules} - before
+layers = {name.split(".")[1] for name in sys.modules if name.startswith("symbody.")}
+print(*sorted(packages), "|", *sorted(layers))
+"""
+
+
+def in_a_new_process(code: str, *options: str) -> str:
+    command = [sys.executable, *options, "-c", textwrap.dedent(code)]
+    return subprocess.run(command, capture_output=True, text=True, check=True).stdout.strip()
+
+
+@pytest.mark.parametrize(
+    ("code", "loaded"),
+    [
+        ("import symbody", f"numpy symbody | {MODELS}"),
+        ("from symbody import Body, Matrix, newton_euler", f"numpy symbody | {MODELS}"),
+        ("import symbody; dir(symbody); hasattr(symbody, 'simulat')", f"numpy symbody | {MODELS}"),
+        ("import symbody; symbody.__version__", f"numpy symbody | {MODELS}"),
+        ("import symbody; symbody.parse('x + y')", f"lark numpy symbody | {MODELS}"),
+        ("from symbody import generate, lambdify", f"llvmlite numpy symbody | codegen {MODELS}"),
+        ("import symbody.codegen as codegen", f"llvmlite numpy symbody | codegen {MODELS}"),
+    ],
+)
+def test_modules(code: str, loaded: str) -> None:
+    assert in_a_new_process(LOADED % code) == loaded
+
+
+def test_numbers_are_loaded_with_their_first_use() -> None:
+    """A motion is computed without what fits splines, finds eigenvalues or draws."""
+    packages, _, layers = in_a_new_process(
+        LOADED
+        % """
+from symbody import Body, System, functions_of_time, newton_euler, simulate, translate
+x = functions_of_time("x")
+assert simulate(newton_euler(System([Body(translate(x, 0, 0), 1)], coordinates=[x])), {}, {x: 1}, t=(0, 1))
+"""
+    ).partition(" | ")
+    assert layers == "codegen dynamics errors geometry multibody simulation symbolic"
+    assert not {"scipy", "matplotlib", "lark", "rich", "sympy"} & set(packages.split())
+
+
+def test_a_motion_finds_what_draws_it(tmp_path: Path) -> None:
+    """Also where nobody has imported the package itself."""
+    page = in_a_new_process(
+        f"""
+        from symbody.dynamics import newton_euler
+        from symbody.geometry import translate
+        from symbody.multibody import Body, System
+        from symbody.simulation import simulate
+        from symbody.symbolic import functions_of_time
+        x = functions_of_time("x")
+        equations = newton_euler(System([Body(translate(x, 0, 0), 1)], coordinates=[x]))
+        print(simulate(equations, {{}}, {{x: 1}}, t=(0, 1)).animate({str(tmp_path / "page.html")!r}))
+        """
+    )
+    assert Path(page).exists()
+
+
+def test_public_names_are_those_of_the_layers() -> None:
+    assert all(getattr(symbody, name) is not None for name in symbody.__all__)
+    for layer in (codegen, simulation):
+        shared = set(layer.__all__) & set(symbody.__all__)
+        assert shared
+        assert all(getattr(symbody, name) is getattr(layer, name) for name in shared)
+
+
+def test_layers_are_attributes() -> None:
+    assert (
+        in_a_new_process(
+            """
+        import symbody
+        print(symbody.simulation.simulate is symbody.simulate, symbody.codegen.TARGETS["c"].title, symbody.view.Box)
+        """
+        )
+        == f"True C99 {view.Box}"
+    )
+
+
+def test_names_are_listed_before_they_are_loaded() -> None:
+    listed = in_a_new_process("import symbody; print(*dir(symbody))").split()
+    assert {*symbody.__all__, "codegen", "simulation", "view", "__version__"} <= set(listed)
+
+
+def test_a_name_that_does_not_exist() -> None:
+    with pytest.raises(AttributeError, match="module 'symbody' has no attribute 'simulat'"):
+        symbody.simulat  # noqa: B018
+    with pytest.raises(ImportError, match="cannot import name 'simulat' from 'symbody'"):
+        from symbody import simulat  # noqa: F401, PLC0415
+
+
+def test_all_names_at_once() -> None:
+    code = "from symbody import *; print(simulate.__module__, lambdify.__module__)"
+    assert in_a_new_process(code) == "symbody.simulation.simulate symbody.codegen.lambdify"
+
+
+def test_names_survive_a_pickle() -> None:
+    names = [name for name in symbody.__all__ if callable(getattr(symbody, name))]
+    for name in names:
+        assert pickle.loads(pickle.dumps(getattr(symbody, name))) is getattr(symbody, name), name
+    assert "simulate" in names
+
+
+def test_version() -> None:
+    assert symbody.__version__ == version("symbody")
+
+
+@pytest.mark.slow
+def test_type_checkers_know_the_names(tmp_path: Path) -> None:
+    """And no others: a module with ``__getattr__`` would have them all."""
+    (tmp_path / "user.py").write_text(
+        "import symbody as sb\nreveal_type(sb.grid)\nreveal_type(sb.__version__)\nsb.simulat\n"
+    )
+    done = subprocess.run(
+        [sys.executable, "-m", "mypy", "--strict", "user.py"],
+        cwd=tmp_path,
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    first, second, third, *_ = done.stdout.splitlines()
+    assert "def (" in first
+    assert 'is "str"' in second or 'is "builtins.str"' in second
+    assert 'Module has no attribute "simulat"' in third
