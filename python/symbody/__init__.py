@@ -6,7 +6,6 @@ code and numbers are loaded when one of their names is first used: with SciPy an
 
 from __future__ import annotations
 
-import sys
 from importlib import import_module
 from typing import TYPE_CHECKING
 

@@ -93,7 +93,7 @@ class Floating(Motion):
         return (Floating(pose, back, self.kinematics, self.speeds, self.quaternion),)
 
     def __repr__(self) -> str:
-        if self.ones:
+        if self.quaternion:
             return "floating_frame()"
         return f"moving_frame({', '.join(map(str, (*self.twist.linear, *self.twist.angular)))})"
 
