@@ -210,7 +210,10 @@ class Batch:
                 list(self.outputs.values()), outcome.states[:, :size], self.instants[:reached], parameters
             )
         met = replace(outcome, deficiencies=outcome.deficiencies | found)
-        findings = findings_of(Integrated(self.model, parameters, self.options, met))
+        keeps_branch = self.constraints == "projection" and self.options.method not in IDA_FORMS
+        findings = findings_of(
+            Integrated(self.model, parameters, self.options, met, self.instants, keeps_branch=keeps_branch)
+        )
         results.findings[case] = tuple(dict.fromkeys((*results.findings[case], *findings)))
 
     def _reason(self, outcome: Outcome, parameters: Mapping[Expr, float]) -> str:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from .dependent_constraints import dependent_constraints, described_dependence
+from .dependent_constraints import NEAR, dependent_constraints, described_dependence
 from .integrator import EXPLICIT, Failure, Outcome
 from .model import Model
 
@@ -35,7 +35,8 @@ def diagnosis(failure: Failure, outcome: Outcome, model: Model, parameters: Arra
             "the step; look for a function that leaves its domain"
         )
         return f"{when}: {cause}"
-    dependent = _dependent(model, parameters, t, np.array(state)) if failure.kind in _BY_CONSTRAINTS else ""
+    near = _BY_CONSTRAINTS.get(failure.kind, 0.0)
+    dependent = _dependent(model, parameters, t, np.array(state), near) if near else ""
     if dependent:
         return f"{when}: {failure.message}; {dependent}"
     if failure.kind == "projection":
@@ -57,17 +58,19 @@ def diagnosis(failure: Failure, outcome: Outcome, model: Model, parameters: Arra
     return f"{when}: the method gave up ({failure.message}); use another method, or larger tolerances"
 
 
-_BY_CONSTRAINTS = {"projection", "stalled", "step_collapse"}
-"""The kinds of failure that constraints cause where they become dependent."""
+_BY_CONSTRAINTS = {"projection": NEAR, "stalled": NEAR, "step_collapse": NEAR, "singular": 0.3}
+"""The kinds of failure that constraints cause where they become dependent, and how near to that the state may be.
+
+Where a method finds no step past a singular position, its state is a step before it."""
 
 
-def _dependent(model: Model, parameters: Array, t: float, state: Array) -> str:
+def _dependent(model: Model, parameters: Array, t: float, state: Array, near: float) -> str:
     """Return which constraints are dependent at a state, and what to do about it."""
-    found = described_dependence(dependent_constraints(model, parameters, t, state))
+    found = described_dependence(dependent_constraints(model, parameters, t, state, near))
     return found and (
-        f"{found}: a singular position, or near one, from which several motions may go on; begin with another "
-        "state, change the dimensions, or end the motion by an event before it; constraints that depend on each "
-        "other wherever the mechanism moves should be left out"
+        f"{found}: a singular position, or near one, from which several motions may go on; method='dop853' or 'tsit5' "
+        "with constraints='projection' passes most; or begin with another state, change the dimensions, or end the motion "
+        "by an event before it; constraints that depend on each other wherever the mechanism moves should be left out"
     )
 
 

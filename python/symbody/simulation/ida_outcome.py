@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from symbody.errors import SimulationError
 from symbody.symbolic import Expr
 
+from .energy_balance import imbalance_of
 from .event import Event
 from .ida import IDA_FORMS, IdaRun, integrate_ida
 from .integrator import Failure, Options, Outcome, Statistics
@@ -49,12 +50,17 @@ def ida_outcome(
     if failure is None and not run.completed:
         failure = Failure("interrupted", float(run.t[-1]), run.message)
     reached = int(np.isin(run.t, instants).sum())
+    values = np.array([parameters[name] for name in model.parameters])
+    # IDA doesn't tell its steps; each takes two evaluations or so.
+    steps = run.statistics.evaluations // 2
+    imbalance = imbalance_of(model, values, instants[:reached], run.states[:reached], options, steps)
     return Outcome(
         run.states[:reached],
         [(event.event, event.t, list(event.state)) for event in run.events],
         (float(run.t[-1]), list(run.states[-1])),
         failure,
         Statistics(0, 0, run.statistics.evaluations, run.statistics.jacobians, is_stiff=False),
+        imbalance=imbalance,
     )
 
 

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from math import nan
 
 import numpy as np
+from numpy.typing import NDArray
 
 from symbody.symbolic import Expr
 from symbody.symbolic.deficiency import Deficiency
@@ -16,6 +17,7 @@ from .integrator import Options, Outcome
 from .kinematics import kinematics_of
 from .model import Model
 from .named_constraint import named_constraints
+from .singular_passage import singular_passages
 
 __all__ = [
     "Finding",
@@ -57,12 +59,16 @@ class Integrated:
         parameters: their values.
         options: how it was integrated.
         outcome: how that went.
+        instants: when its states were asked for.
+        keeps_branch: whether steps that leave a branch of the constraints are noticed as it is integrated.
     """
 
     model: Model
     parameters: Mapping[Expr, float]
     options: Options
     outcome: Outcome
+    instants: NDArray[np.float64]
+    keeps_branch: bool
 
 
 @dataclass(frozen=True)
@@ -90,6 +96,16 @@ def _deficiencies(motion: Integrated) -> Iterable[Finding]:
 def _imbalance(motion: Integrated) -> Iterable[Finding]:
     found = motion.outcome.imbalance
     return [] if found is None else [Finding("imbalance", size=found[1], t=found[0])]
+
+
+def _passages(motion: Integrated) -> Iterable[Finding]:
+    """Return that singular positions were passed, where nothing says on which branch the motion went on."""
+    model, states = motion.model, motion.outcome.states
+    if motion.keeps_branch or not model.constraints:
+        return []
+    p = np.array([motion.parameters[name] for name in (*model.parameters, *model.damping)])
+    passed = singular_passages(model, p, motion.instants[: len(states)], states)
+    return [Finding("passage", size=float(len(passed)), t=float(passed[0]))] if len(passed) else []
 
 
 def _violations(motion: Integrated) -> Iterable[Finding]:
@@ -123,6 +139,12 @@ ROWS: dict[str, _Row] = {
         "the balance of energy, work included, is off by {size:.1g} of the largest energy that moves, more than the "
         "tolerances explain, from t = {t:.6g} s on or a little before; use smaller tolerances, or method='dop853' with "
         "constraints='projection', and look for a force that jumps or a singular position there",
+    ),
+    "passage": _Row(
+        _passages,
+        "the motion passes singular positions ({size:.0f}, the first at about t = {t:.4g} s), at which the constraints "
+        "depend on each other and other branches of motions begin; this way to keep the constraints does not say "
+        "whether it stays on its own: use constraints='projection' and method='dop853' or 'tsit5'",
     ),
     "stiff": _Row(
         _stiffness,
