@@ -48,7 +48,7 @@ def test_two_hundred_systems() -> None:
 
 
 def test_kernel() -> None:
-    assert take_deficiencies() == []
+    take_deficiencies()  # what others have left on this thread
     assert_solved(systems(), [solved_by_kernel(s.a, s.b, number) for number, s in enumerate(systems())])
     expected = [(number, len(s.b), s.dependent) for number, s in enumerate(systems()) if s.dependent]
     found = take_deficiencies()

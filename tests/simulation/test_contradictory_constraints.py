@@ -135,7 +135,10 @@ def test_of_many_cases_only_those_fail_that_contradict() -> None:
 def test_a_motion_that_leaves_its_constraints_says_so() -> None:
     """Independent at almost every position, dependent on the constraints: no way back is found off them."""
     gap = x - y**2 - sin(t)
-    notices = told(lambda: simulate(beads(gap, gap * (3 + x)), {m: 1}, t=(0, 5)))
+    twice = beads(gap, gap * (3 + x))
+    with pytest.raises(SimulationError, match=r"constraints 1 .* and 2 .* are dependent there"):
+        told(lambda: simulate(twice, {m: 1}, t=(0, 5)))
+    notices = told(lambda: simulate(twice, {m: 1}, t=(0, 5), constraints="free"))
     assert any(
         notice.startswith("simulate: the motion has left its constraints: at its end constraint")
         for notice in notices

@@ -151,8 +151,9 @@ MISTAKES: list[tuple[type[Exception], Callable[[], object], str]] = [
         SimulationError,
         lambda: simulate(pendulum(), RIGHT, {x: 1}, t=(0, 1))[functions_of_time("l")],
         (
-            "motion: l is nothing that this motion knows; expected time, coordinates, speeds, accelerations, "
-            "multipliers and parameters of its system; the l asked for is functions_of_time('l'), the l of the motion "
+            "motion: no values of l; this motion has values of time, the coordinates x, the speeds x', accelerations, "
+            "multipliers and parameters; l is no coordinate or speed of this system: use those, or add it to the "
+            "system before simulating; the l asked for is functions_of_time('l'), the l of the motion "
             "is symbols('l'): a symbol is no function of time; use the same one in both places"
         ),
     ),
@@ -209,6 +210,7 @@ def test_what_is_meant_is_not_noticed() -> None:
         assert (positive * l).diff(l) == positive
         assert (x * plain_x).diff(plain_x) == x
         assert l.subs({real: 2}) == l
+    with pytest.warns(ModelNotice, match="simulate: the parameter x stands nowhere in this model"):
         simulate(pendulum(), {**RIGHT, plain_x: 2}, {x: 1}, t=(0, 0.1))
 
 

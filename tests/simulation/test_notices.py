@@ -58,7 +58,7 @@ def told(call: Callable[[], object]) -> list[str]:
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always")
         call()
-    return [str(each.message) for each in caught]
+    return [str(each.message) for each in caught if issubclass(each.category, ModelNotice)]
 
 
 SINGULAR = [case for case in range(20) if case % 7 == 3]

@@ -25,9 +25,9 @@ def compiled(monkeypatch: pytest.MonkeyPatch) -> list[str]:
     names: list[str] = []
     compile_now = jit.compiled
 
-    def counted(assembly: Assembly, name: str, tag: int = 0) -> jit.Compiled:
+    def counted(assembly: Assembly, name: str) -> jit.Compiled:
         names.append(name)
-        return compile_now(assembly, name, tag)
+        return compile_now(assembly, name)
 
     monkeypatch.setattr(jit, "compiled", counted)
     return names

@@ -84,7 +84,9 @@ impl<'a> Balance<'a> {
         self.look(t, state);
         let [kinetic, potential] = self.at(t, state)?;
         self.widen(t, state, kinetic + potential);
-        let explained = MARGIN * (1.0 + errors) * self.spread + ROUNDING * self.largest;
+        // Work and energies of springs are integrals: their errors are those of the energy that moves.
+        let each = self.spread.max(self.tolerances.relative * self.moving);
+        let explained = MARGIN * (1.0 + errors) * each + ROUNDING * self.largest;
         let &(t, _) = self.seen.iter().find(|(_, off)| *off > explained)?;
         let most = self.seen.iter().fold(0.0, |most: f64, (_, off)| most.max(*off));
         Some(Imbalance { t, part: most / self.moving.max(f64::MIN_POSITIVE) })

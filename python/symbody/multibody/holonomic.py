@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from symbody.symbolic import Expr, functions_of_time, gradient, number, substitute, t
+from symbody.symbolic.arguments import brief
 from symbody.symbolic.namesake import namesake_note
 
 from .coordinate import rate_of_any
@@ -60,7 +61,7 @@ def _way_out(constraint: Expr) -> str:
     integral = _integral(constraint)
     if integral is None:
         return _INTEGRATE
-    return f"give its integral, {integral}, less the value that this has in the beginning"
+    return f"give its integral, {brief(integral)}, less the value that this has in the beginning"
 
 
 def _integral(constraint: Expr) -> Expr | None:

@@ -69,8 +69,9 @@ def _dependent(model: Model, parameters: Array, t: float, state: Array, near: fl
     found = described_dependence(dependent_constraints(model, parameters, t, state, near))
     return found and (
         f"{found}: a singular position, or near one, from which several motions may go on; method='dop853' or 'tsit5' "
-        "with constraints='projection' passes most; or begin with another state, change the dimensions, or end the motion "
-        "by an event before it; constraints that depend on each other wherever the mechanism moves should be left out"
+        "with constraints='projection' passes most; or begin with another state, change the dimensions, or end the "
+        "motion by an event before it; constraints that depend on each other wherever the mechanism moves should be "
+        "left out"
     )
 
 

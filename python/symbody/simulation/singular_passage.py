@@ -22,8 +22,8 @@ def singular_passages(model: Model, parameters: Array, t: Array, states: Array) 
     """Return the instants next to which the constraints of a motion become dependent.
 
     The smallest singular value of ``phi_q L^-T``, with ``M = L L^T``, falls and rises in proportion to the distance
-    from a singular position: it is found where straight lines through the values on both sides meet zero at one place, which
-    takes instants that are close to each other, and where it is very small.
+    from a singular position: it is found where straight lines through the values on both sides meet zero at one place,
+    which takes instants that are close to each other, and where it is very small.
 
     Args:
         model: what moves.
