@@ -24,6 +24,7 @@ from symbody import (
     translate,
 )
 from symbody.errors import ConstraintError, ModelNotice, SimulationError
+from tests.simulation.singular_mechanisms import cranks
 from tests.simulation.test_notices import told
 
 x, y = functions_of_time("x y")
@@ -138,7 +139,13 @@ def test_a_motion_that_leaves_its_constraints_says_so() -> None:
     twice = beads(gap, gap * (3 + x))
     with pytest.raises(SimulationError, match=r"constraints 1 .* and 2 .* are dependent there"):
         told(lambda: simulate(twice, {m: 1}, t=(0, 5)))
-    notices = told(lambda: simulate(twice, {m: 1}, t=(0, 5), constraints="free"))
+    linkage = cranks(1)
+    begin = linkage.begin(-1.3026755852842808)
+    notices = told(
+        lambda: simulate(
+            linkage.equations, linkage.parameters, begin, (0, 10), method="bdf", rtol=1e-4, constraints="free"
+        )
+    )
     assert any(
         notice.startswith("simulate: the motion has left its constraints: at its end constraint")
         for notice in notices
