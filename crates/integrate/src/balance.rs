@@ -60,7 +60,7 @@ impl<'a> Balance<'a> {
 
     /// Look at the balance after a step, now and then.
     pub fn watch(&mut self, step: usize, t: f64, state: &[f64]) {
-        if step.is_multiple_of(LOOK.0) {
+        if step % LOOK.0 == 0 {
             self.look(t, state);
         }
     }
@@ -72,7 +72,7 @@ impl<'a> Balance<'a> {
             self.moving = self.moving.max(energy.abs());
         }
         self.largest = self.largest.max(kinetic.abs() + potential.abs());
-        if self.seen.len().is_multiple_of(LOOK.1) {
+        if self.seen.len() % LOOK.1 == 0 {
             self.widen(t, state, kinetic + potential);
         }
         self.seen.push((t, (kinetic + potential - work - self.first).abs()));

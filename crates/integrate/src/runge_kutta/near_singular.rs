@@ -11,8 +11,9 @@ use super::{BESIDE, First, RungeKutta, difference};
 /// Rates at the end of a step that change by more than so many times the state, in steps, are noise if the change leads
 /// off the constraints.
 const NOISE: f64 = 30.0;
-/// A dense output whose slope in the middle is off by more than so many tolerances is noise.
-const DEFECT: f64 = 3.0;
+/// A dense output whose slope in the middle is off by more than so many tolerances is noise if most of that leads off the
+/// constraints; where it does not, smooth motions have some ten, and more than the second number is an error.
+const DEFECT: (f64, f64) = (3.0, 30.0);
 
 impl RungeKutta<'_> {
     /// Whether the rates at the state are those of the neighbouring state at which the last stage was evaluated, but for
@@ -54,10 +55,10 @@ impl RungeKutta<'_> {
         self.statistics.evaluations += 1;
         let defect = difference(&rates, &self.slopes(0.5));
         let size = h * self.weighted(&defect);
-        size <= DEFECT
-            || self
-                .tangent
-                .as_ref()
-                .is_some_and(|tangent| h * self.weighted(&tangent.part(middle, &state, defect)) <= DEFECT)
+        size <= DEFECT.0
+            || self.tangent.as_ref().is_none_or(|tangent| {
+                let along = h * self.weighted(&tangent.part(middle, &state, defect));
+                along <= if size > 2.0 * along { DEFECT.0 } else { DEFECT.1 }
+            })
     }
 }
