@@ -143,11 +143,12 @@ impl Course<'_> {
                 match stepper.step(end).and_then(|()| self.land(stepper, &run.end.1)) {
                     Ok(()) if is_last || !self.is_read(stepper.t(), run) || stepper.reads_well() => break,
                     Ok(()) => {}
-                    Err(failure) if is_last => return Err(first.unwrap_or(failure)),
                     Err(failure) => first = first.or(Some(failure)),
                 }
             }
-            stepper.retract(AGAIN.0);
+            if is_last || !stepper.retract(AGAIN.0) {
+                return first.map_or(Ok(()), Err);
+            }
         }
         Ok(())
     }

@@ -243,8 +243,11 @@ where
         self.begin_anew();
     }
 
-    fn retract(&mut self, part: f64) {
+    fn retract(&mut self, part: f64) -> bool {
         let step = part * (self.t - self.before.0);
+        if step <= 0.0 {
+            return false;
+        }
         self.t = self.before.0;
         self.state.copy_from_slice(&self.before.1);
         self.begin_anew();
@@ -253,6 +256,7 @@ where
         *inner.h = step;
         self.steps -= 1;
         self.retracted += 1;
+        true
     }
 
     fn statistics(&self) -> Statistics {

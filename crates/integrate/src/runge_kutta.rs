@@ -379,16 +379,20 @@ impl Stepper for RungeKutta<'_> {
         self.first = First::Unknown;
     }
 
-    fn retract(&mut self, part: f64) {
+    fn retract(&mut self, part: f64) -> bool {
         let (t, h) = self.last;
-        self.t = t;
-        self.state.copy_from_slice(&self.before);
+        self.last.1 = part * h;
         self.step = part * h;
         self.regular = self.regular.max(self.last_regular);
-        // The first stage still holds the rates there, unless those at the end of the step have been asked for.
-        self.first = if matches!(self.first, First::InPlace) { First::Unknown } else { First::InPlace };
-        self.statistics.steps -= 1;
-        self.statistics.rejected += 1;
+        if self.t > t {
+            self.t = t;
+            self.state.copy_from_slice(&self.before);
+            // The first stage still holds the rates there, unless those at the end of the step have been asked for.
+            self.first = if matches!(self.first, First::InPlace) { First::Unknown } else { First::InPlace };
+            self.statistics.steps -= 1;
+            self.statistics.rejected += 1;
+        }
+        h > 0.0
     }
 
     fn statistics(&self) -> Statistics {

@@ -46,8 +46,8 @@ pub trait Stepper {
     /// Go on from another state at the same instant.
     fn replace(&mut self, state: &[f64]);
 
-    /// Go back to the begin of the last step; the next try is this part of it.
-    fn retract(&mut self, part: f64);
+    /// Go back to the begin of the last step; the next try is this part of the last one from there. Whether there is one.
+    fn retract(&mut self, part: f64) -> bool;
 
     /// What it took so far.
     fn statistics(&self) -> Statistics;
