@@ -81,6 +81,7 @@ bench: $(STAMPS)/build $(STAMPS)/bench  ## measure against the rivals (a quarter
 	$(BIN)/python -m benchmarks.derive.run
 	$(BIN)/python -m benchmarks.evaluate.run
 	$(BIN)/python -m benchmarks.simulate.run
+	$(BIN)/python -m benchmarks.singular.run
 
 docs: $(STAMPS)/build $(STAMPS)/docs $(STAMPS)/develop  ## check the documents, write the API reference into site/
 	$(PYTEST) tests/test_documents.py

@@ -13,20 +13,19 @@ from symbody import (
     Body,
     Equations,
     Expr,
-    Frame,
     Point,
     System,
     Vector,
     functions_of_time,
     ground,
     newton_euler,
-    origin,
     project,
     rotate,
     symbols,
     time_derivative,
     translate,
 )
+from tests.reference.mechanisms.n_fourbar import bar_of, linkages
 
 Array = NDArray[np.float64]
 
@@ -48,10 +47,6 @@ class Mechanism:
     off: Callable[[Mapping[Expr, Array]], Array]
 
 
-def _bar(frame: Frame, m: Expr, length: Expr) -> Body:
-    return Body(Point(frame, length / 2, 0, 0), m, 0, 0, m * length**2 / 12)
-
-
 def _derived(bodies: list[Body], coordinates: list[Expr], gaps: list[Vector], g: Expr) -> Equations:
     constraints = [component for gap in gaps for component in gap.components[:2]]
     return newton_euler(System(bodies, (), coordinates, constraints, Vector(ground, 0, -g, 0)))
@@ -60,17 +55,8 @@ def _derived(bodies: list[Body], coordinates: list[Expr], gaps: list[Vector], g:
 def cranks(N: int, *, relative: bool = False, coupler: float = 1.0) -> Mechanism:
     """N parallelograms in a row, which could go on as antiparallelograms whenever all bars lie along one line."""
     m, L, d, g = symbols("m L d g")
-    theta = functions_of_time([f"theta{i}" for i in range(N + 1)])
-    phi = functions_of_time([f"phi{i}" for i in range(1, N + 1)])
-    bars = [translate(i * d, 0, 0) * rotate("Z", angle) for i, angle in enumerate(theta)]
-    tips = [bar * translate(L, 0, 0) for bar in bars]
-    turned = [b if relative else b - a for a, b in zip(theta, phi, strict=False)]
-    couplers = [tip * rotate("Z", angle) for tip, angle in zip(tips, turned, strict=False)]
-    bodies = [*(_bar(bar, m, L) for bar in bars), *(_bar(bar, m, d) for bar in couplers)]
-    gaps = [
-        project(Point(bar, d, 0, 0) - origin(tip), ground)
-        for bar, tip in zip(couplers, tips[1:], strict=True)
-    ]
+    row = linkages(N, d, is_relative=relative)
+    theta, phi = row.theta, row.phi
     sign = -1.0 if relative else 0.0
 
     def begin(speed: float) -> dict[Expr, float]:
@@ -85,8 +71,8 @@ def cranks(N: int, *, relative: bool = False, coupler: float = 1.0) -> Mechanism
         """All cranks are parallel."""
         return np.max([np.abs(np.sin((along[angle] - along[theta[0]]) / 2)) for angle in theta], axis=0)
 
-    equations = _derived(bodies, [*theta, *phi], gaps, g)
-    return Mechanism(equations, {m: 1.0, L: 1.0, d: coupler, g: 9.81}, begin, off)
+    parameters = {m: 1.0, L: 1.0, g: 9.81} | ({d: coupler} if N else {})
+    return Mechanism(newton_euler(row.system), parameters, begin, off)
 
 
 def kite() -> Mechanism:
@@ -95,7 +81,7 @@ def kite() -> Mechanism:
     x, y, z = functions_of_time("x y z")
     crank, rocker = rotate("Z", x), translate(a, 0, 0) * rotate("Z", z)
     coupler = crank * translate(a, 0, 0) * rotate("Z", y - x)
-    bodies = [_bar(crank, m, a), _bar(coupler, m, b), _bar(rocker, m, b)]
+    bodies = [bar_of(crank, m, a), bar_of(coupler, m, b), bar_of(rocker, m, b)]
     gap = project(Point(coupler, b, 0, 0) - Point(rocker, b, 0, 0), ground)
     end = np.array([0.5, 0.5]) + sqrt(1.5**2 - 0.5) * np.array([1.0, 1.0]) / sqrt(2)
 
@@ -118,7 +104,7 @@ def slider_crank() -> Mechanism:
     phi, beta, s = functions_of_time("phi beta s")
     crank = rotate("Z", phi)
     rod = crank * translate(r, 0, 0) * rotate("Z", -beta - phi)
-    bodies = [_bar(crank, m, r), _bar(rod, m, r), Body(translate(s, 0, 0), m)]
+    bodies = [bar_of(crank, m, r), bar_of(rod, m, r), Body(translate(s, 0, 0), m)]
     gap = project(Point(rod, r, 0, 0) - Point(ground, s, 0, 0), ground)
 
     def begin(speed: float) -> dict[Expr, float]:

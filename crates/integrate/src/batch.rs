@@ -41,7 +41,7 @@ pub fn integrate_many<N: Clone + Send>(
     let stop = AtomicBool::new(false);
     let done = AtomicUsize::new(0);
     let mut runs: Vec<Option<(Run, N)>> = vec![None; cases.len()];
-    let Record { instants, states } = record;
+    let Record { instants, states, trail } = record;
     let size = states.len() / cases.len().max(1);
     let work = Mutex::new(cases.iter().zip(states.chunks_mut(size.max(1))).zip(&mut runs));
     thread::scope(|scope| {
@@ -53,7 +53,7 @@ pub fn integrate_many<N: Clone + Send>(
                 while !stop.load(Ordering::Relaxed) {
                     let next = work.lock().unwrap_or_else(PoisonError::into_inner).next();
                     let Some(((case, states), run)) = next else { break };
-                    let record = Record { instants, states };
+                    let record = Record { instants, states, trail };
                     let own = dynamics.with_constants(case.constants);
                     let mut unstopped = |_| !stop.load(Ordering::Relaxed);
                     notes();

@@ -9,6 +9,7 @@ use crate::method::{Method, Tolerances};
 use crate::projection::Projection;
 use crate::start::start;
 use crate::stepper::{Statistics, Stepper};
+use crate::trail::Trail;
 
 /// Steps between two looks at whoever watches.
 const STEPS_BETWEEN_LOOKS: usize = 64;
@@ -24,6 +25,8 @@ pub struct Record<'a> {
     pub instants: &'a [f64],
     /// The states, one after another.
     pub states: &'a mut [f64],
+    /// How many states at the ends of steps are kept beside these, at most.
+    pub trail: usize,
 }
 
 /// How an integration went.
@@ -39,6 +42,8 @@ pub struct Run {
     pub failure: Option<Failure>,
     /// What is off in the balance of energy, if that is more than errors explain.
     pub imbalance: Option<Imbalance>,
+    /// The instants and states at the ends of steps, one after another, as far as they were to be kept.
+    pub trail: Vec<f64>,
     /// What it took.
     pub statistics: Statistics,
 }
@@ -63,10 +68,12 @@ pub fn integrate(
         end: (t, state.to_vec()),
         failure: None,
         imbalance: None,
+        trail: Vec::new(),
         statistics: Statistics::default(),
     };
     let motion = |stepper: &mut dyn Stepper| {
         let mut course = Course {
+            trail: Trail::new(record.trail, t, state),
             record,
             watch: Watch::new(dynamics, t, state),
             projection: Projection::new(dynamics),
@@ -77,6 +84,7 @@ pub fn integrate(
         run.failure = course.follow(stepper, end, &mut run, keep_going).err();
         run.statistics = stepper.statistics();
         run.imbalance = course.balance.imbalance(run.end.0, &run.end.1, run.statistics.errors);
+        run.trail = course.trail.into_rows();
     };
     if let Err(failure) = start(method, dynamics, (t, end), state, tolerances, motion) {
         run.failure = Some(failure);
@@ -91,6 +99,7 @@ struct Course<'a> {
     projection: Projection<'a>,
     branch: Branch,
     balance: Balance<'a>,
+    trail: Trail,
     /// The state at the end of a step, on the constraints.
     state: Vec<f64>,
 }
@@ -123,6 +132,7 @@ impl Course<'_> {
             }
             self.end_step(stepper, run);
             self.balance.watch(step, run.end.0, &run.end.1);
+            self.trail.note(run.end.0, &run.end.1);
             patience.check(step, stepper.t())?;
             if step % STEPS_BETWEEN_LOOKS == 0 && !keep_going(stepper.t()) {
                 return Err(Failure::Interrupted { t: stepper.t() });

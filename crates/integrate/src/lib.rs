@@ -17,6 +17,7 @@ mod projection;
 mod runge_kutta;
 mod start;
 mod stepper;
+mod trail;
 
 pub use balance::Imbalance;
 pub use batch::{Case, integrate_many};

@@ -78,7 +78,7 @@ fn a_motion_is_interrupted_between_steps_and_keeps_what_it_has() {
         let dynamics = oscillator_of(50.0);
         let instants = evenly(100.0, 100_000);
         let mut states = vec![f64::NAN; 2 * instants.len()];
-        let record = Record { instants: &instants, states: &mut states };
+        let record = Record { instants: &instants, states: &mut states, trail: 0 };
         let run = integrate(&dynamics, method, &[1.0, 0.0], record, tolerance(1e-6, 2), &mut |t| t < 1.0);
         let Some(Failure::Interrupted { t }) = run.failure else { panic!("{method:?}: {:?}", run.failure) };
         assert!((1.0..20.0).contains(&t) && run.reached > 1000, "{method:?}: {t}");
@@ -103,7 +103,7 @@ fn many_motions_are_those_that_come_one_by_one_whatever_the_threads() {
         .collect();
     for threads in [0, 1, 2, 20] {
         let mut states = vec![f64::NAN; 9 * 8 * 2];
-        let record = Record { instants: &instants, states: &mut states };
+        let record = Record { instants: &instants, states: &mut states, trail: 0 };
         let limits = tolerance(1e-9, 2);
         let runs =
             integrate_many(&code, Method::Dop853, &cases, record, limits, threads, &mut |_| true, &|| ());

@@ -25,7 +25,7 @@ type Occurrences = Vec<(usize, f64, Vec<f64>)>;
 /// Steps, rejected steps, evaluations of the rates and of the Jacobian, and whether the problem looks stiff.
 type Statistics = (usize, usize, usize, usize, bool);
 /// How many instants were reached, events, the end, the kind of failure with time and message, statistics, and since
-/// when and how much the balance of energy is off.
+/// when and how much the balance of energy is off, and the doubles of the trail.
 type Run = (
     usize,
     Occurrences,
@@ -33,6 +33,7 @@ type Run = (
     Option<(&'static str, f64, String)>,
     Statistics,
     Option<(f64, f64)>,
+    Vec<u8>,
 );
 /// A run, and what its linear systems lacked.
 type RunOfMany = (Run, Vec<Noted>);
@@ -83,7 +84,7 @@ impl Dynamics {
         self.code.constants()
     }
 
-    /// Integrate from a state through instants; write the states there to `out`.
+    /// Integrate from a state through instants; write the states there to `out`, and keep up to `trail` states at ends of steps.
     ///
     /// `keep_going` is called with the time that was reached, some times a second.
     #[allow(clippy::too_many_arguments, reason = "the arguments of an integration")]
@@ -96,6 +97,7 @@ impl Dynamics {
         instants: PyBuffer<f64>,
         tolerances: (f64, f64, f64, usize),
         mut out: PyBuffer<f64>,
+        trail: usize,
         keep_going: Option<Py<PyAny>>,
     ) -> PyResult<Run> {
         let method = named(method)?;
@@ -109,7 +111,7 @@ impl Dynamics {
         let mut look = Look::new(keep_going);
         let run = py.detach(|| {
             let dynamics = self.code.with_constants(&constants);
-            let record = native::Record { instants: &instants, states };
+            let record = native::Record { instants: &instants, states, trail };
             native::integrate(&dynamics, method, &state, record, limits(tolerances), &mut |t| {
                 look.keeps_going(t)
             })
@@ -131,6 +133,7 @@ impl Dynamics {
         instants: PyBuffer<f64>,
         tolerances: (f64, f64, f64, usize),
         mut out: PyBuffer<f64>,
+        trail: usize,
         threads: usize,
         keep_going: Option<Py<PyAny>>,
     ) -> PyResult<Vec<Option<RunOfMany>>> {
@@ -149,7 +152,7 @@ impl Dynamics {
                 constants: &constants[k * width..][..width],
             })
             .collect();
-        let record = native::Record { instants: &instants, states: written(&mut out)? };
+        let record = native::Record { instants: &instants, states: written(&mut out)?, trail };
         let mut look = Look::new(keep_going);
         let runs = py.detach(|| {
             let tolerances = limits(tolerances);
@@ -242,7 +245,8 @@ fn told(run: native::Run) -> Run {
     let s = run.statistics;
     let imbalance = run.imbalance.map(|found| (found.t, found.part));
     let statistics = (s.steps, s.rejected, s.evaluations, s.jacobians, s.stiff);
-    (run.reached, occurrences, run.end, failure, statistics, imbalance)
+    let trail = run.trail.into_iter().flat_map(f64::to_ne_bytes).collect();
+    (run.reached, occurrences, run.end, failure, statistics, imbalance, trail)
 }
 
 pub fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {

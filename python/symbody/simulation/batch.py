@@ -22,7 +22,7 @@ from .diagnosis import diagnosis
 from .event import Event
 from .ida import IDA_FORMS
 from .ida_outcome import ida_outcome
-from .integrator import Options, Outcome, Problem, run_many
+from .integrator import Options, Outcome, Problem, run_many, trail_of
 from .model import DAMPING, Model
 from .notices import Integrated, deficiency_findings, findings_of
 from .results import Results, Status
@@ -76,6 +76,11 @@ class Batch:
             is_projected=self.constraints == "projection",
             events=self.events,
         )
+
+    @property
+    def trail(self) -> int:
+        """How many states at the ends of steps are kept of a motion, at most."""
+        return trail_of(self.model, self.options.method, is_projected=self.constraints == "projection")
 
     def damping_of(self, parameters: Mapping[Expr, float], state: Array) -> dict[Expr, float]:
         """Return the frequency and the damping ratio with which violations of constraints die out, if they do.
@@ -210,10 +215,7 @@ class Batch:
                 list(self.outputs.values()), outcome.states[:, :size], self.instants[:reached], parameters
             )
         met = replace(outcome, deficiencies=outcome.deficiencies | found)
-        keeps_branch = self.constraints == "projection" and self.options.method not in IDA_FORMS
-        findings = findings_of(
-            Integrated(self.model, parameters, self.options, met, self.instants, keeps_branch=keeps_branch)
-        )
+        findings = findings_of(Integrated(self.model, parameters, self.options, met))
         results.findings[case] = tuple(dict.fromkeys((*results.findings[case], *findings)))
 
     def _reason(self, outcome: Outcome, parameters: Mapping[Expr, float]) -> str:

@@ -58,6 +58,7 @@ class IdaRun:
         states: coordinates and speeds.
         multipliers: the multipliers of the constraints, as integrated.
         accelerations: the rates of the speeds, as integrated.
+        trail: rows of the instant and the state at the ends of steps, but for the last corrections.
         events: what happened, in order.
         statistics: what it took.
         completed: whether the last instant or a terminal event was reached.
@@ -68,6 +69,7 @@ class IdaRun:
     states: Array
     multipliers: Array
     accelerations: Array
+    trail: Array
     events: tuple[IdaOccurrence, ...]
     statistics: IdaStatistics
     completed: bool
@@ -276,6 +278,7 @@ class _Integration:
             states=unknowns[:, :n],
             multipliers=unknowns[:, n : n + m],
             accelerations=rates[:, q:n],
+            trail=np.array([[time, *state] for time, state in self.problem.trail]).reshape(-1, 1 + n),
             events=tuple(self.happened),
             statistics=self.statistics,
             completed=is_completed,

@@ -61,6 +61,7 @@ def ida_outcome(
         failure,
         Statistics(0, 0, run.statistics.evaluations, run.statistics.jacobians, is_stiff=False),
         imbalance=imbalance,
+        trail=run.trail,
     )
 
 

@@ -58,6 +58,8 @@ class StoppedError(Exception):
 
 _POLL = 200
 """Residuals between two questions whether to go on: some milliseconds."""
+_TRAIL = 2**16
+"""States that are kept of the way of a motion; of a longer one every second."""
 _PATIENCE, _STALL = 100, 1e-6
 """The part of the span which the residuals of as many questions must get ahead, at the least."""
 
@@ -75,6 +77,7 @@ class IdaProblem:
     since: float = -inf
     asked_at: float = -inf
     stop: str = ""
+    trail: list[tuple[float, Array]] = field(default_factory=list)
     stdout: TextIO = field(default_factory=lambda: sys.stdout)
     residual: Evaluated = field(init=False)
     slopes: Evaluated = field(init=False)
@@ -90,7 +93,16 @@ class IdaProblem:
         self.calls += 1
         if self.calls % _POLL == 0:
             self._poll(time)
+        self._note(time, y)
         out[:] = self.residual(time, y, rates)
+
+    def _note(self, time: float, y: Array) -> None:
+        """Keep the last state that was tried at an instant; steps that are taken again begin earlier."""
+        while self.trail and self.trail[-1][0] >= time:
+            self.trail.pop()
+        self.trail.append((time, y[: self.dae.differential].copy()))
+        if len(self.trail) > _TRAIL:
+            del self.trail[1::2]
 
     def _poll(self, time: float) -> None:
         if self.keep_going is not None and not self._asked(time):

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 from math import inf
 
@@ -29,10 +29,14 @@ __all__ = [
     "Statistics",
     "run",
     "run_many",
+    "trail_of",
 ]
 
 EXPLICIT = ("dop853", "tsit5")
 IMPLICIT = ("bdf", "esdirk34", "tr_bdf2")
+
+TRAIL = 2**14
+"""States at the ends of steps that are kept, where somebody looks at them."""
 
 
 @dataclass(frozen=True)
@@ -88,6 +92,8 @@ class Outcome:
         deficiencies: the linear systems without a unique solution that it met.
         imbalance: since when, and by which part of the largest energy that moves, the balance of energy was off; None
             where the errors of the steps explain what is off, or nobody knows the energy.
+        trail: rows of the instant and the state at the ends of steps; empty where the integrator itself keeps a motion
+            on the branch of its constraints.
     """
 
     states: NDArray[np.float64]
@@ -97,6 +103,7 @@ class Outcome:
     statistics: Statistics
     deficiencies: frozenset[Deficiency] = frozenset()
     imbalance: tuple[float, float] | None = None
+    trail: NDArray[np.float64] = field(default_factory=lambda: np.empty((0, 1)))
 
 
 @dataclass(frozen=True, eq=False)
@@ -111,6 +118,8 @@ class Problem:
         corrections: the ways back onto the constraints, of coordinates and of speeds; none without projection.
         energies: the kinetic and the potential energy; none where their sum isn't constant.
         events: functions whose zeros are events, and the events.
+        trail: how many states at the ends of steps are kept at most, of each motion; of longer ones every second or
+            fourth state, and so on.
     """
 
     width: int
@@ -120,6 +129,7 @@ class Problem:
     corrections: tuple[PreparedCode, PreparedCode] | None = None
     energies: PreparedCode | None = None
     events: tuple[PreparedCode, tuple[Event, ...]] | None = None
+    trail: int = 0
 
     @classmethod
     def of(
@@ -142,6 +152,7 @@ class Problem:
             corrections=model.correction_codes if is_projected and model.constraints else None,
             energies=model.energies_code,
             events=None if code is None else (code, tuple(events)),
+            trail=trail_of(model, method, is_projected=is_projected),
         )
 
     @property
@@ -177,6 +188,14 @@ class Problem:
         )
 
 
+def trail_of(model: Model, method: str, *, is_projected: bool) -> int:
+    """Return how many states at the ends of steps are kept; none where the steps stay on the branch of the constraints.
+
+    The explicit methods with projection choose their steps so that they do.
+    """
+    return TRAIL if model.constraints and not (is_projected and method in EXPLICIT) else 0
+
+
 def _limits(problem: Problem, options: Options) -> tuple[float, float, float, int]:
     return options.rtol, options.atol, options.max_step, problem.controlled
 
@@ -202,6 +221,7 @@ def run(
         np.ascontiguousarray(instants, float),
         _limits(problem, options),
         states,
+        problem.trail,
         keep_going,
     )
     return _outcome(told, states)
@@ -231,6 +251,7 @@ def run_many(
         np.ascontiguousarray(instants, float),
         _limits(problem, options),
         results,
+        problem.trail,
         threads,
         keep_going,
     )
@@ -256,11 +277,12 @@ _Told = tuple[
     tuple[str, float, str] | None,
     tuple[int, int, int, int, bool],
     tuple[float, float] | None,
+    bytes,
 ]
 
 
 def _outcome(told: _Told, states: NDArray[np.float64], deficiencies: Iterable[Deficiency] = ()) -> Outcome:
-    reached, occurrences, end, failure, statistics, imbalance = told
+    reached, occurrences, end, failure, statistics, imbalance, trail = told
     return Outcome(
         states[:reached],
         occurrences,
@@ -269,4 +291,5 @@ def _outcome(told: _Told, states: NDArray[np.float64], deficiencies: Iterable[De
         Statistics(*statistics),
         frozenset(deficiencies),
         imbalance,
+        np.frombuffer(trail).reshape(-1, 1 + states.shape[1]),
     )

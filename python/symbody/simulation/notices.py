@@ -7,7 +7,6 @@ from dataclasses import dataclass
 from math import nan
 
 import numpy as np
-from numpy.typing import NDArray
 
 from symbody.symbolic import Expr
 from symbody.symbolic.deficiency import Deficiency
@@ -59,16 +58,12 @@ class Integrated:
         parameters: their values.
         options: how it was integrated.
         outcome: how that went.
-        instants: when its states were asked for.
-        keeps_branch: whether steps that leave a branch of the constraints are noticed as it is integrated.
     """
 
     model: Model
     parameters: Mapping[Expr, float]
     options: Options
     outcome: Outcome
-    instants: NDArray[np.float64]
-    keeps_branch: bool
 
 
 @dataclass(frozen=True)
@@ -100,11 +95,7 @@ def _imbalance(motion: Integrated) -> Iterable[Finding]:
 
 def _passages(motion: Integrated) -> Iterable[Finding]:
     """Return that singular positions were passed, where nothing says on which branch the motion went on."""
-    model, states = motion.model, motion.outcome.states
-    if motion.keeps_branch or not model.constraints:
-        return []
-    p = np.array([motion.parameters[name] for name in (*model.parameters, *model.damping)])
-    passed = singular_passages(model, p, motion.instants[: len(states)], states)
+    passed = singular_passages(motion.model, motion.parameters, motion.outcome.trail)
     return [Finding("passage", size=float(len(passed)), t=float(passed[0]))] if len(passed) else []
 
 
@@ -142,9 +133,9 @@ ROWS: dict[str, _Row] = {
     ),
     "passage": _Row(
         _passages,
-        "the motion passes singular positions ({size:.0f}, the first at about t = {t:.4g} s), at which the constraints "
-        "depend on each other and other branches of motions begin; this way to keep the constraints does not say "
-        "whether it stays on its own: use constraints='projection' and method='dop853' or 'tsit5'",
+        "the motion passes singular positions ({size:.0f}, the first at about t = {t:.4g} s), where the constraints "
+        "depend on each other and other branches begin; it may have changed its branch there: only method='dop853' or "
+        "'tsit5' with constraints='projection' make sure that it does not",
     ),
     "stiff": _Row(
         _stiffness,

@@ -169,11 +169,7 @@ class _Course:
     def told(self, outcome: Outcome, asked: Mapping[str, Expr]) -> Motion:
         """Return the motion; raise an error that holds it if it failed."""
         failure = outcome.failure
-        keeps_branch = self.is_projected and self.options.method not in IDA_FORMS
-        met = Integrated(
-            self.model, self.parameters, self.options, outcome, self.instants, keeps_branch=keeps_branch
-        )
-        findings = findings_of(met)
+        findings = findings_of(Integrated(self.model, self.parameters, self.options, outcome))
         for notice in notices_of_motion(findings):
             warnings.warn(notice, ModelNotice, stacklevel=3)
         if failure is None:

@@ -1,9 +1,14 @@
-"""Singular positions that a motion passes: where its constraints become dependent between two instants."""
+"""Singular positions that a motion passes: where its constraints become dependent between two steps."""
 
 from __future__ import annotations
 
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+
 import numpy as np
 from numpy.typing import NDArray
+
+from symbody.symbolic import Expr
 
 from .model import Model
 
@@ -11,64 +16,140 @@ __all__ = ["singular_passages"]
 
 Array = NDArray[np.float64]
 
-NEAR = 0.02
-"""The part of the largest singular value below which the least one of a motion is taken for zero."""
-AGREEMENT = 0.6
-"""Intervals between instants by which the places may differ at which the smallest singular value vanishes, as the two
-instants before the least and the two behind it say."""
+SINGULAR, REGULAR = 0.01, 0.03
+"""The parts of the largest singular value below which the least one is taken for zero, and above which it is not."""
+PARTS, MARGIN = 2, 2.0
+"""Parts into which steps are cut to find out where the least singular value may vanish, and how many intervals away the
+straight line through two values may meet zero where one interval was expected."""
+ROUNDS, FINER = 2, 16
+"""How often the intervals beside a minimum are cut again, and into how many parts."""
+AT_ONCE = 2**14
+"""Matrices that are looked at at once: more would take much memory."""
 
 
-def singular_passages(model: Model, parameters: Array, t: Array, states: Array) -> Array:
-    """Return the instants next to which the constraints of a motion become dependent.
+def singular_passages(model: Model, parameters: Mapping[Expr, float], trail: Array) -> Array:
+    """Return the instants, in s, at which the constraints of a motion are dependent, or as good as that.
 
-    The smallest singular value of ``phi_q L^-T``, with ``M = L L^T``, falls and rises in proportion to the distance
-    from a singular position: it is found where straight lines through the values on both sides meet zero at one place,
-    which takes instants that are close to each other, and where it is very small.
+    There the smallest singular value of ``phi_q L^-T``, with ``M = L L^T``, has a minimum next to zero. Between steps
+    the coordinates are interpolated by cubic polynomials through their values and rates. A motion that stays at such
+    positions for a while passes once.
 
     Args:
         model: what moves.
-        parameters: the values of its parameters, and behind them those of the stabilisation, if there is one.
-        t: the instants, N of them, in s.
-        states: coordinates and speeds, a row for each.
+        parameters: the values of its parameters, and those of the stabilisation, if there is one.
+        trail: the motion: rows of the instant, coordinates and speeds at the ends of its steps.
     """
-    if not model.constraints or len(t) < 5:
+    if not model.constraints or not model.independent_constraints or len(trail) < 2:
         return np.empty(0)
-    ratio = _smallest(model, parameters, t, states)
-    before, after = _falls(ratio), _falls(ratio[::-1])[::-1]
-    inner = slice(2, -2)
-    # Both in intervals from the instant in the middle: where the values before it fall to zero, and those behind it.
-    left, right = -1 + ratio[1:-3] / before[1:-3], 1 - ratio[3:-1] / after[3:-1]
-    is_least = (ratio[inner] <= ratio[1:-3]) & (ratio[inner] <= ratio[3:-1])
-    near = (
-        (np.abs(left) < 1 + AGREEMENT) & (np.abs(right) < 1 + AGREEMENT) & (np.abs(left - right) < AGREEMENT)
-    )
-    found: Array = t[inner][is_least & (near | (ratio[inner] < NEAR))]
-    return found
+    way = _way(model, parameters, trail)
+    t = np.append(_cut(way.t[:-1], way.t[1:], PARTS)[:, :-1], way.t[-1])
+
+    def products(times: Array) -> Array:
+        parts = np.array_split(times, 1 + len(times) // AT_ONCE)
+        return np.concatenate([_products(model, parameters, part, way(part)) for part in parts])
+
+    first = products(t)
+    longest = np.sqrt(np.nanmax(np.einsum("kii->ki", first), axis=0, initial=0.0))
+    scale = np.where(longest > 0, longest, 1.0)
+
+    def ratio(times: Array) -> Array:
+        return _smallest(products(times) / np.multiply.outer(scale, scale), model.independent_constraints)
+
+    found = _smallest(first / np.multiply.outer(scale, scale), model.independent_constraints)
+    places = 1 + np.flatnonzero(_may_vanish(t, found) | (found[1:-1] < SINGULAR))
+    at, least = _minima(ratio, t[places - 1], t[places + 1])
+    is_passed = least < SINGULAR
+    # Minima with nothing regular between them are of one passage: a motion may stay there.
+    regular = np.searchsorted(t[found > REGULAR], at[is_passed])
+    return at[is_passed][np.unique(regular, return_index=True)[1]]
 
 
-def _falls(ratio: Array) -> Array:
-    """Return by how much each value is less than the one before it; NaN where it isn't."""
-    falls = np.full(len(ratio), np.nan)
-    falls[1:] = ratio[:-1] - ratio[1:]
-    return np.where(falls > 0, falls, np.nan)
+def _may_vanish(t: Array, ratio: Array) -> NDArray[np.bool_]:
+    """Return whether a ratio may vanish next to its minima, for each instant but the first and the last.
+
+    It falls and rises in proportion to the distance from where it vanishes: in the interval on one side, if the line
+    through the values on the other side meets zero there.
+    """
+    h, change = np.diff(t), np.diff(ratio)
+    here, fall, rise = ratio[1:-1], -change[:-1], change[1:]
+    later, earlier = here * h[:-1] <= MARGIN * fall * h[1:], here * h[1:] <= MARGIN * rise * h[:-1]
+    # Compared with NaN nothing is least.
+    is_passed: NDArray[np.bool_] = (fall >= 0) & (rise > 0) & (later | earlier)
+    return is_passed
 
 
-def _smallest(model: Model, parameters: Array, t: Array, states: Array) -> Array:
-    """Return the smallest singular value of the independent constraints, relative to the largest; NaN if not finite."""
-    n, m, rank = len(model.speeds), len(model.constraints), model.independent_constraints
+def _minima(ratio: Callable[[Array], Array], begin: Array, end: Array) -> tuple[Array, Array]:
+    """Return where the ratio is least within intervals, and how small it is there."""
+    t, least, rows = begin, np.full(len(begin), np.inf), np.arange(len(begin))
+    for _ in range(ROUNDS if len(begin) else 0):
+        times = _cut(begin, end, FINER)
+        values = ratio(times.ravel()).reshape(times.shape)
+        places = np.argmin(np.where(np.isfinite(values), values, np.inf), axis=1)
+        t, least = times[rows, places], values[rows, places]
+        begin, end = times[rows, np.maximum(places - 1, 0)], times[rows, np.minimum(places + 1, FINER)]
+    return t, least
+
+
+def _cut(begin: Array, end: Array, parts: int) -> Array:
+    """Return instants that part intervals evenly, their ends included, a row for each."""
+    return begin[:, None] + (end - begin)[:, None] * np.linspace(0, 1, parts + 1)
+
+
+@dataclass(frozen=True, eq=False)
+class _Way:
+    """The way of the coordinates between the ends of steps; speeds are joined by straight lines."""
+
+    t: Array
+    states: Array
+    rates: Array
+
+    def __call__(self, times: Array) -> Array:
+        """Return states, a row for each instant: the coordinates by Hermite's cubic polynomials."""
+        k = np.clip(np.searchsorted(self.t, times, side="right") - 1, 0, len(self.t) - 2)
+        h = (self.t[k + 1] - self.t[k])[:, None]
+        s = (times - self.t[k])[:, None] / h
+        before, behind = self.states[k], self.states[k + 1]
+        states = before + s * (behind - before)
+        n = self.rates.shape[1]
+        change = (behind - before)[:, :n]
+        bend = (1 - s) * (h * self.rates[k] - change) - s * (h * self.rates[k + 1] - change)
+        states[:, :n] += s * (1 - s) * bend
+        return states
+
+
+def _way(model: Model, parameters: Mapping[Expr, float], trail: Array) -> _Way:
+    t, at = np.unique(trail[:, 0], return_index=True)
+    states = trail[at, 1 : 1 + len(model.state)]
+    return _Way(t, states, _values(model, parameters, model.kinematics, t, states).T)
+
+
+def _values(
+    model: Model, parameters: Mapping[Expr, float], expressions: tuple[Expr, ...], t: Array, states: Array
+) -> Array:
     names = (*model.parameters, *model.damping)
-    expressions = [*model.equations.mass_matrix.entries, *model.equations.constraint_jacobian.entries]
-    columns = states[:, : len(model.state)].T
     with np.errstate(all="ignore"):
-        values = np.asarray(model.function(expressions, names)(t, *columns, *parameters[: len(names)]))
+        function = model.function(expressions, names)
+        return np.asarray(function(t, *states.T, *(parameters[name] for name in names)))
+
+
+def _products(model: Model, parameters: Mapping[Expr, float], t: Array, states: Array) -> Array:
+    """Return ``phi_q M^-1 phi_q^T``, a matrix for each instant; NaN where it isn't finite."""
+    n, m = len(model.speeds), len(model.constraints)
+    entries = (*model.equations.mass_matrix.entries, *model.equations.constraint_jacobian.entries)
+    values = _values(model, parameters, entries, t, states)
     M, J = values[: n * n].T.reshape(-1, n, n), values[n * n :].T.reshape(-1, m, n)
     is_fit = np.isfinite(values).all(axis=0) & (
         np.linalg.eigvalsh(np.where(np.isfinite(M), M, 0.0))[:, 0] > 0
     )
-    smallest = np.full(len(t), np.nan)
-    if is_fit.any() and rank:
-        in_metric = np.linalg.solve(np.linalg.cholesky(M[is_fit]), np.swapaxes(J[is_fit], 1, 2))
-        longest = np.linalg.norm(in_metric, axis=1).max(axis=0)
-        s = np.linalg.svd(in_metric / np.where(longest > 0, longest, 1.0), compute_uv=False)
-        smallest[is_fit] = s[:, rank - 1] / s[:, 0]
+    products = np.full((len(t), m, m), np.nan)
+    products[is_fit] = J[is_fit] @ np.linalg.solve(M[is_fit], np.swapaxes(J[is_fit], 1, 2))
+    return products
+
+
+def _smallest(products: Array, rank: int) -> Array:
+    """Return the smallest singular value of the independent constraints, relative to the largest; NaN if not finite."""
+    is_fit = np.isfinite(products).all(axis=(1, 2))
+    smallest = np.full(len(products), np.nan)
+    squares = np.linalg.eigvalsh(products[is_fit])
+    smallest[is_fit] = np.sqrt(np.maximum(squares[:, -rank], 0.0) / squares[:, -1])
     return smallest

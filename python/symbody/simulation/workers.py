@@ -160,4 +160,4 @@ def _lost(error: BaseException) -> SimulationError:
 
 def _fitting(batch: Batch) -> int:
     """Return how many cases fit into the memory that states under way may take."""
-    return max(1, MEMORY // (8 * len(batch.instants) * batch.width))
+    return max(1, MEMORY // (8 * (len(batch.instants) + batch.trail) * batch.width))

@@ -184,6 +184,7 @@ _Run: TypeAlias = tuple[
     tuple[str, float, str] | None,
     tuple[int, int, int, int, bool],
     tuple[float, float] | None,
+    bytes,
 ]
 
 @final
@@ -207,6 +208,7 @@ class Dynamics:
         instants: Any,
         tolerances: tuple[float, float, float, int],
         out: Any,
+        trail: int,
         keep_going: Any,
     ) -> _Run: ...
     def integrate_many(
@@ -217,6 +219,7 @@ class Dynamics:
         instants: Any,
         tolerances: tuple[float, float, float, int],
         out: Any,
+        trail: int,
         threads: int,
         keep_going: Any,
     ) -> list[tuple[_Run, list[_Noted]] | None]: ...

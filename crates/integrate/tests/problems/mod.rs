@@ -49,7 +49,7 @@ pub fn motion(
     tolerances: Tolerances,
 ) -> (Vec<Vec<f64>>, Run) {
     let mut states = vec![f64::NAN; state.len() * instants.len()];
-    let record = Record { instants, states: &mut states };
+    let record = Record { instants, states: &mut states, trail: 0 };
     let run = integrate(dynamics, method, state, record, tolerances, &mut |_| true);
     (states.chunks(state.len()).map(<[f64]>::to_vec).collect(), run)
 }

@@ -1,0 +1,60 @@
+"""The tables of the scan, as Markdown."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+
+from .scan import BOUND, MECHANISMS, Loss, Told
+
+TEXT = """\
+# The scan of singular positions
+
+Written by `python -m benchmarks.singular.run`. Mechanisms swing for ten seconds by their weight, with many initial
+speeds of the first crank, and pass some ten singular positions each; no clock is read. A motion has *passed* if it came
+to its end less than 0.01 rad or m off its branch, which is known in closed form. The energy lost is the largest
+deviation from the first energy, relative to the largest energy that moves, and stands beside what a single bar loses
+that swings with the same speeds, at the same tolerance. [Singular positions](../singular_positions.md) explains them.
+
+![Energy lost over the tolerance](singular.svg)
+
+Full lines: the largest loss of all motions; dotted: the median.
+
+## Explicit methods with projection
+
+| mechanism | method | rtol | passed | lost: median | largest | a bar's | largest / bar's | asked | met |
+|---|---|---|---|---|---|---|---|---|---|
+{losses}
+
+## Other ways
+
+Four mechanisms, five initial speeds and two tolerances (1e-4, 1e-7) each, five seconds, and two asked instants: the
+beginning and the end. A motion is *wrong* if it is off its branch, or has lost more than ten times the energy that a
+single bar loses by the same method.
+
+| method | constraints | passed, nothing to report | with a notice | ended by an error | wrong in silence |
+|---|---|---|---|---|---|
+{others}
+"""
+
+
+def written(found: Sequence[Loss], told: Iterable[Told]) -> str:
+    """Return the report."""
+    return TEXT.format(losses="\n".join(map(_row, found)), others="\n".join(map(_other, told)))
+
+
+def _row(loss: Loss) -> str:
+    ratio = loss.largest / loss.regular
+    is_met = loss.passed == loss.motions and ratio <= BOUND
+    return (
+        f"| {MECHANISMS[loss.name]} | {loss.method} | {loss.rtol:.0e} | {loss.passed} of {loss.motions} | "
+        f"{loss.median:.0e} | {loss.largest:.0e} | {loss.regular:.0e} | {ratio:.2g} | ≤ {BOUND:g} | "
+        f"{'yes' if is_met else '**no**'} |"
+    )
+
+
+def _other(told: Told) -> str:
+    kinds = told.kinds
+    return (
+        f"| {told.method} | {told.constraints} | {kinds['passed']} | {kinds['noticed']} | {kinds['ended']} | "
+        f"{kinds['silent']} |"
+    )
