@@ -16,8 +16,11 @@ const STEPS_BETWEEN_LOOKS: usize = 64;
 /// A motion that advances by less than this part of its whole in so many steps never comes to its end.
 const STALLED: (u32, f64) = (100_000, 1e-4);
 
-/// A step that ends too close to a singular position is tried again with this part of its length, so many times.
-const AGAIN: (f64, usize) = (0.6, 12);
+/// A step that ends too close to a singular position is tried again with these parts of its length: it ends before it, or
+/// a little behind it.
+const AGAIN: [f64; 12] = [0.6, 0.36, 1.6, 0.22, 2.6, 0.13, 4.2, 0.08, 0.047, 0.028, 0.017, 0.01];
+/// Where steps are held back, so that they would all end there, it is crossed by a longer one.
+const CROSS: [f64; 12] = [16.0, 64.0, 256.0, 32.0, 128.0, 512.0, 45.0, 90.0, 180.0, 360.0, 8.0, 4.0];
 
 /// Where the states of the asked instants are written.
 pub struct Record<'a> {
@@ -146,9 +149,10 @@ impl Course<'_> {
     /// Close to a singular position a step may end where none can begin, or its dense output may be noise: then a shorter
     /// one is tried, which ends elsewhere. What only might be better is accepted in the end.
     fn step(&mut self, stepper: &mut dyn Stepper, end: f64, run: &Run) -> Result<(), Failure> {
-        let mut first = None;
+        let parts = if stepper.is_held_back() { CROSS } else { AGAIN };
+        let (mut first, mut tried) = (None, 1.0);
         for time in 0.. {
-            let is_last = !self.projection.is_needed() || time == AGAIN.1;
+            let is_last = !self.projection.is_needed() || time == parts.len();
             if is_last || stepper.starts_well() {
                 match stepper.step(end).and_then(|()| self.land(stepper, &run.end.1)) {
                     Ok(()) if is_last || !self.is_read(stepper.t(), run) || stepper.reads_well() => break,
@@ -156,9 +160,10 @@ impl Course<'_> {
                     Err(failure) => first = first.or(Some(failure)),
                 }
             }
-            if is_last || !stepper.retract(AGAIN.0) {
+            if is_last || !stepper.retract(parts[time] / tried) {
                 return first.map_or(Ok(()), Err);
             }
+            tried = parts[time];
         }
         Ok(())
     }

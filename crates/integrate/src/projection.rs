@@ -89,6 +89,9 @@ impl<'a> Projection<'a> {
     }
 }
 
+/// How far aside the constraints are looked at, in sizes of the coordinates.
+const ASIDE: f64 = 1e-7;
+
 /// The directions of the speeds that the constraints allow.
 pub struct Tangent<'a> {
     correction: &'a Function,
@@ -100,6 +103,33 @@ impl<'a> Tangent<'a> {
     pub fn of(dynamics: &'a Dynamics) -> Option<Self> {
         let coordinates = dynamics.position_correction.as_ref().map_or(0, Function::outputs);
         dynamics.velocity_correction.as_ref().map(|correction| Self { correction, coordinates })
+    }
+
+    /// The places of the speeds in the state.
+    pub fn speeds(&self) -> Range<usize> {
+        self.coordinates..self.coordinates + self.correction.outputs()
+    }
+
+    /// How much rounding errors change the speeds that the constraints allow.
+    ///
+    /// At a distance x from a singular position, relative to the size of the coordinates, the constraints don't notice
+    /// coordinates that are off by a unit of the last place over x, and the directions that they forbid turn by that
+    /// over x once more.
+    ///
+    /// Args: the instant, the state, and the sizes of its coordinates.
+    pub fn noise(&self, t: f64, state: &[f64], sizes: &[f64]) -> f64 {
+        let n = self.correction.outputs();
+        let (mut here, mut beside) = (vec![0.0; n], vec![0.0; n]);
+        self.correction.call(t, state, &mut here);
+        let mut near = state.to_vec();
+        for (i, (x, size)) in near[..self.coordinates].iter_mut().zip(sizes).enumerate() {
+            *x += if i % 2 == 0 { ASIDE } else { -0.5 * ASIDE } * size;
+        }
+        self.correction.call(t, &near, &mut beside);
+        let changes = here.iter().zip(&beside).map(|(a, b)| (a - b).abs());
+        let change = changes.fold(0.0, f64::max);
+        let speed = state[self.speeds()].iter().fold(f64::MIN_POSITIVE, |most, speed| most.max(speed.abs()));
+        f64::EPSILON * (change / ASIDE) * (change / ASIDE / speed)
     }
 
     /// A small change of the state, less the part that leads off the constraints: of the speeds, and of the coordinates

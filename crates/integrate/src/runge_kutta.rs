@@ -62,6 +62,15 @@ pub struct RungeKutta<'a> {
     regular: f64,
     /// The same for the step before.
     last_regular: f64,
+    /// A step up to this length is allowed, whatever the longest one is: it crosses a singular position.
+    crossing: f64,
+    /// Up to this instant a way across a singular position has been looked for.
+    looked_until: f64,
+    /// How large each entry of the state has been, or how far it has moved.
+    sizes: Vec<f64>,
+    origin: Vec<f64>,
+    /// The size of the integrals behind the state, in whose units their errors count.
+    work: f64,
     /// The rates at the stages.
     stages: Stages,
     first: First,
@@ -106,6 +115,11 @@ impl<'a> RungeKutta<'a> {
             step: 0.0,
             regular: 0.0,
             last_regular: 0.0,
+            crossing: 0.0,
+            looked_until: t,
+            sizes: state.iter().map(|x| x.abs()).collect(),
+            origin: state.to_vec(),
+            work: 0.0,
             stages: Stages::new(tableau.c.len(), n),
             first: First::Unknown,
             last: (t, 0.0),
@@ -278,9 +292,13 @@ impl<'a> RungeKutta<'a> {
         self.last = (self.t, h);
         std::mem::swap(&mut self.before, &mut self.state);
         self.state.copy_from_slice(&self.after);
+        for (size, (x, origin)) in self.sizes.iter_mut().zip(self.state.iter().zip(&self.origin)) {
+            *size = size.max(x.abs()).max((x - origin).abs());
+        }
         self.t = t;
         self.first = if self.tableau.evaluates_end { First::AtEnd } else { First::Unknown };
         self.is_dense = false;
+        self.crossing = 0.0;
         self.statistics.steps += 1;
     }
 
@@ -311,6 +329,10 @@ impl Stepper for RungeKutta<'_> {
         self.is_dense_output_certain()
     }
 
+    fn is_held_back(&self) -> bool {
+        self.is_held_back()
+    }
+
     fn step(&mut self, end: f64) -> Result<(), Failure> {
         self.evaluate_first();
         if !is_finite(self.stages.row(0)) {
@@ -322,7 +344,7 @@ impl Stepper for RungeKutta<'_> {
         let (mut is_finite, mut was_rejected) = (true, false);
         self.is_careful = false;
         loop {
-            let mut h = self.step.min(self.tolerances.max_step);
+            let mut h = self.step.min(self.tolerances.max_step.max(self.crossing));
             if h <= 4.0 * f64::EPSILON * self.t.abs() || h < f64::MIN_POSITIVE {
                 return Err(if is_finite {
                     Failure::StepCollapse { t: self.t, step: h }
@@ -349,6 +371,9 @@ impl Stepper for RungeKutta<'_> {
             let factor = if is_finite { SAFETY * error.powf(-self.exponent()) } else { 0.1 };
             self.step = h * factor.clamp(if is_finite { SHRINK } else { 0.1 }, 1.0);
             self.statistics.rejected += 1;
+            if was_rejected {
+                self.check_start()?;
+            }
             was_rejected = true;
         }
     }
@@ -383,6 +408,7 @@ impl Stepper for RungeKutta<'_> {
         let (t, h) = self.last;
         self.last.1 = part * h;
         self.step = part * h;
+        self.crossing = if part > 1.0 { self.step } else { 0.0 };
         self.regular = self.regular.max(self.last_regular);
         if self.t > t {
             self.t = t;

@@ -31,6 +31,11 @@ pub trait Stepper {
         true
     }
 
+    /// Whether steps could be much longer if they were allowed to.
+    fn is_held_back(&self) -> bool {
+        false
+    }
+
     /// Take a step that is accepted, and not beyond `end`.
     fn step(&mut self, end: f64) -> Result<(), Failure>;
 
@@ -46,7 +51,8 @@ pub trait Stepper {
     /// Go on from another state at the same instant.
     fn replace(&mut self, state: &[f64]);
 
-    /// Go back to the begin of the last step; the next try is this part of the last one from there. Whether there is one.
+    /// Go back to the begin of the last step; the next try is this part of the last one from there, also where that is more
+    /// than the longest step. Whether there is one.
     fn retract(&mut self, part: f64) -> bool;
 
     /// What it took so far.

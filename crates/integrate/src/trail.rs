@@ -22,8 +22,11 @@ impl Trail {
         trail
     }
 
-    /// Note the end of a step.
+    /// Note the end of a step; what was noted of later instants belongs to steps that were taken back.
     pub fn note(&mut self, t: f64, state: &[f64]) {
+        while self.rows.len() > self.width && self.rows[self.rows.len() - self.width] >= t {
+            self.rows.truncate(self.rows.len() - self.width);
+        }
         self.since += 1;
         if self.since == self.every {
             self.keep(t, state);

@@ -3,6 +3,8 @@
 //! Where a constraint nearly follows from others, rounding errors of the positions turn the direction that it forbids,
 //! and the rates hold what is no part of the motion. A step had better begin and be read elsewhere.
 
+use crate::failure::Failure;
+use crate::method::Tolerances;
 use crate::projection::Tangent;
 use crate::stepper::Stepper;
 
@@ -14,6 +16,13 @@ const NOISE: f64 = 30.0;
 /// A dense output whose slope in the middle is off by more than so many tolerances is noise if most of that leads off the
 /// constraints; where it does not, smooth motions have some ten, and more than the second number is an error.
 const DEFECT: (f64, f64) = (3.0, 30.0);
+/// No step can begin where rounding errors of the coordinates change a speed by more than so many tolerances, for the
+/// largest that any speed has been.
+const UNCERTAIN: f64 = 1.0;
+/// The same where steps are short because they have to be.
+const BEFORE: f64 = 0.01;
+/// How many times longer a step could be at least that is held back by the longest one.
+const HELD_BACK: f64 = 2.0;
 
 impl RungeKutta<'_> {
     /// Whether the rates at the state are those of the neighbouring state at which the last stage was evaluated, but for
@@ -22,6 +31,11 @@ impl RungeKutta<'_> {
         let is_known = self.statistics.steps == 0 || matches!(self.first, First::InPlace);
         if is_known || self.tangent.is_none() {
             return true;
+        }
+        // Short steps would all end in the neighbourhood of the position: they stop well before it, to cross it by a long one.
+        if self.is_held_back() && self.t > self.looked_until && self.uncertainty() > BEFORE {
+            self.looked_until = self.t;
+            return false;
         }
         self.evaluate_first();
         if self.steepness() <= NOISE {
@@ -32,6 +46,32 @@ impl RungeKutta<'_> {
         let along = |tangent: &Tangent<'_>| self.weighted(&tangent.part(self.t, &self.state, change));
         size * self.last.1 <= 1.0
             || self.tangent.as_ref().is_none_or(|tangent| along(tangent) > BESIDE * size)
+    }
+
+    /// Fail where rounding errors decide which speeds the constraints allow: steps from there are rejected until they are so
+    /// short that they follow the errors onto another branch.
+    pub(super) fn check_start(&self) -> Result<(), Failure> {
+        let (change, bound) = self.noise();
+        if change > UNCERTAIN * bound { Err(Failure::Singular { t: self.t, change, bound }) } else { Ok(()) }
+    }
+
+    /// Whether the longest step holds steps back.
+    pub(super) fn is_held_back(&self) -> bool {
+        self.step > HELD_BACK * self.tolerances.max_step
+    }
+
+    /// By how much rounding errors of the coordinates change the speeds, in tolerances.
+    fn uncertainty(&self) -> f64 {
+        let (change, bound) = self.noise();
+        change / bound
+    }
+
+    /// By how much rounding errors of the coordinates change the speeds, and the tolerance.
+    fn noise(&self) -> (f64, f64) {
+        let Some(tangent) = &self.tangent else { return (0.0, f64::INFINITY) };
+        let fastest = self.sizes[tangent.speeds()].iter().fold(0.0_f64, |most, &speed| most.max(speed));
+        let Tolerances { relative, absolute, .. } = self.tolerances;
+        (tangent.noise(self.t, &self.state, &self.sizes), absolute + relative * fastest)
     }
 
     /// Whether the dense output of the last step satisfies the equations in the middle of the step.
