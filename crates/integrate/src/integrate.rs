@@ -47,6 +47,8 @@ pub struct Run {
     pub imbalance: Option<Imbalance>,
     /// The instants and states at the ends of steps, one after another, as far as they were to be kept.
     pub trail: Vec<f64>,
+    /// The begin of the first step that was taken although its branch of the constraints is not certain.
+    pub uncertain: Option<f64>,
     /// What it took.
     pub statistics: Statistics,
 }
@@ -72,6 +74,7 @@ pub fn integrate(
         failure: None,
         imbalance: None,
         trail: Vec::new(),
+        uncertain: None,
         statistics: Statistics::default(),
     };
     let motion = |stepper: &mut dyn Stepper| {
@@ -80,7 +83,7 @@ pub fn integrate(
             record,
             watch: Watch::new(dynamics, t, state),
             projection: Projection::new(dynamics),
-            branch: Branch::new(tolerances),
+            branch: Branch::new(method, tolerances),
             balance: Balance::new(dynamics, tolerances, t, state),
             state: state.to_vec(),
         };
@@ -128,7 +131,8 @@ impl Course<'_> {
                 .map(|event| (event.t, event.state.clone()));
             run.occurrences.extend(events);
             let until = last.as_ref().map_or(stepper.t(), |(t, _)| *t);
-            self.read(stepper, until, run)?;
+            let read = self.record.instants[run.reached..].iter().take_while(|instant| **instant <= until);
+            run.reached += read.count();
             if let Some(place) = last {
                 run.end = place;
                 return Ok(());
@@ -146,17 +150,24 @@ impl Course<'_> {
 
     /// Take a step whose end is on the constraints, and on the branch of the state before it.
     ///
-    /// Close to a singular position a step may end where none can begin, or its dense output may be noise: then a shorter
-    /// one is tried, which ends elsewhere. What only might be better is accepted in the end.
-    fn step(&mut self, stepper: &mut dyn Stepper, end: f64, run: &Run) -> Result<(), Failure> {
+    /// Close to a singular position a step may end where none can begin, or its dense output may be noise: then another
+    /// length is tried, which ends elsewhere. What only might be better is accepted in the end, and noted.
+    fn step(&mut self, stepper: &mut dyn Stepper, end: f64, run: &mut Run) -> Result<(), Failure> {
         let parts = if stepper.is_held_back() { CROSS } else { AGAIN };
         let (mut first, mut tried) = (None, 1.0);
         for time in 0.. {
             let is_last = !self.projection.is_needed() || time == parts.len();
             if is_last || stepper.starts_well() {
                 match stepper.step(end).and_then(|()| self.land(stepper, &run.end.1)) {
-                    Ok(()) if is_last || !self.is_read(stepper.t(), run) || stepper.reads_well() => break,
-                    Ok(()) => {}
+                    Ok(()) => {
+                        let is_certain = self.is_read_well(stepper, run)?;
+                        if is_last && time > 0 {
+                            run.uncertain.get_or_insert(run.end.0);
+                        }
+                        if is_last || is_certain {
+                            return Ok(());
+                        }
+                    }
                     Err(failure) => first = first.or(Some(failure)),
                 }
             }
@@ -168,9 +179,17 @@ impl Course<'_> {
         Ok(())
     }
 
-    /// Whether anything is read from the dense output up to an instant.
-    fn is_read(&self, t: f64, run: &Run) -> bool {
-        self.watch.is_needed() || self.record.instants.get(run.reached).is_some_and(|&instant| instant < t)
+    /// Write the states at the instants of the last step; whether they, and its dense output, are on the branch of its ends.
+    fn is_read_well(&mut self, stepper: &mut dyn Stepper, run: &Run) -> Result<bool, Failure> {
+        let (n, t) = (stepper.state().len(), stepper.t());
+        let instants = &self.record.instants[run.reached..];
+        let is_asked = instants.first().is_some_and(|&instant| instant < t);
+        let mut is_well = !(is_asked || self.watch.is_needed()) || stepper.reads_well();
+        for (place, &instant) in instants.iter().enumerate().take_while(|(_, instant)| **instant <= t) {
+            let out = &mut self.record.states[(run.reached + place) * n..][..n];
+            is_well &= self.projection.read(stepper, instant, out)?;
+        }
+        Ok(is_well)
     }
 
     /// Find the state on the constraints at the end of a step.
@@ -195,17 +214,6 @@ impl Course<'_> {
 
     fn is_terminal(&self, event: &Occurrence) -> bool {
         self.watch.kind(event.event).is_some_and(|kind| kind.terminal)
-    }
-
-    /// Write the states at the instants of the last step up to `t`.
-    fn read(&mut self, stepper: &mut dyn Stepper, t: f64, run: &mut Run) -> Result<(), Failure> {
-        let n = stepper.state().len();
-        while let Some(&instant) = self.record.instants.get(run.reached).filter(|&&instant| instant <= t) {
-            let out = &mut self.record.states[run.reached * n..][..n];
-            self.projection.read(stepper, instant, out)?;
-            run.reached += 1;
-        }
-        Ok(())
     }
 }
 

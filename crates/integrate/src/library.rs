@@ -179,6 +179,39 @@ where
     }
 }
 
+/// The places and weights of Gauss and Legendre's quadrature between 0 and 1.
+const QUADRATURE: [(f64, f64); 3] =
+    [(0.112_701_665_379_258_31, 5.0 / 18.0), (0.5, 4.0 / 9.0), (0.887_298_334_620_741_7, 5.0 / 18.0)];
+
+impl<'a, E, S> Library<'a, '_, E, S>
+where
+    E: OdeEquations<T = f64, V = Vector> + 'a,
+    S: OdeSolverMethod<'a, E>,
+{
+    /// Write the integrals along the motion at an instant of the last step behind the state there.
+    ///
+    /// The method does not look at their errors: its steps may be far too long for them, where the state changes less.
+    fn integrate(&mut self, t: f64, state: &mut [f64]) -> Result<(), Failure> {
+        let controlled = self.tolerances.controlled;
+        if state.len() == controlled {
+            return Ok(());
+        }
+        let (begin, h) = (self.before.0, t - self.before.0);
+        state[controlled..].copy_from_slice(&self.before.1[controlled..]);
+        let mut rates = vec![0.0; state.len()];
+        for (place, weight) in QUADRATURE {
+            let read = self.solver.interpolate_inplace(begin + place * h, &mut self.out);
+            read.map_err(|error| failure(&error, self.t, self.calls))?;
+            self.rates.call(begin + place * h, self.out.batch_as_slice(0), &mut rates);
+            self.calls.evaluations.set(self.calls.evaluations.get() + 1);
+            for (integral, rate) in state.iter_mut().zip(&rates).skip(controlled) {
+                *integral += weight * h * rate;
+            }
+        }
+        Ok(())
+    }
+}
+
 impl<'a, E, S> Stepper for Library<'a, '_, E, S>
 where
     E: OdeEquations<T = f64, V = Vector> + 'a,
@@ -207,6 +240,9 @@ where
         self.t = if is_at_stop { stop } else { state.t };
         self.state.copy_from_slice(state.y.batch_as_slice(0));
         self.steps += 1;
+        let mut state = std::mem::take(&mut self.state);
+        self.integrate(self.t, &mut state)?;
+        self.state = state;
         Ok(())
     }
 
@@ -226,7 +262,7 @@ where
         let read = self.solver.interpolate_inplace(t, &mut self.out);
         read.map_err(|error| failure(&error, self.t, self.calls))?;
         out.copy_from_slice(self.out.batch_as_slice(0));
-        Ok(())
+        self.integrate(t, out)
     }
 
     /// A method of several steps would lose its past: it goes on from its own state while that is close.
@@ -235,6 +271,7 @@ where
         let is_far = state
             .iter()
             .zip(&self.state)
+            .take(self.tolerances.controlled)
             .any(|(new, old)| (new - old).abs() > DEVIATION * (absolute + relative * old.abs()));
         if !self.has_one_step && !is_far {
             return;

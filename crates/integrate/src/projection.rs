@@ -42,15 +42,12 @@ impl<'a> Projection<'a> {
     }
 
     /// Write the state at an instant of the last step, on the constraints; as the dense output has it where only a leap of
-    /// the speeds would put it there.
-    pub fn read(&mut self, stepper: &mut dyn Stepper, t: f64, out: &mut [f64]) -> Result<(), Failure> {
+    /// the speeds would put it there. Whether it is on the constraints.
+    pub fn read(&mut self, stepper: &mut dyn Stepper, t: f64, out: &mut [f64]) -> Result<bool, Failure> {
         stepper.interpolate(t, out)?;
-        if !self.is_needed() {
-            return Ok(());
-        }
-        match self.project(t, out) {
-            Err(Failure::Singular { .. }) => stepper.interpolate(t, out),
-            other => other,
+        match if self.is_needed() { self.project(t, out) } else { Ok(()) } {
+            Err(Failure::Singular { .. }) => stepper.interpolate(t, out).map(|()| false),
+            other => other.map(|()| true),
         }
     }
 

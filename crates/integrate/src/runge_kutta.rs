@@ -29,6 +29,8 @@ const MEMORY: f64 = 0.04;
 const LEAST_ERROR: f64 = 1e-4;
 /// Where so little of an error is along the constraints, stages are better put onto them.
 const BESIDE: f64 = 0.01;
+/// Tolerances that the error of an integral along the motion may take, which nothing else depends on.
+const INTEGRAL: f64 = 10.0;
 const SHRINK: f64 = 0.333;
 const GROW: f64 = 6.0;
 
@@ -69,8 +71,6 @@ pub struct RungeKutta<'a> {
     /// How large each entry of the state has been, or how far it has moved.
     sizes: Vec<f64>,
     origin: Vec<f64>,
-    /// The size of the integrals behind the state, in whose units their errors count.
-    work: f64,
     /// The rates at the stages.
     stages: Stages,
     first: First,
@@ -119,7 +119,6 @@ impl<'a> RungeKutta<'a> {
             looked_until: t,
             sizes: state.iter().map(|x| x.abs()).collect(),
             origin: state.to_vec(),
-            work: 0.0,
             stages: Stages::new(tableau.c.len(), n),
             first: First::Unknown,
             last: (t, 0.0),
@@ -262,10 +261,10 @@ impl<'a> RungeKutta<'a> {
     fn weighted_error(&self, h: f64, estimates: &[Vec<f64>]) -> f64 {
         let entries = count(self.tolerances.controlled);
         match estimates {
-            [one] => h.abs() * (self.weighted_square(one) / entries).sqrt(),
+            [one] => h.abs() * (self.weighted_square(one, h) / entries).sqrt(),
             [high, low, ..] => {
-                let high = self.weighted_square(high);
-                let both = high + 0.01 * self.weighted_square(low);
+                let high = self.weighted_square(high, h);
+                let both = high + 0.01 * self.weighted_square(low, h);
                 if both <= 0.0 { 0.0 } else { h.abs() * high / (both * entries).sqrt() }
             }
             [] => 0.0,
@@ -273,11 +272,22 @@ impl<'a> RungeKutta<'a> {
     }
 
     /// The sum of the squares of an error in units of the tolerance.
-    fn weighted_square(&self, error: &[f64]) -> f64 {
+    fn weighted_square(&self, error: &[f64], h: f64) -> f64 {
         let Tolerances { relative, absolute, controlled, .. } = self.tolerances;
         let ends = self.state.iter().zip(&self.after);
         let weights = ends.map(|(before, after)| 1.0 / (absolute + relative * before.abs().max(after.abs())));
-        error.iter().zip(weights).take(controlled).map(|(e, weight)| (e * weight).powi(2)).sum()
+        let states: f64 =
+            error.iter().zip(weights).take(controlled).map(|(e, weight)| (e * weight).powi(2)).sum();
+        let integrals = error.iter().enumerate().skip(controlled);
+        states + integrals.map(|(i, e)| (e / self.tolerance_of_integral(i, h)).powi(2)).sum::<f64>()
+    }
+
+    /// The error that an integral along the motion may have in a step: by its largest value, and by that of its terms.
+    fn tolerance_of_integral(&self, i: usize, h: f64) -> f64 {
+        let Tolerances { relative, absolute, .. } = self.tolerances;
+        let steepest =
+            (0..self.tableau.stages).map(|stage| self.stages.row(stage)[i].abs()).fold(0.0, f64::max);
+        INTEGRAL * (absolute + relative * self.sizes[i].max(self.after[i].abs()).max(h.abs() * steepest))
     }
 
     /// The factor to the next step after one that is accepted, by proportional and integral control

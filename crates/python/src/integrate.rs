@@ -25,7 +25,7 @@ type Occurrences = Vec<(usize, f64, Vec<f64>)>;
 /// Steps, rejected steps, evaluations of the rates and of the Jacobian, and whether the problem looks stiff.
 type Statistics = (usize, usize, usize, usize, bool);
 /// How many instants were reached, events, the end, the kind of failure with time and message, statistics, and since
-/// when and how much the balance of energy is off, and the doubles of the trail.
+/// when and how much the balance of energy is off, the doubles of the trail, and where the branch became uncertain.
 type Run = (
     usize,
     Occurrences,
@@ -34,6 +34,7 @@ type Run = (
     Statistics,
     Option<(f64, f64)>,
     Vec<u8>,
+    Option<f64>,
 );
 /// A run, and what its linear systems lacked.
 type RunOfMany = (Run, Vec<Noted>);
@@ -246,7 +247,7 @@ fn told(run: native::Run) -> Run {
     let imbalance = run.imbalance.map(|found| (found.t, found.part));
     let statistics = (s.steps, s.rejected, s.evaluations, s.jacobians, s.stiff);
     let trail = run.trail.into_iter().flat_map(f64::to_ne_bytes).collect();
-    (run.reached, occurrences, run.end, failure, statistics, imbalance, trail)
+    (run.reached, occurrences, run.end, failure, statistics, imbalance, trail, run.uncertain)
 }
 
 pub fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {

@@ -94,6 +94,7 @@ class Outcome:
             where the errors of the steps explain what is off, or nobody knows the energy.
         trail: rows of the instant and the state at the ends of steps; empty where the integrator itself keeps a motion
             on the branch of its constraints.
+        uncertain: when the integrator first took a step although it could not make sure of that.
     """
 
     states: NDArray[np.float64]
@@ -104,6 +105,7 @@ class Outcome:
     deficiencies: frozenset[Deficiency] = frozenset()
     imbalance: tuple[float, float] | None = None
     trail: NDArray[np.float64] = field(default_factory=lambda: np.empty((0, 1)))
+    uncertain: float | None = None
 
 
 @dataclass(frozen=True, eq=False)
@@ -278,11 +280,12 @@ _Told = tuple[
     tuple[int, int, int, int, bool],
     tuple[float, float] | None,
     bytes,
+    float | None,
 ]
 
 
 def _outcome(told: _Told, states: NDArray[np.float64], deficiencies: Iterable[Deficiency] = ()) -> Outcome:
-    reached, occurrences, end, failure, statistics, imbalance, trail = told
+    reached, occurrences, end, failure, statistics, imbalance, trail, uncertain = told
     return Outcome(
         states[:reached],
         occurrences,
@@ -292,4 +295,5 @@ def _outcome(told: _Told, states: NDArray[np.float64], deficiencies: Iterable[De
         frozenset(deficiencies),
         imbalance,
         np.frombuffer(trail).reshape(-1, 1 + states.shape[1]),
+        uncertain,
     )

@@ -99,6 +99,11 @@ def _passages(motion: Integrated) -> Iterable[Finding]:
     return [Finding("passage", size=float(len(passed)), t=float(passed[0]))] if len(passed) else []
 
 
+def _uncertainty(motion: Integrated) -> Iterable[Finding]:
+    t = motion.outcome.uncertain
+    return [] if t is None else [Finding("uncertain", t=t)]
+
+
 def _violations(motion: Integrated) -> Iterable[Finding]:
     """Return the constraint that is off most where a motion has left its constraints, at its end."""
     model, outcome = motion.model, motion.outcome
@@ -136,6 +141,12 @@ ROWS: dict[str, _Row] = {
         "the motion passes singular positions ({size:.0f}, the first at about t = {t:.4g} s), where the constraints "
         "depend on each other and other branches begin; it may have changed its branch there: only method='dop853' or "
         "'tsit5' with constraints='projection' make sure that it does not",
+    ),
+    "uncertain": _Row(
+        _uncertainty,
+        "at t = {t:.6g} s the motion is so close to a singular position of its constraints that rounding errors decide "
+        "on which branch it goes on; compare it with a motion at another tolerance or max_step, or one that begins a "
+        "little beside it",
     ),
     "stiff": _Row(
         _stiffness,

@@ -185,6 +185,7 @@ _Run: TypeAlias = tuple[
     tuple[int, int, int, int, bool],
     tuple[float, float] | None,
     bytes,
+    float | None,
 ]
 
 @final
