@@ -52,17 +52,17 @@ def _derived(bodies: list[Body], coordinates: list[Expr], gaps: list[Vector], g:
     return newton_euler(System(bodies, (), coordinates, constraints, Vector(ground, 0, -g, 0)))
 
 
-def cranks(N: int, *, relative: bool = False, coupler: float = 1.0) -> Mechanism:
+def cranks(N: int, *, relative: bool = False, coupler: float = 1.0, above: bool = True) -> Mechanism:
     """N parallelograms in a row, which could go on as antiparallelograms whenever all bars lie along one line."""
     m, L, d, g = symbols("m L d g")
     row = linkages(N, d, is_relative=relative)
     theta, phi = row.theta, row.phi
-    sign = -1.0 if relative else 0.0
+    sign, upright = -1.0 if relative else 0.0, pi / 2 if above else -pi / 2
 
     def begin(speed: float) -> dict[Expr, float]:
         return (
-            dict.fromkeys(theta, pi / 2)
-            | dict.fromkeys(phi, sign * pi / 2)
+            dict.fromkeys(theta, upright)
+            | dict.fromkeys(phi, sign * upright)
             | {time_derivative(angle): speed for angle in theta}
             | {time_derivative(angle): sign * speed for angle in phi}
         )

@@ -27,6 +27,7 @@ def mechanism(name: str) -> tuple[Mechanism, Array]:
     return {
         "bar": lambda: (cranks(0), SPEEDS),
         "one": lambda: (cranks(1, relative=True), SPEEDS),
+        "one_below": lambda: (cranks(1, above=False), SPEEDS),
         "two": lambda: (cranks(2, relative=True), SPEEDS),
         "two_absolute": lambda: (cranks(2), SPEEDS),
         "ten": lambda: (cranks(10), SPEEDS[::6]),

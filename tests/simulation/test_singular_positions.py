@@ -10,7 +10,25 @@ from math import inf
 import numpy as np
 import pytest
 
-from symbody import simulate, simulate_many
+from symbody import (
+    Body,
+    Equations,
+    Expr,
+    Point,
+    System,
+    Vector,
+    dot,
+    functions_of_time,
+    ground,
+    lagrange_equations,
+    project,
+    rotate,
+    simulate,
+    simulate_many,
+    symbols,
+    time_derivative,
+    translate,
+)
 from tests.reference.mechanisms.andrews import andrews
 from tests.reference.mechanisms.slider_crank import slider_crank
 
@@ -27,7 +45,7 @@ def test_a_step_that_ends_in_a_singular_position_is_taken_again(name: str) -> No
     motion, said = moved(found, -1.0, max_step=LANDING)
     assert said == []
     assert motion.completed
-    assert motion.energy_drift < 1e-9
+    assert motion.energy_drift < 10 * regular("dop853", 1e-8, name)
     assert branch_of(found, motion) < 1e-6
 
 
@@ -54,6 +72,32 @@ def test_motions_pass_singular_positions(name: str, method: str, rtol: float) ->
 @pytest.mark.parametrize("name", ["one", "two", "ten", "forty", "parallelogram", "kite", "slider_crank"])
 def test_scan_of_singular_positions(name: str, method: str, rtol: float) -> None:
     check_passed(name, mechanism(name)[1], method=method, rtol=rtol)
+
+
+@pytest.mark.parametrize(("max_step", "rtol"), [(2e-4, 1e-8), (1e-4, 1e-10), (5e-5, 1e-6)])
+@pytest.mark.parametrize("method", ["dop853", "tsit5"])
+@pytest.mark.parametrize("name", ["one", "two"])
+def test_short_steps_cross_singular_positions_by_a_long_one(
+    name: str, method: str, max_step: float, rtol: float
+) -> None:
+    """All of these steps would end where rounding errors decide on the branch."""
+    found, speeds = mechanism(name)
+    for speed in speeds[::30]:
+        motion, said = moved(found, speed, t=(0, 1.2), method=method, rtol=rtol, max_step=max_step)
+        assert said == []
+        assert branch_of(found, motion) < 1e-2
+        assert motion.energy_drift < 100 * rtol
+
+
+@pytest.mark.parametrize(("method", "rtol"), [("dop853", 1e-8), ("tsit5", 1e-8), ("dop853", 1e-10)])
+def test_motions_that_turn_in_a_singular_position_say_so_or_stay(method: str, rtol: float) -> None:
+    """With this speed a linkage that hangs down swings up until its bars are along one line, and a little farther."""
+    found, _ = mechanism("one_below")
+    for part in np.logspace(-9, -4, 24):
+        speed = float(np.sqrt(4 * 9.81 * 3 / 5) * (1 + part))
+        motion, said = moved(found, speed, method=method, rtol=rtol)
+        assert said or branch_of(found, motion) < 0.1
+        assert all("singular" in text for text in said)
 
 
 @pytest.mark.slow
@@ -162,6 +206,34 @@ def test_regular_motions_pass_none(method: str, constraints: str, rtol: float) -
                 constraints=constraints,
                 rtol=rtol,
             )
+
+
+def light_rod(length: float) -> tuple[Equations, dict[Expr, float], Expr, Expr]:
+    """A crank, a slider and a rod of little mass between them, as one constraint; the rod is longer than the crank."""
+    m, r, d, g = symbols("m r d g")
+    phi, s = functions_of_time("phi s")
+    crank, slider = rotate("Z", phi), translate(s, 0, 0)
+    gap = project(Point(crank, r, 0, 0) - Point(slider, 0, 0, 0), ground)
+    bodies = [Body(Point(crank, r / 2, 0, 0), m, 0, 0, m * r**2), Body(slider, m)]
+    system = System(bodies, (), [phi, s], [dot(gap, gap) - d**2], Vector(ground, 0, -g, 0))
+    return lagrange_equations(system), {m: 1, r: 0.3, d: length, g: 9.81}, phi, s
+
+
+@pytest.mark.parametrize(("length", "passes"), [(0.3, True), (1.0, False)])
+@pytest.mark.parametrize(("method", "constraints"), [("dop853", "baumgarte"), ("ida", "projection")])
+def test_one_constraint_alone_is_singular_where_its_derivatives_vanish(
+    method: str, constraints: str, length: float, *, passes: bool
+) -> None:
+    equations, parameters, phi, s = light_rod(length)
+    begin = {
+        phi: 1.2,
+        s: 0.3 * np.cos(1.2) + np.sqrt(length**2 - (0.3 * np.sin(1.2)) ** 2),
+        time_derivative(phi): 12,
+    }
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always")
+        simulate(equations, parameters, begin, t=(0, 3), method=method, constraints=constraints, rtol=1e-6)
+    assert any("singular positions" in str(notice.message) for notice in caught) == passes
 
 
 def test_a_batch_counts_the_motions_that_pass_singular_positions() -> None:

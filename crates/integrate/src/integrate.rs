@@ -15,12 +15,14 @@ use crate::trail::Trail;
 const STEPS_BETWEEN_LOOKS: usize = 64;
 /// A motion that advances by less than this part of its whole in so many steps never comes to its end.
 const STALLED: (u32, f64) = (100_000, 1e-4);
+/// And so does one of which so many steps in a row end where it has been.
+const BACK: usize = 200;
 
 /// A step that ends too close to a singular position is tried again with these parts of its length: it ends before it, or
 /// a little behind it.
 const AGAIN: [f64; 12] = [0.6, 0.36, 1.6, 0.22, 2.6, 0.13, 4.2, 0.08, 0.047, 0.028, 0.017, 0.01];
 /// Where steps are held back, so that they would all end there, it is crossed by a longer one.
-const CROSS: [f64; 12] = [16.0, 64.0, 256.0, 32.0, 128.0, 512.0, 45.0, 90.0, 180.0, 360.0, 8.0, 4.0];
+const CROSS: [f64; 12] = [4.0, 16.0, 64.0, 256.0, 8.0, 32.0, 128.0, 512.0, 45.0, 90.0, 180.0, 360.0];
 
 /// Where the states of the asked instants are written.
 pub struct Record<'a> {
@@ -223,14 +225,21 @@ struct Patience {
     seen: f64,
     /// What it has to advance by until the next look.
     least: f64,
+    /// How far it has come, and how many steps ago.
+    farthest: (f64, usize),
 }
 
 impl Patience {
     fn new(t: f64, end: f64) -> Self {
-        Self { seen: t, least: STALLED.1 * (end - t) }
+        Self { seen: t, least: STALLED.1 * (end - t), farthest: (t, 0) }
     }
 
     fn check(&mut self, step: usize, t: f64) -> Result<(), Failure> {
+        if t > self.farthest.0 {
+            self.farthest = (t, step);
+        } else if step - self.farthest.1 > BACK {
+            return Err(Failure::Stalled { t, step: 0.0 });
+        }
         if step % STALLED.0 as usize == 0 {
             let advance = t - self.seen;
             if advance < self.least {

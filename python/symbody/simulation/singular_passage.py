@@ -17,7 +17,8 @@ __all__ = ["singular_passages"]
 Array = NDArray[np.float64]
 
 SINGULAR, REGULAR = 0.01, 0.03
-"""The parts of the largest singular value below which the least one is taken for zero, and above which it is not."""
+"""The parts of its largest value along the motion below which the least singular value is taken for zero, and above
+which it is not."""
 PARTS, MARGIN = 2, 2.0
 """Parts into which steps are cut to find out where the least singular value may vanish, and how many intervals away the
 straight line through two values may meet zero where one interval was expected."""
@@ -30,9 +31,9 @@ AT_ONCE = 2**14
 def singular_passages(model: Model, parameters: Mapping[Expr, float], trail: Array) -> Array:
     """Return the instants, in s, at which the constraints of a motion are dependent, or as good as that.
 
-    There the smallest singular value of ``phi_q L^-T``, with ``M = L L^T``, has a minimum next to zero. Between steps
-    the coordinates are interpolated by cubic polynomials through their values and rates. A motion that stays at such
-    positions for a while passes once.
+    There the smallest singular value of ``phi_q L^-T``, with ``M = L L^T``, has a minimum next to zero; each constraint
+    counts in units of its longest derivative along the motion. Between steps the coordinates are interpolated by cubic
+    polynomials through their values and rates. A motion that stays at such positions for a while passes once.
 
     Args:
         model: what moves.
@@ -51,11 +52,16 @@ def singular_passages(model: Model, parameters: Mapping[Expr, float], trail: Arr
     first = products(t)
     longest = np.sqrt(np.nanmax(np.einsum("kii->ki", first), axis=0, initial=0.0))
     scale = np.where(longest > 0, longest, 1.0)
+    found = _smallest(first / np.multiply.outer(scale, scale), model.independent_constraints)
+    largest = np.nanmax(found, initial=0.0)
+    if largest == 0:
+        return np.empty(0)
 
     def ratio(times: Array) -> Array:
-        return _smallest(products(times) / np.multiply.outer(scale, scale), model.independent_constraints)
+        of_scale = products(times) / np.multiply.outer(scale, scale)
+        return _smallest(of_scale, model.independent_constraints) / largest
 
-    found = _smallest(first / np.multiply.outer(scale, scale), model.independent_constraints)
+    found = found / largest
     places = 1 + np.flatnonzero(_may_vanish(t, found) | (found[1:-1] < SINGULAR))
     at, least = _minima(ratio, t[places - 1], t[places + 1])
     is_passed = least < SINGULAR
@@ -147,9 +153,9 @@ def _products(model: Model, parameters: Mapping[Expr, float], t: Array, states: 
 
 
 def _smallest(products: Array, rank: int) -> Array:
-    """Return the smallest singular value of the independent constraints, relative to the largest; NaN if not finite."""
+    """Return the smallest singular value of the independent constraints, NaN if not finite."""
     is_fit = np.isfinite(products).all(axis=(1, 2))
     smallest = np.full(len(products), np.nan)
     squares = np.linalg.eigvalsh(products[is_fit])
-    smallest[is_fit] = np.sqrt(np.maximum(squares[:, -rank], 0.0) / squares[:, -1])
+    smallest[is_fit] = np.sqrt(np.maximum(squares[:, -rank], 0.0))
     return smallest
