@@ -136,6 +136,8 @@ impl Course<'_> {
             let read = self.record.instants[run.reached..].iter().take_while(|instant| **instant <= until);
             run.reached += read.count();
             if let Some(place) = last {
+                // What was read behind the event is no part of the motion.
+                self.record.states[run.reached * place.1.len()..].fill(f64::NAN);
                 run.end = place;
                 return Ok(());
             }

@@ -179,6 +179,8 @@ where
     }
 }
 
+/// How often parts of a step are halved to integrate over them, at most.
+const HALVINGS: u32 = 8;
 /// The places and weights of Gauss and Legendre's quadrature between 0 and 1.
 const QUADRATURE: [(f64, f64); 3] =
     [(0.112_701_665_379_258_31, 5.0 / 18.0), (0.5, 4.0 / 9.0), (0.887_298_334_620_741_7, 5.0 / 18.0)];
@@ -196,19 +198,47 @@ where
         if state.len() == controlled {
             return Ok(());
         }
-        let (begin, h) = (self.before.0, t - self.before.0);
-        state[controlled..].copy_from_slice(&self.before.1[controlled..]);
-        let mut rates = vec![0.0; state.len()];
-        for (place, weight) in QUADRATURE {
-            let read = self.solver.interpolate_inplace(begin + place * h, &mut self.out);
-            read.map_err(|error| failure(&error, self.t, self.calls))?;
-            self.rates.call(begin + place * h, self.out.batch_as_slice(0), &mut rates);
-            self.calls.evaluations.set(self.calls.evaluations.get() + 1);
-            for (integral, rate) in state.iter_mut().zip(&rates).skip(controlled) {
-                *integral += weight * h * rate;
-            }
+        let begin = self.before.0;
+        let integrals = self.quadrature(begin, t)?;
+        let increase = self.refined(begin, t, integrals, HALVINGS)?;
+        for (i, part) in increase.iter().enumerate() {
+            state[controlled + i] = self.before.1[controlled + i] + part;
         }
         Ok(())
+    }
+
+    /// The integrals over a part of the last step, of which one estimate is known, halved until halves agree with wholes.
+    fn refined(&mut self, a: f64, b: f64, whole: Vec<f64>, halvings: u32) -> Result<Vec<f64>, Failure> {
+        let middle = 0.5 * (a + b);
+        let (left, right) = (self.quadrature(a, middle)?, self.quadrature(middle, b)?);
+        let Tolerances { relative, absolute, controlled, .. } = self.tolerances;
+        let agree = (0..whole.len()).all(|i| {
+            let size = self.before.1[controlled + i].abs().max(left[i].abs() + right[i].abs());
+            (left[i] + right[i] - whole[i]).abs() <= absolute + relative * size
+        });
+        let (left, right) = if agree || halvings == 0 {
+            (left, right)
+        } else {
+            (self.refined(a, middle, left, halvings - 1)?, self.refined(middle, b, right, halvings - 1)?)
+        };
+        Ok(left.iter().zip(&right).map(|(x, y)| x + y).collect())
+    }
+
+    /// The integrals over a part of the last step.
+    fn quadrature(&mut self, a: f64, b: f64) -> Result<Vec<f64>, Failure> {
+        let (controlled, width) = (self.tolerances.controlled, self.before.1.len());
+        let (mut sums, mut rates) = (vec![0.0; width - controlled], vec![0.0; width]);
+        for (place, weight) in QUADRATURE {
+            let t = a + place * (b - a);
+            let read = self.solver.interpolate_inplace(t, &mut self.out);
+            read.map_err(|error| failure(&error, self.t, self.calls))?;
+            self.rates.call(t, self.out.batch_as_slice(0), &mut rates);
+            self.calls.evaluations.set(self.calls.evaluations.get() + 1);
+            for (sum, rate) in sums.iter_mut().zip(&rates[controlled..]) {
+                *sum += weight * (b - a) * rate;
+            }
+        }
+        Ok(sums)
     }
 }
 

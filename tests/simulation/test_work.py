@@ -1,0 +1,96 @@
+"""The work of loads and of moving constraints is as accurate as the motion, also where the motion is simple."""
+
+from __future__ import annotations
+
+import warnings
+
+import numpy as np
+import pytest
+
+from symbody import (
+    Body,
+    Force,
+    Point,
+    System,
+    Vector,
+    dot,
+    functions_of_time,
+    ground,
+    lagrange_equations,
+    newton_euler,
+    origin,
+    project,
+    rotate,
+    simulate,
+    symbols,
+    t,
+    time_derivative,
+    translate,
+)
+from tests.reference.mechanisms.n_fourbar import bar_of
+
+m, l, g, w, k, c = symbols("m l g w k c")
+
+
+@pytest.fixture(autouse=True)
+def no_notice() -> object:
+    """Nothing here is to be reported."""
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        yield
+
+
+@pytest.mark.parametrize("rtol", [1e-4, 1e-8])
+@pytest.mark.parametrize("method", ["dop853", "tsit5", "bdf", "esdirk34", "tr_bdf2"])
+def test_what_turns_a_bob_at_constant_speed_lifts_it(method: str, rtol: float) -> None:
+    """The state is a straight line, for which steps grow without end; the weight's energy swings."""
+    theta = functions_of_time("theta")
+    bob = Body(Point(rotate("Z", theta), l, 0, 0), m)
+    driven = newton_euler(System([bob], (), [theta], [theta - w * t], Vector(ground, 0, -g, 0)))
+    motion = simulate(driven, {m: 1, l: 1, g: 9.81, w: 5}, {}, t=(0, 10), method=method, rtol=rtol)
+    exact = 9.81 * np.sin(5 * motion.t)
+    assert np.abs(motion.work - exact).max() < 1e3 * rtol * 9.81
+    assert motion.energy_drift < 1e3 * rtol
+
+
+@pytest.mark.parametrize("method", ["bdf", "esdirk34", "tr_bdf2"])
+def test_what_a_damper_takes_is_work(method: str) -> None:
+    """Overdamped: the slow motion hardly has kinetic energy, and implicit methods take long steps."""
+    x = functions_of_time("x")
+    body = Body(translate(x, 0, 0), m)
+    spring = Force(ground, -k * x - c * time_derivative(x), 0, 0, at=origin(body.frame), on=body)
+    motion = simulate(
+        lagrange_equations(System([body], [spring], [x])),
+        {m: 1, k: 1, c: 100},
+        {x: 1.0},
+        t=(0, 10),
+        method=method,
+        rtol=1e-6,
+    )
+    slow, fast = -50 + np.sqrt(50**2 - 1), -50 - np.sqrt(50**2 - 1)
+    speed = slow * fast / (fast - slow) * (np.exp(slow * motion.t) - np.exp(fast * motion.t))
+    assert np.abs(motion.work - speed**2 / 2).max() < 1e-6
+
+
+@pytest.mark.parametrize("rtol", [1e-4, 1e-5, 1e-6])
+@pytest.mark.parametrize("speed", [5.0, 10.0])
+def test_projection_does_not_take_errors_of_bdf_for_leaps(speed: float, rtol: float) -> None:
+    """A four-bar linkage whose crank turns around and around, and whose constraint is regular everywhere."""
+    alpha, beta = functions_of_time("alpha beta")
+    r, d, b = symbols("r d b")
+    crank, rocker = rotate("Z", alpha), translate(d, 0, 0) * rotate("Z", beta)
+    bodies = [bar_of(crank, m, r), bar_of(rocker, m, b)]
+    gap = project(Point(crank, r, 0, 0) - Point(rocker, b, 0, 0), ground)
+    drive = Force(crank, 0, c * (w - time_derivative(alpha)), 0, at=Point(crank, r, 0, 0), on=bodies[0])
+    system = System(bodies, [drive], [alpha, beta], [dot(gap, gap) - k**2], Vector(ground, 0, -g, 0))
+    parameters = {m: 1, r: 0.3, b: 0.6, d: 1, k: 0.9, c: 50, w: speed, g: 9.81}
+    motion = simulate(
+        lagrange_equations(system),
+        parameters,
+        {alpha: 0.5},
+        guess={beta: 1.8},
+        t=(0, 5),
+        method="bdf",
+        rtol=rtol,
+    )
+    assert motion.completed
