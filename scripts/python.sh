@@ -41,8 +41,9 @@ install() {
 
 if [ -n "${PYTHON:-}" ]; then
     if is_new_enough "$PYTHON"; then exec "$PYTHON" "$@"; fi
-    found=$(described "$PYTHON") || found="none that runs"
-    fail "$found: PYTHON=$PYTHON names it" "Name another one, such as make PYTHON=python3.12 demo, or leave PYTHON out."
+    found=$(described "$PYTHON") || found="no program $PYTHON that runs"
+    fail "$found: PYTHON=$PYTHON names it" \
+        "Leave PYTHON out, so that one is looked for, or name another one: make PYTHON=/usr/local/bin/python3.12 demo"
 fi
 
 run_first "$@"

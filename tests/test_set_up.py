@@ -22,7 +22,7 @@ ELSEWHERE = (
     "Install one from the packages of your system or from https://www.python.org, or name one that is elsewhere:\n"
     "make PYTHON=/usr/local/bin/python3.12 demo"
 )
-ANOTHER = "Name another one, such as make PYTHON=python3.12 demo, or leave PYTHON out."
+ANOTHER = "Leave PYTHON out, so that one is looked for, or name another one: make PYTHON=/usr/local/bin/python3.12 demo"
 
 
 class Machine:
@@ -165,7 +165,7 @@ def test_the_one_that_is_named_is_too_old_or_missing(machine: Machine) -> None:
         f"{ANOTHER}"
     )
     assert machine.told(PYTHON="python3.8") == (
-        f"Python 3.11 or newer is needed, found none that runs: PYTHON=python3.8 names it.\n{ANOTHER}"
+        f"Python 3.11 or newer is needed, found no program python3.8 that runs: PYTHON=python3.8 names it.\n{ANOTHER}"
     )
     assert machine.calls == []
 
