@@ -1,7 +1,8 @@
 # What a developer runs, and what CI runs: `make help` lists it.
 # Each step leaves a stamp in .venv/stamps and is done again only where something that it depends on has changed.
 
-PYTHON ?= python3
+# The Python that makes .venv: the first one on the PATH that is new enough, or the one that `make PYTHON=... demo` names.
+PYTHON ?=
 VENV   := .venv
 BIN    := $(VENV)/bin
 STAMPS := $(VENV)/stamps
@@ -17,8 +18,10 @@ RIVALS := $(if $(CI),$(STAMPS)/bench)
 PYTEST := $(BIN)/python -m pytest --numprocesses=2
 
 # What the system's package manager has is installed where that is allowed; `make INSTALL=no test` leaves the system as it is.
-INSTALL ?= yes
-TOOLS  := $(PYTHON) scripts/tools.py $(if $(filter no,$(INSTALL)),--no-install)
+override INSTALL := $(if $(filter n no 0 false off,$(shell echo '$(INSTALL)' | tr '[:upper:]' '[:lower:]')),no,yes)
+OPTIONS := $(if $(filter no,$(INSTALL)),--no-install)
+TOOLS   := $(BIN)/python scripts/tools.py $(OPTIONS)
+SYSTEM_PYTHON := PYTHON='$(PYTHON)' INSTALL=$(INSTALL) sh scripts/python.sh
 
 # A lint whose tool could not be installed is left out; in CI, $(STAMPS)/tools-lint has failed before.
 cargo-lint = @if cargo $(firstword $(2)) --version >/dev/null 2>&1; \
@@ -97,9 +100,8 @@ clean:  ## remove all that was made
 
 $(STAMPS)/venv: scripts/environment.py
 	$(call say,Making $(VENV))
-	@command -v $(PYTHON) >/dev/null || INSTALL=$(INSTALL) sh scripts/package.sh python3
-	$(TOOLS) build
-	$(PYTHON) $< $(VENV)
+	@$(SYSTEM_PYTHON) scripts/tools.py $(OPTIONS) build
+	@$(SYSTEM_PYTHON) $< $(VENV)
 	$(BIN)/pip install --quiet "maturin>=1.9.4,<2"
 	@mkdir -p $(STAMPS) && touch $@
 

@@ -1,11 +1,14 @@
 """Make the virtual environment of the project, on a machine that has Python and nothing else.
 
-Usage: python3 scripts/environment.py .venv
+Usage: sh scripts/python.sh scripts/environment.py .venv
 
 Debian splits ``ensurepip`` off Python into the package python3-venv, so ``python3 -m venv`` may fail on a
 fresh machine. The ways to put pip into the environment are tried in turn; the last is pip's own installer.
 """
 
+from __future__ import annotations
+
+import argparse
 import shutil
 import subprocess
 import sys
@@ -31,9 +34,9 @@ def run(*command: str | Path, **options: object) -> None:
 def check_python() -> None:
     """Raise where this Python is too old."""
     if sys.version_info < PYTHON_NEEDED:
-        found, needed = (".".join(map(str, version[:2])) for version in (sys.version_info, PYTHON_NEEDED))
+        found, needed = (".".join(map(str, version[:3])) for version in (sys.version_info, PYTHON_NEEDED))
         raise SetupError(
-            f"Python {needed} or newer is needed, this is {found}.\n"
+            f"Python {needed} or newer is needed, found {found} at {sys.executable}.\n"
             f"Name another one: make PYTHON=python{needed} demo"
         )
 
@@ -82,14 +85,17 @@ def make_environment(folder: Path) -> None:
     )
 
 
-def main(folder: str) -> None:
+def main() -> None:
     """Check Python and make the environment, or say what is missing."""
+    parser = argparse.ArgumentParser(description="Make the virtual environment of the project.")
+    parser.add_argument("folder", type=Path, help="where it is made; what is there is removed")
+    folder = parser.parse_args().folder
     try:
         check_python()
-        make_environment(Path(folder))
+        make_environment(folder)
     except SetupError as error:
         sys.exit(f"\n{error}\n")
 
 
 if __name__ == "__main__":
-    main(sys.argv[1])
+    main()

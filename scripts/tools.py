@@ -1,6 +1,6 @@
 """Install the programs that a target of the Makefile needs and that this machine lacks, where that is allowed.
 
-Usage: python3 scripts/tools.py [--no-install] build|lint|test
+Usage: sh scripts/python.sh scripts/tools.py [--no-install] build|lint|test
 
 It is allowed to root, and to users who may become root without a password. Elsewhere a program without which nothing
 can be built is an error that says how to get it; a program that only lints or tests need is left out, and they are
@@ -9,13 +9,14 @@ skipped. With CI in the environment nothing may be left out.
 
 from __future__ import annotations
 
+import argparse
 import os
 import re
 import shlex
 import shutil
 import subprocess
 import sys
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
 Version = tuple[int, int]
@@ -84,6 +85,9 @@ TOOLS = (
         {"apt-get": ("chromium fonts-dejavu-core",)},
     ),
 )  # fmt: skip
+
+TARGETS = tuple(dict.fromkeys(tool.target for tool in TOOLS))
+"""What programs are needed for: the targets of the Makefile."""
 
 
 @dataclass(frozen=True)
@@ -267,14 +271,17 @@ def listed(tools: Iterable[Tool]) -> str:
     return ", ".join(f"{tool.name} ({tool.purpose})" for tool in tools)
 
 
-def main(*words: str) -> None:
+def main(words: Sequence[str] | None = None) -> None:
     """Set a target up, or say what is missing."""
-    *options, target = words
+    parser = argparse.ArgumentParser(description="Install the programs that a target of the Makefile needs.")
+    parser.add_argument("--no-install", action="store_true", help="leave the system as it is")
+    parser.add_argument("target", choices=TARGETS, help="what the programs are for")
+    asked = parser.parse_args(words)
     try:
-        set_up(target, may_install="--no-install" not in options, is_ci=bool(os.environ.get("CI")))
+        set_up(asked.target, may_install=not asked.no_install, is_ci=bool(os.environ.get("CI")))
     except SetupError as error:
         sys.exit(f"\n{error}\n")
 
 
 if __name__ == "__main__":
-    main(*sys.argv[1:])
+    main()

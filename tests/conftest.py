@@ -15,6 +15,8 @@ from collections import Counter
 import pytest
 
 from scripts.tools import TOOLS, is_at_hand
+from symbody.codegen.llvm import jit
+from symbody.codegen.llvm.assembly import Assembly
 
 NOT_PACKAGED = {"julia", "omc"}
 """Programs that no package of the systems that we know offers."""
@@ -31,6 +33,20 @@ def pytest_configure() -> None:
     os.environ["SYMBODY_CACHE"] = "off"
     if signal.getsignal(signal.SIGINT) == signal.SIG_IGN:
         signal.signal(signal.SIGINT, signal.default_int_handler)
+
+
+@pytest.fixture
+def compiled_functions(monkeypatch: pytest.MonkeyPatch) -> list[str]:
+    """The names of the functions that are compiled from now on."""
+    names: list[str] = []
+    compile_now = jit.compiled
+
+    def counted(assembly: Assembly, name: str) -> jit.Compiled:
+        names.append(name)
+        return compile_now(assembly, name)
+
+    monkeypatch.setattr(jit, "compiled", counted)
+    return names
 
 
 def is_missing(program: str) -> bool:

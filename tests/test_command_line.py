@@ -138,12 +138,113 @@ def versions(monkeypatch: pytest.MonkeyPatch, replaced: dict[str, str | None]) -
     monkeypatch.setattr(doctor.metadata, "version", version)
 
 
+def broken(monkeypatch: pytest.MonkeyPatch, module: str, error: Exception) -> dict[str, str]:
+    """The lines of the report where a package is installed and can't be loaded."""
+    true_import = doctor.import_module
+
+    def import_module(name: str) -> object:
+        if name == module:
+            raise error
+        return true_import(name)
+
+    monkeypatch.setattr(doctor, "import_module", import_module)
+    return lines_of(doctor.findings())
+
+
+@pytest.mark.parametrize(
+    ("name", "module", "error", "text"),
+    [
+        ("llvmlite", "llvmlite.binding", OSError("invalid ELF header"), "OSError: invalid ELF header"),
+        ("scipy", "scipy.spatial.transform", ImportError("no\nlibrary"), "ImportError: no library"),
+        ("matplotlib", "matplotlib.figure", AttributeError("numpy.core"), "AttributeError: numpy.core"),
+        ("lark", "lark", RuntimeError("broken"), "RuntimeError: broken"),
+        ("rich", "rich", SyntaxError("invalid syntax"), "SyntaxError: invalid syntax"),
+    ],
+)
+def test_packages_that_cannot_be_loaded(
+    name: str,
+    module: str,
+    error: Exception,
+    text: str,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    monkeypatch.setenv("PATH", "")
+    (required,) = (line for line in PROJECT["dependencies"] if line.startswith(name))
+    line = f'  {name:<14} fails        {text}; pip install --force-reinstall "{required}"'
+    assert broken(monkeypatch, module, error)[name] == line
+    assert main(["doctor"]) == 1
+    assert capsys.readouterr().out.endswith(f"look at {name}.\n")
+
+
+def test_an_extra_that_cannot_be_loaded_is_no_fault(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("PATH", "")
+    assert broken(monkeypatch, "sympy", OSError("no gmp"))["sympy"].startswith(
+        '  sympy          fails        to_sympy and from_sympy: OSError: no gmp; pip install --force-reinstall "sympy>='
+    )
+    assert not any(one.is_fault for one in doctor.findings())
+
+
+def test_each_package_that_is_here_can_be_loaded() -> None:
+    states = {one.name: one.state for one in doctor.findings() if one.group in ("Packages", "Extras")}
+    assert "fails" not in states.values()
+    assert set(doctor.MODULES) <= set(states)
+
+
+LOADING = """
+import sys
+
+
+class Broken:
+    def find_spec(self, name, path=None, target=None):
+        if name == "llvmlite":
+            raise {error}
+
+
+sys.meta_path.insert(0, Broken())
+from symbody import lambdify, symbols
+from symbody.__main__ import main
+from symbody.errors import CodegenError
+
+x = symbols("x")
+for points in (0.5, [0.5, 0.6], [0.5] * 1000):
+    lambdify([x], x)(points)
+    try:
+        lambdify([x], x, compile=True)(points)
+    except CodegenError as error:
+        print(error)
+sys.exit(main(["doctor"]))
+"""
+
+
+@pytest.mark.parametrize(
+    ("error", "why"),
+    [
+        (
+            "OSError('no library')",
+            "installed and can't be loaded here (OSError: no library): pip install --force-reinstall llvmlite",
+        ),
+        ("ModuleNotFoundError('none', name='llvmlite')", "not installed here: pip install llvmlite"),
+    ],
+)
+def test_machine_code_without_llvm(error: str, why: str) -> None:
+    program = LOADING.format(error=error)
+    environment = os.environ | {"PATH": ""}
+    done = subprocess.run(
+        [sys.executable, "-c", program], capture_output=True, text=True, check=False, env=environment
+    )
+    assert (done.returncode, done.stderr) == (1, "")
+    assert done.stdout.splitlines()[:3] == [f"machine code needs the package llvmlite, which is {why}"] * 3
+    assert f"\n  llvmlite       fails        {error.split('(', maxsplit=1)[0]}: " in done.stdout
+    assert done.stdout.endswith("look at llvmlite, machine code.\n")
+
+
 def test_machine_code_that_does_not_work() -> None:
     code = "import sys; sys.modules['llvmlite'] = None; from symbody.__main__ import main; sys.exit(main(['doctor']))"
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False)
     assert done.returncode == 1
     assert "\n  machine code   fails        " in done.stdout
-    assert done.stdout.endswith("look at machine code.\n")
+    assert done.stdout.endswith("look at llvmlite, machine code.\n")
 
 
 def test_as_a_program() -> None:

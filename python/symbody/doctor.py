@@ -8,13 +8,14 @@ import shutil
 import subprocess
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
-from importlib import metadata
+from importlib import import_module, metadata
 
 from packaging.requirements import Requirement
 
 from symbody.codegen import lambdify
 from symbody.codegen.toolchain import TOOLS
 from symbody.symbolic import cos, sin, symbols
+from symbody.symbolic.arguments import brief
 
 __all__ = ["EXTRAS", "Finding", "findings", "report"]
 
@@ -27,6 +28,15 @@ EXTRAS = {
     "notebook": "Jupyter, which shows expressions, frames and equations as formulas",
 }
 """What each extra is for; ``all`` is all of them."""
+
+MODULES = {
+    "llvmlite": "llvmlite.binding",
+    "matplotlib": "matplotlib.figure",
+    "scipy": "scipy.spatial.transform",
+    "dask": "dask.distributed",
+    "scikit-sundae": "sksundae.ida",
+}
+"""What symbody loads of packages, where that isn't the module of their name: the parts with libraries in them."""
 
 PATIENCE = 20.0
 """s that a program may take to report its version."""
@@ -73,17 +83,15 @@ def report(found: Iterable[Finding]) -> str:
 
 def _packages() -> Iterator[Finding]:
     for requirement in _requirements(""):
-        state, is_met = _version(requirement)
-        note = "" if is_met else f'pip install "{_text(requirement)}"'
-        yield Finding("Packages", requirement.name, state, note, is_fault=not is_met)
+        state, advice = _state(requirement, f'pip install "{_text(requirement)}"')
+        yield Finding("Packages", requirement.name, state, advice, is_fault=bool(advice))
 
 
 def _extras() -> Iterator[Finding]:
     for extra, purpose in EXTRAS.items():
         for requirement in _requirements(extra):
-            state, is_met = _version(requirement)
-            note = purpose if is_met else f'{purpose}: pip install "symbody[{extra}]"'
-            yield Finding("Extras", requirement.name, state, note)
+            state, advice = _state(requirement, f'pip install "symbody[{extra}]"')
+            yield Finding("Extras", requirement.name, state, f"{purpose}: {advice}" if advice else purpose)
 
 
 def _programs() -> Iterator[Finding]:
@@ -104,7 +112,7 @@ def _trials() -> Iterator[Finding]:
         is_right = abs(float(lambdify([x], sin(x), compile=True)(0.5)) - 0.479425538604203) < 1e-15
         yield Finding("Trials", "machine code", "ok" if is_right else "wrong", is_fault=not is_right)
     except Exception as error:  # whatever it is, it is the finding
-        note = f"{type(error).__name__}: {error}"
+        note = brief(f"{type(error).__name__}: {error}")
         yield Finding("Trials", "machine code", "fails", note, is_fault=True)
 
 
@@ -119,15 +127,34 @@ def _requirements(extra: str) -> Iterator[Requirement]:
             yield requirement
 
 
-def _version(requirement: Requirement) -> tuple[str, bool]:
-    """Return the version of a package, or what is wrong with it, and whether it will do."""
+def _state(requirement: Requirement, way: str) -> tuple[str, str]:
+    """Return the version of a package or what is wrong with it, and what to do about that.
+
+    Args:
+        requirement: the package.
+        way: how to get it, or a newer one.
+    """
     try:
         version = metadata.version(requirement.name)
     except metadata.PackageNotFoundError:
-        return "missing", False
-    if requirement.specifier.contains(version, prereleases=True):
-        return version, True
-    return f"{version}, too old", False
+        return "missing", way
+    if not requirement.specifier.contains(version, prereleases=True):
+        return f"{version}, too old", way
+    failure = _failure(requirement)
+    return (
+        ("fails", f'{failure}; pip install --force-reinstall "{_text(requirement)}"')
+        if failure
+        else (version, "")
+    )
+
+
+def _failure(requirement: Requirement) -> str:
+    """Return what goes wrong where a package is loaded; nothing if it can be."""
+    try:
+        import_module(MODULES.get(requirement.name, requirement.name))
+    except Exception as error:  # whatever it is, it is the finding
+        return brief(f"{type(error).__name__}: {error}")
+    return ""
 
 
 def _text(requirement: Requirement) -> str:

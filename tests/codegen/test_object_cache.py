@@ -223,6 +223,41 @@ def test_what_was_not_used_for_longest_goes_first(
     assert len(compiled) == 11
 
 
+OTHERS = [
+    "main.o",
+    f"{64 * 'a'}.o",
+    f"{63 * 'a'}.symbody.o",
+    f"{64 * 'x'}.symbody.o",
+    f"b{64 * 'a'}.symbody.o",
+    f"{64 * 'a'}.symbody.o.txt",
+    ".symbody.o",
+]
+"""What a user may keep in the same folder."""
+
+
+def test_the_files_of_others_are_neither_counted_nor_removed(
+    home: Path, compiled: list[str], monkeypatch: pytest.MonkeyPatch
+):
+    """They are older and larger than what is kept here, and so is a folder in the place of a file."""
+    value()
+    size = only_file(home).stat().st_size
+    monkeypatch.setattr(object_cache, "BOUND", 7 * size // 2)
+    for name in OTHERS:
+        (home / name).write_bytes(bytes(4 * size))
+        os.utime(home / name, ns=(0, 0))
+    (home / f"{64 * '0'}.symbody.o").mkdir()
+    (home / ".ab3_x9zz.symbody.o").write_bytes(bytes(2 * size))  # left by a process that was killed
+    os.utime(home / ".ab3_x9zz.symbody.o", ns=(0, 0))
+    for links in range(151, 153):
+        value(chain(links)[-1:])
+    assert set(OTHERS) <= {file.name for file in home.iterdir()}
+    assert len(list(home.iterdir())) == len(OTHERS) + 1 + 3
+    for links in range(153, 157):
+        value(chain(links)[-1:])
+    assert len(list(home.iterdir())) < len(OTHERS) + 1 + 7
+    assert set(OTHERS) <= {file.name for file in home.iterdir()}
+
+
 def test_the_standard_folder(tmp_path: Path, monkeypatch: pytest.MonkeyPatch):
     monkeypatch.delenv(object_cache.VARIABLE)
     monkeypatch.setenv("HOME", str(tmp_path))

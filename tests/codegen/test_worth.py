@@ -7,24 +7,8 @@ import pytest
 
 from symbody import CompiledFunction, linear_solve, newton_euler, symbols
 from symbody import lambdify as function_of
-from symbody.codegen.llvm import jit
-from symbody.codegen.llvm.assembly import Assembly
 from symbody.codegen.worth import is_worth_compiling
 from tests.reference.robot import robot
-
-
-@pytest.fixture
-def compiled(monkeypatch: pytest.MonkeyPatch) -> list[str]:
-    """The names of the functions that are compiled from now on."""
-    names: list[str] = []
-    compile_now = jit.compiled
-
-    def counted(assembly: Assembly, name: str) -> jit.Compiled:
-        names.append(name)
-        return compile_now(assembly, name)
-
-    monkeypatch.setattr(jit, "compiled", counted)
-    return names
 
 
 def inverse_dynamics(name: str) -> tuple[CompiledFunction, int]:
@@ -45,26 +29,28 @@ def test_nothing_is_compiled_for_nothing() -> None:
     assert not is_worth_compiling(10**9, 0)
 
 
-def test_a_large_function_is_evaluated_at_few_points_and_compiled_at_many(compiled: list[str]) -> None:
+def test_a_large_function_is_evaluated_at_few_points_and_compiled_at_many(
+    compiled_functions: list[str],
+) -> None:
     function, rows = inverse_dynamics("solo12_floating")
     states = np.random.default_rng(3).uniform(-1, 1, (rows, 4000))
     few = function(states[:, :20])
-    assert compiled == []
+    assert compiled_functions == []
     many = function(states)
-    assert compiled == ["batch"]
+    assert compiled_functions == ["batch"]
     assert np.array_equal(function(states[:, :20]), few)
     np.testing.assert_allclose(many[:, :20], few, rtol=1e-12, atol=1e-12 * np.abs(few).max())
 
 
-def test_who_asks_for_it_gets_machine_code_and_who_forbids_it_does_not(compiled: list[str]) -> None:
+def test_who_asks_for_it_gets_machine_code_and_who_forbids_it_does_not(compiled_functions: list[str]) -> None:
     x = symbols("x")
     function_of([x], [x * x], compile=True)(2.0)
     function_of([x], [x * x], compile=False)(np.ones(10**6))
-    assert compiled == ["scalar"]
+    assert compiled_functions == ["scalar"]
 
 
-def test_linear_systems_are_compiled_for_their_notices(compiled: list[str]) -> None:
+def test_linear_systems_are_compiled_for_their_notices(compiled_functions: list[str]) -> None:
     a, b = symbols("a b")
     solution = linear_solve([[a, b], [b, -a]], [1, 2])
     function_of([a, b], solution)(1.0, 2.0)
-    assert compiled == ["scalar"]
+    assert compiled_functions == ["scalar"]

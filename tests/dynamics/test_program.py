@@ -190,8 +190,8 @@ MISTAKES = [
         "the name 'my force' of the result can't stand in code; expected letters, digits and _ after a letter",
     ),
     (
-        {"name": "3d"},
-        "the name '3d' of the program can't stand in code; expected letters, digits and _ after a letter",
+        {"name": "!"},
+        "program, name: '!'; expected a text with letters or digits, such as 'my crane'",
     ),
 ]
 

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import builtins
 import sys
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 import pytest
@@ -342,3 +344,21 @@ def test_without_the_package(monkeypatch: pytest.MonkeyPatch) -> None:
     case = pendulum()
     with pytest.raises(CodegenError, match=r"isn't installed here: pip install symbody\[sundials\]"):
         run(case, "stabilized")
+
+
+def test_a_package_that_cannot_be_loaded(monkeypatch: pytest.MonkeyPatch) -> None:
+    import_now = builtins.__import__
+
+    def failing(name: str, *rest: Any) -> Any:
+        if name == "sksundae":
+            raise OSError("libsundials: invalid ELF header")
+        return import_now(name, *rest)
+
+    case = pendulum()
+    monkeypatch.setattr(builtins, "__import__", failing)
+    with pytest.raises(CodegenError) as caught:
+        run(case, "stabilized")
+    assert str(caught.value) == (
+        "simulate: the methods 'ida', 'ida2' and 'ida3' need the package scikit-sundae, which can't be loaded here "
+        "(libsundials: invalid ELF header): pip install --force-reinstall scikit-sundae; or use another method"
+    )

@@ -49,6 +49,7 @@ from symbody.simulation.many import simulate_many
 from symbody.simulation.model import model_of
 from symbody.simulation.runs import Runs
 from symbody.simulation.simulate import simulate
+from symbody.symbolic.arguments import described
 
 Array = NDArray[np.float64]
 m, l, g = symbols("m l g")
@@ -537,6 +538,53 @@ def test_lengths_differ() -> None:
 def test_values_that_are_none(parameters: dict[Expr, Any], kind: type[Exception], message: str) -> None:
     with pytest.raises(kind, match=message):
         simulate_many(PENDULUM, parameters)
+
+
+def test_a_list_of_dictionaries_is_a_dictionary_of_rows() -> None:
+    sets = [{m: 1.3, g: 9.81, l: length} for length in (0.4, 0.8, 1.1)]
+    starts = [{q1: 0.3, q2: 0.2}, {q2: 0.1, q1: 0.4}, {q1: 0.5, q2: 0.0}]
+    rows = {m: 1.3, g: 9.81, l: [0.4, 0.8, 1.1]}, {q1: [0.3, 0.4, 0.5], q2: [0.2, 0.1, 0.0]}
+    assert same(simulate_many(PENDULUM, sets, starts, T), simulate_many(PENDULUM, *rows, T))
+    together = [one | other for one, other in zip(sets, starts, strict=True)]
+    assert same(simulate_many(PENDULUM, t=T, cases=together), simulate_many(PENDULUM, *rows, T))
+    assert len(simulate_many(PENDULUM, sets[:1], starts[0], T)) == 1
+
+
+@pytest.mark.parametrize("kind", ["parameters", "initial", "cases"])
+@pytest.mark.parametrize("given", [5, "mass", [1.0, 2.0], [], [{m: 1.0}, 2.0], m, np.array([1.0, 2.0])])
+def test_what_is_no_dictionary_and_no_list_of_them(kind: str, given: Any) -> None:
+    with pytest.raises(ArgumentError) as told:
+        simulate_many(PENDULUM, **{kind: given})
+    assert str(told.value) == (
+        f"simulate_many, {kind}: {described(given)}; expected a dictionary of variables and their values, or a list of "
+        "dictionaries, one for each motion"
+    )
+
+
+def test_dictionaries_that_differ() -> None:
+    with pytest.raises(ParameterError) as told:
+        simulate_many(PENDULUM, [{m: 1, l: 1, g: 1}, {m: 1, l: 1}, {m: 1, q1: 1}])
+    assert str(told.value) == (
+        "simulate_many, parameters: the dictionaries of the cases 0 and 1 differ by g; expected the same variables in "
+        "all of them"
+    )
+
+
+def test_a_variable_among_parameters_and_initial_values() -> None:
+    with pytest.raises(ParameterError, match=r"arrays of different lengths \(q1 has 2, q1 has 3\)"):
+        simulate_many(PENDULUM, {m: 1, l: 1, g: 1, q1: [1, 2]}, {q1: [1, 2, 3]})
+    with pytest.raises(ParameterError, match="parameters: q1 is not a parameter of these equations"):
+        simulate_many(PENDULUM, {m: 1, l: 1, g: 1, q1: [1, 2]}, {q1: 1})
+
+
+@pytest.mark.parametrize("guess", [5, [q1], "q1"])
+def test_a_guess_that_is_no_dictionary(guess: Any) -> None:
+    with pytest.raises(ArgumentError, match=r"simulate_many, guess: .*; expected a dictionary of variables"):
+        simulate_many(PENDULUM, {m: 1, l: 1, g: 1}, guess=guess)
+    with pytest.raises(
+        ParameterError, match="simulate_many, guess: m is not a coordinate, a rate of one or a"
+    ):
+        simulate_many(PENDULUM, {m: 1, l: 1, g: 1}, guess={m: 1})
 
 
 def test_a_name_given_twice() -> None:

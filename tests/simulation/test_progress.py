@@ -7,7 +7,7 @@ from collections.abc import Callable
 
 import pytest
 
-from symbody import MachineCode, simulate, symbols
+from symbody import Event, MachineCode, simulate, symbols
 from symbody.codegen.llvm.jit import watched
 from symbody.simulation import progress
 from tests.codegen.test_long_code import chain
@@ -56,6 +56,24 @@ def test_nothing_is_shown_of_what_is_quick_or_goes_to_no_terminal(monkeypatch, c
     with progress.preparation_bar(is_shown=is_shown):
         MachineCode((symbols("x"),), (symbols("x") + 2,)).address  # noqa: B018 - it compiles
     assert capsys.readouterr().err == ""
+
+
+@pytest.mark.parametrize("method", ["dop853", "bdf"])
+def test_the_bar_of_a_short_motion_ends_where_the_motion_does(capsys, method):
+    """It is over before anyone looks; where the output is no terminal, the last state of the bar stands there."""
+    simulate(double_pendulum(), VALUES, START, t=(0, 10), progress=True, method=method)
+    (line,) = capsys.readouterr().err.splitlines()
+    assert line.split()[0] == "simulate"
+    assert line.split()[-2] == "10/10"
+
+
+def test_the_bar_of_a_motion_that_an_event_ends(capsys):
+    theta = double_pendulum().coordinates[0]
+    motion = simulate(
+        double_pendulum(), VALUES, START, t=(0, 100), progress=True, events=[Event(theta, terminal=True)]
+    )
+    assert motion.t[-1] < 100
+    assert f" {int(motion.t[-1])}/100 " in capsys.readouterr().err
 
 
 def test_no_timer_is_left_behind_after_an_error():

@@ -6,8 +6,6 @@ import numpy as np
 import pytest
 
 from symbody import Motion, simulate, time_derivative
-from symbody.codegen.llvm import jit
-from symbody.codegen.llvm.assembly import Assembly
 from tests.reference.mechanisms.andrews import andrews
 from tests.reference.mechanisms.n_fourbar import n_fourbar
 
@@ -19,31 +17,17 @@ def moved(**options: object) -> Motion:
     return simulate(PROBLEM.equations, PROBLEM.parameters, PROBLEM.initial, instants, **options)
 
 
-@pytest.fixture
-def compiled(monkeypatch: pytest.MonkeyPatch) -> list[str]:
-    """The names of the functions that are compiled from now on."""
-    names: list[str] = []
-    compile_now = jit.compiled
-
-    def counted(assembly: Assembly, name: str) -> jit.Compiled:
-        names.append(name)
-        return compile_now(assembly, name)
-
-    monkeypatch.setattr(jit, "compiled", counted)
-    return names
-
-
-def test_accelerations_and_multipliers_compile_once(compiled):
+def test_accelerations_and_multipliers_compile_once(compiled_functions):
     motion = moved()
-    compiled.clear()
+    compiled_functions.clear()
     for acceleration in motion.model.accelerations:
         motion[acceleration]
         motion[2 * acceleration + motion.model.speeds[0]]
-    assert compiled == []
+    assert compiled_functions == []
     for multiplier in motion.model.multipliers:
         motion[multiplier]
         motion[multiplier * motion.model.accelerations[0]]
-    assert len(compiled) == 1
+    assert len(compiled_functions) == 1
 
 
 def test_accelerations_are_the_rates_of_the_speeds():

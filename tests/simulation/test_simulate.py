@@ -428,6 +428,28 @@ class TestEndsBeforeTheEnd:
             "simulate, events: one Event; expected a list of them, events=[Event(...)]",
         ),
         (
+            lambda: simulate(DOUBLE, VALUES, START, events=q1),
+            SimulationError,
+            "simulate, events: q1 is an Expr; expected a list of them, events=[Event(expression)]",
+        ),
+        (
+            lambda: simulate(DOUBLE, VALUES, START, method=["dop853"]),
+            SimulationError,
+            (
+                "simulate: method=['dop853']; expected auto, dop853, tsit5, bdf, esdirk34, tr_bdf2, ida, ida2, ida3"
+            ),
+        ),
+        (
+            lambda: simulate(DOUBLE, VALUES, START, max_step=10**400),
+            SimulationError,
+            f"simulate: max_step={10**400}; expected a positive number",
+        ),
+        (
+            lambda: simulate(DOUBLE, VALUES | {g: 10**400}, START),
+            ParameterError,
+            "simulate, parameters: g is beyond the largest double, 1.8e308",
+        ),
+        (
             lambda: simulate(DOUBLE.system, VALUES, START),
             ArgumentError,
             (

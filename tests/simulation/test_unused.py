@@ -70,6 +70,19 @@ def test_what_may_have_been_meant(where: str) -> None:
 
 
 @pytest.mark.parametrize("where", CALLS)
+def test_a_value_of_another_variable_of_the_same_name(where: str) -> None:
+    """Both have a value, so nothing is missing; to mean mass instead of mass would be a riddle."""
+    with pytest.warns(ModelNotice) as caught:
+        CALLS[where](VALUES | {symbols("mass", positive=True): 2.0, lenght: 1.0})
+    (notice,) = caught
+    assert str(notice.message) == (
+        f"{where}: the parameters lenght, mass stand nowhere in this model, nor in outputs, events and inputs: the "
+        "value has no effect; did you mean length?; the mass without a use is symbols('mass', positive=True), the mass "
+        "of the model is symbols('mass'): another assumption makes another symbol; use the same one in both places"
+    )
+
+
+@pytest.mark.parametrize("where", CALLS)
 def test_one_dictionary_serves_all_calls_of_a_model(where: str) -> None:
     """The moments Ix and Iy, a mass in a plane: what a body has is known, whether or not a call needs it."""
     inertia = symbols("Ixx Iyy")

@@ -277,6 +277,11 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
     ),
     (ArgumentError, lambda: lambdify(x, x)([1, None]), "the argument x takes real numbers, found [1, None]"),  # type: ignore[arg-type]
     (ArgumentError, lambda: lambdify(x, x)(1j), "the argument x takes real numbers, found 1j"),
+    (
+        ParameterError,
+        lambda: lambdify(x, x)(10**400),
+        "the argument x takes doubles; found a number beyond the largest of them, 1.8e308",
+    ),
     (ArgumentError, lambda: lambdify([[x, y]], x)("a"), "the argument [x, y] takes real numbers, found 'a'"),
     (
         ParameterError,

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import builtins
 import sys
 from random import Random
+from typing import Any
 
 import numpy as np
 import pytest
@@ -160,6 +162,24 @@ def test_sympy_is_an_extra(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setitem(sys.modules, "sympy", None)
     with pytest.raises(ImportError, match=r"SymPy isn't installed; pip install 'symbody\[sympy\]'"):
         to_sympy(a)
+
+
+@pytest.mark.parametrize(
+    "error", [OSError("no gmp"), ModuleNotFoundError("No module named 'mpmath'", name="mpmath")]
+)
+def test_a_sympy_that_cannot_be_loaded_is_not_called_missing(
+    monkeypatch: pytest.MonkeyPatch, error: Exception
+) -> None:
+    import_now = builtins.__import__
+
+    def failing(name: str, *rest: Any) -> Any:
+        if name == "sympy":
+            raise error
+        return import_now(name, *rest)
+
+    monkeypatch.setattr(builtins, "__import__", failing)
+    with pytest.raises(type(error), match=str(error)):
+        to_sympy(x)
 
 
 # --- what mechanics brings along ---

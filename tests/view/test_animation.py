@@ -15,7 +15,7 @@ from scipy.spatial.transform import Rotation
 
 from symbody import Body, Force, Point, System, Torque, functions_of_time, ground, rotate, translate
 from symbody.errors import PictureError, ViewError
-from symbody.view import Box, animate
+from symbody.view import Box, animate, plot
 from tests.view.browser import browser
 from tests.view.prescribed import (
     Prescribed,
@@ -142,6 +142,25 @@ def test_what_cannot_be_drawn(tmp_path: Path) -> None:
     with pytest.raises(PictureError, match=r"p.html can't be written \(.*\); nothing was changed there"):
         animate(motion, tmp_path / "file" / "p.html")
     assert [file.name for file in tmp_path.iterdir()] == ["file"]
+
+
+@pytest.mark.parametrize("name", ["swing.gif", "swing.mp4", "swing", "swing.html.txt"])
+def test_a_page_has_the_name_of_a_page(name: str, tmp_path: Path) -> None:
+    with pytest.raises(ViewError) as caught:
+        animate(swinging(1.0), tmp_path / name)
+    ending, stem = Path(name).suffix, Path(name).stem
+    assert str(caught.value) == (
+        f"animate: {tmp_path / name} ends in {ending!r}, and what is written is a page in HTML; expected a name such "
+        f"as {stem}.html"
+    )
+    assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.parametrize("name", ["swing.html", "swing.htm", "swing.HTML"])
+def test_pages_and_figures_make_their_folders(name: str, tmp_path: Path) -> None:
+    assert animate(swinging(1.0), tmp_path / "new" / "folder" / name).is_file()
+    plot(swinging(1.0), path=tmp_path / "another" / "swing.png")
+    assert (tmp_path / "another" / "swing.png").is_file()
 
 
 def test_natural_coordinates_show_points_and_threads(tmp_path: Path) -> None:

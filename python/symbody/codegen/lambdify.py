@@ -136,6 +136,10 @@ def _real(argument: tuple[Expr, ...] | Expr, value: ArrayLike) -> NDArray[np.flo
         array = np.asarray(value)
         if array.dtype.kind in "iuf" or (array.dtype.kind == "O" and all(x is not None for x in array.flat)):
             return array.astype(np.float64, copy=False)
+    except OverflowError:
+        raise ParameterError(
+            f"the argument {_named(argument)} takes doubles; found a number beyond the largest of them, 1.8e308"
+        ) from None
     except (ValueError, TypeError, SymbodyError):
         pass
     raise ArgumentError(f"the argument {_named(argument)} takes real numbers, found {value!r}")

@@ -98,6 +98,7 @@ class Module:
         routines: the functions of the state.
         values: values of the program's arguments for the self-check, by array.
         references: the results there, in the order of the routines and of their results.
+        target: the name of the target that prints it, which stands in the mark of its files.
     """
 
     name: str
@@ -107,6 +108,7 @@ class Module:
     routines: tuple[Function, ...]
     values: Mapping[str, tuple[float, ...]]
     references: tuple[tuple[tuple[float, ...], ...], ...]
+    target: str = ""
 
     @property
     def functions(self) -> tuple[Function, ...]:

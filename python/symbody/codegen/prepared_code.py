@@ -16,7 +16,7 @@ from symbody.codegen.llvm.module import scalar_modules, shortcut_modules
 from symbody.codegen.machine_code import POINTER
 from symbody.codegen.preparation import Preparation
 from symbody.codegen.straight_line import Code, Input, code_of, operands, with_operands
-from symbody.errors import CodegenError, ParameterError
+from symbody.errors import ParameterError
 from symbody.symbolic import Argument, Expr
 
 __all__ = ["PreparedCode", "Shortcut"]
@@ -135,10 +135,6 @@ class _Parts:
 
 
 def _compiled(assembly: Callable[[int], Assembly], name: str) -> jit.Compiled:
-    if not jit.is_available():
-        raise CodegenError(
-            "machine code needs the package llvmlite, which is not installed here: pip install llvmlite"
-        )
     return jit.compiled(assembly(jit.lanes()), name)
 
 

@@ -22,7 +22,7 @@ from symbody.symbolic import (
     t,
 )
 from symbody.symbolic.arguments import brief
-from symbody.symbolic.identifier import title_identifier
+from symbody.symbolic.identifier import program_name, title_identifier
 
 from .baumgarte import Damping
 from .equations import Equations
@@ -60,7 +60,7 @@ def program(
 
     Args:
         eqs: the equations of motion.
-        name: what the generated code is called; the name of the system as an identifier, or "model", by default.
+        name: what the generated code is called, as an identifier; the name of the system, or "model", by default.
         outputs: what else the code computes: expressions, vectors or matrices by name.
         baumgarte: omega and zeta of the stabilisation in the forward dynamics.
         method: how the forward dynamics is solved, see `forward_dynamics`; None leaves it out, and the right-hand side.
@@ -95,7 +95,7 @@ def program(
         f"the equations of motion of {', '.join(map(str, eqs.coordinates))}{_drift(eqs, method, baumgarte)}"
     )
     completed = tuple(_with_arguments(routine, arguments) for routine in routines)
-    named = title_identifier(eqs.system.name, "model") if name is None else name
+    named = title_identifier(eqs.system.name, "model") if name is None else program_name(name, "program")
     return Program(named, meaning, tuple(arguments), completed)
 
 

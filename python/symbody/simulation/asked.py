@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 
 from symbody.errors import ArgumentError, SimulationError
 from symbody.symbolic import Expr, ExprLike, free_symbols
@@ -22,13 +22,13 @@ def asked_outputs(outputs: Mapping[str, ExprLike] | None, where: str = "simulate
     Raises:
         ArgumentError: no dictionary of names and expressions.
     """
-    given: object = outputs or {}
+    given: object = {} if outputs is None else outputs
     if not isinstance(given, Mapping) or any(not isinstance(name, str) for name in given):
         raise ArgumentError(
             f"{where}, outputs: {described(outputs)}; expected a dictionary of names and expressions, such as "
             "outputs={'height': z}"
         )
-    return {name: expression(value, f"{where}, outputs, {name}") for name, value in (outputs or {}).items()}
+    return {name: expression(value, f"{where}, outputs, {name}") for name, value in given.items()}
 
 
 def watched_events(events: Sequence[Event] | None, where: str = "simulate") -> tuple[Event, ...]:
@@ -37,12 +37,18 @@ def watched_events(events: Sequence[Event] | None, where: str = "simulate") -> t
     Raises:
         SimulationError: no list of events.
     """
-    if isinstance(events, Event):
+    given: object = () if events is None else events
+    if isinstance(given, Event):
         raise SimulationError(f"{where}, events: one Event; expected a list of them, events=[Event(...)]")
-    for event in events or ():
+    if isinstance(given, str | Mapping) or not isinstance(given, Iterable):
+        raise SimulationError(
+            f"{where}, events: {described(given)}; expected a list of them, events=[Event(expression)]"
+        )
+    listed = tuple(given)
+    for event in listed:
         if not isinstance(event, Event):
             raise SimulationError(f"{where}: events hold {event!r}; expected Event(expression), from symbody")
-    return tuple(events or ())
+    return listed
 
 
 def parameters_in(expressions: Sequence[Expr]) -> tuple[Expr, ...]:

@@ -18,4 +18,4 @@ def check_cases(batch: Batch, cases: Cases) -> None:
     check_known_along(batch.model, batch.outputs, batch.events, PLACE)
     asked = [*batch.outputs.values(), *(event.expression for event in batch.events)]
     check_parameters((*batch.model.parameters, *parameters_in(asked)), cases.parameters, PLACE)
-    check_state_names(batch.model.system, [*cases.initial, *batch.guess], f"{PLACE}, initial")
+    check_state_names(batch.model.system, cases.initial, f"{PLACE}, initial")

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from typing import Any, TypeAlias
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -13,6 +14,9 @@ from symbody.symbolic import Expr
 from symbody.symbolic.arguments import described
 
 Column = NDArray[np.float64]
+
+Values: TypeAlias = Mapping[Expr, ArrayLike] | Sequence[Mapping[Expr, float]]
+"""Values by name: numbers and rows of numbers, or a dictionary of numbers for each motion."""
 
 PLACE = "simulate_many"
 """Whose arguments the messages speak of."""
@@ -47,11 +51,7 @@ class Cases:
         return {name: float(values[case]) for name, values in self.initial.items()}
 
 
-def cases_of(
-    parameters: Mapping[Expr, ArrayLike] | None,
-    initial: Mapping[Expr, ArrayLike] | None,
-    cases: Mapping[Expr, ArrayLike] | None = None,
-) -> Cases:
+def cases_of(parameters: Values | None, initial: Values | None, cases: Values | None = None) -> Cases:
     """Return the cases of numbers, which hold for all, and of arrays, with a value for each.
 
     Args:
@@ -61,10 +61,11 @@ def cases_of(
 
     Raises:
         ParameterError: arrays of different lengths, an empty one, or a name that is given twice.
-        ArgumentError: a key that is no variable, or a value that is no number and no row of numbers.
+        ArgumentError: no dictionary and no list of dictionaries, a key that is no variable, or a value that is no
+            number and no row of numbers.
     """
-    given = {"parameters": dict(parameters or {}), "initial": dict(initial or {})}
-    for name, values in (cases or {}).items():
+    given = {"parameters": _rows(parameters, "parameters"), "initial": _rows(initial, "initial")}
+    for name, values in _rows(cases, "cases").items():
         kind = "parameters" if _variable(name, "cases").kind == "symbol" else "initial"
         if name in given[kind]:
             raise ParameterError(
@@ -75,11 +76,33 @@ def cases_of(
         kind: {_variable(name, kind): _column(name, values, kind) for name, values in mapping.items()}
         for kind, mapping in given.items()
     }
-    count = _count({name: column for mapping in columns.values() for name, column in mapping.items()})
+    count = _count([pair for mapping in columns.values() for pair in mapping.items()])
     whole = {
         kind: {name: _spread(c, count) for name, c in mapping.items()} for kind, mapping in columns.items()
     }
     return Cases(whole["parameters"], whole["initial"], count)
+
+
+def _rows(given: object, kind: str) -> dict[Any, Any]:
+    """Return values by name: of a list of dictionaries, a row for each name."""
+    if given is None:
+        return {}
+    if isinstance(given, Mapping):
+        return dict(given)
+    if not isinstance(given, list | tuple) or not given or not all(isinstance(one, Mapping) for one in given):
+        raise ArgumentError(
+            f"{PLACE}, {kind}: {described(given)}; expected a dictionary of variables and their values, or a list of "
+            "dictionaries, one for each motion"
+        )
+    names = list(given[0])
+    for case, one in enumerate(given):
+        if set(one) != set(names):
+            different = ", ".join(sorted(map(str, set(one) ^ set(names))))
+            raise ParameterError(
+                f"{PLACE}, {kind}: the dictionaries of the cases 0 and {case} differ by {different}; expected the same "
+                "variables in all of them"
+            )
+    return {name: [one[name] for one in given] for name in names}
 
 
 def column_of(name: Expr, values: ArrayLike, place: str) -> Column:
@@ -88,6 +111,8 @@ def column_of(name: Expr, values: ArrayLike, place: str) -> Column:
         array = np.asarray(values)
         if array.dtype.kind in "iuf" or (array.dtype.kind == "O" and all(x is not None for x in array.flat)):
             return array.astype(np.float64)
+    except OverflowError:
+        raise ParameterError(f"{place}: {name} is beyond the largest double, 1.8e308") from None
     except (ValueError, TypeError, SymbodyError):
         pass
     raise ArgumentError(f"{place}: {name} is {described(values)}; expected a number, or a row of numbers")
@@ -115,16 +140,16 @@ def _column(name: Expr, values: ArrayLike, kind: str) -> Column:
     return column
 
 
-def _count(columns: Mapping[Expr, Column]) -> int:
+def _count(columns: Sequence[tuple[Expr, Column]]) -> int:
     """Return how many cases there are: the length of all arrays."""
-    lengths = {name: len(column) for name, column in columns.items() if column.ndim == 1}
-    if len(set(lengths.values())) > 1:
-        found = ", ".join(f"{name} has {length}" for name, length in lengths.items())
+    lengths = [(name, len(column)) for name, column in columns if column.ndim == 1]
+    if len({length for _, length in lengths}) > 1:
+        found = ", ".join(f"{name} has {length}" for name, length in lengths)
         raise ParameterError(
             f"{PLACE}: arrays of different lengths ({found}); expected one value for each case in every array, or "
             "a number for all cases. For all combinations use cases=grid({...})"
         )
-    return next(iter(lengths.values()), 1)
+    return lengths[0][1] if lengths else 1
 
 
 def _spread(column: Column, count: int) -> Column:

@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 from symbody.dynamics import Equations
 from symbody.errors import CodegenError, ParameterError, SimulationError
 from symbody.symbolic import Expr, ExprLike
+from symbody.symbolic.arguments import brief
 
 from .dae import DifferentialAlgebraicEquations, dae_of
 from .dae_start import Start, start_of
@@ -137,10 +138,16 @@ def integrate_ida(
 def _sundae() -> ModuleType:
     try:
         from sksundae import ida  # noqa: PLC0415 - an extra, not everybody's
-    except ImportError as failure:
+    except Exception as failure:  # what is installed, and can't be loaded, fails in many ways
+        is_missing = isinstance(failure, ModuleNotFoundError) and failure.name == "sksundae"
+        state = (
+            "isn't installed here: pip install symbody[sundials]"
+            if is_missing
+            else f"can't be loaded here ({brief(failure)}): pip install --force-reinstall scikit-sundae"
+        )
         raise CodegenError(
-            "simulate: the methods 'ida', 'ida2' and 'ida3' need the package scikit-sundae, which isn't installed "
-            "here: pip install symbody[sundials]; or use another method"
+            f"simulate: the methods 'ida', 'ida2' and 'ida3' need the package scikit-sundae, which {state}; or use "
+            "another method"
         ) from failure
     return ida  # type: ignore[no-any-return]
 

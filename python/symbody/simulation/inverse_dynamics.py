@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
+from typing import NoReturn
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -12,7 +13,7 @@ from symbody.codegen import lambdify
 from symbody.dynamics import Equations
 from symbody.errors import ArgumentError, ModelError, SimulationError
 from symbody.multibody import System
-from symbody.symbolic import Expr, ExprLike, free_symbols, number
+from symbody.symbolic import Expr, ExprLike, free_symbols
 from symbody.symbolic import t as symbolic_time
 from symbody.symbolic.arguments import described
 from symbody.symbolic.namesake import namesake_note
@@ -22,6 +23,7 @@ from .driving_load import driving_loads
 from .given_input import with_given
 from .kinematics import Kinematics, kinematics_of
 from .motion import Motion
+from .reading import Reading
 from .unknown import unknown_variables
 from .unused import notice_unused
 from .values import given_inputs
@@ -31,6 +33,11 @@ __all__ = ["InverseDynamics", "inverse_dynamics"]
 Array = NDArray[np.float64]
 
 _WHERE = "inverse_dynamics"
+
+_READING = Reading(
+    "result",
+    "result.t has the instants, and result.coordinates, result.speeds and result.accelerations have a row for each",
+)
 
 
 @dataclass(frozen=True, eq=False)
@@ -71,19 +78,29 @@ class InverseDynamics:
         """Return how many instants there are."""
         return len(self.t)
 
-    def __getitem__(self, expression: ExprLike) -> Array:
-        """Return the values of an expression, one for each instant."""
-        values: Array = self.evaluate([expression])[0]
+    def __iter__(self) -> NoReturn:
+        """Raise an error: Python would ask for ``result[0]``, ``result[1]`` and so on."""
+        _READING.refuse_iteration()
+
+    def __getitem__(self, expression: Expr) -> Array:
+        """Return the values of an expression, one for each instant.
+
+        Raises:
+            ArgumentError: it is no expression; numbers are none here.
+            SimulationError: an expression of something that isn't known here.
+        """
+        values: Array = self.evaluate([_READING.one(expression, self.system.coordinates)])[0]
         return values
 
     def evaluate(self, expressions: Sequence[ExprLike]) -> Array:
         """Return the values of several expressions, a row for each.
 
         Raises:
+            ArgumentError: no list of expressions.
             SimulationError: an expression of something that isn't known here.
         """
         system = self.system
-        asked = [number(each) for each in expressions]
+        asked = _READING.several(expressions)
         wanted = self._by_state(asked)
         states = [*system.coordinates, *system.speeds, *system.accelerations, *system.multipliers]
         own = {*system.coordinates, *system.driving}

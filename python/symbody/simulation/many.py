@@ -22,7 +22,7 @@ from symbody.symbolic.arguments import described
 from .asked import asked_outputs, watched_events
 from .batch import Batch
 from .case_check import check_cases
-from .cases import PLACE, Cases, cases_of
+from .cases import PLACE, Cases, Values, cases_of
 from .event import Event
 from .interruption import Interruption
 from .model import model_of
@@ -34,7 +34,7 @@ from .results import Results
 from .results_file import ResultsFile
 from .runs import Runs
 from .unused import notice_unused
-from .values import given_inputs, vanishing
+from .values import given_inputs, state_values, vanishing
 from .workers import Part, by_executor, cores, in_threads
 
 SAVE_EVERY = 10.0
@@ -48,11 +48,11 @@ SAVE_PAUSE = 20.0
 
 def simulate_many(
     eqs: Equations,
-    parameters: Mapping[Expr, ArrayLike] | None = None,
-    initial: Mapping[Expr, ArrayLike] | None = None,
+    parameters: Values | None = None,
+    initial: Values | None = None,
     t: tuple[float, float] | ArrayLike = (0.0, 10.0),
     *,
-    cases: Mapping[Expr, ArrayLike] | None = None,
+    cases: Values | None = None,
     inputs: Mapping[Expr, ExprLike] | None = None,
     method: str = "auto",
     rtol: float = 1e-8,
@@ -70,7 +70,8 @@ def simulate_many(
 ) -> Runs:
     """Return many motions of a system, one for each of the values of parameters and initial states.
 
-    Values are numbers, which hold for all motions, or rows of numbers with one for each; all rows are equally long.
+    Values are numbers, which hold for all motions, or rows of numbers with one for each; all rows are equally long. A
+    list of dictionaries, one for each motion, is the same as a dictionary of rows.
     A motion that fails doesn't hold up the others: it is among the failures of the runs, with its parameters. Ctrl-C
     keeps what is done.
 
@@ -123,7 +124,7 @@ def simulate_many(
         constraints=kept,
         outputs=asked_outputs(outputs, PLACE),
         events=watched_events(events, PLACE),
-        guess=dict(guess or {}),
+        guess=state_values(eqs.system, guess, where=PLACE, argument="guess"),
         keeps_states=keep_states,
     )
     check_cases(batch, all_cases)

@@ -7,22 +7,23 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NoReturn
 
 import numpy as np
 from numpy.typing import NDArray
 
-from symbody.errors import ModelError, ParameterError, SimulationError, SymbodyError
+from symbody.errors import ArgumentError, ModelError, SimulationError, SymbodyError
 from symbody.multibody import System
-from symbody.symbolic import Expr, ExprLike, free_symbols, number
-from symbody.symbolic.namesake import namesake_note
+from symbody.symbolic import Expr, ExprLike, free_symbols
+from symbody.symbolic.arguments import described
 
 from .drawing import drawer
 from .event import Occurrence
 from .integrator import Statistics
 from .model import Model
 from .rates_along import accelerations_along
-from .unknown import unknown_variables
+from .reading import Reading
+from .unknown import explain_unknown
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -30,6 +31,11 @@ if TYPE_CHECKING:
 __all__ = ["Motion"]
 
 Array = NDArray[np.float64]
+
+_READING = Reading(
+    "motion",
+    "motion.t has the instants, motion.states a row for each of them, and motion.state_at(0) is the state at the first",
+)
 
 
 @dataclass(frozen=True, eq=False)
@@ -77,9 +83,19 @@ class Motion:
         """What moves."""
         return self.model.system
 
-    def __getitem__(self, expression: ExprLike) -> Array:
-        """Return the values of an expression, one for each instant."""
-        expression = number(expression)
+    def __iter__(self) -> NoReturn:
+        """Raise an error: Python would ask for ``motion[0]``, ``motion[1]`` and so on."""
+        _READING.refuse_iteration()
+
+    def __getitem__(self, expression: Expr) -> Array:
+        """Return the values of an expression, one for each instant.
+
+        Raises:
+            ArgumentError: it is no expression; numbers are none here.
+            SimulationError: an expression of which the model knows nothing.
+            ParameterError: a parameter that stands in none of the equations, and has no value.
+        """
+        expression = _READING.one(expression, self.model.state)
         if expression in self.model.state:
             return self.states[:, self.model.state.index(expression)]
         values: Array = self.evaluate([expression])[0]
@@ -89,10 +105,11 @@ class Motion:
         """Return the values of several expressions, a row for each.
 
         Raises:
+            ArgumentError: no list of expressions.
             SimulationError: an expression of which the model knows nothing.
             ParameterError: a parameter that stands in none of the equations, and has no value.
         """
-        wanted = [number(expression) for expression in expressions]
+        wanted = _READING.several(expressions)
         if not wanted:
             return np.empty((0, len(self.t)))
         known = self.model.unknowns_in(wanted)
@@ -103,7 +120,7 @@ class Motion:
         try:
             function = self.model.function(wanted, tuple(self.parameters), known)
         except SymbodyError as failure:
-            self._explain(wanted)
+            explain_unknown("motion", wanted, self.model, self.parameters)
             raise SimulationError(f"motion: {failure}") from failure
         values = function(self.t, *self.states.T, *columns, *self.parameters.values())
         return np.stack([np.broadcast_to(row, self.t.shape) for row in values])
@@ -113,23 +130,6 @@ class Motion:
         if unknown in self.model.accelerations:
             return self.accelerations[:, self.model.accelerations.index(unknown)]
         return self.multipliers[:, self.model.multipliers.index(unknown)]
-
-    def _explain(self, wanted: Sequence[Expr]) -> None:
-        """Raise an error that names what has no value."""
-        model = self.model
-        known = {*model.integrated, *model.accelerations, *model.multipliers, *self.parameters}
-        strange = [
-            leaf for leaf in free_symbols(wanted) if not free_symbols(model.along_motion([leaf])) <= known
-        ]
-        note = namesake_note(strange, known, ("asked for", "of the motion"))
-        symbols = sorted(str(leaf) for leaf in strange if leaf.kind == "symbol")
-        if symbols:
-            raise ParameterError(
-                f"motion: {', '.join(symbols)} has no value in this motion; give it with the parameters of "
-                f"simulate{note}"
-            )
-        if strange:
-            raise SimulationError(unknown_variables("motion", strange, self.model.system) + note)
 
     @cached_property
     def outputs(self) -> dict[str, Array]:
@@ -148,7 +148,19 @@ class Motion:
         return self._values(model.multipliers, (), ()).T if model.multipliers else np.empty((len(self.t), 0))
 
     def state_at(self, instant: int = -1) -> dict[Expr, float]:
-        """Return the coordinates and speeds at the instant of a number: what another simulation can begin with."""
+        """Return the coordinates and speeds at the instant of a number: what another simulation can begin with.
+
+        Args:
+            instant: which one, from 0; negative ones count from the last.
+
+        Raises:
+            ArgumentError: there is no such instant.
+        """
+        count = len(self.t)
+        if not hasattr(instant, "__index__") or not -count <= instant < count:
+            raise ArgumentError(
+                f"motion.state_at: {described(instant)}; expected the number of one of the {count} instants, from 0"
+            )
         return dict(zip(self.model.state, map(float, self.states[instant]), strict=True))
 
     @cached_property

@@ -28,7 +28,7 @@ def instants_of(given: ArrayLike, where: str = "simulate") -> NDArray[np.float64
     """
     try:
         instants = np.array(given, dtype=np.float64)
-    except (TypeError, ValueError):
+    except (TypeError, ValueError, OverflowError):
         instants = np.empty(0)
     is_row = instants.ndim == 1 and len(instants) >= 2
     if not is_row or not np.isfinite(instants).all() or (np.diff(instants) <= 0).any():
@@ -41,20 +41,27 @@ def instants_of(given: ArrayLike, where: str = "simulate") -> NDArray[np.float64
     return np.linspace(instants[0], instants[1], 1001) if len(instants) == 2 else instants
 
 
-def options_of(method: str, rtol: float, atol: float, max_step: float, where: str = "simulate") -> Options:
+def options_of(method: object, rtol: float, atol: float, max_step: float, where: str = "simulate") -> Options:
     """Return how to integrate.
 
     Raises:
         SimulationError: a method that isn't known, or a tolerance or step that is no positive number.
     """
     methods = (*EXPLICIT, *IMPLICIT, *IDA_FORMS)
-    if method not in ("auto", *methods):
+    if not isinstance(method, str) or method not in ("auto", *methods):
         raise SimulationError(f"{where}: method={method!r}; expected auto, {', '.join(methods)}")
     for name, value in {"rtol": rtol, "atol": atol, "max_step": max_step}.items():
-        is_number = isinstance(value, Real) and not isinstance(value, bool)
-        if not is_number or not value > 0 or (value == inf and name != "max_step"):
+        if not _is_positive(value) or (value == inf and name != "max_step"):
             raise SimulationError(f"{where}: {name}={value!r}; expected a positive number")
     return Options("dop853" if method == "auto" else method, rtol, atol, max_step)
+
+
+def _is_positive(value: object) -> bool:
+    """Whether something is a positive number that a double can hold."""
+    try:
+        return not isinstance(value, bool) and isinstance(value, Real) and float(value) > 0
+    except OverflowError:
+        return False
 
 
 def kept_by(constraints: object, where: str = "simulate") -> str | tuple[float, float]:
@@ -67,7 +74,7 @@ def kept_by(constraints: object, where: str = "simulate") -> str | tuple[float, 
         return constraints
     if isinstance(constraints, tuple | list) and len(constraints) == 2:
         omega, zeta = constraints
-        if all(isinstance(value, Real) and 0 < float(value) < inf for value in (omega, zeta)):
+        if all(_is_positive(value) and value < inf for value in (omega, zeta)):
             return float(omega), float(zeta)
         raise SimulationError(
             f"{where}: constraints=({omega!r}, {zeta!r}); expected two positive numbers, omega in rad/s and zeta: "

@@ -3,15 +3,17 @@
 from __future__ import annotations
 
 import warnings
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from typing import NoReturn
 
 import numpy as np
 from numpy.typing import NDArray
 
-from symbody.errors import ArgumentError, ModelNotice
+from symbody.errors import ArgumentError, ModelNotice, ParameterError
 from symbody.multibody import System
-from symbody.symbolic import Expr
+from symbody.symbolic import Expr, ExprLike
 from symbody.symbolic.arguments import described
 from symbody.symbolic.deficiency import noting
 
@@ -23,9 +25,17 @@ from .motion import Motion
 from .motion_of import motion_of
 from .named_constraint import shortened
 from .notices import Finding, deficiency_findings, notices_of_batch
+from .reading import Reading
 from .results import Results, Status
+from .unknown import explain_unknown
 
 Array = NDArray[np.float64]
+
+_READING = Reading(
+    "runs",
+    "runs.motion(0) is the motion of the first case, runs.states has the states of all of them: "
+    "cases x instants x state",
+)
 
 
 @dataclass(frozen=True)
@@ -97,23 +107,66 @@ class Runs:
         """The outputs by name, k cases x N instants."""
         return {name: self.results.outputs[:, i] for i, name in enumerate(self.batch.outputs)}
 
+    def __iter__(self) -> NoReturn:
+        """Raise an error: Python would ask for ``runs[0]``, ``runs[1]`` and so on."""
+        _READING.refuse_iteration()
+
     def __getitem__(self, expression: Expr) -> Array:
-        """Return the values of an expression, k cases x N instants."""
-        for name, output in self.batch.outputs.items():
-            if output == expression:
-                return self.outputs[name]
-        states, values = self.states, np.full((len(self), len(self.t)), np.nan)
+        """Return the values of an expression, k cases x N instants.
+
+        Raises:
+            ArgumentError: it is no expression, or the states that it needs were not kept.
+            SimulationError: an expression of which the model knows nothing.
+            ParameterError: a parameter that stands in none of the equations, and has no value.
+        """
+        asked = _READING.one(expression, self.batch.model.state)
+        values: Array = self._values([asked], f"runs[{shortened(asked)}]")[0]
+        return values
+
+    def evaluate(self, expressions: Sequence[ExprLike]) -> Array:
+        """Return the values of several expressions, as many x k cases x N instants.
+
+        Raises:
+            ArgumentError: no list of expressions, or the states that they need were not kept.
+            SimulationError: an expression of which the model knows nothing.
+            ParameterError: a parameter that stands in none of the equations, and has no value.
+        """
+        return self._values(_READING.several(expressions), "runs.evaluate")
+
+    def _values(self, wanted: Sequence[Expr], place: str) -> Array:
+        """Return the values of expressions; those of outputs are there already."""
+        values = np.full((len(wanted), len(self), len(self.t)), np.nan)
+        outputs = {output: name for name, output in self.batch.outputs.items()}
+        others = [row for row, expression in enumerate(wanted) if expression not in outputs]
+        for row, expression in enumerate(wanted):
+            if expression in outputs:
+                values[row] = self.outputs[outputs[expression]]
+        if others:
+            values[others], findings = self._explained([wanted[row] for row in others])
+            for notice in notices_of_batch(findings, place):
+                warnings.warn(notice, ModelNotice, stacklevel=3)
+        return values
+
+    def _explained(self, wanted: list[Expr]) -> tuple[Array, list[tuple[Finding, ...]]]:
+        """Return the same as `_by_states`; what the model knows nothing of is named."""
+        try:
+            return self._by_states(wanted)
+        except ParameterError:
+            explain_unknown("runs", wanted, self.batch.model, self.cases.parameters)
+            raise
+
+    def _by_states(self, wanted: list[Expr]) -> tuple[Array, list[tuple[Finding, ...]]]:
+        """Return the values of expressions from the states, and what a user should know of each case."""
+        states, values = self.states, np.full((len(wanted), len(self), len(self.t)), np.nan)
         findings: list[tuple[Finding, ...]] = [()] * len(self)
         for case, reached in enumerate(self.results.reached):
             if reached:
                 with noting() as found:
-                    values[case, :reached] = self.batch.values(
-                        [expression], states[case, :reached], self.t[:reached], self._parameters_of(case)
+                    values[:, case, :reached] = self.batch.values(
+                        wanted, states[case, :reached], self.t[:reached], self._parameters_of(case)
                     )
                 findings[case] = deficiency_findings(found, self.batch.model)
-        for notice in notices_of_batch(findings, f"runs[{shortened(expression)}]"):
-            warnings.warn(notice, ModelNotice, stacklevel=2)
-        return values
+        return values, findings
 
     def motion(self, index: int) -> Motion:
         """Return the motion of one case: to plot, to animate, to look at its energy.

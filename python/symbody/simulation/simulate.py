@@ -106,10 +106,10 @@ def simulate(
     check_known_along(plain, asked, watched)
     others = parameters_in([*asked.values(), *(event.expression for event in watched)])
     values = parameter_values((*plain.parameters, *others), parameters)[: len(plain.parameters)]
-    given = {name: float(value) for name, value in (parameters or {}).items()}
+    given = {name: float(value) for name, value in _given(parameters).items()}
     notice_unused(eqs, given, [*dict(plain.inputs).values(), *others], "simulate")
     with preparation_bar(is_shown=progress):
-        state = begin(plain, given, initial or {}, guess or {}, float(instants[0]))
+        state = begin(plain, given, _given(initial), _given(guess), float(instants[0]))
     is_damped = bool(eqs.constraints) and kept not in {"projection", "free"}
     model = modelled(is_stabilized=True) if is_damped else plain
     if is_damped:
@@ -118,6 +118,11 @@ def simulate(
         values = np.concatenate([values, damping])
     course = _Course(model, given, values, instants, options, watched, is_projected=kept == "projection")
     return course.told(course.followed(state, is_shown=progress), asked)
+
+
+def _given(values: Mapping[Expr, float] | None) -> Mapping[Expr, float]:
+    """Return what a user gives, or nothing."""
+    return {} if values is None else values
 
 
 @dataclass(frozen=True, eq=False)
@@ -154,6 +159,8 @@ class _Course:
                     outcome = ida_outcome(self.model, state[:size], *given)
                 else:
                     outcome = run(problem, state, constants, self.instants, self.options, keep_going)
+                if not interruption.is_asked_for:
+                    show(outcome.end[0] - first)
         outcome = replace(outcome, deficiencies=frozenset(found))
         return without_contradictions(outcome, self.model, self.parameters, self.instants)
 

@@ -4,14 +4,44 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 
+from symbody.errors import ParameterError, SimulationError
 from symbody.multibody import System
-from symbody.symbolic import Expr
+from symbody.symbolic import Expr, free_symbols
+from symbody.symbolic.namesake import namesake_note
 
+from .model import Model
 from .named_constraint import listed
 
-__all__ = ["unknown_variables"]
+__all__ = ["explain_unknown", "unknown_variables"]
 
 _LISTED = 8
+
+
+def explain_unknown(place: str, wanted: Sequence[Expr], model: Model, parameters: Iterable[Expr]) -> None:
+    """Raise an error that names what has no value along a motion; do nothing if all has one.
+
+    Args:
+        place: where it was asked for.
+        wanted: the expressions.
+        model: what moves.
+        parameters: the parameters that have values.
+
+    Raises:
+        ParameterError: a parameter without a value.
+        SimulationError: another variable without one.
+    """
+    known = {*model.integrated, *model.accelerations, *model.multipliers, *model.damping, *parameters}
+    strange = [leaf for leaf in free_symbols(wanted) if not free_symbols(model.along_motion([leaf])) <= known]
+    note = namesake_note(strange, known, ("asked for", "of the motion"))
+    symbols = sorted(str(leaf) for leaf in strange if leaf.kind == "symbol")
+    if symbols:
+        function = "simulate_many" if place == "runs" else "simulate"
+        raise ParameterError(
+            f"{place}: {', '.join(symbols)} has no value in this motion; give it with the parameters of "
+            f"{function}{note}"
+        )
+    if strange:
+        raise SimulationError(unknown_variables(place, strange, model.system) + note)
 
 
 def unknown_variables(place: str, unknown: Iterable[Expr], system: System, more: str = "") -> str:

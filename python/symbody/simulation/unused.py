@@ -9,6 +9,7 @@ from difflib import get_close_matches
 from symbody.dynamics import Equations
 from symbody.errors import ModelNotice
 from symbody.symbolic import Expr, free_symbols
+from symbody.symbolic.namesake import namesake_note
 
 __all__ = ["notice_unused"]
 
@@ -29,16 +30,19 @@ def notice_unused(
         stacklevel: how far above the user is.
     """
     known = {*eqs.parameters, *eqs.system.leaves, *free_symbols(list(asked))}
-    unused = sorted(str(name) for name in {*given} - known)
+    strange = {*given} - known
+    unused = sorted(map(str, strange))
     if not unused:
         return
     names = sorted(str(leaf) for leaf in known if leaf.kind == "symbol")
-    near = sorted({match for name in unused for match in get_close_matches(name, names, n=2, cutoff=0.6)})
+    different = namesake_note(strange, known, ("without a use", "of the model"))
+    others = [name for name in unused if name not in names]
+    near = sorted({match for name in others for match in get_close_matches(name, names, n=2, cutoff=0.6)})
     what, stands = ("parameter", "stands") if len(unused) == 1 else ("parameters", "stand")
     meant = f"; did you mean {' or '.join(near)}?" if near else ""
     warnings.warn(
         f"{where}: the {what} {', '.join(unused)} {stands} nowhere in this model, nor in outputs, events and inputs: "
-        f"the value has no effect{meant}",
+        f"the value has no effect{meant}{different}",
         ModelNotice,
         stacklevel=stacklevel,
     )

@@ -5,7 +5,9 @@ from __future__ import annotations
 import re
 import unicodedata
 
-__all__ = ["identifier", "title_identifier"]
+from symbody.errors import ProgramError
+
+__all__ = ["identifier", "program_name", "title_identifier"]
 
 _RATES = ("", "_dot", "_ddot", "_dddot")
 _LETTER = re.compile(r"(?:GREEK|CYRILLIC)(?: SMALL| CAPITAL)?(?: LETTER)? (?P<name>\w+)")
@@ -50,3 +52,20 @@ def title_identifier(title: str, otherwise: str) -> str:
     """
     words = title.replace("'", " ").strip()
     return identifier(words) if any(map(str.isalnum, words)) else otherwise
+
+
+def program_name(name: object, place: str) -> str:
+    """Return what a program is called that a user gives any name.
+
+    Raises:
+        ProgramError: the name is no text, or has no letter and no digit.
+
+    >>> program_name("my crane", "generate")
+    'my_crane'
+    """
+    chosen = title_identifier(name, "") if isinstance(name, str) else ""
+    if not chosen:
+        raise ProgramError(
+            f"{place}, name: {name!r}; expected a text with letters or digits, such as 'my crane'"
+        )
+    return chosen

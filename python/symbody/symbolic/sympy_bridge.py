@@ -139,6 +139,8 @@ def _of_others(item: Any) -> Expr:
 def _sympy() -> Any:
     try:
         import sympy  # noqa: PLC0415 - an extra: only who converts needs it
-    except ImportError as error:
+    except ModuleNotFoundError as error:
+        if error.name != "sympy":  # it is there, and something else is missing
+            raise
         raise ImportError("SymPy isn't installed; pip install 'symbody[sympy]'") from error
     return sympy

@@ -14,13 +14,14 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
+from symbody.errors import ViewError
 from symbody.geometry import Frame, Point
 from symbody.multibody import Body, Load, System
 from symbody.symbolic import Expr
 from symbody.view.motion import Motion
 from symbody.view.scene import scene
 from symbody.view.shape import Shape
-from symbody.view.whole_file import write_whole
+from symbody.view.whole_file import file_of, write_whole
 from symbody.view.wishes import Wishes
 
 MOST = 1500
@@ -49,7 +50,7 @@ def animate(
 
     Args:
         motion: what is shown.
-        path: the file, such as ``"plate.html"``.
+        path: the file, such as ``"plate.html"``; its folder is made if there is none.
         title: the headline; the name of the system by default.
         shapes: what bodies look like: one shape or several for each, in place of its solid and its rods.
         frames: those whose axes are shown.
@@ -62,13 +63,26 @@ def animate(
         follow: a body with which the camera goes, such as a vehicle.
 
     Raises:
-        ViewError: there is nothing to draw, a value isn't finite, or what is asked for is of another kind.
+        ViewError: there is nothing to draw, a value isn't finite, what is asked for is of another kind, or the file's
+            name isn't that of a page.
         PictureError: the file can't be written.
     """
+    file = _page_file(path)
     loads = (motion.system.loads if forces else ()) if isinstance(forces, bool) else forces
     wishes = Wishes(shapes or {}, frames, points, traces, lines, loads, reactions, follow)
     text = page(scene(thinned(motion), wishes, title or motion.system.name or "symbody"))
-    return write_whole(path, lambda file: file.write_text(text, encoding="utf-8", newline="\n"))
+    return write_whole(file, lambda temporary: temporary.write_text(text, encoding="utf-8", newline="\n"))
+
+
+def _page_file(path: str | os.PathLike[str]) -> Path:
+    """Return the file of a page, which browsers know by its ending."""
+    file = file_of(path)
+    if file.suffix.lower() not in {".html", ".htm"}:
+        raise ViewError(
+            f"animate: {file} ends in {file.suffix!r}, and what is written is a page in HTML; expected a name such as "
+            f"{file.stem}.html"
+        )
+    return file
 
 
 def page(content: Mapping[str, object]) -> str:

@@ -51,7 +51,8 @@ def plot(
             Panels of angles, lengths or their rates alone are in SI units unless others are given.
         time: the unit of time; the empty text if there is none.
         title: the headline.
-        path: a file to write as well; its ending says the format, such as ``.png``, ``.svg`` or ``.pdf``.
+        path: a file to write as well; its ending says the format, such as ``.png``, ``.svg`` or ``.pdf``. Its
+            folder is made if there is none.
 
     Raises:
         ViewError: there is nothing to draw, a panel is no expression, or a value isn't finite.

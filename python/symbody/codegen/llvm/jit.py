@@ -14,14 +14,18 @@ from typing import Any
 try:
     import llvmlite
     import llvmlite.binding as llvm
-except ImportError:  # machines without it evaluate the tape
-    llvm = None
+except (
+    Exception
+) as error:  # without it the tape is evaluated; what can't be loaded is an OSError, among others
+    llvm, _failure = None, error
 
 from symbody.codegen.llvm.assembly import Assembly
 from symbody.codegen.llvm.object_cache import cached
+from symbody.errors import CodegenError
+from symbody.symbolic.arguments import brief
 from symbody.symbolic.kernel import kernel_address
 
-__all__ = ["Compiled", "compiled", "is_available", "lanes", "watched"]
+__all__ = ["Compiled", "check_available", "compiled", "is_available", "lanes", "watched"]
 
 _OPTIONS: dict[str, Any] = {"opt": 2, "jit": True, "reloc": "pic", "codemodel": "large"}
 """Numbers are found relative to the code, as in a shared library: absolute addresses take a register each.
@@ -39,6 +43,25 @@ _WATCHER: ContextVar[Callable[[int, int], None]] = ContextVar("watcher", default
 def is_available() -> bool:
     """Return whether this machine compiles."""
     return llvm is not None
+
+
+def check_available() -> None:
+    """See that this machine compiles.
+
+    Raises:
+        CodegenError: llvmlite isn't installed, or can't be loaded.
+    """
+    if llvm is not None:
+        return
+    if isinstance(_failure, ModuleNotFoundError) and _failure.name == "llvmlite":
+        raise CodegenError(
+            "machine code needs the package llvmlite, which is not installed here: pip install llvmlite"
+        )
+    raise CodegenError(
+        f"machine code needs the package llvmlite, which is installed and can't be loaded here "
+        f"({brief(f'{type(_failure).__name__}: {_failure}')}): "
+        "pip install --force-reinstall llvmlite"
+    )
 
 
 @dataclass(frozen=True, eq=False)
@@ -76,7 +99,12 @@ def _machine() -> Any:
 
 @cache
 def lanes() -> int:
-    """Return how many doubles the processor takes at a time."""
+    """Return how many doubles the processor takes at a time.
+
+    Raises:
+        CodegenError: there is no LLVM here.
+    """
+    check_available()
     features = llvm.get_host_cpu_features()
     if features.get("avx512dq"):
         return 8

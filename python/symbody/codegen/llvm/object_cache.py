@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import hashlib
 import os
+import re
 import stat
 import tempfile
 from collections.abc import Callable
@@ -27,7 +28,9 @@ _SHORTEST = 8_000
 """Characters of a module's text that is kept: shorter ones compile in some ms."""
 
 _DIGEST = hashlib.sha256().digest_size
-_SUFFIX = ".o"
+_SUFFIX = ".symbody.o"
+_OWN = re.compile(rf"([0-9a-f]{{{2 * _DIGEST}}}|\.\w{{8}}){re.escape(_SUFFIX)}")
+"""The names of files that are written here, temporary ones too: a user may keep other things in the same folder."""
 
 
 def cached(identity: str, text: str, make: Callable[[], bytes]) -> bytes:
@@ -118,12 +121,13 @@ def _write(place: Path, code: bytes) -> None:
 
 
 def _trim(home: Path) -> None:
-    """Remove the files that were not used for longest, down to three quarters of the bound."""
+    """Remove the files of ours that were not used for longest, down to three quarters of the bound."""
     found = []
-    for file in home.glob(f"*{_SUFFIX}"):
+    for file in home.iterdir():
         with suppress(OSError):
-            state = file.stat()
-            found.append((state.st_mtime_ns, file.name, state.st_size))
+            state = file.lstat()
+            if _OWN.fullmatch(file.name) and _is_own(state, stat.S_ISREG):
+                found.append((state.st_mtime_ns, file.name, state.st_size))
     size = sum(each for _, _, each in found)
     if size <= BOUND:
         return
