@@ -738,7 +738,7 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
     (
         errors.ConstraintError,
         lambda: System([body], coordinates=[x, y], constraints=[x], multipliers=functions_of_time("N T")),
-        "System: 2 multipliers for 1 constraints; give one for each",
+        "System: 2 multipliers for 1 constraint; give one for each",
     ),
     (
         errors.ConstraintError,

@@ -73,7 +73,7 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
     (
         ExpressionError,
         lambda: f.derivative([1, 1], x),
-        "f.derivative: 2 orders for 1 arguments; expected one for each",
+        "f.derivative: 2 orders for 1 argument; expected one for each",
     ),
     # --- numbers ---
     (ArgumentError, lambda: anything.number(1j), f"number: 1j is a complex; {NUMBER}"),

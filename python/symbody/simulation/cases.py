@@ -90,7 +90,9 @@ def column_of(name: Expr, values: ArrayLike, place: str) -> Column:
             return array.astype(np.float64)
     except (ValueError, TypeError, SymbodyError):
         pass
-    raise ArgumentError(f"{place}: {name} is {described(values)}; expected a number, or a row of numbers")
+    raise ArgumentError(
+        f"{place}: the value of {name}: {described(values)}; expected a number, or a row of numbers"
+    )
 
 
 def _variable(name: object, kind: str) -> Expr:

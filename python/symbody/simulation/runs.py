@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from symbody.errors import ArgumentError, ModelNotice
 from symbody.multibody import System
 from symbody.symbolic import Expr
-from symbody.symbolic.arguments import described
+from symbody.symbolic.arguments import counted, described
 from symbody.symbolic.deficiency import noting
 
 from .batch import Batch
@@ -200,7 +200,7 @@ class Runs:
         return [int(case) for case in self.results.missing]
 
     def __repr__(self) -> str:
-        parts = [f"{len(self)} cases", f"{len(self.t)} instants"]
+        parts = [counted(len(self), "case"), counted(len(self.t), "instant")]
         parts += [f"{len(self.failures)} failed"] if self.failures else []
         parts += [f"{len(self.not_run)} not run"] if self.not_run else []
         return f"Runs({', '.join(parts)})"

@@ -12,7 +12,7 @@ from typing import Any, TypeAlias
 from symbody.errors import ArgumentError, ExpressionError
 from symbody.symbolic import _core
 from symbody.symbolic._core import Expr
-from symbody.symbolic.arguments import described, size
+from symbody.symbolic.arguments import counted, described, size
 from symbody.symbolic.name_list import is_list_of_names, names_in
 
 __all__ = [
@@ -157,7 +157,8 @@ class UndefinedFunction:
         checked = [size(n, f"{self.name}.derivative: an order", "derivatives") for n in orders]
         if len(checked) != len(args):
             raise ExpressionError(
-                f"{self.name}.derivative: {len(checked)} orders for {len(args)} arguments; expected one for each"
+                f"{self.name}.derivative: {counted(len(checked), 'order')} for "
+                f"{counted(len(args), 'argument')}; expected one for each"
             )
         return _core.application(self.name, args, checked)
 
