@@ -135,8 +135,8 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
         errors.FrameError,
         lambda: newton_euler(System([Body(natural, m)], coordinates=[x, y], constraints=[x**2 + y**2 - 1])),
         (
-            "newton_euler: TN isn't rigid: the entries of its matrix make no rotation by themselves, only together "
-            "with constraints; use lagrange_equations"
+            "newton_euler: TN isn't rigid: the entries of its matrix make no rotation by themselves; if constraints "
+            "make it one, use lagrange_equations, and correct the matrix if not"
         ),
     ),
     (

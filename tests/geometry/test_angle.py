@@ -8,6 +8,7 @@ from random import Random
 
 import numpy as np
 import pytest
+import sympy
 from numpy.typing import NDArray
 
 from symbody import (
@@ -29,6 +30,7 @@ from symbody import (
     tan,
     translate,
 )
+from symbody.errors import FrameError
 from symbody.symbolic import identity
 from tests.reference import robot as reference
 
@@ -306,3 +308,22 @@ def test_an_axis_that_is_made_a_unit_vector_says_so() -> None:
             "explains; it was divided by its length"
         )
     ]
+
+
+def test_what_is_no_angle_and_no_axis() -> None:
+    wanted = "expected an expression, such as symbols('a'), or a finite number"
+    for mistake, message in (
+        (
+            lambda: rotate("X", sympy.pi / 2),
+            f"rotate: angle = pi/2 is a Mul; {wanted}; from_sympy converts it",
+        ),
+        (lambda: rotate("X", "1/2"), f"rotate: angle = '1/2' is a str; {wanted}"),  # type: ignore[arg-type]
+        (lambda: translate("1", 0, 0), f"translate: x = '1' is a str; {wanted}"),  # type: ignore[arg-type]
+        (
+            lambda: rotate(["0", "0.6", "0.8"], q),  # type: ignore[list-item]
+            "rotate: in axis, '0' is a str; expected 'X', 'Y', 'Z', a unit triple or a Vector",
+        ),
+    ):
+        with pytest.raises(FrameError) as caught:
+            mistake()
+        assert str(caught.value) == message

@@ -12,6 +12,7 @@ from symbody.symbolic.arguments import brief
 
 from .argument import checked
 from .floating import Floating
+from .matrix_of_angles import least_distance
 from .motion import Motion, Rotation, Rows, Substitution, Translation
 from .orientation import (
     ROUGH,
@@ -274,7 +275,9 @@ def _from_matrix(matrix: Matrix) -> Frame:
     e = matrix.entries
     rows, origin = ((e[0], e[1], e[2]), (e[4], e[5], e[6]), (e[8], e[9], e[10])), (e[3], e[7], e[11])
     if not all(entry.is_constant for row in rows for entry in row):
-        return ground.then(Placement(without_rounding(rows), origin))
+        exact = without_rounding(rows)
+        _check_angles(exact)
+        return ground.then(Placement(exact, origin))
     numbers = [[float(entry) for entry in row] for row in rows]
     defect = distance_from_rotation(numbers)
     if defect > ROUGH:
@@ -295,3 +298,12 @@ def _from_matrix(matrix: Matrix) -> Frame:
         "build the frame with translate and rotate",
     )
     return frame
+
+
+def _check_angles(rows: Rows) -> None:
+    distance = least_distance(rows)
+    if distance > ROUGH:
+        raise FrameError(
+            "Frame: the rotation part isn't rigid: at some angles its rows are off a right-handed orthonormal triad by "
+            f"{distance:.3g}; correct its sines and cosines, or build the frame with translate and rotate"
+        )

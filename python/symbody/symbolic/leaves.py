@@ -112,11 +112,14 @@ def _checked(names: list[str]) -> list[str]:
     return names
 
 
-def symbols(names: str | Iterable[str], *, positive: bool = False, real: bool = True) -> Any:
+def symbols(
+    names: str | Iterable[str], *, positive: bool = False, real: bool = True, **unknown: object
+) -> Any:
     """Return the symbols of these names: one alone, a tuple for several or a range, a list for a list of texts.
 
     Names and ranges are written as for SymPy: ``"x y"``, ``"x0:3"`` (x0, x1, x2), ``"a:d"``, ``"x,"`` (a tuple of one).
-    A symbol is real unless ``real=False``; the roots of a ``positive`` one are taken exactly.
+    A symbol is real unless ``real=False``; the roots of a ``positive`` one are taken exactly. There are no other
+    assumptions.
 
     >>> from symbody import sqrt, symbols
     >>> m, g = symbols("m g")
@@ -124,20 +127,33 @@ def symbols(names: str | Iterable[str], *, positive: bool = False, real: bool = 
     >>> sqrt(length**2), symbols("q1:4"), symbols(["k"])
     (length, (q1, q2, q3), [k])
     """
+    for assumption in unknown:
+        negative = "; a negative number is -symbols('a', positive=True)" if assumption == "negative" else ""
+        raise ArgumentError(
+            f"symbols: there is no assumption {assumption}; expected positive=True, or real=False, or none{negative}"
+        )
     for option, value in (("positive", positive), ("real", real)):
         if not isinstance(value, bool):
             raise ArgumentError(f"symbols: {option} is {value!r}; expected True or False")
     return _named(names, lambda name: _core.symbol(name, positive=positive, real=real), "symbols")
 
 
-def functions_of_time(names: str | Iterable[str]) -> Any:
+def functions_of_time(names: str | Iterable[str], **unknown: object) -> Any:
     """Return functions of time of these names, ranges too, as ``symbols`` does; primes denote their derivatives.
+
+    They are real, and have no other assumptions.
 
     >>> from symbody import functions_of_time, time_derivative
     >>> x, y = functions_of_time("x y")
     >>> time_derivative(x * y)
     x*y' + x'*y
     """
+    for assumption, value in unknown.items():
+        if (assumption, value) != ("real", True):
+            raise ArgumentError(
+                f"functions_of_time: there is no assumption {assumption}; functions of time are real, and that is all "
+                "that is known of them: leave it out"
+            )
     return _named(names, _core.time_function, "functions_of_time")
 
 
