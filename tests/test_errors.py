@@ -135,8 +135,8 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
         errors.FrameError,
         lambda: newton_euler(System([Body(natural, m)], coordinates=[x, y], constraints=[x**2 + y**2 - 1])),
         (
-            "newton_euler: TN isn't rigid: the entries of its matrix make no rotation by themselves, only together "
-            "with constraints; use lagrange_equations"
+            "newton_euler: TN isn't rigid: the entries of its matrix make no rotation by themselves; if constraints "
+            "make it one, use lagrange_equations, and correct the matrix if not"
         ),
     ),
     (
@@ -738,7 +738,7 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
     (
         errors.ConstraintError,
         lambda: System([body], coordinates=[x, y], constraints=[x], multipliers=functions_of_time("N T")),
-        "System: 2 multipliers for 1 constraints; give one for each",
+        "System: 2 multipliers for 1 constraint; give one for each",
     ),
     (
         errors.ConstraintError,

@@ -88,9 +88,13 @@ class ModelNotice(UserWarning):
     """Something was left out of a result, on purpose, and the user should know."""
 
 
+_OURS = ("symbody", "functools", "contextlib")
+"""Modules whose lines are no user's: the package, and what calls its properties and context managers."""
+
+
 def notify(message: str) -> None:
     """Warn with a `ModelNotice` at the line outside of symbody that led here."""
     frame, level = inspect.currentframe(), 1
-    while frame is not None and frame.f_globals.get("__name__", "").partition(".")[0] == "symbody":
+    while frame is not None and frame.f_globals.get("__name__", "").partition(".")[0] in _OURS:
         frame, level = frame.f_back, level + 1
     warnings.warn(message, ModelNotice, stacklevel=level)

@@ -76,7 +76,16 @@ def test_who_is_who() -> None:
     assert equations.parameters == (d, g, l, m)
     assert equations.inputs == (F,)
     assert list(equations.kinematics) == list(equations.speeds)
-    assert repr(equations) == "Equations(2 equations of motion, 1 constraints, coordinates x, y)"
+    assert repr(equations) == "Equations(2 equations of motion, 1 constraint, coordinates x, y)"
+
+
+def test_one_of_each_is_no_plural() -> None:
+    x, m = functions_of_time("x"), symbols("m")
+    equations = newton_euler(System([Body(translate(x, 0, 0), m)], coordinates=[x]))
+    assert repr(equations.system) == "System(1 body, 0 loads, 1 coordinate)"
+    assert repr(equations) == "Equations(1 equation of motion, 0 constraints, coordinate x)"
+    meanings = [routine.meaning for routine in equations.program().routines]
+    assert "the equation of motion: zero along a motion" in meanings
     assert "aligned" in equations._repr_latex_()
 
 

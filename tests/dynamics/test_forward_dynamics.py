@@ -278,7 +278,7 @@ MISTAKES = [
     (
         ConstraintError,
         lambda: dependent_speeds(newton_euler(bead()), []),
-        "dependent_speeds: 0 speeds, 1 constraints; expected one speed a constraint",
+        "dependent_speeds: 0 speeds, 1 constraint; expected one speed a constraint",
     ),
     (
         ConstraintError,

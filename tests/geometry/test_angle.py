@@ -4,9 +4,12 @@ from __future__ import annotations
 
 import math
 import warnings
+from random import Random
 
 import numpy as np
 import pytest
+import sympy
+from numpy.typing import NDArray
 
 from symbody import (
     Expr,
@@ -27,6 +30,7 @@ from symbody import (
     tan,
     translate,
 )
+from symbody.errors import FrameError
 from symbody.symbolic import identity
 from tests.reference import robot as reference
 
@@ -152,17 +156,47 @@ def test_what_looks_like_a_mistake_has_one_notice(angle: Expr, message: str, axi
     assert notices[0].filename == __file__
 
 
+@pytest.mark.parametrize("axis", ["Z", (0.6, 0, 0.8)])
+def test_angles_put_in_a_frame_have_the_notice_of_rotate(axis: str) -> None:
+    for given, message in (
+        (
+            90,
+            "90 is more than a full turn; angles are in radians: write math.radians(90) if degrees are meant",
+        ),
+        (1.5708, "1.5708 is within 3.7e-06 of pi/2; write pi/2 with symbody.pi if that is meant"),
+    ):
+        with pytest.warns(ModelNotice) as notices:
+            (rotate(axis, a) * translate(1, 0, 0)).subs({a: given})
+        assert [str(notice.message) for notice in notices] == [f"subs: angle = {message}"]
+        assert notices[0].filename == __file__
+    with pytest.warns(ModelNotice, match="rotate: angle"):
+        noticed = rotate(axis, 90 + a)
+    noticed.subs({q: 1})
+    noticed.subs({a: psi})
+
+
 def test_ordinary_angles_have_no_notice() -> None:
-    """Of the numbers with three decimals, one in a hundred looks like a multiple of pi at most."""
-    noticed = 0
-    for thousandths in range(1, 6284, 7):
+    """Of the numbers with three decimals, one in 180 has the digits of a multiple of pi at most."""
+    noticed = []
+    for thousandths in range(1, 6284):
         with warnings.catch_warnings(record=True) as caught:
             warnings.simplefilter("always")
             rotate("Z", thousandths / 1000)
-        noticed += len(caught)
-    assert noticed <= 9
+        noticed += [thousandths] * len(caught)
+    assert len(noticed) <= 34
     for quiet in (4 * pi, 90 * pi / 180, 0.1, 0.5, 1.5, 3.15, 0.79, 1.6, 6, a, 90 * q, math.radians(720)):
         rotate("Z", quiet)
+
+
+@pytest.mark.parametrize("angle", [3.57, 3.74, 6.01, 1.45, 0.449, 0.725, 2.142])
+def test_a_measured_angle_beside_an_odd_fraction_of_pi_has_no_notice(angle: float) -> None:
+    rotate("X", angle)
+
+
+@pytest.mark.parametrize("angle", [1.57, 3.14, 3.1416, 0.7854, 1.0472, 0.5236, 2.0944, 0.2618, 6.28, -4.712])
+def test_the_digits_of_a_common_angle_have_a_notice(angle: float) -> None:
+    with pytest.warns(ModelNotice, match="write .*pi.* with symbody.pi if that is meant"):
+        rotate("X", angle)
 
 
 def test_a_matrix_that_is_made_orthonormal_says_so() -> None:
@@ -172,11 +206,73 @@ def test_a_matrix_that_is_made_orthonormal_says_so() -> None:
     assert [str(notice.message) for notice in notices] == [
         (
             "Frame: the rotation part is off a right-handed orthonormal triad by 3.64e-09, more than rounding of "
-            "doubles explains; it was replaced by rotations about z, y and x; give all digits, or build the frame with "
-            "translate and rotate"
+            "doubles explains; it was replaced by the nearest rotation, which changes entries by up to 1.74e-09; give "
+            "all digits, or build the frame with translate and rotate"
         )
     ]
     assert frame.matrix[:3, :3] @ frame.matrix[:3, :3].T == identity(3)
+
+
+def _turned(yaw: float, pitch: float, roll: float) -> NDArray[np.float64]:
+    """Return Rz Ry Rx, in numbers."""
+    (a, b), (c, d), (e, f) = ((math.cos(angle), math.sin(angle)) for angle in (yaw, pitch, roll))
+    z = np.array([[a, -b, 0], [b, a, 0], [0, 0, 1]])
+    y = np.array([[c, 0, d], [0, 1, 0], [-d, 0, c]])
+    return z @ y @ np.array([[1, 0, 0], [0, e, -f], [0, f, e]])
+
+
+def _frame_of(rotation: NDArray[np.float64]) -> Frame:
+    matrix = np.eye(4)
+    matrix[:3, :3] = rotation
+    return Frame(matrix.tolist())
+
+
+def _rotation_of(frame: Frame) -> NDArray[np.float64]:
+    return np.array([[float(entry) for entry in row] for row in frame.matrix[:3, :3].tolist()])
+
+
+@pytest.mark.parametrize("side", [1, -1])
+@pytest.mark.parametrize("below", [0, 1e-15, 1e-13, 3e-12, 1e-11, 1e-10, 1e-9, 1e-8, 1e-7, 1e-6, 1e-4])
+def test_a_pitch_near_a_right_angle_keeps_the_matrix(side: int, below: float) -> None:
+    """Yaw and roll are nearly one rotation there, and rounding must not choose both of them."""
+    random = Random(11)
+    for _ in range(20):
+        given = _turned(random.uniform(-3, 3), side * (math.pi / 2 - below), random.uniform(-3, 3))
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            difference = abs(_rotation_of(_frame_of(given)) - given).max()
+        assert difference < (2e-15 if below > 1e-12 else 2e-12), "within 1e-12 it is a right angle"
+
+
+@pytest.mark.parametrize("noise", [1e-7, 1e-8, 1e-10, 3e-12])
+def test_noise_of_a_matrix_does_not_turn_it(noise: float) -> None:
+    """The frame is the nearest rotation, and the notice says how far it is from what was given."""
+    random = np.random.default_rng(3)
+    for pitch in (math.pi / 2, -math.pi / 2, 0.4):
+        for _ in range(20):
+            given = _turned(*random.uniform(-3, 3, 1), pitch, *random.uniform(-3, 3, 1))
+            given += random.uniform(-noise, noise, (3, 3))
+            with pytest.warns(ModelNotice, match="replaced by the nearest rotation") as notices:
+                found = _rotation_of(_frame_of(given))
+            difference = abs(found - given).max()
+            u, _, v = np.linalg.svd(given)
+            assert abs(found - u @ v).max() < 3e-12
+            assert difference < 3 * noise
+            assert f"changes entries by up to {difference:.3g};" in str(notices[0].message)
+
+
+def test_single_precision_at_a_right_angle_is_the_same_orientation() -> None:
+    given = np.array([[2e-8, -0.4794255, 0.8775826], [1e-8, 0.8775826, 0.4794255], [-1, 1e-8, -1e-8]])
+    with pytest.warns(ModelNotice, match="replaced by the nearest rotation"):
+        assert abs(_rotation_of(_frame_of(given)) - given).max() < 1e-7
+
+
+def test_angles_of_a_matrix_are_printed_with_the_digits_they_were_made_of() -> None:
+    given = [
+        [float(e) for e in row]
+        for row in (rotate("Z", 0.3) * rotate("Y", 0.5) * rotate("X", -0.7)).matrix.tolist()
+    ]
+    assert str(Frame(given)) == 'rotate("Z", 0.3) * rotate("Y", 0.5) * rotate("X", -0.7)'
 
 
 def test_matrices_of_doubles_and_exact_ones_say_nothing() -> None:
@@ -212,3 +308,22 @@ def test_an_axis_that_is_made_a_unit_vector_says_so() -> None:
             "explains; it was divided by its length"
         )
     ]
+
+
+def test_what_is_no_angle_and_no_axis() -> None:
+    wanted = "expected an expression, such as symbols('a'), or a finite number"
+    for mistake, message in (
+        (
+            lambda: rotate("X", sympy.pi / 2),
+            f"rotate: angle = pi/2 is a Mul; {wanted}; from_sympy converts it",
+        ),
+        (lambda: rotate("X", "1/2"), f"rotate: angle = '1/2' is a str; {wanted}"),  # type: ignore[arg-type]
+        (lambda: translate("1", 0, 0), f"translate: x = '1' is a str; {wanted}"),  # type: ignore[arg-type]
+        (
+            lambda: rotate(["0", "0.6", "0.8"], q),  # type: ignore[list-item]
+            "rotate: in axis, '0' is a str; expected 'X', 'Y', 'Z', a unit triple or a Vector",
+        ),
+    ):
+        with pytest.raises(FrameError) as caught:
+            mistake()
+        assert str(caught.value) == message

@@ -33,6 +33,7 @@ from symbody import (
     translate,
     velocity,
 )
+from symbody.errors import FrameError
 
 a, b, beta = symbols("a b beta")
 x, y, phi, psi = functions_of_time("x y phi psi")
@@ -146,7 +147,28 @@ def test_a_bare_matrix_is_kept() -> None:
 def test_a_matrix_that_is_a_rotation_is_rigid() -> None:
     c, s = cos(phi), sin(phi)
     assert Frame([[c, -s, 0, x], [s, c, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]).is_rigid
-    assert not Frame([[c, s, 0, x], [s, -c, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]).is_rigid  # left-handed
+    assert not Frame([[x, -y, 0, 0], [y, x, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]).is_rigid
+
+
+@pytest.mark.parametrize(
+    ("block", "distance"),
+    [
+        ([[cos(psi), sin(psi)], [sin(psi), cos(psi)]], ""),
+        ([[cos(psi), sin(psi)], [sin(psi), -cos(psi)]], "by 2;"),
+        ([[cos(psi), -sin(psi)], [sin(psi), 1]], ""),
+        ([[2 * cos(psi), -sin(psi)], [sin(psi), 2 * cos(psi)]], ""),
+    ],
+)
+def test_a_matrix_of_sines_that_is_no_rotation_is_refused(block: list[list[Expr]], distance: str) -> None:
+    """No constraint makes it one: angles are free."""
+    rows = [[*block[0], 0, x], [*block[1], 0, y], [0, 0, 1, 0], [0, 0, 0, 1]]
+    with pytest.raises(FrameError, match=f"at some angles its rows are off a right-handed.*{distance}"):
+        Frame(rows)
+
+
+def test_rounded_numbers_beside_sines_are_no_mistake() -> None:
+    c, s, u, v = cos(psi), sin(psi), cosine(0.3), sine(0.3)
+    Frame([[c, -s * u, s * v, 0], [s, c * u, -c * v, 0], [0, v, u, 0], [0, 0, 0, 1]])
 
 
 def test_the_inverse_of_a_bare_matrix_is_the_transpose() -> None:

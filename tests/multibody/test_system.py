@@ -45,7 +45,7 @@ def test_multipliers_of_the_users_choice() -> None:
 
 def test_a_system_tells_its_size() -> None:
     system = System([Body(translate(x, y, 0), m)], coordinates=[x, y], constraints=[y], name="bead")
-    assert repr(system) == "System(bead, 1 bodies, 0 loads, 2 coordinates, 1 constraints)"
+    assert repr(system) == "System(bead, 1 body, 0 loads, 2 coordinates, 1 constraint)"
 
 
 def test_multipliers_keep_clear_of_names_in_use() -> None:

@@ -527,7 +527,11 @@ def test_lengths_differ() -> None:
             ParameterError,
             r"parameters: m has values of shape \(1, 2\); expected a number",
         ),
-        ({m: "heavy", l: 1, g: 1}, ArgumentError, "parameters: m is 'heavy' is a str; expected a number"),
+        (
+            {m: "heavy", l: 1, g: 1},
+            ArgumentError,
+            "parameters: the value of m: 'heavy' is a str; expected a number",
+        ),
         (
             {"m": 1, l: 1, g: 1},
             ArgumentError,

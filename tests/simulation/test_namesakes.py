@@ -19,6 +19,7 @@ from symbody import (
     coeff,
     collect,
     consistent_state,
+    diff,
     equilibrium,
     from_sympy,
     functions_of_time,
@@ -33,12 +34,14 @@ from symbody import (
     simulate_many,
     sin,
     solve,
+    subs,
     symbols,
     t,
     translate,
 )
 from symbody.codegen import source
 from symbody.errors import (
+    ArgumentError,
     ConstraintError,
     ExpressionError,
     ModelError,
@@ -186,8 +189,12 @@ NOT_REPLACED = (
     ("place", "work"),
     [
         ("subs", lambda: (positive * l).subs({real: 2})),
+        ("subs", lambda: subs(positive * l, {real: 2})),
         ("subs", lambda: Matrix([[positive, l]]).subs({real: 2, l: 1})),
+        ("subs", lambda: translate(positive, 0, 0).subs({real: 2})),
+        ("subs", lambda: rotate("Z", positive * x).subs({real: 2})),
         ("diff", lambda: (positive * l).diff(real)),
+        ("diff", lambda: diff(positive * l, real)),
         ("diff", lambda: Matrix([[positive, l]]).diff(real)),
         ("jacobian", lambda: jacobian([positive * l, l], [l, real])),
         ("gradient", lambda: gradient(positive * l, [l, real])),
@@ -199,6 +206,7 @@ def test_work_in_vain_is_noticed(place: str, work: Callable[[], object]) -> None
     with pytest.warns(ModelNotice) as caught:
         work()
     assert [str(notice.message) for notice in caught] == [f"{place}: {NOT_REPLACED}"]
+    assert caught[0].filename == __file__
 
 
 def test_what_is_meant_is_not_noticed() -> None:
@@ -216,10 +224,11 @@ def test_what_is_meant_is_not_noticed() -> None:
 
 def test_equations_and_constraints_of_another_variable() -> None:
     with (
-        pytest.warns(ModelNotice, match="solve: the m in the expression is"),
+        pytest.warns(ModelNotice, match="solve: the m in the expression is") as caught_notices,
         pytest.raises(ExpressionError, match="no solution: equation 1"),
     ):
         solve(2 * positive - 1, real)
+    assert caught_notices[0].filename == __file__
     with pytest.raises(ConstraintError) as caught:
         System([Body(translate(x, 0, 0), l)], coordinates=[x], constraints=[plain_x**2 - 1])
     assert str(caught.value) == (
@@ -236,3 +245,12 @@ def test_consistent_states_too() -> None:
         ParameterError, match=r"consistent_state, .*: x is not .*; the x expected is functions_of_time"
     ):
         consistent_state(newton_euler(rod), {positive: 1, l: 1}, {plain_x: 1})
+
+
+def test_a_value_that_is_no_number() -> None:
+    for given, found in (("1", "'1' is a str"), (l, "l is an Expr")):
+        with pytest.raises(ArgumentError) as caught:
+            simulate(pendulum(), {**RIGHT, positive: given}, {x: 1}, t=(0, 0.1))
+        assert str(caught.value) == (
+            f"simulate, parameters: the value of m: {found}; expected a number, or a row of numbers"
+        )

@@ -62,7 +62,9 @@ def test_a_name_that_is_nearly_right_is_offered():
 
 @pytest.mark.parametrize("value", [None, "1", 1j])
 def test_what_is_no_number_is_shown(value):
-    with pytest.raises(ArgumentError, match=r"equilibrium, parameters: m is .*; expected a number"):
+    with pytest.raises(
+        ArgumentError, match=r"equilibrium, parameters: the value of m: .*; expected a number"
+    ):
         parameter_values([m], {m: value}, where="equilibrium")
 
 

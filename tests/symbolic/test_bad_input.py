@@ -56,6 +56,27 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
     ),
     (
         ArgumentError,
+        lambda: anything.symbols("n", integer=True),
+        "symbols: there is no assumption integer; expected positive=True, or real=False, or none",
+    ),
+    (
+        ArgumentError,
+        lambda: anything.symbols("n", negative=True),
+        (
+            "symbols: there is no assumption negative; expected positive=True, or real=False, or none; a negative "
+            "number is -symbols('a', positive=True)"
+        ),
+    ),
+    (
+        ArgumentError,
+        lambda: anything.functions_of_time("l", positive=True),
+        (
+            "functions_of_time: there is no assumption positive; functions of time are real, and that is all that is "
+            "known of them: leave it out"
+        ),
+    ),
+    (
+        ArgumentError,
         lambda: anything.symbols(3),
         "symbols: 3 is an int; expected names in a text, such as 'm g l1'",
     ),
@@ -73,7 +94,7 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
     (
         ExpressionError,
         lambda: f.derivative([1, 1], x),
-        "f.derivative: 2 orders for 1 arguments; expected one for each",
+        "f.derivative: 2 orders for 1 argument; expected one for each",
     ),
     # --- numbers ---
     (ArgumentError, lambda: anything.number(1j), f"number: 1j is a complex; {NUMBER}"),

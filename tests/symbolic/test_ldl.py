@@ -115,7 +115,7 @@ MISTAKES = [
     ),
     (
         lambda: ldl_solve(Matrix([[a, b]]), [a]),
-        "ldl_solve: a 1x2 matrix and a right side of 1 rows; expected a square matrix and as many rows",
+        "ldl_solve: a 1x2 matrix and a right side of 1 row; expected a square matrix and as many rows",
     ),
     (
         lambda: ldl_solve(Matrix([[a, 0, 0], [0, b, b], [0, b, b]]), [a, b, c]),

@@ -116,7 +116,7 @@ def test_substitution_reaches_the_system() -> None:
             [[a, b], [c, d]],
             [e],
             (
-                "linear_solve: the matrix is 2x2 and the right side has 1 entries; expected a square matrix and "
+                "linear_solve: the matrix is 2x2 and the right side has 1 entry; expected a square matrix and "
                 "as many entries as it has rows"
             ),
         ),
@@ -124,7 +124,7 @@ def test_substitution_reaches_the_system() -> None:
             [[a, b]],
             [e],
             (
-                "linear_solve: the matrix is 1x2 and the right side has 1 entries; expected a square matrix and "
+                "linear_solve: the matrix is 1x2 and the right side has 1 entry; expected a square matrix and "
                 "as many entries as it has rows"
             ),
         ),

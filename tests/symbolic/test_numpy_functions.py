@@ -16,8 +16,10 @@ from symbody import (
     Max,
     Vector,
     cos,
+    exp,
     functions_of_time,
     ground,
+    lambdify,
     number,
     rotate,
     sin,
@@ -31,7 +33,7 @@ q = functions_of_time("q")
 
 UNARY = [
     "sin", "cos", "tan", "arcsin", "arccos", "arctan", "sinh", "cosh", "tanh", "arcsinh", "arctanh", "exp", "exp2",
-    "expm1", "log", "log2", "log10", "log1p", "sqrt", "cbrt", "square", "reciprocal", "absolute", "fabs", "sign",
+    "expm1", "log", "log2", "log10", "sqrt", "cbrt", "square", "reciprocal", "absolute", "fabs", "sign",
     "negative", "positive", "degrees", "radians", "rad2deg", "deg2rad",
 ]  # fmt: skip
 BINARY = [
@@ -145,15 +147,16 @@ def test_vectors_keep_their_own_operators() -> None:
     "name", ["floor", "ceil", "rint", "isnan", "logical_not", "spacing", "trunc", "conjugate"]
 )
 def test_functions_that_expressions_do_not_have(name: str) -> None:
-    with pytest.raises(
-        ArgumentError, match=rf"np\.{name}: expressions have no such function; expected one of absolute, add"
-    ):
+    with pytest.raises(ArgumentError, match=rf"np\.{name}: expressions have no such function; ") as caught:
         getattr(np, name)(x)
+    assert len(str(caught.value)) < 200
 
 
 def test_functions_that_entries_do_not_have() -> None:
-    with pytest.raises(ArgumentError, match=r"np\.rint: expressions have no such function"):
-        np.rint(np.array([x, y]))
+    for rounding in (np.rint, np.floor, np.ceil, np.trunc):
+        with pytest.raises(ArgumentError, match=rf"np\.{rounding.__name__}: .* it is no continuous function"):
+            rounding(np.array([x, y]))
+    assert list(np.floor(np.array([number(2.5), -sqrt(2)]))) == [2, -2]
     with pytest.raises(ArgumentError, match=r"np\.floor_divide: expressions have no such function"):
         x // np.array([2])  # type: ignore[operator]
 
@@ -175,3 +178,61 @@ ORDERED: list[Callable[[], object]] = [
 def test_order_is_no_property_of_expressions(compare: Callable[[], object]) -> None:
     with pytest.raises(ArgumentError, match=r"expressions have no order; Max\(a, b\) and Min\(a, b\) choose"):
         compare()
+
+
+FAR_AND_NEAR = [
+    -1e150,
+    -1e8,
+    -1000.0,
+    -20.0,
+    -1.0,
+    -1e-3,
+    -1e-9,
+    -1e-17,
+    0.0,
+    1e-300,
+    1e-17,
+    1e-8,
+    0.3,
+    20.0,
+    1e8,
+]
+
+
+@pytest.mark.parametrize("compiled", [False, True])
+@pytest.mark.parametrize(
+    ("name", "relative", "absolute"),
+    [
+        ("sinh", 4e-16, 0),
+        ("cosh", 4e-16, 0),
+        ("tanh", 4e-16, 0),
+        ("expm1", 1e-15, 0),
+        ("arctan", 4e-16, 0),
+        ("cbrt", 1e-13, 0),
+        ("arcsinh", 4e-16, 4e-16),
+        ("arctanh", 4e-16, 4e-16),
+    ],
+)
+def test_accuracy_far_from_zero_and_near_it(
+    name: str, relative: float, absolute: float, compiled: bool
+) -> None:
+    """As docs/notation.md says: logarithms have an absolute error, the others a relative one."""
+    function, points = getattr(np, name), np.array(FAR_AND_NEAR)
+    points = points[abs(points) < 1] if name == "arctanh" else points
+    with np.errstate(over="ignore"):
+        expected, found = function(points), lambdify([x], function(x), compile=compiled)(points)
+    np.testing.assert_allclose(found, expected, rtol=relative, atol=absolute)
+
+
+def test_slopes_far_from_zero() -> None:
+    slope = np.arcsinh(x).diff(x)
+    for at in (-1e8, -3.0, 0.0, 1e-9, 5.0, 1e8):
+        assert slope.evaluate({x: at}) == pytest.approx(1 / np.hypot(1, at), rel=1e-15)
+    assert np.expm1(x) == exp(x) - 1
+
+
+def test_what_is_made_for_digits_that_are_not_there_is_refused() -> None:
+    with pytest.raises(ArgumentError, match=r"np.log1p: .*; write log\(1 \+ x\), whose digits near x = 0"):
+        np.log1p(x)
+    with pytest.raises(ArgumentError, match=r"np.log1p: "):
+        np.log1p(np.array([x, y]))

@@ -62,7 +62,7 @@ def test_numbers_are_those_of_the_whole_system(seed: int) -> None:
             "expected a symmetric A with a row for each column",
         ),
         (Matrix([[a, b], [b, d]]), Matrix([[a]]), [a, b], "A is 2x2, B 1x1, the right side has 2 entries"),
-        (Matrix([[a, b], [b, d]]), Matrix([[a, b]]), [a], "the right side has 1 entries"),
+        (Matrix([[a, b], [b, d]]), Matrix([[a, b]]), [a], "the right side has 1 entry"),
         (Matrix([[0, 0], [0, 0]]), Matrix([[a, b]]), [a, b], "matrix has no pivot"),
     ],
 )

@@ -10,9 +10,10 @@ from typing import Any
 import numpy as np
 import pytest
 import sympy
+from sympy.codegen.cfunctions import expm1, log1p
 from sympy.physics.mechanics import LagrangesMethod, ReferenceFrame, dynamicsymbols
 
-from symbody.errors import ExpressionError
+from symbody.errors import ExpressionError, ModelNotice
 from symbody.symbolic import (
     Expr,
     Matrix,
@@ -318,3 +319,38 @@ def test_structures_there_and_back(seed: int) -> None:
     if not sympy.Matrix(there[A][0]).has(sympy.I, sympy.nan, sympy.zoo):
         for found, expected in zip([*back[0], *back[1]], [*entries, *entries], strict=True):
             assert_same_value(found, expected)
+
+
+def test_texts_as_keys_stay() -> None:
+    assert to_sympy({"mass": a, "list": [x]}) == {"mass": A, "list": [X]}
+    assert from_sympy({"mass": A, "more": {"list": [X]}}) == {"mass": a, "more": {"list": [x]}}
+
+
+def test_symbols_that_are_not_real_are_refused() -> None:
+    imaginary = sympy.Symbol("z", imaginary=True)
+    with pytest.raises(
+        ExpressionError, match=r"from_sympy: z is imaginary; expressions are real: make it with"
+    ):
+        from_sympy(imaginary + 1)
+    assert from_sympy(imaginary + 1, names={"z": a}) == a + 1
+    with pytest.raises(ExpressionError, match=r"from_sympy: z is not real; "):
+        from_sympy(sympy.Symbol("z", real=False))
+
+
+def test_a_negative_symbol_has_a_notice() -> None:
+    negative = sympy.Symbol("n", negative=True)
+    with pytest.warns(ModelNotice, match=r"from_sympy: n is negative, and becomes a real symbol") as notices:
+        assert from_sympy(2 * negative) == 2 * symbols("n")
+    assert notices[0].filename == __file__
+    assert from_sympy(2 * negative, names={"n": -symbols("n", positive=True)}) == -2 * symbols(
+        "n", positive=True
+    )
+
+
+def test_log1p_is_refused() -> None:
+    with pytest.raises(
+        ExpressionError, match=r"log1p has no counterpart here: log1p\(a\); write log\(1 \+ x\)"
+    ):
+        from_sympy(log1p(A))
+    assert from_sympy(expm1(A)).evaluate({a: 1e-17}) == 1e-17
+    assert from_sympy(sympy.asinh(A)).evaluate({a: -1e8}) == pytest.approx(-19.113827924512310, rel=1e-15)

@@ -1,5 +1,6 @@
 """Time derivatives of lists and matrices are those of their entries."""
 
+import numpy as np
 import pytest
 import sympy
 
@@ -22,6 +23,9 @@ def test_entries(n: int) -> None:
     by_sympy = [from_sympy(to_sympy(e).diff(T, n)) for e in (x, a * x * y, a)]
     assert by_sympy == each
     assert time_derivative([], n) == []
+    column = time_derivative(np.array([[x], [a * x * y]]), n)
+    assert column.shape == (2, 1)
+    assert column.tolist() == [[each[0]], [each[1]]]
 
 
 def test_what_is_no_expression() -> None:

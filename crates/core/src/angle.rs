@@ -7,7 +7,7 @@
 
 use crate::field::{Circle, Element, Key, TORSION};
 use crate::graph::Graph;
-use crate::node::{Id, View};
+use crate::node::{Id, NumberId, View};
 use crate::number::Number;
 
 /// Arguments with more monomials than this are taken as one atom.
@@ -70,6 +70,9 @@ impl Graph {
 
     /// The expanded monomials of a node; `None` when there are too many.
     fn monomials(&self, id: Id) -> Option<Monomials> {
+        if self.has_many_monomials(id) {
+            return None;
+        }
         let mut steps = vec![Step::Visit(id)];
         let mut done: Vec<Monomials> = Vec::new();
         while let Some(step) = steps.pop() {
@@ -81,7 +84,7 @@ impl Graph {
                 Step::Atom(value) => done.push(vec![(Number::integer(1), value)]),
                 Step::Add(factors) => {
                     let parts = done.split_off(done.len() - factors.len());
-                    done.push(add_monomials(parts, &factors));
+                    done.push(add_monomials(parts, &factors)?);
                 }
                 Step::Multiply(count) => {
                     let parts = done.split_off(done.len() - count);
@@ -89,7 +92,37 @@ impl Graph {
                 }
             }
         }
-        done.pop().filter(|monomials| monomials.len() <= LONGEST_ARGUMENT)
+        done.pop()
+    }
+
+    /// Whether the terms of nested sums alone are too many: then it would take long to find out by multiplying out.
+    ///
+    /// A product has as many monomials as one of its factors, or more.
+    fn has_many_monomials(&self, id: Id) -> bool {
+        let (mut waiting, mut found) = (vec![id], 0);
+        for _ in 0..8 * LONGEST_ARGUMENT {
+            let Some(id) = waiting.pop() else { break };
+            match self.view(id) {
+                View::Scale(_, child) => waiting.push(child),
+                View::Sum(terms) => waiting.extend(terms.iter().map(|(_, node)| node)),
+                View::Product(factors) => match factors.iter().find(|&factor| self.is_multiplied_out(factor))
+                {
+                    Some((base, _)) => waiting.push(base),
+                    None => found += 1,
+                },
+                _ => found += 1,
+            }
+            if found + waiting.len() > LONGEST_ARGUMENT {
+                return true;
+            }
+        }
+        false
+    }
+
+    /// Whether a factor of a product is opened by [`Self::plan_product`], and may have several monomials.
+    fn is_multiplied_out(&self, (base, exponent): (Id, NumberId)) -> bool {
+        let exponent = self.get_number(exponent).to_i64();
+        matches!(self.view(base), View::Scale(..) | View::Sum(_)) && matches!(exponent, Some(1..=6))
     }
 
     /// The steps that expand one node.
@@ -178,11 +211,15 @@ impl Graph {
     }
 }
 
-fn add_monomials(parts: Vec<Monomials>, factors: &[Number]) -> Monomials {
+/// The terms of a linear combination; `None` when there are too many: nothing that follows makes them fewer.
+fn add_monomials(parts: Vec<Monomials>, factors: &[Number]) -> Option<Monomials> {
+    if parts.iter().map(Vec::len).sum::<usize>() > LONGEST_ARGUMENT {
+        return None;
+    }
     let scaled = |(part, factor): (Monomials, &Number)| {
         part.into_iter().map(|(c, value)| (c.mul(factor), value)).collect::<Vec<_>>()
     };
-    parts.into_iter().zip(factors).flat_map(scaled).collect()
+    Some(parts.into_iter().zip(factors).flat_map(scaled).collect())
 }
 
 fn multiply_monomials(parts: &[Monomials]) -> Option<Monomials> {

@@ -10,6 +10,9 @@ use crate::number::Number;
 /// Longer products stay in their modulus as they are.
 const LONGEST_MODULUS: usize = 48;
 
+/// Parts of an angle that are searched for pi.
+const PI_SEARCH: usize = 64;
+
 impl Graph {
     /// Rules that replace the function by something simpler.
     pub(crate) fn exact_value(&mut self, function: Function, args: &[Id]) -> Result<Option<Id>, Error> {
@@ -200,17 +203,37 @@ impl Graph {
         }
     }
 
-    /// The multiple of pi in a sum and what is left (`None` when nothing is).
+    /// The multiple of pi in an argument, also inside its sums, and what is left (`None` when nothing is).
     fn split_pi(&mut self, argument: Id) -> Option<(Number, Option<Id>)> {
-        let pi = self.pi();
-        match self.view(argument) {
-            View::Pi => Some((Number::integer(1), None)),
-            View::Scale(factor, child) if child == pi => Some((self.get_number(factor).clone(), None)),
+        let mut visits = PI_SEARCH;
+        let (multiple, rest) = self.without_pi(argument, &mut visits)?;
+        (!multiple.is_zero()).then_some((multiple, Some(rest).filter(|&rest| rest != Id::ZERO)))
+    }
+
+    /// The multiple of pi among the terms of a node, and the node without it; `None` where there is none.
+    fn without_pi(&mut self, id: Id, visits: &mut usize) -> Option<(Number, Id)> {
+        if let View::Pi = self.view(id) {
+            return Some((Number::integer(1), Id::ZERO));
+        }
+        *visits = visits.checked_sub(1)?;
+        match self.view(id) {
+            View::Scale(factor, child) => {
+                let (multiple, rest) = self.without_pi(child, visits)?;
+                let multiple = multiple.mul(self.get_number(factor));
+                Some((multiple, self.scale(factor, rest)))
+            }
             View::Sum(terms) => {
-                let (factor, _) = terms.iter().find(|&(_, node)| node == pi)?;
-                let rest: Vec<_> = terms.iter().filter(|&(_, node)| node != pi).collect();
-                let multiple = self.get_number(factor).clone();
-                Some((multiple, Some(self.sum(&rest))))
+                let mut terms: Vec<_> = terms.iter().collect();
+                let mut total = None;
+                for (factor, node) in &mut terms {
+                    if let Some((multiple, rest)) = self.without_pi(*node, visits) {
+                        let multiple = multiple.mul(self.get_number(*factor));
+                        total = Some(total.map_or(multiple.clone(), |sum: Number| sum.add(&multiple)));
+                        *node = rest;
+                    }
+                }
+                let total = total?;
+                Some((total, self.sum(&terms)))
             }
             _ => None,
         }

@@ -200,7 +200,7 @@ where
         }
         let begin = self.before.0;
         let integrals = self.quadrature(begin, t)?;
-        let increase = self.refined(begin, t, integrals, HALVINGS)?;
+        let increase = self.refined(begin, t, &integrals, HALVINGS)?;
         for (i, part) in increase.iter().enumerate() {
             state[controlled + i] = self.before.1[controlled + i] + part;
         }
@@ -208,7 +208,7 @@ where
     }
 
     /// The integrals over a part of the last step, of which one estimate is known, halved until halves agree with wholes.
-    fn refined(&mut self, a: f64, b: f64, whole: Vec<f64>, halvings: u32) -> Result<Vec<f64>, Failure> {
+    fn refined(&mut self, a: f64, b: f64, whole: &[f64], halvings: u32) -> Result<Vec<f64>, Failure> {
         let middle = 0.5 * (a + b);
         let (left, right) = (self.quadrature(a, middle)?, self.quadrature(middle, b)?);
         let Tolerances { relative, absolute, controlled, .. } = self.tolerances;
@@ -219,7 +219,7 @@ where
         let (left, right) = if agree || halvings == 0 {
             (left, right)
         } else {
-            (self.refined(a, middle, left, halvings - 1)?, self.refined(middle, b, right, halvings - 1)?)
+            (self.refined(a, middle, &left, halvings - 1)?, self.refined(middle, b, &right, halvings - 1)?)
         };
         Ok(left.iter().zip(&right).map(|(x, y)| x + y).collect())
     }

@@ -1,7 +1,5 @@
 //! Derivatives and substitution of many expressions at once.
 
-use std::ffi::CString;
-
 use pyo3::prelude::*;
 use pyo3::types::{PyFrozenSet, PyTuple};
 use symbody_core::Id;
@@ -51,15 +49,13 @@ fn substitute<'py>(
     tuple(py, replaced)
 }
 
-/// Warn of variables that occur in none of the expressions, where others of their names do.
+/// Warn of variables that occur in none of the expressions, where others of their names do, at the user's line.
 pub fn notice_namesakes(py: Python<'_>, place: &str, roots: &[Id], sought: &[Id]) -> PyResult<()> {
     let roles = ("in the expression", "given");
     let Some(text) = with_forms(|graph| graph.explain_absent(roots, sought, roles)) else {
         return Ok(());
     };
-    let message = CString::new(format!("{place}: {text}")).unwrap_or_default();
-    let category = py.import("symbody.errors")?.getattr("ModelNotice")?;
-    PyErr::warn(py, &category, &message, 1)
+    py.import("symbody.errors")?.call_method1("notify", (format!("{place}: {text}"),)).map(|_| ())
 }
 
 /// How variables that are needed differ from those of the same names that are given; nothing if none do.

@@ -168,6 +168,18 @@ impl Expr {
         Ok(value)
     }
 
+    fn __floor__<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        self.rounded(py, "floor")
+    }
+
+    fn __ceil__<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        self.rounded(py, "ceil")
+    }
+
+    fn __trunc__<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
+        self.rounded(py, "trunc")
+    }
+
     fn __int__(&self, py: Python<'_>) -> PyResult<BigInt> {
         let number =
             with_forms(|graph| graph.as_number(self.0).filter(|n| n.is_integer()).map(Number::numerator));
@@ -457,6 +469,16 @@ fn rational_hash(number: &Number) -> Option<isize> {
     let magnitude = isize::try_from(u128::from(num.unsigned_abs()) % PRIME * inverse % PRIME).ok()?;
     let hash = if num < 0 { -magnitude } else { magnitude };
     Some(if hash == -1 { -2 } else { hash })
+}
+
+impl Expr {
+    /// A constant by a function of Python's `math` that rounds; nothing else can be rounded.
+    fn rounded<'py>(&self, py: Python<'py>, name: &str) -> PyResult<Bound<'py, PyAny>> {
+        if with_forms(|graph| graph.is_constant(self.0)) {
+            return py.import("math")?.call_method1(name, (self.__float__(py)?,));
+        }
+        py.import("symbody.symbolic.ufunc")?.call_method1("refuse", (name,))
+    }
 }
 
 /// The value of an expression without symbols.

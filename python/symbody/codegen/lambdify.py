@@ -17,7 +17,7 @@ from symbody.codegen.machine_code import MachineCode
 from symbody.codegen.worth import is_worth_compiling
 from symbody.errors import ArgumentError, ExpressionError, ParameterError, SymbodyError
 from symbody.symbolic import Expr, Matrix
-from symbody.symbolic.arguments import brief, described, expression
+from symbody.symbolic.arguments import brief, counted, described, expression
 from symbody.symbolic.deficiency import noting, report
 from symbody.symbolic.encoding import Encoded, decode, encode
 from symbody.symbolic.tape import Tape
@@ -108,7 +108,9 @@ class CompiledFunction:
 
     def _columns(self, values: Sequence[ArrayLike]) -> list[NDArray[np.float64]]:
         if len(values) != len(self.arguments):
-            raise ParameterError(f"the function takes {len(self.arguments)} arguments, found {len(values)}")
+            raise ParameterError(
+                f"the function takes {counted(len(self.arguments), 'argument')}, found {len(values)}"
+            )
         columns: list[NDArray[np.float64]] = []
         for argument, value in zip(self.arguments, values, strict=True):
             array = _real(argument, value)
@@ -117,7 +119,7 @@ class CompiledFunction:
                 continue
             if array.ndim == 0 or array.shape[0] != len(argument):
                 raise ParameterError(
-                    f"the argument {_named(argument)} takes an array of {len(argument)} rows, "
+                    f"the argument {_named(argument)} takes an array of {counted(len(argument), 'row')}, "
                     f"found shape {array.shape}"
                 )
             columns.extend(array)

@@ -12,6 +12,7 @@ from symbody.geometry import Scalar
 from symbody.geometry.argument import checked
 from symbody.multibody import System
 from symbody.symbolic import Expr, Matrix, Program, free_symbols, listing, time_derivative
+from symbody.symbolic.arguments import counted
 
 from .baumgarte import Damping, stabilized
 from .constraint import constraint_jacobian
@@ -142,8 +143,9 @@ class Equations:
 
     def __repr__(self) -> str:
         n, m, names = len(self.residuals), len(self.constraints), ", ".join(map(str, self.system.driving))
-        kind = "speeds and coordinates" if self.system.quasi_velocities else "coordinates"
-        return f"Equations({n} equations of motion, {m} constraints, {kind} {names})"
+        alone = "coordinates" if len(self.system.driving) != 1 else "coordinate"
+        kind = "speeds and coordinates" if self.system.quasi_velocities else alone
+        return f"Equations({counted(n, 'equation')} of motion, {counted(m, 'constraint')}, {kind} {names})"
 
     def description(self) -> str:
         """Return the equations line by line, after what they share: what `show` prints."""

@@ -20,7 +20,7 @@ from symbody.symbolic import (
     saddle_point_solve,
     substitute,
 )
-from symbody.symbolic.arguments import brief
+from symbody.symbolic.arguments import brief, counted
 
 from . import articulated_body
 from .baumgarte import Damping
@@ -226,8 +226,8 @@ def dependent_speeds(eqs: Equations, dependent: Speeds) -> dict[Expr, Expr]:
     columns = [_column(eqs, speed) for speed in dependent]
     if len(set(columns)) != len(eqs.constraints) or len(columns) != len(eqs.constraints):
         raise ConstraintError(
-            f"dependent_speeds: {len(set(columns))} speeds, {len(eqs.constraints)} constraints; expected one speed a "
-            "constraint"
+            f"dependent_speeds: {counted(len(set(columns)), 'speed')}, "
+            f"{counted(len(eqs.constraints), 'constraint')}; expected one speed a constraint"
         )
     with derivation(fresh=True):
         rates = substitute(eqs.system.rate(eqs.constraints), dict.fromkeys(dependent, 0))

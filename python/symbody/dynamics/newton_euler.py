@@ -111,7 +111,7 @@ def _check_rigid(tree: FrameTree) -> None:
         if not frame.is_rigid:
             raise FrameError(
                 f"newton_euler: {brief(frame)} isn't rigid: the entries of its matrix make no rotation by "
-                "themselves, only together with constraints; use lagrange_equations"
+                "themselves; if constraints make it one, use lagrange_equations, and correct the matrix if not"
             )
 
 

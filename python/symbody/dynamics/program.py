@@ -110,13 +110,17 @@ def _equations_of_motion(eqs: Equations) -> list[Routine]:
         ),
         _routine(
             "residuals",
-            f"the {n} equations of motion: zero along a motion",
+            ("the equation" if n == 1 else f"the {n} equations") + " of motion: zero along a motion",
             _vector("residuals", eqs.residuals),
         ),
     ]
     if m:
         routines.append(
-            _routine("constraints", f"the {m} constraints, which are zero", _vector("phi", eqs.constraints))
+            _routine(
+                "constraints",
+                "the constraint, which is zero" if m == 1 else f"the {m} constraints, which are zero",
+                _vector("phi", eqs.constraints),
+            )
         )
         jacobian = _matrix("phi_q", eqs.constraint_jacobian)
         routines.append(

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from math import pi
 
 from symbody.errors import notify
@@ -17,9 +18,23 @@ def angle(value: Scalar, where: str) -> Expr:
     A number that is a multiple of pi but for digits left out, or more than a full turn, has a notice.
     """
     exact = exact_angle(value)
+    _report(value, exact, where)
+    return exact
+
+
+def substituted(old: Expr, substitution: Mapping[Expr, Scalar]) -> Expr:
+    """Return an angle with expressions put in the place of others; report what looks like a mistake in what came in."""
+    value = old.subs(substitution)
+    exact = exact_angle(value)
+    if radians(exact) != radians(old):
+        _report(value, exact, "subs")
+    return exact
+
+
+def _report(value: Scalar, exact: Expr, where: str) -> None:
     number = radians(exact)
     if number.is_zero:
-        return exact
+        return
     shown = f"{where}: angle = {brief(value)}" + ("" if exact.is_number else f" holds {number}, which")
     meant = meant_multiple_of_pi(number)
     if meant is not None:
@@ -30,4 +45,3 @@ def angle(value: Scalar, where: str) -> Expr:
             f"{shown} is more than a full turn; angles are in radians: write math.radians({number}) if degrees are "
             "meant"
         )
-    return exact

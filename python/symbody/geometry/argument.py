@@ -99,7 +99,9 @@ class _Door(NamedTuple):
             return
         found = _stranger(hint, value)
         told = f"{name} = {described(value)}" if found is None else f"in {name}, {described(found.value)}"
-        raise self.error(f"{self.where}: {told}; expected {_wanted(hint)}")
+        of_sympy = type(value if found is None else found.value).__module__.startswith("sympy.")
+        way_out = "; from_sympy converts it" if of_sympy else ""
+        raise self.error(f"{self.where}: {told}; expected {_wanted(hint)}{way_out}")
 
 
 class _Stranger(NamedTuple):
@@ -127,6 +129,8 @@ def accepts(hint: Any, value: object) -> bool:
 def _is_scalar(value: Any) -> bool:
     if isinstance(value, Expr):
         return True
+    if isinstance(value, str):  # `number` reads texts, which may be mistakes elsewhere
+        return False
     try:
         number(value)
     except (TypeError, ValueError):

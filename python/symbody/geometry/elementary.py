@@ -7,7 +7,7 @@ from typing import Annotated, Protocol, TypeAlias, runtime_checkable
 
 from symbody.errors import FrameError
 from symbody.symbolic import Expr, functions_of_time
-from symbody.symbolic.arguments import brief
+from symbody.symbolic.arguments import brief, counted
 
 from .angle import angle as angle_in_radians
 from .argument import checked
@@ -171,7 +171,7 @@ def _axis_components(axis: Sequence[Scalar] | HasComponents) -> Triple:
     components = axis.components if hasattr(axis, "components") else axis
     if len(components) != 3:
         raise FrameError(
-            f"rotate: an axis of {len(components)} components, expected three, or 'X', 'Y' or 'Z'"
+            f"rotate: an axis of {counted(len(components), 'component')}, expected three, or 'X', 'Y' or 'Z'"
         )
     return triple(*components)
 

@@ -12,8 +12,16 @@ from symbody.symbolic.arguments import brief
 
 from .argument import checked
 from .floating import Floating
+from .matrix_of_angles import least_distance
 from .motion import Motion, Rotation, Rows, Substitution, Translation
-from .orientation import ROUGH, distance_from_rotation, report_rounding, turns
+from .orientation import (
+    ROUGH,
+    distance_from_rotation,
+    largest_difference,
+    nearest_rotation,
+    report_rounding,
+    turns,
+)
 from .placement import Placement, is_rotation
 from .rounded_matrix import without_rounding
 from .triple import NULL, Scalar, Triple, triple
@@ -267,7 +275,9 @@ def _from_matrix(matrix: Matrix) -> Frame:
     e = matrix.entries
     rows, origin = ((e[0], e[1], e[2]), (e[4], e[5], e[6]), (e[8], e[9], e[10])), (e[3], e[7], e[11])
     if not all(entry.is_constant for row in rows for entry in row):
-        return ground.then(Placement(without_rounding(rows), origin))
+        exact = without_rounding(rows)
+        _check_angles(exact)
+        return ground.then(Placement(exact, origin))
     numbers = [[float(entry) for entry in row] for row in rows]
     defect = distance_from_rotation(numbers)
     if defect > ROUGH:
@@ -275,13 +285,25 @@ def _from_matrix(matrix: Matrix) -> Frame:
             f"Frame: the rotation part isn't rigid: its rows are off a right-handed orthonormal triad by {defect:.3g}; "
             "give a rotation matrix, or build the frame with translate and rotate"
         )
+    frame = ground.then(Translation(origin))
+    for axis, angle in turns(nearest_rotation(numbers)):
+        frame = frame.then(Rotation(axis, angle))
+    if is_rotation(rows) and frame.pose.rows != rows:
+        return ground.then(Placement(rows, origin))
+    change = largest_difference([[float(entry) for entry in row] for row in frame.pose.rows], numbers)
     report_rounding(
         defect,
         "Frame: the rotation part is off a right-handed orthonormal triad",
-        "it was replaced by rotations about z, y and x; give all digits, or build the frame with translate and rotate",
+        f"it was replaced by the nearest rotation, which changes entries by up to {change:.3g}; give all digits, or "
+        "build the frame with translate and rotate",
     )
-    frame = ground.then(Translation(origin))
-    for axis, angle in turns(numbers):
-        frame = frame.then(Rotation(axis, angle))
-    exact = is_rotation(rows) and frame.pose.rows != rows
-    return ground.then(Placement(rows, origin)) if exact else frame
+    return frame
+
+
+def _check_angles(rows: Rows) -> None:
+    distance = least_distance(rows)
+    if distance > ROUGH:
+        raise FrameError(
+            "Frame: the rotation part isn't rigid: at some angles its rows are off a right-handed orthonormal triad by "
+            f"{distance:.3g}; correct its sines and cosines, or build the frame with translate and rotate"
+        )

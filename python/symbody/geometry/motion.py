@@ -8,8 +8,9 @@ from functools import cached_property
 from hashlib import blake2b
 from typing import ClassVar, final
 
-from symbody.symbolic import Expr, cos, exact_angle, number, rotate3, rotate_back3, scale3, sin
+from symbody.symbolic import Expr, cos, number, rotate3, rotate_back3, scale3, sin
 
+from .angle import substituted
 from .triple import NULL, Rate, Scalar, Triple, is_null, rates
 
 Substitution = Mapping[Expr, Scalar]
@@ -175,7 +176,7 @@ class Rotation(Motion):
         return (Rotation(self.axis, -self.angle),)
 
     def subs(self, substitution: Substitution) -> Motion:
-        return Rotation(self.axis, exact_angle(self.angle.subs(substitution)))
+        return Rotation(self.axis, substituted(self.angle, substitution))
 
     def __repr__(self) -> str:
         return f'rotate("{AXES[self.axis]}", {self.angle})'

@@ -10,12 +10,18 @@ from __future__ import annotations
 from collections.abc import Sequence
 from fractions import Fraction
 from math import atan2, hypot, isclose, sqrt
+from math import cos as cosine_of
+from math import sin as sine_of
+from typing import TypeAlias
 
 from symbody.errors import notify
 from symbody.symbolic import Expr, cos, multiple_of_pi, number, sin
 from symbody.symbolic import sqrt as root
 
 from .triple import Triple
+
+Numbers: TypeAlias = Sequence[Sequence[float]]
+"""A 3x3 matrix of numbers by rows."""
 
 SNAP = 1e-12
 """An angle or a component that was computed this near to a multiple of pi, or a root, is that number."""
@@ -53,20 +59,56 @@ def _computed_angle(value: float) -> Expr:
     if abs(value) <= SNAP:
         return number(0)
     multiple = multiple_of_pi(value, SNAP)
-    return number(value) if multiple is None else multiple
+    return number(_without_last_digits(value)) if multiple is None else multiple
 
 
-def turns(r: Sequence[Sequence[float]]) -> tuple[tuple[int, Expr], ...]:
-    """Return the angles about z, y and x, in this order, whose rotations make a numeric rotation matrix."""
+def _without_last_digits(value: float) -> float:
+    """Return 0.7 for 0.7000000000000002: a decimal of few digits, where a number is that but for rounding."""
+    short = round(value, 12)
+    return short if isclose(short, value, rel_tol=4e-16, abs_tol=0) else value
+
+
+def nearest_rotation(r: Numbers) -> Numbers:
+    """Return the nearest orthonormal matrix to one that is nearly so: the orthogonal factor U of ``R = U H``.
+
+    Newton and Schulz: ``U <- U (3 - U^T U)/2`` squares the distance at each step [Higham, Functions of Matrices, 8.3].
+    """
+    for _ in range(3):
+        gram = _product(_transposed(r), r)
+        r = _product(r, [[(3 * (i == j) - gram[i][j]) / 2 for j in range(3)] for i in range(3)])
+    return r
+
+
+def turns(r: Numbers) -> tuple[tuple[int, Expr], ...]:
+    """Return the angles about z, y and x, in this order, whose rotations make an orthonormal matrix of numbers.
+
+    Near a pitch of a right angle yaw and roll are nearly one rotation, and yaw is what rounding leaves of it. So roll
+    is read from the matrix turned back by that yaw: whatever the one is, the other fits.
+    """
     cosine = hypot(r[0][0], r[1][0])
     pitch = _computed_angle(atan2(-r[2][0], cosine))
     if cosine < SNAP:  # the first and the third axis coincide: leave the third alone
         return (2, _computed_angle(atan2(-r[0][1], r[1][1]))), (1, pitch)
-    yaw, roll = _computed_angle(atan2(r[1][0], r[0][0])), _computed_angle(atan2(r[2][1], r[2][2]))
-    return (2, yaw), (1, pitch), (0, roll)
+    yaw = _computed_angle(atan2(r[1][0], r[0][0]))
+    c, s = cosine_of(float(yaw)), sine_of(float(yaw))
+    second, third = (c * r[1][k] - s * r[0][k] for k in (1, 2))
+    return (2, yaw), (1, pitch), (0, _computed_angle(atan2(-third, second)))
 
 
-def distance_from_rotation(r: Sequence[Sequence[float]]) -> float:
+def largest_difference(a: Numbers, b: Numbers) -> float:
+    """Return the largest difference of two entries at one place."""
+    return max(abs(x - y) for row, other in zip(a, b, strict=True) for x, y in zip(row, other, strict=True))
+
+
+def _transposed(r: Numbers) -> Numbers:
+    return list(zip(*r, strict=True))
+
+
+def _product(a: Numbers, b: Numbers) -> Numbers:
+    return [[sum(a[i][k] * b[k][j] for k in range(3)) for j in range(3)] for i in range(3)]
+
+
+def distance_from_rotation(r: Numbers) -> float:
     """Return the largest entry of ``R R^T - 1``, or 2 for a left-handed triad."""
     defect = max(abs(sum(r[i][k] * r[j][k] for k in range(3)) - (i == j)) for i in range(3) for j in range(3))
     determinant = sum(

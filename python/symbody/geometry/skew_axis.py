@@ -5,8 +5,9 @@ from __future__ import annotations
 from functools import cached_property
 from typing import final
 
-from symbody.symbolic import Expr, add3, cos, cross3, dot3, exact_angle, matvec3, scale3, sin
+from symbody.symbolic import Expr, add3, cos, cross3, dot3, matvec3, scale3, sin
 
+from .angle import substituted
 from .motion import Motion, Rotation, Substitution
 from .triple import Rate, Triple, is_null, rates
 
@@ -57,7 +58,7 @@ class AxisRotation(Motion):
     def subs(self, substitution: Substitution) -> Motion:
         x, y, z = self.axis
         axis = x.subs(substitution), y.subs(substitution), z.subs(substitution)
-        return rotation_about(axis, exact_angle(self.angle.subs(substitution)))
+        return rotation_about(axis, substituted(self.angle, substitution))
 
     def __repr__(self) -> str:
         return f"rotate(({', '.join(map(str, self.axis))}), {self.angle})"

@@ -12,7 +12,7 @@ from symbody.geometry.argument import checked
 from symbody.geometry.coordinates import path
 from symbody.geometry.kinematics import Seen, material_velocity, spin
 from symbody.symbolic import Expr, derivation, dot3, number
-from symbody.symbolic.arguments import brief
+from symbody.symbolic.arguments import brief, counted
 
 from .body import Body
 
@@ -73,8 +73,8 @@ class _Vectorial(Load):
             self.vector = Vector(what, *components)
         else:
             raise LoadError(
-                f"{kind}: {brief(what)} with {len(components)} components, expected a vector alone, or a frame and "
-                "three components"
+                f"{kind}: {brief(what)} with {counted(len(components), 'component')}, expected a vector "
+                "alone, or a frame and three components"
             )
         if on is reaction:
             raise LoadError(

@@ -14,7 +14,7 @@ from symbody.geometry.argument import checked
 from symbody.geometry.floating import Floating, by_speeds, known_rates, rate_by
 from symbody.geometry.triple import Rate, expression
 from symbody.symbolic import Expr, functions_of_time, time_derivative
-from symbody.symbolic.arguments import brief
+from symbody.symbolic.arguments import brief, counted
 
 from .body import Body
 from .coordinate import check_function_of_time
@@ -187,7 +187,8 @@ class System:
         m = len(self.constraints)
         if len(self.multipliers) != m:
             raise ConstraintError(
-                f"System: {len(self.multipliers)} multipliers for {m} constraints; give one for each"
+                f"System: {counted(len(self.multipliers), 'multiplier')} for {counted(m, 'constraint')}; "
+                "give one for each"
             )
         for number, constraint in enumerate(self.constraints, start=1):
             fault = fault_of(constraint, self.coordinates, self.quasi_velocities)
@@ -242,14 +243,14 @@ class System:
 
     def __repr__(self) -> str:
         parts = [
-            f"{len(self.bodies)} bodies",
-            f"{len(self.loads)} loads",
-            f"{len(self.coordinates)} coordinates",
+            counted(len(self.bodies), "body"),
+            counted(len(self.loads), "load"),
+            counted(len(self.coordinates), "coordinate"),
         ]
         if self.quasi_velocities:
-            parts.append(f"{len(self.quasi_velocities)} quasi-velocities")
+            parts.append(counted(len(self.quasi_velocities), "quasi-velocity"))
         if self.constraints:
-            parts.append(f"{len(self.constraints)} constraints")
+            parts.append(counted(len(self.constraints), "constraint"))
         return f"System({', '.join([self.name, *parts] if self.name else parts)})"
 
 

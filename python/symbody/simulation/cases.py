@@ -115,7 +115,9 @@ def column_of(name: Expr, values: ArrayLike, place: str) -> Column:
         raise ParameterError(f"{place}: {name} is beyond the largest double, 1.8e308") from None
     except (ValueError, TypeError, SymbodyError):
         pass
-    raise ArgumentError(f"{place}: {name} is {described(values)}; expected a number, or a row of numbers")
+    raise ArgumentError(
+        f"{place}: the value of {name}: {described(values)}; expected a number, or a row of numbers"
+    )
 
 
 def _variable(name: object, kind: str) -> Expr:

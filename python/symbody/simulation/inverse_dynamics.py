@@ -15,7 +15,7 @@ from symbody.errors import ArgumentError, ModelError, SimulationError
 from symbody.multibody import System
 from symbody.symbolic import Expr, ExprLike, free_symbols
 from symbody.symbolic import t as symbolic_time
-from symbody.symbolic.arguments import described
+from symbody.symbolic.arguments import counted, described
 from symbody.symbolic.namesake import namesake_note
 
 from .driven_motion import followed_motion, prescribed_motion
@@ -72,7 +72,7 @@ class InverseDynamics:
 
     def __repr__(self) -> str:
         names = ", ".join(map(str, self.forces))
-        return f"InverseDynamics of {names}: {len(self.t)} instants from {self.t[0]:g} to {self.t[-1]:g} s"
+        return f"InverseDynamics of {names}: {counted(len(self.t), 'instant')} from {self.t[0]:g} to {self.t[-1]:g} s"
 
     def __len__(self) -> int:
         """Return how many instants there are."""

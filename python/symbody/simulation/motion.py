@@ -14,8 +14,14 @@ from numpy.typing import NDArray
 
 from symbody.errors import ArgumentError, ModelError, SimulationError, SymbodyError
 from symbody.multibody import System
+<<<<<<< HEAD
 from symbody.symbolic import Expr, ExprLike, free_symbols
 from symbody.symbolic.arguments import described
+=======
+from symbody.symbolic import Expr, ExprLike, free_symbols, number
+from symbody.symbolic.arguments import counted
+from symbody.symbolic.namesake import namesake_note
+>>>>>>> first
 
 from .drawing import drawer
 from .event import Occurrence
@@ -72,7 +78,8 @@ class Motion:
 
     def __repr__(self) -> str:
         names = ", ".join(map(str, self.model.coordinates))
-        return f"Motion of {names}: {len(self.t)} instants from {self.t[0]:g} to {self.t[-1]:g} s, {self.message}"
+        instants = f"{counted(len(self.t), 'instant')} from {self.t[0]:g} to {self.t[-1]:g} s"
+        return f"Motion of {names}: {instants}, {self.message}"
 
     def __len__(self) -> int:
         """Return how many instants there are."""

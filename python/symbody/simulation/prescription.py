@@ -13,7 +13,7 @@ from symbody.codegen import CompiledFunction, lambdify
 from symbody.errors import ArgumentError, ModelError, SimulationError
 from symbody.multibody import System
 from symbody.symbolic import Expr, ExprLike, free_symbols, number, t, time_derivative
-from symbody.symbolic.arguments import described
+from symbody.symbolic.arguments import counted, described
 
 from .cases import column_of
 from .values import check_known
@@ -132,12 +132,12 @@ def _spline(name: Expr, column: Array, instants: Array, where: str) -> BSpline:
     if column.shape != instants.shape:
         raise SimulationError(
             f"{where}, motion: {name} has samples of shape {column.shape}; expected one for each of the "
-            f"{len(instants)} instants"
+            f"{counted(len(instants), 'instant')}"
         )
     if len(column) < 6 or not np.isfinite(column).all():
         raise SimulationError(
-            f"{where}, motion: {name} has {len(column)} samples; expected six finite ones at least, for a spline "
-            "whose second rate is smooth"
+            f"{where}, motion: {name} has {counted(len(column), 'sample')}; expected six finite ones at least, "
+            "for a spline whose second rate is smooth"
         )
     from scipy.interpolate import make_interp_spline  # noqa: PLC0415 - slow to load, and few prescribe samples
 

@@ -13,8 +13,13 @@ from numpy.typing import NDArray
 
 from symbody.errors import ArgumentError, ModelNotice, ParameterError
 from symbody.multibody import System
+<<<<<<< HEAD
 from symbody.symbolic import Expr, ExprLike
 from symbody.symbolic.arguments import described
+=======
+from symbody.symbolic import Expr
+from symbody.symbolic.arguments import counted, described
+>>>>>>> first
 from symbody.symbolic.deficiency import noting
 
 from .batch import Batch
@@ -253,7 +258,7 @@ class Runs:
         return [int(case) for case in self.results.missing]
 
     def __repr__(self) -> str:
-        parts = [f"{len(self)} cases", f"{len(self.t)} instants"]
+        parts = [counted(len(self), "case"), counted(len(self.t), "instant")]
         parts += [f"{len(self.failures)} failed"] if self.failures else []
         parts += [f"{len(self.not_run)} not run"] if self.not_run else []
         return f"Runs({', '.join(parts)})"

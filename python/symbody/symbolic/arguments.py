@@ -6,7 +6,7 @@ from symbody.errors import ArgumentError
 from symbody.symbolic import _core
 from symbody.symbolic._core import Expr
 
-__all__ = ["brief", "described", "expression", "size"]
+__all__ = ["brief", "counted", "described", "expression", "size"]
 
 
 _SHOWN = 80
@@ -29,6 +29,17 @@ def described(value: object) -> str:
     shown, kind = brief(repr(value)), type(value).__name__
     article = "an" if kind[0] in "aeiouAEIOU" else "a"
     return shown if value is None else f"{shown} is {article} {kind}"
+
+
+def counted(count: int, noun: str) -> str:
+    """Return how many there are of something.
+
+    >>> counted(1, "body"), counted(0, "body"), counted(2, "load")
+    ('1 body', '0 bodies', '2 loads')
+    """
+    if count == 1:
+        return f"1 {noun}"
+    return f"{count} {noun[:-1]}ies" if noun.endswith("y") else f"{count} {noun}s"
 
 
 def size(value: int, place: str, what: str) -> int:

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 from symbody.errors import ExpressionError
 from symbody.symbolic._core import Expr, number
+from symbody.symbolic.arguments import counted
 from symbody.symbolic.derivation import derivation
 from symbody.symbolic.leaves import ExprLike
 from symbody.symbolic.linear_solve import linear_solve
@@ -56,7 +57,7 @@ def check_saddle_point(
     """
     if A.shape != (B.columns, B.columns) or len(right) != A.rows or len(conditions) != B.rows or A != A.T:
         raise ExpressionError(
-            f"saddle_point_solve: A is {A.rows}x{A.columns}, B {B.rows}x{B.columns}, the right side has {len(right)} "
-            f"entries, and there are {len(conditions)} conditions; expected a symmetric A with a row for each column "
-            "of B and each entry of the right side, and as many conditions as B has rows"
+            f"saddle_point_solve: A is {A.rows}x{A.columns}, B {B.rows}x{B.columns}, the right side has "
+            f"{counted(len(right), 'entry')}, with {counted(len(conditions), 'condition')}; expected a symmetric A "
+            "with a row for each column of B and each entry of the right side, and as many conditions as B has rows"
         )

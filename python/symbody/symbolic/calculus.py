@@ -5,6 +5,9 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import Any, overload
 
+import numpy as np
+from numpy.typing import NDArray
+
 from symbody.symbolic import _core
 from symbody.symbolic._core import Expr
 from symbody.symbolic.arguments import size
@@ -56,11 +59,13 @@ def time_derivative(expression: ExprLike, n: int = 1) -> Expr: ...
 @overload
 def time_derivative(expression: Matrix, n: int = 1) -> Matrix: ...
 @overload
+def time_derivative(expression: NDArray[Any], n: int = 1) -> NDArray[Any]: ...
+@overload
 def time_derivative(expression: list[Any], n: int = 1) -> list[Any]: ...
 @overload
 def time_derivative(expression: tuple[Any, ...], n: int = 1) -> tuple[Any, ...]: ...
 def time_derivative(expression: Any, n: int = 1) -> Any:
-    """Return the n-th total time derivative: x becomes x', x' becomes x''; of a list or a matrix, that of each entry.
+    """Return the n-th total time derivative: x becomes x', x' becomes x''; of lists, arrays and matrices, by entries.
 
     >>> from symbody import functions_of_time, time_derivative
     >>> x, y = functions_of_time("x y")
@@ -72,6 +77,11 @@ def time_derivative(expression: Any, n: int = 1) -> Any:
     if isinstance(expression, list | tuple):
         return type(expression)([time_derivative(each, n) for each in expression])
     times = size(n, "time_derivative: n", "derivatives")
+    if isinstance(expression, np.ndarray) and expression.ndim:
+        made = np.empty(expression.shape, dtype=object)
+        for index, rate in zip(np.ndindex(made.shape), _derived(list(expression.flat), times), strict=True):
+            made[index] = rate
+        return made
     if isinstance(expression, Matrix):
         entries = _derived(expression.entries, times)
         return Matrix.from_entries(expression.rows, expression.columns, entries)

@@ -24,7 +24,7 @@ from symbody.symbolic.functions import (
 )
 from symbody.symbolic.leaves import ExprLike, number, pi
 
-__all__ = ["DERIVED", "heaviside"]
+__all__ = ["DERIVED", "WITHOUT_COUNTERPART", "heaviside"]
 
 
 def heaviside(x: ExprLike, at_zero: ExprLike) -> Expr:
@@ -45,7 +45,9 @@ def _sinc(x: Expr) -> Expr:
 
 
 def _asinh(x: Expr) -> Expr:
-    return log(x + sqrt(x**2 + 1))
+    """Return the logarithm of a sum of positive terms: for negative x the other form, that doesn't cancel."""
+    root = sqrt(x**2 + 1)
+    return Piecewise((log(root + x), x), otherwise=-log(root - x))
 
 
 def _acosh(x: Expr) -> Expr:
@@ -74,12 +76,20 @@ DERIVED: Mapping[str, Callable[[Expr], Expr]] = {
     "acoth": lambda x: _atanh(1 / x),
     "sinc": _sinc,
     "exp2": lambda x: 2**x,
-    "expm1": lambda x: exp(x) - 1,
-    "log1p": lambda x: log(1 + x),
+    "expm1": lambda x: tanh(x / 2) * (exp(x) + 1),
     "log2": lambda x: log(x) / log(2),
     "log10": lambda x: log(x) / log(10),
     "cbrt": lambda x: sign(x) * Abs(x) ** (number(1) / 3),
     "degrees": lambda x: x * 180 / pi,
     "radians": lambda x: x * pi / 180,
 }
-"""Functions of one argument, as SymPy and NumPy call them."""
+"""Functions of one argument, as SymPy and NumPy call them.
+
+``expm1`` keeps its digits near zero. The inverse hyperbolic functions are logarithms, accurate to 1e-16 in all, not in
+parts of what is nearly zero; ``log1p``, whose point are these digits, is none of them.
+"""
+
+WITHOUT_COUNTERPART: Mapping[str, str] = {
+    "log1p": "write log(1 + x), whose digits near x = 0 are those of 1 + x",
+}
+"""Functions of which only the name could be kept, and what to write."""

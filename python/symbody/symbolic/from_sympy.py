@@ -6,10 +6,10 @@ from collections.abc import Iterable, Mapping, Sequence
 from decimal import Decimal
 from typing import Any
 
-from symbody.errors import ExpressionError
+from symbody.errors import ExpressionError, notify
 from symbody.symbolic import _core
 from symbody.symbolic._core import Expr
-from symbody.symbolic.derived_functions import DERIVED, heaviside
+from symbody.symbolic.derived_functions import DERIVED, WITHOUT_COUNTERPART, heaviside
 from symbody.symbolic.leaves import check_name
 from symbody.symbolic.traverse import post_order
 
@@ -24,6 +24,7 @@ _REASONS = {
     ("DiracDelta",): "an impulse has no value; begin a motion with the velocities behind it",
     ("Integral", "Sum", "Product", "Limit"): "let SymPy evaluate it first, by doit(); an integral over time may be a "
     "coordinate, with its integrand as the rate",
+    tuple(WITHOUT_COUNTERPART): "; ".join(WITHOUT_COUNTERPART.values()),
     ("floor", "ceiling", "frac", "Mod"): "it is no continuous function; Piecewise may say what is meant",
     ("MatrixSymbol", "MatrixElement"): "a matrix needs its entries; as_explicit() makes them symbols of their own",
     (
@@ -123,6 +124,7 @@ class FromSympy:
         if s.name == "t":
             return _core.time()
         _checked(s.name)
+        _check_assumptions(s)
         return _core.symbol(s.name, positive=bool(s.is_positive), real=bool(s.is_real) or not s.is_complex)
 
     def _function(self, s: Any) -> Expr:
@@ -174,6 +176,20 @@ class FromSympy:
                 )
             case _:
                 raise no_counterpart(condition)
+
+
+def _check_assumptions(s: Any) -> None:
+    """Refuse a symbol that is not real, and say what is lost of a negative one."""
+    if s.is_real is False:
+        raise ExpressionError(
+            f"from_sympy: {s.name} is {'imaginary' if s.is_imaginary else 'not real'}; expressions are real: make it "
+            f"with real=True, or say what it stands for, as in names={{{s.name!r}: symbols({s.name!r})}}"
+        )
+    if s.is_negative:
+        notify(
+            f"from_sympy: {s.name} is negative, and becomes a real symbol, whose sign is not known; if roots depend on "
+            f"it, say names={{{s.name!r}: -symbols({s.name!r}, positive=True)}}"
+        )
 
 
 def _comparison(operator: str, excess: Expr, yes: Expr, no: Expr) -> Expr:

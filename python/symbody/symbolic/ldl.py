@@ -7,6 +7,7 @@ from typing import final, overload
 
 from symbody.errors import ExpressionError
 from symbody.symbolic._core import Expr, number
+from symbody.symbolic.arguments import counted
 from symbody.symbolic.derivation import derivation
 from symbody.symbolic.leaves import ExprLike
 from symbody.symbolic.matrix import Matrix
@@ -144,8 +145,8 @@ def _check(matrix: Matrix, right: Matrix | Sequence[ExprLike]) -> None:
     count = right.rows if isinstance(right, Matrix) else len(right)
     if rows != columns or count != rows:
         raise ExpressionError(
-            f"ldl_solve: a {rows}x{columns} matrix and a right side of {count} rows; expected a square matrix and as "
-            "many rows"
+            f"ldl_solve: a {rows}x{columns} matrix and a right side of {counted(count, 'row')}; expected a square "
+            "matrix and as many rows"
         )
     for i in range(rows):
         for j in range(i):

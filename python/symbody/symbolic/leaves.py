@@ -12,7 +12,7 @@ from typing import Any, TypeAlias
 from symbody.errors import ArgumentError, ExpressionError
 from symbody.symbolic import _core
 from symbody.symbolic._core import Expr
-from symbody.symbolic.arguments import described, size
+from symbody.symbolic.arguments import counted, described, size
 from symbody.symbolic.name_list import is_list_of_names, names_in
 
 __all__ = [
@@ -112,11 +112,14 @@ def _checked(names: list[str]) -> list[str]:
     return names
 
 
-def symbols(names: str | Iterable[str], *, positive: bool = False, real: bool = True) -> Any:
+def symbols(
+    names: str | Iterable[str], *, positive: bool = False, real: bool = True, **unknown: object
+) -> Any:
     """Return the symbols of these names: one alone, a tuple for several or a range, a list for a list of texts.
 
     Names and ranges are written as for SymPy: ``"x y"``, ``"x0:3"`` (x0, x1, x2), ``"a:d"``, ``"x,"`` (a tuple of one).
-    A symbol is real unless ``real=False``; the roots of a ``positive`` one are taken exactly.
+    A symbol is real unless ``real=False``; the roots of a ``positive`` one are taken exactly. There are no other
+    assumptions.
 
     >>> from symbody import sqrt, symbols
     >>> m, g = symbols("m g")
@@ -124,20 +127,33 @@ def symbols(names: str | Iterable[str], *, positive: bool = False, real: bool = 
     >>> sqrt(length**2), symbols("q1:4"), symbols(["k"])
     (length, (q1, q2, q3), [k])
     """
+    for assumption in unknown:
+        negative = "; a negative number is -symbols('a', positive=True)" if assumption == "negative" else ""
+        raise ArgumentError(
+            f"symbols: there is no assumption {assumption}; expected positive=True, or real=False, or none{negative}"
+        )
     for option, value in (("positive", positive), ("real", real)):
         if not isinstance(value, bool):
             raise ArgumentError(f"symbols: {option} is {value!r}; expected True or False")
     return _named(names, lambda name: _core.symbol(name, positive=positive, real=real), "symbols")
 
 
-def functions_of_time(names: str | Iterable[str]) -> Any:
+def functions_of_time(names: str | Iterable[str], **unknown: object) -> Any:
     """Return functions of time of these names, ranges too, as ``symbols`` does; primes denote their derivatives.
+
+    They are real, and have no other assumptions.
 
     >>> from symbody import functions_of_time, time_derivative
     >>> x, y = functions_of_time("x y")
     >>> time_derivative(x * y)
     x*y' + x'*y
     """
+    for assumption, value in unknown.items():
+        if (assumption, value) != ("real", True):
+            raise ArgumentError(
+                f"functions_of_time: there is no assumption {assumption}; functions of time are real, and that is all "
+                "that is known of them: leave it out"
+            )
     return _named(names, _core.time_function, "functions_of_time")
 
 
@@ -157,7 +173,8 @@ class UndefinedFunction:
         checked = [size(n, f"{self.name}.derivative: an order", "derivatives") for n in orders]
         if len(checked) != len(args):
             raise ExpressionError(
-                f"{self.name}.derivative: {len(checked)} orders for {len(args)} arguments; expected one for each"
+                f"{self.name}.derivative: {counted(len(checked), 'order')} for "
+                f"{counted(len(args), 'argument')}; expected one for each"
             )
         return _core.application(self.name, args, checked)
 

@@ -7,6 +7,7 @@ from math import isqrt
 from symbody.errors import ExpressionError
 from symbody.symbolic import _core
 from symbody.symbolic._core import Expr
+from symbody.symbolic.arguments import counted
 
 __all__ = ["linear_solution"]
 
@@ -19,7 +20,7 @@ def linear_solution(index: Expr, *entries: Expr) -> Expr:
     n = (isqrt(4 * len(entries) + 1) - 1) // 2
     if n * n + n != len(entries) or not index.is_number or index not in range(n):
         raise ExpressionError(
-            f"linear_solution({index}, ...) with {len(entries)} entries: expected a component's number from 0, then "
-            "the n*n entries of a matrix and the n entries of a right side"
+            f"linear_solution({index}, ...) with {counted(len(entries), 'entry')}: expected a component's number "
+            "from 0, then the n*n entries of a matrix and the n entries of a right side"
         )
     return _core.linear_solve(entries[: n * n], entries[n * n :])[int(index.ratio[0])]

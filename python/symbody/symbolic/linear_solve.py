@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from symbody.errors import ExpressionError
 from symbody.symbolic import _core
 from symbody.symbolic._core import Expr
+from symbody.symbolic.arguments import counted
 from symbody.symbolic.leaves import ExprLike
 from symbody.symbolic.matrix import Matrix
 
@@ -41,7 +42,7 @@ def linear_solve(
     square = matrix if isinstance(matrix, Matrix) else Matrix(matrix)
     if square.rows != square.columns or square.rows != len(right):
         raise ExpressionError(
-            f"linear_solve: the matrix is {square.rows}x{square.columns} and the right side has {len(right)} entries; "
-            "expected a square matrix and as many entries as it has rows"
+            f"linear_solve: the matrix is {square.rows}x{square.columns} and the right side has "
+            f"{counted(len(right), 'entry')}; expected a square matrix and as many entries as it has rows"
         )
     return _core.linear_solve(square.entries, list(right))

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from symbody.errors import ArgumentError, ExpressionError
 from symbody.symbolic import _core
 from symbody.symbolic._core import Expr
-from symbody.symbolic.arguments import described, size
+from symbody.symbolic.arguments import counted, described, size
 from symbody.symbolic.encoding import Encoded, decode, encode
 from symbody.symbolic.hint import no_attribute
 from symbody.symbolic.leaves import ExprLike
@@ -40,7 +40,7 @@ class Matrix:
         for i, row in enumerate(listed):
             if len(row) != width:
                 raise ExpressionError(
-                    f"row {i + 1} of the matrix has {len(row)} entries, the first has {width}; "
+                    f"row {i + 1} of the matrix has {counted(len(row), 'entry')}, the first has {width}; "
                     "all rows need the same number"
                 )
         _fill(self, len(listed), width, _numbers([entry for row in listed for entry in row], width))
@@ -158,7 +158,7 @@ class Matrix:
         if self.columns != other.rows:
             raise ExpressionError(
                 f"product of a {self.rows}x{self.columns} and a {other.rows}x{other.columns} matrix: "
-                f"the first has {self.columns} columns, the second {other.rows} rows"
+                f"the first has {counted(self.columns, 'column')}, the second {counted(other.rows, 'row')}"
             )
         entries = _core.matrix_product(self.rows, self.columns, other.columns, self.entries, other.entries)
         return Matrix.from_entries(self.rows, other.columns, entries)

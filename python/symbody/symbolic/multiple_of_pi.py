@@ -8,14 +8,16 @@ digits, such as 1.5708, stay what they are: `meant_multiple_of_pi` finds what th
 
 from __future__ import annotations
 
+from math import pi as PI
+
 from symbody.symbolic import _core
 from symbody.symbolic._core import Expr
 from symbody.symbolic.leaves import ExprLike, pi
 
 __all__ = ["exact_angle", "meant_multiple_of_pi", "multiple_of_pi", "radians"]
 
-#: The largest denominator that a decimal with few digits may mean: 7.5 degrees.
-_LARGEST_DENOMINATOR = 24
+#: The denominators of the multiples that people round: those of 15, 18 and 22.5 degrees.
+_DENOMINATORS = (1, 2, 3, 4, 5, 6, 8, 10, 12)
 
 #: Fractions of pi with the denominator n are meant within this part of 1/n^2: 0.785 is, 0.79 isn't.
 _NARROW = 0.01
@@ -49,21 +51,24 @@ def multiple_of_pi(angle: float, tolerance: float) -> Expr | None:
 def meant_multiple_of_pi(angle: Expr) -> Expr | None:
     """Return the multiple of pi that a decimal of few digits, or of single precision, probably means.
 
+    Its digits must be those of the multiple, rounded or cut: 0.785 is pi/4, and 3.57, beside 25*pi/22, is an angle
+    that somebody measured.
+
     >>> from symbody import number
-    >>> [meant_multiple_of_pi(number(angle)) for angle in (1.5708, 3.14, 0.785, 0.79)]
-    [pi/2, pi, pi/4, None]
+    >>> [meant_multiple_of_pi(number(angle)) for angle in (1.5708, 3.14, 0.785, 0.79, 3.57)]
+    [pi/2, pi, pi/4, None, None]
     """
     value = float(angle)
     if not angle.is_decimal or value == 0:
         return None
     unit = _last_decimal(angle)
-    found = _core.multiple_of_pi(value, max(unit, _HALF_OF_THE_DIGITS * abs(value)))
-    if found is None or found[1] > _LARGEST_DENOMINATOR:
-        return None
-    multiple = pi * found[0] / found[1]
-    excess = abs(value) - abs(float(multiple))
-    is_rounded = abs(excess) <= _HALF_OF_THE_DIGITS * abs(value) or -unit < excess <= unit / 2
-    return multiple if is_rounded and abs(excess) <= _NARROW / found[1] ** 2 else None
+    for n in _DENOMINATORS:
+        k = round(value * n / PI)
+        excess = abs(value) - abs(k) * PI / n
+        is_rounded = abs(excess) <= _HALF_OF_THE_DIGITS * abs(value) or -unit < excess <= unit / 2
+        if k != 0 and is_rounded and abs(excess) <= _NARROW / n**2:
+            return pi * k / n
+    return None
 
 
 def _last_decimal(angle: Expr) -> float:

@@ -69,7 +69,10 @@ def from_sympy(expression: Any, names: Mapping[str, Expr] | None = None) -> Any:
 def _structured(item: Any, convert: Callable[[Any], Any]) -> Any:
     """Return what is made of each item, in the lists, tuples, dictionaries and arrays in which they stand."""
     if isinstance(item, Mapping):
-        return {_structured(key, convert): _structured(value, convert) for key, value in item.items()}
+        return {
+            key if isinstance(key, str) else _structured(key, convert): _structured(value, convert)
+            for key, value in item.items()
+        }
     if isinstance(item, list | tuple | set | frozenset):
         return type(item)([_structured(each, convert) for each in item])
     if isinstance(item, np.ndarray) and item.ndim:

@@ -15,13 +15,13 @@ import numpy as np
 from symbody.errors import ArgumentError
 from symbody.symbolic import functions
 from symbody.symbolic._core import Expr
-from symbody.symbolic.derived_functions import DERIVED, heaviside
+from symbody.symbolic.derived_functions import DERIVED, WITHOUT_COUNTERPART, heaviside
 from symbody.symbolic.functions import Abs, Max, Min, atan2, sqrt
 from symbody.symbolic.hint import no_attribute
 from symbody.symbolic.leaves import ExprLike, number
 from symbody.symbolic.matrix import Matrix
 
-__all__ = ["array_ufunc", "attribute"]
+__all__ = ["array_ufunc", "attribute", "refuse"]
 
 _OPERATORS = frozenset(
     {
@@ -43,12 +43,18 @@ _OPERATORS = frozenset(
 
 _NAMES = {
     **{name: name for name in ("sin", "cos", "tan", "sinh", "cosh", "tanh", "exp", "log", "sqrt", "sign")},
-    **{name: name for name in ("exp2", "expm1", "log1p", "log2", "log10", "cbrt", "degrees", "radians")},
+    **{name: name for name in ("exp2", "expm1", "log2", "log10", "cbrt", "degrees", "radians")},
     **{f"arc{name}": f"a{name}" for name in ("sin", "cos", "tan", "sinh", "cosh", "tanh")},
     "rad2deg": "degrees",
     "deg2rad": "radians",
 }
 """NumPy's functions of one argument, and what they are called here."""
+
+
+_STEPS = frozenset(
+    {"floor", "ceil", "trunc", "rint", "round", "fix", "floor_divide", "fmod", "mod", "remainder"}
+)
+"""What rounds."""
 
 
 def _hypot(x: Expr, y: Expr) -> Expr:
@@ -108,7 +114,7 @@ def attribute(expression: Expr, name: str) -> Callable[..., Expr]:
     if name in _FUNCTIONS:
         return partial(_FUNCTIONS[name], expression)
     if isinstance(getattr(np, name, None), np.ufunc) and name not in _OPERATORS:
-        return partial(_refuse, name)
+        return partial(refuse, name)
     raise no_attribute("Expr", name)
 
 
@@ -121,13 +127,16 @@ def _of_numbers(function: Callable[..., Expr]) -> Callable[..., Expr]:
     return lambda *entries: function(*(number(entry) for entry in entries))
 
 
-def _refuse(name: str, *_: object) -> Expr:
+def refuse(name: str, *_: object) -> Expr:
+    """Raise the error for a function of NumPy's that expressions don't have."""
     raise _unknown(name)
 
 
 def _unknown(name: str) -> ArgumentError:
-    supported = ", ".join(sorted({*_FUNCTIONS, *_OPERATORS}))
+    way_out = WITHOUT_COUNTERPART.get(name, "docs/notation.md lists those that they have")
+    if name in _STEPS:
+        way_out = "it is no continuous function; Piecewise may say what is meant"
     return ArgumentError(
-        f"np.{name}: expressions have no such function; expected one of {supported}. "
-        "lambdify makes functions of numbers, to which all of NumPy applies"
+        f"np.{name}: expressions have no such function; {way_out}. lambdify makes functions of numbers, to which all "
+        "of NumPy applies"
     )
