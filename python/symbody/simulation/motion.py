@@ -14,14 +14,8 @@ from numpy.typing import NDArray
 
 from symbody.errors import ArgumentError, ModelError, SimulationError, SymbodyError
 from symbody.multibody import System
-<<<<<<< HEAD
 from symbody.symbolic import Expr, ExprLike, free_symbols
-from symbody.symbolic.arguments import described
-=======
-from symbody.symbolic import Expr, ExprLike, free_symbols, number
-from symbody.symbolic.arguments import counted
-from symbody.symbolic.namesake import namesake_note
->>>>>>> first
+from symbody.symbolic.arguments import counted, described
 
 from .drawing import drawer
 from .event import Occurrence

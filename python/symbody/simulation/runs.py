@@ -13,13 +13,8 @@ from numpy.typing import NDArray
 
 from symbody.errors import ArgumentError, ModelNotice, ParameterError
 from symbody.multibody import System
-<<<<<<< HEAD
 from symbody.symbolic import Expr, ExprLike
-from symbody.symbolic.arguments import described
-=======
-from symbody.symbolic import Expr
 from symbody.symbolic.arguments import counted, described
->>>>>>> first
 from symbody.symbolic.deficiency import noting
 
 from .batch import Batch
