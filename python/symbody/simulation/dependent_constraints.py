@@ -8,13 +8,14 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from symbody.dynamics import Equations
 from symbody.symbolic import Expr, Matrix, pi, substitute
 
 from .model import Model
 from .named_constraint import listed, named_constraints
 from .vanishing_combinations import vanishing_combinations
 
-__all__ = ["DependentConstraints", "dependent_constraints", "described_dependence"]
+__all__ = ["DependentConstraints", "dependent_constraints", "described_dependence", "nearby"]
 
 Array = NDArray[np.float64]
 
@@ -76,7 +77,7 @@ def scaled_jacobian(model: Model, parameters: Array, t: float, state: ArrayLike)
     expressions = [*model.equations.mass_matrix.entries, *model.equations.constraint_jacobian.entries]
     here = np.asarray(state, float)[: len(model.state)]
     states = np.repeat(here[:, None], 1 + PLACES, axis=1)
-    states[:q, 1:] += _shifts(model, here[:q])
+    states[:q, 1:] += nearby(model.equations, here[:q])
     with np.errstate(all="ignore"):
         numbers = np.asarray(model.function(expressions, names)(t, *states, *parameters[: len(names)]))
     M, J = numbers[: n * n, 0].reshape(n, n), np.moveaxis(numbers[n * n :].reshape(m, n, -1), 2, 0)
@@ -89,9 +90,9 @@ def scaled_jacobian(model: Model, parameters: Array, t: float, state: ArrayLike)
     return scaled
 
 
-def _shifts(model: Model, coordinates: Array) -> Array:
-    """Return ways to places nearby: about a radian for angles, and half of the coordinates for lengths."""
-    are_angles = np.array([_is_angle(model, q) for q in model.coordinates])
+def nearby(eqs: Equations, coordinates: Array) -> Array:
+    """Return ways to places nearby, a column each: about a radian for angles, half of the coordinates for lengths."""
+    are_angles = np.array([_is_angle(eqs, q) for q in eqs.coordinates])
     sizes = np.abs(coordinates)
     lengths = np.maximum(sizes, 0.1 * sizes[~are_angles].max(initial=0.0)) / 2
     draw = np.random.Generator(np.random.PCG64(1)).uniform(-1, 1, (len(coordinates), PLACES))
@@ -99,10 +100,10 @@ def _shifts(model: Model, coordinates: Array) -> Array:
     return shifts
 
 
-def _is_angle(model: Model, coordinate: Expr) -> bool:
+def _is_angle(eqs: Equations, coordinate: Expr) -> bool:
     """Whether two turns of a coordinate change no constraint."""
     turned = {coordinate: coordinate + 4 * pi}
-    holding = [phi for phi in model.constraints if coordinate in phi.free_symbols]
+    holding = [phi for phi in eqs.constraints if coordinate in phi.free_symbols]
     return bool(holding) and substitute(holding, turned) == tuple(holding)
 
 

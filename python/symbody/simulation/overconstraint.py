@@ -17,7 +17,8 @@ from symbody.symbolic import Expr, Matrix, number, t
 
 from .least_norm import least_norm
 from .model import Model
-from .redundant_constraints import redundancy, scaled
+from .redundant_constraints import redundancy
+from .walk import scaled
 
 __all__ = ["check_rank"]
 

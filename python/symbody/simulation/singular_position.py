@@ -1,0 +1,73 @@
+"""Whether a mechanism is at a singular position: its constraints depend on each other there, and beside it they don't.
+
+Mechanisms that move by their special dimensions have constraints that depend on each other at all their positions; none
+of these is singular. So the rank at a position is compared with that at others which the mechanism reaches from it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from symbody.symbolic import Expr
+
+from .kinematics import Kinematics
+from .vanishing_combinations import vanishing_combinations
+from .walk import walk
+
+__all__ = ["SINGULAR", "dependent_rows", "equilibrated", "is_singular"]
+
+Array = NDArray[np.float64]
+
+SINGULAR = 1e-6
+"""The part of the largest singular value below which one counts as zero: positions are right to no more digits."""
+STEPS = 4
+"""Positions that are looked at in either direction, the first one included."""
+
+
+def equilibrated(matrices: Array) -> Array:
+    """Return matrices of one thing at several places, whose rows and columns have the length 1 where they are longest.
+
+    So it doesn't matter in which units rows and columns are, and those that vanish at one place are small there.
+    """
+    rows = np.linalg.norm(matrices, axis=2).max(axis=0)
+    by_row = matrices / np.where(rows > 0, rows, 1.0)[:, None]
+    columns = np.abs(by_row).max(axis=(0, 1))
+    scaled: Array = by_row / np.where(columns > 0, columns, 1.0)
+    return scaled
+
+
+def dependent_rows(matrices: Array) -> list[Array]:
+    """Return the combinations of rows of the first matrix that vanish, in the scale of all.
+
+    >>> matrices = np.array([[[1.0, 0], [2, 0], [0, 0]], [[1.0, 1], [0, 1], [0, 1]]])
+    >>> [np.flatnonzero(combination).tolist() for combination in dependent_rows(matrices)]
+    [[2], [0, 1]]
+    """
+    lengths = np.linalg.norm(matrices, axis=2).max(axis=0)
+    here = equilibrated(matrices)[0]
+    near = SINGULAR / max(float(np.linalg.norm(here, 2)), SINGULAR)
+    return [y / np.where(lengths > 0, lengths, 1.0) for y in vanishing_combinations(here, near)]
+
+
+def is_singular(kinematics: Kinematics, p: Array, t: float, q: Array, held: Sequence[Expr] = ()) -> bool:
+    """Whether constraints depend on each other at a position, and less so at others that the mechanism reaches.
+
+    A position is singular as well where it depends on nothing else: where nothing can move to another one, although the
+    constraints let speeds be other than zero.
+
+    Args:
+        kinematics: the constraints.
+        p: the values of their parameters.
+        t: the time, in s.
+        q: the coordinates.
+        held: coordinates that stay where they are.
+    """
+    found = np.array(list(walk(kinematics, p, t, q, STEPS, held)))
+    if not found.size:
+        return False
+    ranks = np.sum(np.linalg.svd(equilibrated(found), compute_uv=False) > SINGULAR, axis=1)
+    is_elsewhere = np.array([not np.array_equal(J, found[0]) for J in found])
+    return bool(ranks[0] < ranks.max()) if is_elsewhere.any() else bool(ranks[0] < min(found[0].shape))
