@@ -28,9 +28,9 @@ from symbody import (
     translate,
 )
 from symbody.errors import ModelNotice
-from symbody.simulation.integrator import Options, Problem, run
+from symbody.simulation.integrator import Options, Outcome, Problem, Statistics, run, trail_of
 from symbody.simulation.model import model_of
-from symbody.simulation.notices import Finding, notices_of_batch
+from symbody.simulation.notices import Finding, Integrated, findings_of, notices_of_batch, notices_of_motion
 from symbody.symbolic.deficiency import noting
 
 x, y = functions_of_time("x y")
@@ -166,3 +166,42 @@ def test_the_worst_of_many_cases_is_named() -> None:
     assert notices_of_batch(findings, "simulate_many") == [
         f"simulate_many: in 3 of 4 cases, first case 1, worst case 2: {STIFF}"
     ]
+
+
+@pytest.mark.parametrize(
+    ("method", "constraints", "way"),
+    [
+        (
+            "dop853",
+            "projection",
+            "use smaller tolerances or a smaller max_step, or begin at another position, and look",
+        ),
+        (
+            "bdf",
+            "projection",
+            "use smaller tolerances, or method='dop853' with constraints='projection', and look",
+        ),
+        (
+            "dop853",
+            "free",
+            "use smaller tolerances, or method='dop853' with constraints='projection', and look",
+        ),
+    ],
+)
+def test_advice_is_not_what_is_done_already(method: str, constraints: str, way: str) -> None:
+    circle = newton_euler(System([Body(translate(x, y, 0), m)], [], [x, y], [x**2 + y**2 - 1]))
+    model = model_of(circle)
+    trail = np.zeros((trail_of(model, method, is_projected=constraints == "projection") and 2, 5))
+    trail[:, 0], trail[:, 1] = range(len(trail)), 1.0
+    state = np.array([[1.0, 0.0, 0.0, 1.0]])
+    outcome = Outcome(
+        state,
+        [],
+        (0.0, state[0].tolist()),
+        None,
+        Statistics(1, 0, 1, 0, is_stiff=False),
+        imbalance=(0.5, 0.1),
+        trail=trail,
+    )
+    (notice,) = notices_of_motion(findings_of(Integrated(model, {m: 1.0}, Options(method), outcome, 0.0)))
+    assert way in notice

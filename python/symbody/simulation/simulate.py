@@ -169,7 +169,8 @@ class _Course:
     def told(self, outcome: Outcome, asked: Mapping[str, Expr]) -> Motion:
         """Return the motion; raise an error that holds it if it failed."""
         failure = outcome.failure
-        findings = findings_of(Integrated(self.model, self.parameters, self.options, outcome))
+        begin = float(self.instants[0])
+        findings = findings_of(Integrated(self.model, self.parameters, self.options, outcome, begin))
         for notice in notices_of_motion(findings):
             warnings.warn(notice, ModelNotice, stacklevel=3)
         if failure is None:

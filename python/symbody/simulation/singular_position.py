@@ -15,16 +15,20 @@ from symbody.symbolic import Expr
 
 from .kinematics import Kinematics
 from .vanishing_combinations import vanishing_combinations
-from .walk import walk
+from .walk import Footing
 
-__all__ = ["SINGULAR", "dependent_rows", "equilibrated", "is_singular"]
+__all__ = ["SINGULAR", "dependent_rows", "equilibrated", "is_singular", "may_be_singular"]
 
 Array = NDArray[np.float64]
 
 SINGULAR = 1e-6
 """The part of the largest singular value below which one counts as zero: positions are right to no more digits."""
-STEPS = 4
-"""Positions that are looked at in either direction, the first one included."""
+LOOK = 1e-4
+"""The same where it is worth a second look."""
+DIRECTIONS = 6
+"""Directions in which positions beside one are looked at."""
+ROUNDED = 1e-9
+"""The part of the longest column below which one counts as zero."""
 
 
 def equilibrated(matrices: Array) -> Array:
@@ -35,7 +39,7 @@ def equilibrated(matrices: Array) -> Array:
     rows = np.linalg.norm(matrices, axis=2).max(axis=0)
     by_row = matrices / np.where(rows > 0, rows, 1.0)[:, None]
     columns = np.abs(by_row).max(axis=(0, 1))
-    scaled: Array = by_row / np.where(columns > 0, columns, 1.0)
+    scaled: Array = by_row / np.where(columns > ROUNDED * columns.max(initial=0.0), columns, 1.0)
     return scaled
 
 
@@ -52,11 +56,31 @@ def dependent_rows(matrices: Array) -> list[Array]:
     return [y / np.where(lengths > 0, lengths, 1.0) for y in vanishing_combinations(here, near)]
 
 
+def may_be_singular(kinematics: Kinematics, p: Array, t: float, q: Array, independent: int) -> bool:
+    """Whether fewer constraints are independent at a position than at almost every one, or nearly so: a quick look.
+
+    Args:
+        kinematics: the constraints.
+        p: the values of their parameters.
+        t: the time, in s.
+        q: the coordinates.
+        independent: how many constraints are independent at almost every position.
+    """
+    with np.errstate(all="ignore"):
+        _, phi_q, sizes = kinematics.position(t, q, p)
+        J = kinematics.velocity(t, q, p)[0][: len(kinematics.constraints)]
+    if not (np.isfinite(J).all() and np.isfinite(phi_q).all() and np.isfinite(sizes).all()):
+        return False
+    if (np.abs(phi_q) @ np.maximum(np.abs(q), 1) <= LOOK * sizes).any():
+        return True
+    s = np.linalg.svd(equilibrated(J[None]), compute_uv=False)[0]
+    return bool(independent and s[independent - 1] <= LOOK * s[0])
+
+
 def is_singular(kinematics: Kinematics, p: Array, t: float, q: Array, held: Sequence[Expr] = ()) -> bool:
     """Whether constraints depend on each other at a position, and less so at others that the mechanism reaches.
 
-    A position is singular as well where it depends on nothing else: where nothing can move to another one, although the
-    constraints let speeds be other than zero.
+    So is a position from which nothing can move to another one, although the constraints let speeds be other than zero.
 
     Args:
         kinematics: the constraints.
@@ -65,9 +89,11 @@ def is_singular(kinematics: Kinematics, p: Array, t: float, q: Array, held: Sequ
         q: the coordinates.
         held: coordinates that stay where they are.
     """
-    found = np.array(list(walk(kinematics, p, t, q, STEPS, held)))
-    if not found.size:
+    footing = Footing(kinematics, p, t, held)
+    here = footing.slopes(q)[0]
+    if not np.isfinite(here).all():
         return False
-    ranks = np.sum(np.linalg.svd(equilibrated(found), compute_uv=False) > SINGULAR, axis=1)
-    is_elsewhere = np.array([not np.array_equal(J, found[0]) for J in found])
-    return bool(ranks[0] < ranks.max()) if is_elsewhere.any() else bool(ranks[0] < min(found[0].shape))
+    beside = [J for J in footing.around(q, DIRECTIONS) if np.isfinite(J).all()]
+    scaled = equilibrated(np.array([here, *beside]))
+    ranks = np.sum(np.linalg.svd(scaled, compute_uv=False) > SINGULAR, axis=1)
+    return bool(ranks[0] < (ranks[1:].max() if beside else min(here.shape)))

@@ -1,8 +1,10 @@
-"""Walks along a mechanism: positions that it reaches from one, and the derivatives of its constraints there."""
+"""Walks along a mechanism: positions that it reaches from another, and the derivatives of its constraints there."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,7 +14,7 @@ from symbody.symbolic import Expr
 from .consistent import Positions
 from .kinematics import Kinematics
 
-__all__ = ["CANCELLED", "scaled", "walk"]
+__all__ = ["CANCELLED", "Footing", "free_directions", "scaled", "walk"]
 
 Array = NDArray[np.float64]
 
@@ -22,13 +24,10 @@ STEP = 0.05
 """How far positions are apart, in rad or in parts of the lengths."""
 
 
-def walk(
-    kinematics: Kinematics, p: Array, t: float, begin: Array, steps: int, held: Sequence[Expr] = ()
-) -> Iterator[Array]:
+def walk(kinematics: Kinematics, p: Array, t: float, begin: Array, steps: int) -> Iterator[Array]:
     """Yield the derivatives of the constraints by the speeds where a mechanism gets to, both ways.
 
-    Behind the rows of the constraints stand those of the coordinates that are held. The first position itself comes
-    first in either direction.
+    The first position itself comes first in either direction.
 
     Args:
         kinematics: the constraints.
@@ -36,23 +35,71 @@ def walk(
         t: the time, in s.
         begin: the coordinates of the first position.
         steps: how many positions to look at in either direction.
-        held: coordinates that stay where they are.
     """
-    coordinates, m = kinematics.system.coordinates, len(kinematics.constraints)
-    is_free = np.array([q not in held for q in coordinates])
-    rows = [*range(m), *(m + int(place) for place in np.flatnonzero(~is_free))]
+    ground = Footing(kinematics, p, t)
     for sign in (1.0, -1.0):
         q, direction = begin, np.zeros(len(kinematics.system.speeds))
         for _ in range(steps):
-            with np.errstate(all="ignore"):
-                A, _ = kinematics.velocity(t, q, p)
-            if not np.isfinite(A).all():
+            J, K = ground.slopes(q)
+            if not np.isfinite(J).all():
                 break
-            yield A[rows]
-            direction = _onward(A[rows], direction, sign)
-            q = _moved(kinematics, p, t, q, A[m:] @ direction, is_free)
+            yield J
+            direction = _onward(J, direction, sign)
+            q = ground.moved(q, K @ direction)
             if not len(q):
                 break
+
+
+@dataclass(frozen=True, eq=False)
+class Footing:
+    """Where positions are looked at.
+
+    Attributes:
+        kinematics: the constraints.
+        p: the values of their parameters.
+        t: the time, in s.
+        held: coordinates that stay where they are.
+    """
+
+    kinematics: Kinematics
+    p: Array
+    t: float
+    held: Sequence[Expr] = ()
+
+    @cached_property
+    def _is_free(self) -> NDArray[np.bool_]:
+        return np.array([q not in self.held for q in self.kinematics.system.coordinates])
+
+    def slopes(self, q: Array) -> tuple[Array, Array]:
+        """Return the derivatives by the speeds of constraints and coordinates that are held, and of all coordinates."""
+        m = len(self.kinematics.constraints)
+        with np.errstate(all="ignore"):
+            A, _ = self.kinematics.velocity(self.t, q, self.p)
+        return np.vstack([A[:m], A[m:][~self._is_free]]), A[m:]
+
+    def moved(self, q: Array, rates: Array) -> Array:
+        """Return the position a step onward, put back onto the constraints; nothing where none is found."""
+        if not rates.any():
+            return np.zeros(0)
+        onward = q + STEP * max(1.0, float(np.abs(q).max())) * rates / np.abs(rates).max()
+        problem = Positions.at(self.kinematics, self.p, self.t, onward)
+        found = problem.solved(onward, self._is_free)
+        return found if problem.error(found) < CANCELLED * 1e-2 else np.zeros(0)
+
+    def around(self, q: Array, count: int) -> Iterator[Array]:
+        """Yield derivatives of the constraints where steps lead that they allow to first order, in some directions.
+
+        Where several motions go on, most of these directions are of none of them, and lead to one none the less.
+        """
+        J, K = self.slopes(q)
+        if not np.isfinite(J).all():
+            return
+        free = free_directions(J)
+        draw = np.random.Generator(np.random.PCG64(1)).uniform(-1, 1, (count, len(free)))
+        for direction in draw @ free:
+            found = self.moved(q, K @ direction)
+            if len(found) and np.abs(found - q).max() > 1e-2 * STEP:
+                yield self.slopes(found)[0]
 
 
 def scaled(J: Array) -> Array:
@@ -62,24 +109,17 @@ def scaled(J: Array) -> Array:
     return scaled
 
 
+def free_directions(J: Array) -> Array:
+    """Return directions of the speeds that the constraints allow, orthonormal, a row each."""
+    _, s, Vt = np.linalg.svd(scaled(J))
+    return Vt[int(np.sum(s > CANCELLED * s.max(initial=0.0))) :]
+
+
 def _onward(J: Array, before: Array, sign: float) -> Array:
     """Return a direction that the constraints allow: the one nearest to the direction before."""
-    _, s, Vt = np.linalg.svd(scaled(J))
-    free = Vt[int(np.sum(s > CANCELLED * s.max(initial=0.0))) :]
+    free = free_directions(J)
     if not len(free):
         return np.zeros(J.shape[1])
     onward = free.T @ (free @ before)
     length = np.linalg.norm(onward)
     return sign * free[-1] if length < 0.1 else np.asarray(onward / length, np.float64)
-
-
-def _moved(
-    kinematics: Kinematics, p: Array, t: float, q: Array, rates: Array, is_free: NDArray[np.bool_]
-) -> Array:
-    """Return the position a step onward, put back onto the constraints; nothing where none is found."""
-    if not rates.any():
-        return np.zeros(0)
-    onward = q + STEP * max(1.0, float(np.abs(q).max())) * rates / np.abs(rates).max()
-    problem = Positions.at(kinematics, p, t, onward)
-    found = problem.solved(onward, is_free)
-    return found if problem.error(found) < CANCELLED * 1e-2 else np.zeros(0)
