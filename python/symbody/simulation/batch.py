@@ -216,7 +216,8 @@ class Batch:
             )
         met = replace(outcome, deficiencies=outcome.deficiencies | found)
         integrated = Integrated(self.model, parameters, self.options, met, float(self.instants[0]))
-        findings = findings_of(integrated)
+        with noting():  # what the motion met is among the findings
+            findings = findings_of(integrated)
         results.findings[case] = tuple(dict.fromkeys((*results.findings[case], *findings)))
 
     def _reason(self, outcome: Outcome, parameters: Mapping[Expr, float]) -> str:

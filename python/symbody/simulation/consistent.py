@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 from symbody.dynamics import Equations
 from symbody.errors import ConstraintError
 from symbody.symbolic import Expr, ExprLike, number, time_derivative
+from symbody.symbolic.deficiency import reporting
 
 from .contradiction import contradiction_between, contradictory_rows_of
 from .gauss_newton import gauss_newton
@@ -70,7 +71,8 @@ def consistent_state(
     >>> [round(value, 12) for value in state.values()]
     [3.0, -4.0, 4.0, 3.0]
     """
-    state = start_of(eqs, parameters, initial, guess=guess, t=t, inputs=inputs)
+    with reporting(_WHERE):
+        state = start_of(eqs, parameters, initial, guess=guess, t=t, inputs=inputs)
     notice_unused(eqs, parameters or {}, [number(value) for value in (inputs or {}).values()], _WHERE)
     return state
 

@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 from symbody.dynamics import Equations
 from symbody.errors import ModelNotice, SimulationError
 from symbody.symbolic import Expr, ExprLike
+from symbody.symbolic.deficiency import reporting
 
 from .balance import Balance
 from .consistent import beginnings, positions
@@ -125,6 +126,23 @@ def equilibrium(
     >>> hanging.coordinates, hanging.is_stable, hanging.eigenvalues.round(9)
     ({theta: 0.0}, True, array([0.-2.j, 0.+2.j]))
     """
+    with reporting(_WHERE):
+        place = _place(eqs, parameters, guess, fixed, t, inputs)
+        found, notices = _result(place), list(place.notices())
+    for notice in notices:
+        warnings.warn(f"{_WHERE}: {notice}", ModelNotice, stacklevel=2)
+    return found
+
+
+def _place(
+    eqs: Equations,
+    parameters: Mapping[Expr, ArrayLike] | None,
+    guess: Mapping[Expr, ArrayLike] | None,
+    fixed: Mapping[Expr, ArrayLike] | None,
+    t: float,
+    inputs: Mapping[Expr, ExprLike] | None,
+) -> Place:
+    """Return the place at which the system stays at rest."""
     given = given_inputs(eqs, inputs, where=_WHERE)
     kinematics = kinematics_of(eqs, given)
     statics = statics_of(eqs, kinematics.given)
@@ -138,10 +156,7 @@ def equilibrium(
     q = positions(kinematics, of_constraints, t, held, near, where=_WHERE)
     solution = _solved(problem, q)
     _check_single(problem, solution)
-    of_place = Place(problem, kinematics, of_constraints, *solution)
-    for notice in of_place.notices():
-        warnings.warn(f"{_WHERE}: {notice}", ModelNotice, stacklevel=2)
-    return _result(of_place)
+    return Place(problem, kinematics, of_constraints, *solution)
 
 
 def _result(place: Place) -> Equilibrium:

@@ -9,7 +9,7 @@ from math import nan
 import numpy as np
 
 from symbody.symbolic import Expr
-from symbody.symbolic.deficiency import Deficiency
+from symbody.symbolic.deficiency import Deficiency, strongest
 
 from .consistent import term_sizes
 from .dependent_constraints import dependent_constraints, named_dependence
@@ -182,7 +182,7 @@ ROWS: dict[str, _Row] = {
 def deficiency_findings(deficiencies: Iterable[Deficiency], model: Model) -> tuple[Finding, ...]:
     """Return the findings about linear systems without a unique solution, in the names of a model."""
     names = model.equation_names
-    return tuple(Finding("deficient", found.sentence(names)) for found in sorted(deficiencies))
+    return tuple(Finding("deficient", found.sentence(names)) for found in strongest(deficiencies))
 
 
 def findings_of(motion: Integrated) -> tuple[Finding, ...]:

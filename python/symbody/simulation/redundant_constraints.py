@@ -16,6 +16,7 @@ from numpy.typing import ArrayLike, NDArray
 from symbody.errors import SymbodyError
 from symbody.multibody import System
 from symbody.symbolic import Expr, ExprLike, number
+from symbody.symbolic.deficiency import noting, reporting
 
 from .consistent import positions
 from .kinematics import Kinematics
@@ -127,15 +128,17 @@ def redundant_constraints(
         state_values(system, given, where=where, argument=name, has_speeds=False)
         for given, name in ((initial, "initial"), (guess, "guess"))
     )
-    begin = positions(kinematics, p, t, fixed, near, where)
-    return redundancy(kinematics.constraints, [scaled(J) for J in walk(kinematics, p, t, begin, STEPS)])
+    with reporting(where):
+        begin = positions(kinematics, p, t, fixed, near, where)
+        return redundancy(kinematics.constraints, [scaled(J) for J in walk(kinematics, p, t, begin, STEPS)])
 
 
 def advice(system: System) -> str:
     """Return what is redundant if all parameters are 1; the empty text if nothing is, or no position is found."""
     kinematics = Kinematics(system)
     try:
-        found = redundant_constraints(system, dict.fromkeys(kinematics.parameters, 1.0))
+        with noting():  # nobody asked for this evaluation
+            found = redundant_constraints(system, dict.fromkeys(kinematics.parameters, 1.0))
     except (SymbodyError, np.linalg.LinAlgError):
         return ""
     return str(found) if found.count else ""

@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 from symbody.dynamics import Equations
 from symbody.errors import ModelNotice, SimulationError
 from symbody.symbolic import Expr, ExprLike
-from symbody.symbolic.deficiency import noting
+from symbody.symbolic.deficiency import noting, reporting
 
 from .asked import asked_outputs, check_known_along, parameters_in, watched_events
 from .baumgarte_choice import chosen_damping
@@ -108,7 +108,7 @@ def simulate(
     values = parameter_values((*plain.parameters, *others), parameters)[: len(plain.parameters)]
     given = {name: float(value) for name, value in (parameters or {}).items()}
     notice_unused(eqs, given, [*dict(plain.inputs).values(), *others], "simulate")
-    with preparation_bar(is_shown=progress):
+    with preparation_bar(is_shown=progress), reporting("simulate"):
         state = begin(plain, given, initial or {}, guess or {}, float(instants[0]))
     is_damped = bool(eqs.constraints) and kept not in {"projection", "free"}
     model = modelled(is_stabilized=True) if is_damped else plain
@@ -170,7 +170,8 @@ class _Course:
         """Return the motion; raise an error that holds it if it failed."""
         failure = outcome.failure
         begin = float(self.instants[0])
-        findings = findings_of(Integrated(self.model, self.parameters, self.options, outcome, begin))
+        with noting():  # what the motion met is among the findings
+            findings = findings_of(Integrated(self.model, self.parameters, self.options, outcome, begin))
         for notice in notices_of_motion(findings):
             warnings.warn(notice, ModelNotice, stacklevel=3)
         if failure is None:
