@@ -31,6 +31,8 @@ EXACT = 1e-10
 """The part of its terms that a constraint may be off where it counts as satisfied."""
 ROUNDED = 1e-6
 """The part that given values may be off, as numbers of seven digits are: all values are polished then."""
+POLISHED = 1e-3
+"""The part of the largest speed by which polishing changes one at most."""
 
 
 def consistent_state(
@@ -244,11 +246,15 @@ def velocities(
     places, values = _given_rates(kinematics, fixed)
     rows = [*range(m), *(m + place for place in places)]
     A, b = A[rows], -b[rows] + np.array([0.0] * m + values)
+    least = np.append(_usual_sizes(kinematics, p, t, q), np.zeros(len(places)))
     u[is_free] += least_norm(A[:, is_free], b - A @ u)[0]
-    error = _relative(A, b, u)
+    error = _relative(A, b, u, least)
     if (error > EXACT).any() and (error <= ROUNDED).all():
-        u = u + least_norm(A, b - A @ u)[0]
-        error = _relative(A, b, u)
+        change = least_norm(A, b - A @ u)[0]
+        # Where a gradient vanishes, its direction is a rounding error, and speeds that are nearly right are kept.
+        if np.abs(change).max() <= POLISHED * np.abs(u).max():
+            u = u + change
+        error = _relative(A, b, u, least)
     if not (error <= ROUNDED).all():
         against = contradictory_rows_of(A[:m], b[:m], np.abs(b[:m])) if np.isfinite(A).all() else ()
         if against:
@@ -258,9 +264,24 @@ def velocities(
     return u
 
 
-def _relative(A: Array, b: Array, u: Array) -> Array:
-    """Return how far equations are from being satisfied, in the size of their terms."""
-    size = np.abs(A).sum(axis=1) * np.abs(u).max(initial=0.0) + np.abs(b)
+def _usual_sizes(kinematics: Kinematics, p: Array, t: float, q: Array) -> Array:
+    """Return how large gradients of the constraints usually are, also where they vanish: terms over coordinates."""
+    with np.errstate(all="ignore"):
+        _, _, sizes = kinematics.position(t, q, p)
+    usual: Array = np.where(np.isfinite(sizes), sizes, 0.0) / max(1.0, float(np.abs(q).max()))
+    return usual
+
+
+def _relative(A: Array, b: Array, u: Array, least: Array) -> Array:
+    """Return how far equations are from being satisfied, in the size of their terms.
+
+    Args:
+        A: the left sides.
+        b: the right sides.
+        u: the speeds.
+        least: what the sum of a row counts as at least.
+    """
+    size = np.maximum(np.abs(A).sum(axis=1), least) * np.abs(u).max(initial=0.0) + np.abs(b)
     error: Array = np.abs(A @ u - b) / np.where(size > 0, size, 1)
     return error
 
