@@ -209,7 +209,9 @@ def test_a_mistake_in_what_is_given_is_told():
 
 def test_inputs_in_constraints_take_part_with_their_rates():
     m, x, y, f = symbols("m"), *functions_of_time("x y f")
-    eqs = newton_euler(System([Body(translate(x, y, 0), m)], coordinates=[x, y], constraints=[x - f]))
+    eqs = newton_euler(
+        System([Body(translate(x, y, 0), m)], coordinates=[x, y], constraints=[x - f], inputs=[f])
+    )
     state = consistent_state(eqs, None, {y: 1}, t=0.5, inputs={f: 3 * t**2})
     assert np.allclose(list(state.values()), [0.75, 1.0, 3.0, 0.0])
     with pytest.raises(ModelError, match=r"consistent_state: the constraints hold the functions of time f"):

@@ -22,6 +22,7 @@ from .begin import begin
 from .contradictory_constraints import without_contradictions
 from .diagnosis import diagnosis
 from .event import Event
+from .given_bodies import notice_impossible_bodies
 from .ida import IDA_FORMS
 from .ida_outcome import ida_outcome
 from .integrator import Options, Outcome, Problem, run
@@ -108,6 +109,7 @@ def simulate(
     values = parameter_values((*plain.parameters, *others), parameters)[: len(plain.parameters)]
     given = {name: float(value) for name, value in (parameters or {}).items()}
     notice_unused(eqs, given, [*dict(plain.inputs).values(), *others], "simulate")
+    notice_impossible_bodies(eqs.system, given, "simulate")
     with preparation_bar(is_shown=progress), reporting("simulate"):
         state = begin(plain, given, initial or {}, guess or {}, float(instants[0]))
     is_damped = bool(eqs.constraints) and kept not in {"projection", "free"}
