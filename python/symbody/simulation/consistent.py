@@ -130,15 +130,15 @@ class Positions:
         error = float(np.max(np.abs(phi) / term_sizes(q, phi_q, sizes)))
         return error if np.isfinite(error) else np.inf
 
-    def solved(self, q: Array, is_free: Flags) -> Array:
-        """Return where Gauss-Newton steps of the free coordinates lead."""
+    def solved(self, q: Array, is_free: Flags, most: int = 200) -> Array:
+        """Return where Gauss-Newton steps of the free coordinates lead, so many of them at most."""
         found = q.copy()
 
         def of_free(free: Array) -> tuple[Array, Array]:
             found[is_free] = free
             return self.linearization(found, is_free)
 
-        found[is_free] = gauss_newton(of_free, q[is_free])
+        found[is_free] = gauss_newton(of_free, q[is_free], most)
         return found
 
 

@@ -25,42 +25,43 @@ LOOKS = 8
 def notice_impossible_bodies(system: System, given: Mapping[Expr, ArrayLike], where: str) -> None:
     """Give a notice of each body that no body is, with the values of parameters; what numbers alone say is known.
 
+    Of bodies with the same mass and inertia the first one is named.
+
     Args:
         system: the bodies.
         given: the values of parameters, a number or a value for each case.
         where: the function that the user called.
     """
+    by_value: dict[tuple[Expr, ...], tuple[Array, Array]] = {}
     for group in joined_bodies(system.bodies):
-        known = [body for body in group if _symbols(body) <= given.keys()]
-        if not any(_symbols(body) for body in known):
-            continue
         is_negative = np.zeros(1, dtype=bool)
-        for body in known:
-            mass, J = _numbers(body, given)
-            if _symbols(body):
-                _notice_inertia(body, mass, J, where)
+        is_symbolic = False
+        for body in group:
+            entries = (body.mass, *body.inertia_entries)
+            names, _ = _function(entries)
+            if not given.keys() >= {*names}:
+                continue
+            is_symbolic |= bool(names)
+            if entries not in by_value:
+                by_value[entries] = _numbers(entries, given)
+                if names:
+                    _notice_inertia(body, *by_value[entries], where)
+            mass, J = by_value[entries]
             is_negative = is_negative | (mass < 0) | (np.einsum("kii->ki", J) < 0).any(axis=1)
-        _notice_difference(group, given, np.flatnonzero(is_negative), where)
-
-
-def _symbols(body: Body) -> frozenset[Expr]:
-    return frozenset(free_symbols(_entries(body)))
-
-
-def _entries(body: Body) -> list[Expr]:
-    return [body.mass, *body.inertia_entries]
+        if is_symbolic:
+            _notice_difference(group, given, np.flatnonzero(is_negative), where)
 
 
 @lru_cache(maxsize=512)
-def _function(body: Body) -> tuple[tuple[Expr, ...], CompiledFunction]:
-    """Return the symbols of a body, and the function of these that returns its mass and its tensor of inertia."""
-    names = tuple(sorted(_symbols(body), key=str))
-    return names, lambdify(list(names), _entries(body), compile=False)
+def _function(entries: tuple[Expr, ...]) -> tuple[tuple[Expr, ...], CompiledFunction]:
+    """Return the symbols in the mass and the tensor of inertia of a body, and their function."""
+    names = tuple(sorted(free_symbols(list(entries)), key=str))
+    return names, lambdify(list(names), list(entries), compile=False)
 
 
-def _numbers(body: Body, given: Mapping[Expr, ArrayLike]) -> tuple[Array, Array]:
+def _numbers(entries: tuple[Expr, ...], given: Mapping[Expr, ArrayLike]) -> tuple[Array, Array]:
     """Return the mass and the tensor of inertia, for each case or for all."""
-    names, function = _function(body)
+    names, function = _function(entries)
     values = np.asarray(function(*(given[name] for name in names)), float).reshape(10, -1)
     return values[0], values[1:].T.reshape(-1, 3, 3)
 

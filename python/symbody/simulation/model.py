@@ -145,10 +145,7 @@ class Model:
     @cached_property
     def equation_names(self) -> list[str]:
         """What to call the rows of the linear system that is solved at run time."""
-        constraints = [str(constraint) for constraint in self.constraints]
-        if self.solution.method == "schur_complement":
-            return constraints
-        return [f"the equation of {speed}" for speed in self.speeds] + constraints
+        return list(self.solution.equation_names)
 
     @cached_property
     def kinematics(self) -> tuple[Expr, ...]:

@@ -15,7 +15,7 @@ from symbody.symbolic import Expr
 
 from .kinematics import Kinematics
 from .vanishing_combinations import vanishing_combinations
-from .walk import Footing
+from .walk import CANCELLED, Footing, scaled
 
 __all__ = ["SINGULAR", "dependent_rows", "equilibrated", "is_singular", "may_be_singular"]
 
@@ -39,8 +39,8 @@ def equilibrated(matrices: Array) -> Array:
     rows = np.linalg.norm(matrices, axis=2).max(axis=0)
     by_row = matrices / np.where(rows > 0, rows, 1.0)[:, None]
     columns = np.abs(by_row).max(axis=(0, 1))
-    scaled: Array = by_row / np.where(columns > ROUNDED * columns.max(initial=0.0), columns, 1.0)
-    return scaled
+    whole: Array = by_row / np.where(columns > ROUNDED * columns.max(initial=0.0), columns, 1.0)
+    return whole
 
 
 def dependent_rows(matrices: Array) -> list[Array]:
@@ -93,7 +93,13 @@ def is_singular(kinematics: Kinematics, p: Array, t: float, q: Array, held: Sequ
     here = footing.slopes(q)[0]
     if not np.isfinite(here).all():
         return False
-    beside = [J for J in footing.around(q, DIRECTIONS) if np.isfinite(J).all()]
-    scaled = equilibrated(np.array([here, *beside]))
-    ranks = np.sum(np.linalg.svd(scaled, compute_uv=False) > SINGULAR, axis=1)
-    return bool(ranks[0] < (ranks[1:].max() if beside else min(here.shape)))
+    is_alone = True
+    for J in footing.around(q, DIRECTIONS):
+        if np.isfinite(J).all():
+            ranks = np.sum(
+                np.linalg.svd(equilibrated(np.array([here, J])), compute_uv=False) > SINGULAR, axis=1
+            )
+            if ranks[0] < ranks[1]:
+                return True
+            is_alone = False
+    return is_alone and bool(np.linalg.matrix_rank(scaled(here), CANCELLED) < min(here.shape))

@@ -20,6 +20,8 @@ Array = NDArray[np.float64]
 
 CANCELLED = 1e-7
 """The part of the gradients that may be left of a combination that cancels, at positions right to ten digits."""
+BACK = 40
+"""Steps of Gauss and Newton that lead back onto the constraints, at most; each one halves what is off, or more."""
 STEP = 0.05
 """How far positions are apart, in rad or in parts of the lengths."""
 
@@ -83,7 +85,7 @@ class Footing:
             return np.zeros(0)
         onward = q + STEP * max(1.0, float(np.abs(q).max())) * rates / np.abs(rates).max()
         problem = Positions.at(self.kinematics, self.p, self.t, onward)
-        found = problem.solved(onward, self._is_free)
+        found = problem.solved(onward, self._is_free, BACK)
         return found if problem.error(found) < CANCELLED * 1e-2 else np.zeros(0)
 
     def around(self, q: Array, count: int) -> Iterator[Array]:
