@@ -149,7 +149,7 @@ def _place(
     p = parameter_values(statics.parameters, parameters, where=_WHERE)
     held = state_values(eqs.system, fixed, where=_WHERE, argument="fixed", has_speeds=False)
     near = state_values(eqs.system, guess, where=_WHERE, argument="guess", has_speeds=False)
-    notice_unused(eqs, parameters or {}, list(given.values()), _WHERE)
+    notice_unused(eqs, parameters or {}, list(given.values()), _WHERE, stacklevel=4)
     problem = Balance(statics, t, p, tuple(held))
     constants = dict(zip(statics.parameters, p, strict=True))
     of_constraints = np.array([constants[name] for name in kinematics.parameters])
