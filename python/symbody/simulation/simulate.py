@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 from symbody.dynamics import Equations
 from symbody.errors import ModelNotice, SimulationError
 from symbody.symbolic import Expr, ExprLike
-from symbody.symbolic.deficiency import noting, reporting
+from symbody.symbolic.deficiency import noting
 
 from .asked import asked_outputs, check_known_along, parameters_in, watched_events
 from .baumgarte_choice import chosen_damping
@@ -110,7 +110,7 @@ def simulate(
     given = {name: float(value) for name, value in (parameters or {}).items()}
     notice_unused(eqs, given, [*dict(plain.inputs).values(), *others], "simulate")
     notice_impossible_bodies(eqs.system, given, "simulate")
-    with preparation_bar(is_shown=progress), reporting("simulate"):
+    with preparation_bar(is_shown=progress), noting() as met:
         state = begin(plain, given, initial or {}, guess or {}, float(instants[0]))
     is_damped = bool(eqs.constraints) and kept not in {"projection", "free"}
     model = modelled(is_stabilized=True) if is_damped else plain
@@ -119,7 +119,8 @@ def simulate(
         given |= dict(zip(DAMPING, damping, strict=True))
         values = np.concatenate([values, damping])
     course = _Course(model, given, values, instants, options, watched, is_projected=kept == "projection")
-    return course.told(course.followed(state, is_shown=progress), asked)
+    outcome = course.followed(state, is_shown=progress)
+    return course.told(replace(outcome, deficiencies=outcome.deficiencies | met), asked)
 
 
 @dataclass(frozen=True, eq=False)
