@@ -48,30 +48,31 @@ def imbalance_of(
 
     kinetic, potential = energies(t, states).T
     some = np.linspace(0, len(t) - 1, PLACES).astype(int)
-    errors = _errors(model, states[some], options, (float(t[-1]) - float(t[0])) / max(steps, 1))
-    here = np.repeat(states[some], states.shape[1], axis=0)
-    at = np.repeat(t[some], states.shape[1])
-    changes = np.abs((energies(at, here + errors) - energies(at, here)).sum(axis=1)).reshape(PLACES, -1)
-    spread = float(changes.sum(axis=1).max())
+
+    def spread(tolerances: Array) -> float:
+        """Return the most that errors in each entry of the state change the energy, at some instants."""
+        here = np.repeat(states[some], states.shape[1], axis=0)
+        errors = np.tile(np.eye(states.shape[1]), (PLACES, 1)) * np.repeat(
+            tolerances, states.shape[1], axis=0
+        )
+        at = np.repeat(t[some], states.shape[1])
+        changes = np.abs((energies(at, here + errors) - energies(at, here)).sum(axis=1))
+        return float(changes.reshape(PLACES, -1).sum(axis=1).max())
+
+    tolerances = options.atol + options.rtol * np.abs(states[some])
+    once, step = spread(tolerances), (float(t[-1]) - float(t[0])) / max(steps, 1)
+    each = spread(_of_steps(model, tolerances, step)) if options.method == "ida3" and step > 0 else once
     off = np.abs(kinetic + potential - kinetic[0] - potential[0])
     largest = float((np.abs(kinetic) + np.abs(potential)).max())
     moving = max(float(kinetic.max()), float(np.abs(potential - potential[0]).max()), np.finfo(float).tiny)
     most = max(LOST, LOOSE * options.rtol) * moving
-    explained = min((AT_ALL + EACH * steps) * spread, max(most, AT_ALL * spread))
+    explained = min(AT_ALL * once + EACH * steps * each, max(most, AT_ALL * once))
     beyond = np.flatnonzero(off > explained + ROUNDING * largest)
     return (float(t[beyond[0]]), float(off.max()) / moving) if len(beyond) else None
 
 
-def _errors(model: Model, states: Array, options: Options, step: float) -> Array:
-    """Return errors of one tolerance in each entry of states, a row for each entry of each state.
-
-    At index 3 nobody looks at the errors of speeds: they are those of coordinates over the length of a step.
-    """
-    tolerances = options.atol + options.rtol * np.abs(states)
-    q = len(model.coordinates)
-    if options.method == "ida3" and step > 0:
-        of_coordinates = tolerances[:, :q].max(axis=1, keepdims=True) / step
-        tolerances[:, q:] = np.maximum(tolerances[:, q:], of_coordinates)
-    count = states.shape[1]
-    errors: Array = np.tile(np.eye(count), (len(states), 1)) * np.repeat(tolerances, count, axis=0)
+def _of_steps(model: Model, tolerances: Array, step: float) -> Array:
+    """Return errors of a step at index 3, where nobody looks at speeds: they err by the coordinates over its length."""
+    errors, q = tolerances.copy(), len(model.coordinates)
+    errors[:, q:] = np.maximum(errors[:, q:], errors[:, :q].max(axis=1, keepdims=True) / step)
     return errors
