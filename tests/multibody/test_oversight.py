@@ -93,6 +93,22 @@ def test_a_forgotten_coordinate_is_named_when_the_system_is_made() -> None:
     assert found[0].startswith("System: phi, x move bodies and are no coordinates, so that")
 
 
+def test_a_forgotten_coordinate_in_a_constraint_is_named() -> None:
+    (psi,) = functions_of_time("psi,")
+    _, found = notices_of([cart, bob], (), [x, phi], [sin(phi) - psi])
+    (notice,) = found
+    assert notice == (
+        "System: psi stands in a constraint and is no coordinate, so that the motion must be given from outside; add "
+        "what is unknown to coordinates=[...], what is given to inputs=[...]"
+    )
+    assert notices_of([cart, bob], (), [x, phi], [sin(phi) - psi], inputs=[psi])[1] == []
+    _, found = notices_of([cart, bob], (), [x], [x - sin(phi) - psi])
+    assert [text[:30] for text in found] == [
+        "System: phi moves bodies and i",
+        "System: psi stands in a constr",
+    ]
+
+
 def test_what_is_listed_as_an_input_is_meant() -> None:
     system, found = notices_of([cart, bob], coordinates=[x], gravity=WEIGHT, inputs=[phi])
     assert found == []

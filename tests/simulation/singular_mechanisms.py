@@ -16,8 +16,10 @@ from symbody import (
     Point,
     System,
     Vector,
+    dot,
     functions_of_time,
     ground,
+    lagrange_equations,
     newton_euler,
     project,
     rotate,
@@ -96,6 +98,27 @@ def kite() -> Mechanism:
 
     equations = _derived(bodies, [x, y, z], [gap], g)
     return Mechanism(equations, {m: 1.0, a: 1.0, b: 1.5, g: 9.81}, begin, off)
+
+
+def distance_of_cranks() -> Mechanism:
+    """Two equal cranks whose ends keep the distance of their pins: a parallelogram with one constraint."""
+    m, l, d, g = symbols("m l d g")
+    a, b = functions_of_time("a b")
+    frames = [rotate("Z", a), translate(d, 0, 0) * rotate("Z", b)]
+    ends = [Point(frame, l, 0, 0) for frame in frames]
+    gap = project(ends[1] - ends[0], ground)
+    bodies = [bar_of(frame, m, l) for frame in frames]
+    distance = [dot(gap, gap) - d**2]
+    equations = lagrange_equations(System(bodies, (), [a, b], distance, Vector(ground, 0, -g, 0)))
+
+    def begin(speed: float) -> dict[Expr, float]:
+        return {a: pi / 2, b: pi / 2, time_derivative(a): speed, time_derivative(b): speed}
+
+    def off(along: Mapping[Expr, Array]) -> Array:
+        """The cranks are parallel."""
+        return np.abs(np.sin((along[a] - along[b]) / 2))
+
+    return Mechanism(equations, {m: 1.0, l: 0.5, d: 1.0, g: 9.81}, begin, off)
 
 
 def slider_crank() -> Mechanism:

@@ -21,6 +21,7 @@ from symbody import (
 from symbody.errors import ConstraintError, ModelError, ParameterError
 from symbody.simulation.consistent import consistent_state
 from tests.simulation.linkages import double_pendulum, fourbar, hanging_box, pendulum_on_rail, slider_crank
+from tests.simulation.singular_mechanisms import cranks
 
 LINKAGES = {
     "fourbar": (fourbar, {"qA": 0.3}, {"qA'": 2.0}),
@@ -208,7 +209,9 @@ def test_a_mistake_in_what_is_given_is_told():
 
 def test_inputs_in_constraints_take_part_with_their_rates():
     m, x, y, f = symbols("m"), *functions_of_time("x y f")
-    eqs = newton_euler(System([Body(translate(x, y, 0), m)], coordinates=[x, y], constraints=[x - f]))
+    eqs = newton_euler(
+        System([Body(translate(x, y, 0), m)], coordinates=[x, y], constraints=[x - f], inputs=[f])
+    )
     state = consistent_state(eqs, None, {y: 1}, t=0.5, inputs={f: 3 * t**2})
     assert np.allclose(list(state.values()), [0.75, 1.0, 3.0, 0.0])
     with pytest.raises(ModelError, match=r"consistent_state: the constraints hold the functions of time f"):
@@ -223,3 +226,15 @@ def test_a_place_where_the_constraints_are_no_numbers_is_told():
     )
     with pytest.raises(ConstraintError, match="is off by nan"):
         consistent_state(eqs, None, {x: -1})
+
+
+@pytest.mark.parametrize("off", [0.0, 3e-12, 1e-9])
+def test_speeds_of_a_motion_are_accepted_where_a_gradient_vanishes(off: float) -> None:
+    """Nearly flat, the first constraint of a parallelogram has a rounding error for its direction."""
+    found = cranks(1)
+    (a, b), (c,) = found.equations.coordinates[:2], found.equations.coordinates[2:]
+    given = {a: 2 * off, b: off, c: -off, a.diff(t): -4.95, b.diff(t): -4.95, c.diff(t): off}
+    state = consistent_state(found.equations, found.parameters, given)
+    assert np.allclose([state[name] for name in given], list(given.values()), rtol=0, atol=2e-8)
+    with pytest.raises(ConstraintError, match="no speeds with"):
+        consistent_state(found.equations, found.parameters, given | {b.diff(t): -4.9})

@@ -7,7 +7,11 @@ from scipy.optimize import minimize
 
 from symbody import (
     Body,
+    Equations,
+    Expr,
     Force,
+    ModelNotice,
+    Point,
     System,
     Torque,
     Vector,
@@ -18,6 +22,7 @@ from symbody import (
     lagrange_equations,
     lambdify,
     newton_euler,
+    project,
     rotate,
     sin,
     symbols,
@@ -215,3 +220,73 @@ def test_mistakes_are_told():
         equilibrium(linkage.equations, {})
     with pytest.raises(ParameterError, match="equilibrium, guess: x' is not a coordinate of this system"):
         equilibrium(linkage.equations, linkage.parameters, guess={linkage["x"].diff(t): 0})
+
+
+def parallelogram() -> tuple[Equations, dict[str, Expr], dict[Expr, float]]:
+    """The linkage of docs/singular_positions.md."""
+    m, l, g = symbols("m l g")
+    a, b, c = functions_of_time("a b c")
+    left, right = rotate("Z", a), translate(l, 0, 0) * rotate("Z", b)
+    coupler = left * translate(l, 0, 0) * rotate("Z", c - a)
+    bars = [Body(Point(bar, l / 2, 0, 0), m, 0, 0, m * l**2 / 12) for bar in (left, right, coupler)]
+    gap = project(Point(coupler, l, 0, 0) - Point(right, l, 0, 0), ground)
+    system = System(bars, (), [a, b, c], gap.components[:2], Vector(ground, 0, -g, 0))
+    return newton_euler(system), {"a": a, "b": b, "c": c}, {m: 1, l: 1, g: 9.81}
+
+
+@pytest.mark.parametrize("guess", [{"b": 0, "c": 0}, {"b": 1.2, "c": 1.3}])
+def test_forces_that_the_position_does_not_determine_are_the_least_ones_and_are_named(guess) -> None:
+    """Where coupler and rocker turn about the crank's pin, a constraint holds the crank as well as what is held."""
+    eqs, named, values = parallelogram()
+    with pytest.warns(
+        ModelNotice,
+        match=r"equilibrium: lambda2 of constraint 2 \(.* = 0\) and the force that holds a are not determined here, as "
+        "they act in directions that depend on each other at this position: other values of them balance as well; the "
+        "least ones are given",
+    ):
+        found = equilibrium(
+            eqs, values, fixed={named["a"]: 0}, guess={named[name]: value for name, value in guess.items()}
+        )
+    np.testing.assert_allclose(list(found.coordinates.values()), [0, np.pi / 2, np.pi / 2], atol=1e-9)
+    # Both hold the crank, whose weight is m g l/2, and the coupler's pin, with m g: half of 3/2 m g l each.
+    np.testing.assert_allclose(
+        [found.holding[named["a"]], *found.multipliers.values()], [7.3575, 0, 7.3575], atol=1e-9
+    )
+    assert not found.is_stable
+
+
+def test_a_singular_position_has_no_eigenvalues() -> None:
+    eqs, named, values = parallelogram()
+    with pytest.warns(ModelNotice) as told:
+        found = equilibrium(eqs, values, fixed={named["a"]: 0, named["b"]: 0})
+    first, second = (str(notice.message) for notice in told)
+    assert "lambda1 of constraint 1" in first
+    assert "is not determined here: it moves nothing at this position; the least ones are given" in first
+    assert second == (
+        "equilibrium: the position is singular: the constraints depend on each other here, and at positions beside it "
+        "they don't, so that no linear equations describe the small motions about it: eigenvalues are NaN"
+    )
+    assert np.isnan(found.eigenvalues).all()
+    with pytest.raises(
+        SimulationError, match=r"the position is singular, and nothing is known of small motions"
+    ):
+        _ = found.is_stable
+    assert found.held_eigenvalues.size == 0
+    assert found.is_stable_held
+
+
+def test_a_mechanism_that_moves_by_its_dimensions_has_eigenvalues() -> None:
+    """Parallel cranks: their constraints depend on each other at all positions, so that none of these is singular."""
+    m, l, g = symbols("m l g")
+    a, b, c, x, y = functions_of_time("a b c x y")
+    cranks = [rotate("Z", angle) for angle in (a, b, c)]
+    bodies = [Body(Point(crank, 0, -l, 0), m) for crank in cranks]
+    platform = Body(translate(x, y, 0), m)
+    gaps = [project(Point(crank, 0, -l, 0) - platform.center_of_mass, ground) for crank in cranks[:2]]
+    constraints = [part for gap in gaps for part in gap.components[:2]]
+    weight = Vector(ground, 0, -g, 0)
+    eqs = newton_euler(System([*bodies, platform], (), [a, b, c, x, y], constraints, weight))
+    with pytest.warns(ModelNotice, match="are not determined here") as told:
+        found = equilibrium(eqs, {m: 1, l: 1, g: 9.81}, guess={a: 0.2, b: 0.2, c: -0.1, x: 0.1, y: -1})
+    assert len(told) == 1
+    np.testing.assert_allclose(np.abs(found.eigenvalues.imag), [np.sqrt(9.81)] * 4, rtol=1e-6)

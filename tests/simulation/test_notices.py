@@ -24,13 +24,18 @@ from symbody import (
     simulate,
     simulate_many,
     symbols,
+    t,
     time_derivative,
     translate,
 )
 from symbody.errors import ModelNotice
-from symbody.simulation.integrator import Options, Problem, run
+from symbody.simulation.consistent import consistent_state
+from symbody.simulation.equilibrium import equilibrium
+from symbody.simulation.integrator import Options, Outcome, Problem, Statistics, run, trail_of
+from symbody.simulation.inverse_dynamics import inverse_dynamics
 from symbody.simulation.model import model_of
-from symbody.simulation.notices import Finding, notices_of_batch
+from symbody.simulation.notices import Finding, Integrated, findings_of, notices_of_batch, notices_of_motion
+from symbody.simulation.redundant_constraints import redundant_constraints
 from symbody.symbolic.deficiency import noting
 
 x, y = functions_of_time("x y")
@@ -166,3 +171,85 @@ def test_the_worst_of_many_cases_is_named() -> None:
     assert notices_of_batch(findings, "simulate_many") == [
         f"simulate_many: in 3 of 4 cases, first case 1, worst case 2: {STIFF}"
     ]
+
+
+@pytest.mark.parametrize(
+    ("method", "constraints", "way"),
+    [
+        (
+            "dop853",
+            "projection",
+            "use smaller tolerances or a smaller max_step, or begin at another position, and look",
+        ),
+        (
+            "bdf",
+            "projection",
+            "use smaller tolerances, or method='dop853' with constraints='projection', and look",
+        ),
+        (
+            "dop853",
+            "free",
+            "use smaller tolerances, or method='dop853' with constraints='projection', and look",
+        ),
+    ],
+)
+def test_advice_is_not_what_is_done_already(method: str, constraints: str, way: str) -> None:
+    circle = newton_euler(System([Body(translate(x, y, 0), m)], [], [x, y], [x**2 + y**2 - 1]))
+    model = model_of(circle)
+    trail = np.zeros((trail_of(model, method, is_projected=constraints == "projection") and 2, 5))
+    trail[:, 0], trail[:, 1] = range(len(trail)), 1.0
+    state = np.array([[1.0, 0.0, 0.0, 1.0]])
+    outcome = Outcome(
+        state,
+        [],
+        (0.0, state[0].tolist()),
+        None,
+        Statistics(1, 0, 1, 0, is_stiff=False),
+        imbalance=(0.5, 0.1),
+        trail=trail,
+    )
+    (notice,) = notices_of_motion(findings_of(Integrated(model, {m: 1.0}, Options(method), outcome, 0.0)))
+    assert way in notice
+
+
+def sheared(force: Any, constraints: tuple[Any, ...] = ()) -> Equations:
+    body = Body(translate(x, y, 0), m)
+    push = Force(ground, force, 0, 0, at=body.center_of_mass, on=body)
+    return newton_euler(System([body], [push], [x, y], constraints))
+
+
+SOLVED = linear_solve([[1, A], [A, 1]], [k, k])[0]
+
+
+@pytest.mark.parametrize(
+    ("where", "call"),
+    [
+        ("equilibrium", lambda: equilibrium(driven(SOLVED - x), {m: 1.0, k: 4.0, A: 1.0})),
+        (
+            "consistent_state",
+            lambda: consistent_state(sheared(0, (x - y - SOLVED,)), {k: 4.0, A: 1.0}, {y: 1.0}),
+        ),
+        (
+            "redundant_constraints",
+            lambda: redundant_constraints(sheared(0, (x - y - SOLVED,)).system, {k: 4.0, A: 1.0}, {y: 1.0}),
+        ),
+        (
+            "inverse_dynamics",
+            lambda: inverse_dynamics(driven(SOLVED - x), {x: t**2}, {m: 1.0, k: 4.0, A: 1.0}, (0, 1)),
+        ),
+        (
+            "motion",
+            lambda: simulate(driven(0), {m: 1.0, k: 4.0, A: 1.0}, t=(0, 1), outputs={"o": SOLVED}).outputs,
+        ),
+    ],
+)
+def test_a_function_reports_once_under_its_own_name(where: str, call: Callable[[], object]) -> None:
+    assert told(call) == [f"{where}: {DEFICIENT}"]
+
+
+@pytest.mark.parametrize("method", ["dop853", "bdf", "ida"])
+def test_what_contradicts_does_not_follow_as_well(method: str) -> None:
+    """Right sides of a Jacobian's systems may fit each other where those of the rates don't."""
+    pushed = driven(linear_solve([[x, x], [x, A * x]], [1, 2])[0])
+    (notice,) = told(lambda: simulate(pushed, {m: 1.0, A: 1.0}, {x: 1.0}, t=(0, 1), method=method))
+    assert "equation number 2 contradicts equation number 1 there" in notice

@@ -32,7 +32,7 @@ from symbody import (
 from tests.reference.mechanisms.andrews import andrews
 from tests.reference.mechanisms.slider_crank import slider_crank
 
-from .singular_mechanisms import Array, Mechanism
+from .singular_mechanisms import Array, Mechanism, distance_of_cranks
 from .singular_scan import branch_of, mechanism, moved, scanned
 
 LANDING = 0.0013894954943731374
@@ -154,6 +154,26 @@ def test_what_can_not_pass_names_the_position_and_the_constraints() -> None:
     _, said = moved(found, -1.0, constraints="free")
     assert "passes singular positions (1" in said[-1]
     assert "the first at about t = 0.7" in said[-1]
+
+
+@pytest.mark.parametrize(("method", "rtol"), [("ida", 1e-11), ("ida2", 1e-11)])
+def test_ida_names_them_as_well(method: str, rtol: float) -> None:
+    found, _ = mechanism("one")
+    _, said = moved(found, -1.0, method=method, rtol=rtol)
+    assert re.match(r"simulate: at t = \S+ s (steps became too short|IDA gave up)", said[0])
+    assert re.search(r"; constraints? 1 \(cos\(theta0\)\*\(L \+ d\*cos\(phi1\)\) - d -", said[0])
+    assert "(ratio of singular values" in said[0]
+    assert "look for" not in said[0]
+
+
+@pytest.mark.parametrize(("method", "rtol"), [("bdf", 1e-9), ("esdirk34", 1e-9), ("tr_bdf2", 1e-9)])
+def test_a_single_constraint_is_named(method: str, rtol: float) -> None:
+    """Cranks whose ends keep their distance: stretched, its derivatives vanish."""
+    found = distance_of_cranks()
+    _, said = moved(found, -1.0, method=method, rtol=rtol)
+    assert "constraint 1 (" in said[0]
+    assert "restrains no motion there, or hardly any (ratio of singular values" in said[0]
+    assert "larger tolerances" not in said[0]
 
 
 PASSED = re.compile(r"passes singular positions \((\d+), the first at about t = ([0-9.]+) s\)")

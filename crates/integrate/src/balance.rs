@@ -10,8 +10,9 @@ const LOOK: (usize, usize) = (4, 8);
 const MARGIN: f64 = 10.0;
 /// The part of the energies that rounding errors may take.
 const ROUNDING: f64 = 1e-11;
-/// A loss of more than this part of the energy that moves is reported, whatever explains it.
-const MOST: f64 = 0.1;
+/// A loss of more than this part of the energy that moves, or of so many relative tolerances, is reported, whatever
+/// explains it.
+const MOST: (f64, f64) = (0.1, 200.0);
 
 /// What is off in the balance of energy.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -88,7 +89,8 @@ impl<'a> Balance<'a> {
         self.widen(t, state, kinetic + potential);
         // Work and energies of springs are integrals: their errors are those of the energy that moves.
         let each = self.spread.max(self.tolerances.relative * self.moving);
-        let explained = (MARGIN * (1.0 + errors) * each).min(MOST * self.moving) + ROUNDING * self.largest;
+        let most = MOST.0.max(MOST.1 * self.tolerances.relative) * self.moving;
+        let explained = (MARGIN * (1.0 + errors) * each).min(most) + ROUNDING * self.largest;
         let &(t, _) = self.seen.iter().find(|(_, off)| *off > explained)?;
         let most = self.seen.iter().fold(0.0, |most: f64, (_, off)| most.max(*off));
         Some(Imbalance { t, part: most / self.moving.max(f64::MIN_POSITIVE) })

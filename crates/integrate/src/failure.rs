@@ -101,7 +101,8 @@ impl fmt::Display for Failure {
             Self::Singular { change, bound, .. } => {
                 write!(
                     f,
-                    "the constraints would change a speed by {change:.1e}, where a step's error explains {bound:.1e}"
+                    "the constraints would change a speed by {change:.1e}, {:.3} times what a step's error explains",
+                    change / bound
                 )
             }
             Self::Interrupted { .. } => write!(f, "interrupted"),

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from contextlib import suppress
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 from typing import Annotated, TypeAlias
 
@@ -40,12 +40,15 @@ class ForwardDynamics:
         multipliers: the multipliers, in the order of the constraints.
         method: how they were found.
         conditions: what has to be positive, as numbers, for all of this to be accurate; nothing by most methods.
+        equation_names: what to call the rows of the linear system that is solved at run time, as `lambdify` takes them;
+            nothing where there is none.
     """
 
     accelerations: tuple[Expr, ...]
     multipliers: tuple[Expr, ...]
     method: str
     conditions: tuple[Expr, ...] = ()
+    equation_names: tuple[str, ...] = ()
 
 
 @checked(ModelError)
@@ -76,7 +79,14 @@ def forward_dynamics(eqs: Equations, *, method: str = "auto", baumgarte: Damping
         raise ModelError(f"forward_dynamics: the method {method!r}; expected one of {', '.join(_METHODS)}")
     if baumgarte is not None and not eqs.constraints:
         raise ModelError("forward_dynamics: Baumgarte's stabilisation of no constraints; leave baumgarte out")
-    return _METHODS[method](eqs, baumgarte)
+    found = _METHODS[method](eqs, baumgarte)
+    return replace(found, equation_names=_equation_names(eqs, found.method))
+
+
+def _equation_names(eqs: Equations, method: str) -> tuple[str, ...]:
+    constraints = tuple(map(str, eqs.constraints))
+    speeds = tuple(f"the equation of {speed}" for speed in eqs.speeds)
+    return {"schur_complement": constraints, "pivoted": speeds + constraints}.get(method, ())
 
 
 def _shortest(eqs: Equations, baumgarte: Damping) -> ForwardDynamics:

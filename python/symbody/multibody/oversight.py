@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from typing import TYPE_CHECKING
 
 from symbody.geometry.floating import Floating
+from symbody.symbolic import Expr
 
 if TYPE_CHECKING:
     from .system import System
@@ -34,14 +35,23 @@ def _foreign_loads(system: System) -> Iterator[str]:
 
 
 def _given_motions(system: System) -> Iterator[str]:
-    """Return the functions of time that move bodies, and stand in no list."""
+    """Return the functions of time that move bodies or stand in constraints, and in no list."""
     known = {*system.coordinates, *system.quasi_velocities, *system.inputs}
     motions = (m for body in system.bodies for m in body.frame.motions if not isinstance(m, Floating))
-    functions = {leaf for motion in motions for leaf in motion.leaves if leaf.kind == "time_function"}
-    given = sorted(str(function) for function in functions - known if not function.order)
-    if given:
-        moves, adds = ("moves", "is no coordinate") if len(given) == 1 else ("move", "are no coordinates")
-        yield (
-            f"{', '.join(given)} {moves} bodies and {adds}, so that the motion must be given from outside; add "
-            "what is unknown to coordinates=[...], what is given to inputs=[...]"
-        )
+    moving = {leaf for motion in motions for leaf in motion.leaves} - known
+    constraining = {leaf for constraint in system.constraints for leaf in constraint.free_symbols} - known
+    for leaves, (does, do) in (
+        (moving, ("moves bodies", "move bodies")),
+        (constraining - moving, ("stands in a constraint", "stand in constraints")),
+    ):
+        given = sorted({leaf.name for leaf in leaves if leaf.kind == "time_function"} - _named(known))
+        if given:
+            acts, adds = (does, "is no coordinate") if len(given) == 1 else (do, "are no coordinates")
+            yield (
+                f"{', '.join(given)} {acts} and {adds}, so that the motion must be given from outside; add "
+                "what is unknown to coordinates=[...], what is given to inputs=[...]"
+            )
+
+
+def _named(functions: Iterable[Expr]) -> set[str]:
+    return {function.name for function in functions}

@@ -15,7 +15,7 @@ One moment of inertia alone is how a motion in a plane, or a rotor, is written: 
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, TypeAlias
 
 import numpy as np
@@ -48,30 +48,67 @@ def report_impossible_inertia(body: Body) -> None:
     taken_away = np.linalg.eigvalsh(J)[2] <= 0 and not _is_positive(body.mass)
     if taken_away or _is_possible(J):
         return
-    given = "no body has these moments and products" if body.has_products else "no body has these moments"
-    notify(
+    notify(told_inertia(body, J, has_products=body.has_products))
+
+
+def told_inertia(body: Body, J: Array, *, has_products: bool) -> str:
+    """Return that no body has a tensor of inertia, and why."""
+    given = "no body has these moments and products" if has_products else "no body has these moments"
+    return (
         f"{_named(body)}: {given} of inertia: {_fault(J)}; check the numbers, their units, and that they are about the "
         "centre of mass"
     )
+
+
+def are_impossible(mass: Array, J: Array) -> NDArray[np.bool_]:
+    """Return which of many masses and tensors of inertia no body has; those taken away from a body are left out.
+
+    Args:
+        mass: the masses, k of them.
+        J: the tensors, k x 3 x 3.
+    """
+    moments = np.einsum("kii->ki", J)
+    are_alone = np.count_nonzero(J, axis=(1, 2)) == np.count_nonzero(moments, axis=1)
+    are_planar = are_alone & (np.count_nonzero(moments, axis=1) == 1) & (moments.min(axis=1) >= 0)
+    a, b, c = np.linalg.eigvalsh(J).T
+    are_possible = c - a - b <= ROUNDED * np.maximum(np.abs(a), np.abs(c))
+    found: NDArray[np.bool_] = ~(are_planar | are_possible | ((c <= 0) & (mass <= 0)))
+    return found
 
 
 def report_impossible_differences(bodies: Sequence[Body]) -> None:
     """Give a notice of bodies joined rigidly, some of them taken away from others, that together are no body."""
     if not any(_is_taken_away(body) for body in bodies):
         return
+    for group in joined_bodies(bodies):
+        fault = told_difference(group, {}) if any(_is_taken_away(body) for body in group) else ""
+        if fault:
+            notify(f"System: {fault}")
+
+
+def joined_bodies(bodies: Sequence[Body]) -> list[list[Body]]:
+    """Return the bodies in groups that are joined rigidly."""
     groups: dict[Frame, list[Body]] = {}
     for body in bodies:
         groups.setdefault(_carrier(body.frame), []).append(body)
-    for carrier, group in groups.items():
-        fault = _fault_of_sum(carrier, group) if any(_is_taken_away(body) for body in group) else ""
-        if fault and len(group) == 1:
-            notify(
-                f"System: {_named(group[0])} has a negative mass or moment of inertia, and no body is joined to it "
-                "rigidly from which it could be taken away; build it on the frame of that body"
-            )
-        elif fault:
-            names = brief(", ".join(_named(body) for body in group))
-            notify(f"System: {names}: joined rigidly, these bodies are together none: {fault}")
+    return list(groups.values())
+
+
+def told_difference(group: Sequence[Body], values: Mapping[Expr, float]) -> str:
+    """Return that bodies joined rigidly are together none, and why; the empty text if they are one.
+
+    Args:
+        group: the bodies, some of them taken away from others.
+        values: those of symbols.
+    """
+    fault = _fault_of_sum(_carrier(group[0].frame), group, values)
+    if fault and len(group) == 1:
+        return (
+            f"{_named(group[0])} has a negative mass or moment of inertia, and no body is joined to it "
+            "rigidly from which it could be taken away; build it on the frame of that body"
+        )
+    names = brief(", ".join(_named(body) for body in group))
+    return fault and f"{names}: joined rigidly, these bodies are together none: {fault}"
 
 
 def _tensor(body: Body) -> Array:
@@ -132,9 +169,9 @@ def _carrier(frame: Frame) -> Frame:
     return frame
 
 
-def _fault_of_sum(carrier: Frame, group: Sequence[Body]) -> str:
+def _fault_of_sum(carrier: Frame, group: Sequence[Body], values: Mapping[Expr, float]) -> str:
     """Return what is wrong with bodies that are joined, if all that decides it are numbers."""
-    parts = [_pseudo_inertia(carrier, body) for body in group]
+    parts = [_pseudo_inertia(carrier, body, values) for body in group]
     known = [part for part in parts if part is not None]
     if len(known) < len(parts):
         return ""
@@ -149,13 +186,13 @@ def _fault_of_sum(carrier: Frame, group: Sequence[Body]) -> str:
     return f"about their centre of mass {_fault(np.trace(about_center) * np.eye(3) - about_center)}"
 
 
-def _pseudo_inertia(carrier: Frame, body: Body) -> Array | None:
+def _pseudo_inertia(carrier: Frame, body: Body, values: Mapping[Expr, float]) -> Array | None:
     """Return P of a body in a frame in which it is fixed, if it holds numbers alone."""
     rows, place = pose_from(body.frame, carrier)
-    values = (body.mass, *body.inertia_entries, *(entry for row in rows for entry in row), *place)
-    if not all(value.is_constant for value in values):
+    entries = (body.mass, *body.inertia_entries, *(entry for row in rows for entry in row), *place)
+    if not all(entry.free_symbols <= values.keys() for entry in entries):
         return None
-    numbers = np.array([float(value) for value in values])
+    numbers = np.array([float(entry.evaluate(values)) for entry in entries])
     J, R, p = numbers[1:10].reshape(3, 3), numbers[10:19].reshape(3, 3), numbers[19:]
     P, X = np.zeros((4, 4)), np.eye(4)
     P[:3, :3], P[3, 3] = _of_lamina(J) if _is_alone(J) else _second_moments(J), numbers[0]

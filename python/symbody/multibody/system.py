@@ -53,8 +53,8 @@ class System:
         speeds: the functions of time that are velocities in moving frames (quasi-velocities); those of floating frames
             come first unless they are listed.
         multipliers: one function of time per constraint; ``lambda1``, ``lambda2``, ... by default.
-        inputs: the functions of time in frames that are given from outside. Others that move bodies are inputs too, but
-            a notice names them: they may be coordinates that were forgotten. Those in loads need not be listed.
+        inputs: the functions of time in frames and constraints that are given from outside. Others there are inputs
+            too, but a notice names them: they may be coordinates that were forgotten. Those in loads need no list.
         name: what to call the system.
 
     Sets are put in an order that doesn't depend on the run.

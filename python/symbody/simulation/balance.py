@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -10,6 +11,7 @@ from numpy.typing import NDArray
 from symbody.dynamics import Equations
 from symbody.symbolic import Expr
 
+from .dependent_constraints import nearby
 from .gauss_newton import gauss_newton
 from .least_norm import least_norm
 from .small_motion import SmallMotion
@@ -37,6 +39,11 @@ class Balance:
     def is_free(self) -> NDArray[np.bool_]:
         """Which coordinates are free."""
         return np.array([q not in self.held for q in self.equations.coordinates])
+
+    @property
+    def order(self) -> list[Expr]:
+        """The coordinates that are fixed, in the order of the forces that hold them."""
+        return [q for q in self.equations.coordinates if q in self.held]
 
     @property
     def count(self) -> int:
@@ -108,6 +115,23 @@ class Balance:
         kept: Array = U[:, sizes > 1e-6]
         return kept
 
+    def directions(self, q: Array) -> Array:
+        """Return the directions of the multipliers' and the holding forces, one a row, here and at places nearby."""
+        n, none = len(self.equations.speeds), np.zeros(self.count)
+        places = np.vstack([q, q + nearby(self.equations, q).T])
+        slopes = [self.values(place, none)[1][:n, len(q) :].T for place in places]
+        return np.array([rows for k, rows in enumerate(slopes) if not k or np.isfinite(rows).all()])
+
+    def least_forces(self, q: Array, forces: Array, combinations: Sequence[Array]) -> Array:
+        """Return the least forces of those that balance, where combinations of forces do nothing."""
+        if not combinations:
+            return forces
+        n = len(self.equations.speeds)
+        F, slopes, _ = self.values(q, np.zeros(self.count))
+        _, determined = least_norm(np.array(combinations), np.zeros(len(combinations)))
+        least: Array = determined @ least_norm(slopes[:n, len(q) :] @ determined, -F[:n])[0]
+        return least if self.error(q, least) <= max(self.error(q, forces), _ROUNDED) else forces
+
     def small_motion(self, q: Array, forces: Array, *, is_held: bool) -> SmallMotion:
         """Return the linear equations of the motions that the constraints allow.
 
@@ -127,5 +151,7 @@ class Balance:
 
 _FAINT = 1e-6
 """The part of the largest forces that counts, where an equation has no terms but rounding errors."""
+_ROUNDED = 1e-7
+"""The part of its terms that a condition may be off, where directions of forces that nearly agree are left out."""
 _NOTHING = 1e-12
 """A force or moment that counts where there are no others."""

@@ -215,7 +215,9 @@ class Batch:
                 list(self.outputs.values()), outcome.states[:, :size], self.instants[:reached], parameters
             )
         met = replace(outcome, deficiencies=outcome.deficiencies | found)
-        findings = findings_of(Integrated(self.model, parameters, self.options, met))
+        integrated = Integrated(self.model, parameters, self.options, met, float(self.instants[0]))
+        with noting():  # what the motion met is among the findings
+            findings = findings_of(integrated)
         results.findings[case] = tuple(dict.fromkeys((*results.findings[case], *findings)))
 
     def _reason(self, outcome: Outcome, parameters: Mapping[Expr, float]) -> str:

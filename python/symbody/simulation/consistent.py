@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 from symbody.dynamics import Equations
 from symbody.errors import ConstraintError
 from symbody.symbolic import Expr, ExprLike, number, time_derivative
+from symbody.symbolic.deficiency import reporting
 
 from .contradiction import contradiction_between, contradictory_rows_of
 from .gauss_newton import gauss_newton
@@ -30,6 +31,8 @@ EXACT = 1e-10
 """The part of its terms that a constraint may be off where it counts as satisfied."""
 ROUNDED = 1e-6
 """The part that given values may be off, as numbers of seven digits are: all values are polished then."""
+POLISHED = 1e-3
+"""The part of the largest speed by which polishing changes one at most."""
 
 
 def consistent_state(
@@ -70,7 +73,8 @@ def consistent_state(
     >>> [round(value, 12) for value in state.values()]
     [3.0, -4.0, 4.0, 3.0]
     """
-    state = start_of(eqs, parameters, initial, guess=guess, t=t, inputs=inputs)
+    with reporting(_WHERE):
+        state = start_of(eqs, parameters, initial, guess=guess, t=t, inputs=inputs)
     notice_unused(eqs, parameters or {}, [number(value) for value in (inputs or {}).values()], _WHERE)
     return state
 
@@ -126,15 +130,15 @@ class Positions:
         error = float(np.max(np.abs(phi) / term_sizes(q, phi_q, sizes)))
         return error if np.isfinite(error) else np.inf
 
-    def solved(self, q: Array, is_free: Flags) -> Array:
-        """Return where Gauss-Newton steps of the free coordinates lead."""
+    def solved(self, q: Array, is_free: Flags, most: int = 200) -> Array:
+        """Return where Gauss-Newton steps of the free coordinates lead, so many of them at most."""
         found = q.copy()
 
         def of_free(free: Array) -> tuple[Array, Array]:
             found[is_free] = free
             return self.linearization(found, is_free)
 
-        found[is_free] = gauss_newton(of_free, q[is_free])
+        found[is_free] = gauss_newton(of_free, q[is_free], most)
         return found
 
 
@@ -242,11 +246,15 @@ def velocities(
     places, values = _given_rates(kinematics, fixed)
     rows = [*range(m), *(m + place for place in places)]
     A, b = A[rows], -b[rows] + np.array([0.0] * m + values)
+    least = np.append(_usual_sizes(kinematics, p, t, q), np.zeros(len(places)))
     u[is_free] += least_norm(A[:, is_free], b - A @ u)[0]
-    error = _relative(A, b, u)
+    error = _relative(A, b, u, least)
     if (error > EXACT).any() and (error <= ROUNDED).all():
-        u = u + least_norm(A, b - A @ u)[0]
-        error = _relative(A, b, u)
+        change = least_norm(A, b - A @ u)[0]
+        # Where a gradient vanishes, its direction is a rounding error, and speeds that are nearly right are kept.
+        if np.abs(change).max() <= POLISHED * np.abs(u).max():
+            u = u + change
+        error = _relative(A, b, u, least)
     if not (error <= ROUNDED).all():
         against = contradictory_rows_of(A[:m], b[:m], np.abs(b[:m])) if np.isfinite(A).all() else ()
         if against:
@@ -256,9 +264,24 @@ def velocities(
     return u
 
 
-def _relative(A: Array, b: Array, u: Array) -> Array:
-    """Return how far equations are from being satisfied, in the size of their terms."""
-    size = np.abs(A).sum(axis=1) * np.abs(u).max(initial=0.0) + np.abs(b)
+def _usual_sizes(kinematics: Kinematics, p: Array, t: float, q: Array) -> Array:
+    """Return how large gradients of the constraints usually are, also where they vanish: terms over coordinates."""
+    with np.errstate(all="ignore"):
+        _, _, sizes = kinematics.position(t, q, p)
+    usual: Array = np.where(np.isfinite(sizes), sizes, 0.0) / max(1.0, float(np.abs(q).max()))
+    return usual
+
+
+def _relative(A: Array, b: Array, u: Array, least: Array) -> Array:
+    """Return how far equations are from being satisfied, in the size of their terms.
+
+    Args:
+        A: the left sides.
+        b: the right sides.
+        u: the speeds.
+        least: what the sum of a row counts as at least.
+    """
+    size = np.maximum(np.abs(A).sum(axis=1), least) * np.abs(u).max(initial=0.0) + np.abs(b)
     error: Array = np.abs(A @ u - b) / np.where(size > 0, size, 1)
     return error
 

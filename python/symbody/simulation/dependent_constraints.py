@@ -8,18 +8,27 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from symbody.dynamics import Equations
 from symbody.symbolic import Expr, Matrix, pi, substitute
 
 from .model import Model
 from .named_constraint import listed, named_constraints
 from .vanishing_combinations import vanishing_combinations
 
-__all__ = ["DependentConstraints", "dependent_constraints", "described_dependence"]
+__all__ = [
+    "DependentConstraints",
+    "dependent_constraints",
+    "described_dependence",
+    "named_dependence",
+    "nearby",
+]
 
 Array = NDArray[np.float64]
 
 NEAR = 1e-3
 """Singular values of the scaled Jacobian below this part of the largest belong to nearly dependent constraints."""
+LEAST = 0.5
+"""What counts as the largest singular value where all gradients are shorter than at places nearby: all may vanish."""
 PLACES = 4
 """Places nearby at which gradients are looked at: at a singular position, one may vanish."""
 _NAMED = 4
@@ -33,7 +42,7 @@ class DependentConstraints:
         rows: their numbers, from 0.
         names: what to call them.
         ratio: what is left of the combination, relative to the largest that one of its size may be: the ratio of
-            singular values, as there are no others in it.
+            singular values, as there are no others in it; relative to gradients nearby, where all of them vanish.
         is_everywhere: whether they are dependent at almost every position, as redundant constraints are.
     """
 
@@ -64,8 +73,10 @@ def dependent_constraints(
     J = scaled_jacobian(model, parameters, t, state)
     if not np.isfinite(J).all():
         return ()
-    largest = np.linalg.norm(J, 2)
-    found = [_group(model, J, combination, float(largest)) for combination in vanishing_combinations(J, near)]
+    length = float(np.linalg.norm(J, 2))
+    largest = max(length, LEAST)
+    apart = near * largest / length if length > near * largest else 1.0
+    found = [_group(model, J, combination, largest) for combination in vanishing_combinations(J, apart)]
     return tuple(sorted(found, key=lambda group: group.ratio))
 
 
@@ -76,7 +87,7 @@ def scaled_jacobian(model: Model, parameters: Array, t: float, state: ArrayLike)
     expressions = [*model.equations.mass_matrix.entries, *model.equations.constraint_jacobian.entries]
     here = np.asarray(state, float)[: len(model.state)]
     states = np.repeat(here[:, None], 1 + PLACES, axis=1)
-    states[:q, 1:] += _shifts(model, here[:q])
+    states[:q, 1:] += nearby(model.equations, here[:q])
     with np.errstate(all="ignore"):
         numbers = np.asarray(model.function(expressions, names)(t, *states, *parameters[: len(names)]))
     M, J = numbers[: n * n, 0].reshape(n, n), np.moveaxis(numbers[n * n :].reshape(m, n, -1), 2, 0)
@@ -89,9 +100,9 @@ def scaled_jacobian(model: Model, parameters: Array, t: float, state: ArrayLike)
     return scaled
 
 
-def _shifts(model: Model, coordinates: Array) -> Array:
-    """Return ways to places nearby: about a radian for angles, and half of the coordinates for lengths."""
-    are_angles = np.array([_is_angle(model, q) for q in model.coordinates])
+def nearby(eqs: Equations, coordinates: Array) -> Array:
+    """Return ways to places nearby, a column each: about a radian for angles, half of the coordinates for lengths."""
+    are_angles = np.array([_is_angle(eqs, q) for q in eqs.coordinates])
     sizes = np.abs(coordinates)
     lengths = np.maximum(sizes, 0.1 * sizes[~are_angles].max(initial=0.0)) / 2
     draw = np.random.Generator(np.random.PCG64(1)).uniform(-1, 1, (len(coordinates), PLACES))
@@ -99,10 +110,10 @@ def _shifts(model: Model, coordinates: Array) -> Array:
     return shifts
 
 
-def _is_angle(model: Model, coordinate: Expr) -> bool:
+def _is_angle(eqs: Equations, coordinate: Expr) -> bool:
     """Whether two turns of a coordinate change no constraint."""
     turned = {coordinate: coordinate + 4 * pi}
-    holding = [phi for phi in model.constraints if coordinate in phi.free_symbols]
+    holding = [phi for phi in eqs.constraints if coordinate in phi.free_symbols]
     return bool(holding) and substitute(holding, turned) == tuple(holding)
 
 
@@ -129,6 +140,19 @@ def _are_dependent(model: Model, rows: Sequence[int]) -> bool:
         return False
     gradients = model.equations.constraint_jacobian.tolist()
     return Matrix([gradients[row] for row in rows]).rank() < len(rows)
+
+
+def named_dependence(groups: Sequence[DependentConstraints]) -> str:
+    """Return what is dependent there, but for what is so everywhere, without figures."""
+    special = [group for group in groups if not group.is_everywhere]
+    shown = "; ".join(_named(group) for group in special[:_NAMED])
+    return f"{shown}; and {len(special) - _NAMED} more groups" if len(special) > _NAMED else shown
+
+
+def _named(group: DependentConstraints) -> str:
+    if len(group.rows) == 1:
+        return f"constraint {group.names[0]} restrains no motion there"
+    return f"constraints {listed(group.names)} depend on each other there"
 
 
 def described_dependence(groups: Sequence[DependentConstraints]) -> str:

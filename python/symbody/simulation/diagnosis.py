@@ -16,49 +16,61 @@ Array = NDArray[np.float64]
 
 def diagnosis(failure: Failure, outcome: Outcome, model: Model, parameters: Array, method: str) -> str:
     """Return what happened, when, and the way out, in the names of the model."""
-    stiff = "; for stiff equations use method='bdf'" if method in EXPLICIT else ""
-    t, state = outcome.end
-    when = f"at t = {t:.9g} s"
-    if failure.kind in {"ida", "contradiction"}:
+    if failure.kind == "contradiction":
         return failure.message.removeprefix("simulate: ")
-    state = state[: len(model.state)]
-    singular = _singular(model, parameters, t, np.array(state))
+    if failure.kind == "ida":
+        return _of_ida(failure, outcome, model, parameters)
+    t, state = outcome.end[0], np.array(outcome.end[1][: len(model.state)])
+    when = f"at t = {t:.9g} s"
+    singular = _singular(model, parameters, t, state)
     if singular:
         return f"{when}: {singular}"
     if failure.kind == "not_finite":
-        names = _not_finite(model, parameters, t, np.array(state))
-        cause = (
-            f"{names} not finite there; look for a division by zero, a root or logarithm of what became negative, or "
-            "parameters that make no sense"
-            if names
-            else "a rate of the state is not finite a step ahead, however short "
-            "the step; look for a function that leaves its domain"
-        )
-        return f"{when}: {cause}"
+        return f"{when}: {_out_of_domain(model, parameters, t, state)}"
     near = _BY_CONSTRAINTS.get(failure.kind, 0.0)
-    dependent = _dependent(model, parameters, t, np.array(state), near) if near else ""
-    if dependent:
-        return f"{when}: {failure.message}; {dependent}"
-    if failure.kind == "projection":
+    dependent = _dependent(model, parameters, t, state, near) if near else ""
+    return f"{when}: {_told(failure, dependent or _possible_cause(failure.kind, model, method))}"
+
+
+def _told(failure: Failure, cause: str) -> str:
+    if failure.kind in _BY_CONSTRAINTS:
+        return f"{failure.message}; {cause}"
+    return f"the method gave up ({failure.message}); {cause}"
+
+
+def _possible_cause(kind: str, model: Model, method: str) -> str:
+    """Return what may be the cause of a failure where constraints are not, and the way out."""
+    stiff = "; for stiff equations use method='bdf'" if method in EXPLICIT else ""
+    if kind == "projection":
         return (
-            f"{when}: {failure.message}; the constraints can't be satisfied beyond, or the position is singular; look "
-            "at the motion up to there; smaller tolerances may pass it, or constraints='baumgarte'"
+            "the constraints can't be satisfied beyond, or the position is singular; look at the motion up to there; "
+            "smaller tolerances may pass it, or constraints='baumgarte'"
         )
-    if failure.kind == "stalled":
+    if kind == "stalled":
         return (
-            f"{when}: {failure.message}; a force may jump back and forth, such as dry friction by sign(v): smooth it, "
-            f"as tanh(v/v0), or end the motion by an event{stiff}"
+            "a force may jump back and forth, such as dry friction by sign(v): smooth it, as tanh(v/v0), or end the "
+            f"motion by an event{stiff}"
         )
-    if failure.kind == "step_collapse":
+    if kind == "step_collapse":
         held = "the constraints may let it go no farther, " if model.constraints else ""
         return (
-            f"{when}: {failure.message}; {held}the motion may go to infinity there, or a force jumps: smooth it, or "
-            f"end the motion by an event{stiff}"
+            f"{held}the motion may go to infinity there, or a force jumps: smooth it, or end the motion by an "
+            f"event{stiff}"
         )
-    return f"{when}: the method gave up ({failure.message}); use another method, or larger tolerances"
+    return "use other tolerances" if method == "dop853" else "use method='dop853', or other tolerances"
 
 
-_BY_CONSTRAINTS = {"projection": NEAR, "stalled": NEAR, "step_collapse": NEAR, "singular": 0.3}
+def _of_ida(failure: Failure, outcome: Outcome, model: Model, parameters: Array) -> str:
+    """Return what IDA says, and which constraints are dependent at the end of its last step."""
+    told = failure.message.removeprefix("simulate: ")
+    t, state = outcome.end
+    if len(outcome.trail):
+        t, *state = outcome.trail[-1]
+    dependent = _dependent(model, parameters, t, np.array(state)[: len(model.state)], _BY_CONSTRAINTS["ida"])
+    return f"{told.partition('; expected')[0]}; {dependent}" if dependent else told
+
+
+_BY_CONSTRAINTS = {"projection": NEAR, "stalled": NEAR, "step_collapse": NEAR, "singular": 0.3, "ida": 0.1}
 """The kinds of failure that constraints cause where they become dependent, and how near to that the state may be.
 
 Where a method finds no step past a singular position, its state is a step before it."""
@@ -72,6 +84,19 @@ def _dependent(model: Model, parameters: Array, t: float, state: Array, near: fl
         "with constraints='projection' passes most; or begin with another state, change the dimensions, or end the "
         "motion by an event before it; constraints that depend on each other wherever the mechanism moves should be "
         "left out"
+    )
+
+
+def _out_of_domain(model: Model, parameters: Array, t: float, state: Array) -> str:
+    names = _not_finite(model, parameters, t, state)
+    if names:
+        return (
+            f"{names} not finite there; look for a division by zero, a root or logarithm of what became negative, or "
+            "parameters that make no sense"
+        )
+    return (
+        "a rate of the state is not finite a step ahead, however short the step; look for a function that leaves its "
+        "domain"
     )
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import warnings
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
@@ -9,13 +10,15 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from symbody.dynamics import Equations
-from symbody.errors import SimulationError
+from symbody.errors import ModelNotice, SimulationError
 from symbody.symbolic import Expr, ExprLike
+from symbody.symbolic.deficiency import reporting
 
 from .balance import Balance
 from .consistent import beginnings, positions
 from .kinematics import kinematics_of
 from .named_constraint import shortened
+from .place_at_rest import Place
 from .statics import statics_of
 from .unused import notice_unused
 from .values import given_inputs, parameter_values, state_values
@@ -39,9 +42,13 @@ class Equilibrium:
         holding: the forces along the coordinates that were fixed, which hold them.
         residual: the largest force or moment that is left in the equations of motion.
         eigenvalues: the s of the small motions ``x exp(s t)`` about it, in 1/s, the fastest growing first. Nothing is
-            held: the holding forces act on as constant forces along the coordinates that were fixed.
+            held: the holding forces act on as constant forces along the coordinates that were fixed. NaN at a singular
+            position, where motions are not small motions of a linear system.
         held_eigenvalues: those of the motions in which the fixed coordinates stay where they are; the same ones where
             nothing is fixed.
+
+    Forces that the position does not determine, such as those of constraints that depend on each other, are the least
+    ones; a notice names them, unless they are of constraints that are redundant everywhere.
     """
 
     coordinates: dict[Expr, float]
@@ -53,16 +60,29 @@ class Equilibrium:
 
     @property
     def is_stable(self) -> bool:
-        """Whether no small motion of the free system grows: none of the eigenvalues has a positive real part."""
+        """Whether no small motion of the free system grows: none of the eigenvalues has a positive real part.
+
+        Raises:
+            SimulationError: the position is singular, where eigenvalues say nothing.
+        """
         return _decays(self.eigenvalues)
 
     @property
     def is_stable_held(self) -> bool:
-        """Whether no small motion grows while the fixed coordinates stay where they are."""
+        """Whether no small motion grows while the fixed coordinates stay where they are.
+
+        Raises:
+            SimulationError: the position is singular, where eigenvalues say nothing.
+        """
         return _decays(self.held_eigenvalues)
 
 
 def _decays(eigenvalues: NDArray[np.complex128]) -> bool:
+    if np.isnan(eigenvalues).any():
+        raise SimulationError(
+            f"{_WHERE}: the position is singular, and nothing is known of small motions about it; expected a position "
+            "at which the constraints are independent: look at one beside it, or simulate"
+        )
     size = np.abs(eigenvalues).max(initial=0.0)
     return bool((eigenvalues.real <= 1e-8 * size).all())
 
@@ -106,35 +126,51 @@ def equilibrium(
     >>> hanging.coordinates, hanging.is_stable, hanging.eigenvalues.round(9)
     ({theta: 0.0}, True, array([0.-2.j, 0.+2.j]))
     """
+    with reporting(_WHERE):
+        place = _place(eqs, parameters, guess, fixed, t, inputs)
+        found, notices = _result(place), list(place.notices())
+    for notice in notices:
+        warnings.warn(f"{_WHERE}: {notice}", ModelNotice, stacklevel=2)
+    return found
+
+
+def _place(
+    eqs: Equations,
+    parameters: Mapping[Expr, ArrayLike] | None,
+    guess: Mapping[Expr, ArrayLike] | None,
+    fixed: Mapping[Expr, ArrayLike] | None,
+    t: float,
+    inputs: Mapping[Expr, ExprLike] | None,
+) -> Place:
+    """Return the place at which the system stays at rest."""
     given = given_inputs(eqs, inputs, where=_WHERE)
     kinematics = kinematics_of(eqs, given)
     statics = statics_of(eqs, kinematics.given)
     p = parameter_values(statics.parameters, parameters, where=_WHERE)
     held = state_values(eqs.system, fixed, where=_WHERE, argument="fixed", has_speeds=False)
     near = state_values(eqs.system, guess, where=_WHERE, argument="guess", has_speeds=False)
-    notice_unused(eqs, parameters or {}, list(given.values()), _WHERE)
+    notice_unused(eqs, parameters or {}, list(given.values()), _WHERE, stacklevel=4)
     problem = Balance(statics, t, p, tuple(held))
     constants = dict(zip(statics.parameters, p, strict=True))
     of_constraints = np.array([constants[name] for name in kinematics.parameters])
     q = positions(kinematics, of_constraints, t, held, near, where=_WHERE)
     solution = _solved(problem, q)
     _check_single(problem, solution)
-    return _result(problem, solution)
+    return Place(problem, kinematics, of_constraints, *solution)
 
 
-def _result(problem: Balance, solution: tuple[Array, Array]) -> Equilibrium:
+def _result(place: Place) -> Equilibrium:
     """Return what was found by its names."""
-    q, forces = solution
+    problem, q, forces = place.problem, place.q, place.least_forces
     m, n = len(problem.equations.constraints), len(problem.equations.speeds)
-    order = [name for name in problem.equations.coordinates if name in problem.held]
     F, _, _ = problem.values(q, forces)
     return Equilibrium(
         coordinates=_named(problem.equations.coordinates, q),
         multipliers=_named(problem.equations.multipliers, forces[:m]),
-        holding=_named(order, forces[m:]),
+        holding=_named(problem.order, forces[m:]),
         residual=float(np.abs(F[:n]).max()),
-        eigenvalues=problem.small_motion(q, forces, is_held=False).eigenvalues(),
-        held_eigenvalues=problem.small_motion(q, forces, is_held=True).eigenvalues(),
+        eigenvalues=place.eigenvalues(is_held=False),
+        held_eigenvalues=place.eigenvalues(is_held=True),
     )
 
 

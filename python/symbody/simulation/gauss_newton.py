@@ -21,7 +21,7 @@ _NEARLY = 1e-11
 """A value at which a step that hardly helps is the last one: rounding errors are in its way."""
 
 
-def gauss_newton(linearization: Linearization, start: Array) -> Array:
+def gauss_newton(linearization: Linearization, start: Array, most: int = _STEPS) -> Array:
     """Return where equations hold as well as can be reached from a start.
 
     Steps of least norm, ``min |F + J d|^2 + mu |d|^2`` with ``mu`` proportional to ``|F|^2``: they converge
@@ -31,10 +31,11 @@ def gauss_newton(linearization: Linearization, start: Array) -> Array:
     Args:
         linearization: the values and their Jacobian, scaled such that 1 is a large value.
         start: where to begin.
+        most: how many steps are taken at most.
     """
     x, damping = np.array(start, dtype=np.float64), 1e-2
     F, J = linearization(x)
-    for _ in range(_STEPS):
+    for _ in range(most):
         error = float(F @ F)
         if not np.isfinite(error) or not np.isfinite(J).all() or damping > _LARGEST_DAMPING:
             break

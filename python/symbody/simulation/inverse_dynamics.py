@@ -16,6 +16,7 @@ from symbody.multibody import System
 from symbody.symbolic import Expr, ExprLike, free_symbols
 from symbody.symbolic import t as symbolic_time
 from symbody.symbolic.arguments import counted, described
+from symbody.symbolic.deficiency import reporting
 from symbody.symbolic.namesake import namesake_note
 
 from .driven_motion import followed_motion, prescribed_motion
@@ -109,7 +110,8 @@ class InverseDynamics:
         function = lambdify([symbolic_time, states, list(loads), list(self.parameters)], list(wanted))
         rows = np.hstack([self.coordinates, self.speeds, self.accelerations, self.multipliers]).T
         forces = np.array(list(loads.values())).reshape(len(loads), len(self))
-        return np.asarray(function(self.t, rows, forces, _column(self.parameters.values())))
+        with reporting(_WHERE):
+            return np.asarray(function(self.t, rows, forces, _column(self.parameters.values())))
 
     def _by_state(self, expressions: Sequence[Expr]) -> tuple[Expr, ...]:
         return with_given(self.system, tuple(self.inputs.items()), expressions)
@@ -173,17 +175,19 @@ def inverse_dynamics(
     _check_unknowns(eqs, kinematics, motion, loads)
     needed = _parameters(eqs, kinematics) - {*loads}
     numbers = _without(parameters, loads)
-    if isinstance(motion, Motion):
-        _check_left_out(t=t, guess=guess)
-        driven = followed_motion(kinematics, motion, needed, numbers)
-    else:
-        driven = prescribed_motion(kinematics, motion, t, needed, numbers, guess)
+    with reporting(_WHERE):
+        if isinstance(motion, Motion):
+            _check_left_out(t=t, guess=guess)
+            driven = followed_motion(kinematics, motion, needed, numbers)
+        else:
+            driven = prescribed_motion(kinematics, motion, t, needed, numbers, guess)
     formulas = (
         [value for value in motion.values() if isinstance(value, Expr)] if isinstance(motion, Mapping) else []
     )
     notice_unused(eqs, numbers, [*given.values(), *formulas], _WHERE)
     equations = driving_loads(eqs, kinematics.given, () if loads else driven.driving, loads, _WHERE)
-    forces, multipliers = equations.solved(driven.instants, driven.course, driven.parameters)
+    with reporting(_WHERE):
+        forces, multipliers = equations.solved(driven.instants, driven.course, driven.parameters)
     return InverseDynamics(
         eqs.system,
         driven.instants,

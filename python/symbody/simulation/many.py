@@ -24,6 +24,7 @@ from .batch import Batch
 from .case_check import check_cases
 from .cases import PLACE, Cases, Values, cases_of
 from .event import Event
+from .given_bodies import notice_impossible_bodies
 from .interruption import Interruption
 from .model import model_of
 from .notices import notices_of_batch
@@ -129,6 +130,7 @@ def simulate_many(
     )
     check_cases(batch, all_cases)
     notice_unused(eqs, all_cases.parameters, batch.expressions, PLACE)
+    notice_impossible_bodies(eqs.system, all_cases.parameters, PLACE)
     file = None if path is None else ResultsFile(Path(path), problem_digest(batch, all_cases))
     results = _begun(file, batch.empty_results(all_cases.count))
     run = _Run(batch, all_cases, results, file)

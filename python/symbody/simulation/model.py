@@ -6,6 +6,9 @@ from collections.abc import Collection, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from functools import cached_property, lru_cache
+from typing import Any
+
+from numpy.typing import ArrayLike
 
 from symbody.codegen import CompiledFunction, PreparedCode, Shortcut, lambdify
 from symbody.dynamics import Equations, ForwardDynamics, forward_dynamics
@@ -14,6 +17,7 @@ from symbody.multibody import System, gravitational_energy, kinetic_energy
 from symbody.multibody.load import action_power
 from symbody.symbolic import Expr, ExprLike, cost, derivation, free_symbols, number, substitute, symbols, t
 from symbody.symbolic import jacobian as jacobian_of
+from symbody.symbolic.deficiency import noting, report
 
 from .given_input import with_given
 from .least_change import LeastChange, least_change
@@ -50,7 +54,7 @@ class Model:
     inputs: tuple[tuple[Expr, Expr], ...] = ()
     is_stabilized: bool = False
     method: str = "auto"
-    _functions: dict[tuple[tuple[Expr, ...], ...], CompiledFunction] = field(default_factory=dict, repr=False)
+    _functions: dict[tuple[tuple[Expr, ...], ...], AlongMotion] = field(default_factory=dict, repr=False)
 
     @property
     def system(self) -> System:
@@ -141,10 +145,7 @@ class Model:
     @cached_property
     def equation_names(self) -> list[str]:
         """What to call the rows of the linear system that is solved at run time."""
-        constraints = [str(constraint) for constraint in self.constraints]
-        if self.solution.method == "schur_complement":
-            return constraints
-        return [f"the equation of {speed}" for speed in self.speeds] + constraints
+        return list(self.solution.equation_names)
 
     @cached_property
     def kinematics(self) -> tuple[Expr, ...]:
@@ -282,7 +283,7 @@ class Model:
 
     def function(
         self, expressions: Sequence[Expr], parameters: tuple[Expr, ...], known: tuple[Expr, ...] = ()
-    ) -> CompiledFunction:
+    ) -> AlongMotion:
         """Return a function of time, state and parameters that evaluates expressions along motions.
 
         Args:
@@ -294,8 +295,28 @@ class Model:
         if key not in self._functions:
             values = list((self.with_inputs if known else self.along_motion)(key[0]))
             arguments = [t, *self.state, *known, *parameters]
-            self._functions[key] = lambdify(arguments, values, equation_names=self.equation_names)
+            self._functions[key] = AlongMotion(lambdify(arguments, values), tuple(self.equation_names))
         return self._functions[key]
+
+
+@dataclass(frozen=True, eq=False)
+class AlongMotion:
+    """A function along motions, which reports deficient systems in the words of a model.
+
+    Attributes:
+        function: what it evaluates.
+        equation_names: what to call the equations of the model.
+    """
+
+    function: CompiledFunction
+    equation_names: tuple[str, ...]
+
+    def __call__(self, *values: ArrayLike) -> Any:
+        """Evaluate."""
+        with noting() as found:
+            result = self.function(*values)
+        report(found, self.equation_names, "motion", depth=6)
+        return result
 
 
 _WORK = symbols("work_of_loads")

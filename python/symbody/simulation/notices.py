@@ -9,14 +9,16 @@ from math import nan
 import numpy as np
 
 from symbody.symbolic import Expr
-from symbody.symbolic.deficiency import Deficiency
+from symbody.symbolic.deficiency import Deficiency, strongest
 
 from .consistent import term_sizes
-from .integrator import Options, Outcome
+from .dependent_constraints import dependent_constraints, named_dependence
+from .integrator import EXPLICIT, Options, Outcome
 from .kinematics import kinematics_of
 from .model import Model
 from .named_constraint import named_constraints
 from .singular_passage import singular_passages
+from .singular_position import SINGULAR, is_singular, may_be_singular
 
 __all__ = [
     "Finding",
@@ -58,12 +60,14 @@ class Integrated:
         parameters: their values.
         options: how it was integrated.
         outcome: how that went.
+        t: when it began, in s.
     """
 
     model: Model
     parameters: Mapping[Expr, float]
     options: Options
     outcome: Outcome
+    t: float
 
 
 @dataclass(frozen=True)
@@ -89,8 +93,39 @@ def _deficiencies(motion: Integrated) -> Iterable[Finding]:
 
 
 def _imbalance(motion: Integrated) -> Iterable[Finding]:
-    found = motion.outcome.imbalance
-    return [] if found is None else [Finding("imbalance", size=found[1], t=found[0])]
+    found, failure = motion.outcome.imbalance, motion.outcome.failure
+    # A motion that fails by leaving all bounds takes its energy with it.
+    is_failed = failure is not None and failure.kind != "interrupted"
+    return (
+        []
+        if found is None or is_failed
+        else [Finding("imbalance", _better_way(motion), size=found[1], t=found[0])]
+    )
+
+
+def _better_way(motion: Integrated) -> str:
+    """Return what may keep the balance of energy, where a motion has lost it."""
+    is_explicit, has_constraints = motion.options.method in EXPLICIT, bool(motion.model.constraints)
+    # Only what keeps a motion on its branch leaves no trail.
+    if is_explicit and not (has_constraints and (motion.model.is_stabilized or len(motion.outcome.trail))):
+        return "use smaller tolerances or a smaller max_step, or begin at another position"
+    way = "method='dop853' with constraints='projection'" if has_constraints else "method='dop853'"
+    return f"use smaller tolerances, or {way}"
+
+
+def _singular_start(motion: Integrated) -> Iterable[Finding]:
+    """Return which constraints depend on each other where a motion begins, if they don't do so beside it."""
+    model, state = motion.model, motion.outcome.states[0][: len(motion.model.state)]
+    if not model.constraints:
+        return []
+    kinematics = kinematics_of(model.equations, dict(model.inputs))
+    p = np.array([motion.parameters[name] for name in kinematics.parameters])
+    t, q = motion.t, state[: len(model.coordinates)]
+    if not may_be_singular(kinematics, p, t, q, model.independent_constraints):
+        return []
+    values = np.array([motion.parameters[name] for name in (*model.parameters, *model.damping)])
+    named = named_dependence(dependent_constraints(model, values, t, state, SINGULAR))
+    return [Finding("start", named)] if named and is_singular(kinematics, p, t, q) else []
 
 
 def _passages(motion: Integrated) -> Iterable[Finding]:
@@ -124,6 +159,11 @@ def _violations(motion: Integrated) -> Iterable[Finding]:
 
 ROWS: dict[str, _Row] = {
     "deficient": _Row(_deficiencies, "{subject}"),
+    "start": _Row(
+        _singular_start,
+        "the motion begins at a singular position, from which several motions may go on: {subject}, and beside it they "
+        "don't; begin at another position of the motion that is meant, or look whether this is the one",
+    ),
     "violation": _Row(
         _violations,
         "the motion has left its constraints: at its end {subject} is off by {size:.1g} of the size of its terms; "
@@ -133,8 +173,8 @@ ROWS: dict[str, _Row] = {
     "imbalance": _Row(
         _imbalance,
         "the balance of energy, work included, is off by {size:.1g} of the largest energy that moves, more than the "
-        "tolerances explain, from t = {t:.6g} s on or a little before; use smaller tolerances, or method='dop853' with "
-        "constraints='projection', and look for a force that jumps or a singular position there",
+        "tolerances explain, from t = {t:.6g} s on or a little before; {subject}, and look for a force that jumps or a "
+        "singular position there",
     ),
     "passage": _Row(
         _passages,
@@ -159,7 +199,7 @@ ROWS: dict[str, _Row] = {
 def deficiency_findings(deficiencies: Iterable[Deficiency], model: Model) -> tuple[Finding, ...]:
     """Return the findings about linear systems without a unique solution, in the names of a model."""
     names = model.equation_names
-    return tuple(Finding("deficient", found.sentence(names)) for found in sorted(deficiencies))
+    return tuple(Finding("deficient", found.sentence(names)) for found in strongest(deficiencies))
 
 
 def findings_of(motion: Integrated) -> tuple[Finding, ...]:

@@ -7,7 +7,7 @@ is left out is no matter of taste: what stays may be nearly dependent at some po
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -16,23 +16,23 @@ from numpy.typing import ArrayLike, NDArray
 from symbody.errors import SymbodyError
 from symbody.multibody import System
 from symbody.symbolic import Expr, ExprLike, number
+from symbody.symbolic.deficiency import noting, reporting
 
-from .consistent import Positions, positions
+from .consistent import positions
 from .kinematics import Kinematics
 from .named_constraint import listed, named_constraints
 from .values import parameter_values, state_values
 from .vanishing_combinations import vanishing_combinations
+from .walk import CANCELLED, scaled, walk
 
-__all__ = ["Redundancy", "advice", "redundancy", "redundant_constraints", "scaled"]
+__all__ = ["Redundancy", "advice", "redundancy", "redundant_constraints"]
 
 Array = NDArray[np.float64]
 
-CANCELLED = 1e-7
-"""The part of the gradients that may be left of a combination that cancels, at positions right to ten digits."""
 NEAR = 5e-2
 """The ratio of singular values below which constraints that stay count as nearly dependent."""
-STEPS, STEP = 80, 0.05
-"""Positions that are looked at in either direction, and how far they are apart, in rad or in parts of the lengths."""
+STEPS = 80
+"""Positions that are looked at in either direction."""
 MOST = 12
 """Redundant constraints up to which each choice is tried."""
 _SHOWN = 40
@@ -128,62 +128,20 @@ def redundant_constraints(
         state_values(system, given, where=where, argument=name, has_speeds=False)
         for given, name in ((initial, "initial"), (guess, "guess"))
     )
-    begin = positions(kinematics, p, t, fixed, near, where)
-    return redundancy(kinematics.constraints, list(_gradients(kinematics, p, t, begin)))
+    with reporting(where):
+        begin = positions(kinematics, p, t, fixed, near, where)
+        return redundancy(kinematics.constraints, [scaled(J) for J in walk(kinematics, p, t, begin, STEPS)])
 
 
 def advice(system: System) -> str:
     """Return what is redundant if all parameters are 1; the empty text if nothing is, or no position is found."""
     kinematics = Kinematics(system)
     try:
-        found = redundant_constraints(system, dict.fromkeys(kinematics.parameters, 1.0))
+        with noting():  # nobody asked for this evaluation
+            found = redundant_constraints(system, dict.fromkeys(kinematics.parameters, 1.0))
     except (SymbodyError, np.linalg.LinAlgError):
         return ""
     return str(found) if found.count else ""
-
-
-def _gradients(kinematics: Kinematics, p: Array, t: float, begin: Array) -> Iterator[Array]:
-    """Yield the scaled derivatives of the constraints by the speeds where the mechanism gets to, both ways."""
-    for sign in (1.0, -1.0):
-        q, direction = begin, np.zeros(len(kinematics.system.speeds))
-        for _ in range(STEPS):
-            A, _ = kinematics.velocity(t, q, p)
-            J = scaled(A[: len(kinematics.constraints)])
-            if not np.isfinite(J).all():
-                break
-            yield J
-            direction = _onward(J, direction, sign)
-            q = _moved(kinematics, p, t, q, A[len(J) :] @ direction)
-            if not len(q):
-                break
-
-
-def scaled(J: Array) -> Array:
-    """Return the rows, each divided by its length."""
-    lengths = np.linalg.norm(J, axis=1, keepdims=True)
-    scaled: Array = J / np.where(lengths > CANCELLED * lengths.max(initial=0.0), lengths, 1.0)
-    return scaled
-
-
-def _onward(J: Array, before: Array, sign: float) -> Array:
-    """Return a direction that the constraints allow: the one nearest to the direction before."""
-    _, s, Vt = np.linalg.svd(J)
-    free = Vt[int(np.sum(s > CANCELLED * s.max(initial=0.0))) :]
-    if not len(free):
-        return np.zeros(J.shape[1])
-    onward = free.T @ (free @ before)
-    length = np.linalg.norm(onward)
-    return sign * free[-1] if length < 0.1 else np.asarray(onward / length, np.float64)
-
-
-def _moved(kinematics: Kinematics, p: Array, t: float, q: Array, rates: Array) -> Array:
-    """Return the position a step onward, put back onto the constraints; nothing where none is found."""
-    if not rates.any():
-        return np.zeros(0)
-    onward = q + STEP * max(1.0, float(np.abs(q).max())) * rates / np.abs(rates).max()
-    problem = Positions.at(kinematics, p, t, onward)
-    found = problem.solved(onward, np.ones(len(q), dtype=bool))
-    return found if problem.error(found) < CANCELLED * 1e-2 else np.zeros(0)
 
 
 def redundancy(constraints: tuple[Expr, ...], gradients: Sequence[Array]) -> Redundancy:

@@ -22,6 +22,7 @@ from .begin import begin
 from .contradictory_constraints import without_contradictions
 from .diagnosis import diagnosis
 from .event import Event
+from .given_bodies import notice_impossible_bodies
 from .ida import IDA_FORMS
 from .ida_outcome import ida_outcome
 from .integrator import Options, Outcome, Problem, run
@@ -108,7 +109,8 @@ def simulate(
     values = parameter_values((*plain.parameters, *others), parameters)[: len(plain.parameters)]
     given = {name: float(value) for name, value in _given(parameters).items()}
     notice_unused(eqs, given, [*dict(plain.inputs).values(), *others], "simulate")
-    with preparation_bar(is_shown=progress):
+    notice_impossible_bodies(eqs.system, given, "simulate")
+    with preparation_bar(is_shown=progress), noting() as met:
         state = begin(plain, given, _given(initial), _given(guess), float(instants[0]))
     is_damped = bool(eqs.constraints) and kept not in {"projection", "free"}
     model = modelled(is_stabilized=True) if is_damped else plain
@@ -117,7 +119,8 @@ def simulate(
         given |= dict(zip(DAMPING, damping, strict=True))
         values = np.concatenate([values, damping])
     course = _Course(model, given, values, instants, options, watched, is_projected=kept == "projection")
-    return course.told(course.followed(state, is_shown=progress), asked)
+    outcome = course.followed(state, is_shown=progress)
+    return course.told(replace(outcome, deficiencies=outcome.deficiencies | met), asked)
 
 
 def _given(values: Mapping[Expr, float] | None) -> Mapping[Expr, float]:
@@ -176,7 +179,9 @@ class _Course:
     def told(self, outcome: Outcome, asked: Mapping[str, Expr]) -> Motion:
         """Return the motion; raise an error that holds it if it failed."""
         failure = outcome.failure
-        findings = findings_of(Integrated(self.model, self.parameters, self.options, outcome))
+        begin = float(self.instants[0])
+        with noting():  # what the motion met is among the findings
+            findings = findings_of(Integrated(self.model, self.parameters, self.options, outcome, begin))
         for notice in notices_of_motion(findings):
             warnings.warn(notice, ModelNotice, stacklevel=3)
         if failure is None:

@@ -6,12 +6,12 @@ import threading
 import warnings
 from collections.abc import Iterable, Iterator, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from symbody.errors import ModelNotice
 from symbody.symbolic.kernel import Noted, take_deficiencies
 
-__all__ = ["Deficiency", "deficiencies_of", "noting", "report", "report_noted"]
+__all__ = ["Deficiency", "deficiencies_of", "noting", "report", "report_noted", "reporting", "strongest"]
 
 
 @dataclass(frozen=True, order=True)
@@ -90,6 +90,25 @@ def deficiencies_of(noted: Iterable[Noted]) -> set[Deficiency]:
     }
 
 
+def strongest(found: Iterable[Deficiency]) -> list[Deficiency]:
+    """Return what is to be said of deficient systems: not that equations follow from others where some contradict them.
+
+    At the states that a run tries, right sides may fit each other by chance.
+    """
+    met = sorted(found)
+    contradictory = {(each.system, each.equations, row) for each in met for row, _ in each.contradictions}
+    left = [
+        replace(
+            each,
+            dependent=tuple(
+                row for row in each.dependent if (each.system, each.equations, row) not in contradictory
+            ),
+        )
+        for each in met
+    ]
+    return [each for each in dict.fromkeys(left) if each.dependent or each.contradictions]
+
+
 @contextmanager
 def noting() -> Iterator[set[Deficiency]]:
     """Collect the deficient systems that this thread meets in the block, and in functions that the block calls."""
@@ -117,8 +136,24 @@ def report(
     if _scopes():
         _scopes()[-1].update(found)
         return
-    for deficiency in sorted(found):
+    for deficiency in strongest(found):
         warnings.warn(f"{where}: {deficiency.sentence(names)}", ModelNotice, stacklevel=depth)
+
+
+@contextmanager
+def reporting(where: str, names: Sequence[str] = ()) -> Iterator[None]:
+    """Report the deficient systems that a block of a function meets, each once, under the name that the user called.
+
+    Args:
+        where: the function, whose caller's line is shown.
+        names: what to call the equations.
+    """
+    found: set[Deficiency] = set()
+    try:
+        with noting() as found:
+            yield
+    finally:
+        report(found, names, where, depth=5)
 
 
 def report_noted(noted: Iterable[Noted], where: str) -> None:

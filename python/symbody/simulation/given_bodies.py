@@ -1,0 +1,93 @@
+"""Bodies whose masses and inertias come with the values of parameters: whether there are such bodies."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from functools import lru_cache
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from symbody.codegen import CompiledFunction, lambdify
+from symbody.errors import notify
+from symbody.multibody import Body, System
+from symbody.multibody.physical_inertia import are_impossible, joined_bodies, told_difference, told_inertia
+from symbody.symbolic import Expr, free_symbols
+
+__all__ = ["notice_impossible_bodies"]
+
+Array = NDArray[np.float64]
+
+LOOKS = 8
+"""Cases with a negative mass or moment in which the bodies that are joined are added up."""
+
+
+def notice_impossible_bodies(system: System, given: Mapping[Expr, ArrayLike], where: str) -> None:
+    """Give a notice of each body that no body is, with the values of parameters; what numbers alone say is known.
+
+    Of bodies with the same mass and inertia the first one is named.
+
+    Args:
+        system: the bodies.
+        given: the values of parameters, a number or a value for each case.
+        where: the function that the user called.
+    """
+    by_value: dict[tuple[Expr, ...], tuple[Array, Array]] = {}
+    for group in joined_bodies(system.bodies):
+        is_negative = np.zeros(1, dtype=bool)
+        is_symbolic = False
+        for body in group:
+            entries = (body.mass, *body.inertia_entries)
+            names, _ = _function(entries)
+            if not given.keys() >= {*names}:
+                continue
+            is_symbolic |= bool(names)
+            if entries not in by_value:
+                by_value[entries] = _numbers(entries, given)
+                if names:
+                    _notice_inertia(body, *by_value[entries], where)
+            mass, J = by_value[entries]
+            is_negative = is_negative | (mass < 0) | (np.einsum("kii->ki", J) < 0).any(axis=1)
+        if is_symbolic:
+            _notice_difference(group, given, np.flatnonzero(is_negative), where)
+
+
+@lru_cache(maxsize=512)
+def _function(entries: tuple[Expr, ...]) -> tuple[tuple[Expr, ...], CompiledFunction]:
+    """Return the symbols in the mass and the tensor of inertia of a body, and their function."""
+    names = tuple(sorted(free_symbols(list(entries)), key=str))
+    return names, lambdify(list(names), list(entries), compile=False)
+
+
+def _numbers(entries: tuple[Expr, ...], given: Mapping[Expr, ArrayLike]) -> tuple[Array, Array]:
+    """Return the mass and the tensor of inertia, for each case or for all."""
+    names, function = _function(entries)
+    values = np.asarray(function(*(given[name] for name in names)), float).reshape(10, -1)
+    return values[0], values[1:].T.reshape(-1, 3, 3)
+
+
+def _notice_inertia(body: Body, mass: Array, J: Array, where: str) -> None:
+    places = np.flatnonzero(are_impossible(mass, J))
+    if len(places):
+        first = J[places[0]]
+        told = told_inertia(body, first, has_products=bool((first - np.diag(np.diag(first))).any()))
+        notify(f"{where}: {_counted(places, len(J))}{told}")
+
+
+def _notice_difference(
+    group: Sequence[Body], given: Mapping[Expr, ArrayLike], places: NDArray[np.intp], where: str
+) -> None:
+    for place in places[:LOOKS].tolist():
+        values = {
+            name: float(np.ravel(column)[place if np.size(column) > 1 else 0])
+            for name, column in given.items()
+        }
+        told = told_difference(group, values)
+        if told:
+            is_many = any(np.size(column) > 1 for column in given.values())
+            notify(f"{where}: {f'first case {place}: ' if is_many else ''}{told}")
+            return
+
+
+def _counted(places: NDArray[np.intp], count: int) -> str:
+    return f"in {len(places)} of {count} cases, first case {places[0]}: " if count > 1 else ""

@@ -1,0 +1,105 @@
+"""Whether a mechanism is at a singular position: its constraints depend on each other there, and beside it they don't.
+
+Mechanisms that move by their special dimensions have constraints that depend on each other at all their positions; none
+of these is singular. So the rank at a position is compared with that at others which the mechanism reaches from it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from symbody.symbolic import Expr
+
+from .kinematics import Kinematics
+from .vanishing_combinations import vanishing_combinations
+from .walk import CANCELLED, Footing, scaled
+
+__all__ = ["SINGULAR", "dependent_rows", "equilibrated", "is_singular", "may_be_singular"]
+
+Array = NDArray[np.float64]
+
+SINGULAR = 1e-6
+"""The part of the largest singular value below which one counts as zero: positions are right to no more digits."""
+LOOK = 1e-4
+"""The same where it is worth a second look."""
+DIRECTIONS = 6
+"""Directions in which positions beside one are looked at."""
+ROUNDED = 1e-9
+"""The part of the longest column below which one counts as zero."""
+
+
+def equilibrated(matrices: Array) -> Array:
+    """Return matrices of one thing at several places, whose rows and columns have the length 1 where they are longest.
+
+    So it doesn't matter in which units rows and columns are, and those that vanish at one place are small there.
+    """
+    rows = np.linalg.norm(matrices, axis=2).max(axis=0)
+    by_row = matrices / np.where(rows > 0, rows, 1.0)[:, None]
+    columns = np.abs(by_row).max(axis=(0, 1))
+    whole: Array = by_row / np.where(columns > ROUNDED * columns.max(initial=0.0), columns, 1.0)
+    return whole
+
+
+def dependent_rows(matrices: Array) -> list[Array]:
+    """Return the combinations of rows of the first matrix that vanish, in the scale of all.
+
+    >>> matrices = np.array([[[1.0, 0], [2, 0], [0, 0]], [[1.0, 1], [0, 1], [0, 1]]])
+    >>> [np.flatnonzero(combination).tolist() for combination in dependent_rows(matrices)]
+    [[2], [0, 1]]
+    """
+    lengths = np.linalg.norm(matrices, axis=2).max(axis=0)
+    here = equilibrated(matrices)[0]
+    near = SINGULAR / max(float(np.linalg.norm(here, 2)), SINGULAR)
+    return [y / np.where(lengths > 0, lengths, 1.0) for y in vanishing_combinations(here, near)]
+
+
+def may_be_singular(kinematics: Kinematics, p: Array, t: float, q: Array, independent: int) -> bool:
+    """Whether fewer constraints are independent at a position than at almost every one, or nearly so: a quick look.
+
+    Args:
+        kinematics: the constraints.
+        p: the values of their parameters.
+        t: the time, in s.
+        q: the coordinates.
+        independent: how many constraints are independent at almost every position.
+    """
+    with np.errstate(all="ignore"):
+        _, phi_q, sizes = kinematics.position(t, q, p)
+        J = kinematics.velocity(t, q, p)[0][: len(kinematics.constraints)]
+    if not (np.isfinite(J).all() and np.isfinite(phi_q).all() and np.isfinite(sizes).all()):
+        return False
+    if (np.abs(phi_q) @ np.maximum(np.abs(q), 1) <= LOOK * sizes).any():
+        return True
+    s = np.linalg.svd(equilibrated(J[None]), compute_uv=False)[0]
+    return bool(independent and s[independent - 1] <= LOOK * s[0])
+
+
+def is_singular(kinematics: Kinematics, p: Array, t: float, q: Array, held: Sequence[Expr] = ()) -> bool:
+    """Whether constraints depend on each other at a position, and less so at others that the mechanism reaches.
+
+    So is a position from which nothing can move to another one, although the constraints let speeds be other than zero.
+
+    Args:
+        kinematics: the constraints.
+        p: the values of their parameters.
+        t: the time, in s.
+        q: the coordinates.
+        held: coordinates that stay where they are.
+    """
+    footing = Footing(kinematics, p, t, held)
+    here = footing.slopes(q)[0]
+    if not np.isfinite(here).all():
+        return False
+    is_alone = True
+    for J in footing.around(q, DIRECTIONS):
+        if np.isfinite(J).all():
+            ranks = np.sum(
+                np.linalg.svd(equilibrated(np.array([here, J])), compute_uv=False) > SINGULAR, axis=1
+            )
+            if ranks[0] < ranks[1]:
+                return True
+            is_alone = False
+    return is_alone and bool(np.linalg.matrix_rank(scaled(here), CANCELLED) < min(here.shape))

@@ -1,0 +1,69 @@
+"""The balance of energy of IDA's motions: what their tolerances explain has no notice, large losses always have one."""
+
+from __future__ import annotations
+
+import warnings
+from collections.abc import Callable
+
+import numpy as np
+import pytest
+
+from symbody import simulate
+from tests.reference.mechanisms.double_pendulum import natural_double_pendulum
+from tests.reference.mechanisms.heavy_top import heavy_top
+from tests.reference.mechanisms.problem import Problem
+from tests.reference.mechanisms.simple_pendulum import natural_simple_pendulum, simple_pendulum
+
+from .singular_mechanisms import kite
+from .singular_scan import moved
+
+
+def notices(problem: Problem, **options: object) -> tuple[float, list[str]]:
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always")
+        motion = simulate(problem.equations, problem.parameters, problem.initial, progress=False, **options)  # type: ignore[arg-type]
+    said = [str(each.message) for each in caught]
+    return motion.energy_drift, [text for text in said if "balance of energy" in text]
+
+
+@pytest.mark.parametrize("method", ["ida", "ida2"])
+@pytest.mark.parametrize("rtol", [1e-3, 1e-6, 1e-9])
+@pytest.mark.parametrize(
+    ("make", "end"), [(simple_pendulum, 100), (natural_double_pendulum, 10), (heavy_top, 2)]
+)
+def test_regular_motions_have_no_notice(
+    make: Callable[[], Problem], end: float, rtol: float, method: str
+) -> None:
+    assert notices(make(), t=(0, end), method=method, rtol=rtol)[1] == []
+
+
+@pytest.mark.parametrize(("make", "rtol"), [(simple_pendulum, 1e-6), (natural_double_pendulum, 1e-10)])
+def test_speeds_of_index_3_err_by_the_coordinates_over_a_step(
+    make: Callable[[], Problem], rtol: float
+) -> None:
+    drift, said = notices(make(), t=(0, 10), method="ida3", rtol=rtol)
+    assert drift > 100 * rtol
+    assert said == []
+
+
+def test_a_motion_smaller_than_the_tolerances_has_no_notice() -> None:
+    still = simple_pendulum()
+    still.initial.update(dict.fromkeys(still.initial, 0.0))
+    still.initial[still.equations.coordinates[0]] = 1e-9 - np.pi / 2
+    for method in ("ida", "ida3"):
+        assert notices(still, t=(0, 10), method=method, rtol=1e-3)[1] == []
+
+
+@pytest.mark.parametrize("instants", [3, 5, 1001])
+def test_large_losses_have_a_notice_at_loose_tolerances(instants: int) -> None:
+    """A kite loses more than a quarter of its energy at singular positions."""
+    motion, said = moved(kite(), -5.0, t=np.linspace(0, 10, instants), method="ida3", rtol=1e-4)
+    assert motion.energy_drift > 0.25
+    assert any("the balance of energy, work included, is off by 0." in text for text in said)
+
+
+@pytest.mark.parametrize(("make", "end"), [(natural_simple_pendulum, 100), (heavy_top, 2)])
+def test_so_have_large_losses_of_regular_motions(make: Callable[[], Problem], end: float) -> None:
+    drift, said = notices(make(), t=(0, end), method="ida3", rtol=1e-3)
+    assert drift > 0.5
+    assert any("the balance of energy" in text for text in said)
