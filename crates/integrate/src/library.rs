@@ -10,7 +10,7 @@ use diffsol::{
 use crate::dynamics::Dynamics;
 use crate::failure::Failure;
 use crate::function::Function;
-use crate::method::{Method, Tolerances};
+use crate::method::{INTEGRAL, Method, Tolerances};
 use crate::stepper::{Statistics, Stepper};
 
 type Matrix = NalgebraMat<f64>;
@@ -139,6 +139,8 @@ where
         tolerances,
         t,
         before: (t, y.clone()),
+        by_method: y[tolerances.controlled..].to_vec(),
+        is_right: false,
         state: y,
         out,
         steps: 0,
@@ -158,6 +160,9 @@ struct Library<'a, 'c, E, S> {
     state: Vec<f64>,
     /// Where the last step began.
     before: (f64, Vec<f64>),
+    /// The integrals along the motion that the method itself has there, and whether they grow rightly in the step.
+    by_method: Vec<f64>,
+    is_right: bool,
     out: Vector,
     steps: usize,
     retracted: usize,
@@ -190,37 +195,47 @@ where
     E: OdeEquations<T = f64, V = Vector> + 'a,
     S: OdeSolverMethod<'a, E>,
 {
-    /// Write the integrals along the motion at an instant of the last step behind the state there.
+    /// Put the integrals along the motion at an instant of the last step right, behind the state that the method has there.
     ///
     /// The method does not look at their errors: its steps may be far too long for them, where the state changes less.
     fn integrate(&mut self, t: f64, state: &mut [f64]) -> Result<(), Failure> {
         let controlled = self.tolerances.controlled;
-        if state.len() == controlled {
-            return Ok(());
-        }
-        let begin = self.before.0;
-        let integrals = self.quadrature(begin, t)?;
-        let increase = self.refined(begin, t, &integrals, HALVINGS)?;
+        let by_method: Vec<f64> =
+            state[controlled..].iter().zip(&self.by_method).map(|(a, b)| a - b).collect();
+        let is_end = t >= self.t;
+        let increase = if by_method.is_empty() || (self.is_right && !is_end) {
+            by_method
+        } else {
+            let whole = self.quadrature(self.before.0, t)?;
+            let is_right = self.agree(&whole, &by_method);
+            self.is_right = if is_end { is_right } else { self.is_right };
+            if is_right { whole } else { self.refined(self.before.0, t, &whole, HALVINGS)? }
+        };
         for (i, part) in increase.iter().enumerate() {
             state[controlled + i] = self.before.1[controlled + i] + part;
         }
         Ok(())
     }
 
+    /// Whether two estimates of integrals over a part of the last step differ by no more than they may err.
+    fn agree(&self, one: &[f64], other: &[f64]) -> bool {
+        let Tolerances { relative, absolute, controlled, .. } = self.tolerances;
+        one.iter().zip(other).enumerate().all(|(i, (a, b))| {
+            let size = self.before.1[controlled + i].abs().max(a.abs());
+            (a - b).abs() <= INTEGRAL * (absolute + relative * size)
+        })
+    }
+
     /// The integrals over a part of the last step, of which one estimate is known, halved until halves agree with wholes.
     fn refined(&mut self, a: f64, b: f64, whole: &[f64], halvings: u32) -> Result<Vec<f64>, Failure> {
         let middle = 0.5 * (a + b);
-        let (left, right) = (self.quadrature(a, middle)?, self.quadrature(middle, b)?);
-        let Tolerances { relative, absolute, controlled, .. } = self.tolerances;
-        let agree = (0..whole.len()).all(|i| {
-            let size = self.before.1[controlled + i].abs().max(left[i].abs() + right[i].abs());
-            (left[i] + right[i] - whole[i]).abs() <= absolute + relative * size
-        });
-        let (left, right) = if agree || halvings == 0 {
-            (left, right)
-        } else {
-            (self.refined(a, middle, &left, halvings - 1)?, self.refined(middle, b, &right, halvings - 1)?)
-        };
+        let (mut left, mut right) = (self.quadrature(a, middle)?, self.quadrature(middle, b)?);
+        let sums: Vec<f64> = left.iter().zip(&right).map(|(x, y)| x + y).collect();
+        if halvings == 0 || self.agree(&sums, whole) {
+            return Ok(sums);
+        }
+        left = self.refined(a, middle, &left, halvings - 1)?;
+        right = self.refined(middle, b, &right, halvings - 1)?;
         Ok(left.iter().zip(&right).map(|(x, y)| x + y).collect())
     }
 
@@ -250,6 +265,8 @@ where
     fn step(&mut self, end: f64) -> Result<(), Failure> {
         self.before.0 = self.t;
         self.before.1.copy_from_slice(&self.state);
+        let by_method = &self.solver.state().y.batch_as_slice(0)[self.tolerances.controlled..];
+        self.by_method.copy_from_slice(by_method);
         let stop = end.min(self.t + self.tolerances.max_step);
         let stepped = self.solver.set_stop_time(stop).and_then(|()| self.solver.step());
         let reason = stepped.map_err(|error| failure(&error, self.t, self.calls))?;

@@ -1,5 +1,8 @@
 //! The methods of integration, by name, and what is asked of them.
 
+/// Tolerances that the error of an integral along the motion may take in a step: nothing else depends on it.
+pub const INTEGRAL: f64 = 10.0;
+
 /// How accurate, and how long a step at most.
 #[derive(Clone, Copy, Debug)]
 pub struct Tolerances {

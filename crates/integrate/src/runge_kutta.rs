@@ -13,7 +13,7 @@ mod tsit5;
 use crate::dynamics::Dynamics;
 use crate::failure::Failure;
 use crate::function::Function;
-use crate::method::{Method, Tolerances};
+use crate::method::{INTEGRAL, Method, Tolerances};
 use crate::projection::{Projection, Tangent};
 use crate::stepper::{Statistics, Stepper};
 use dop853::DOP853;
@@ -29,8 +29,6 @@ const MEMORY: f64 = 0.04;
 const LEAST_ERROR: f64 = 1e-4;
 /// Where so little of an error is along the constraints, stages are better put onto them.
 const BESIDE: f64 = 0.01;
-/// Tolerances that the error of an integral along the motion may take, which nothing else depends on.
-const INTEGRAL: f64 = 10.0;
 const SHRINK: f64 = 0.333;
 const GROW: f64 = 6.0;
 
