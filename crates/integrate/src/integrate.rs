@@ -18,9 +18,9 @@ const STALLED: (u32, f64) = (100_000, 1e-4);
 /// And so does one of which so many steps in a row end where it has been.
 const BACK: usize = 200;
 
-/// A step that ends too close to a singular position is tried again with these parts of its length: it ends before it, or
-/// a little behind it.
-const AGAIN: [f64; 12] = [0.6, 0.36, 1.6, 0.22, 2.6, 0.13, 4.2, 0.08, 0.047, 0.028, 0.017, 0.01];
+/// A step that ends too close to a singular position is tried again with these parts of its length, and ends before it.
+const AGAIN: [f64; 12] =
+    [0.6, 0.36, 0.216, 0.13, 0.0778, 0.0467, 0.028, 0.0168, 0.0101, 0.00605, 0.00363, 0.00218];
 /// Where steps are held back, so that they would all end there, it is crossed by a longer one.
 const CROSS: [f64; 12] = [4.0, 16.0, 64.0, 256.0, 8.0, 32.0, 128.0, 512.0, 45.0, 90.0, 180.0, 360.0];
 
@@ -91,6 +91,7 @@ pub fn integrate(
         };
         run.failure = course.follow(stepper, end, &mut run, keep_going).err();
         run.statistics = stepper.statistics();
+        run.uncertain = run.uncertain.or(run.statistics.uncertain);
         run.imbalance = course.balance.imbalance(run.end.0, &run.end.1, run.statistics.errors);
         run.trail = course.trail.into_rows();
     };

@@ -355,6 +355,7 @@ where
             evaluations: self.calls.evaluations.get(),
             jacobians: self.calls.jacobians.get(),
             stiff: false,
+            uncertain: None,
         }
     }
 }

@@ -66,6 +66,8 @@ pub struct RungeKutta<'a> {
     crossing: f64,
     /// Up to this instant a way across a singular position has been looked for.
     looked_until: f64,
+    /// Up to this instant it has been checked whether rounding errors decide on the branch.
+    checked_until: f64,
     /// How large each entry of the state has been, or how far it has moved.
     sizes: Vec<f64>,
     origin: Vec<f64>,
@@ -115,6 +117,7 @@ impl<'a> RungeKutta<'a> {
             last_regular: 0.0,
             crossing: 0.0,
             looked_until: t,
+            checked_until: t,
             sizes: state.iter().map(|x| x.abs()).collect(),
             origin: state.to_vec(),
             stages: Stages::new(tableau.c.len(), n),

@@ -15,6 +15,8 @@ pub struct Statistics {
     pub evaluations: usize,
     /// Evaluations of the Jacobian.
     pub jacobians: usize,
+    /// Where a step of an explicit method first began although rounding errors decide on its branch of the constraints.
+    pub uncertain: Option<f64>,
     /// Whether stability, not accuracy, bounds the steps of an explicit method.
     pub stiff: bool,
 }

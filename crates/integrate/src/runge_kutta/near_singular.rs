@@ -16,9 +16,11 @@ const NOISE: f64 = 30.0;
 /// A dense output whose slope in the middle is off by more than so many tolerances is noise if most of that leads off the
 /// constraints; where it does not, smooth motions have some ten, and more than the second number is an error.
 const DEFECT: (f64, f64) = (3.0, 30.0);
-/// No step can begin where rounding errors of the coordinates change a speed by more than so many tolerances, for the
+/// No step should begin where rounding errors of the coordinates change a speed by more than so many tolerances, for the
 /// largest that any speed has been.
 const UNCERTAIN: f64 = 1.0;
+/// Where they change it by more than this part of that, they decide on the branch.
+const UNDECIDED: f64 = 1e-6;
 /// The same where steps are short because they have to be.
 const BEFORE: f64 = 0.01;
 /// How many times longer a step could be at least that is held back by the longest one.
@@ -50,9 +52,21 @@ impl RungeKutta<'_> {
 
     /// Fail where rounding errors decide which speeds the constraints allow: steps from there are rejected until they are so
     /// short that they follow the errors onto another branch.
-    pub(super) fn check_start(&self) -> Result<(), Failure> {
+    ///
+    /// It fails once: where no other step helps, the motion goes on, and this is noted.
+    pub(super) fn check_start(&mut self) -> Result<(), Failure> {
         let (change, bound) = self.noise();
-        if change > UNCERTAIN * bound { Err(Failure::Singular { t: self.t, change, bound }) } else { Ok(()) }
+        if change <= UNCERTAIN * bound {
+            return Ok(());
+        }
+        if self.t > self.checked_until {
+            self.checked_until = self.t;
+            return Err(Failure::Singular { t: self.t, change, bound });
+        }
+        if change > UNDECIDED / self.tolerances.relative * bound {
+            self.statistics.uncertain.get_or_insert(self.t);
+        }
+        Ok(())
     }
 
     /// Whether the longest step holds steps back.
