@@ -32,6 +32,21 @@ def notice_impossible_bodies(system: System, given: Mapping[Expr, ArrayLike], wh
         given: the values of parameters, a number or a value for each case.
         where: the function that the user called.
     """
+    is_one = all(isinstance(value, float) for value in given.values())
+    found = _remembered(system, tuple(given.items())) if is_one else _found(system, given)
+    for text in found:
+        notify(f"{where}: {text}")
+
+
+@lru_cache(maxsize=512)
+def _remembered(system: System, given: tuple[tuple[Expr, float], ...]) -> list[str]:
+    """Return the same for one motion: loops simulate one system again and again."""
+    return _found(system, dict(given))
+
+
+def _found(system: System, given: Mapping[Expr, ArrayLike]) -> list[str]:
+    """Return what to say of bodies."""
+    found: list[str] = []
     by_value: dict[tuple[Expr, ...], tuple[Array, Array]] = {}
     for group in joined_bodies(system.bodies):
         is_negative = np.zeros(1, dtype=bool)
@@ -45,11 +60,12 @@ def notice_impossible_bodies(system: System, given: Mapping[Expr, ArrayLike], wh
             if entries not in by_value:
                 by_value[entries] = _numbers(entries, given)
                 if names:
-                    _notice_inertia(body, *by_value[entries], where)
+                    found += _impossible_inertia(body, *by_value[entries])
             mass, J = by_value[entries]
             is_negative = is_negative | (mass < 0) | (np.einsum("kii->ki", J) < 0).any(axis=1)
         if is_symbolic:
-            _notice_difference(group, given, np.flatnonzero(is_negative), where)
+            found += _impossible_difference(group, given, np.flatnonzero(is_negative))
+    return found
 
 
 @lru_cache(maxsize=512)
@@ -66,17 +82,18 @@ def _numbers(entries: tuple[Expr, ...], given: Mapping[Expr, ArrayLike]) -> tupl
     return values[0], values[1:].T.reshape(-1, 3, 3)
 
 
-def _notice_inertia(body: Body, mass: Array, J: Array, where: str) -> None:
+def _impossible_inertia(body: Body, mass: Array, J: Array) -> list[str]:
     places = np.flatnonzero(are_impossible(mass, J))
-    if len(places):
-        first = J[places[0]]
-        told = told_inertia(body, first, has_products=bool((first - np.diag(np.diag(first))).any()))
-        notify(f"{where}: {_counted(places, len(J))}{told}")
+    if not len(places):
+        return []
+    first = J[places[0]]
+    told = told_inertia(body, first, has_products=bool((first - np.diag(np.diag(first))).any()))
+    return [f"{_counted(places, len(J))}{told}"]
 
 
-def _notice_difference(
-    group: Sequence[Body], given: Mapping[Expr, ArrayLike], places: NDArray[np.intp], where: str
-) -> None:
+def _impossible_difference(
+    group: Sequence[Body], given: Mapping[Expr, ArrayLike], places: NDArray[np.intp]
+) -> list[str]:
     for place in places[:LOOKS].tolist():
         values = {
             name: float(np.ravel(column)[place if np.size(column) > 1 else 0])
@@ -85,8 +102,8 @@ def _notice_difference(
         told = told_difference(group, values)
         if told:
             is_many = any(np.size(column) > 1 for column in given.values())
-            notify(f"{where}: {f'first case {place}: ' if is_many else ''}{told}")
-            return
+            return [f"{f'first case {place}: ' if is_many else ''}{told}"]
+    return []
 
 
 def _counted(places: NDArray[np.intp], count: int) -> str:
