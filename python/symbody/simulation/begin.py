@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from symbody.symbolic import Expr
 
 from .cases import Cases
-from .consistent import start_of
+from .consistent import found_state
 from .kinematics import kinematics_of
 from .model import Model
 from .overconstraint import check_rank
@@ -32,7 +32,8 @@ def begin(
         **state_values(model.system, initial, where="simulate"),
     }
     if model.constraints or model.system.has_quasi_velocities:
-        given = start_of(model.equations, parameters, initial, guess=guess, t=t, inputs=dict(model.inputs))
+        kinematics = kinematics_of(model.equations, dict(model.inputs))
+        given = found_state(kinematics, parameters, initial, guess, t)
     state = np.zeros(model.width)
     state[: len(model.state)] = [given.get(name, 0.0) for name in model.state]
     if model.constraints:

@@ -21,7 +21,7 @@ from .named_constraint import shortened
 from .unused import notice_unused
 from .values import check_equations, parameter_values, state_values
 
-__all__ = ["consistent_state", "start_of", "term_sizes"]
+__all__ = ["consistent_state", "found_state", "term_sizes"]
 
 Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]
@@ -74,30 +74,27 @@ def consistent_state(
     [3.0, -4.0, 4.0, 3.0]
     """
     with reporting(_WHERE):
-        state = start_of(eqs, parameters, initial, guess=guess, t=t, inputs=inputs)
+        check_equations(eqs, _WHERE)
+        state = found_state(kinematics_of(eqs, inputs), parameters, initial, guess, t)
     notice_unused(eqs, parameters or {}, [number(value) for value in (inputs or {}).values()], _WHERE)
     return state
 
 
-def start_of(
-    eqs: Equations,
+def found_state(
+    kinematics: Kinematics,
     parameters: Mapping[Expr, ArrayLike] | None,
     initial: Mapping[Expr, ArrayLike] | None,
-    *,
-    guess: Mapping[Expr, ArrayLike] | None = None,
-    t: float = 0.0,
-    inputs: Mapping[Expr, ExprLike] | None = None,
+    guess: Mapping[Expr, ArrayLike] | None,
+    t: float,
 ) -> dict[Expr, float]:
-    """Return the same as `consistent_state`, for other functions that have looked at the parameters themselves."""
-    check_equations(eqs, _WHERE)
-    kinematics = kinematics_of(eqs, inputs)
+    """Return what `consistent_state` returns, without a look at unused parameters: `simulate` takes its own."""
     kinematics.check_inputs(_WHERE)
     p = parameter_values(kinematics.parameters, parameters, where=_WHERE)
-    fixed = state_values(eqs.system, initial, where=_WHERE)
-    near = state_values(eqs.system, guess, where=_WHERE, argument="guess")
+    fixed = state_values(kinematics.system, initial, where=_WHERE)
+    near = state_values(kinematics.system, guess, where=_WHERE, argument="guess")
     q = positions(kinematics, p, t, fixed, near)
     u = velocities(kinematics, p, t, q, fixed, near)
-    names = (*eqs.coordinates, *eqs.speeds)
+    names = (*kinematics.system.coordinates, *kinematics.system.speeds)
     return dict(zip(names, map(float, [*q, *u]), strict=True))
 
 

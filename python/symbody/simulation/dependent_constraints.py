@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 from symbody.dynamics import Equations
 from symbody.symbolic import Expr, Matrix, pi, substitute
 
+from .constraint_directions import masses_and_slopes
 from .model import Model
 from .named_constraint import listed, named_constraints
 from .vanishing_combinations import vanishing_combinations
@@ -82,18 +83,13 @@ def dependent_constraints(
 
 def scaled_jacobian(model: Model, parameters: Array, t: float, state: ArrayLike) -> Array:
     """Return ``D phi_q L^-T``: the derivatives of the constraints by the speeds, in the metric of the mass matrix."""
-    n, m, q = len(model.speeds), len(model.constraints), len(model.coordinates)
-    names = (*model.parameters, *model.damping)
-    expressions = [*model.equations.mass_matrix.entries, *model.equations.constraint_jacobian.entries]
-    here = np.asarray(state, float)[: len(model.state)]
-    states = np.repeat(here[:, None], 1 + PLACES, axis=1)
-    states[:q, 1:] += nearby(model.equations, here[:q])
-    with np.errstate(all="ignore"):
-        numbers = np.asarray(model.function(expressions, names)(t, *states, *parameters[: len(names)]))
-    M, J = numbers[: n * n, 0].reshape(n, n), np.moveaxis(numbers[n * n :].reshape(m, n, -1), 2, 0)
-    if not np.isfinite(M).all():
-        return np.full((m, n), np.nan)
-    in_metric = np.linalg.solve(_factor(M), np.swapaxes(J, 1, 2))
+    q, here = len(model.coordinates), np.asarray(state, float)[: len(model.state)]
+    states = np.repeat(here[None], 1 + PLACES, axis=0)
+    states[1:, :q] += nearby(model.equations, here[:q]).T
+    M, J = masses_and_slopes(model, parameters, t, states)
+    if not np.isfinite(M[0]).all():
+        return np.full(J[0].shape, np.nan)
+    in_metric = np.linalg.solve(_factor(M[0]), np.swapaxes(J, 1, 2))
     lengths = np.linalg.norm(in_metric, axis=1)
     longest = np.where(np.isfinite(lengths), lengths, 0.0).max(axis=0)
     scaled: Array = in_metric[0].T / np.where(longest > 0, longest, 1.0)[:, None]

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
 from symbody.symbolic import Expr
 
+from .constraint_directions import masses_and_slopes
 from .model import Model
 
 __all__ = ["singular_passages"]
@@ -42,12 +42,13 @@ def singular_passages(model: Model, parameters: Mapping[Expr, float], trail: Arr
     """
     if not model.constraints or not model.independent_constraints or len(trail) < 2:
         return np.empty(0)
-    way = _way(model, parameters, trail)
-    t = np.append(_cut(way.t[:-1], way.t[1:], PARTS)[:, :-1], way.t[-1])
+    p = np.array([parameters[name] for name in (*model.parameters, *model.damping)])
+    way, ends = _way(model, p, trail), np.unique(trail[:, 0])
+    t = np.append(_cut(ends[:-1], ends[1:], PARTS)[:, :-1], ends[-1])
 
     def products(times: Array) -> Array:
         parts = np.array_split(times, 1 + len(times) // AT_ONCE)
-        return np.concatenate([_products(model, parameters, part, way(part)) for part in parts])
+        return np.concatenate([_products(model, p, part, way(part)) for part in parts])
 
     first = products(t)
     longest = np.sqrt(np.nanmax(np.einsum("kii->ki", first), axis=0, initial=0.0))
@@ -101,53 +102,30 @@ def _cut(begin: Array, end: Array, parts: int) -> Array:
     return begin[:, None] + (end - begin)[:, None] * np.linspace(0, 1, parts + 1)
 
 
-@dataclass(frozen=True, eq=False)
-class _Way:
-    """The way of the coordinates between the ends of steps; speeds are joined by straight lines."""
+def _way(model: Model, parameters: Array, trail: Array) -> Callable[[Array], Array]:
+    """Return the states between the ends of steps: coordinates by Hermite's polynomials, speeds as they were last."""
+    from scipy.interpolate import CubicHermiteSpline  # noqa: PLC0415 - slow to load, and few motions are looked at
 
-    t: Array
-    states: Array
-    rates: Array
-
-    def __call__(self, times: Array) -> Array:
-        """Return states, a row for each instant: the coordinates by Hermite's cubic polynomials."""
-        k = np.clip(np.searchsorted(self.t, times, side="right") - 1, 0, len(self.t) - 2)
-        h = (self.t[k + 1] - self.t[k])[:, None]
-        s = (times - self.t[k])[:, None] / h
-        before, behind = self.states[k], self.states[k + 1]
-        states = before + s * (behind - before)
-        n = self.rates.shape[1]
-        change = (behind - before)[:, :n]
-        bend = (1 - s) * (h * self.rates[k] - change) - s * (h * self.rates[k + 1] - change)
-        states[:, :n] += s * (1 - s) * bend
-        return states
-
-
-def _way(model: Model, parameters: Mapping[Expr, float], trail: Array) -> _Way:
     t, at = np.unique(trail[:, 0], return_index=True)
-    states = trail[at, 1 : 1 + len(model.state)]
-    return _Way(t, states, _values(model, parameters, model.kinematics, t, states).T)
-
-
-def _values(
-    model: Model, parameters: Mapping[Expr, float], expressions: tuple[Expr, ...], t: Array, states: Array
-) -> Array:
-    names = (*model.parameters, *model.damping)
+    states, q = trail[at, 1 : 1 + len(model.state)], len(model.coordinates)
+    function = model.function(model.kinematics, (*model.parameters, *model.damping))
     with np.errstate(all="ignore"):
-        function = model.function(expressions, names)
-        return np.asarray(function(t, *states.T, *(parameters[name] for name in names)))
+        rates = np.asarray(function(t, *states.T, *parameters)).T
+    coordinates = CubicHermiteSpline(t, states[:, :q], rates)
+
+    def way(times: Array) -> Array:
+        last = np.clip(np.searchsorted(t, times, side="right") - 1, 0, len(t) - 1)
+        return np.hstack([coordinates(times), states[last, q:]])
+
+    return way
 
 
-def _products(model: Model, parameters: Mapping[Expr, float], t: Array, states: Array) -> Array:
+def _products(model: Model, parameters: Array, t: Array, states: Array) -> Array:
     """Return ``phi_q M^-1 phi_q^T``, a matrix for each instant; NaN where it isn't finite."""
-    n, m = len(model.speeds), len(model.constraints)
-    entries = (*model.equations.mass_matrix.entries, *model.equations.constraint_jacobian.entries)
-    values = _values(model, parameters, entries, t, states)
-    M, J = values[: n * n].T.reshape(-1, n, n), values[n * n :].T.reshape(-1, m, n)
-    is_fit = np.isfinite(values).all(axis=0) & (
-        np.linalg.eigvalsh(np.where(np.isfinite(M), M, 0.0))[:, 0] > 0
-    )
-    products = np.full((len(t), m, m), np.nan)
+    M, J = masses_and_slopes(model, parameters, t, states)
+    is_finite = np.isfinite(M).all(axis=(1, 2)) & np.isfinite(J).all(axis=(1, 2))
+    is_fit = is_finite & (np.linalg.eigvalsh(np.where(np.isfinite(M), M, 0.0))[:, 0] > 0)
+    products = np.full((len(t), J.shape[1], J.shape[1]), np.nan)
     products[is_fit] = J[is_fit] @ np.linalg.solve(M[is_fit], np.swapaxes(J[is_fit], 1, 2))
     return products
 

@@ -21,6 +21,8 @@ const DEFECT: (f64, f64) = (3.0, 30.0);
 const UNCERTAIN: f64 = 1.0;
 /// Where they change it by more than this part of that, they decide on the branch.
 const UNDECIDED: f64 = 1e-6;
+/// A motion whose speeds are less than this part of the largest that they have been may turn back.
+const SLOW: f64 = 0.01;
 /// The same where steps are short because they have to be.
 const BEFORE: f64 = 0.01;
 /// How many times longer a step could be at least that is held back by the longest one.
@@ -34,6 +36,7 @@ impl RungeKutta<'_> {
         if is_known || self.tangent.is_none() {
             return true;
         }
+        self.note_turning();
         // Short steps would all end in the neighbourhood of the position: they stop well before it, to cross it by a long one.
         if self.is_held_back() && self.t > self.looked_until && self.uncertainty() > BEFORE {
             self.looked_until = self.t;
@@ -67,6 +70,17 @@ impl RungeKutta<'_> {
             self.statistics.uncertain.get_or_insert(self.t);
         }
         Ok(())
+    }
+
+    /// Note that a motion turns back where rounding errors decide on its directions: a tolerance hides how small its speeds
+    /// are.
+    fn note_turning(&mut self) {
+        let Some(tangent) = &self.tangent else { return };
+        let fastest = |entries: &[f64]| entries.iter().fold(0.0_f64, |most, speed| most.max(speed.abs()));
+        let (now, ever) = (fastest(&self.state[tangent.speeds()]), fastest(&self.sizes[tangent.speeds()]));
+        if now < SLOW * ever && tangent.noise(self.t, &self.state, &self.sizes) > UNDECIDED * now {
+            self.statistics.uncertain.get_or_insert(self.t);
+        }
     }
 
     /// Whether the longest step holds steps back.
