@@ -53,7 +53,7 @@ test: lint test-rust test-python  ## everything that is tested, lints included
 
 test-rust:
 	$(call say,Rust tests)
-	cargo test --workspace $(LOCKED)
+	cargo test --release --config crates/checked.toml --workspace $(LOCKED)
 
 test-python: $(STAMPS)/tools-test $(STAMPS)/build $(STAMPS)/develop $(RIVALS)
 	$(call say,Python tests: laws$(,) references$(,) doctests$(,) documents$(,) examples$(,) benchmarks)
@@ -64,7 +64,7 @@ lint: lint-rust lint-python  ## formats, lints, types and layers
 lint-rust: $(STAMPS)/tools-lint
 	$(call say,Rust lints)
 	$(call cargo-lint,rustfmt,fmt --all --check)
-	$(call cargo-lint,clippy,clippy --workspace --all-targets $(LOCKED) -- --deny warnings)
+	$(call cargo-lint,clippy,clippy --release --workspace --all-targets $(LOCKED) -- --deny warnings)
 
 lint-python: $(STAMPS)/build $(STAMPS)/develop
 	$(call say,Python lints: format$(,) lint$(,) types$(,) layers)
