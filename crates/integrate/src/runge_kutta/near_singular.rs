@@ -19,12 +19,12 @@ const DEFECT: (f64, f64) = (3.0, 30.0);
 /// No step should begin where rounding errors of the coordinates change a speed by more than so many tolerances, for the
 /// largest that any speed has been.
 const UNCERTAIN: f64 = 1.0;
-/// Where they change it by more than this part of that, they decide on the branch.
+/// The same bound where `max_step` holds steps back: they stop well before it, and one long step crosses the position.
+const BEFORE: f64 = 0.01;
+/// Rounding errors that change a speed by more than this part of it decide on the branch.
 const UNDECIDED: f64 = 1e-6;
 /// A motion whose speeds are less than this part of the largest that they have been may turn back.
 const SLOW: f64 = 0.01;
-/// The same where steps are short because they have to be.
-const BEFORE: f64 = 0.01;
 /// How many times longer a step could be at least that is held back by the longest one.
 const HELD_BACK: f64 = 2.0;
 
@@ -37,7 +37,6 @@ impl RungeKutta<'_> {
             return true;
         }
         self.note_turning();
-        // Short steps would all end in the neighbourhood of the position: they stop well before it, to cross it by a long one.
         if self.is_held_back() && self.t > self.looked_until && self.uncertainty() > BEFORE {
             self.looked_until = self.t;
             return false;
