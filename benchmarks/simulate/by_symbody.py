@@ -8,9 +8,12 @@ from importlib.util import find_spec
 import numpy as np
 
 from symbody import simulate
-from symbody.simulation.ida_outcome import ida_outcome
-from symbody.simulation.integrator import Options, Outcome, run
-from symbody.simulation.integrator import Problem as Compiled
+from symbody.simulation.by_ida import ida_outcome
+from symbody.simulation.methods import METHODS
+from symbody.simulation.native import run
+from symbody.simulation.options import Options
+from symbody.simulation.outcome import Outcome
+from symbody.simulation.problem import Problem as Compiled
 
 from .contender import Contender, decades
 from .problem import Array, Problem, instants
@@ -40,7 +43,8 @@ def contenders(problem: Problem) -> list[Contender]:
 def _native(problem: Problem, method: str) -> Callable[[float, float], Array]:
     """Return the integration; constraints are kept by projection after each step, as `simulate` does."""
     model = problem.model
-    compiled = Compiled.of(model, method, is_projected=True)
+    needs_jacobian = not METHODS[method].is_explicit
+    compiled = Compiled.of(model, is_projected=True, needs_jacobian=needs_jacobian)
     constants = compiled.constants(problem.values)
     start = np.concatenate([problem.start, np.zeros(model.width - len(model.state))])
 

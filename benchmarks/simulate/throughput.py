@@ -12,8 +12,9 @@ from time import perf_counter, process_time
 import numpy as np
 
 from symbody import simulate, simulate_many
-from symbody.simulation.integrator import Options, run_many
-from symbody.simulation.integrator import Problem as Compiled
+from symbody.simulation.native import run_many
+from symbody.simulation.options import Options
+from symbody.simulation.problem import Problem as Compiled
 
 from . import by_jax, by_scipy
 from .problem import Array, Problem
@@ -183,7 +184,7 @@ def _simulate_many(problem: Problem, method: str, threads: int, states: Array, t
 
 def _native(problem: Problem) -> Many:
     """Return the integration alone, with one set of parameters."""
-    compiled = Compiled.of(problem.model, "dop853", is_projected=True)
+    compiled = Compiled.of(problem.model, is_projected=True)
 
     def many(states: Array, tolerance: float) -> Array:
         options = Options("dop853", tolerance, tolerance)

@@ -21,8 +21,10 @@ from symbody import (
 from symbody.errors import ModelNotice
 from symbody.simulation.dependent_constraints import dependent_constraints, described_dependence
 from symbody.simulation.diagnosis import diagnosis
-from symbody.simulation.integrator import Failure, Outcome, Statistics
+from symbody.simulation.integrated import Integrated
 from symbody.simulation.model import Model, model_of
+from symbody.simulation.outcome import Failure, Outcome, Statistics
+from tests.simulation.tasks import a_task
 
 m, l, d, k = symbols("m l d k")
 a, b, c, x, y, z = functions_of_time("a b c x y z")
@@ -97,11 +99,11 @@ def test_gradients_that_vanish() -> None:
 @pytest.mark.parametrize("kind", ["stalled", "step_collapse", "projection"])
 def test_failures_name_them(kind: str) -> None:
     """And advise nothing about dry friction."""
-    model, gap = model_of(parallelogram()), 1e-7
+    task, values, gap = a_task(model_of(parallelogram())), {m: 1.0, l: 0.5, d: 1.0}, 1e-7
     state = [gap - np.pi, gap - np.pi, np.pi - gap, 1.0, 1.0, -1.0]
     failure = Failure(kind, 4.25, "steps of about 2e-14 would never come to the end")
     outcome = Outcome(np.array([state]), [], (4.25, state), failure, Statistics(1, 0, 1, 0, is_stiff=False))
-    told = diagnosis(failure, outcome, model, numbers(model, {m: 1, l: 0.5, d: 1.0}), "dop853")
+    told = diagnosis(Integrated(task, values, outcome))
     assert told.startswith(f"at t = 4.25 s: {failure.message}; constraint 1 (")
     assert "restrains no motion there, or hardly any (ratio of singular values 1." in told
     assert "friction" not in told
@@ -109,5 +111,5 @@ def test_failures_name_them(kind: str) -> None:
     outcome = Outcome(
         np.array([regular]), [], (4.25, regular), failure, Statistics(1, 0, 1, 0, is_stiff=False)
     )
-    told = diagnosis(failure, outcome, model, numbers(model, {m: 1, l: 0.5, d: 1.0}), "dop853")
+    told = diagnosis(Integrated(task, values, outcome))
     assert "ratio of singular values" not in told

@@ -44,9 +44,11 @@ from symbody.errors import ArgumentError, ParameterError, ResultsError, Simulati
 from symbody.simulation import many, workers
 from symbody.simulation.event import Event
 from symbody.simulation.grid import grid
-from symbody.simulation.integrator import Options, Problem, run
 from symbody.simulation.many import simulate_many
 from symbody.simulation.model import model_of
+from symbody.simulation.native import run
+from symbody.simulation.options import Options
+from symbody.simulation.problem import Problem
 from symbody.simulation.runs import Runs
 from symbody.simulation.simulate import simulate
 from symbody.symbolic.arguments import described
@@ -101,7 +103,7 @@ def test_states_begin_where_they_are_told_to() -> None:
 
 def test_each_case_is_what_it_is_alone() -> None:
     model = model_of(PENDULUM)
-    problem = Problem.of(model, "dop853", is_projected=True)
+    problem = Problem.of(model, is_projected=True)
     for case in range(6):
         given = REFERENCE.cases.parameters_of(case)
         alone = run(
@@ -201,8 +203,8 @@ def test_workers_of_dask_give_the_same(processes: bool) -> None:
 def test_workers_get_the_model_once(monkeypatch: pytest.MonkeyPatch) -> None:
     """In one process all tasks find the model of the sender, compiled; the payload that is sent is one text."""
     seen = []
-    part = workers.Batch.run
-    monkeypatch.setattr(workers.Batch, "run", lambda batch, *rest: seen.append(batch) or part(batch, *rest))
+    part = workers.run_cases
+    monkeypatch.setattr(workers, "run_cases", lambda task, *rest: seen.append(task) or part(task, *rest))
     with ThreadPoolExecutor(2) as executor:
         six(executor=executor)
     assert len(seen) == 6
@@ -343,13 +345,13 @@ def test_other_threads_may_simulate() -> None:
 def counted(monkeypatch: pytest.MonkeyPatch) -> list[int]:
     """Return a list that grows by the number of cases whenever some are run."""
     counts: list[int] = []
-    run = workers.Batch.run
+    run = workers.run_cases
 
-    def noted(batch: Any, cases: Any, *rest: Any) -> Any:
+    def noted(task: Any, cases: Any, *rest: Any) -> Any:
         counts.append(cases.count)
-        return run(batch, cases, *rest)
+        return run(task, cases, *rest)
 
-    monkeypatch.setattr(workers.Batch, "run", noted)
+    monkeypatch.setattr(workers, "run_cases", noted)
     return counts
 
 

@@ -31,12 +31,17 @@ from symbody import (
 from symbody.errors import ModelNotice
 from symbody.simulation.consistent import consistent_state
 from symbody.simulation.equilibrium import equilibrium
-from symbody.simulation.integrator import Options, Outcome, Problem, Statistics, run, trail_of
+from symbody.simulation.integrated import Integrated
 from symbody.simulation.inverse_dynamics import inverse_dynamics
 from symbody.simulation.model import model_of
-from symbody.simulation.notices import Finding, Integrated, findings_of, notices_of_batch, notices_of_motion
+from symbody.simulation.native import run
+from symbody.simulation.notices import Finding, findings_of, notices_of_batch, notices_of_motion
+from symbody.simulation.options import Options
+from symbody.simulation.outcome import Outcome, Statistics
+from symbody.simulation.problem import Problem
 from symbody.simulation.redundant_constraints import redundant_constraints
 from symbody.symbolic.deficiency import noting
+from tests.simulation.tasks import a_task
 
 x, y = functions_of_time("x y")
 m, k, A = symbols("m k A")
@@ -134,7 +139,7 @@ def test_stiff_cases_are_counted() -> None:
 
 def test_two_simulations_at_once_keep_their_deficiencies() -> None:
     """Many times, on two threads that begin together, with one model between them."""
-    barrier, problem = Barrier(2), Problem.of(model_of(BY_STATE), "dop853", is_projected=False)
+    barrier, problem = Barrier(2), Problem.of(model_of(BY_STATE), is_projected=False)
     assert [str(name) for name in problem.parameters] == ["A", "k", "m"]
     state, instants = np.array([1.0, *[0.0] * (problem.width - 1)]), np.linspace(0, 1, 3)
 
@@ -195,8 +200,8 @@ def test_the_worst_of_many_cases_is_named() -> None:
 )
 def test_advice_is_not_what_is_done_already(method: str, constraints: str, way: str) -> None:
     circle = newton_euler(System([Body(translate(x, y, 0), m)], [], [x, y], [x**2 + y**2 - 1]))
-    model = model_of(circle)
-    trail = np.zeros((trail_of(model, method, is_projected=constraints == "projection") and 2, 5))
+    task = a_task(model_of(circle), method, constraints, t=(0.0, 10.0))
+    trail = np.zeros((task.trail and 2, 5))
     trail[:, 0], trail[:, 1] = range(len(trail)), 1.0
     state = np.array([[1.0, 0.0, 0.0, 1.0]])
     outcome = Outcome(
@@ -208,7 +213,7 @@ def test_advice_is_not_what_is_done_already(method: str, constraints: str, way: 
         imbalance=(0.5, 0.1),
         trail=trail,
     )
-    (notice,) = notices_of_motion(findings_of(Integrated(model, {m: 1.0}, Options(method), outcome, 0.0)))
+    (notice,) = notices_of_motion(findings_of(Integrated(task, {m: 1.0}, outcome)))
     assert way in notice
 
 

@@ -9,11 +9,11 @@ from typing import Any, TypeAlias
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from symbody.errors import ArgumentError, ParameterError, SymbodyError
+from symbody.errors import ArgumentError, ParameterError
 from symbody.symbolic import Expr
 from symbody.symbolic.arguments import described
 
-Column = NDArray[np.float64]
+from .column import Column, column_of
 
 Values: TypeAlias = Mapping[Expr, ArrayLike] | Sequence[Mapping[Expr, float]]
 """Values by name: numbers and rows of numbers, or a dictionary of numbers for each motion."""
@@ -103,21 +103,6 @@ def _rows(given: object, kind: str) -> dict[Any, Any]:
                 "variables in all of them"
             )
     return {name: [one[name] for one in given] for name in names}
-
-
-def column_of(name: Expr, values: ArrayLike, place: str) -> Column:
-    """Return a number, or a row of numbers, as an array of doubles."""
-    try:
-        array = np.asarray(values)
-        if array.dtype.kind in "iuf" or (array.dtype.kind == "O" and all(x is not None for x in array.flat)):
-            return array.astype(np.float64)
-    except OverflowError:
-        raise ParameterError(f"{place}: {name} is beyond the largest double, 1.8e308") from None
-    except (ValueError, TypeError, SymbodyError):
-        pass
-    raise ArgumentError(
-        f"{place}: the value of {name}: {described(values)}; expected a number, or a row of numbers"
-    )
 
 
 def _variable(name: object, kind: str) -> Expr:

@@ -18,10 +18,10 @@ from symbody.symbolic.deficiency import Deficiency
 
 from .consistent import Positions, term_sizes
 from .contradiction import INCONSISTENT, cancelling_combinations, contradiction_between
-from .integrator import Failure, Outcome
 from .kinematics import Kinematics, kinematics_of
 from .least_norm import least_norm
 from .model import Model
+from .outcome import Failure, Outcome
 
 __all__ = ["contradictory_rows", "without_contradictions"]
 

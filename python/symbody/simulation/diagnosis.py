@@ -6,16 +6,22 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .dependent_constraints import NEAR, dependent_constraints, described_dependence
-from .integrator import EXPLICIT, Failure, Outcome
+from .integrated import Integrated
 from .model import Model
+from .outcome import Failure, Outcome
+from .task import Task
 
 __all__ = ["diagnosis"]
 
 Array = NDArray[np.float64]
 
 
-def diagnosis(failure: Failure, outcome: Outcome, model: Model, parameters: Array, method: str) -> str:
-    """Return what happened, when, and the way out, in the names of the model."""
+def diagnosis(motion: Integrated) -> str:
+    """Return what happened to a motion that failed, when, and the way out, in the names of the model."""
+    model, outcome = motion.task.model, motion.outcome
+    failure = outcome.failure
+    assert failure is not None, "only motions that failed have a diagnosis"
+    parameters = np.array([motion.parameters[name] for name in (*model.parameters, *model.damping)])
     if failure.kind == "contradiction":
         return failure.message.removeprefix("simulate: ")
     if failure.kind == "ida":
@@ -29,7 +35,7 @@ def diagnosis(failure: Failure, outcome: Outcome, model: Model, parameters: Arra
         return f"{when}: {_out_of_domain(model, parameters, t, state)}"
     near = _BY_CONSTRAINTS.get(failure.kind, 0.0)
     dependent = _dependent(model, parameters, t, state, near) if near else ""
-    return f"{when}: {_told(failure, dependent or _possible_cause(failure.kind, model, method))}"
+    return f"{when}: {_told(failure, dependent or _possible_cause(failure.kind, motion.task))}"
 
 
 def _told(failure: Failure, cause: str) -> str:
@@ -38,9 +44,9 @@ def _told(failure: Failure, cause: str) -> str:
     return f"the method gave up ({failure.message}); {cause}"
 
 
-def _possible_cause(kind: str, model: Model, method: str) -> str:
+def _possible_cause(kind: str, task: Task) -> str:
     """Return what may be the cause of a failure where constraints are not, and the way out."""
-    stiff = "; for stiff equations use method='bdf'" if method in EXPLICIT else ""
+    stiff = "; for stiff equations use method='bdf'" if task.method.is_explicit else ""
     if kind == "projection":
         return (
             "the constraints can't be satisfied beyond, or the position is singular; look at the motion up to there; "
@@ -52,12 +58,16 @@ def _possible_cause(kind: str, model: Model, method: str) -> str:
             f"motion by an event{stiff}"
         )
     if kind == "step_collapse":
-        held = "the constraints may let it go no farther, " if model.constraints else ""
+        held = "the constraints may let it go no farther, " if task.model.constraints else ""
         return (
             f"{held}the motion may go to infinity there, or a force jumps: smooth it, or end the motion by an "
             f"event{stiff}"
         )
-    return "use other tolerances" if method == "dop853" else "use method='dop853', or other tolerances"
+    return (
+        "use other tolerances"
+        if task.options.method == "dop853"
+        else "use method='dop853', or other tolerances"
+    )
 
 
 def _of_ida(failure: Failure, outcome: Outcome, model: Model, parameters: Array) -> str:

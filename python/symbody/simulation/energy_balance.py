@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from .integrator import Options
 from .model import Model
+from .options import Options
 
 __all__ = ["imbalance_of"]
 

@@ -11,7 +11,7 @@ from symbody.errors import ArgumentError, ParameterError
 from symbody.symbolic import Expr
 from symbody.symbolic.arguments import described
 
-from .cases import column_of
+from .column import column_of
 
 
 def grid(axes: Mapping[Expr, ArrayLike]) -> dict[Expr, NDArray[np.float64]]:

@@ -19,23 +19,19 @@ from symbody.errors import ArgumentError, ModelNotice, ResultsError, SimulationE
 from symbody.symbolic import Expr, ExprLike
 from symbody.symbolic.arguments import described
 
-from .asked import asked_outputs, watched_events
-from .batch import Batch
 from .case_check import check_cases
 from .cases import PLACE, Cases, Values, cases_of
 from .event import Event
-from .given_bodies import notice_impossible_bodies
 from .interruption import Interruption
-from .model import model_of
 from .notices import notices_of_batch
-from .options import instants_of, kept_by, options_of
 from .problem_digest import problem_digest
 from .progress import progress_bar
 from .results import Results
 from .results_file import ResultsFile
+from .run_cases import empty_results
 from .runs import Runs
-from .unused import notice_unused
-from .values import given_inputs, state_values, vanishing
+from .task import Task
+from .task_of import notice_odd_values, task_of
 from .workers import Part, by_executor, cores, in_threads
 
 SAVE_EVERY = 10.0
@@ -111,32 +107,31 @@ def simulate_many(
     Runs(3 cases, 1001 instants)
     """
     workforce = _checked(executor, cores() if threads is None else threads, path)
-    kept = kept_by(constraints, PLACE)
     all_cases = cases_of(parameters, initial, cases)
-    batch = Batch(
-        model=model_of(
-            eqs,
-            given_inputs(eqs, inputs, where=PLACE),
-            is_stabilized=bool(eqs.constraints) and kept not in {"projection", "free"},
-            zeros=vanishing(all_cases.parameters),
-        ),
-        instants=instants_of(t, PLACE),
-        options=options_of(method, rtol, atol, max_step, PLACE),
-        constraints=kept,
-        outputs=asked_outputs(outputs, PLACE),
-        events=watched_events(events, PLACE),
-        guess=state_values(eqs.system, guess, where=PLACE, argument="guess"),
+    task = task_of(
+        eqs,
+        all_cases.parameters,
+        t,
+        inputs=inputs,
+        method=method,
+        rtol=rtol,
+        atol=atol,
+        outputs=outputs,
+        events=events,
+        constraints=constraints,
+        guess=guess,
+        max_step=max_step,
         keeps_states=keep_states,
+        where=PLACE,
     )
-    check_cases(batch, all_cases)
-    notice_unused(eqs, all_cases.parameters, batch.expressions, PLACE)
-    notice_impossible_bodies(eqs.system, all_cases.parameters, PLACE)
-    file = None if path is None else ResultsFile(Path(path), problem_digest(batch, all_cases))
-    results = _begun(file, batch.empty_results(all_cases.count))
-    run = _Run(batch, all_cases, results, file)
+    check_cases(task, all_cases)
+    notice_odd_values(task, all_cases.parameters, PLACE)
+    file = None if path is None else ResultsFile(Path(path), problem_digest(task, all_cases))
+    results = _begun(file, empty_results(task, all_cases.count))
+    run = _Run(task, all_cases, results, file)
     with Interruption() as interruption:
         reason = run.to_the_end(*workforce, interruption, progress=progress)
-    runs = Runs(batch, all_cases, results)
+    runs = Runs(task, all_cases, results)
     for notice in filter(None, (_failure_notice(runs), _gap_notice(runs, reason, path), run.fault)):
         warnings.warn(ModelNotice(PREFIX + notice.removeprefix(PREFIX)), stacklevel=2)
     for notice in notices_of_batch(results.findings.tolist(), PLACE):
@@ -169,7 +164,7 @@ def _begun(file: ResultsFile | None, empty: Results) -> Results:
 class _Run:
     """A batch on its way."""
 
-    batch: Batch
+    task: Task
     cases: Cases
     results: Results
     file: ResultsFile | None
@@ -193,9 +188,9 @@ class _Run:
 
             if executor is None:
                 span = inf if self.file is None else SAVE_EVERY
-                parts = in_threads(self.batch, self.cases, missing, threads, keep_going, span)
+                parts = in_threads(self.task, self.cases, missing, threads, keep_going, span)
             else:
-                parts = by_executor(self.batch, self.cases, missing, executor, keep_going)
+                parts = by_executor(self.task, self.cases, missing, executor, keep_going)
             reason = self._take(parts)
             show(count - len(self.results.missing))
         return "interrupted" if interruption.is_asked_for else reason

@@ -22,7 +22,7 @@ from symbody.symbolic.deficiency import noting, report
 from .given_input import with_given
 from .least_change import LeastChange, least_change
 
-__all__ = ["DAMPING", "Model", "model_of"]
+__all__ = ["DAMPING", "Model", "model_of", "without_stabilization"]
 
 DAMPING = symbols("baumgarte_omega baumgarte_zeta")
 """The parameters of Baumgarte's stabilisation, whose values are chosen when a simulation begins."""
@@ -328,7 +328,9 @@ def _is_parameter(leaf: Expr) -> bool:
 
 
 @lru_cache(maxsize=32)
-def _model(eqs: Equations, inputs: tuple[tuple[Expr, Expr], ...], is_stabilized: bool, method: str) -> Model:  # noqa: FBT001 - a key of the cache
+def _model(
+    eqs: Equations, inputs: tuple[tuple[Expr, Expr], ...], *, is_stabilized: bool, method: str
+) -> Model:
     return Model(eqs, inputs, is_stabilized, method)
 
 
@@ -351,7 +353,13 @@ def model_of(
     given = tuple(
         sorted(((key, number(value)) for key, value in (inputs or {}).items()), key=lambda pair: str(pair[0]))
     )
-    return _model(eqs, given, is_stabilized, "pivoted" if _is_massless(eqs, zeros) else "auto")
+    method = "pivoted" if _is_massless(eqs, zeros) else "auto"
+    return _model(eqs, given, is_stabilized=is_stabilized, method=method)
+
+
+def without_stabilization(model: Model) -> Model:
+    """Return the same model without Baumgarte's stabilisation."""
+    return _model(model.equations, model.inputs, is_stabilized=False, method=model.method)
 
 
 def _is_massless(eqs: Equations, zeros: Collection[Expr]) -> bool:

@@ -19,8 +19,8 @@ from symbody.symbolic.arguments import counted, described
 
 from .drawing import drawer
 from .event import Occurrence
-from .integrator import Statistics
 from .model import Model
+from .outcome import Statistics
 from .rates_along import accelerations_along
 from .reading import Reading
 from .unknown import explain_unknown

@@ -2,42 +2,25 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-
 import numpy as np
-from numpy.typing import NDArray
 
-from symbody.symbolic import Expr
-
-from .event import Event, Occurrence
-from .integrator import Outcome
-from .model import Model
+from .event import Occurrence
+from .integrated import Integrated
 from .motion import Motion
 
 __all__ = ["motion_of"]
 
 
-def motion_of(
-    model: Model,
-    parameters: Mapping[Expr, float],
-    instants: NDArray[np.float64],
-    events: Sequence[Event],
-    outcome: Outcome,
-    message: str,
-    asked: Mapping[str, Expr],
-) -> Motion:
+def motion_of(integrated: Integrated, message: str) -> Motion:
     """Return the states at the instants that were reached, and at the end where it lies behind them.
 
     Args:
-        model: what moves.
-        parameters: the values of the parameters.
-        instants: those that were asked for.
-        events: what was looked for.
-        outcome: how the integration went.
+        integrated: the motion as it was integrated.
         message: why it ended, unless an event ended it.
-        asked: expressions to evaluate, by name.
     """
-    size, t, states = len(model.state), instants[: len(outcome.states)], outcome.states
+    task, outcome = integrated.task, integrated.outcome
+    model, events = task.model, task.events
+    size, t, states = len(model.state), task.instants[: len(outcome.states)], outcome.states
     if outcome.end[0] > t[-1]:
         t, states = np.append(t, outcome.end[0]), np.vstack([states, outcome.end[1]])
     happened = tuple(
@@ -50,7 +33,7 @@ def motion_of(
     work = states[:, size] if states.shape[1] > size else idle
     return Motion(
         model,
-        parameters,
+        integrated.parameters,
         t,
         states[:, :size],
         work,
@@ -58,5 +41,5 @@ def motion_of(
         outcome.statistics,
         outcome.failure is None,
         message,
-        asked,
+        task.outputs,
     )

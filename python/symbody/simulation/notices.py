@@ -8,12 +8,11 @@ from math import nan
 
 import numpy as np
 
-from symbody.symbolic import Expr
 from symbody.symbolic.deficiency import Deficiency, strongest
 
 from .consistent import term_sizes
 from .dependent_constraints import dependent_constraints, named_dependence
-from .integrator import EXPLICIT, Options, Outcome
+from .integrated import Integrated
 from .kinematics import kinematics_of
 from .model import Model
 from .named_constraint import named_constraints
@@ -22,7 +21,6 @@ from .singular_position import SINGULAR, is_singular, may_be_singular
 
 __all__ = [
     "Finding",
-    "Integrated",
     "deficiency_findings",
     "findings_of",
     "notices_of_batch",
@@ -51,25 +49,6 @@ class Finding:
     t: float = nan
 
 
-@dataclass(frozen=True, eq=False)
-class Integrated:
-    """A motion as it was integrated.
-
-    Attributes:
-        model: what moved.
-        parameters: their values.
-        options: how it was integrated.
-        outcome: how that went.
-        t: when it began, in s.
-    """
-
-    model: Model
-    parameters: Mapping[Expr, float]
-    options: Options
-    outcome: Outcome
-    t: float
-
-
 @dataclass(frozen=True)
 class _Row:
     """A kind of finding.
@@ -89,7 +68,7 @@ def _stiffness(motion: Integrated) -> Iterable[Finding]:
 
 
 def _deficiencies(motion: Integrated) -> Iterable[Finding]:
-    return deficiency_findings(motion.outcome.deficiencies, motion.model)
+    return deficiency_findings(motion.outcome.deficiencies, motion.task.model)
 
 
 def _imbalance(motion: Integrated) -> Iterable[Finding]:
@@ -105,22 +84,22 @@ def _imbalance(motion: Integrated) -> Iterable[Finding]:
 
 def _better_way(motion: Integrated) -> str:
     """Return what may keep the balance of energy, where a motion has lost it."""
-    is_explicit, has_constraints = motion.options.method in EXPLICIT, bool(motion.model.constraints)
-    # Only what keeps a motion on its branch leaves no trail.
-    if is_explicit and not (has_constraints and (motion.model.is_stabilized or len(motion.outcome.trail))):
+    task = motion.task
+    if task.method.is_explicit and not task.trail:
         return "use smaller tolerances or a smaller max_step, or begin at another position"
-    way = "method='dop853' with constraints='projection'" if has_constraints else "method='dop853'"
+    way = "method='dop853' with constraints='projection'" if task.model.constraints else "method='dop853'"
     return f"use smaller tolerances, or {way}"
 
 
 def _singular_start(motion: Integrated) -> Iterable[Finding]:
     """Return which constraints depend on each other where a motion begins, if they don't do so beside it."""
-    model, state = motion.model, motion.outcome.states[0][: len(motion.model.state)]
+    model = motion.task.model
+    state = motion.outcome.states[0][: len(model.state)]
     if not model.constraints:
         return []
     kinematics = kinematics_of(model.equations, dict(model.inputs))
     p = np.array([motion.parameters[name] for name in kinematics.parameters])
-    t, q = motion.t, state[: len(model.coordinates)]
+    t, q = float(motion.task.instants[0]), state[: len(model.coordinates)]
     if not may_be_singular(kinematics, p, t, q, model.independent_constraints):
         return []
     values = np.array([motion.parameters[name] for name in (*model.parameters, *model.damping)])
@@ -130,7 +109,7 @@ def _singular_start(motion: Integrated) -> Iterable[Finding]:
 
 def _passages(motion: Integrated) -> Iterable[Finding]:
     """Return that singular positions were passed, where nothing says on which branch the motion went on."""
-    passed = singular_passages(motion.model, motion.parameters, motion.outcome.trail)
+    passed = singular_passages(motion.task.model, motion.parameters, motion.outcome.trail)
     return [Finding("passage", size=float(len(passed)), t=float(passed[0]))] if len(passed) else []
 
 
@@ -141,7 +120,7 @@ def _uncertainty(motion: Integrated) -> Iterable[Finding]:
 
 def _violations(motion: Integrated) -> Iterable[Finding]:
     """Return the constraint that is off most where a motion has left its constraints, at its end."""
-    model, outcome = motion.model, motion.outcome
+    model, outcome = motion.task.model, motion.outcome
     if not model.constraints or outcome.failure is not None:
         return []
     kinematics = kinematics_of(model.equations, dict(model.inputs))

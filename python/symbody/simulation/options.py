@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from math import inf
 from numbers import Real
 
@@ -11,13 +12,27 @@ from numpy.typing import ArrayLike, NDArray
 from symbody.errors import SimulationError
 from symbody.symbolic.arguments import described
 
-from .ida import IDA_FORMS
-from .integrator import EXPLICIT, IMPLICIT, Options
-
-__all__ = ["KEPT", "instants_of", "kept_by", "options_of"]
+__all__ = ["KEPT", "Options", "check_options", "instants_of", "kept_by"]
 
 KEPT = ("projection", "baumgarte", "free")
 """The ways to keep constraints: back onto them after each step; by damping what is off; not at all."""
+
+
+@dataclass(frozen=True)
+class Options:
+    """How to integrate.
+
+    Attributes:
+        method: the name of the method.
+        rtol: the error of a step relative to the state.
+        atol: the error of a step where the state is small.
+        max_step: the longest step, in s.
+    """
+
+    method: str = "dop853"
+    rtol: float = 1e-8
+    atol: float = 1e-10
+    max_step: float = inf
 
 
 def instants_of(given: ArrayLike, where: str = "simulate") -> NDArray[np.float64]:
@@ -41,19 +56,15 @@ def instants_of(given: ArrayLike, where: str = "simulate") -> NDArray[np.float64
     return np.linspace(instants[0], instants[1], 1001) if len(instants) == 2 else instants
 
 
-def options_of(method: object, rtol: float, atol: float, max_step: float, where: str = "simulate") -> Options:
-    """Return how to integrate.
+def check_options(rtol: object, atol: object, max_step: object, where: str = "simulate") -> None:
+    """See that tolerances and the longest step are positive numbers.
 
     Raises:
-        SimulationError: a method that isn't known, or a tolerance or step that is no positive number.
+        SimulationError: one isn't.
     """
-    methods = (*EXPLICIT, *IMPLICIT, *IDA_FORMS)
-    if not isinstance(method, str) or method not in ("auto", *methods):
-        raise SimulationError(f"{where}: method={method!r}; expected auto, {', '.join(methods)}")
     for name, value in {"rtol": rtol, "atol": atol, "max_step": max_step}.items():
         if not _is_positive(value) or (value == inf and name != "max_step"):
             raise SimulationError(f"{where}: {name}={value!r}; expected a positive number")
-    return Options("dop853" if method == "auto" else method, rtol, atol, max_step)
 
 
 def _is_positive(value: object) -> bool:

@@ -15,7 +15,7 @@ from symbody.multibody import System
 from symbody.symbolic import Expr, ExprLike, free_symbols, number, t, time_derivative
 from symbody.symbolic.arguments import counted, described
 
-from .cases import column_of
+from .column import column_of
 from .values import check_known
 
 if TYPE_CHECKING:

@@ -1,4 +1,4 @@
-"""What a batch computes, as a short text for each part: equal texts, equal results."""
+"""What a task computes, as a short text for each part: equal texts, equal results."""
 
 from __future__ import annotations
 
@@ -9,29 +9,29 @@ from numpy.typing import NDArray
 
 from symbody.symbolic import Expr
 
-from .batch import Batch
 from .cases import Cases
 from .results_file import digest
+from .task import Task
 
 
-def problem_digest(batch: Batch, cases: Cases) -> dict[str, str]:
+def problem_digest(task: Task, cases: Cases) -> dict[str, str]:
     """Return the digest of each part of a problem, by the words for it.
 
     Expressions count by name or by their values at a random point, which are the same on all machines and however
     they are written.
     """
-    model = batch.model
+    model = task.model
     equations = [*model.equations.residuals, *model.constraints, *model.kinematics]
-    events = [f"{event.direction} {event.terminal}" for event in batch.events]
+    events = [f"{event.direction} {event.terminal}" for event in task.events]
     return {
         "the equations": digest([*map(str, model.state), "=", *_values(equations)]),
         "the inputs": digest(_named({str(name): value for name, value in model.inputs})),
-        "the outputs": digest(_named(batch.outputs)),
-        "the events": digest([*events, *_values(event.expression for event in batch.events)]),
+        "the outputs": digest(_named(task.outputs)),
+        "the events": digest([*events, *_values(event.expression for event in task.events)]),
         "the parameters": digest(_columns(cases.parameters)),
         "the initial values": digest(_columns(cases.initial)),
-        "the instants": digest([batch.instants.astype("<f8").tobytes()]),
-        "the options": digest(_options(batch)),
+        "the instants": digest([task.instants.astype("<f8").tobytes()]),
+        "the options": digest(_options(task)),
     }
 
 
@@ -51,11 +51,11 @@ def _columns(columns: Mapping[Expr, NDArray[np.float64]]) -> Iterator[str | byte
         yield values.astype("<f8").tobytes()
 
 
-def _options(batch: Batch) -> Iterator[str]:
-    yield repr(batch.options)
-    yield repr(batch.constraints)
-    yield repr(batch.keeps_states)
-    yield from (f"{name} {value!r}" for name, value in sorted(_texts(batch.guess).items()))
+def _options(task: Task) -> Iterator[str]:
+    yield repr(task.options)
+    yield repr(task.constraints)
+    yield repr(task.keeps_states)
+    yield from (f"{name} {value!r}" for name, value in sorted(_texts(task.guess).items()))
 
 
 def _texts(values: Mapping[Expr, float]) -> dict[str, float]:

@@ -17,16 +17,17 @@ from symbody.symbolic import Expr, ExprLike
 from symbody.symbolic.arguments import counted, described
 from symbody.symbolic.deficiency import noting
 
-from .batch import Batch
 from .cases import Cases
-from .integrator import Failure as IntegratorFailure
-from .integrator import Outcome, Statistics
+from .integrated import Integrated
 from .motion import Motion
 from .motion_of import motion_of
 from .named_constraint import shortened
 from .notices import Finding, deficiency_findings, notices_of_batch
+from .outcome import Failure as IntegratorFailure
+from .outcome import Outcome, Statistics
 from .reading import Reading
 from .results import Results, Status
+from .task import Task
 from .unknown import explain_unknown
 
 Array = NDArray[np.float64]
@@ -64,7 +65,7 @@ class Runs:
     Where a motion ended before the last instant, its values are NaN from there on.
     """
 
-    batch: Batch
+    task: Task
     cases: Cases
     results: Results
 
@@ -75,12 +76,12 @@ class Runs:
     @property
     def t(self) -> Array:
         """The instants, N of them."""
-        return self.batch.instants
+        return self.task.instants
 
     @property
     def system(self) -> System:
         """What moves."""
-        return self.batch.model.system
+        return self.task.model.system
 
     @property
     def parameters(self) -> dict[Expr, Array]:
@@ -94,18 +95,18 @@ class Runs:
 
     @property
     def states(self) -> Array:
-        """The states, k cases x N instants x n; their order is that of ``runs.batch.model.state``."""
-        if not self.batch.keeps_states:
+        """The states, k cases x N instants x n; their order is that of ``runs.task.model.state``."""
+        if not self.task.keeps_states:
             raise ArgumentError(
                 "runs: the states of these motions were not kept, only the outputs; give simulate_many "
                 "keep_states=True, or name the expression in its outputs"
             )
-        return self.results.states[:, :, : len(self.batch.model.state)]
+        return self.results.states[:, :, : len(self.task.model.state)]
 
     @cached_property
     def outputs(self) -> dict[str, Array]:
         """The outputs by name, k cases x N instants."""
-        return {name: self.results.outputs[:, i] for i, name in enumerate(self.batch.outputs)}
+        return {name: self.results.outputs[:, i] for i, name in enumerate(self.task.outputs)}
 
     def __iter__(self) -> NoReturn:
         """Raise an error: Python would ask for ``runs[0]``, ``runs[1]`` and so on."""
@@ -119,7 +120,7 @@ class Runs:
             SimulationError: an expression of which the model knows nothing.
             ParameterError: a parameter that stands in none of the equations, and has no value.
         """
-        asked = _READING.one(expression, self.batch.model.state)
+        asked = _READING.one(expression, self.task.model.state)
         values: Array = self._values([asked], f"runs[{shortened(asked)}]")[0]
         return values
 
@@ -136,7 +137,7 @@ class Runs:
     def _values(self, wanted: Sequence[Expr], place: str) -> Array:
         """Return the values of expressions; those of outputs are there already."""
         values = np.full((len(wanted), len(self), len(self.t)), np.nan)
-        outputs = {output: name for name, output in self.batch.outputs.items()}
+        outputs = {output: name for name, output in self.task.outputs.items()}
         others = [row for row, expression in enumerate(wanted) if expression not in outputs]
         for row, expression in enumerate(wanted):
             if expression in outputs:
@@ -152,7 +153,7 @@ class Runs:
         try:
             return self._by_states(wanted)
         except ParameterError:
-            explain_unknown("runs", wanted, self.batch.model, self.cases.parameters)
+            explain_unknown("runs", wanted, self.task.model, self.cases.parameters)
             raise
 
     def _by_states(self, wanted: list[Expr]) -> tuple[Array, list[tuple[Finding, ...]]]:
@@ -162,10 +163,10 @@ class Runs:
         for case, reached in enumerate(self.results.reached):
             if reached:
                 with noting() as found:
-                    values[:, case, :reached] = self.batch.values(
+                    values[:, case, :reached] = self.task.values(
                         wanted, states[case, :reached], self.t[:reached], self._parameters_of(case)
                     )
-                findings[case] = deficiency_findings(found, self.batch.model)
+                findings[case] = deficiency_findings(found, self.task.model)
         return values, findings
 
     def motion(self, index: int) -> Motion:
@@ -187,26 +188,18 @@ class Runs:
             why = str(self.results.messages[case]) or "it was not run"
             raise ArgumentError(f"runs.motion: case {case} has no motion: {why}")
         message = str(self.results.messages[case]) or "the last instant was reached"
-        return motion_of(
-            self.batch.model,
-            self._parameters_of(case),
-            self.t,
-            self.batch.events,
-            outcome,
-            message,
-            self.batch.outputs,
-        )
+        return motion_of(Integrated(self.task, self._parameters_of(case), outcome), message)
 
     def _parameters_of(self, case: int) -> dict[Expr, float]:
         parameters = self.cases.parameters_of(case)
-        if not self.batch.model.is_stabilized:
+        if not self.task.model.is_stabilized:
             return parameters
-        return {**parameters, **self.batch.damping_of(parameters, self.results.states[case, 0])}
+        return {**parameters, **self.task.damping_of(parameters, self.results.states[case, 0])}
 
     def outcome(self, index: int) -> Outcome | None:
         """Return how the integration of one case went, at the instants it reached; None where it never began."""
         results, reached = self.results, int(self.results.reached[index])
-        if reached == 0 or not self.batch.keeps_states:
+        if reached == 0 or not self.task.keeps_states:
             return None
         states, t_reached = results.states[index, :reached], float(results.t_reached[index])
         occurrences = [(event, t, state.tolist()) for event, t, state in results.occurrences[index]]

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 import warnings
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
-from functools import partial
+from dataclasses import replace
 from math import inf
 
 import numpy as np
@@ -16,25 +15,19 @@ from symbody.errors import ModelNotice, SimulationError
 from symbody.symbolic import Expr, ExprLike
 from symbody.symbolic.deficiency import noting
 
-from .asked import asked_outputs, check_known_along, parameters_in, watched_events
-from .baumgarte_choice import chosen_damping
 from .begin import begin
-from .contradictory_constraints import without_contradictions
 from .diagnosis import diagnosis
 from .event import Event
-from .given_bodies import notice_impossible_bodies
-from .ida import IDA_FORMS
-from .ida_outcome import ida_outcome
-from .integrator import Options, Outcome, Problem, run
+from .integrated import Integrated, run_motions
 from .interruption import Interruption
-from .model import DAMPING, Model, model_of
 from .motion import Motion
 from .motion_of import motion_of
-from .notices import Integrated, findings_of, notices_of_motion
-from .options import instants_of, kept_by, options_of
+from .notices import findings_of, notices_of_motion
+from .outcome import with_deficiencies
 from .progress import preparation_bar, progress_bar
-from .unused import notice_unused
-from .values import given_inputs, parameter_values, vanishing
+from .task import Task
+from .task_of import notice_odd_values, task_of
+from .values import parameter_values
 
 __all__ = ["simulate"]
 
@@ -100,99 +93,61 @@ def simulate(
     >>> motion.energy_drift < 1e-7
     True
     """
-    instants, options, kept = instants_of(t), options_of(method, rtol, atol, max_step), kept_by(constraints)
-    asked, watched = asked_outputs(outputs), watched_events(events)
-    modelled = partial(model_of, eqs, given_inputs(eqs, inputs), zeros=vanishing(parameters))
-    plain = modelled()
-    check_known_along(plain, asked, watched)
-    others = parameters_in([*asked.values(), *(event.expression for event in watched)])
-    values = parameter_values((*plain.parameters, *others), parameters)[: len(plain.parameters)]
-    given = {name: float(value) for name, value in _given(parameters).items()}
-    notice_unused(eqs, given, [*dict(plain.inputs).values(), *others], "simulate")
-    notice_impossible_bodies(eqs.system, given, "simulate")
+    task = task_of(
+        eqs,
+        parameters,
+        t,
+        inputs=inputs,
+        method=method,
+        rtol=rtol,
+        atol=atol,
+        outputs=outputs,
+        events=events,
+        constraints=constraints,
+        guess=guess,
+        max_step=max_step,
+    )
+    parameter_values(task.parameters, parameters)
+    given = {name: float(value) for name, value in (parameters or {}).items()}
+    notice_odd_values(task, given)
     with preparation_bar(is_shown=progress), noting() as met:
-        state = begin(plain, given, _given(initial), _given(guess), float(instants[0]))
-    is_damped = bool(eqs.constraints) and kept not in {"projection", "free"}
-    model = modelled(is_stabilized=True) if is_damped else plain
-    if is_damped:
-        damping = chosen_damping(plain, values, state, instants) if isinstance(kept, str) else kept
-        given |= dict(zip(DAMPING, damping, strict=True))
-        values = np.concatenate([values, damping])
-    course = _Course(model, given, values, instants, options, watched, is_projected=kept == "projection")
-    outcome = course.followed(state, is_shown=progress)
-    return course.told(replace(outcome, deficiencies=outcome.deficiencies | met), asked)
+        state = begin(task, given, initial)
+        _ = task.integrate  # compiled now: Ctrl-C interrupts, as there is no motion yet to keep
+    motion = _run_one(task, given, state, is_shown=progress)
+    return _report(replace(motion, outcome=with_deficiencies(motion.outcome, met)))
 
 
-def _given(values: Mapping[Expr, float] | None) -> Mapping[Expr, float]:
-    """Return what a user gives, or nothing."""
-    return {} if values is None else values
+def _run_one(
+    task: Task, parameters: Mapping[Expr, float], state: Array, *, is_shown: bool | None
+) -> Integrated:
+    """Integrate one motion; Ctrl-C ends it between two steps."""
+    columns = {name: np.array([value]) for name, value in parameters.items()}
+    span = float(np.ptp(task.instants))
+    with Interruption() as interruption, progress_bar("simulate", span, is_shown=is_shown) as show:
+
+        def keep_going(done: float) -> bool:
+            show(done * span)
+            return not interruption.is_asked_for
+
+        (motion,) = run_motions(task, columns, state[np.newaxis], 1, keep_going)
+        assert motion is not None, "the only motion is begun"
+        if not interruption.is_asked_for:
+            show(motion.outcome.end[0] - float(task.instants[0]))
+    return motion
 
 
-@dataclass(frozen=True, eq=False)
-class _Course:
-    """A simulation that can begin."""
-
-    model: Model
-    parameters: Mapping[Expr, float]
-    values: Array
-    instants: Array
-    options: Options
-    events: tuple[Event, ...]
-    is_projected: bool
-
-    def followed(self, state: Array, *, is_shown: bool | None) -> Outcome:
-        """Integrate; Ctrl-C ends it between two steps."""
-        first, last = float(self.instants[0]), float(self.instants[-1])
-        is_ida = self.options.method in IDA_FORMS
-        with noting() as found:
-            with preparation_bar(is_shown=is_shown):
-                problem, constants = (None, np.empty(0)) if is_ida else self._compiled()
-            with (
-                Interruption() as interruption,
-                progress_bar("simulate", last - first, is_shown=is_shown) as show,
-            ):
-
-                def keep_going(time: float) -> bool:
-                    show(time - first)
-                    return not interruption.is_asked_for
-
-                if problem is None:
-                    size = len(self.model.state)
-                    given = (self.parameters, self.instants, self.options, self.events, keep_going)
-                    outcome = ida_outcome(self.model, state[:size], *given)
-                else:
-                    outcome = run(problem, state, constants, self.instants, self.options, keep_going)
-                if not interruption.is_asked_for:
-                    show(outcome.end[0] - first)
-        outcome = replace(outcome, deficiencies=frozenset(found))
-        return without_contradictions(outcome, self.model, self.parameters, self.instants)
-
-    def _compiled(self) -> tuple[Problem, Array]:
-        """Return the compiled functions and their constants; Ctrl-C interrupts, as there is no motion yet to keep."""
-        method, events = self.options.method, self.events
-        problem = Problem.of(self.model, method, is_projected=self.is_projected, events=events)
-        values = np.array([self.parameters[name] for name in problem.parameters])
-        constants = problem.constants(values)
-        problem.native  # noqa: B018 - compiled now
-        return problem, constants
-
-    def told(self, outcome: Outcome, asked: Mapping[str, Expr]) -> Motion:
-        """Return the motion; raise an error that holds it if it failed."""
-        failure = outcome.failure
-        begin = float(self.instants[0])
-        with noting():  # what the motion met is among the findings
-            findings = findings_of(Integrated(self.model, self.parameters, self.options, outcome, begin))
-        for notice in notices_of_motion(findings):
-            warnings.warn(notice, ModelNotice, stacklevel=3)
-        if failure is None:
-            return self._motion(outcome, asked, "the last instant was reached")
-        if failure.kind == "interrupted":
-            motion = self._motion(outcome, asked, f"interrupted at t = {outcome.end[0]:.6g} s")
-            warnings.warn(f"simulate: {motion.message}; what was computed is kept", ModelNotice, stacklevel=3)
-            return motion
-        reason = diagnosis(failure, outcome, self.model, self.values, self.options.method)
-        message = f"simulate: {reason}; what was computed is the error's motion"
-        raise SimulationError(message, self._motion(outcome, asked, message))
-
-    def _motion(self, outcome: Outcome, asked: Mapping[str, Expr], message: str) -> Motion:
-        return motion_of(self.model, self.parameters, self.instants, self.events, outcome, message, asked)
+def _report(motion: Integrated) -> Motion:
+    """Return the motion, with notices of what its user should know; raise an error that holds it if it failed."""
+    failure = motion.outcome.failure
+    with noting():  # what the motion met is among the findings
+        findings = findings_of(motion)
+    for notice in notices_of_motion(findings):
+        warnings.warn(notice, ModelNotice, stacklevel=3)
+    if failure is None:
+        return motion_of(motion, "the last instant was reached")
+    if failure.kind == "interrupted":
+        kept = motion_of(motion, f"interrupted at t = {motion.outcome.end[0]:.6g} s")
+        warnings.warn(f"simulate: {kept.message}; what was computed is kept", ModelNotice, stacklevel=3)
+        return kept
+    message = f"simulate: {diagnosis(motion)}; what was computed is the error's motion"
+    raise SimulationError(message, motion_of(motion, message))

@@ -16,7 +16,7 @@ from symbody.symbolic import Expr, ExprLike, t, time_derivative
 from symbody.symbolic.arguments import described, expression
 from symbody.symbolic.namesake import namesake_note
 
-from .cases import column_of
+from .column import column_of
 from .given_input import check_no_circle
 
 __all__ = [

@@ -13,12 +13,13 @@ from numpy.typing import NDArray
 
 from symbody.errors import SimulationError
 
-from .batch import Batch
 from .cases import Cases
 from .interruption import Interruption
 from .parcel import Parcel
 from .results import Results
+from .run_cases import empty_results, run_cases
 from .stop_sign import StopSign
+from .task import Task
 
 Part = tuple[NDArray[np.intp], Results]
 """Some cases, and what they gave."""
@@ -42,7 +43,7 @@ def cores() -> int:
 
 
 def in_threads(
-    batch: Batch,
+    task: Task,
     cases: Cases,
     indices: NDArray[np.intp],
     threads: int,
@@ -52,18 +53,18 @@ def in_threads(
     """Run cases in native threads, part by part.
 
     Args:
-        batch: what the cases share.
+        task: what the cases share.
         cases: all of them.
         indices: those to run.
         threads: how many run at once.
         keep_going: told some times a second how many are done; False stops.
         span: s that a part should take at most; a part takes no fewer cases than there are threads.
     """
-    most = max(threads, _fitting(batch))
+    most = max(threads, _fitting(task))
     size, done = most if span == inf else min(most, 4 * threads), 0
     while done < len(indices) and keep_going(done):
         chosen, begin = indices[done : done + size], monotonic()
-        yield chosen, batch.run(cases.some(chosen), threads, _later(keep_going, done))
+        yield chosen, run_cases(task, cases.some(chosen), threads, _later(keep_going, done))
         done += len(chosen)
         pace = span / max(monotonic() - begin, 1e-9)
         size = int(np.clip(size * pace, max(threads, size // 4), min(most, 4 * size)))
@@ -75,7 +76,7 @@ def _later(keep_going: Callable[[float], bool], past: int) -> Callable[[float], 
 
 
 def by_executor(
-    batch: Batch,
+    task: Task,
     cases: Cases,
     indices: NDArray[np.intp],
     executor: Executor,
@@ -86,9 +87,9 @@ def by_executor(
     Raises:
         SimulationError: tasks were lost: the executor is broken, or a worker can't run the model.
     """
-    parcel, done, lost, sign = Parcel(batch), 0, None, StopSign()
+    parcel, done, lost, sign = Parcel(task), 0, None, StopSign()
     with parcel.open_here():
-        waiting = _submitted(parcel, cases, indices, executor, _fitting(batch), sign)
+        waiting = _submitted(parcel, cases, indices, executor, _fitting(task), sign)
         try:
             while waiting and keep_going(done):
                 ready, _ = wait(waiting, timeout=LOOK, return_when=FIRST_COMPLETED)
@@ -109,7 +110,7 @@ def by_executor(
 
 
 def _submitted(
-    parcel: Parcel[Batch],
+    parcel: Parcel[Task],
     cases: Cases,
     indices: NDArray[np.intp],
     executor: Executor,
@@ -135,17 +136,19 @@ def _withdraw(waiting: Iterable[Future[Results]], executor: Executor) -> None:
             future.cancel()
 
 
-def _run(parcel: Parcel[Batch], cases: Cases, sign: StopSign) -> Results:
+def _run(parcel: Parcel[Task], cases: Cases, sign: StopSign) -> Results:
     """Run some cases where a worker is, until its call is over, or Ctrl-C comes to the worker.
 
     A terminal sends Ctrl-C to all processes that it started: a pool ends then without a wait for long motions.
     """
     if sign in _interrupted or sign.is_up():
-        return parcel.content.empty_results(cases.count)
+        return empty_results(parcel.content, cases.count)
     if sign.is_from_here():
-        return parcel.content.run(cases, 1, lambda _: not sign.is_up())
+        return run_cases(parcel.content, cases, 1, lambda _: not sign.is_up())
     with Interruption() as interruption:
-        results = parcel.content.run(cases, 1, lambda _: not (interruption.is_asked_for or sign.is_up()))
+        results = run_cases(
+            parcel.content, cases, 1, lambda _: not (interruption.is_asked_for or sign.is_up())
+        )
     if interruption.is_asked_for:
         _interrupted.add(sign)
     return results
@@ -158,6 +161,6 @@ def _lost(error: BaseException) -> SimulationError:
     )
 
 
-def _fitting(batch: Batch) -> int:
+def _fitting(task: Task) -> int:
     """Return how many cases fit into the memory that states under way may take."""
-    return max(1, MEMORY // (8 * (len(batch.instants) + batch.trail) * batch.width))
+    return max(1, MEMORY // (8 * (len(task.instants) + task.trail) * task.model.width))

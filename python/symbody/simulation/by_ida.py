@@ -1,20 +1,51 @@
-"""A motion by IDA, in the terms of the native integrator: what runs one motion or many needn't tell them apart."""
+"""Motions by IDA, in the terms that all methods share."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from functools import partial
 
 import numpy as np
 from numpy.typing import NDArray
 
 from symbody.errors import SimulationError
 from symbody.symbolic import Expr
+from symbody.symbolic.deficiency import noting
 
 from .energy_balance import imbalance_of
 from .event import Event
 from .ida import IDA_FORMS, IdaRun, integrate_ida
-from .integrator import Failure, Options, Outcome, Statistics
 from .model import Model
+from .options import Options
+from .outcome import Failure, Outcome, Statistics, with_deficiencies
+from .task import Columns, Integrate, KeepGoing, Task
+
+__all__ = ["ida_outcome", "prepare"]
+
+
+def prepare(task: Task) -> Integrate:
+    """Return what integrates motions of a task, one after another."""
+    return partial(_integrate, task)
+
+
+def _integrate(
+    task: Task, parameters: Columns, states: NDArray[np.float64], _threads: int, keep_going: KeepGoing
+) -> Iterator[Outcome | None]:
+    first, span, size = float(task.instants[0]), float(np.ptp(task.instants)), len(task.model.state)
+    for case, state in enumerate(states):
+
+        def goes_on(t: float, done: int = case) -> bool:
+            return keep_going(done + (t - first) / span)
+
+        if not keep_going(case):
+            yield None
+            continue
+        values = {name: float(column[case]) for name, column in parameters.items()}
+        with noting() as found:
+            outcome = ida_outcome(
+                task.model, state[:size], values, task.instants, task.options, task.events, goes_on
+            )
+        yield with_deficiencies(outcome, found)
 
 
 def ida_outcome(

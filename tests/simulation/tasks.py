@@ -1,0 +1,18 @@
+"""Tasks without outputs and events, for tests of what works on one."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from symbody.simulation.methods import METHODS
+from symbody.simulation.model import Model
+from symbody.simulation.options import Options
+from symbody.simulation.task import Task
+
+
+def a_task(
+    model: Model, method: str = "dop853", constraints: str = "projection", t: ArrayLike = (0.0, 1.0)
+) -> Task:
+    """Return the task to integrate a model from one instant to another."""
+    return Task(model, np.asarray(t, float), Options(method), METHODS[method], constraints, {}, (), {})
