@@ -57,7 +57,7 @@ x = functions_of_time("x")
 assert simulate(newton_euler(System([Body(translate(x, 0, 0), 1)], coordinates=[x])), {}, {x: 1}, t=(0, 1))
 """
     ).partition(" | ")
-    assert layers == "codegen dynamics errors geometry multibody simulation symbolic"
+    assert layers == "codegen dynamics errors files geometry multibody simulation symbolic"
     assert not {"scipy", "matplotlib", "lark", "rich", "sympy"} & set(packages.split())
 
 
@@ -112,7 +112,7 @@ def test_a_name_that_does_not_exist() -> None:
 
 def test_all_names_at_once() -> None:
     code = "from symbody import *; print(simulate.__module__, lambdify.__module__)"
-    assert in_a_new_process(code) == "symbody.simulation.simulate symbody.codegen.lambdify"
+    assert in_a_new_process(code) == "symbody.simulation.motion.simulate symbody.codegen.lambdify"
 
 
 def test_names_survive_a_pickle() -> None:

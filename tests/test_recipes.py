@@ -2,13 +2,19 @@
 
 import typing
 from collections.abc import Iterator
+from importlib.util import find_spec
 from inspect import isabstract
+from pathlib import Path
+
+import numpy as np
+import pytest
 
 import symbody
-from symbody import dynamics
+from symbody import Body, dynamics, functions_of_time, newton_euler, simulate, simulate_many, translate
 from symbody.dynamics import Equations
 from symbody.geometry.motion import Motion
 from symbody.multibody import Load, System
+from symbody.simulation.integrate.methods import METHODS
 from symbody.symbolic import functions
 from tests.laws import test_formalisms, test_rewrites
 from tests.laws.random_system import random_floating_system, random_system
@@ -48,6 +54,28 @@ def test_every_formalism_is_held_against_the_others() -> None:
 def test_every_function_obeys_the_laws() -> None:
     """The laws name it, or import it (and the lints see to it that what is imported is used)."""
     assert set(functions.__all__) <= {*test_rewrites.ONE_ARGUMENT, *vars(test_rewrites)}
+
+
+@pytest.mark.parametrize("method", METHODS)
+def test_every_method_integrates_one_motion_and_many(method: str) -> None:
+    if method.startswith("ida") and not find_spec("sksundae"):
+        pytest.skip("SUNDIALS is an extra: scikit-sundae")
+    x = functions_of_time("x")
+    body = Body(translate(x, 0, 0), 1)
+    spring = symbody.Force(symbody.ground, -x, 0, 0, on=body, at=body.center_of_mass)
+    equations = newton_euler(System([body], [spring], [x]))
+    given, t = {"method": method, "rtol": 1e-7, "atol": 1e-9}, np.linspace(0, 2, 5)
+    one = simulate(equations, {}, {x: 1}, t, **given)[x]
+    np.testing.assert_allclose(one, np.cos(t), atol=1e-4)
+    many = simulate_many(equations, {}, {x: [1, 2]}, t, **given)[x]
+    np.testing.assert_allclose(many, np.outer([1, 2], np.cos(t)), atol=2e-4)
+
+
+@pytest.mark.parametrize("method", METHODS)
+def test_every_method_is_documented(method: str) -> None:
+    page = Path(__file__).parents[1] / "docs" / "simulation.md"
+    assert f'"{method}"' in (simulate.__doc__ or "")
+    assert f'"{method}"' in page.read_text(encoding="utf-8")
 
 
 def test_all_of_these_are_public() -> None:

@@ -8,12 +8,12 @@ from importlib.util import find_spec
 import numpy as np
 
 from symbody import simulate
-from symbody.simulation.by_ida import ida_outcome
-from symbody.simulation.methods import METHODS
-from symbody.simulation.native import run
-from symbody.simulation.options import Options
-from symbody.simulation.outcome import Outcome
-from symbody.simulation.problem import Problem as Compiled
+from symbody.simulation.given.options import Options
+from symbody.simulation.integrate.by_ida import ida_outcome
+from symbody.simulation.integrate.methods import METHODS
+from symbody.simulation.integrate.native import run
+from symbody.simulation.integrate.outcome import Outcome
+from symbody.simulation.integrate.problem import Problem as Compiled
 
 from .contender import Contender, decades
 from .problem import Array, Problem, instants

@@ -10,8 +10,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from symbody import Equations, Expr
-from symbody.simulation.model import Model, model_of
-from symbody.simulation.values import parameter_values
+from symbody.simulation.given.values import parameter_values
+from symbody.simulation.model.model import Model, model_of
 
 Array = NDArray[np.float64]
 

@@ -12,9 +12,9 @@ from time import perf_counter, process_time
 import numpy as np
 
 from symbody import simulate, simulate_many
-from symbody.simulation.native import run_many
-from symbody.simulation.options import Options
-from symbody.simulation.problem import Problem as Compiled
+from symbody.simulation.given.options import Options
+from symbody.simulation.integrate.native import run_many
+from symbody.simulation.integrate.problem import Problem as Compiled
 
 from . import by_jax, by_scipy
 from .problem import Array, Problem

@@ -5,10 +5,10 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike
 
-from symbody.simulation.methods import METHODS
-from symbody.simulation.model import Model
-from symbody.simulation.options import Options
-from symbody.simulation.task import Task
+from symbody.simulation.given.options import Options
+from symbody.simulation.integrate.methods import METHODS
+from symbody.simulation.integrate.task import Task
+from symbody.simulation.model.model import Model
 
 
 def a_task(

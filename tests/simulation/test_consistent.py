@@ -19,7 +19,7 @@ from symbody import (
     translate,
 )
 from symbody.errors import ConstraintError, ModelError, ParameterError
-from symbody.simulation.consistent import consistent_state
+from symbody.simulation.constraint.consistent import consistent_state
 from tests.simulation.linkages import double_pendulum, fourbar, hanging_box, pendulum_on_rail, slider_crank
 from tests.simulation.singular_mechanisms import cranks
 

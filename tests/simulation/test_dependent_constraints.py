@@ -19,11 +19,11 @@ from symbody import (
     translate,
 )
 from symbody.errors import ModelNotice
-from symbody.simulation.dependent_constraints import dependent_constraints, described_dependence
-from symbody.simulation.diagnosis import diagnosis
-from symbody.simulation.integrated import Integrated
-from symbody.simulation.model import Model, model_of
-from symbody.simulation.outcome import Failure, Outcome, Statistics
+from symbody.simulation.constraint.dependent_constraints import dependent_constraints, described_dependence
+from symbody.simulation.integrate.diagnosis import diagnosis
+from symbody.simulation.integrate.integrated import Integrated
+from symbody.simulation.integrate.outcome import Failure, Outcome, Statistics
+from symbody.simulation.model.model import Model, model_of
 from tests.simulation.tasks import a_task
 
 m, l, d, k = symbols("m l d k")

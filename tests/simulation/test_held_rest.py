@@ -24,8 +24,8 @@ from symbody import (
     symbols,
     translate,
 )
-from symbody.simulation.equilibrium import equilibrium
-from symbody.simulation.kinematics import neutral_position, quaternions
+from symbody.simulation.constraint.kinematics import neutral_position, quaternions
+from symbody.simulation.statics.equilibrium import equilibrium
 from tests.simulation.test_rates import NUMBERS, planar, psi, r, u, x, y
 
 a, b = functions_of_time("a b")

@@ -34,11 +34,11 @@ from symbody import (
     translate,
 )
 from symbody.errors import CodegenError, ParameterError, SimulationError
-from symbody.simulation import ida
-from symbody.simulation.dae import FORMS, dae_of
-from symbody.simulation.event import Event
-from symbody.simulation.ida import IdaRun, integrate_ida
-from symbody.simulation.model import model_of
+from symbody.simulation.given.event import Event
+from symbody.simulation.integrate import ida
+from symbody.simulation.integrate.dae import FORMS, dae_of
+from symbody.simulation.integrate.ida import IdaRun, integrate_ida
+from symbody.simulation.model.model import model_of
 from symbody.symbolic import t
 from tests.reference.mechanisms.problem import reference
 from tests.simulation.dae_models import (

@@ -41,16 +41,16 @@ from symbody import (
     translate,
 )
 from symbody.errors import ArgumentError, ParameterError, ResultsError, SimulationError
-from symbody.simulation import many, workers
-from symbody.simulation.event import Event
-from symbody.simulation.grid import grid
-from symbody.simulation.many import simulate_many
-from symbody.simulation.model import model_of
-from symbody.simulation.native import run
-from symbody.simulation.options import Options
-from symbody.simulation.problem import Problem
-from symbody.simulation.runs import Runs
-from symbody.simulation.simulate import simulate
+from symbody.simulation.batch import many, workers
+from symbody.simulation.batch.grid import grid
+from symbody.simulation.batch.many import simulate_many
+from symbody.simulation.batch.runs import Runs
+from symbody.simulation.given.event import Event
+from symbody.simulation.given.options import Options
+from symbody.simulation.integrate.native import run
+from symbody.simulation.integrate.problem import Problem
+from symbody.simulation.model.model import model_of
+from symbody.simulation.motion.simulate import simulate
 from symbody.symbolic.arguments import described
 
 Array = NDArray[np.float64]
@@ -477,7 +477,7 @@ _CUT = """
 import sys
 from itertools import count
 import numpy as np
-from symbody.simulation import many
+from symbody.simulation.batch import many
 from tests.simulation.test_many import CASES, PENDULUM, g, m, q1, six
 many.SAVE_EVERY = many.SAVE_PAUSE = -1.0  # whatever the clock says
 savez, saves = np.savez, count(1)

@@ -29,17 +29,17 @@ from symbody import (
     translate,
 )
 from symbody.errors import ModelNotice
-from symbody.simulation.consistent import consistent_state
-from symbody.simulation.equilibrium import equilibrium
-from symbody.simulation.integrated import Integrated
-from symbody.simulation.inverse_dynamics import inverse_dynamics
-from symbody.simulation.model import model_of
-from symbody.simulation.native import run
-from symbody.simulation.notices import Finding, findings_of, notices_of_batch, notices_of_motion
-from symbody.simulation.options import Options
-from symbody.simulation.outcome import Outcome, Statistics
-from symbody.simulation.problem import Problem
-from symbody.simulation.redundant_constraints import redundant_constraints
+from symbody.simulation.constraint.consistent import consistent_state
+from symbody.simulation.constraint.redundant_constraints import redundant_constraints
+from symbody.simulation.given.options import Options
+from symbody.simulation.integrate.integrated import Integrated
+from symbody.simulation.integrate.native import run
+from symbody.simulation.integrate.notices import Finding, findings_of, notices_of_batch, notices_of_motion
+from symbody.simulation.integrate.outcome import Outcome, Statistics
+from symbody.simulation.integrate.problem import Problem
+from symbody.simulation.inverse.inverse_dynamics import inverse_dynamics
+from symbody.simulation.model.model import model_of
+from symbody.simulation.statics.equilibrium import equilibrium
 from symbody.symbolic.deficiency import noting
 from tests.simulation.tasks import a_task
 

@@ -27,8 +27,8 @@ from symbody import (
 )
 from symbody.errors import ConstraintError, ModelNotice
 from symbody.simulation import redundant_constraints
-from symbody.simulation.dependent_constraints import dependent_constraints
-from symbody.simulation.model import model_of
+from symbody.simulation.constraint.dependent_constraints import dependent_constraints
+from symbody.simulation.model.model import model_of
 
 m, l, g, d = symbols("m l g d")
 a, b, c, x, y, theta, s = functions_of_time("a b c x y theta s")

@@ -9,7 +9,7 @@ import pytest
 
 from symbody import Event, MachineCode, simulate, symbols
 from symbody.codegen.llvm.jit import watched
-from symbody.simulation import progress
+from symbody.simulation.terminal import progress
 from tests.codegen.test_long_code import chain
 from tests.simulation.test_simulate import START, VALUES, double_pendulum
 

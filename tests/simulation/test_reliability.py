@@ -31,7 +31,7 @@ import pytest
 
 from symbody import ModelNotice, Motion, generate, simulate, simulate_many
 from symbody.errors import CodegenError, PictureError, ResultsError, SymbodyError
-from symbody.simulation.runs import Runs
+from symbody.simulation.batch.runs import Runs
 from tests.simulation.test_many import PENDULUM, REFERENCE, g, l, m, q1, same, six
 
 resource = pytest.importorskip("resource")
@@ -242,7 +242,7 @@ def test_results_that_were_cut_or_changed(tmp_path: Path) -> None:
 def test_two_processes_write_one_file(tmp_path: Path) -> None:
     """Both save after each few motions; neither reads what is half written, and in the end the file is whole."""
     program = (
-        "import sys; from symbody.simulation import many; from tests.simulation.test_reliability import thirty\n"
+        "import sys; from symbody.simulation.batch import many; from tests.simulation.test_reliability import thirty\n"
         "many.SAVE_EVERY = many.SAVE_PAUSE = 0.0\n"
         "for _ in range(3): thirty(sys.argv[1])\n"
     )
@@ -269,7 +269,7 @@ from pathlib import Path
 from threading import get_native_id
 import numpy as np
 from symbody import simulate_many
-from symbody.simulation import many, workers
+from symbody.simulation.batch import many, workers
 from tests.simulation.test_many import PENDULUM, g, l, m, q1
 
 def long(**options):
@@ -409,7 +409,7 @@ def impatient(monkeypatch: pytest.MonkeyPatch) -> None:
 
         yield show
 
-    for name in ("simulate", "many"):
+    for name in ("motion.simulate", "batch.many"):
         monkeypatch.setattr(import_module(f"symbody.simulation.{name}"), "progress_bar", bar)
 
 

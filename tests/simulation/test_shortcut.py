@@ -20,7 +20,7 @@ from symbody import (
     symbols,
     translate,
 )
-from symbody.simulation.model import Model, model_of
+from symbody.simulation.model.model import Model, model_of
 from tests.reference.mechanisms.andrews import andrews
 from tests.reference.mechanisms.double_pendulum import natural_double_pendulum
 from tests.reference.mechanisms.n_fourbar import n_fourbar

@@ -294,7 +294,9 @@ def test_a_thousand_motions_are_those_of_a_thousand_calls():
 def at_each_look(monkeypatch, act):
     """Act wherever a simulation asks whether to go on, some times a second, with the time that it has reached."""
     bar = nullcontext(act)
-    monkeypatch.setattr(import_module("symbody.simulation.simulate"), "progress_bar", lambda *_, **__: bar)
+    monkeypatch.setattr(
+        import_module("symbody.simulation.motion.simulate"), "progress_bar", lambda *_, **__: bar
+    )
 
 
 def test_ctrl_c_keeps_what_was_computed(monkeypatch):

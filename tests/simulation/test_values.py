@@ -14,8 +14,8 @@ from symbody import (
     translate,
 )
 from symbody.errors import ArgumentError, ParameterError
-from symbody.simulation.unknown import unknown_variables
-from symbody.simulation.values import parameter_values, state_values
+from symbody.simulation.given.values import parameter_values, state_values
+from symbody.simulation.model.unknown import unknown_variables
 
 m, g, length = symbols("m g l_1")
 

@@ -90,7 +90,7 @@ def _overconstrained(system: System) -> str:
 
     That takes numbers, and so a higher layer, which is looked up for this message only.
     """
-    found: str = import_module("symbody.simulation.redundant_constraints").advice(system)
+    found: str = import_module("symbody.simulation.constraint.redundant_constraints").advice(system)
     return found and f". With parameters that are all 1, {found}"
 
 

@@ -1,15 +1,15 @@
 """Numbers: from equations of motion to motions, one or many, and to states of rest."""
 
-from symbody.simulation.consistent import consistent_state
-from symbody.simulation.equilibrium import Equilibrium, equilibrium
-from symbody.simulation.event import Event, Occurrence
-from symbody.simulation.grid import grid
-from symbody.simulation.inverse_dynamics import InverseDynamics, inverse_dynamics
-from symbody.simulation.many import simulate_many
-from symbody.simulation.motion import Motion
-from symbody.simulation.redundant_constraints import Redundancy, redundant_constraints
-from symbody.simulation.runs import Runs
-from symbody.simulation.simulate import simulate
+from symbody.simulation.batch.grid import grid
+from symbody.simulation.batch.many import simulate_many
+from symbody.simulation.batch.runs import Runs
+from symbody.simulation.constraint.consistent import consistent_state
+from symbody.simulation.constraint.redundant_constraints import Redundancy, redundant_constraints
+from symbody.simulation.given.event import Event, Occurrence
+from symbody.simulation.inverse.inverse_dynamics import InverseDynamics, inverse_dynamics
+from symbody.simulation.motion.motion import Motion
+from symbody.simulation.motion.simulate import simulate
+from symbody.simulation.statics.equilibrium import Equilibrium, equilibrium
 
 __all__ = [
     "Equilibrium",

@@ -7,7 +7,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 from symbody.errors import PictureError
-from symbody.simulation.replacement import replacement
+from symbody.files.replacement import replacement
 
 
 def file_of(path: str | os.PathLike[str], example: str = "motion.html") -> Path:

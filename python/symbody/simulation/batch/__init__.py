@@ -1,0 +1,1 @@
+"""Many motions: `simulate_many`, who runs them, their results in memory and in files."""

@@ -1,0 +1,144 @@
+"""Cases: the parameters and initial values of many motions."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any, TypeAlias
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from symbody.errors import ArgumentError, ParameterError
+from symbody.simulation.given.column import Column, column_of
+from symbody.symbolic import Expr
+from symbody.symbolic.arguments import described
+
+Values: TypeAlias = Mapping[Expr, ArrayLike] | Sequence[Mapping[Expr, float]]
+"""Values by name: numbers and rows of numbers, or a dictionary of numbers for each motion."""
+
+PLACE = "simulate_many"
+"""Whose arguments the messages speak of."""
+
+
+@dataclass(frozen=True, eq=False)
+class Cases:
+    """What tells the motions of a batch apart: for each name an array with a value for each motion.
+
+    Attributes:
+        parameters: the values of parameters.
+        initial: the values of coordinates and speeds at the first instant, as far as they are given.
+        count: how many motions there are.
+    """
+
+    parameters: dict[Expr, Column]
+    initial: dict[Expr, Column]
+    count: int
+
+    def some(self, indices: NDArray[np.intp]) -> Cases:
+        """Return some of the cases."""
+        parameters = {name: values[indices] for name, values in self.parameters.items()}
+        initial = {name: values[indices] for name, values in self.initial.items()}
+        return Cases(parameters, initial, len(indices))
+
+    def parameters_of(self, case: int) -> dict[Expr, float]:
+        """Return the parameters of one motion."""
+        return {name: float(values[case]) for name, values in self.parameters.items()}
+
+    def initial_of(self, case: int) -> dict[Expr, float]:
+        """Return what is given of the initial state of one motion."""
+        return {name: float(values[case]) for name, values in self.initial.items()}
+
+
+def cases_of(parameters: Values | None, initial: Values | None, cases: Values | None = None) -> Cases:
+    """Return the cases of numbers, which hold for all, and of arrays, with a value for each.
+
+    Args:
+        parameters: values of symbols.
+        initial: values of coordinates, their rates and speeds.
+        cases: both together, such as a `grid`: symbols are parameters, functions of time belong to the state.
+
+    Raises:
+        ParameterError: arrays of different lengths, an empty one, or a name that is given twice.
+        ArgumentError: no dictionary and no list of dictionaries, a key that is no variable, or a value that is no
+            number and no row of numbers.
+    """
+    given = {"parameters": _rows(parameters, "parameters"), "initial": _rows(initial, "initial")}
+    for name, values in _rows(cases, "cases").items():
+        kind = "parameters" if _variable(name, "cases").kind == "symbol" else "initial"
+        if name in given[kind]:
+            raise ParameterError(
+                f"{PLACE}: {name} stands in {kind} and in cases; leave it out of one of them"
+            )
+        given[kind][name] = values
+    columns = {
+        kind: {_variable(name, kind): _column(name, values, kind) for name, values in mapping.items()}
+        for kind, mapping in given.items()
+    }
+    count = _count([pair for mapping in columns.values() for pair in mapping.items()])
+    whole = {
+        kind: {name: _spread(c, count) for name, c in mapping.items()} for kind, mapping in columns.items()
+    }
+    return Cases(whole["parameters"], whole["initial"], count)
+
+
+def _rows(given: object, kind: str) -> dict[Any, Any]:
+    """Return values by name: of a list of dictionaries, a row for each name."""
+    if given is None:
+        return {}
+    if isinstance(given, Mapping):
+        return dict(given)
+    if not isinstance(given, list | tuple) or not given or not all(isinstance(one, Mapping) for one in given):
+        raise ArgumentError(
+            f"{PLACE}, {kind}: {described(given)}; expected a dictionary of variables and their values, or a list of "
+            "dictionaries, one for each motion"
+        )
+    names = list(given[0])
+    for case, one in enumerate(given):
+        if set(one) != set(names):
+            different = ", ".join(sorted(map(str, set(one) ^ set(names))))
+            raise ParameterError(
+                f"{PLACE}, {kind}: the dictionaries of the cases 0 and {case} differ by {different}; expected the same "
+                "variables in all of them"
+            )
+    return {name: [one[name] for one in given] for name in names}
+
+
+def _variable(name: object, kind: str) -> Expr:
+    if isinstance(name, Expr) and name.is_variable:
+        return name
+    raise ArgumentError(
+        f"{PLACE}, {kind}: {described(name)}; expected a symbol or a function of time, and its values behind it"
+    )
+
+
+def _column(name: Expr, values: ArrayLike, kind: str) -> Column:
+    column = column_of(name, values, f"{PLACE}, {kind}")
+    if column.ndim > 1:
+        raise ParameterError(
+            f"{PLACE}, {kind}: {name} has values of shape {column.shape}; expected a number, or a row of numbers with "
+            "one for each case. For all combinations of several rows use cases=grid({...})"
+        )
+    if column.size == 0:
+        raise ParameterError(
+            f"{PLACE}, {kind}: {name} has no values, so there is nothing to run; give at least one"
+        )
+    return column
+
+
+def _count(columns: Sequence[tuple[Expr, Column]]) -> int:
+    """Return how many cases there are: the length of all arrays."""
+    lengths = [(name, len(column)) for name, column in columns if column.ndim == 1]
+    if len({length for _, length in lengths}) > 1:
+        found = ", ".join(f"{name} has {length}" for name, length in lengths)
+        raise ParameterError(
+            f"{PLACE}: arrays of different lengths ({found}); expected one value for each case in every array, or "
+            "a number for all cases. For all combinations use cases=grid({...})"
+        )
+    return lengths[0][1] if lengths else 1
+
+
+def _spread(column: Column, count: int) -> Column:
+    spread = np.array(np.broadcast_to(column, count))
+    spread.flags.writeable = False
+    return spread

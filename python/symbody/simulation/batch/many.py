@@ -1,0 +1,256 @@
+"""Many motions of one model: over parameters and initial states, on all cores or on many machines."""
+
+from __future__ import annotations
+
+import os
+import warnings
+from collections.abc import Iterator, Mapping, Sequence
+from concurrent.futures import Executor
+from dataclasses import dataclass, field
+from math import inf
+from os import PathLike
+from pathlib import Path
+from time import monotonic
+
+from numpy.typing import ArrayLike
+
+from symbody.dynamics import Equations
+from symbody.errors import ArgumentError, ModelNotice, ResultsError, SimulationError
+from symbody.simulation.given.event import Event
+from symbody.simulation.integrate.notices import notices_of_batch
+from symbody.simulation.integrate.task import Task
+from symbody.simulation.integrate.task_of import notice_odd_values, task_of
+from symbody.simulation.terminal.interruption import Interruption
+from symbody.simulation.terminal.progress import progress_bar
+from symbody.symbolic import Expr, ExprLike
+from symbody.symbolic.arguments import described
+
+from .case_check import check_cases
+from .cases import PLACE, Cases, Values, cases_of
+from .problem_digest import problem_digest
+from .results import Results
+from .results_file import ResultsFile
+from .run_cases import empty_results
+from .runs import Runs
+from .workers import Part, by_executor, cores, in_threads
+
+SAVE_EVERY = 10.0
+"""s between two saves, so that an accident costs no more work than that."""
+
+PREFIX = f"{PLACE}: "
+
+SAVE_PAUSE = 20.0
+"""The pause between saves at least, in units of the time that one takes."""
+
+
+def simulate_many(
+    eqs: Equations,
+    parameters: Values | None = None,
+    initial: Values | None = None,
+    t: tuple[float, float] | ArrayLike = (0.0, 10.0),
+    *,
+    cases: Values | None = None,
+    inputs: Mapping[Expr, ExprLike] | None = None,
+    method: str = "auto",
+    rtol: float = 1e-8,
+    atol: float = 1e-10,
+    outputs: Mapping[str, ExprLike] | None = None,
+    events: Sequence[Event] | None = None,
+    constraints: str | tuple[float, float] = "projection",
+    guess: Mapping[Expr, float] | None = None,
+    max_step: float = inf,
+    executor: Executor | None = None,
+    threads: int | None = None,
+    path: str | os.PathLike[str] | None = None,
+    progress: bool | None = None,
+    keep_states: bool = True,
+) -> Runs:
+    """Return many motions of a system, one for each of the values of parameters and initial states.
+
+    Values are numbers, which hold for all motions, or rows of numbers with one for each; all rows are equally long. A
+    list of dictionaries, one for each motion, is the same as a dictionary of rows.
+    A motion that fails doesn't hold up the others: it is among the failures of the runs, with its parameters. Ctrl-C
+    keeps what is done.
+
+    Args:
+        eqs: the equations of motion.
+        parameters: values of the parameters.
+        initial: values of coordinates, their rates or speeds at the first instant.
+        t: the first and the last instant (1001 instants, evenly spaced), or the instants themselves, in s.
+        cases: values of parameters and of the initial state together, such as a `grid` of all combinations.
+        inputs: expressions for the functions of time that are given from outside.
+        method: how to integrate; see `simulate`.
+        rtol: the error of a step relative to the state.
+        atol: the error of a step where the state is small.
+        outputs: expressions to evaluate at all instants, by name.
+        events: what to look for; a terminal event ends the motion of its case.
+        constraints: how constraints are kept; see `simulate`.
+        guess: where to look for initial states that satisfy the constraints.
+        max_step: the longest step, in s.
+        executor: whose workers run the motions: any of `concurrent.futures`, or dask's ``client.get_executor()``.
+            Without one, native threads of this process do.
+        threads: how many of these; by default one for each core.
+        path: a file ``.npz`` for the results, written now and then; where it exists, only what is missing is run.
+        progress: whether to show a bar; by default where messages go to a terminal.
+        keep_states: whether the states are results, or only the outputs, which need less memory.
+
+    Raises:
+        ParameterError: values are missing, have no use, or differ in number.
+        ResultsError: the file can't be written, or holds the results of another problem.
+        SimulationError: an option that isn't known, or an executor that runs nothing.
+
+    >>> from symbody import Body, Point, System, Vector, functions_of_time, ground, lagrange_equations, rotate, symbols
+    >>> theta, (m, l, g) = functions_of_time("theta"), symbols("m l g")
+    >>> bob = Body(Point(rotate("Z", theta), 0, -l, 0), m)
+    >>> pendulum = lagrange_equations(System([bob], coordinates=[theta], gravity=Vector(ground, 0, -g, 0)))
+    >>> simulate_many(pendulum, {m: 1, g: 9.81, l: [0.5, 1.0, 2.0]}, {theta: 0.1}, t=(0, 2))
+    Runs(3 cases, 1001 instants)
+    """
+    workforce = _checked(executor, cores() if threads is None else threads, path)
+    all_cases = cases_of(parameters, initial, cases)
+    task = task_of(
+        eqs,
+        all_cases.parameters,
+        t,
+        inputs=inputs,
+        method=method,
+        rtol=rtol,
+        atol=atol,
+        outputs=outputs,
+        events=events,
+        constraints=constraints,
+        guess=guess,
+        max_step=max_step,
+        keeps_states=keep_states,
+        where=PLACE,
+    )
+    check_cases(task, all_cases)
+    notice_odd_values(task, all_cases.parameters, PLACE)
+    file = None if path is None else ResultsFile(Path(path), problem_digest(task, all_cases))
+    results = _begun(file, empty_results(task, all_cases.count))
+    run = _Run(task, all_cases, results, file)
+    with Interruption() as interruption:
+        reason = run.to_the_end(*workforce, interruption, progress=progress)
+    runs = Runs(task, all_cases, results)
+    for notice in filter(None, (_failure_notice(runs), _gap_notice(runs, reason, path), run.fault)):
+        warnings.warn(ModelNotice(PREFIX + notice.removeprefix(PREFIX)), stacklevel=2)
+    for notice in notices_of_batch(results.findings.tolist(), PLACE):
+        warnings.warn(ModelNotice(notice), stacklevel=2)
+    return runs
+
+
+def _checked(executor: object, threads: object, path: object) -> tuple[Executor | None, int]:
+    if not isinstance(executor, Executor | None):
+        raise ArgumentError(
+            f"{PREFIX}executor={described(executor)}; expected an executor of concurrent.futures, such as "
+            "ProcessPoolExecutor(), dask's client.get_executor(), or None for threads of this process"
+        )
+    if not isinstance(path, str | PathLike | None):
+        raise ArgumentError(f"{PREFIX}path={described(path)}; expected a path, such as 'runs.npz'")
+    if not isinstance(threads, int) or threads < 1:
+        raise ArgumentError(f"{PREFIX}threads={described(threads)}; expected a whole number from 1")
+    return executor, threads
+
+
+def _begun(file: ResultsFile | None, empty: Results) -> Results:
+    """Return the results to go on with; see first that they can be kept."""
+    if file is None:
+        return empty
+    file.check_writable()
+    return file.read() or empty
+
+
+@dataclass(eq=False)
+class _Run:
+    """A batch on its way."""
+
+    task: Task
+    cases: Cases
+    results: Results
+    file: ResultsFile | None
+    fault: str = ""
+    """What the file said when it was written last."""
+    _saved: float = field(default_factory=monotonic)
+    _pause: float = field(default_factory=lambda: SAVE_EVERY)
+    _has_news: bool = False
+
+    def to_the_end(
+        self, executor: Executor | None, threads: int, interruption: Interruption, *, progress: bool | None
+    ) -> str:
+        """Run what is missing; return why some of it was not run."""
+        missing, count = self.results.missing, len(self.results.status)
+        finished = count - len(missing)
+        with progress_bar("simulate", count, is_shown=progress) as show:
+
+            def keep_going(done: float) -> bool:
+                show(finished + done)
+                return not interruption.is_asked_for
+
+            if executor is None:
+                span = inf if self.file is None else SAVE_EVERY
+                parts = in_threads(self.task, self.cases, missing, threads, keep_going, span)
+            else:
+                parts = by_executor(self.task, self.cases, missing, executor, keep_going)
+            reason = self._take(parts)
+            show(count - len(self.results.missing))
+        return "interrupted" if interruption.is_asked_for else reason
+
+    def _take(self, parts: Iterator[Part]) -> str:
+        """Put all parts in their places; keep what is there when no more can come."""
+        try:
+            for chosen, part in parts:
+                self.results.put(chosen, part)
+                self._has_news = True
+                self._save_now_and_then()
+        except SimulationError as error:
+            if len(self.results.missing) == len(self.results.status):
+                raise
+            return str(error)
+        finally:
+            if self.file is not None and self._has_news:
+                self._save(self.file)
+        return ""
+
+    def _save_now_and_then(self) -> None:
+        if self.file is not None and monotonic() - self._saved > self._pause:
+            self._save(self.file)
+
+    def _save(self, file: ResultsFile) -> None:
+        """Write the file; if that can't be done, go on: the results are still in memory."""
+        begin = monotonic()
+        try:
+            file.write(self.results)
+            self.fault, self._has_news = "", False
+        except ResultsError as error:
+            self.fault = str(error)
+        self._saved = monotonic()
+        self._pause = max(SAVE_EVERY, SAVE_PAUSE * (self._saved - begin))
+
+
+def _failure_notice(runs: Runs) -> str:
+    """Return how many cases failed, and which was the first."""
+    if not runs.failures:
+        return ""
+    first = runs.failures[0]
+    values = ", ".join(
+        f"{name} = {value:.6g}" for name, value in {**first.parameters, **first.initial}.items()
+    )
+    return (
+        f"{len(runs.failures)} of {len(runs)} motions failed; the first is case {first.index} "
+        f"({values}): {first.message.rstrip('.')}. All are in .failures; their values are NaN from where they ended"
+    )
+
+
+def _gap_notice(runs: Runs, reason: str, path: object) -> str:
+    """Return how many cases have not been run, and what to do about it."""
+    if not runs.not_run:
+        return ""
+    advice = (
+        "give a path to keep results for another call"
+        if path is None
+        else "the same call goes on with the rest"
+    )
+    return (
+        f"{len(runs.not_run)} of {len(runs)} motions were not run ({reason.removeprefix(PREFIX)}); they are in "
+        f".not_run, and their values are NaN; {advice}"
+    )

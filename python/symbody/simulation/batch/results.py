@@ -1,0 +1,145 @@
+"""Results: what the motions of a batch have given so far, as arrays."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from enum import IntEnum
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from symbody.simulation.integrate.notices import Finding
+
+Array = NDArray[np.float64]
+
+
+class Status(IntEnum):
+    """What became of a case."""
+
+    NOT_RUN = 0
+    COMPLETED = 1
+    ENDED_BY_EVENT = 2
+    FAILED = 3
+
+
+@dataclass(frozen=True, eq=False)
+class Results:
+    """The results of k cases at N instants; what was not computed is NaN.
+
+    Attributes:
+        status: what became of each case, a `Status`.
+        reached: how many of the instants each case reached.
+        t_reached: the time up to which each case is known; NaN where it never began.
+        messages: why a case ended before its time; the empty text if it didn't.
+        counts: a row a case: steps, rejected steps, evaluations, Jacobians, stiff.
+        findings: for each case what its user should know.
+        outputs: one array for each name, a row a case.
+        states: a state for each case and instant; without instants if states are not kept.
+        occurrences: for each case the events: which, when, and the state there.
+    """
+
+    status: NDArray[np.int8]
+    reached: NDArray[np.int64]
+    t_reached: Array
+    messages: NDArray[np.object_]
+    counts: NDArray[np.int64]
+    findings: NDArray[np.object_]
+    outputs: Array
+    states: Array
+    occurrences: NDArray[np.object_]
+
+    @classmethod
+    def empty(cls, cases: int, instants: int, kept: int, state: int, outputs: int) -> Results:
+        """Return results of cases that have not been run; ``kept`` instants have room for their states."""
+        return cls(
+            np.zeros(cases, dtype=np.int8),
+            np.zeros(cases, dtype=np.int64),
+            np.full(cases, np.nan),
+            np.full(cases, "", dtype=object),
+            np.zeros((cases, COUNTS), dtype=np.int64),
+            _nothings(cases),
+            np.full((cases, outputs, instants), np.nan),
+            np.full((cases, kept, state), np.nan),
+            _nothings(cases),
+        )
+
+    @property
+    def missing(self) -> NDArray[np.intp]:
+        """The cases that have not been run."""
+        return np.flatnonzero(self.status == Status.NOT_RUN)
+
+    def put(self, cases: NDArray[np.intp], part: Results) -> None:
+        """Put in what some of the cases gave."""
+        for name in _COLUMNS:
+            getattr(self, name)[cases] = getattr(part, name)
+
+    def arrays(self) -> dict[str, NDArray[Any]]:
+        """Return all as arrays of numbers and texts, for a file."""
+        case, events = _flat(self.occurrences)
+        found_in, findings = _flat(self.findings)
+        size = self.states.shape[2]
+        return {
+            "status": self.status,
+            "reached": self.reached,
+            "t_reached": self.t_reached,
+            "messages": self.messages.astype(np.str_),
+            "counts": self.counts,
+            "outputs": self.outputs,
+            "states": self.states,
+            "finding_case": found_in,
+            "finding_kind": np.array([finding.kind for finding in findings], dtype=np.str_),
+            "finding_subject": np.array([finding.subject for finding in findings], dtype=np.str_),
+            "finding_size": np.array([finding.size for finding in findings], dtype=np.float64),
+            "event_case": case,
+            "event_number": np.array([event for event, _, _ in events], dtype=np.int64),
+            "event_t": np.array([t for _, t, _ in events], dtype=np.float64),
+            "event_state": np.array([state for _, _, state in events], dtype=np.float64).reshape(-1, size),
+        }
+
+    @classmethod
+    def of_arrays(cls, arrays: Mapping[str, NDArray[Any]]) -> Results:
+        """Return the results of `arrays`."""
+        cases = len(arrays["status"])
+        occurrences, findings = _nothings(cases), _nothings(cases)
+        for case, event, t, state in _rows(arrays, "event", "case", "number", "t", "state"):
+            occurrences[case] += ((int(event), float(t), state),)
+        for case, kind, subject, size in _rows(arrays, "finding", "case", "kind", "subject", "size"):
+            findings[case] += (Finding(str(kind), str(subject), float(size)),)
+        texts = arrays["messages"].astype(object)
+        columns = {name: arrays[name] for name in _COLUMNS if name in arrays and name != "messages"}
+        return cls(**columns, messages=texts, occurrences=occurrences, findings=findings)
+
+
+def _nothings(cases: int) -> NDArray[np.object_]:
+    """Return an empty tuple for each case."""
+    column = np.empty(cases, dtype=object)
+    column[:] = [()] * cases
+    return column
+
+
+def _flat(column: NDArray[np.object_]) -> tuple[NDArray[np.int64], list[Any]]:
+    """Return all entries of the tuples of a column, one after another, and the case of each."""
+    cases = [case for case, entries in enumerate(column) for _ in entries]
+    return np.array(cases, dtype=np.int64), [entry for entries in column for entry in entries]
+
+
+def _rows(arrays: Mapping[str, NDArray[Any]], what: str, *names: str) -> Iterable[tuple[Any, ...]]:
+    return zip(*(arrays[f"{what}_{name}"] for name in names), strict=True)
+
+
+COUNTS = 5
+"""Numbers of the statistics of a case: steps, rejected, evaluations, Jacobians, stiff."""
+
+_COLUMNS = (
+    "reached",
+    "t_reached",
+    "messages",
+    "counts",
+    "findings",
+    "outputs",
+    "states",
+    "occurrences",
+    "status",
+)

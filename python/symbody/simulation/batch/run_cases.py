@@ -1,0 +1,108 @@
+"""Some cases of a task: where they begin, what their integration gave, and why some of them failed."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from symbody.errors import SymbodyError
+from symbody.simulation.integrate.begin import begin
+from symbody.simulation.integrate.diagnosis import diagnosis
+from symbody.simulation.integrate.integrated import Integrated, run_motions
+from symbody.simulation.integrate.notices import deficiency_findings, findings_of
+from symbody.simulation.integrate.outcome import with_deficiencies
+from symbody.simulation.integrate.task import KeepGoing, Task
+from symbody.symbolic.deficiency import noting
+
+from .cases import Cases
+from .results import Results, Status
+
+__all__ = ["empty_results", "run_cases"]
+
+Array = NDArray[np.float64]
+
+LOOK = 32
+"""Initial states between two looks for Ctrl-C."""
+
+
+def empty_results(task: Task, cases: int) -> Results:
+    """Return results without values."""
+    instants = len(task.instants)
+    kept = instants if task.keeps_states else 0
+    return Results.empty(cases, instants, kept, task.model.width, len(task.outputs))
+
+
+def run_cases(task: Task, cases: Cases, threads: int = 1, keep_going: KeepGoing = lambda _: True) -> Results:
+    """Run some cases, in native threads; one that can't begin, or ends early, says why."""
+    results = empty_results(task, cases.count)
+    begun, states = _starts(task, cases, results, keep_going)
+    motions = run_motions(task, cases.some(begun).parameters, states, threads, keep_going)
+    for case, motion in zip(begun, motions, strict=True):
+        if motion is not None:
+            _record(results, int(case), motion)
+    return results
+
+
+def _starts(
+    task: Task, cases: Cases, results: Results, keep_going: KeepGoing
+) -> tuple[NDArray[np.intp], Array]:
+    """Return the cases that can begin, and their states; the others fail."""
+    states = _free_starts(task, cases)
+    for looked, case in enumerate(np.flatnonzero(~np.isfinite(states).all(axis=1)).tolist()):
+        if looked % LOOK == 0 and not keep_going(0):
+            break
+        with noting() as found:
+            try:
+                states[case] = begin(task, cases.parameters_of(case), cases.initial_of(case))
+            except SymbodyError as error:
+                results.status[case], results.messages[case] = Status.FAILED, str(error)
+        results.findings[case] = deficiency_findings(found, task.model)
+    begun = np.flatnonzero(np.isfinite(states).all(axis=1))
+    return begun, states[begun]
+
+
+def _free_starts(task: Task, cases: Cases) -> Array:
+    """Return where motions begin that nothing restrains, a row each: NaN where `begin` has to solve for something."""
+    model = task.model
+    if model.constraints or model.system.has_quasi_velocities:
+        return np.full((cases.count, model.width), np.nan)
+    states = np.zeros((cases.count, model.width))
+    for place, name in enumerate(model.state):
+        states[:, place] = cases.initial.get(name, task.guess.get(name, 0.0))
+    return states
+
+
+def _record(results: Results, case: int, motion: Integrated) -> None:
+    """Put in what the integration gave for one case."""
+    task, outcome = motion.task, motion.outcome
+    failure, size, reached = outcome.failure, len(task.model.state), len(outcome.states)
+    if failure is not None and failure.kind == "interrupted":
+        return
+    is_early = outcome.end[0] < task.instants[-1]
+    results.status[case] = (
+        Status.FAILED if failure else Status.ENDED_BY_EVENT if is_early else Status.COMPLETED
+    )
+    results.messages[case] = diagnosis(motion) if failure else ""
+    results.reached[case] = reached
+    results.t_reached[case] = failure.t if failure else outcome.end[0]
+    statistics = outcome.statistics
+    results.counts[case] = (
+        statistics.steps,
+        statistics.rejected,
+        statistics.evaluations,
+        statistics.jacobians,
+        statistics.is_stiff,
+    )
+    results.occurrences[case] = tuple(
+        (event, when, np.array(state[:size])) for event, when, state in outcome.occurrences
+    )
+    if task.keeps_states:
+        results.states[case, :reached, : outcome.states.shape[1]] = outcome.states
+    with noting() as found:
+        results.outputs[case, :, :reached] = task.values(
+            list(task.outputs.values()), outcome.states[:, :size], task.instants[:reached], motion.parameters
+        )
+    findings = findings_of(replace(motion, outcome=with_deficiencies(outcome, found)))
+    results.findings[case] = tuple(dict.fromkeys((*results.findings[case], *findings)))

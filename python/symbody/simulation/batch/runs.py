@@ -1,0 +1,252 @@
+"""Runs: many motions of one model, as arrays."""
+
+from __future__ import annotations
+
+import warnings
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from typing import NoReturn
+
+import numpy as np
+from numpy.typing import NDArray
+
+from symbody.errors import ArgumentError, ModelNotice, ParameterError
+from symbody.multibody import System
+from symbody.simulation.given.reading import Reading
+from symbody.simulation.integrate.integrated import Integrated
+from symbody.simulation.integrate.notices import Finding, deficiency_findings, notices_of_batch
+from symbody.simulation.integrate.outcome import Failure as IntegratorFailure
+from symbody.simulation.integrate.outcome import Outcome, Statistics
+from symbody.simulation.integrate.task import Task
+from symbody.simulation.model.named_constraint import shortened
+from symbody.simulation.model.unknown import explain_unknown
+from symbody.simulation.motion.motion import Motion
+from symbody.simulation.motion.motion_of import motion_of
+from symbody.symbolic import Expr, ExprLike
+from symbody.symbolic.arguments import counted, described
+from symbody.symbolic.deficiency import noting
+
+from .cases import Cases
+from .results import Results, Status
+
+Array = NDArray[np.float64]
+
+_READING = Reading(
+    "runs",
+    "runs.motion(0) is the motion of the first case, runs.states has the states of all of them: "
+    "cases x instants x state",
+)
+
+
+@dataclass(frozen=True)
+class Failure:
+    """A motion that ended before its time, and not by an event.
+
+    Attributes:
+        index: which case it is.
+        parameters: its parameters.
+        initial: what was given of its initial state.
+        message: why it ended.
+        t_reached: the instant up to which it is known; NaN if it never began.
+    """
+
+    index: int
+    parameters: dict[Expr, float]
+    initial: dict[Expr, float]
+    message: str
+    t_reached: float
+
+
+@dataclass(frozen=True, eq=False)
+class Runs:
+    """Many motions of one model at the same instants: what `simulate_many` returns.
+
+    Where a motion ended before the last instant, its values are NaN from there on.
+    """
+
+    task: Task
+    cases: Cases
+    results: Results
+
+    def __len__(self) -> int:
+        """Return how many cases there are."""
+        return self.cases.count
+
+    @property
+    def t(self) -> Array:
+        """The instants, N of them."""
+        return self.task.instants
+
+    @property
+    def system(self) -> System:
+        """What moves."""
+        return self.task.model.system
+
+    @property
+    def parameters(self) -> dict[Expr, Array]:
+        """The parameters, a value for each case."""
+        return self.cases.parameters
+
+    @property
+    def initial(self) -> dict[Expr, Array]:
+        """What was given of the initial states, a value for each case."""
+        return self.cases.initial
+
+    @property
+    def states(self) -> Array:
+        """The states, k cases x N instants x n; their order is that of ``runs.task.model.state``."""
+        if not self.task.keeps_states:
+            raise ArgumentError(
+                "runs: the states of these motions were not kept, only the outputs; give simulate_many "
+                "keep_states=True, or name the expression in its outputs"
+            )
+        return self.results.states[:, :, : len(self.task.model.state)]
+
+    @cached_property
+    def outputs(self) -> dict[str, Array]:
+        """The outputs by name, k cases x N instants."""
+        return {name: self.results.outputs[:, i] for i, name in enumerate(self.task.outputs)}
+
+    def __iter__(self) -> NoReturn:
+        """Raise an error: Python would ask for ``runs[0]``, ``runs[1]`` and so on."""
+        _READING.refuse_iteration()
+
+    def __getitem__(self, expression: Expr) -> Array:
+        """Return the values of an expression, k cases x N instants.
+
+        Raises:
+            ArgumentError: it is no expression, or the states that it needs were not kept.
+            SimulationError: an expression of which the model knows nothing.
+            ParameterError: a parameter that stands in none of the equations, and has no value.
+        """
+        asked = _READING.one(expression, self.task.model.state)
+        values: Array = self._values([asked], f"runs[{shortened(asked)}]")[0]
+        return values
+
+    def evaluate(self, expressions: Sequence[ExprLike]) -> Array:
+        """Return the values of several expressions, as many x k cases x N instants.
+
+        Raises:
+            ArgumentError: no list of expressions, or the states that they need were not kept.
+            SimulationError: an expression of which the model knows nothing.
+            ParameterError: a parameter that stands in none of the equations, and has no value.
+        """
+        return self._values(_READING.several(expressions), "runs.evaluate")
+
+    def _values(self, wanted: Sequence[Expr], place: str) -> Array:
+        """Return the values of expressions; those of outputs are there already."""
+        values = np.full((len(wanted), len(self), len(self.t)), np.nan)
+        outputs = {output: name for name, output in self.task.outputs.items()}
+        others = [row for row, expression in enumerate(wanted) if expression not in outputs]
+        for row, expression in enumerate(wanted):
+            if expression in outputs:
+                values[row] = self.outputs[outputs[expression]]
+        if others:
+            values[others], findings = self._explained([wanted[row] for row in others])
+            for notice in notices_of_batch(findings, place):
+                warnings.warn(notice, ModelNotice, stacklevel=3)
+        return values
+
+    def _explained(self, wanted: list[Expr]) -> tuple[Array, list[tuple[Finding, ...]]]:
+        """Return the same as `_by_states`; what the model knows nothing of is named."""
+        try:
+            return self._by_states(wanted)
+        except ParameterError:
+            explain_unknown("runs", wanted, self.task.model, self.cases.parameters)
+            raise
+
+    def _by_states(self, wanted: list[Expr]) -> tuple[Array, list[tuple[Finding, ...]]]:
+        """Return the values of expressions from the states, and what a user should know of each case."""
+        states, values = self.states, np.full((len(wanted), len(self), len(self.t)), np.nan)
+        findings: list[tuple[Finding, ...]] = [()] * len(self)
+        for case, reached in enumerate(self.results.reached):
+            if reached:
+                with noting() as found:
+                    values[:, case, :reached] = self.task.values(
+                        wanted, states[case, :reached], self.t[:reached], self._parameters_of(case)
+                    )
+                findings[case] = deficiency_findings(found, self.task.model)
+        return values, findings
+
+    def motion(self, index: int) -> Motion:
+        """Return the motion of one case: to plot, to animate, to look at its energy.
+
+        Args:
+            index: which case it is; negative ones count from the last.
+
+        Raises:
+            ArgumentError: there is no such case, it has no motion, or the states were not kept.
+        """
+        cases = len(self)
+        if not hasattr(index, "__index__") or not -cases <= index < cases:
+            raise ArgumentError(f"runs.motion: {described(index)}; expected one of the {cases} cases, from 0")
+        case = int(index) % cases
+        outcome = self.outcome(case)
+        if outcome is None:
+            _ = self.states
+            why = str(self.results.messages[case]) or "it was not run"
+            raise ArgumentError(f"runs.motion: case {case} has no motion: {why}")
+        message = str(self.results.messages[case]) or "the last instant was reached"
+        return motion_of(Integrated(self.task, self._parameters_of(case), outcome), message)
+
+    def _parameters_of(self, case: int) -> dict[Expr, float]:
+        parameters = self.cases.parameters_of(case)
+        if not self.task.model.is_stabilized:
+            return parameters
+        return {**parameters, **self.task.damping_of(parameters, self.results.states[case, 0])}
+
+    def outcome(self, index: int) -> Outcome | None:
+        """Return how the integration of one case went, at the instants it reached; None where it never began."""
+        results, reached = self.results, int(self.results.reached[index])
+        if reached == 0 or not self.task.keeps_states:
+            return None
+        states, t_reached = results.states[index, :reached], float(results.t_reached[index])
+        occurrences = [(event, t, state.tolist()) for event, t, state in results.occurrences[index]]
+        end = float(self.t[reached - 1]), states[-1].tolist()
+        if results.status[index] == Status.ENDED_BY_EVENT:
+            end = occurrences[-1][1:]
+        failed = results.status[index] == Status.FAILED
+        steps, rejected, evaluations, jacobians, is_stiff = map(int, results.counts[index])
+        return Outcome(
+            states,
+            occurrences,
+            end,
+            IntegratorFailure("failed", t_reached, str(results.messages[index])) if failed else None,
+            Statistics(steps, rejected, evaluations, jacobians, bool(is_stiff)),
+        )
+
+    @cached_property
+    def completed(self) -> NDArray[np.bool_]:
+        """Which cases ran to their end: the last instant, or an event that ends the motion."""
+        return np.isin(self.results.status, (Status.COMPLETED, Status.ENDED_BY_EVENT))
+
+    @cached_property
+    def failures(self) -> list[Failure]:
+        """The cases that ended before their time."""
+        return [
+            Failure(
+                i,
+                self.cases.parameters_of(i),
+                self.cases.initial_of(i),
+                str(self.results.messages[i]),
+                float(self.results.t_reached[i]),
+            )
+            for i in np.flatnonzero(self.results.status == Status.FAILED).tolist()
+        ]
+
+    @cached_property
+    def findings(self) -> list[tuple[Finding, ...]]:
+        """What a user should know of each case, such as that it is stiff; nothing of most."""
+        return list(self.results.findings)
+
+    @property
+    def not_run(self) -> list[int]:
+        """The cases that have not been run, as the batch was interrupted."""
+        return [int(case) for case in self.results.missing]
+
+    def __repr__(self) -> str:
+        parts = [counted(len(self), "case"), counted(len(self.t), "instant")]
+        parts += [f"{len(self.failures)} failed"] if self.failures else []
+        parts += [f"{len(self.not_run)} not run"] if self.not_run else []
+        return f"Runs({', '.join(parts)})"

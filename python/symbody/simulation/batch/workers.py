@@ -1,0 +1,166 @@
+"""Who runs the cases of a batch: native threads of this process, or the workers of an executor."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Iterable, Iterator
+from concurrent.futures import FIRST_COMPLETED, Executor, Future, ProcessPoolExecutor, wait
+from math import inf
+from time import monotonic
+
+import numpy as np
+from numpy.typing import NDArray
+
+from symbody.errors import SimulationError
+from symbody.simulation.integrate.task import Task
+from symbody.simulation.terminal.interruption import Interruption
+
+from .cases import Cases
+from .parcel import Parcel
+from .results import Results
+from .run_cases import empty_results, run_cases
+from .stop_sign import StopSign
+
+Part = tuple[NDArray[np.intp], Results]
+"""Some cases, and what they gave."""
+
+MEMORY = 64 * 2**20
+"""Bytes of states that are under way at once in this process, or in a task."""
+
+TASKS = 200
+"""Tasks into which a batch is cut: many for workers of unequal speed, few to be sent."""
+
+LOOK = 0.1
+"""s between two looks for Ctrl-C."""
+
+_interrupted: set[StopSign] = set()
+"""The calls whose tasks stop in this process alone, as Ctrl-C came to it."""
+
+
+def cores() -> int:
+    """Return how many processors this process may use."""
+    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+
+
+def in_threads(
+    task: Task,
+    cases: Cases,
+    indices: NDArray[np.intp],
+    threads: int,
+    keep_going: Callable[[float], bool],
+    span: float = inf,
+) -> Iterator[Part]:
+    """Run cases in native threads, part by part.
+
+    Args:
+        task: what the cases share.
+        cases: all of them.
+        indices: those to run.
+        threads: how many run at once.
+        keep_going: told some times a second how many are done; False stops.
+        span: s that a part should take at most; a part takes no fewer cases than there are threads.
+    """
+    most = max(threads, _fitting(task))
+    size, done = most if span == inf else min(most, 4 * threads), 0
+    while done < len(indices) and keep_going(done):
+        chosen, begin = indices[done : done + size], monotonic()
+        yield chosen, run_cases(task, cases.some(chosen), threads, _later(keep_going, done))
+        done += len(chosen)
+        pace = span / max(monotonic() - begin, 1e-9)
+        size = int(np.clip(size * pace, max(threads, size // 4), min(most, 4 * size)))
+
+
+def _later(keep_going: Callable[[float], bool], past: int) -> Callable[[float], bool]:
+    """Return what counts on from what is done already."""
+    return lambda done: keep_going(past + done)
+
+
+def by_executor(
+    task: Task,
+    cases: Cases,
+    indices: NDArray[np.intp],
+    executor: Executor,
+    keep_going: Callable[[float], bool],
+) -> Iterator[Part]:
+    """Run cases as tasks of an executor, and give back parts in the order in which they are done.
+
+    Raises:
+        SimulationError: tasks were lost: the executor is broken, or a worker can't run the model.
+    """
+    parcel, done, lost, sign = Parcel(task), 0, None, StopSign()
+    with parcel.open_here():
+        waiting = _submitted(parcel, cases, indices, executor, _fitting(task), sign)
+        try:
+            while waiting and keep_going(done):
+                ready, _ = wait(waiting, timeout=LOOK, return_when=FIRST_COMPLETED)
+                for future in sorted(ready, key=lambda one: int(waiting[one][0])):
+                    chosen = waiting.pop(future)
+                    lost = future.exception() or lost
+                    if future.exception() is None:
+                        part = future.result()
+                        done += len(chosen)
+                        lost = KeyboardInterrupt("a worker was interrupted") if len(part.missing) else lost
+                        yield chosen, part
+        finally:
+            if waiting:
+                sign.put_up()
+                _withdraw(waiting, executor)
+    if lost is not None and keep_going(done):
+        raise _lost(lost) from lost
+
+
+def _submitted(
+    parcel: Parcel[Task],
+    cases: Cases,
+    indices: NDArray[np.intp],
+    executor: Executor,
+    most: int,
+    sign: StopSign,
+) -> dict[Future[Results], NDArray[np.intp]]:
+    size = min(most, -(-len(indices) // TASKS))
+    parts = [indices[start : start + size] for start in range(0, len(indices), size)]
+    try:
+        return {executor.submit(_run, parcel, cases.some(part), sign): part for part in parts}
+    except Exception as error:
+        raise _lost(error) from error
+
+
+def _withdraw(waiting: Iterable[Future[Results]], executor: Executor) -> None:
+    """Cancel tasks, but not those of a pool of processes, which see the sign and end as they begin.
+
+    Where a worker is lost after tasks were cancelled, such a pool stumbles over them and never ends its other workers
+    (Python 3.11, its issue 107219).
+    """
+    if not isinstance(executor, ProcessPoolExecutor):
+        for future in waiting:
+            future.cancel()
+
+
+def _run(parcel: Parcel[Task], cases: Cases, sign: StopSign) -> Results:
+    """Run some cases where a worker is, until its call is over, or Ctrl-C comes to the worker.
+
+    A terminal sends Ctrl-C to all processes that it started: a pool ends then without a wait for long motions.
+    """
+    if sign in _interrupted or sign.is_up():
+        return empty_results(parcel.content, cases.count)
+    if sign.is_from_here():
+        return run_cases(parcel.content, cases, 1, lambda _: not sign.is_up())
+    with Interruption() as interruption:
+        results = run_cases(
+            parcel.content, cases, 1, lambda _: not (interruption.is_asked_for or sign.is_up())
+        )
+    if interruption.is_asked_for:
+        _interrupted.add(sign)
+    return results
+
+
+def _lost(error: BaseException) -> SimulationError:
+    return SimulationError(
+        f"simulate_many: tasks of the executor failed ({type(error).__name__}: {error}); expected an executor whose "
+        "workers can import symbody, and stay alive"
+    )
+
+
+def _fitting(task: Task) -> int:
+    """Return how many cases fit into the memory that states under way may take."""
+    return max(1, MEMORY // (8 * (len(task.instants) + task.trail) * task.model.width))

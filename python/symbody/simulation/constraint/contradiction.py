@@ -1,0 +1,54 @@
+"""Linear equations that contradict each other: combinations that vanish on the left, and not on the right."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from symbody.simulation.model.named_constraint import listed, named_constraints
+from symbody.symbolic import Expr
+
+from .vanishing_combinations import vanishing_combinations
+
+__all__ = ["INCONSISTENT", "cancelling_combinations", "contradiction_between", "contradictory_rows_of"]
+
+Array = NDArray[np.float64]
+
+CANCELLED = 1e-9
+"""The part of the left sides that may be left of a combination that cancels."""
+INCONSISTENT = 1e-6
+"""The part of its terms by which a combination fails: numbers of seven digits are off as much."""
+
+
+def cancelling_combinations(A: Array) -> list[Array]:
+    """Return the combinations of rows that cancel; rows may have different units."""
+    scale = np.abs(A).max(axis=1, initial=0.0, keepdims=True)
+    scale = np.where(scale > 0, scale, 1.0)
+    return [combination / scale[:, 0] for combination in vanishing_combinations(A / scale, CANCELLED)]
+
+
+def contradictory_rows_of(A: Array, b: Array, terms: Array) -> tuple[int, ...]:
+    """Return the rows of ``A x = b`` a combination of which says ``0 = r``, where r is more than rounding.
+
+    Args:
+        A: the left sides.
+        b: the right sides.
+        terms: the sizes of their terms.
+    """
+    for y in cancelling_combinations(A):
+        if abs(y @ b) > INCONSISTENT * np.abs(y) @ terms:
+            return tuple(int(row) for row in np.flatnonzero(y))
+    return ()
+
+
+def contradiction_between(constraints: Sequence[Expr], rows: Iterable[int]) -> str:
+    """Return which constraints contradict each other, and the way out."""
+    names = named_constraints(constraints, rows)
+    if len(names) == 1:
+        return f"constraint {names[0]} can't be satisfied there, whatever moves; correct it"
+    return (
+        f"constraints {listed(names)} contradict each other: they ask for different motions of the same coordinates; "
+        "correct them, or leave out what should follow from the others"
+    )

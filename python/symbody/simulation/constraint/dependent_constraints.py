@@ -1,0 +1,169 @@
+"""Constraints that are dependent, or nearly so, at a state: which, and how nearly."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from symbody.dynamics import Equations
+from symbody.simulation.model.model import Model
+from symbody.simulation.model.named_constraint import listed, named_constraints
+from symbody.symbolic import Expr, Matrix, pi, substitute
+
+from .constraint_directions import masses_and_slopes
+from .vanishing_combinations import vanishing_combinations
+
+__all__ = [
+    "DependentConstraints",
+    "dependent_constraints",
+    "described_dependence",
+    "named_dependence",
+    "nearby",
+]
+
+Array = NDArray[np.float64]
+
+NEAR = 1e-3
+"""Singular values of the scaled Jacobian below this part of the largest belong to nearly dependent constraints."""
+LEAST = 0.5
+"""What counts as the largest singular value where all gradients are shorter than at places nearby: all may vanish."""
+PLACES = 4
+"""Places nearby at which gradients are looked at: at a singular position, one may vanish."""
+_NAMED = 4
+
+
+@dataclass(frozen=True)
+class DependentConstraints:
+    """Constraints a combination of whose gradients nearly vanishes.
+
+    Attributes:
+        rows: their numbers, from 0.
+        names: what to call them.
+        ratio: what is left of the combination, relative to the largest that one of its size may be: the ratio of
+            singular values, as there are no others in it; relative to gradients nearby, where all of them vanish.
+        is_everywhere: whether they are dependent at almost every position, as redundant constraints are.
+    """
+
+    rows: tuple[int, ...]
+    names: tuple[str, ...]
+    ratio: float
+    is_everywhere: bool
+
+
+def dependent_constraints(
+    model: Model, parameters: Array, t: float, state: ArrayLike, near: float = NEAR
+) -> tuple[DependentConstraints, ...]:
+    """Return the groups of constraints that are dependent at a state, or nearly so, the most dependent one first.
+
+    ``s_k(D phi_q L^-T)`` with ``M = L L^T``: the metric is that in which states are put back onto the constraints. D
+    divides each gradient by the largest length that it has here and at some places nearby, so that it doesn't matter in
+    which units constraints are written.
+
+    Args:
+        model: what moves.
+        parameters: the values of its parameters, and behind them those of the stabilisation, if there is one.
+        t: the time, in s.
+        state: coordinates and speeds.
+        near: the ratio of singular values below which constraints count as nearly dependent.
+    """
+    if not model.constraints:
+        return ()
+    J = scaled_jacobian(model, parameters, t, state)
+    if not np.isfinite(J).all():
+        return ()
+    length = float(np.linalg.norm(J, 2))
+    largest = max(length, LEAST)
+    apart = near * largest / length if length > near * largest else 1.0
+    found = [_group(model, J, combination, largest) for combination in vanishing_combinations(J, apart)]
+    return tuple(sorted(found, key=lambda group: group.ratio))
+
+
+def scaled_jacobian(model: Model, parameters: Array, t: float, state: ArrayLike) -> Array:
+    """Return ``D phi_q L^-T``: the derivatives of the constraints by the speeds, in the metric of the mass matrix."""
+    q, here = len(model.coordinates), np.asarray(state, float)[: len(model.state)]
+    states = np.repeat(here[None], 1 + PLACES, axis=0)
+    states[1:, :q] += nearby(model.equations, here[:q]).T
+    M, J = masses_and_slopes(model, parameters, t, states)
+    if not np.isfinite(M[0]).all():
+        return np.full(J[0].shape, np.nan)
+    in_metric = np.linalg.solve(_factor(M[0]), np.swapaxes(J, 1, 2))
+    lengths = np.linalg.norm(in_metric, axis=1)
+    longest = np.where(np.isfinite(lengths), lengths, 0.0).max(axis=0)
+    scaled: Array = in_metric[0].T / np.where(longest > 0, longest, 1.0)[:, None]
+    return scaled
+
+
+def nearby(eqs: Equations, coordinates: Array) -> Array:
+    """Return ways to places nearby, a column each: about a radian for angles, half of the coordinates for lengths."""
+    are_angles = np.array([_is_angle(eqs, q) for q in eqs.coordinates])
+    sizes = np.abs(coordinates)
+    lengths = np.maximum(sizes, 0.1 * sizes[~are_angles].max(initial=0.0)) / 2
+    draw = np.random.Generator(np.random.PCG64(1)).uniform(-1, 1, (len(coordinates), PLACES))
+    shifts: Array = np.where(are_angles, 1.0, lengths)[:, None] * draw
+    return shifts
+
+
+def _is_angle(eqs: Equations, coordinate: Expr) -> bool:
+    """Whether two turns of a coordinate change no constraint."""
+    turned = {coordinate: coordinate + 4 * pi}
+    holding = [phi for phi in eqs.constraints if coordinate in phi.free_symbols]
+    return bool(holding) and substitute(holding, turned) == tuple(holding)
+
+
+def _factor(M: Array) -> Array:
+    """Return L; where some motions move no mass, a length for each speed, no smaller than those of the others."""
+    try:
+        return np.asarray(np.linalg.cholesky(M), np.float64)
+    except np.linalg.LinAlgError:
+        sizes = np.sqrt(np.abs(np.diag(M)))
+        least = sizes[sizes > 0].min(initial=np.inf)
+        return np.diag(np.where(sizes > 0, sizes, least if np.isfinite(least) else 1.0))
+
+
+def _group(model: Model, J: Array, combination: Array, largest: float) -> DependentConstraints:
+    rows = tuple(int(row) for row in np.flatnonzero(combination))
+    ratio = float(np.linalg.norm(combination @ J) / (np.linalg.norm(combination) * largest))
+    names = tuple(named_constraints(model.constraints, rows))
+    return DependentConstraints(rows, names, ratio, _are_dependent(model, rows))
+
+
+def _are_dependent(model: Model, rows: Sequence[int]) -> bool:
+    """Whether constraints are dependent at almost every position."""
+    if model.independent_constraints == len(model.constraints):
+        return False
+    gradients = model.equations.constraint_jacobian.tolist()
+    return Matrix([gradients[row] for row in rows]).rank() < len(rows)
+
+
+def named_dependence(groups: Sequence[DependentConstraints]) -> str:
+    """Return what is dependent there, but for what is so everywhere, without figures."""
+    special = [group for group in groups if not group.is_everywhere]
+    shown = "; ".join(_named(group) for group in special[:_NAMED])
+    return f"{shown}; and {len(special) - _NAMED} more groups" if len(special) > _NAMED else shown
+
+
+def _named(group: DependentConstraints) -> str:
+    if len(group.rows) == 1:
+        return f"constraint {group.names[0]} restrains no motion there"
+    return f"constraints {listed(group.names)} depend on each other there"
+
+
+def described_dependence(groups: Sequence[DependentConstraints]) -> str:
+    """Return what is dependent there, and how nearly; the empty text for nothing but what is so everywhere."""
+    special = [group for group in groups if not group.is_everywhere]
+    if not special:
+        return ""
+    listed = "; ".join(_listed(group) for group in special[:_NAMED])
+    more = f"; and {len(special) - _NAMED} more groups" if len(special) > _NAMED else ""
+    return f"{listed}{more}"
+
+
+def _listed(group: DependentConstraints) -> str:
+    share = f"ratio of singular values {group.ratio:.1e}"
+    if len(group.rows) == 1:
+        return f"constraint {group.names[0]} restrains no motion there, or hardly any ({share})"
+    how = "dependent" if group.ratio < 1e-10 else "nearly dependent"
+    return f"constraints {listed(group.names)} are {how} there ({share})"

@@ -1,0 +1,147 @@
+"""Positions, velocities and accelerations that constraints allow: their functions of numbers."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from functools import cached_property, lru_cache
+
+import numpy as np
+from numpy.typing import NDArray
+
+from symbody.codegen import CompiledFunction, lambdify
+from symbody.dynamics import Equations
+from symbody.errors import ModelError
+from symbody.geometry.floating import Floating
+from symbody.multibody import System
+from symbody.multibody.frames import all_frames
+from symbody.simulation.given.given_input import Given, with_given
+from symbody.symbolic import Abs, Expr, ExprLike, derivation, free_symbols, jacobian, number, substitute, t
+
+__all__ = ["Kinematics", "kinematics_of", "magnitude", "neutral_position", "quaternions"]
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, eq=False)
+class Kinematics:
+    """The constraints of a system and the rates of its coordinates, compiled for numbers.
+
+    Attributes:
+        system: what moves.
+        given: what stands in the place of functions of time that are given from outside.
+    """
+
+    system: System
+    given: Given = ()
+
+    @cached_property
+    def constraints(self) -> tuple[Expr, ...]:
+        """The constraints phi."""
+        return self._with_inputs(self.system.constraints)
+
+    @cached_property
+    def _velocities(self) -> tuple[Expr, ...]:
+        """The rates of the constraints, then those of the coordinates."""
+        return self._with_inputs(self.system.rate([*self.constraints, *self.system.coordinates]))
+
+    @cached_property
+    def parameters(self) -> tuple[Expr, ...]:
+        """The symbols that need values, by name."""
+        found = {leaf for leaf in self.leaves if leaf.kind == "symbol" and not leaf.depends_on_time}
+        return tuple(sorted(found, key=lambda symbol: symbol.name))
+
+    @cached_property
+    def leaves(self) -> frozenset[Expr]:
+        """What stands in constraints and kinematics."""
+        return free_symbols((*self.constraints, *self._velocities))
+
+    @cached_property
+    def position(self) -> CompiledFunction:
+        """The function of t, q and p that returns phi, ``dphi/dq``, and the sizes of the terms of phi."""
+        phi, q = list(self.constraints), list(self.system.coordinates)
+        return lambdify(self._arguments(q), [phi, jacobian(phi, q), [magnitude(each) for each in phi]])
+
+    @cached_property
+    def velocity(self) -> CompiledFunction:
+        """The function of t, q and p that returns A and b: ``(phi', q') = A u + b``."""
+        u = list(self.system.speeds)
+        rest = substitute(self._velocities, dict.fromkeys(u, number(0)))
+        outputs = [jacobian(list(self._velocities), u), list(rest)]
+        return lambdify(self._arguments(list(self.system.coordinates)), outputs)
+
+    @cached_property
+    def acceleration(self) -> CompiledFunction:
+        """The function of t, (q, u) and p that returns c: ``(phi'', q'') = A u' + c``."""
+        with derivation():
+            rates = self.system.rate(self._velocities)
+            rest = substitute(rates, dict.fromkeys(self.system.accelerations, number(0)))
+        return lambdify(self._arguments([*self.system.coordinates, *self.system.speeds]), list(rest))
+
+    def _arguments(self, state: list[Expr]) -> list[Expr | list[Expr]]:
+        return [t, state, list(self.parameters)]
+
+    def _with_inputs(self, expressions: Iterable[Expr]) -> tuple[Expr, ...]:
+        return with_given(self.system, self.given, tuple(expressions))
+
+    def check_inputs(self, where: str) -> None:
+        """Raise an error for functions of time that have no values.
+
+        Raises:
+            ModelError: with their names.
+        """
+        system = self.system
+        known = {leaf.name for leaf in (*system.coordinates, *system.speeds)}
+        unknown = sorted(
+            {leaf.name for leaf in self.leaves if leaf.kind == "time_function" and leaf.name not in known}
+        )
+        if unknown:
+            raise ModelError(
+                f"{where}: the constraints hold the functions of time {', '.join(unknown)}, which are neither "
+                f"coordinates nor speeds; give them by time, as inputs={{{unknown[0]}: sin(t)}}"
+            )
+
+
+def magnitude(expression: Expr) -> Expr:
+    """Return the sum of the absolute values of an expression's terms: what its rounding errors are in proportion to."""
+    terms, left = [], [(expression, number(1))]
+    while left:
+        part, factor = left.pop()
+        numbers = [arg for arg in part.args if arg.is_number] if part.kind == "product" else []
+        if part.kind == "sum":
+            left.extend((arg, factor) for arg in part.args)
+        elif len(numbers) == 1 and len(part.args) == 2:
+            (other,) = (arg for arg in part.args if not arg.is_number)
+            left.append((other, factor * numbers[0]))
+        else:
+            terms.append(Abs(factor * part))
+    return sum(terms, start=number(0))
+
+
+def quaternions(system: System) -> tuple[tuple[Expr, ...], ...]:
+    """Return the Euler parameters of floating frames, four each, that hold coordinates."""
+    frames = all_frames(system.bodies, system.loads, system.gravity)
+    found = [frame.motion.quaternion for frame in frames if isinstance(frame.motion, Floating)]
+    return tuple(four for four in dict.fromkeys(found) if not {*four}.isdisjoint(system.coordinates))
+
+
+def neutral_position(system: System) -> Array:
+    """Return the coordinates where nobody says more: zero, and no rotation of floating frames, e0 = 1."""
+    ones = {four[0] for four in quaternions(system)}
+    return np.array([1.0 if q in ones else 0.0 for q in system.coordinates])
+
+
+def kinematics_of(eqs: Equations, inputs: Mapping[Expr, ExprLike] | None = None) -> Kinematics:
+    """Return the kinematics of a system with given inputs; the last ones are kept, with what they compiled."""
+    return _kinematics(
+        eqs.system, tuple(sorted(((f, number(e)) for f, e in (inputs or {}).items()), key=_by_name))
+    )
+
+
+@lru_cache(maxsize=64)
+def _kinematics(system: System, given: Given) -> Kinematics:
+    return Kinematics(system, given)
+
+
+def _by_name(pair: tuple[Expr, Expr]) -> str:
+    return str(pair[0])

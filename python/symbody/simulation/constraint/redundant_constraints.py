@@ -1,0 +1,176 @@
+"""Redundant constraints of overconstrained mechanisms: which, how many, and which had better be left out.
+
+A mechanism such as Bricard's moves by its special dimensions, although it has as many constraints as coordinates. Where
+it moves, a combination of their gradients vanishes, and any of those that take part follows from the others. Which one
+is left out is no matter of taste: what stays may be nearly dependent at some positions.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from symbody.errors import SymbodyError
+from symbody.multibody import System
+from symbody.simulation.given.values import parameter_values, state_values
+from symbody.simulation.model.named_constraint import listed, named_constraints
+from symbody.symbolic import Expr, ExprLike, number
+from symbody.symbolic.deficiency import noting, reporting
+
+from .consistent import positions
+from .kinematics import Kinematics
+from .vanishing_combinations import vanishing_combinations
+from .walk import CANCELLED, scaled, walk
+
+__all__ = ["Redundancy", "advice", "redundancy", "redundant_constraints"]
+
+Array = NDArray[np.float64]
+
+NEAR = 5e-2
+"""The ratio of singular values below which constraints that stay count as nearly dependent."""
+STEPS = 80
+"""Positions that are looked at in either direction."""
+MOST = 12
+"""Redundant constraints up to which each choice is tried."""
+_SHOWN = 40
+
+
+@dataclass(frozen=True)
+class Redundancy:
+    """What is redundant in the constraints of a mechanism.
+
+    Attributes:
+        constraints: all constraints.
+        count: how many are one too many.
+        rows: those that take part in what depends on each other.
+        ratios: for each of these, the least ratio of singular values of the constraints that stay without it, over the
+            positions that were looked at; with more than one too many, without the best others.
+    """
+
+    constraints: tuple[Expr, ...]
+    count: int
+    rows: tuple[int, ...]
+    ratios: Mapping[int, float]
+
+    def __str__(self) -> str:
+        """Return what is redundant, and what to leave out."""
+        if not self.count:
+            return "the constraints are independent where the mechanism moves"
+        names = listed(named_constraints(self.constraints, self.rows, most=_SHOWN), most=8)
+        amount = "one" if self.count == 1 else str(self.count)
+        return (
+            f"the mechanism is overconstrained: constraints {names} depend on each other wherever it moves, {amount} "
+            f"of them too many; leave out {amount}{self.choices}"
+        )
+
+    @property
+    def choices(self) -> str:
+        """What had better be left out, and what not, with the numbers; the empty text if that wasn't tried."""
+        if not self.ratios:
+            return ""
+        best = max(self.ratios.values())
+        good = [row for row, ratio in self.ratios.items() if ratio > best / 2]
+        bad = [row for row, ratio in self.ratios.items() if ratio < min(NEAR, best / 4)]
+        numbers = ", ".join(f"{row + 1}: {ratio:.2g}" for row, ratio in self.ratios.items())
+        warning = (
+            f"; not {_either(bad)}, without which the others are nearly dependent at some positions"
+            if bad
+            else ""
+        )
+        return f", best {_either(good)}{warning} (least ratio of singular values of those that stay, without {numbers})"
+
+
+def _either(rows: Sequence[int]) -> str:
+    names = [str(row + 1) for row in rows]
+    return " or ".join(filter(None, [", ".join(names[:-1]), names[-1]]))
+
+
+def redundant_constraints(
+    system: System,
+    parameters: Mapping[Expr, ArrayLike] | None = None,
+    initial: Mapping[Expr, ArrayLike] | None = None,
+    *,
+    guess: Mapping[Expr, ArrayLike] | None = None,
+    t: float = 0.0,
+    inputs: Mapping[Expr, ExprLike] | None = None,
+) -> Redundancy:
+    """Return which constraints of an overconstrained mechanism are redundant, and what to leave out.
+
+    ``y^T phi_q = 0`` at all positions that the mechanism reaches from the first one. The rows of ``phi_q`` are scaled
+    to the length 1 before singular values are taken.
+
+    Args:
+        system: the mechanism.
+        parameters: the values of the symbols in the constraints; others may be there.
+        initial: the values of coordinates that are given.
+        guess: where the others should be near.
+        t: the time, in s.
+        inputs: functions of time that are given from outside, by time.
+
+    Raises:
+        ConstraintError: no position satisfies the constraints.
+        ParameterError: a value is missing, isn't finite, or belongs to nothing.
+
+    >>> from symbody import Body, System, functions_of_time, symbols, translate
+    >>> (x, y), m = functions_of_time("x y"), symbols("m")
+    >>> twice = System([Body(translate(x, y, 0), m)], coordinates=[x, y], constraints=[x - y, 2 * x - 2 * y])
+    >>> redundant_constraints(twice).rows
+    (0, 1)
+    """
+    where = "redundant_constraints"
+    kinematics = Kinematics(system, tuple((name, number(value)) for name, value in (inputs or {}).items()))
+    kinematics.check_inputs(where)
+    p = parameter_values(kinematics.parameters, parameters, where=where)
+    fixed, near = (
+        state_values(system, given, where=where, argument=name, has_speeds=False)
+        for given, name in ((initial, "initial"), (guess, "guess"))
+    )
+    with reporting(where):
+        begin = positions(kinematics, p, t, fixed, near, where)
+        return redundancy(kinematics.constraints, [scaled(J) for J in walk(kinematics, p, t, begin, STEPS)])
+
+
+def advice(system: System) -> str:
+    """Return what is redundant if all parameters are 1; the empty text if nothing is, or no position is found."""
+    kinematics = Kinematics(system)
+    try:
+        with noting():  # nobody asked for this evaluation
+            found = redundant_constraints(system, dict.fromkeys(kinematics.parameters, 1.0))
+    except (SymbodyError, np.linalg.LinAlgError):
+        return ""
+    return str(found) if found.count else ""
+
+
+def redundancy(constraints: tuple[Expr, ...], gradients: Sequence[Array]) -> Redundancy:
+    """Return what is redundant, by the derivatives of the constraints at some positions, scaled to the length 1."""
+    combinations = [vanishing_combinations(J, CANCELLED) for J in gradients]
+    count = min((len(found) for found in combinations), default=0)
+    regular = [(J, found) for J, found in zip(gradients, combinations, strict=True) if len(found) == count]
+    rows = sorted({int(row) for _, found in regular for y in found for row in np.flatnonzero(y)})
+    places = [J for J, _ in regular]
+    ratios = {row: _ratio_without(places, row, rows, count) for row in rows} if len(rows) <= MOST else {}
+    return Redundancy(constraints, count, tuple(rows), ratios)
+
+
+def _ratio_without(places: Sequence[Array], row: int, rows: Sequence[int], count: int) -> float:
+    """Return the least ratio of singular values without a row, and without the others that are best left out."""
+    removed = [row]
+    while len(removed) < count:
+        removed.append(
+            max((r for r in rows if r not in removed), key=lambda r: _least(places, [*removed, r], count))
+        )
+    return _least(places, removed, count)
+
+
+def _least(places: Sequence[Array], removed: Sequence[int], count: int) -> float:
+    """Return the least ratio over all positions; of the singular values that should stay with so many too many."""
+    rank = len(places[0]) - count
+
+    def ratio(J: Array) -> float:
+        s = np.linalg.svd(np.delete(J, list(removed), axis=0), compute_uv=False)
+        return float(s[rank - 1] / s[0]) if rank else 1.0
+
+    return min(map(ratio, places))

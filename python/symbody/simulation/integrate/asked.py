@@ -1,0 +1,83 @@
+"""What a user asks to be evaluated along a motion: outputs and events, of what the model knows."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+
+from symbody.errors import ArgumentError, SimulationError
+from symbody.simulation.given.event import Event
+from symbody.simulation.given.given_input import check_explicit
+from symbody.simulation.model.model import Model
+from symbody.symbolic import Expr, ExprLike, free_symbols
+from symbody.symbolic.arguments import described, expression
+from symbody.symbolic.namesake import namesake_note
+
+__all__ = ["asked_outputs", "check_known_along", "parameters_in", "watched_events"]
+
+
+def asked_outputs(outputs: Mapping[str, ExprLike] | None, where: str = "simulate") -> dict[str, Expr]:
+    """Return the expressions of outputs, by name.
+
+    Raises:
+        ArgumentError: no dictionary of names and expressions.
+    """
+    given: object = {} if outputs is None else outputs
+    if not isinstance(given, Mapping) or any(not isinstance(name, str) for name in given):
+        raise ArgumentError(
+            f"{where}, outputs: {described(outputs)}; expected a dictionary of names and expressions, such as "
+            "outputs={'height': z}"
+        )
+    return {name: expression(value, f"{where}, outputs, {name}") for name, value in given.items()}
+
+
+def watched_events(events: Sequence[Event] | None, where: str = "simulate") -> tuple[Event, ...]:
+    """Return the events.
+
+    Raises:
+        SimulationError: no list of events.
+    """
+    given: object = () if events is None else events
+    if isinstance(given, Event):
+        raise SimulationError(f"{where}, events: one Event; expected a list of them, events=[Event(...)]")
+    if isinstance(given, str | Mapping) or not isinstance(given, Iterable):
+        raise SimulationError(
+            f"{where}, events: {described(given)}; expected a list of them, events=[Event(expression)]"
+        )
+    listed = tuple(given)
+    for event in listed:
+        if not isinstance(event, Event):
+            raise SimulationError(f"{where}: events hold {event!r}; expected Event(expression), from symbody")
+    return listed
+
+
+def parameters_in(expressions: Sequence[Expr]) -> tuple[Expr, ...]:
+    """Return the parameters that expressions hold, by name."""
+    found = (
+        leaf for leaf in free_symbols(list(expressions)) if leaf.kind == "symbol" and not leaf.depends_on_time
+    )
+    return tuple(sorted(found, key=lambda symbol: symbol.name))
+
+
+def check_known_along(
+    model: Model, outputs: Mapping[str, Expr], events: Sequence[Event], where: str = "simulate"
+) -> None:
+    """See that inputs, outputs and events hold nothing but what a motion of the model knows.
+
+    Raises:
+        ModelError: an input brings accelerations into the equations of motion.
+        SimulationError: one holds something else; it is named.
+    """
+    check_explicit(model.equations, model.inputs, where)
+    wanted = {f"the output {name!r}": value for name, value in outputs.items()}
+    wanted |= {f"the event {event}": event.expression for event in events}
+    known = {*model.integrated, *model.accelerations, *model.multipliers}
+    for name, value in wanted.items():
+        strange = {
+            leaf for leaf in free_symbols([*model.along_motion([value])]) if leaf.depends_on_time
+        } - known
+        if strange:
+            raise SimulationError(
+                f"{where}: {name} holds {', '.join(sorted(map(str, strange)))}; expected an expression of time, "
+                "coordinates, speeds, accelerations, multipliers and parameters"
+                f"{namesake_note(strange, known, ('asked for', 'of the motion'))}"
+            )

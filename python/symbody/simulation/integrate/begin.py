@@ -1,0 +1,37 @@
+"""Where a motion begins: the vector that is integrated, at the first instant."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import numpy as np
+from numpy.typing import NDArray
+
+from symbody.simulation.constraint.consistent import found_state
+from symbody.simulation.constraint.kinematics import kinematics_of
+from symbody.simulation.constraint.overconstraint import check_rank
+from symbody.simulation.given.values import parameter_values, state_values
+from symbody.symbolic import Expr
+
+from .task import Task
+
+__all__ = ["begin"]
+
+
+def begin(
+    task: Task, parameters: Mapping[Expr, float], initial: Mapping[Expr, float] | None
+) -> NDArray[np.float64]:
+    """Return what is given, and zero, a guess or what the constraints demand for the rest; no work is done yet."""
+    model, t = task.plain, float(task.instants[0])
+    given = {**task.guess, **state_values(model.system, initial, where="simulate")}
+    if model.constraints or model.system.has_quasi_velocities:
+        kinematics = kinematics_of(model.equations, dict(model.inputs))
+        given = found_state(kinematics, parameters, initial, task.guess, t)
+    state = np.zeros(model.width)
+    state[: len(model.state)] = [given.get(name, 0.0) for name in model.state]
+    if model.constraints:
+        kinematics = kinematics_of(model.equations, dict(model.inputs))
+        p = parameter_values(kinematics.parameters, parameters)
+        slopes, _ = kinematics.velocity(t, state[: len(model.coordinates)], p)
+        check_rank(model, slopes[: len(model.constraints)], parameters)
+    return state

@@ -1,0 +1,101 @@
+"""Motions by IDA, in the terms that all methods share."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from functools import partial
+
+import numpy as np
+from numpy.typing import NDArray
+
+from symbody.errors import SimulationError
+from symbody.simulation.given.event import Event
+from symbody.simulation.given.options import Options
+from symbody.simulation.model.model import Model
+from symbody.symbolic import Expr
+from symbody.symbolic.deficiency import noting
+
+from .energy_balance import imbalance_of
+from .ida import IDA_FORMS, IdaRun, integrate_ida
+from .outcome import Failure, Outcome, Statistics, with_deficiencies
+from .task import Columns, Integrate, KeepGoing, Task
+
+__all__ = ["ida_outcome", "prepare"]
+
+
+def prepare(task: Task) -> Integrate:
+    """Return what integrates motions of a task, one after another."""
+    return partial(_integrate, task)
+
+
+def _integrate(
+    task: Task, parameters: Columns, states: NDArray[np.float64], _threads: int, keep_going: KeepGoing
+) -> Iterator[Outcome | None]:
+    first, span, size = float(task.instants[0]), float(np.ptp(task.instants)), len(task.model.state)
+    for case, state in enumerate(states):
+
+        def goes_on(t: float, done: int = case) -> bool:
+            return keep_going(done + (t - first) / span)
+
+        if not keep_going(case):
+            yield None
+            continue
+        values = {name: float(column[case]) for name, column in parameters.items()}
+        with noting() as found:
+            outcome = ida_outcome(
+                task.model, state[:size], values, task.instants, task.options, task.events, goes_on
+            )
+        yield with_deficiencies(outcome, found)
+
+
+def ida_outcome(
+    model: Model,
+    state: NDArray[np.float64],
+    parameters: Mapping[Expr, float],
+    instants: NDArray[np.float64],
+    options: Options,
+    events: Sequence[Event] = (),
+    keep_going: Callable[[float], bool] | None = None,
+) -> Outcome:
+    """Return how an integration by IDA went, in the terms of the native integrator."""
+    failure = None
+    try:
+        run = integrate_ida(
+            model.equations,
+            parameters,
+            state,
+            instants,
+            index=IDA_FORMS[options.method],
+            rtol=options.rtol,
+            atol=options.atol,
+            inputs=dict(model.inputs),
+            events=events,
+            keep_going=keep_going,
+            max_step=options.max_step,
+        )
+    except SimulationError as error:
+        if not isinstance(error.motion, IdaRun):
+            return _unbegun(state, float(instants[0]), str(error))
+        run = error.motion
+        failure = Failure("ida", float(run.t[-1]), str(error))
+    if failure is None and not run.completed:
+        failure = Failure("interrupted", float(run.t[-1]), run.message)
+    reached = int(np.isin(run.t, instants).sum())
+    values = np.array([parameters[name] for name in model.parameters])
+    # IDA doesn't tell its steps; each takes two evaluations or so.
+    steps = run.statistics.evaluations // 2
+    imbalance = imbalance_of(model, values, instants[:reached], run.states[:reached], options, steps)
+    return Outcome(
+        run.states[:reached],
+        [(event.event, event.t, list(event.state)) for event in run.events],
+        (float(run.t[-1]), list(run.states[-1])),
+        failure,
+        Statistics(0, 0, run.statistics.evaluations, run.statistics.jacobians, is_stiff=False),
+        imbalance=imbalance,
+        trail=run.trail,
+    )
+
+
+def _unbegun(state: NDArray[np.float64], t: float, message: str) -> Outcome:
+    failure, nothing = Failure("ida", t, message), Statistics(0, 0, 0, 0, is_stiff=False)
+    return Outcome(state[np.newaxis], [], (t, list(state)), failure, nothing)

@@ -1,0 +1,149 @@
+"""Constraints that contradict each other along a motion: no motion satisfies them, whatever was integrated.
+
+A combination y of constraints whose gradients cancel, ``y^T phi_q = 0``, says something of time alone: ``y^T phi``,
+``y^T phi_t`` and ``y^T c`` have to vanish, where ``phi'' = phi_q u' + c``. The linear solver notes right sides that
+contradict, also at states that were tried and given up; here the states that a motion went through decide.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from symbody.simulation.constraint.consistent import Positions, term_sizes
+from symbody.simulation.constraint.contradiction import (
+    INCONSISTENT,
+    cancelling_combinations,
+    contradiction_between,
+)
+from symbody.simulation.constraint.kinematics import Kinematics, kinematics_of
+from symbody.simulation.constraint.least_norm import least_norm
+from symbody.simulation.model.model import Model
+from symbody.symbolic import Expr
+from symbody.symbolic.deficiency import Deficiency
+
+from .outcome import Failure, Outcome
+
+__all__ = ["contradictory_rows", "without_contradictions"]
+
+Array = NDArray[np.float64]
+
+LOOKS = 64
+"""States of a motion that are looked at first."""
+_SUSPECT = {"projection", "stalled", "step_collapse", "library", "ida"}
+
+
+def without_contradictions(
+    outcome: Outcome, model: Model, parameters: Mapping[Expr, float], instants: Array
+) -> Outcome:
+    """Return an outcome that fails where constraints contradict each other, if they do along the motion.
+
+    Where they don't, what the linear solver noted of them belongs to states that were given up: there equations follow
+    from each other.
+    """
+    of_model = {d for d in outcome.deficiencies if d.equations == len(model.equation_names)}
+    noted = {d for d in of_model if d.contradictions}
+    is_suspect = outcome.failure is not None and outcome.failure.kind in _SUSPECT
+    if not model.constraints or not (noted or is_suspect):
+        return outcome
+    times, states = _course(outcome, model, instants)
+    kinematics = kinematics_of(model.equations, dict(model.inputs))
+    p = np.array([parameters[name] for name in kinematics.parameters])
+    span = float(instants[-1] - instants[0]) or 1.0
+    place = _first(kinematics, p, times, states, span)
+    if place is None:
+        return replace(outcome, deficiencies=outcome.deficiencies - noted | {_followed(d) for d in noted})
+    t, state = float(times[place]), states[place]
+    rows = contradictory_rows(kinematics, p, t, state, span)
+    reached = max(1, min(place + 1, len(outcome.states)))
+    return replace(
+        outcome,
+        states=outcome.states[:reached],
+        occurrences=[event for event in outcome.occurrences if event[1] <= t],
+        end=(t, outcome.states[place].tolist() if place < len(outcome.states) else outcome.end[1]),
+        failure=Failure(
+            "contradiction", t, f"at t = {t:.9g} s: {contradiction_between(model.constraints, rows)}"
+        ),
+        deficiencies=outcome.deficiencies - of_model,
+    )
+
+
+def contradictory_rows(
+    kinematics: Kinematics, p: Array, t: float, state: ArrayLike, span: float
+) -> tuple[int, ...]:
+    """Return the rows of constraints that contradict each other at a state; none, if they can hold together.
+
+    Args:
+        kinematics: the constraints.
+        p: the values of their parameters.
+        t: the time, in s.
+        state: coordinates and speeds.
+        span: how long the motion takes, in s: what rates leave open counts by what it makes of positions.
+    """
+    m = len(kinematics.constraints)
+    q, u = _polished(kinematics, p, t, np.asarray(state, float))
+    with np.errstate(all="ignore"):
+        phi, phi_q, sizes = kinematics.position(t, q, p)
+        A, b = (part[:m] for part in kinematics.velocity(t, q, p))
+        c = kinematics.acceleration(t, np.concatenate([q, u]), p)[:m]
+    if not all(np.isfinite(part).all() for part in (phi, A, b, c)):
+        return ()
+    terms = term_sizes(q, phi_q, sizes)
+    for y in cancelling_combinations(A):
+        allowed = INCONSISTENT * float(np.abs(y) @ terms)
+        rates = ((b, span), (c, span**2 / 2))
+        if abs(y @ phi) > allowed or any(_is_off(y, rate, factor, allowed) for rate, factor in rates):
+            return tuple(int(row) for row in np.flatnonzero(y))
+    return ()
+
+
+def _polished(kinematics: Kinematics, p: Array, t: float, state: Array) -> tuple[Array, Array]:
+    """Return coordinates and speeds that satisfy the constraints, as nearly as can be: c is right there alone."""
+    n, m = len(kinematics.system.coordinates), len(kinematics.constraints)
+    problem = Positions.at(kinematics, p, t, state[:n])
+    q = problem.solved(state[:n], np.ones(n, dtype=bool))
+    if not problem.error(q) <= problem.error(state[:n]):
+        q = state[:n]
+    with np.errstate(all="ignore"):
+        A, b = (part[:m] for part in kinematics.velocity(t, q, p))
+    u = state[n:]
+    if np.isfinite(A).all() and np.isfinite(b).all():
+        u = u - least_norm(A, A @ u + b)[0]
+    return q, u
+
+
+def _is_off(y: Array, rate: Array, factor: float, allowed: float) -> bool:
+    """Whether a combination of rates is more than rounding, and makes a violation of positions in the end."""
+    left = abs(y @ rate)
+    return bool(left > INCONSISTENT * np.abs(y) @ np.abs(rate) and left * factor > allowed)
+
+
+def _course(outcome: Outcome, model: Model, instants: Array) -> tuple[Array, Array]:
+    """Return the instants and states of a motion, its end included."""
+    size, reached = len(model.state), len(outcome.states)
+    times, states = instants[:reached], outcome.states[:, :size]
+    if outcome.end[0] <= times[-1]:
+        return times, states
+    return np.append(times, outcome.end[0]), np.vstack([states, outcome.end[1][:size]])
+
+
+def _first(kinematics: Kinematics, p: Array, times: Array, states: Array, span: float) -> int | None:
+    """Return the place of the first state where constraints contradict each other: of some, then of the gap before."""
+
+    def is_contradictory(place: int) -> bool:
+        return bool(contradictory_rows(kinematics, p, float(times[place]), states[place], span))
+
+    looks = np.unique(np.linspace(0, len(times) - 1, min(LOOKS, len(times))).astype(int)).tolist()
+    found = next((k for k, place in enumerate(looks) if is_contradictory(place)), None)
+    if found is None:
+        return None
+    gap = range(looks[found - 1] + 1 if found else 0, looks[found] + 1)
+    return next(place for place in gap if is_contradictory(place))
+
+
+def _followed(deficiency: Deficiency) -> Deficiency:
+    rows = {*deficiency.dependent, *(row for row, _ in deficiency.contradictions)}
+    return replace(deficiency, dependent=tuple(sorted(rows)), contradictions=())

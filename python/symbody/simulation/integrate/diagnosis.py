@@ -1,0 +1,153 @@
+"""Why a motion ended before its time: what the integrator saw, and what in the model may be the cause."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from symbody.simulation.constraint.dependent_constraints import (
+    NEAR,
+    dependent_constraints,
+    described_dependence,
+)
+from symbody.simulation.model.model import Model
+
+from .integrated import Integrated
+from .outcome import Failure, Outcome
+from .task import Task
+
+__all__ = ["diagnosis"]
+
+Array = NDArray[np.float64]
+
+
+def diagnosis(motion: Integrated) -> str:
+    """Return what happened to a motion that failed, when, and the way out, in the names of the model."""
+    model, outcome = motion.task.model, motion.outcome
+    failure = outcome.failure
+    assert failure is not None, "only motions that failed have a diagnosis"
+    parameters = np.array([motion.parameters[name] for name in (*model.parameters, *model.damping)])
+    if failure.kind == "contradiction":
+        return failure.message.removeprefix("simulate: ")
+    if failure.kind == "ida":
+        return _of_ida(failure, outcome, model, parameters)
+    t, state = outcome.end[0], np.array(outcome.end[1][: len(model.state)])
+    when = f"at t = {t:.9g} s"
+    singular = _singular(model, parameters, t, state)
+    if singular:
+        return f"{when}: {singular}"
+    if failure.kind == "not_finite":
+        return f"{when}: {_out_of_domain(model, parameters, t, state)}"
+    near = _BY_CONSTRAINTS.get(failure.kind, 0.0)
+    dependent = _dependent(model, parameters, t, state, near) if near else ""
+    return f"{when}: {_told(failure, dependent or _possible_cause(failure.kind, motion.task))}"
+
+
+def _told(failure: Failure, cause: str) -> str:
+    if failure.kind in _BY_CONSTRAINTS:
+        return f"{failure.message}; {cause}"
+    return f"the method gave up ({failure.message}); {cause}"
+
+
+def _possible_cause(kind: str, task: Task) -> str:
+    """Return what may be the cause of a failure where constraints are not, and the way out."""
+    stiff = "; for stiff equations use method='bdf'" if task.method.is_explicit else ""
+    if kind == "projection":
+        return (
+            "the constraints can't be satisfied beyond, or the position is singular; look at the motion up to there; "
+            "smaller tolerances may pass it, or constraints='baumgarte'"
+        )
+    if kind == "stalled":
+        return (
+            "a force may jump back and forth, such as dry friction by sign(v): smooth it, as tanh(v/v0), or end the "
+            f"motion by an event{stiff}"
+        )
+    if kind == "step_collapse":
+        held = "the constraints may let it go no farther, " if task.model.constraints else ""
+        return (
+            f"{held}the motion may go to infinity there, or a force jumps: smooth it, or end the motion by an "
+            f"event{stiff}"
+        )
+    return (
+        "use other tolerances"
+        if task.options.method == "dop853"
+        else "use method='dop853', or other tolerances"
+    )
+
+
+def _of_ida(failure: Failure, outcome: Outcome, model: Model, parameters: Array) -> str:
+    """Return what IDA says, and which constraints are dependent at the end of its last step."""
+    told = failure.message.removeprefix("simulate: ")
+    t, state = outcome.end
+    if len(outcome.trail):
+        t, *state = outcome.trail[-1]
+    dependent = _dependent(model, parameters, t, np.array(state)[: len(model.state)], _BY_CONSTRAINTS["ida"])
+    return f"{told.partition('; expected')[0]}; {dependent}" if dependent else told
+
+
+_BY_CONSTRAINTS = {"projection": NEAR, "stalled": NEAR, "step_collapse": NEAR, "singular": 0.3, "ida": 0.1}
+"""The kinds of failure that constraints cause where they become dependent, and how near to that the state may be.
+
+Where a method finds no step past a singular position, its state is a step before it."""
+
+
+def _dependent(model: Model, parameters: Array, t: float, state: Array, near: float) -> str:
+    """Return which constraints are dependent at a state, and what to do about it."""
+    found = described_dependence(dependent_constraints(model, parameters, t, state, near))
+    return found and (
+        f"{found}: a singular position, or near one, from which several motions may go on; method='dop853' or 'tsit5' "
+        "with constraints='projection' passes most; or begin with another state, change the dimensions, or end the "
+        "motion by an event before it; constraints that depend on each other wherever the mechanism moves should be "
+        "left out"
+    )
+
+
+def _out_of_domain(model: Model, parameters: Array, t: float, state: Array) -> str:
+    names = _not_finite(model, parameters, t, state)
+    if names:
+        return (
+            f"{names} not finite there; look for a division by zero, a root or logarithm of what became negative, or "
+            "parameters that make no sense"
+        )
+    return (
+        "a rate of the state is not finite a step ahead, however short the step; look for a function that leaves its "
+        "domain"
+    )
+
+
+def _not_finite(model: Model, parameters: Array, t: float, state: Array) -> str:
+    """Return which rates are no finite numbers at a state."""
+    values = model.rates_code.evaluate(
+        parameters, np.concatenate([[t], state, np.zeros(model.width - len(model.state))])
+    )
+    names = [*(f"the rate of {q}" for q in model.coordinates), *map(str, model.accelerations), "the power"]
+    bad = [name for name, value in zip(names, values, strict=False) if not np.isfinite(value)]
+    return "" if not bad else f"{', '.join(bad[:4])}{' and others' if len(bad) > 4 else ''} {_are(bad)}"
+
+
+def _are(names: list[str]) -> str:
+    return "is" if len(names) == 1 else "are"
+
+
+def _singular(model: Model, parameters: Array, t: float, state: Array) -> str:
+    """Return which speeds move no mass at a state, if the mass matrix is singular there."""
+    if model.constraints:
+        return ""
+    n = len(model.speeds)
+    code = model.code(model.with_inputs(model.equations.mass_matrix.entries))
+    M = code.evaluate(
+        parameters, np.concatenate([[t], state, np.zeros(model.width - len(model.state))])
+    ).reshape(n, n)
+    if not np.isfinite(M).all():
+        return ""
+    scale = np.sqrt(np.maximum(np.abs(np.diag(M)), np.finfo(float).tiny))
+    _, sizes, directions = np.linalg.svd(M / np.outer(scale, scale))
+    if sizes[-1] > 1e-13 * sizes[0]:
+        return ""
+    weights = np.abs(directions[-1])
+    names = [str(u) for u, weight in zip(model.speeds, weights, strict=True) if weight > 0.1 * weights.max()]
+    together = names[0] if len(names) == 1 else f"a combination of {', '.join(names)}"
+    return (
+        f"the mass matrix is singular: {together} moves no mass; give it some, or leave that coordinate out; or it's a "
+        "singular position, as Euler angles have, and floating_frame() has not"
+    )

@@ -1,0 +1,69 @@
+"""Motions as they were integrated, by the method of their task."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from symbody.simulation.model.model import DAMPING
+from symbody.symbolic import Expr
+
+from .contradictory_constraints import without_contradictions
+from .outcome import Outcome
+from .task import Columns, KeepGoing, Task
+
+__all__ = ["Integrated", "run_motions"]
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, eq=False)
+class Integrated:
+    """A motion as it was integrated.
+
+    Attributes:
+        task: what was integrated, and how.
+        parameters: the values of the parameters, those of the stabilisation included.
+        outcome: how that went.
+    """
+
+    task: Task
+    parameters: Mapping[Expr, float]
+    outcome: Outcome
+
+
+def run_motions(
+    task: Task, parameters: Columns, states: Array, threads: int, keep_going: KeepGoing
+) -> Iterator[Integrated | None]:
+    """Integrate motions, and give them in their order; None for those that were not begun.
+
+    Args:
+        task: what to integrate.
+        parameters: values by name, one for each motion.
+        states: where the motions begin, a row for each.
+        threads: how many motions to integrate at a time.
+        keep_going: asked now and then, with the number of motions that are done.
+    """
+    columns = _with_damping(task, parameters, states)
+    outcomes = task.integrate(columns, states, threads, keep_going) if len(states) else ()
+    for case, outcome in enumerate(outcomes):
+        if outcome is None:
+            yield None
+            continue
+        values = _values_of(columns, case)
+        yield Integrated(task, values, without_contradictions(outcome, task.model, values, task.instants))
+
+
+def _with_damping(task: Task, parameters: Columns, states: Array) -> Columns:
+    """Return the parameters with those of Baumgarte's stabilisation, where there is one."""
+    if not task.model.is_stabilized:
+        return parameters
+    chosen = [task.damping_of(_values_of(parameters, case), state) for case, state in enumerate(states)]
+    return {**parameters, **{name: np.array([damping[name] for damping in chosen]) for name in DAMPING}}
+
+
+def _values_of(parameters: Columns, case: int) -> dict[Expr, float]:
+    return {name: float(values[case]) for name, values in parameters.items()}

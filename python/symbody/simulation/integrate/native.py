@@ -1,0 +1,157 @@
+"""The native integrator: compiled equations in, states out; no Python in its loop."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable
+from functools import partial
+
+import numpy as np
+from numpy.typing import NDArray
+
+from symbody.simulation.given.options import Options
+from symbody.symbolic.deficiency import Deficiency, deficiencies_of, noting
+
+from .outcome import Failure, Outcome, Statistics, with_deficiencies
+from .problem import Problem
+from .task import Columns, Integrate, KeepGoing, Task
+
+__all__ = ["prepare", "run", "run_many"]
+
+
+def prepare(task: Task, *, needs_jacobian: bool = False) -> Integrate:
+    """Return what integrates motions of a task; its functions are derived and compiled now.
+
+    Args:
+        task: what to integrate.
+        needs_jacobian: whether the method is implicit.
+    """
+    problem = Problem.of(
+        task.model,
+        is_projected=task.is_projected,
+        needs_jacobian=needs_jacobian,
+        events=task.events,
+        trail=task.trail,
+    )
+    problem.native  # noqa: B018 - compiled now
+    return partial(_integrate, problem, task.instants, task.options)
+
+
+def _integrate(
+    problem: Problem,
+    instants: NDArray[np.float64],
+    options: Options,
+    parameters: Columns,
+    states: NDArray[np.float64],
+    threads: int,
+    keep_going: KeepGoing,
+) -> Iterable[Outcome | None]:
+    """Integrate one motion, or many in threads outside the interpreter."""
+    rows = np.empty((len(states), len(problem.parameters)))
+    for place, name in enumerate(problem.parameters):
+        rows[:, place] = parameters[name]
+    if len(states) != 1:
+        return run_many(problem, states, rows, instants, options, threads, keep_going)
+    first, span = float(instants[0]), float(instants[-1] - instants[0])
+    with noting() as found:
+        constants = problem.constants(rows[0])
+        outcome = run(
+            problem, states[0], constants, instants, options, lambda t: keep_going((t - first) / span)
+        )
+    return [with_deficiencies(outcome, found)]
+
+
+def _limits(problem: Problem, options: Options) -> tuple[float, float, float, int]:
+    return options.rtol, options.atol, options.max_step, problem.controlled
+
+
+def run(
+    problem: Problem,
+    state: NDArray[np.float64],
+    constants: NDArray[np.float64],
+    instants: NDArray[np.float64],
+    options: Options,
+    keep_going: Callable[[float], bool] | None = None,
+) -> Outcome:
+    """Integrate from a state at the first instant through all of them, with the constants of the parameters."""
+    states = np.empty((len(instants), problem.width))
+    given = problem.native.integrate(
+        options.method,
+        np.ascontiguousarray(state, float),
+        constants,
+        np.ascontiguousarray(instants, float),
+        _limits(problem, options),
+        states,
+        problem.trail,
+        keep_going,
+    )
+    return _outcome(given, states)
+
+
+def run_many(
+    problem: Problem,
+    states: NDArray[np.float64],
+    parameters: NDArray[np.float64],
+    instants: NDArray[np.float64],
+    options: Options,
+    threads: int = 1,
+    keep_going: Callable[[float], bool] | None = None,
+) -> list[Outcome | None]:
+    """Integrate many motions, a row of states and of parameters for each, in threads outside the interpreter.
+
+    What was not begun when `keep_going` said no is None.
+    """
+    results = np.full((len(states), len(instants), problem.width), np.nan)
+    different, places = np.unique(parameters, axis=0, return_inverse=True)
+    prepared = [_prepared(problem, row) for row in different]
+    constants = np.array([values for values, _ in prepared])[places]
+    given = problem.native.integrate_many(
+        options.method,
+        np.ascontiguousarray(states, float),
+        np.ascontiguousarray(constants),
+        np.ascontiguousarray(instants, float),
+        _limits(problem, options),
+        results,
+        problem.trail,
+        threads,
+        keep_going,
+    )
+    return [
+        None if one is None else _outcome(one[0], rows, prepared[place][1] | deficiencies_of(one[1]))
+        for one, rows, place in zip(given, results, places, strict=True)
+    ]
+
+
+def _prepared(
+    problem: Problem, parameters: NDArray[np.float64]
+) -> tuple[NDArray[np.float64], set[Deficiency]]:
+    """Return the constants, and the linear systems of parameters alone that have no unique solution."""
+    with noting() as found:
+        constants = problem.constants(parameters)
+    return constants, found
+
+
+_Given = tuple[
+    int,
+    list[tuple[int, float, list[float]]],
+    tuple[float, list[float]],
+    tuple[str, float, str] | None,
+    tuple[int, int, int, int, bool],
+    tuple[float, float] | None,
+    bytes,
+    float | None,
+]
+
+
+def _outcome(given: _Given, states: NDArray[np.float64], deficiencies: Iterable[Deficiency] = ()) -> Outcome:
+    reached, occurrences, end, failure, statistics, imbalance, trail, uncertain = given
+    return Outcome(
+        states[:reached],
+        occurrences,
+        end,
+        None if failure is None else Failure(*failure),
+        Statistics(*statistics),
+        frozenset(deficiencies),
+        imbalance,
+        np.frombuffer(trail).reshape(-1, 1 + states.shape[1]),
+        uncertain,
+    )

@@ -1,0 +1,220 @@
+"""Notices: what a user should know of a motion that was integrated, or of the cases of a batch."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from math import nan
+
+import numpy as np
+
+from symbody.simulation.constraint.consistent import term_sizes
+from symbody.simulation.constraint.dependent_constraints import dependent_constraints, named_dependence
+from symbody.simulation.constraint.kinematics import kinematics_of
+from symbody.simulation.constraint.singular_passage import singular_passages
+from symbody.simulation.constraint.singular_position import SINGULAR, is_singular, may_be_singular
+from symbody.simulation.model.model import Model
+from symbody.simulation.model.named_constraint import named_constraints
+from symbody.symbolic.deficiency import Deficiency, strongest
+
+from .integrated import Integrated
+
+__all__ = [
+    "Finding",
+    "deficiency_findings",
+    "findings_of",
+    "notices_of_batch",
+    "notices_of_motion",
+]
+
+
+LEFT = 1e-3
+"""The part of its terms by which a constraint is off where a motion has left it: free motions drift by less."""
+
+
+@dataclass(frozen=True, order=True)
+class Finding:
+    """Something that the user of a motion should know.
+
+    Attributes:
+        kind: a name of `ROWS`.
+        subject: what it is about, in the user's names; cases with the same subject are reported together.
+        size: how bad it is, where that is a number: of many cases the worst one is reported.
+        t: since when, in s, where that is known.
+    """
+
+    kind: str
+    subject: str = ""
+    size: float = nan
+    t: float = nan
+
+
+@dataclass(frozen=True)
+class _Row:
+    """A kind of finding.
+
+    Attributes:
+        find: returns the findings of this kind in a motion.
+        sentence: what to say, with ``{subject}``, ``{size}`` and ``{t}``.
+    """
+
+    find: Callable[[Integrated], Iterable[Finding]]
+    sentence: str
+
+
+def _stiffness(motion: Integrated) -> Iterable[Finding]:
+    outcome = motion.outcome
+    return [Finding("stiff")] if outcome.statistics.is_stiff and outcome.failure is None else []
+
+
+def _deficiencies(motion: Integrated) -> Iterable[Finding]:
+    return deficiency_findings(motion.outcome.deficiencies, motion.task.model)
+
+
+def _imbalance(motion: Integrated) -> Iterable[Finding]:
+    found, failure = motion.outcome.imbalance, motion.outcome.failure
+    # A motion that fails by leaving all bounds takes its energy with it.
+    is_failed = failure is not None and failure.kind != "interrupted"
+    return (
+        []
+        if found is None or is_failed
+        else [Finding("imbalance", _better_way(motion), size=found[1], t=found[0])]
+    )
+
+
+def _better_way(motion: Integrated) -> str:
+    """Return what may keep the balance of energy, where a motion has lost it."""
+    task = motion.task
+    if task.method.is_explicit and not task.trail:
+        return "use smaller tolerances or a smaller max_step, or begin at another position"
+    way = "method='dop853' with constraints='projection'" if task.model.constraints else "method='dop853'"
+    return f"use smaller tolerances, or {way}"
+
+
+def _singular_start(motion: Integrated) -> Iterable[Finding]:
+    """Return which constraints depend on each other where a motion begins, if they don't do so beside it."""
+    model = motion.task.model
+    state = motion.outcome.states[0][: len(model.state)]
+    if not model.constraints:
+        return []
+    kinematics = kinematics_of(model.equations, dict(model.inputs))
+    p = np.array([motion.parameters[name] for name in kinematics.parameters])
+    t, q = float(motion.task.instants[0]), state[: len(model.coordinates)]
+    if not may_be_singular(kinematics, p, t, q, model.independent_constraints):
+        return []
+    values = np.array([motion.parameters[name] for name in (*model.parameters, *model.damping)])
+    named = named_dependence(dependent_constraints(model, values, t, state, SINGULAR))
+    return [Finding("start", named)] if named and is_singular(kinematics, p, t, q) else []
+
+
+def _passages(motion: Integrated) -> Iterable[Finding]:
+    """Return that singular positions were passed, where nothing says on which branch the motion went on."""
+    passed = singular_passages(motion.task.model, motion.parameters, motion.outcome.trail)
+    return [Finding("passage", size=float(len(passed)), t=float(passed[0]))] if len(passed) else []
+
+
+def _uncertainty(motion: Integrated) -> Iterable[Finding]:
+    t = motion.outcome.uncertain
+    return [] if t is None else [Finding("uncertain", t=t)]
+
+
+def _violations(motion: Integrated) -> Iterable[Finding]:
+    """Return the constraint that is off most where a motion has left its constraints, at its end."""
+    model, outcome = motion.task.model, motion.outcome
+    if not model.constraints or outcome.failure is not None:
+        return []
+    kinematics = kinematics_of(model.equations, dict(model.inputs))
+    p = np.array([motion.parameters[name] for name in kinematics.parameters])
+    q = np.array(outcome.end[1][: len(model.coordinates)])
+    with np.errstate(all="ignore"):
+        phi, phi_q, sizes = kinematics.position(outcome.end[0], q, p)
+        off = np.abs(phi) / term_sizes(q, phi_q, sizes)
+    worst = int(np.argmax(off))
+    if not off[worst] > LEFT:
+        return []
+    (name,) = named_constraints(model.constraints, [worst])
+    return [Finding("violation", f"constraint {name}", float(off[worst]))]
+
+
+ROWS: dict[str, _Row] = {
+    "deficient": _Row(_deficiencies, "{subject}"),
+    "start": _Row(
+        _singular_start,
+        "the motion begins at a singular position, from which several motions may go on: {subject}, and beside it they "
+        "don't; begin at another position of the motion that is meant, or look whether this is the one",
+    ),
+    "violation": _Row(
+        _violations,
+        "the motion has left its constraints: at its end {subject} is off by {size:.1g} of the size of its terms; "
+        "use smaller tolerances or another way to keep them (constraints=...), and leave out those that follow from "
+        "others",
+    ),
+    "imbalance": _Row(
+        _imbalance,
+        "the balance of energy, work included, is off by {size:.1g} of the largest energy that moves, more than the "
+        "tolerances explain, from t = {t:.6g} s on or a little before; {subject}, and look for a force that jumps or a "
+        "singular position there",
+    ),
+    "passage": _Row(
+        _passages,
+        "the motion passes singular positions ({size:.0f}, the first at about t = {t:.4g} s), where the constraints "
+        "depend on each other and other branches begin; it may have changed its branch there: only method='dop853' or "
+        "'tsit5' with constraints='projection' make sure that it does not",
+    ),
+    "uncertain": _Row(
+        _uncertainty,
+        "at t = {t:.6g} s the motion is so close to a singular position of its constraints that rounding errors decide "
+        "on which branch it goes on; compare it with a motion at another tolerance or max_step, or one that begins a "
+        "little beside it",
+    ),
+    "stiff": _Row(
+        _stiffness,
+        "stability, not accuracy, bounds the steps: the equations are stiff; method='bdf' may be faster",
+    ),
+}
+"""By kind, how a finding is made and what is said of it, in the order in which findings are reported."""
+
+
+def deficiency_findings(deficiencies: Iterable[Deficiency], model: Model) -> tuple[Finding, ...]:
+    """Return the findings about linear systems without a unique solution, in the names of a model."""
+    names = model.equation_names
+    return tuple(Finding("deficient", found.sentence(names)) for found in strongest(deficiencies))
+
+
+def findings_of(motion: Integrated) -> tuple[Finding, ...]:
+    """Return what there is to say of a motion."""
+    return tuple(finding for row in ROWS.values() for finding in row.find(motion))
+
+
+def notices_of_motion(findings: Iterable[Finding], where: str = "simulate") -> list[str]:
+    """Return a text for each finding of one motion."""
+    return [f"{where}: {_sentence(finding)}" for finding in findings]
+
+
+def notices_of_batch(findings: Sequence[Iterable[Finding]], where: str) -> list[str]:
+    """Return a text for each kind and subject of findings, with the number of cases in which it was found.
+
+    Args:
+        findings: those of each case.
+        where: the function that the user called.
+    """
+    grouped: dict[tuple[str, str], dict[int, Finding]] = {}
+    for case, found in enumerate(findings):
+        for finding in found:
+            grouped.setdefault((finding.kind, finding.subject), {})[case] = finding
+    kinds = list(ROWS)
+    ordered = sorted(grouped.values(), key=lambda cases: kinds.index(next(iter(cases.values())).kind))
+    return [f"{where}: {_counted(cases, len(findings))}" for cases in ordered]
+
+
+def _counted(cases: Mapping[int, Finding], count: int) -> str:
+    """Return what was found in some cases; its size is that of the worst case."""
+    first = min(cases)
+    worst = max(cases, key=lambda case: (cases[case].size > -1, cases[case].size))
+    named = f"first case {first}" if worst == first else f"first case {first}, worst case {worst}"
+    noun = "case" if count == 1 else "cases"
+    return f"in {len(cases)} of {count} {noun}, {named}: {_sentence(cases[worst])}"
+
+
+def _sentence(finding: Finding) -> str:
+    return ROWS[finding.kind].sentence.format(subject=finding.subject, size=finding.size, t=finding.t)

@@ -1,0 +1,98 @@
+"""A task, of what a user asks for; whatever can't be done is named before anything is run."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+from numpy.typing import ArrayLike
+
+from symbody.dynamics import Equations
+from symbody.simulation.given.event import Event
+from symbody.simulation.given.given_bodies import notice_impossible_bodies
+from symbody.simulation.given.options import Options, check_options, instants_of, kept_by
+from symbody.simulation.given.unused import notice_unused
+from symbody.simulation.given.values import given_inputs, state_values, vanishing
+from symbody.simulation.model.model import model_of
+from symbody.symbolic import Expr, ExprLike
+
+from .asked import asked_outputs, check_known_along, watched_events
+from .methods import METHODS, method_name
+from .task import Task
+
+__all__ = ["notice_odd_values", "task_of"]
+
+
+def task_of(
+    eqs: Equations,
+    parameters: Mapping[Expr, ArrayLike] | None,
+    t: tuple[float, float] | ArrayLike,
+    *,
+    inputs: Mapping[Expr, ExprLike] | None,
+    method: str,
+    rtol: float,
+    atol: float,
+    outputs: Mapping[str, ExprLike] | None,
+    events: Sequence[Event] | None,
+    constraints: str | tuple[float, float],
+    guess: Mapping[Expr, float] | None,
+    max_step: float,
+    keeps_states: bool = True,
+    where: str = "simulate",
+) -> Task:
+    """Return a task; the arguments are those of `simulate`.
+
+    Args:
+        eqs: the equations of motion.
+        parameters: the values of parameters: those that vanish decide how the accelerations are found.
+        t: the instants, or the first and the last of 1001.
+        inputs: what stands in the place of functions of time that are given from outside.
+        method: the method by name.
+        rtol: the relative tolerance.
+        atol: the absolute tolerance.
+        outputs: what to evaluate, by name.
+        events: what to look for.
+        constraints: how constraints are kept.
+        guess: where to look for initial states.
+        max_step: the longest step, in s.
+        keeps_states: whether the states of many motions are results.
+        where: the function that the user called.
+
+    Raises:
+        ArgumentError: something of another type than asked for.
+        ModelError: functions of time that nobody gives, or that aren't needed.
+        ParameterError: a guess of what is no coordinate or speed.
+        SimulationError: an option that isn't known; an output or event of what no motion knows.
+    """
+    instants, name = instants_of(t, where), method_name(method, where)
+    check_options(rtol, atol, max_step, where)
+    kept = kept_by(constraints, where)
+    asked, watched = asked_outputs(outputs, where), watched_events(events, where)
+    formulas = given_inputs(eqs, inputs, where=where)
+    is_damped = bool(eqs.constraints) and kept not in {"projection", "free"}
+    task = Task(
+        model=model_of(eqs, formulas, is_stabilized=is_damped, zeros=vanishing(parameters)),
+        instants=instants,
+        options=Options(name, rtol, atol, max_step),
+        method=METHODS[name],
+        constraints=kept,
+        outputs=asked,
+        events=watched,
+        guess=state_values(eqs.system, guess, where=where, argument="guess"),
+        keeps_states=keeps_states,
+    )
+    check_known_along(task.model, asked, watched, where)
+    return task
+
+
+def notice_odd_values(task: Task, parameters: Mapping[Expr, ArrayLike], where: str = "simulate") -> None:
+    """Give notices of parameters that nothing uses, and of masses and inertias that no body has.
+
+    Args:
+        task: what they are for.
+        parameters: their values.
+        where: the function that the user called.
+    """
+    equations = task.model.equations
+    asked = [*task.asked, *dict(task.model.inputs).values()]
+    notice_unused(equations, parameters, asked, where, stacklevel=4)
+    notice_impossible_bodies(equations.system, parameters, where)

@@ -1,0 +1,119 @@
+"""Driven motions: what a user prescribes, or has simulated, at the instants where loads are wanted."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Mapping
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from symbody.errors import ConstraintError, SimulationError
+from symbody.simulation.constraint.kinematics import Kinematics
+from symbody.simulation.given.values import parameter_values, state_values
+from symbody.simulation.motion.motion import Motion
+from symbody.symbolic import Expr, ExprLike
+from symbody.symbolic.arguments import described
+
+from .kinematic_analysis import Course, course
+from .prescription import prescription_of
+
+__all__ = ["DrivenMotion", "followed_motion", "prescribed_motion"]
+
+Array = NDArray[np.float64]
+Parameters = Mapping[Expr, ArrayLike]
+
+_WHERE = "inverse_dynamics"
+
+
+@dataclass(frozen=True, eq=False)
+class DrivenMotion:
+    """A motion for which loads are wanted.
+
+    Attributes:
+        driving: the coordinates or quasi-velocities in which it is driven.
+        instants: when.
+        course: where it is.
+        parameters: the values of parameters.
+    """
+
+    driving: tuple[Expr, ...]
+    instants: Array
+    course: Course
+    parameters: Mapping[Expr, float]
+
+
+def prescribed_motion(
+    kinematics: Kinematics,
+    motion: Mapping[Expr, ExprLike | ArrayLike],
+    t: ArrayLike | None,
+    needed: Collection[Expr],
+    parameters: Parameters,
+    guess: Mapping[Expr, ArrayLike] | None,
+) -> DrivenMotion:
+    """Return the motion that a prescription and the constraints make.
+
+    Args:
+        kinematics: the constraints.
+        motion: coordinates by time.
+        t: the first and the last instant, or all.
+        needed: what must have a value, beside what stands in the prescription.
+        parameters: the values.
+        guess: coordinates near the first position.
+
+    Raises:
+        SimulationError: instants that don't increase, samples of another number, a motion that isn't determined.
+        ConstraintError: the constraints don't allow the motion.
+        ModelError: something is prescribed that can't be.
+        ParameterError: a value is missing or isn't finite.
+    """
+    instants = _instants(t)
+    prescription = prescription_of(kinematics.system, motion, instants, _WHERE)
+    values = _values({*needed, *prescription.parameters}, parameters)
+    near = state_values(kinematics.system, guess, where=_WHERE, argument="guess", has_speeds=False)
+    p = np.array([values[name] for name in kinematics.parameters])
+    along = course(kinematics, p, prescription.compiled(values), instants, near, _WHERE)
+    return DrivenMotion(prescription.coordinates, instants, along, values)
+
+
+def followed_motion(
+    kinematics: Kinematics, motion: Motion, needed: Collection[Expr], parameters: Parameters
+) -> DrivenMotion:
+    """Return a motion that was simulated; parameters may be others, but for those in the constraints.
+
+    Raises:
+        ConstraintError: a parameter in the constraints is another one.
+        ParameterError: a value is missing or isn't finite.
+    """
+    values, system = _values(needed, {**motion.parameters, **parameters}), kinematics.system
+    for name in kinematics.parameters:
+        own = motion.parameters.get(name, values[name])
+        if values[name] != own:
+            raise ConstraintError(
+                f"{_WHERE}, parameters: {name} = {values[name]:g} stands in the constraints or the kinematics, and "
+                f"the motion has {name} = {own:g}; simulate it with the same"
+            )
+    q, n = len(system.coordinates), len(system.speeds)
+    rows = motion.evaluate([*system.coordinates, *system.speeds, *system.accelerations]).T
+    along = Course(rows[:, :q], rows[:, q : q + n], rows[:, q + n :])
+    return DrivenMotion(system.driving, motion.t, along, values)
+
+
+def _instants(given: ArrayLike | None) -> Array:
+    try:
+        instants = np.atleast_1d(np.array(given, dtype=np.float64))
+    except (TypeError, ValueError):
+        instants = np.array([np.nan])
+    is_row = instants.ndim == 1 and instants.size > 0 and np.isfinite(instants).all()
+    if not is_row or (np.diff(instants) <= 0).any():
+        raise SimulationError(
+            f"{_WHERE}: t={described(given)}; expected the first and the last instant, or all instants, increasing"
+        )
+    return np.linspace(instants[0], instants[1], 1001) if len(instants) == 2 else instants
+
+
+def _values(needed: Collection[Expr], parameters: Parameters) -> dict[Expr, float]:
+    """Return the values of all symbols that are given, after a look for those which are needed."""
+    names = sorted(needed, key=lambda symbol: symbol.name)
+    parameter_values(names, parameters, where=_WHERE)
+    return {name: float(np.asarray(value)) for name, value in parameters.items()}

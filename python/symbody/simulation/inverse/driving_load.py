@@ -1,0 +1,172 @@
+"""Driving loads: what the equations of motion demand where the motion is known."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property, lru_cache
+
+import numpy as np
+from numpy.typing import NDArray
+
+from symbody.codegen import CompiledFunction, lambdify
+from symbody.dynamics import Equations
+from symbody.errors import ModelError, SimulationError
+from symbody.simulation.constraint.kinematics import magnitude
+from symbody.simulation.constraint.least_norm import least_norm_many
+from symbody.simulation.given.given_input import Given, with_given
+from symbody.symbolic import Expr, Matrix, free_symbols, jacobian, number, substitute, t, time_derivative
+
+from .kinematic_analysis import Course
+
+__all__ = ["DrivingLoads", "driving_loads"]
+
+Array = NDArray[np.float64]
+
+_UNBALANCED = 1e-7
+"""The part of its terms that an equation of motion may be off where it counts as balanced."""
+_FAINT = 1e-4
+"""The part of the largest terms that counts, where an equation has no terms but rounding errors."""
+
+
+@dataclass(frozen=True, eq=False)
+class DrivingLoads:
+    """The equations of motion as linear equations for loads f and multipliers: ``B (f, lambda) + r = 0``.
+
+    Attributes:
+        equations: the equations of motion.
+        given: what stands in the place of functions of time that are given from outside.
+        along: the coordinates or quasi-velocities along which generalised forces are solved for.
+        loads: symbols or functions of time in the equations that are solved for.
+        where: the function that the user called, for messages.
+    """
+
+    equations: Equations
+    given: Given
+    along: tuple[Expr, ...]
+    loads: tuple[Expr, ...]
+    where: str
+
+    @property
+    def names(self) -> tuple[Expr, ...]:
+        """What is solved for, but the multipliers."""
+        return self.along + self.loads
+
+    @cached_property
+    def residuals(self) -> tuple[Expr, ...]:
+        """The residuals of the equations of motion, of time, coordinates, speeds and accelerations."""
+        return with_given(self.equations.system, self.given, self.equations.residuals)
+
+    @cached_property
+    def parameters(self) -> tuple[Expr, ...]:
+        """The symbols that need values, by name."""
+        leaves = free_symbols(self.residuals) - {*self.loads}
+        found = {leaf for leaf in leaves if leaf.kind == "symbol" and not leaf.depends_on_time}
+        return tuple(sorted(found, key=lambda symbol: symbol.name))
+
+    @cached_property
+    def function(self) -> CompiledFunction:
+        """The function of t, (q, u, u') and p that returns r, B, and the sizes of the terms of r.
+
+        Raises:
+            ModelError: the equations aren't linear in the loads.
+        """
+        eqs = self.equations
+        unknown = [*self.loads, *eqs.multipliers]
+        slopes = jacobian(list(self.residuals), unknown).tolist() if unknown else [[]] * len(self.residuals)
+        self._check_linear(slopes)
+        rest = substitute(self.residuals, dict.fromkeys(unknown, number(0)))
+        columns = self._directions().tolist() if self.along else [[]] * len(rest)
+        B = Matrix([[*column, *row] for column, row in zip(columns, slopes, strict=True)])
+        variables: list[Expr | list[Expr]] = [
+            t,
+            [*eqs.coordinates, *eqs.speeds, *eqs.accelerations],
+            list(self.parameters),
+        ]
+        return lambdify(variables, [list(rest), B, [magnitude(each) for each in rest]])
+
+    def _directions(self) -> Matrix:
+        """Return ``-K^T``, with K the derivatives by the speeds of the rates along which forces are."""
+        eqs = self.equations
+        rates = [eqs.kinematics.get(time_derivative(name), name) for name in self.along]
+        return -jacobian(list(with_given(eqs.system, self.given, rates)), list(eqs.speeds)).T
+
+    def _check_linear(self, slopes: Sequence[Sequence[Expr]]) -> None:
+        leaves = free_symbols(self.residuals)
+        rates = sorted((leaf for leaf in leaves if leaf.kind == "time_function" and leaf.order), key=str)
+        rates = [rate for rate in rates if rate.name in {name.name for name in self.loads}]
+        if rates:
+            raise ModelError(
+                f"{self.where}, unknowns: the equations of motion hold the rate {rates[0]}; expected loads whose rates "
+                "don't matter"
+            )
+        names = {leaf.name for leaf in free_symbols([entry for row in slopes for entry in row])}
+        curved = [str(name) for name in self.loads if name.name in names]
+        if curved:
+            raise ModelError(
+                f"{self.where}, unknowns: the equations of motion aren't linear in {', '.join(curved)}; expected "
+                "loads that are, such as a force or its amplitude"
+            )
+
+    def solved(self, instants: Array, course: Course, values: Mapping[Expr, float]) -> tuple[Array, Array]:
+        """Return loads and multipliers, a row for each instant; the least multipliers of dependent constraints.
+
+        Raises:
+            SimulationError: some loads aren't determined, or the equations don't balance or aren't finite.
+        """
+        state = np.hstack([course.coordinates, course.speeds, course.accelerations]).T
+        p = np.array([values[name] for name in self.parameters]).reshape(-1, 1)
+        r, B, sizes = self.function(instants, state, p)
+        r, B, sizes = r.T, np.moveaxis(B, -1, 0), sizes.T
+        self._check_finite(instants, r, B)
+        x, determined = least_norm_many(B, -r)
+        left = np.einsum("kij,kj->ki", B, x) + r
+        self._check_balanced(instants, left, sizes + np.einsum("kij,kj->ki", np.abs(B), np.abs(x)))
+        self._check_determined(instants, determined[:, : len(self.names)])
+        return x[:, : len(self.names)], x[:, len(self.names) :]
+
+    def _check_finite(self, instants: Array, r: Array, B: Array) -> None:
+        is_strange = ~(np.isfinite(r) & np.isfinite(B).all(axis=2))
+        if is_strange.any():
+            k = int(np.argmax(is_strange.any(axis=1)))
+            row = int(np.argmax(is_strange[k]))
+            raise SimulationError(
+                f"{self.where}: at t = {instants[k]:g} s {self._equation(row)} isn't finite; a function may be out of "
+                "its domain there, or a length zero"
+            )
+
+    def _check_balanced(self, instants: Array, left: Array, sizes: Array) -> None:
+        largest = sizes.max(axis=1, keepdims=True)
+        is_off = np.abs(left) > _UNBALANCED * np.maximum(sizes, _FAINT * largest)
+        if is_off.any():
+            k = int(np.argmax(is_off.any(axis=1)))
+            row = int(np.argmax(np.where(is_off[k], np.abs(left[k]), 0)))
+            raise SimulationError(
+                f"{self.where}: at t = {instants[k]:g} s no {', '.join(map(str, self.names))} balance "
+                f"{self._equation(row)}: {left[k, row]:.3g} are left; expected loads that work on every degree of "
+                "freedom of the motion"
+            )
+
+    def _check_determined(self, instants: Array, determined: Array) -> None:
+        is_open = determined < 1 - 1e-6
+        if is_open.any():
+            k = int(np.argmax(is_open.any(axis=1)))
+            names = [name for name, left in zip(self.names, is_open[k], strict=True) if left]
+            is_one = len(names) == 1
+            what = f"the force{'' if is_one else 's'} along " if self.along else ""
+            raise SimulationError(
+                f"{self.where}: at t = {instants[k]:g} s {what}{', '.join(map(str, names))} "
+                f"{'is' if is_one else 'are'} not determined: other values move the system alike; give as many "
+                "unknowns=[...] as the motion has degrees of freedom, and none where it is at its dead centre"
+            )
+
+    def _equation(self, row: int) -> str:
+        return f"the equation of motion of {self.equations.system.driving[row]}"
+
+
+@lru_cache(maxsize=32)
+def driving_loads(
+    eqs: Equations, given: Given, along: tuple[Expr, ...], loads: tuple[Expr, ...], where: str
+) -> DrivingLoads:
+    """Return the equations for loads; the last ones are kept, with what they compiled."""
+    return DrivingLoads(eqs, given, along, loads, where)

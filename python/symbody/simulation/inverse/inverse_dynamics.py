@@ -1,0 +1,272 @@
+"""Inverse dynamics: the loads that make a system follow a prescribed motion."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import NoReturn
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from symbody.codegen import lambdify
+from symbody.dynamics import Equations
+from symbody.errors import ArgumentError, ModelError, SimulationError
+from symbody.multibody import System
+from symbody.simulation.constraint.kinematics import Kinematics, kinematics_of
+from symbody.simulation.given.given_input import with_given
+from symbody.simulation.given.reading import Reading
+from symbody.simulation.given.unused import notice_unused
+from symbody.simulation.given.values import given_inputs
+from symbody.simulation.model.unknown import unknown_variables
+from symbody.simulation.motion.motion import Motion
+from symbody.symbolic import Expr, ExprLike, free_symbols
+from symbody.symbolic import t as symbolic_time
+from symbody.symbolic.arguments import counted, described
+from symbody.symbolic.deficiency import reporting
+from symbody.symbolic.namesake import namesake_note
+
+from .driven_motion import followed_motion, prescribed_motion
+from .driving_load import driving_loads
+
+__all__ = ["InverseDynamics", "inverse_dynamics"]
+
+Array = NDArray[np.float64]
+
+_WHERE = "inverse_dynamics"
+
+_READING = Reading(
+    "result",
+    "result.t has the instants, and result.coordinates, result.speeds and result.accelerations have a row for each",
+)
+
+
+@dataclass(frozen=True, eq=False)
+class InverseDynamics:
+    """A prescribed motion and the loads that it takes; ``result[expression]`` has the values of any expression.
+
+    Expressions may hold time, coordinates, speeds, accelerations, multipliers, parameters, and loads that were
+    solved for: reaction forces, power, and what else is made of these.
+
+    Attributes:
+        system: what moves.
+        t: the instants, N of them, in s.
+        coordinates: where it is, a row for each instant.
+        speeds: the speeds u, likewise.
+        accelerations: their rates.
+        forces: the loads that were solved for, an array of N for each; forces along coordinates by the coordinates.
+        multipliers: the multipliers of the constraints, a row for each instant; where constraints depend on each
+            other, the least ones of those that are possible.
+        parameters: the values of the parameters.
+        inputs: what stood in the place of functions of time that are given from outside.
+    """
+
+    system: System
+    t: Array
+    coordinates: Array
+    speeds: Array
+    accelerations: Array
+    forces: Mapping[Expr, Array]
+    multipliers: Array
+    parameters: Mapping[Expr, float]
+    inputs: Mapping[Expr, Expr] = field(default_factory=dict)
+
+    def __repr__(self) -> str:
+        names = ", ".join(map(str, self.forces))
+        return f"InverseDynamics of {names}: {counted(len(self.t), 'instant')} from {self.t[0]:g} to {self.t[-1]:g} s"
+
+    def __len__(self) -> int:
+        """Return how many instants there are."""
+        return len(self.t)
+
+    def __iter__(self) -> NoReturn:
+        """Raise an error: Python would ask for ``result[0]``, ``result[1]`` and so on."""
+        _READING.refuse_iteration()
+
+    def __getitem__(self, expression: Expr) -> Array:
+        """Return the values of an expression, one for each instant.
+
+        Raises:
+            ArgumentError: it is no expression; numbers are none here.
+            SimulationError: an expression of something that isn't known here.
+        """
+        values: Array = self.evaluate([_READING.one(expression, self.system.coordinates)])[0]
+        return values
+
+    def evaluate(self, expressions: Sequence[ExprLike]) -> Array:
+        """Return the values of several expressions, a row for each.
+
+        Raises:
+            ArgumentError: no list of expressions.
+            SimulationError: an expression of something that isn't known here.
+        """
+        system = self.system
+        asked = _READING.several(expressions)
+        wanted = self._by_state(asked)
+        states = [*system.coordinates, *system.speeds, *system.accelerations, *system.multipliers]
+        own = {*system.coordinates, *system.driving}
+        loads = {name: values for name, values in self.forces.items() if name not in own}
+        self._check_known(asked, {symbolic_time, *states, *loads, *self.parameters})
+        function = lambdify([symbolic_time, states, list(loads), list(self.parameters)], list(wanted))
+        rows = np.hstack([self.coordinates, self.speeds, self.accelerations, self.multipliers]).T
+        forces = np.array(list(loads.values())).reshape(len(loads), len(self))
+        with reporting(_WHERE):
+            return np.asarray(function(self.t, rows, forces, _column(self.parameters.values())))
+
+    def _by_state(self, expressions: Sequence[Expr]) -> tuple[Expr, ...]:
+        return with_given(self.system, tuple(self.inputs.items()), expressions)
+
+    def _check_known(self, asked: Sequence[Expr], known: set[Expr]) -> None:
+        strange = [leaf for leaf in free_symbols(asked) if not free_symbols(self._by_state([leaf])) <= known]
+        if strange:
+            loads = ", and of the loads that were solved for"
+            note = namesake_note(strange, known, ("asked for", "of the motion"))
+            raise SimulationError(unknown_variables(_WHERE, strange, self.system, loads) + note)
+
+
+def _column(values: Iterable[float]) -> Array:
+    return np.array(list(values), dtype=np.float64).reshape(-1, 1)
+
+
+def inverse_dynamics(
+    eqs: Equations,
+    motion: Mapping[Expr, ExprLike | ArrayLike] | Motion,
+    parameters: Mapping[Expr, ArrayLike] | None = None,
+    t: ArrayLike | None = None,
+    *,
+    unknowns: Sequence[Expr] | None = None,
+    inputs: Mapping[Expr, ExprLike] | None = None,
+    guess: Mapping[Expr, ArrayLike] | None = None,
+) -> InverseDynamics:
+    """Return the loads that make a system follow a prescribed motion.
+
+    The coordinates that aren't prescribed follow from the constraints, at the level of positions, velocities and
+    accelerations; then ``M u' - forcing - phi_q^T lambda - K^T f = 0`` is linear in the forces f along the prescribed
+    coordinates, or in loads that are named, and in lambda [Nikravesh 1988, sec. 5.5].
+
+    Args:
+        eqs: equations of motion.
+        motion: for each prescribed coordinate an expression of time and parameters, a number, or a row of samples,
+            one for each instant; or a motion that was simulated, whose parameters and inputs hold unless others are
+            given.
+        parameters: the values of all symbols; those of the unknown ones don't count.
+        t: the first and the last instant (1001 instants, evenly spaced), or the instants themselves, in s.
+        unknowns: the symbols or functions of time in the loads that are solved for; by default a generalised force
+            along each prescribed coordinate, or each speed of a simulated motion, beside the loads that there are.
+        inputs: functions of time that are given from outside, by time and state.
+        guess: coordinates near the first position, where they aren't prescribed.
+
+    Raises:
+        SimulationError: the motion or the loads aren't determined, or no values of them balance the equations.
+        ConstraintError: the constraints don't allow the motion.
+        ModelError: something is prescribed or unknown that can't be.
+        ParameterError: a value is missing, isn't finite, or belongs to nothing.
+
+    >>> from symbody import Body, System, functions_of_time, newton_euler, symbols, translate
+    >>> from symbody import t as time
+    >>> x, m = functions_of_time("x"), symbols("m")
+    >>> eqs = newton_euler(System([Body(translate(x, 0, 0), m)], coordinates=[x]))
+    >>> inverse_dynamics(eqs, {x: time**2}, {m: 3}, [0, 1, 2]).forces
+    {x: array([6., 6., 6.])}
+    """
+    loads = _listed(unknowns)
+    given = _inputs(eqs, motion, inputs, loads)
+    kinematics = kinematics_of(eqs, given)
+    _check_unknowns(eqs, kinematics, motion, loads)
+    needed = _parameters(eqs, kinematics) - {*loads}
+    numbers = _without(parameters, loads)
+    with reporting(_WHERE):
+        if isinstance(motion, Motion):
+            _check_left_out(t=t, guess=guess)
+            driven = followed_motion(kinematics, motion, needed, numbers)
+        else:
+            driven = prescribed_motion(kinematics, motion, t, needed, numbers, guess)
+    formulas = (
+        [value for value in motion.values() if isinstance(value, Expr)] if isinstance(motion, Mapping) else []
+    )
+    notice_unused(eqs, numbers, [*given.values(), *formulas], _WHERE)
+    equations = driving_loads(eqs, kinematics.given, () if loads else driven.driving, loads, _WHERE)
+    with reporting(_WHERE):
+        forces, multipliers = equations.solved(driven.instants, driven.course, driven.parameters)
+    return InverseDynamics(
+        eqs.system,
+        driven.instants,
+        driven.course.coordinates,
+        driven.course.speeds,
+        driven.course.accelerations,
+        dict(zip(equations.names, forces.T, strict=True)),
+        multipliers,
+        {name: value for name, value in driven.parameters.items() if name not in loads},
+        given,
+    )
+
+
+def _listed(unknowns: Sequence[Expr] | None) -> tuple[Expr, ...]:
+    if unknowns is None:
+        return ()
+    is_list = isinstance(unknowns, list | tuple) and all(isinstance(name, Expr) for name in unknowns)
+    if not is_list or not unknowns:
+        raise ArgumentError(
+            f"{_WHERE}, unknowns: {described(unknowns)}; expected a list of symbols or functions of time"
+        )
+    return tuple(unknowns)
+
+
+def _inputs(
+    eqs: Equations, motion: object, inputs: Mapping[Expr, ExprLike] | None, loads: Sequence[Expr]
+) -> dict[Expr, Expr]:
+    """Return what stands for functions of time: what is given, or what a simulated motion was given."""
+    functions = [name for name in loads if name.kind == "time_function"]
+    given = inputs
+    if isinstance(motion, Motion) and (inputs is None or isinstance(inputs, Mapping)):
+        given = {name: value for name, value in motion.model.inputs if name not in loads} | dict(inputs or {})
+    return given_inputs(eqs, given, where=_WHERE, besides=functions)
+
+
+def _parameters(eqs: Equations, kinematics: Kinematics) -> set[Expr]:
+    """Return the symbols in the equations of motion and in what is given for inputs."""
+    leaves = {
+        *eqs.parameters,
+        *kinematics.parameters,
+        *free_symbols([value for _, value in kinematics.given]),
+    }
+    return {leaf for leaf in leaves if leaf.kind == "symbol" and not leaf.depends_on_time}
+
+
+def _check_unknowns(eqs: Equations, kinematics: Kinematics, motion: object, loads: Sequence[Expr]) -> None:
+    """Raise an error for unknowns that stand nowhere, or where they change the motion."""
+    functions = [leaf for leaf in eqs.inputs if not leaf.order and leaf not in dict(kinematics.given)]
+    known = [*sorted(_parameters(eqs, kinematics), key=str), *functions]
+    formulas = (
+        [value for value in motion.values() if isinstance(value, Expr)] if isinstance(motion, Mapping) else []
+    )
+    moving = {leaf.name for leaf in kinematics.leaves | free_symbols(formulas)}
+    for name in loads:
+        if name not in known:
+            raise ModelError(
+                f"{_WHERE}, unknowns: {name} isn't in the equations of motion; expected symbols or functions of time "
+                f"in the loads: {', '.join(map(str, known)) or 'there are none'}"
+            )
+        if name.name in moving:
+            raise ModelError(
+                f"{_WHERE}, unknowns: {name} stands in the prescribed motion, the constraints or the kinematics; "
+                "expected what stands in loads alone"
+            )
+
+
+def _without(parameters: Mapping[Expr, ArrayLike] | None, loads: Sequence[Expr]) -> Mapping[Expr, ArrayLike]:
+    if not isinstance(parameters, Mapping | None):
+        raise ArgumentError(
+            f"{_WHERE}, parameters: {described(parameters)}; expected a dictionary of variables and their values"
+        )
+    return {name: value for name, value in (parameters or {}).items() if name not in loads}
+
+
+def _check_left_out(**arguments: object) -> None:
+    """Raise an error for what a simulated motion has by itself."""
+    given = [name for name, value in arguments.items() if value is not None]
+    if given:
+        raise ArgumentError(
+            f"{_WHERE}: {' and '.join(given)}, and a simulated motion, which has its own; leave out "
+            f"{' and '.join(given)}"
+        )

@@ -1,0 +1,245 @@
+"""Kinematic analysis: positions, velocities and accelerations of a mechanism that is driven [Haug 1989, ch. 3]."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+from symbody.errors import ConstraintError, SimulationError
+from symbody.simulation.constraint.consistent import EXACT, Positions, positions
+from symbody.simulation.constraint.kinematics import Kinematics
+from symbody.simulation.constraint.least_norm import least_norm_many
+from symbody.simulation.model.named_constraint import shortened
+from symbody.symbolic import Expr
+
+from .prescription import Path
+
+__all__ = ["Course", "course"]
+
+Array = NDArray[np.float64]
+Flags = NDArray[np.bool_]
+
+_FAR = 0.1
+"""The part of a step that its prediction may be off."""
+_HALVINGS = 16
+_OFF = 1e-8
+"""The part of its terms that an equation may be off where it counts as satisfied."""
+
+
+@dataclass(frozen=True, eq=False)
+class Course:
+    """Where a mechanism is along its motion; a row for each instant."""
+
+    coordinates: Array
+    speeds: Array
+    accelerations: Array
+
+
+def course(
+    kinematics: Kinematics, p: Array, path: Path, instants: Array, guess: Mapping[Expr, float], where: str
+) -> Course:
+    """Return what the constraints and the prescription together demand.
+
+    ``phi(q, t) = 0`` by Newton's method from where the last instant and its rates lead; then
+    ``(phi', q') = A u + b`` and ``(phi'', q'') = A u' + c`` are linear.
+
+    Raises:
+        ConstraintError: the constraints don't allow the motion.
+        SimulationError: they leave some of it open, or the prescription isn't finite.
+    """
+    driven = _Driven(kinematics, p, path, where)
+    q = driven.positions(instants, guess)
+    velocities, accelerations = driven.levels(instants, q)
+    driven.check_determined(instants, velocities)
+    driven.check_satisfied(instants, velocities, "speeds")
+    driven.check_satisfied(instants, accelerations, "accelerations")
+    return Course(q, velocities.x, accelerations.x)
+
+
+@dataclass(frozen=True, eq=False)
+class _Level:
+    """What is demanded of velocities, or of accelerations: ``A x + b = d`` at each instant, in x = u, or u'.
+
+    Attributes:
+        A: the Jacobians of the constraints' and the coordinates' rates, N x (m + n_q) x n.
+        b: these rates where x is zero.
+        d: the rates of constraints, zero, and of the prescribed coordinates.
+        rows: the equations: where these rates stand in A.
+    """
+
+    A: Array
+    b: Array
+    d: Array
+    rows: list[int]
+
+    @cached_property
+    def _solution(self) -> tuple[Array, Array]:
+        return least_norm_many(self.A[:, self.rows], self.d - self.b[:, self.rows])
+
+    @property
+    def x(self) -> Array:
+        """The speeds or accelerations, the least of them where some are open."""
+        return self._solution[0]
+
+    @property
+    def is_open(self) -> Flags:
+        """Which of them the equations don't determine."""
+        is_open: Flags = self._solution[1] < 1 - 1e-6
+        return is_open
+
+    @property
+    def rates(self) -> Array:
+        """The rates of constraints and coordinates."""
+        rates: Array = np.einsum("kij,kj->ki", self.A, self.x) + self.b
+        return rates
+
+    @property
+    def is_off(self) -> Flags:
+        """Which equations aren't satisfied."""
+        A, b = self.A[:, self.rows], self.b[:, self.rows]
+        sizes = np.abs(A).sum(axis=2) * np.abs(self.x).max(axis=1, initial=0.0)[:, None]
+        left = np.abs(self.rates[:, self.rows] - self.d)
+        is_off: Flags = ~(left <= _OFF * (sizes + np.abs(self.d) + np.abs(b)))
+        return is_off
+
+
+@dataclass(frozen=True, eq=False)
+class _Driven:
+    """A mechanism whose prescribed coordinates follow a path."""
+
+    kinematics: Kinematics
+    p: Array
+    path: Path
+    where: str
+
+    @property
+    def prescribed(self) -> tuple[Expr, ...]:
+        """The coordinates that follow the path."""
+        return self.path.prescription.coordinates
+
+    @property
+    def places(self) -> list[int]:
+        """The places of the prescribed coordinates."""
+        return [self.kinematics.system.coordinates.index(name) for name in self.prescribed]
+
+    @property
+    def is_free(self) -> Flags:
+        """Which coordinates aren't prescribed."""
+        free = np.ones(len(self.kinematics.system.coordinates), dtype=bool)
+        free[self.places] = False
+        return free
+
+    def positions(self, instants: Array, guess: Mapping[Expr, float]) -> Array:
+        """Return the coordinates, a row for each instant."""
+        path = self.path.at(instants)
+        self._check_finite(instants, path)
+        first = dict(zip(self.prescribed, map(float, path[0, :, 0]), strict=True))
+        q = positions(self.kinematics, self.p, float(instants[0]), first, guess, where=self.where)
+        rows = np.tile(q, (len(instants), 1))
+        rows[:, self.places] = path[0].T
+        if self.kinematics.constraints and self.is_free.any():
+            for k in range(1, len(instants)):
+                rows[k] = self.followed(rows[k - 1], float(instants[k - 1]), float(instants[k]))
+        elif self.kinematics.constraints:
+            self.check(rows, instants)
+        return rows
+
+    def check(self, rows: Array, instants: Array) -> None:
+        """Raise an error where prescribed coordinates, which are all, don't satisfy the constraints."""
+        for q, time in zip(rows, instants, strict=True):
+            prescribed = dict(zip(self.kinematics.system.coordinates, map(float, q), strict=True))
+            positions(self.kinematics, self.p, float(time), prescribed, {}, where=self.where)
+
+    def followed(self, q: Array, start: float, end: float) -> Array:
+        """Return the coordinates at the end of a step, by as many smaller ones as it takes."""
+        time, step = start, end - start
+        least = (end - start) / 2**_HALVINGS
+        while time < end:
+            next_time = end if time + 1.01 * step >= end else time + step
+            found = self.stepped(q, time, next_time)
+            if found is not None:
+                q, time, step = found, next_time, 2 * step
+            elif step / 2 < least:
+                raise ConstraintError(self._stuck(q, time))
+            else:
+                step /= 2
+        return q
+
+    def stepped(self, q: Array, start: float, end: float) -> Array | None:
+        """Return the coordinates at the end, if they are where their rates lead to."""
+        h, m = end - start, len(self.kinematics.constraints)
+        velocities, accelerations = self.levels(np.array([start]), q[None])
+        predicted = q + h * velocities.rates[0, m:] + h * h / 2 * accelerations.rates[0, m:]
+        predicted[self.places] = self.path.at(end)[0]
+        if not np.isfinite(predicted).all():
+            return None
+        problem = Positions.at(self.kinematics, self.p, end, predicted)
+        found = problem.solved(predicted, self.is_free)
+        off, moved = np.abs(found - predicted).max(), np.abs(found - q).max()
+        is_near = off <= max(_FAR * moved, 1e-6 * (1 + np.abs(q).max()))
+        return found if is_near and problem.error(found) <= EXACT else None
+
+    def levels(self, instants: Array, q: Array) -> tuple[_Level, _Level]:
+        """Return what is demanded of velocities and of accelerations, at positions for each instant."""
+        m, p = len(self.kinematics.constraints), self.p[:, None]
+        rows = [*range(m), *(m + place for place in self.places)]
+        _, first, second = self.path.at(instants)
+        at_rest = np.zeros((len(instants), m))
+        A, b = self.kinematics.velocity(instants, q.T, p)
+        A = np.moveaxis(A, -1, 0)
+        velocities = _Level(A, b.T, np.hstack([at_rest, first.T]), rows)
+        c = self.kinematics.acceleration(instants, np.vstack([q.T, velocities.x.T]), p)
+        return velocities, _Level(A, c.T, np.hstack([at_rest, second.T]), rows)
+
+    def _check_finite(self, instants: Array, path: Array) -> None:
+        is_strange: Flags = np.logical_not(np.isfinite(path)).max(axis=0)
+        if is_strange.any():
+            k = int(np.argmax(is_strange.any(axis=0)))
+            raise SimulationError(
+                f"{self.where}, motion: {self.prescribed[int(np.argmax(is_strange[:, k]))]}, or a rate of it, isn't "
+                f"finite at t = {instants[k]:g} s; prescribe what has two finite rates"
+            )
+
+    def check_determined(self, instants: Array, velocities: _Level) -> None:
+        """Raise an error where some speeds are open."""
+        is_open = velocities.is_open
+        if not is_open.any():
+            return
+        k = int(np.argmax(is_open.any(axis=1)))
+        speeds = self.kinematics.system.speeds
+        names = [str(u) for u, left in zip(speeds, is_open[k], strict=True) if left]
+        what = f"speed {names[0]} isn't" if len(names) == 1 else f"speeds {', '.join(names)} aren't"
+        raise SimulationError(
+            f"{self.where}: at t = {instants[k]:g} s the {what} determined by the constraints and the prescribed "
+            f"{', '.join(map(str, self.prescribed))}; prescribe as many coordinates as the system has degrees of "
+            "freedom, others where the position is singular"
+        )
+
+    def check_satisfied(self, instants: Array, level: _Level, what: str) -> None:
+        """Raise an error where the equations contradict each other."""
+        is_off = level.is_off
+        if not is_off.any():
+            return
+        k = int(np.argmax(is_off.any(axis=1)))
+        row, m = int(np.argmax(is_off[k])), len(self.kinematics.constraints)
+        broken = (
+            f"constraint {row + 1}, {shortened(self.kinematics.system.constraints[row])} = 0,"
+            if row < m
+            else f"the prescribed motion of {self.prescribed[row - m]}"
+        )
+        raise ConstraintError(
+            f"{self.where}: at t = {instants[k]:g} s no {what} satisfy {broken} together with the other "
+            "constraints and prescribed coordinates; prescribe fewer, or a motion that the constraints allow"
+        )
+
+    def _stuck(self, q: Array, time: float) -> str:
+        names = self.kinematics.system.coordinates
+        place = ", ".join(f"{name} = {value:.6g}" for name, value in zip(names[:12], q, strict=False))
+        return (
+            f"{self.where}: the constraints don't let the prescribed motion go on from t = {time:.6g} s, where "
+            f"{place}; it may be a dead centre, or beyond reach: prescribe another motion, or other coordinates"
+        )

@@ -1,0 +1,368 @@
+"""What a simulation evaluates: expressions of time, state and parameters, and their machine code."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Mapping, Sequence
+from contextlib import suppress
+from dataclasses import dataclass, field, replace
+from functools import cached_property, lru_cache
+from typing import Any
+
+from numpy.typing import ArrayLike
+
+from symbody.codegen import CompiledFunction, PreparedCode, Shortcut, lambdify
+from symbody.dynamics import Equations, ForwardDynamics, forward_dynamics
+from symbody.errors import ModelError
+from symbody.multibody import System, gravitational_energy, kinetic_energy
+from symbody.multibody.load import action_power
+from symbody.simulation.given.given_input import with_given
+from symbody.symbolic import Expr, ExprLike, cost, derivation, free_symbols, number, substitute, symbols, t
+from symbody.symbolic import jacobian as jacobian_of
+from symbody.symbolic.deficiency import noting, report
+
+from .least_change import LeastChange, least_change
+
+__all__ = ["DAMPING", "Model", "model_of", "without_stabilization"]
+
+DAMPING = symbols("baumgarte_omega baumgarte_zeta")
+"""The parameters of Baumgarte's stabilisation, whose values are chosen when a simulation begins."""
+
+Inputs = Mapping[Expr, ExprLike]
+
+_MOST_FREEDOM = 20
+"""Independent speeds up to which a shortcut is derived: its mass matrix is full."""
+
+_LONGEST, _SHORTER = 5000, 0.9
+"""Operations of a shortcut at most, and how many there are for each of the other way."""
+
+
+@dataclass(frozen=True, eq=False)
+class Model:
+    """The functions of a system that its simulations share; each is derived and compiled when it is first needed.
+
+    The state is ``(q, u)``, coordinates and speeds, and behind them the work of loads and moving constraints, where
+    there is some: ``dE/dt`` is its rate, so that the balance of energy can be checked along any motion.
+
+    Attributes:
+        equations: the equations of motion.
+        inputs: what is put in the place of functions of time that are given from outside.
+        is_stabilized: whether the constraints are kept by Baumgarte's stabilisation.
+        method: how the accelerations are found, as `forward_dynamics` takes it.
+    """
+
+    equations: Equations
+    inputs: tuple[tuple[Expr, Expr], ...] = ()
+    is_stabilized: bool = False
+    method: str = "auto"
+    _functions: dict[tuple[tuple[Expr, ...], ...], AlongMotion] = field(default_factory=dict, repr=False)
+
+    @property
+    def system(self) -> System:
+        """What moves."""
+        return self.equations.system
+
+    @property
+    def coordinates(self) -> tuple[Expr, ...]:
+        """The coordinates q."""
+        return self.equations.coordinates
+
+    @property
+    def speeds(self) -> tuple[Expr, ...]:
+        """The speeds u."""
+        return self.equations.speeds
+
+    @property
+    def state(self) -> tuple[Expr, ...]:
+        """The coordinates and the speeds, without the work."""
+        return self.coordinates + self.speeds
+
+    @property
+    def accelerations(self) -> tuple[Expr, ...]:
+        """The rates of the speeds."""
+        return self.equations.accelerations
+
+    @property
+    def multipliers(self) -> tuple[Expr, ...]:
+        """The multipliers of the constraints."""
+        return self.equations.multipliers
+
+    @property
+    def constraints(self) -> tuple[Expr, ...]:
+        """The constraints, expressions that are zero."""
+        return self.equations.constraints
+
+    @cached_property
+    def independent_constraints(self) -> int:
+        """How many constraints are independent at almost every position."""
+        return self.equations.constraint_jacobian.rank()
+
+    @cached_property
+    def parameters(self) -> tuple[Expr, ...]:
+        """The symbols that need values, by name: those of the equations and of the inputs."""
+        given = free_symbols([value for _, value in self.inputs])
+        found = {*self.equations.parameters, *(leaf for leaf in given if _is_parameter(leaf))}
+        return tuple(sorted(found, key=lambda symbol: symbol.name))
+
+    @property
+    def damping(self) -> tuple[Expr, ...]:
+        """The frequency and the damping ratio of Baumgarte's stabilisation, where there is one."""
+        return DAMPING if self.is_stabilized else ()
+
+    @cached_property
+    def solution(self) -> ForwardDynamics:
+        """The accelerations and multipliers by time, state and parameters."""
+        return self._solved(self.method)
+
+    @cached_property
+    def shortcut(self) -> ForwardDynamics | None:
+        """The same by independent speeds, where that is shorter and short; accurate where its conditions are positive.
+
+        A system that is solved at run time takes no time to compile, so that what replaces it has to be short.
+        """
+        if self.solution.method != "schur_complement" or self._freedom > _MOST_FREEDOM:
+            return None
+        with suppress(ModelError):
+            brief = self._solved("null_space")
+            operations, others = (cost(self._rates(way)).total for way in (brief, self.solution))
+            if operations <= min(_SHORTER * others, _LONGEST):
+                return brief
+        return None
+
+    @property
+    def _freedom(self) -> int:
+        return len(self.speeds) - self.independent_constraints
+
+    def _solved(self, method: str) -> ForwardDynamics:
+        damping = DAMPING if self.is_stabilized else None
+        found = forward_dynamics(self.equations, method=method, baumgarte=damping)
+        return replace(
+            found,
+            accelerations=self.with_inputs(found.accelerations),
+            multipliers=self.with_inputs(found.multipliers),
+            conditions=self.with_inputs(found.conditions),
+        )
+
+    @cached_property
+    def equation_names(self) -> list[str]:
+        """What to call the rows of the linear system that is solved at run time."""
+        return list(self.solution.equation_names)
+
+    @cached_property
+    def kinematics(self) -> tuple[Expr, ...]:
+        """The rates of the coordinates by the speeds."""
+        return tuple(self.equations.kinematics.values())
+
+    @cached_property
+    def power(self) -> Expr | None:
+        """The power of loads and moving constraints, by accelerations and multipliers; None where nothing does work."""
+        with derivation():
+            total = sum(map(action_power, self.system.actions), start=number(0))
+        if self.constraints:
+            at_rest = dict.fromkeys(self.speeds, number(0))
+            drifts = substitute(self.system.rate(self.constraints), at_rest)
+            for multiplier, drift in zip(self.multipliers, drifts, strict=True):
+                total -= multiplier * drift
+        return None if total.is_zero else total
+
+    @cached_property
+    def rates(self) -> tuple[Expr, ...]:
+        """The rates of the coordinates, of the speeds, and of the work."""
+        return self._rates(self.solution)
+
+    def _rates(self, solution: ForwardDynamics) -> tuple[Expr, ...]:
+        work = () if self.power is None else self._along(solution, [self.power])
+        return (*self.with_inputs(self.kinematics), *solution.accelerations, *work)
+
+    @property
+    def width(self) -> int:
+        """The length of the vector that is integrated."""
+        return len(self.state) + (self.power is not None)
+
+    @cached_property
+    def kinetic_energy(self) -> Expr:
+        """The kinetic energy."""
+        return self.with_inputs([kinetic_energy(self.system.bodies)])[0]
+
+    @cached_property
+    def potential_energy(self) -> Expr | None:
+        """The potential energy of weight; None without gravity, or where nobody knows the height."""
+        gravity = self.system.gravity
+        if gravity is None or self.system.root.carrier is not None:
+            return None
+        return self.with_inputs([gravitational_energy(self.system.bodies, gravity)])[0]
+
+    def with_inputs(self, expressions: Sequence[Expr]) -> tuple[Expr, ...]:
+        """Return the expressions with what is given for the inputs, and rates of coordinates by the speeds."""
+        return with_given(self.system, self.inputs, expressions)
+
+    def along_motion(self, expressions: Sequence[Expr]) -> tuple[Expr, ...]:
+        """Return the expressions with the accelerations and multipliers that the equations of motion give.
+
+        Higher rates are the derivatives of these along the motion: each substitution lowers their order.
+        """
+        values = self.with_inputs(expressions)
+        for _ in range(self._rates_above_state(values)):
+            values = self.with_inputs(self._along(self.solution, values))
+        return values
+
+    def _rates_above_state(self, expressions: Sequence[Expr]) -> int:
+        """Return of which order the highest rates are: 1 for accelerations and multipliers, 0 without any."""
+        first = {unknown.name: unknown.order for unknown in (*self.accelerations, *self.multipliers)}
+        functions = (leaf for leaf in free_symbols(list(expressions)) if leaf.kind == "time_function")
+        return max((leaf.order - first[leaf.name] + 1 for leaf in functions if leaf.name in first), default=0)
+
+    def _along(self, solution: ForwardDynamics, expressions: Sequence[Expr]) -> tuple[Expr, ...]:
+        values = {
+            **dict(zip(self.accelerations, solution.accelerations, strict=True)),
+            **dict(zip(self.multipliers, solution.multipliers, strict=True)),
+        }
+        return substitute(self.with_inputs(expressions), values)
+
+    @cached_property
+    def integrated(self) -> tuple[Expr, ...]:
+        """The variables of compiled code: time, the state, and the work, of which nothing depends."""
+        return (t, *self.state, *([_WORK] if self.power is not None else []))
+
+    def code(
+        self, expressions: Sequence[Expr], more: Sequence[Expr] = (), shortcut: Shortcut | None = None
+    ) -> PreparedCode:
+        """Return the machine code of expressions of time and state, and of more parameters than the equations have."""
+        parameters = (*self.parameters, *self.damping, *more)
+        return PreparedCode(parameters, self.integrated, tuple(expressions), shortcut)
+
+    @cached_property
+    def rates_code(self) -> PreparedCode:
+        """The machine code of the rates."""
+        brief = self.shortcut
+        shortcut = None if brief is None else Shortcut(self._rates(brief), brief.conditions)
+        return self.code(self.rates, shortcut=shortcut)
+
+    @cached_property
+    def energies_code(self) -> PreparedCode | None:
+        """The machine code of the kinetic and the potential energy; None where their sum less the work isn't constant.
+
+        Nobody knows the work of prescribed motions, nor the height of what is carried by a moving frame.
+        """
+        is_carried = self.potential_energy is None and self.system.gravity is not None
+        energies = [self.kinetic_energy, self.potential_energy or number(0)]
+        if is_carried or not free_symbols(energies) <= {*self.parameters, *self.state}:
+            return None
+        return self.code(energies)
+
+    @cached_property
+    def correction_codes(self) -> tuple[PreparedCode, PreparedCode]:
+        """The machine code of the corrections."""
+        change = self._least_change(self.solution.method)
+        if self.shortcut is None:
+            return self.code(change.coordinates), self.code(change.speeds)
+        brief = self._least_change(self.shortcut.method)
+        return (
+            self.code(change.coordinates, shortcut=Shortcut(brief.coordinates, brief.conditions)),
+            self.code(change.speeds, shortcut=Shortcut(brief.speeds, brief.conditions)),
+        )
+
+    def _least_change(self, method: str) -> LeastChange:
+        change = least_change(self.equations, method)
+        return LeastChange(*map(self.with_inputs, (change.coordinates, change.speeds, change.conditions)))
+
+    @cached_property
+    def jacobian_code(self) -> tuple[PreparedCode, list[tuple[int, int]]]:
+        """The machine code of the derivatives of the rates that aren't zero, and their rows and columns."""
+        slopes = jacobian_of(list(self.rates), list(self.state))
+        rows, columns = slopes.shape
+        places = [(i, j) for i in range(rows) for j in range(columns) if not slopes[i, j].is_zero]
+        return self.code([slopes[place] for place in places]), places
+
+    def unknowns_in(self, expressions: Sequence[Expr]) -> tuple[Expr, ...]:
+        """Return the accelerations and multipliers that expressions hold; none if they hold further rates."""
+        found = free_symbols(self.with_inputs(expressions))
+        unknowns = (*self.accelerations, *self.multipliers)
+        if any(leaf.depends_on_time for leaf in found - {*self.integrated, *unknowns}):
+            return ()
+        return tuple(name for name in unknowns if name in found)
+
+    def function(
+        self, expressions: Sequence[Expr], parameters: tuple[Expr, ...], known: tuple[Expr, ...] = ()
+    ) -> AlongMotion:
+        """Return a function of time, state and parameters that evaluates expressions along motions.
+
+        Args:
+            expressions: what it evaluates.
+            parameters: the last of its arguments.
+            known: accelerations and multipliers whose values it takes before these, instead of solving for them.
+        """
+        key = (tuple(expressions), parameters, known)
+        if key not in self._functions:
+            values = list((self.with_inputs if known else self.along_motion)(key[0]))
+            arguments = [t, *self.state, *known, *parameters]
+            self._functions[key] = AlongMotion(lambdify(arguments, values), tuple(self.equation_names))
+        return self._functions[key]
+
+
+@dataclass(frozen=True, eq=False)
+class AlongMotion:
+    """A function along motions, which reports deficient systems in the words of a model.
+
+    Attributes:
+        function: what it evaluates.
+        equation_names: what to call the equations of the model.
+    """
+
+    function: CompiledFunction
+    equation_names: tuple[str, ...]
+
+    def __call__(self, *values: ArrayLike) -> Any:
+        """Evaluate."""
+        with noting() as found:
+            result = self.function(*values)
+        report(found, self.equation_names, "motion", depth=6)
+        return result
+
+
+_WORK = symbols("work_of_loads")
+"""Stands for the work in the list of variables."""
+
+
+def _is_parameter(leaf: Expr) -> bool:
+    return leaf.kind == "symbol" and not leaf.depends_on_time
+
+
+@lru_cache(maxsize=32)
+def _model(
+    eqs: Equations, inputs: tuple[tuple[Expr, Expr], ...], *, is_stabilized: bool, method: str
+) -> Model:
+    return Model(eqs, inputs, is_stabilized, method)
+
+
+def model_of(
+    eqs: Equations,
+    inputs: Inputs | None = None,
+    *,
+    is_stabilized: bool = False,
+    zeros: Collection[Expr] = (),
+) -> Model:
+    """Return the model of equations with given inputs, the same for the same: what it compiled is used again.
+
+    Args:
+        eqs: the equations of motion.
+        inputs: what to put in the place of functions of time that are given from outside.
+        is_stabilized: whether the constraints are kept by Baumgarte's stabilisation.
+        zeros: parameters whose value is zero. Where they leave coordinates without mass, which constraints may move
+            none the less, the mass matrix isn't eliminated.
+    """
+    given = tuple(
+        sorted(((key, number(value)) for key, value in (inputs or {}).items()), key=lambda pair: str(pair[0]))
+    )
+    method = "pivoted" if _is_massless(eqs, zeros) else "auto"
+    return _model(eqs, given, is_stabilized=is_stabilized, method=method)
+
+
+def without_stabilization(model: Model) -> Model:
+    """Return the same model without Baumgarte's stabilisation."""
+    return _model(model.equations, model.inputs, is_stabilized=False, method=model.method)
+
+
+def _is_massless(eqs: Equations, zeros: Collection[Expr]) -> bool:
+    M = eqs.mass_matrix
+    vanishing = {zero: number(0) for zero in zeros if zero in eqs.parameters}
+    return bool(eqs.constraints and vanishing) and M.rank() == M.rows != M.subs(vanishing).rank()

@@ -1,0 +1,1 @@
+"""One motion: `simulate`, and what is read, plotted and animated of it."""

@@ -1,0 +1,153 @@
+"""Simulation: from equations of motion to a motion."""
+
+from __future__ import annotations
+
+import warnings
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from math import inf
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from symbody.dynamics import Equations
+from symbody.errors import ModelNotice, SimulationError
+from symbody.simulation.given.event import Event
+from symbody.simulation.given.values import parameter_values
+from symbody.simulation.integrate.begin import begin
+from symbody.simulation.integrate.diagnosis import diagnosis
+from symbody.simulation.integrate.integrated import Integrated, run_motions
+from symbody.simulation.integrate.notices import findings_of, notices_of_motion
+from symbody.simulation.integrate.outcome import with_deficiencies
+from symbody.simulation.integrate.task import Task
+from symbody.simulation.integrate.task_of import notice_odd_values, task_of
+from symbody.simulation.terminal.interruption import Interruption
+from symbody.simulation.terminal.progress import preparation_bar, progress_bar
+from symbody.symbolic import Expr, ExprLike
+from symbody.symbolic.deficiency import noting
+
+from .motion import Motion
+from .motion_of import motion_of
+
+__all__ = ["simulate"]
+
+Array = NDArray[np.float64]
+
+
+def simulate(
+    eqs: Equations,
+    parameters: Mapping[Expr, float] | None = None,
+    initial: Mapping[Expr, float] | None = None,
+    t: tuple[float, float] | ArrayLike = (0.0, 10.0),
+    *,
+    inputs: Mapping[Expr, ExprLike] | None = None,
+    method: str = "auto",
+    rtol: float = 1e-8,
+    atol: float = 1e-10,
+    outputs: Mapping[str, ExprLike] | None = None,
+    events: Sequence[Event] | None = None,
+    constraints: str | tuple[float, float] = "projection",
+    guess: Mapping[Expr, float] | None = None,
+    max_step: float = inf,
+    progress: bool | None = None,
+) -> Motion:
+    """Return the motion of a system from an initial state: ``M u' = forcing + phi_q^T lambda, phi = 0``.
+
+    The equations are compiled, and integrated by compiled code. Ctrl-C returns what was computed.
+
+    Args:
+        eqs: the equations of motion.
+        parameters: values of the parameters, also of those that stand in events and outputs alone. Others of the model
+            may be there; one that stands nowhere in it is named in a notice.
+        initial: values of coordinates, their rates or speeds at the first instant. What isn't named is free: zero
+            without constraints, and changed as little as the constraints demand with them.
+        t: the first and the last instant (1001 instants, evenly spaced), or the instants themselves, in s.
+        inputs: expressions of time, state and parameters for the functions of time that are given from outside.
+        method: "auto" and "dop853", the explicit Runge-Kutta method of order 8 [Hairer, Norsett & Wanner 1993];
+            "tsit5", order 5; for stiff equations "bdf", "esdirk34", "tr_bdf2"; for constraints without reduction of
+            the index "ida" (stabilised index 2), "ida2", "ida3", by SUNDIALS.
+        rtol: the error of a step relative to the state.
+        atol: the error of a step where the state is small.
+        outputs: expressions to evaluate at all instants, by name.
+        events: what to look for; a terminal one ends the motion.
+        constraints: "projection", back onto the constraints and their rates after each step [Eich 1993]; "baumgarte" or
+            its (omega, zeta), damping of what is off; "free", neither. IDA's methods keep them by themselves.
+        guess: where to look for an initial state that satisfies the constraints, for what isn't given.
+        max_step: the longest step, in s.
+        progress: whether to show bars, of derivation and compilation after two seconds, and of the integration; by
+            default where messages go to a terminal.
+
+    Raises:
+        ParameterError: a value is missing, belongs to nothing, or isn't finite.
+        ConstraintError: no state with what is given satisfies the constraints.
+        ModelError: functions of time that nobody gives, or that aren't needed.
+        SimulationError: the motion can't go on; what was computed is the error's `motion`.
+
+    >>> from symbody import Body, Point, System, Vector, functions_of_time, ground, lagrange_equations, rotate, symbols
+    >>> theta, (m, l, g) = functions_of_time("theta"), symbols("m l g")
+    >>> bob = Body(Point(rotate("Z", theta), 0, -l, 0), m)
+    >>> pendulum = lagrange_equations(System([bob], coordinates=[theta], gravity=Vector(ground, 0, -g, 0)))
+    >>> motion = simulate(pendulum, {m: 1, l: 1, g: 9.81}, {theta: 0.1}, t=(0, 2))
+    >>> motion
+    Motion of theta: 1001 instants from 0 to 2 s, the last instant was reached
+    >>> motion.energy_drift < 1e-7
+    True
+    """
+    task = task_of(
+        eqs,
+        parameters,
+        t,
+        inputs=inputs,
+        method=method,
+        rtol=rtol,
+        atol=atol,
+        outputs=outputs,
+        events=events,
+        constraints=constraints,
+        guess=guess,
+        max_step=max_step,
+    )
+    parameter_values(task.parameters, parameters)
+    given = {name: float(value) for name, value in (parameters or {}).items()}
+    notice_odd_values(task, given)
+    with preparation_bar(is_shown=progress), noting() as met:
+        state = begin(task, given, initial)
+        _ = task.integrate  # compiled now: Ctrl-C interrupts, as there is no motion yet to keep
+    motion = _run_one(task, given, state, is_shown=progress)
+    return _report(replace(motion, outcome=with_deficiencies(motion.outcome, met)))
+
+
+def _run_one(
+    task: Task, parameters: Mapping[Expr, float], state: Array, *, is_shown: bool | None
+) -> Integrated:
+    """Integrate one motion; Ctrl-C ends it between two steps."""
+    columns = {name: np.array([value]) for name, value in parameters.items()}
+    span = float(np.ptp(task.instants))
+    with Interruption() as interruption, progress_bar("simulate", span, is_shown=is_shown) as show:
+
+        def keep_going(done: float) -> bool:
+            show(done * span)
+            return not interruption.is_asked_for
+
+        (motion,) = run_motions(task, columns, state[np.newaxis], 1, keep_going)
+        assert motion is not None, "the only motion is begun"
+        if not interruption.is_asked_for:
+            show(motion.outcome.end[0] - float(task.instants[0]))
+    return motion
+
+
+def _report(motion: Integrated) -> Motion:
+    """Return the motion, with notices of what its user should know; raise an error that holds it if it failed."""
+    failure = motion.outcome.failure
+    with noting():  # what the motion met is among the findings
+        findings = findings_of(motion)
+    for notice in notices_of_motion(findings):
+        warnings.warn(notice, ModelNotice, stacklevel=3)
+    if failure is None:
+        return motion_of(motion, "the last instant was reached")
+    if failure.kind == "interrupted":
+        kept = motion_of(motion, f"interrupted at t = {motion.outcome.end[0]:.6g} s")
+        warnings.warn(f"simulate: {kept.message}; what was computed is kept", ModelNotice, stacklevel=3)
+        return kept
+    message = f"simulate: {diagnosis(motion)}; what was computed is the error's motion"
+    raise SimulationError(message, motion_of(motion, message))

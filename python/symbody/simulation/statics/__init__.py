@@ -1,0 +1,1 @@
+"""States of rest: equilibria and small motions about them."""

@@ -1,0 +1,245 @@
+"""Equilibria: where a system stays at rest, and the forces that hold it there."""
+
+from __future__ import annotations
+
+import warnings
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from symbody.dynamics import Equations
+from symbody.errors import ModelNotice, SimulationError
+from symbody.simulation.constraint.consistent import beginnings, positions
+from symbody.simulation.constraint.kinematics import kinematics_of
+from symbody.simulation.given.unused import notice_unused
+from symbody.simulation.given.values import given_inputs, parameter_values, state_values
+from symbody.simulation.model.named_constraint import shortened
+from symbody.symbolic import Expr, ExprLike
+from symbody.symbolic.deficiency import reporting
+
+from .balance import Balance
+from .place_at_rest import Place
+from .statics import statics_of
+
+__all__ = ["Equilibrium", "equilibrium"]
+
+Array = NDArray[np.float64]
+
+BALANCED = 1e-9
+"""The part of its terms that a condition may be off where it counts as satisfied."""
+_WHERE = "equilibrium"
+
+
+@dataclass(frozen=True, eq=False)
+class Equilibrium:
+    """A system at rest.
+
+    Attributes:
+        coordinates: where it is.
+        multipliers: the multipliers of the constraints.
+        holding: the forces along the coordinates that were fixed, which hold them.
+        residual: the largest force or moment that is left in the equations of motion.
+        eigenvalues: the s of the small motions ``x exp(s t)`` about it, in 1/s, the fastest growing first. Nothing is
+            held: the holding forces act on as constant forces along the coordinates that were fixed. NaN at a singular
+            position, where motions are not small motions of a linear system.
+        held_eigenvalues: those of the motions in which the fixed coordinates stay where they are; the same ones where
+            nothing is fixed.
+
+    Forces that the position does not determine, such as those of constraints that depend on each other, are the least
+    ones; a notice names them, unless they are of constraints that are redundant everywhere.
+    """
+
+    coordinates: dict[Expr, float]
+    multipliers: dict[Expr, float]
+    holding: dict[Expr, float]
+    residual: float
+    eigenvalues: NDArray[np.complex128]
+    held_eigenvalues: NDArray[np.complex128]
+
+    @property
+    def is_stable(self) -> bool:
+        """Whether no small motion of the free system grows: none of the eigenvalues has a positive real part.
+
+        Raises:
+            SimulationError: the position is singular, where eigenvalues say nothing.
+        """
+        return _decays(self.eigenvalues)
+
+    @property
+    def is_stable_held(self) -> bool:
+        """Whether no small motion grows while the fixed coordinates stay where they are.
+
+        Raises:
+            SimulationError: the position is singular, where eigenvalues say nothing.
+        """
+        return _decays(self.held_eigenvalues)
+
+
+def _decays(eigenvalues: NDArray[np.complex128]) -> bool:
+    if np.isnan(eigenvalues).any():
+        raise SimulationError(
+            f"{_WHERE}: the position is singular, and nothing is known of small motions about it; expected a position "
+            "at which the constraints are independent: look at one beside it, or simulate"
+        )
+    size = np.abs(eigenvalues).max(initial=0.0)
+    return bool((eigenvalues.real <= 1e-8 * size).all())
+
+
+def equilibrium(
+    eqs: Equations,
+    parameters: Mapping[Expr, ArrayLike] | None,
+    *,
+    guess: Mapping[Expr, ArrayLike] | None = None,
+    fixed: Mapping[Expr, ArrayLike] | None = None,
+    t: float = 0.0,
+    inputs: Mapping[Expr, ExprLike] | None = None,
+) -> Equilibrium:
+    """Return a position in which the system stays at rest, near a guess.
+
+    ``-forcing - phi_q^T lambda = 0`` and ``phi = 0`` at zero speeds and accelerations, by damped Gauss-Newton steps
+    with derivatives from the graph. Which of several equilibria is found depends on the guess; it may be unstable.
+
+    Where coordinates are fixed, the system by itself stays at rest there only if the forces that hold them are zero, or
+    act on as constant forces along these coordinates: so the eigenvalues are meant. Those of the system that is held
+    have a name of their own.
+
+    Args:
+        eqs: equations of motion.
+        parameters: the values of all symbols.
+        guess: coordinates near the equilibrium; zero by default, and no rotation for floating frames.
+        fixed: coordinates that are held, and where; the result has the forces which that takes.
+        t: the time that stands in loads and constraints, in s.
+        inputs: functions of time that are given from outside, by time and coordinates.
+
+    Raises:
+        SimulationError: no equilibrium was found, or it isn't a single one.
+        ConstraintError: nothing satisfies the constraints.
+        ParameterError: a value is missing, isn't finite, or belongs to nothing.
+
+    >>> from symbody import Body, System, Vector, functions_of_time, ground, newton_euler, rotate, symbols, translate
+    >>> theta, (m, l, g) = functions_of_time("theta"), symbols("m l g")
+    >>> bob = Body(rotate("Y", theta) * translate(0, 0, l), m)
+    >>> eqs = newton_euler(System([bob], coordinates=[theta], gravity=Vector(ground, 0, 0, g)))
+    >>> hanging = equilibrium(eqs, {m: 1, l: 2, g: 8}, guess={theta: 0.5})
+    >>> hanging.coordinates, hanging.is_stable, hanging.eigenvalues.round(9)
+    ({theta: 0.0}, True, array([0.-2.j, 0.+2.j]))
+    """
+    with reporting(_WHERE):
+        place = _place(eqs, parameters, guess, fixed, t, inputs)
+        found, notices = _result(place), list(place.notices())
+    for notice in notices:
+        warnings.warn(f"{_WHERE}: {notice}", ModelNotice, stacklevel=2)
+    return found
+
+
+def _place(
+    eqs: Equations,
+    parameters: Mapping[Expr, ArrayLike] | None,
+    guess: Mapping[Expr, ArrayLike] | None,
+    fixed: Mapping[Expr, ArrayLike] | None,
+    t: float,
+    inputs: Mapping[Expr, ExprLike] | None,
+) -> Place:
+    """Return the place at which the system stays at rest."""
+    given = given_inputs(eqs, inputs, where=_WHERE)
+    kinematics = kinematics_of(eqs, given)
+    statics = statics_of(eqs, kinematics.given)
+    p = parameter_values(statics.parameters, parameters, where=_WHERE)
+    held = state_values(eqs.system, fixed, where=_WHERE, argument="fixed", has_speeds=False)
+    near = state_values(eqs.system, guess, where=_WHERE, argument="guess", has_speeds=False)
+    notice_unused(eqs, parameters or {}, list(given.values()), _WHERE, stacklevel=4)
+    problem = Balance(statics, t, p, tuple(held))
+    constants = dict(zip(statics.parameters, p, strict=True))
+    of_constraints = np.array([constants[name] for name in kinematics.parameters])
+    q = positions(kinematics, of_constraints, t, held, near, where=_WHERE)
+    solution = _solved(problem, q)
+    _check_single(problem, solution)
+    return Place(problem, kinematics, of_constraints, *solution)
+
+
+def _result(place: Place) -> Equilibrium:
+    """Return what was found by its names."""
+    problem, q, forces = place.problem, place.q, place.least_forces
+    m, n = len(problem.equations.constraints), len(problem.equations.speeds)
+    F, _, _ = problem.values(q, forces)
+    return Equilibrium(
+        coordinates=_named(problem.equations.coordinates, q),
+        multipliers=_named(problem.equations.multipliers, forces[:m]),
+        holding=_named(problem.order, forces[m:]),
+        residual=float(np.abs(F[:n]).max()),
+        eigenvalues=place.eigenvalues(is_held=False),
+        held_eigenvalues=place.eigenvalues(is_held=True),
+    )
+
+
+def _named(names: Sequence[Expr], values: Array) -> dict[Expr, float]:
+    return {name: float(value) + 0.0 for name, value in zip(names, values, strict=True)}
+
+
+def _solved(problem: Balance, start: Array) -> tuple[Array, Array]:
+    """Return an equilibrium from the start, or from places around it.
+
+    Raises:
+        SimulationError: none was found.
+    """
+    best, least = (start, np.zeros(problem.count)), np.inf
+    for beginning in beginnings(start, problem.is_free):
+        found = problem.solved(beginning)
+        error = problem.error(*found)
+        if error <= BALANCED:
+            return found
+        if error < least:
+            best, least = found, error
+    raise SimulationError(_unbalanced(problem, *best))
+
+
+def _check_single(problem: Balance, solution: tuple[Array, Array]) -> None:
+    """Raise an error where other equilibria lie next to one.
+
+    A direction in which nothing changes to first order may be one of a degenerate, single equilibrium, as at the
+    load under which a column buckles: so a step along it is taken, and the equilibrium next to that is looked for.
+
+    Raises:
+        SimulationError: there is another one.
+    """
+    q, forces = solution
+    for direction in problem.neutral(q, forces).T:
+        step = _ASIDE * direction / np.abs(direction).max()
+        other = problem.solved(q + step)
+        if problem.error(*other) <= BALANCED and np.abs(other[0] - q).max() > _ASIDE / 2:
+            raise SimulationError(_many(problem, q, direction))
+
+
+_ASIDE = 1e-2
+
+
+def _many(problem: Balance, q: Array, direction: Array) -> str:
+    names = problem.equations.coordinates
+    size = np.abs(direction)
+    moved = [name for name, share in zip(names, size, strict=True) if share > 1e-3 * size.max()]
+    freest = int(np.argmax(size))
+    together = f"{moved[0]} can" if len(moved) == 1 else f"{', '.join(map(str, moved))} can together"
+    return (
+        f"{_WHERE}: infinitely many: {together} be changed without a force; fix a coordinate, as "
+        f"fixed={{{names[freest]}: {q[freest]:.6g}}}"
+    )
+
+
+def _unbalanced(problem: Balance, q: Array, forces: Array) -> str:
+    eqs = problem.equations
+    F, _, _ = problem.values(q, forces)
+    error = np.abs(F / problem.scale(q, forces))
+    worst = int(np.argmax(np.where(np.isfinite(error), error, np.inf)))
+    names = [
+        *(f"the equation of motion of {name}" for name in eqs.system.driving),
+        *(f"constraint {k + 1}, {shortened(phi)} = 0," for k, phi in enumerate(eqs.constraints)),
+        *(f"the norm of {', '.join(map(str, four))}" for four in problem.statics.quaternions),
+    ]
+    place = ", ".join(f"{name} = {value:.6g}" for name, value in zip(eqs.coordinates[:12], q, strict=False))
+    return (
+        f"{_WHERE}: none was found; nearest, at {place}: {names[worst]} is off by {F[worst]:.3g}; expected loads that "
+        "can balance: give a guess nearer to the equilibrium, or hold coordinates that no load holds, as "
+        f"fixed={{{eqs.coordinates[0]}: ...}}"
+    )

@@ -1,0 +1,98 @@
+"""Equations of motion where nothing moves: residuals at zero speeds and accelerations, and their derivatives."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property, lru_cache
+
+from symbody.codegen import CompiledFunction, lambdify
+from symbody.dynamics import Equations
+from symbody.simulation.constraint.kinematics import magnitude, quaternions
+from symbody.simulation.given.given_input import Given, with_given
+from symbody.symbolic import Expr, free_symbols, gradient, jacobian, number, substitute, symbol, t
+
+__all__ = ["Statics", "statics_of"]
+
+
+@dataclass(frozen=True, eq=False)
+class Statics:
+    """The conditions of equilibrium ``-forcing - phi_q^T lambda - K^T h = 0`` and ``phi = 0``, compiled for numbers.
+
+    Attributes:
+        equations: the equations of motion.
+        given: what stands in the place of functions of time that are given from outside.
+    """
+
+    equations: Equations
+    given: Given
+
+    @cached_property
+    def parameters(self) -> tuple[Expr, ...]:
+        """The symbols that need values, by name."""
+        leaves = {*self.equations.parameters, *free_symbols([value for _, value in self.given])}
+        found = {leaf for leaf in leaves if leaf.kind == "symbol" and not leaf.depends_on_time}
+        return tuple(sorted(found, key=lambda symbol: symbol.name))
+
+    @cached_property
+    def quaternions(self) -> tuple[tuple[Expr, ...], ...]:
+        """The Euler parameters of floating frames, whose norms are one."""
+        return quaternions(self.equations.system)
+
+    @cached_property
+    def holding(self) -> tuple[Expr, ...]:
+        """Stand-ins for forces h along the coordinates."""
+        return tuple(
+            symbol(f"holding {k}") for k in range(len(self.equations.coordinates))
+        )  # as no user writes
+
+    @cached_property
+    def conditions(self) -> tuple[Expr, ...]:
+        """What is zero: the residuals at rest, the constraints, and one less the squares of Euler parameters."""
+        at_rest = dict.fromkeys((*self.equations.accelerations, *self.equations.speeds), number(0))
+        power = sum((h * rate for h, rate in zip(self.holding, self._rates, strict=True)), start=number(0))
+        along = gradient(power, self.equations.speeds)
+        residuals = substitute([r - h for r, h in zip(self._residuals, along, strict=True)], at_rest)
+        constraints = self._with_given(self.equations.constraints)
+        norms = [sum((e * e for e in four), start=number(-1)) for four in self.quaternions]
+        return (*residuals, *constraints, *norms)
+
+    @cached_property
+    def function(self) -> CompiledFunction:
+        """The function of t, q, lambda, h and p that returns the conditions, their derivatives and sizes of terms."""
+        unknowns = [[*self.equations.coordinates], [*self.equations.multipliers], [*self.holding]]
+        slopes = jacobian(list(self.conditions), [name for names in unknowns for name in names])
+        sizes = [magnitude(condition) for condition in self.conditions]
+        return lambdify([t, *unknowns, list(self.parameters)], [list(self.conditions), slopes, sizes])
+
+    @cached_property
+    def small_motion(self) -> CompiledFunction:
+        """The function of t, q, lambda and p that returns M, ``dr/du`` and ``K = dq'/du`` at rest."""
+        eqs = self.equations
+        at_rest = dict.fromkeys((*eqs.accelerations, *eqs.speeds), number(0))
+        inertia = jacobian(list(self._residuals), list(eqs.accelerations)).subs(at_rest)
+        damping = jacobian(list(self._residuals), list(eqs.speeds)).subs(at_rest)
+        rates = jacobian(list(self._rates), list(eqs.speeds))
+        variables: list[Expr | list[Expr]] = [
+            t,
+            list(eqs.coordinates),
+            list(eqs.multipliers),
+            list(self.parameters),
+        ]
+        return lambdify(variables, [inertia, damping, rates])
+
+    @cached_property
+    def _rates(self) -> tuple[Expr, ...]:
+        return self._with_given(tuple(self.equations.kinematics.values()))
+
+    @cached_property
+    def _residuals(self) -> tuple[Expr, ...]:
+        return self._with_given(self.equations.residuals)
+
+    def _with_given(self, expressions: tuple[Expr, ...]) -> tuple[Expr, ...]:
+        return with_given(self.equations.system, self.given, expressions)
+
+
+@lru_cache(maxsize=32)
+def statics_of(eqs: Equations, given: Given) -> Statics:
+    """Return the statics of equations with given inputs; the last ones are kept, with what they compiled."""
+    return Statics(eqs, given)

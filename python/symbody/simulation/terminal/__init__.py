@@ -1,0 +1,1 @@
+"""What a user at a terminal sees of long work, and Ctrl-C."""

@@ -1,0 +1,35 @@
+"""Every file has its room: the layers are folders, and what has grown too long for one is divided into rooms."""
+
+import ast
+from pathlib import Path
+
+import pytest
+
+import symbody
+
+HOME = Path(symbody.__file__).parent
+DOORS = {"__init__.py", "__main__.py", "doctor.py", "errors.py"}
+"""Files of the package itself: what it gives to the outside, and the errors of all layers."""
+DIVIDED = {"simulation"}
+"""Layers that are divided: their files lie in rooms, and none beside these."""
+FOLDERS = sorted(path.parent for path in HOME.rglob("__init__.py") if path.parent != HOME)
+
+
+def test_the_package_itself_holds_layers_and_doors() -> None:
+    assert {path.name for path in HOME.glob("*.py")} == DOORS
+
+
+@pytest.mark.parametrize("layer", sorted(DIVIDED))
+def test_divided_layers_hold_rooms_alone(layer: str) -> None:
+    assert {path.name for path in (HOME / layer).glob("*.py")} == {"__init__.py"}
+
+
+@pytest.mark.parametrize("folder", FOLDERS, ids=lambda folder: folder.relative_to(HOME).as_posix())
+def test_each_room_says_what_lives_there(folder: Path) -> None:
+    text = ast.get_docstring(ast.parse((folder / "__init__.py").read_text(encoding="utf-8")))
+    assert text
+    assert len(list(folder.iterdir())) > 1
+
+
+def test_no_file_lies_in_a_folder_without_a_sign() -> None:
+    assert {path.parent for path in HOME.rglob("*.py")} == {HOME, *FOLDERS}
