@@ -9,7 +9,6 @@ from collections.abc import Iterable
 from dataclasses import replace
 from itertools import islice
 from pathlib import Path
-from typing import Any, Protocol
 
 from symbody.codegen.arrange import module_of
 from symbody.codegen.c import C
@@ -24,25 +23,18 @@ from symbody.codegen.python import PYTHON
 from symbody.codegen.rust import RUST
 from symbody.codegen.target import Target
 from symbody.codegen.write import write_all
-from symbody.errors import CodegenError, ModelNotice, ProgramError
+from symbody.errors import CodegenError, ModelNotice
 from symbody.symbolic import STAGES, Program, free_symbols
 from symbody.symbolic.identifier import program_name
+from symbody.symbolic.program import Programmable, program_of
 
-__all__ = ["TARGETS", "Programmable", "generate", "program_of", "source", "target_of"]
+__all__ = ["TARGETS", "generate", "source", "target_of"]
 
 TARGETS = {target.name: target for target in (C, FORTRAN, MATLAB, PYTHON, JULIA, JAX, CASADI, MODELICA, RUST)}
 """All targets by name."""
 
 _MARKED = re.compile(rf"(?P<program>\w+)(?: \((?P<target>\w+)\))?, {MARK}")
 """What `mark` writes."""
-
-
-class Programmable(Protocol):
-    """What a program can be made of, as the equations of motion."""
-
-    def program(self) -> Program:
-        """Return the program."""
-        ...
 
 
 def generate(
@@ -136,20 +128,6 @@ def target_of(name: object) -> Target:
     if not isinstance(name, str) or name not in TARGETS:
         raise CodegenError(f"generate: there is no target {name!r}; expected one of {', '.join(TARGETS)}")
     return TARGETS[name]
-
-
-def program_of(model: Any) -> Program:
-    """Return a program, or the program of something that has one."""
-    if isinstance(model, Program):
-        return model
-    if hasattr(model, "program"):
-        program = model.program()
-        if isinstance(program, Program):
-            return program
-    raise ProgramError(
-        f"generate: {type(model).__name__} has no program; expected a Program, or equations of motion "
-        "as lagrange_equations(system) returns them"
-    )
 
 
 def _check_replaceable(file: Path, text: str) -> None:

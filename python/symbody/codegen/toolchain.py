@@ -11,10 +11,11 @@ from collections.abc import Mapping
 from pathlib import Path
 
 from symbody.codegen.arrange import module_name
-from symbody.codegen.generate import Programmable, program_of, source, target_of
+from symbody.codegen.generate import source, target_of
 from symbody.codegen.target import Target
 from symbody.errors import CodegenError
 from symbody.symbolic import Program
+from symbody.symbolic.program import Programmable, program_of
 
 __all__ = ["TOOLS", "check", "check_files", "missing_tools", "needed_tools"]
 

@@ -7,6 +7,7 @@ from .generalized_force import generalized_force
 from .lagrange import lagrange, lagrange_equations
 from .newton import newton_equations
 from .newton_euler import newton_euler
+from .program import program
 
 __all__ = [
     "Equations",
@@ -19,4 +20,5 @@ __all__ = [
     "lagrange_equations",
     "newton_equations",
     "newton_euler",
+    "program",
 ]

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property
-from typing import TYPE_CHECKING
 
 from symbody.errors import ModelError
 from symbody.geometry import Scalar
@@ -13,12 +12,11 @@ from symbody.geometry.argument import checked
 from symbody.multibody import System
 from symbody.symbolic import Expr, Matrix, Program, free_symbols, listing, time_derivative
 from symbody.symbolic.arguments import counted
+from symbody.symbolic.program import program_of
 
 from .baumgarte import Damping, stabilized
 from .constraint import constraint_jacobian
-
-if TYPE_CHECKING:
-    from .program import Outputs
+from .output import Outputs
 
 
 @dataclass(frozen=True)
@@ -137,9 +135,7 @@ class Equations:
         method: str | None = "auto",
     ) -> Program:
         """Return the routines of which code is generated; see `symbody.dynamics.program.program`."""
-        from .program import program  # noqa: PLC0415 - it is built on equations, and stands here for `generate`
-
-        return program(self, name=name, outputs=outputs, baumgarte=baumgarte, method=method)
+        return program_of(self, name=name, outputs=outputs, baumgarte=baumgarte, method=method)
 
     def __repr__(self) -> str:
         n, m, names = len(self.residuals), len(self.constraints), ", ".join(map(str, self.system.driving))

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
-from typing import Annotated, TypeAlias
 
 from symbody.errors import ArgumentError, ModelError, ProgramError
 from symbody.geometry import Vector
@@ -23,15 +22,12 @@ from symbody.symbolic import (
 )
 from symbody.symbolic.arguments import brief
 from symbody.symbolic.identifier import program_name, title_identifier
+from symbody.symbolic.program import program_of
 
 from .baumgarte import Damping
 from .equations import Equations
 from .forward_dynamics import forward_dynamics
-
-Output: TypeAlias = Expr | Vector | Matrix | Sequence[ExprLike]
-Outputs: TypeAlias = Annotated[
-    Mapping[str, Output], "a dictionary of expressions, vectors or matrices by name, such as {'force': k * x}"
-]
+from .output import Output, Outputs
 
 _ALWAYS = {
     "mass_matrix": ("p", "t", "r", "q"),
@@ -47,6 +43,7 @@ _ALWAYS = {
 """What a routine takes whether or not it needs it, so that a model's change doesn't change the calls."""
 
 
+@program_of.register
 @checked(ModelError)
 def program(
     eqs: Equations,

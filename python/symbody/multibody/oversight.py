@@ -2,27 +2,34 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
-from typing import TYPE_CHECKING
+from collections.abc import Collection, Iterable, Iterator, Set
 
 from symbody.geometry.floating import Floating
 from symbody.symbolic import Expr
 
-if TYPE_CHECKING:
-    from .system import System
+from .body import Body
+from .load import Load
 
 __all__ = ["notices"]
 
 
-def notices(system: System) -> Iterator[str]:
-    """Return what a user should look at: loads on other bodies, and motions that nobody has called unknown or given."""
-    yield from _foreign_loads(system)
-    yield from _given_motions(system)
+def notices(
+    bodies: Collection[Body], loads: Iterable[Load], constraints: Iterable[Expr], known: Collection[Expr]
+) -> Iterator[str]:
+    """Return what a user should look at: loads on other bodies, and motions that nobody has called unknown or given.
+
+    Args:
+        bodies: those of a system.
+        loads: what acts on them.
+        constraints: what restrains them.
+        known: the functions of time that are unknown or given.
+    """
+    yield from _foreign_loads({*bodies}, loads)
+    yield from _given_motions(bodies, constraints, {*known})
 
 
-def _foreign_loads(system: System) -> Iterator[str]:
-    members = {*system.bodies}
-    for load in system.loads:
+def _foreign_loads(members: Set[Body], loads: Iterable[Load]) -> Iterator[str]:
+    for load in loads:
         bodies = dict.fromkeys(action.body for action in load.actions)
         strangers = [body for body in bodies if body not in members]
         if not strangers:
@@ -34,12 +41,11 @@ def _foreign_loads(system: System) -> Iterator[str]:
         yield f"{load} {what} on {named}, {outside}{left}; add what is missing to bodies"
 
 
-def _given_motions(system: System) -> Iterator[str]:
+def _given_motions(bodies: Iterable[Body], constraints: Iterable[Expr], known: Set[Expr]) -> Iterator[str]:
     """Return the functions of time that move bodies or stand in constraints, and in no list."""
-    known = {*system.coordinates, *system.quasi_velocities, *system.inputs}
-    motions = (m for body in system.bodies for m in body.frame.motions if not isinstance(m, Floating))
+    motions = (m for body in bodies for m in body.frame.motions if not isinstance(m, Floating))
     moving = {leaf for motion in motions for leaf in motion.leaves} - known
-    constraining = {leaf for constraint in system.constraints for leaf in constraint.free_symbols} - known
+    constraining = {leaf for constraint in constraints for leaf in constraint.free_symbols} - known
     for leaves, (does, do) in (
         (moving, ("moves bodies", "move bodies")),
         (constraining - moving, ("stands in a constraint", "stand in constraints")),

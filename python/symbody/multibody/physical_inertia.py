@@ -16,7 +16,7 @@ One moment of inertia alone is how a motion in a plane, or a rotor, is written: 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from typing import TYPE_CHECKING, TypeAlias
+from typing import Protocol, TypeAlias, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -27,16 +27,33 @@ from symbody.geometry.kinematics import pose_from
 from symbody.symbolic import Expr
 from symbody.symbolic.arguments import brief
 
-if TYPE_CHECKING:
-    from .body import Body
-
 Array: TypeAlias = NDArray[np.float64]
+
+
+class MassDistribution(Protocol):
+    """What has a mass and an inertia about its centre of mass, at the origin of a frame: a body."""
+
+    @property
+    def name(self) -> str: ...
+    @property
+    def frame(self) -> Frame: ...
+    @property
+    def mass(self) -> Expr: ...
+    @property
+    def moments(self) -> tuple[Expr, Expr, Expr]: ...
+    @property
+    def has_products(self) -> bool: ...
+    @property
+    def inertia_entries(self) -> tuple[Expr, ...]: ...
+
+
+Each = TypeVar("Each", bound=MassDistribution)
 
 ROUNDED = 1e-3
 """The part by which a principal moment may exceed the sum of the others: printed digits are rounded."""
 
 
-def report_impossible_inertia(body: Body) -> None:
+def report_impossible_inertia(body: MassDistribution) -> None:
     """Give a notice of moments of inertia that no body has; what is taken away from a body is left to its system.
 
     Moments in symbols aren't checked. Where products are symbols, the moments alone are: those about any three axes
@@ -51,7 +68,7 @@ def report_impossible_inertia(body: Body) -> None:
     notify(told_inertia(body, J, has_products=body.has_products))
 
 
-def told_inertia(body: Body, J: Array, *, has_products: bool) -> str:
+def told_inertia(body: MassDistribution, J: Array, *, has_products: bool) -> str:
     """Return that no body has a tensor of inertia, and why."""
     given = "no body has these moments and products" if has_products else "no body has these moments"
     return (
@@ -76,7 +93,7 @@ def are_impossible(mass: Array, J: Array) -> NDArray[np.bool_]:
     return found
 
 
-def report_impossible_differences(bodies: Sequence[Body]) -> None:
+def report_impossible_differences(bodies: Sequence[MassDistribution]) -> None:
     """Give a notice of bodies joined rigidly, some of them taken away from others, that together are no body."""
     if not any(_is_taken_away(body) for body in bodies):
         return
@@ -86,15 +103,15 @@ def report_impossible_differences(bodies: Sequence[Body]) -> None:
             notify(f"System: {fault}")
 
 
-def joined_bodies(bodies: Sequence[Body]) -> list[list[Body]]:
+def joined_bodies(bodies: Sequence[Each]) -> list[list[Each]]:
     """Return the bodies in groups that are joined rigidly."""
-    groups: dict[Frame, list[Body]] = {}
+    groups: dict[Frame, list[Each]] = {}
     for body in bodies:
         groups.setdefault(_carrier(body.frame), []).append(body)
     return list(groups.values())
 
 
-def told_difference(group: Sequence[Body], values: Mapping[Expr, float]) -> str:
+def told_difference(group: Sequence[MassDistribution], values: Mapping[Expr, float]) -> str:
     """Return that bodies joined rigidly are together none, and why; the empty text if they are one.
 
     Args:
@@ -111,7 +128,7 @@ def told_difference(group: Sequence[Body], values: Mapping[Expr, float]) -> str:
     return fault and f"{names}: joined rigidly, these bodies are together none: {fault}"
 
 
-def _tensor(body: Body) -> Array:
+def _tensor(body: MassDistribution) -> Array:
     """Return the tensor of inertia, or the moments alone where the products aren't all numbers."""
     entries = body.inertia_entries
     if all(entry.is_constant for entry in entries):
@@ -119,7 +136,7 @@ def _tensor(body: Body) -> Array:
     return np.diag([float(moment) for moment in body.moments])
 
 
-def _is_planar(body: Body) -> bool:
+def _is_planar(body: MassDistribution) -> bool:
     """Tell whether one moment alone is given, and isn't negative."""
     given = [moment for moment in body.moments if not moment.is_zero]
     return len(given) == 1 and not body.has_products and not _is_negative(given[0])
@@ -133,7 +150,7 @@ def _is_negative(value: Expr) -> bool:
     return value.is_constant and float(value) < 0
 
 
-def _is_taken_away(body: Body) -> bool:
+def _is_taken_away(body: MassDistribution) -> bool:
     return any(_is_negative(value) for value in (body.mass, *body.moments))
 
 
@@ -169,7 +186,7 @@ def _carrier(frame: Frame) -> Frame:
     return frame
 
 
-def _fault_of_sum(carrier: Frame, group: Sequence[Body], values: Mapping[Expr, float]) -> str:
+def _fault_of_sum(carrier: Frame, group: Sequence[MassDistribution], values: Mapping[Expr, float]) -> str:
     """Return what is wrong with bodies that are joined, if all that decides it are numbers."""
     parts = [_pseudo_inertia(carrier, body, values) for body in group]
     known = [part for part in parts if part is not None]
@@ -186,7 +203,7 @@ def _fault_of_sum(carrier: Frame, group: Sequence[Body], values: Mapping[Expr, f
     return f"about their centre of mass {_fault(np.trace(about_center) * np.eye(3) - about_center)}"
 
 
-def _pseudo_inertia(carrier: Frame, body: Body, values: Mapping[Expr, float]) -> Array | None:
+def _pseudo_inertia(carrier: Frame, body: MassDistribution, values: Mapping[Expr, float]) -> Array | None:
     """Return P of a body in a frame in which it is fixed, if it holds numbers alone."""
     rows, place = pose_from(body.frame, carrier)
     entries = (body.mass, *body.inertia_entries, *(entry for row in rows for entry in row), *place)
@@ -211,5 +228,5 @@ def _of_lamina(J: Array) -> Array:
     return np.diag(np.where(moment == 0, moment.sum() / 2, 0))
 
 
-def _named(body: Body) -> str:
+def _named(body: MassDistribution) -> str:
     return brief(body.name) if body.name else brief(body)

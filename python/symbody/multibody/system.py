@@ -146,7 +146,8 @@ class System:
         self._check_multipliers()
         self._check_inputs()
         report_impossible_differences(self.bodies)
-        for notice in notices(self):
+        known = (*self.coordinates, *self.quasi_velocities, *self.inputs)
+        for notice in notices(self.bodies, self.loads, self.constraints, known):
             warnings.warn(f"System: {notice}", ModelNotice, stacklevel=4)
 
     def _check_coordinates(self) -> None:

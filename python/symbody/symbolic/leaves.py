@@ -17,6 +17,7 @@ from symbody.symbolic.name_list import is_list_of_names, names_in
 
 __all__ = [
     "ExprLike",
+    "Meaning",
     "UndefinedFunction",
     "function",
     "functions_of_time",
@@ -194,3 +195,7 @@ def function(name: str) -> UndefinedFunction:
     if len(found) > 1:
         raise ExpressionError(f"function: {len(found)} names in {name!r}; expected one, such as 'f'")
     return UndefinedFunction(found[0])
+
+
+Meaning: TypeAlias = ExprLike | UndefinedFunction
+"""What a name in a text may stand for."""

@@ -16,6 +16,7 @@ from symbody.symbolic.arguments import counted, described, size
 from symbody.symbolic.encoding import Encoded, decode, encode
 from symbody.symbolic.hint import no_attribute
 from symbody.symbolic.leaves import ExprLike
+from symbody.symbolic.to_sympy import ToSympy, import_sympy
 
 __all__ = ["Matrix", "identity", "zeros"]
 
@@ -101,7 +102,8 @@ class Matrix:
         """Apply a function of NumPy to the entries; a result of two dimensions is a matrix again."""
         from symbody.symbolic.ufunc import array_ufunc  # noqa: PLC0415 - only who calls NumPy's functions needs it
 
-        result = array_ufunc(ufunc, method, inputs, options)
+        arrays = [np.asarray(each, dtype=object) if isinstance(each, Matrix) else each for each in inputs]
+        result = array_ufunc(ufunc, method, arrays, options)
         is_matrix = isinstance(result, np.ndarray) and result.ndim == 2 and result.dtype == object
         return Matrix(result.tolist()) if is_matrix else result
 
@@ -219,9 +221,7 @@ class Matrix:
 
     def to_sympy(self) -> Any:
         """Return the matrix as SymPy has it; ``to_sympy`` has more options."""
-        from symbody.symbolic.sympy_bridge import to_sympy  # noqa: PLC0415 - it converts matrices, and stands above
-
-        return to_sympy(self)
+        return ToSympy(import_sympy(), {}).convert_matrix(self.shape, self.entries)
 
     def latex(self) -> str:
         """Return the matrix in LaTeX."""

@@ -4,18 +4,14 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Mapping
-from typing import TypeAlias
 
 from symbody.errors import ArgumentError
 from symbody.symbolic import _core
 from symbody.symbolic._core import Expr
 from symbody.symbolic.arguments import described
-from symbody.symbolic.leaves import ExprLike, UndefinedFunction, pi, t
+from symbody.symbolic.leaves import Meaning, pi, t
 
-__all__ = ["Meaning", "parse"]
-
-#: What a name in a text may stand for.
-Meaning: TypeAlias = ExprLike | UndefinedFunction
+__all__ = ["parse"]
 
 _NAME = r"[^\W\d]\w*"
 _DEFINITION = re.compile(rf"\s*({_NAME})\s*=(?!=)")

@@ -6,13 +6,15 @@ import re
 from collections import Counter
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
+from functools import singledispatch
 from math import prod
+from typing import Any, Protocol
 
 from symbody.errors import ProgramError
 from symbody.symbolic._core import Expr, free_symbols
 from symbody.symbolic.namesake import namesake_note
 
-__all__ = ["STAGES", "Argument", "Program", "Result", "Routine"]
+__all__ = ["STAGES", "Argument", "Program", "Programmable", "Result", "Routine", "program_of"]
 
 STAGES = ("parameters", "time and inputs", "positions", "velocities", "accelerations")
 """What an instruction may depend on, from what changes seldom to what changes at every call."""
@@ -159,3 +161,35 @@ def _check_single(kind: str, names: Iterable[str]) -> None:
     for name, count in Counter(names).items():
         if count > 1:
             raise ProgramError(f"{kind} have the name {name} {count} times; give each a name of its own")
+
+
+class Programmable(Protocol):
+    """What a program can be made of, as the equations of motion."""
+
+    def program(self) -> Program:
+        """Return the program."""
+        ...
+
+
+@singledispatch
+def program_of(model: Any, **_options: Any) -> Program:
+    """Return a program, or the program of something that has one.
+
+    Layers above register how a program is made of their models, with options of their own.
+
+    Raises:
+        ProgramError: a model of which no program can be made.
+    """
+    if hasattr(model, "program"):
+        program = model.program()
+        if isinstance(program, Program):
+            return program
+    raise ProgramError(
+        f"generate: {type(model).__name__} has no program; expected a Program, or equations of motion as "
+        "lagrange_equations(system) returns them"
+    )
+
+
+@program_of.register
+def _program_itself(model: Program) -> Program:
+    return model

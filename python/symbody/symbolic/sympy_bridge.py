@@ -7,13 +7,13 @@ from typing import Any
 
 import numpy as np
 
-from symbody.errors import ArgumentError, ExpressionError
+from symbody.errors import ArgumentError
 from symbody.symbolic import _core
 from symbody.symbolic._core import Expr
 from symbody.symbolic.arguments import described
 from symbody.symbolic.from_sympy import FromSympy, no_counterpart
 from symbody.symbolic.matrix import Matrix
-from symbody.symbolic.to_sympy import ToSympy
+from symbody.symbolic.to_sympy import ToSympy, import_sympy
 
 __all__ = ["from_sympy", "to_sympy"]
 
@@ -35,15 +35,9 @@ def to_sympy(expression: Any, names: Mapping[str, Any] | None = None) -> Any:
     >>> to_sympy([m * time_derivative(x, 2), {m: 2}])
     [m*Derivative(x(t), (t, 2)), {m: 2}]
     """
-    sympy = _sympy()
+    sympy = import_sympy()
     bridge = ToSympy(sympy, names or {})
-    try:
-        return _structured(expression, lambda item: _one_to_sympy(sympy, bridge, item))
-    except RecursionError:
-        raise ExpressionError(
-            "to_sympy: the expression is nested deeper than SymPy, which recurses, can go; "
-            "raise the limit with sys.setrecursionlimit, or convert parts of it"
-        ) from None
+    return _structured(expression, lambda item: _one_to_sympy(bridge, item))
 
 
 def from_sympy(expression: Any, names: Mapping[str, Expr] | None = None) -> Any:
@@ -61,7 +55,7 @@ def from_sympy(expression: Any, names: Mapping[str, Expr] | None = None) -> Any:
     >>> from_sympy([sympy.sin(x) ** 2, sympy.Matrix([[x, y]]), sympy.Heaviside(x)])
     [sin(x)**2, Matrix([[x, y]]), (1 + sign(x))/2]
     """
-    sympy = _sympy()
+    sympy = import_sympy()
     bridge = FromSympy(sympy, names or {})
     return _structured(expression, lambda item: _one_from_sympy(sympy, bridge, item))
 
@@ -83,9 +77,9 @@ def _structured(item: Any, convert: Callable[[Any], Any]) -> Any:
     return convert(item)
 
 
-def _one_to_sympy(sympy: Any, bridge: ToSympy, item: Any) -> Any:
+def _one_to_sympy(bridge: ToSympy, item: Any) -> Any:
     if isinstance(item, Matrix):
-        return sympy.Matrix(*item.shape, [bridge.convert(entry) for entry in item.entries])
+        return bridge.convert_matrix(item.shape, item.entries)
     return bridge.convert(_core.number(item, "to_sympy"))
 
 
@@ -137,13 +131,3 @@ def _of_others(item: Any) -> Expr:
         raise ArgumentError(
             f"from_sympy: {described(item)}; expected an expression or a matrix of SymPy's, or a list of them"
         ) from None
-
-
-def _sympy() -> Any:
-    try:
-        import sympy  # noqa: PLC0415 - an extra: only who converts needs it
-    except ModuleNotFoundError as error:
-        if error.name != "sympy":  # it is there, and something else is missing
-            raise
-        raise ImportError("SymPy isn't installed; pip install 'symbody[sympy]'") from error
-    return sympy

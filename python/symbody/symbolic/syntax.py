@@ -16,9 +16,8 @@ from symbody.symbolic import _core
 from symbody.symbolic._core import Expr
 from symbody.symbolic.calculus import time_derivative
 from symbody.symbolic.functions import sqrt
-from symbody.symbolic.leaves import UndefinedFunction, t
+from symbody.symbolic.leaves import Meaning, UndefinedFunction, t
 from symbody.symbolic.linear_solution import linear_solution
-from symbody.symbolic.parse import Meaning
 
 __all__ = ["Source"]
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 from symbody.errors import ExpressionError
@@ -10,7 +10,7 @@ from symbody.symbolic import _core
 from symbody.symbolic._core import Expr
 from symbody.symbolic.traverse import post_order
 
-__all__ = ["ToSympy"]
+__all__ = ["ToSympy", "import_sympy"]
 
 
 class ToSympy:
@@ -22,10 +22,24 @@ class ToSympy:
         self._t = names.get("t", sympy.Symbol("t"))
 
     def convert(self, root: Expr) -> Any:
-        """Return one expression as SymPy has it."""
-        for node in post_order([root], lambda e: e.args, lambda e: e.id):
-            self._made[node.id] = self._node(node, [self._made[arg.id] for arg in node.args])
+        """Return one expression as SymPy has it.
+
+        Raises:
+            ExpressionError: the expression is deeper than SymPy's recursions reach.
+        """
+        try:
+            for node in post_order([root], lambda e: e.args, lambda e: e.id):
+                self._made[node.id] = self._node(node, [self._made[arg.id] for arg in node.args])
+        except RecursionError:
+            raise ExpressionError(
+                "to_sympy: the expression is nested deeper than SymPy, which recurses, can go; "
+                "raise the limit with sys.setrecursionlimit, or convert parts of it"
+            ) from None
         return self._made[root.id]
+
+    def convert_matrix(self, shape: tuple[int, int], entries: Sequence[Expr]) -> Any:
+        """Return a matrix as SymPy has it."""
+        return self._sympy.Matrix(*shape, [self.convert(entry) for entry in entries])
 
     def _node(self, e: Expr, args: list[Any]) -> Any:
         sympy = self._sympy
@@ -95,3 +109,18 @@ class ToSympy:
             for value, condition in zip(args[:-1:2], args[1::2], strict=True)
         ]
         return sympy.Piecewise(*branches, (args[-1], True), evaluate=False)
+
+
+def import_sympy() -> Any:
+    """Return SymPy, an extra.
+
+    Raises:
+        ImportError: it isn't installed.
+    """
+    try:
+        import sympy  # noqa: PLC0415 - an extra: only who converts needs it
+    except ModuleNotFoundError as error:
+        if error.name != "sympy":  # it is there, and something else is missing
+            raise
+        raise ImportError("SymPy isn't installed; pip install 'symbody[sympy]'") from error
+    return sympy

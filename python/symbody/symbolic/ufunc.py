@@ -19,7 +19,6 @@ from symbody.symbolic.derived_functions import DERIVED, WITHOUT_COUNTERPART, hea
 from symbody.symbolic.functions import Abs, Max, Min, atan2, sqrt
 from symbody.symbolic.hint import no_attribute
 from symbody.symbolic.leaves import ExprLike, number
-from symbody.symbolic.matrix import Matrix
 
 __all__ = ["array_ufunc", "attribute", "refuse"]
 
@@ -84,7 +83,7 @@ _FUNCTIONS: Mapping[str, Callable[..., Expr]] = {
 def array_ufunc(
     ufunc: np.ufunc, method: str, inputs: Iterable[object], options: Mapping[str, Any] | None = None
 ) -> Any:
-    """Return what a function of NumPy gives for operands of which one is an expression or a matrix.
+    """Return what a function of NumPy gives for operands of which one is an expression or holds some.
 
     Raises:
         ArgumentError: expressions have no such function.
@@ -101,7 +100,7 @@ def array_ufunc(
         applied = np.frompyfunc(_of_numbers(_FUNCTIONS[name]), ufunc.nin, 1)
     else:
         raise _unknown(name)
-    arrays = [np.asarray(each, dtype=object) if _is_symbolic(each) else each for each in inputs]
+    arrays = [np.asarray(each, dtype=object) if isinstance(each, Expr) else each for each in inputs]
     return getattr(applied, method)(*arrays, **options or {})
 
 
@@ -116,10 +115,6 @@ def attribute(expression: Expr, name: str) -> Callable[..., Expr]:
     if isinstance(getattr(np, name, None), np.ufunc) and name not in _OPERATORS:
         return partial(refuse, name)
     raise no_attribute("Expr", name)
-
-
-def _is_symbolic(operand: object) -> bool:
-    return isinstance(operand, Expr | Matrix)
 
 
 def _of_numbers(function: Callable[..., Expr]) -> Callable[..., Expr]:
