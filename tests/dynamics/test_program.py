@@ -186,6 +186,13 @@ MISTAKES = [
         ),
     ),
     (
+        {"outputs": {"place": "q1"}},
+        (
+            "program: the output place is or holds 'q1'; expected an expression, a vector, a matrix or a list of "
+            "expressions"
+        ),
+    ),
+    (
         {"outputs": {"my force": x}},
         "the name 'my force' of the result can't stand in code; expected letters, digits and _ after a letter",
     ),

@@ -8,7 +8,18 @@ from collections.abc import Callable
 import numpy as np
 import pytest
 
-from symbody import simulate
+from symbody import (
+    Body,
+    Force,
+    System,
+    equilibrium,
+    functions_of_time,
+    ground,
+    newton_euler,
+    simulate,
+    symbols,
+    translate,
+)
 from tests.reference.mechanisms.double_pendulum import natural_double_pendulum
 from tests.reference.mechanisms.heavy_top import heavy_top
 from tests.reference.mechanisms.problem import Problem
@@ -52,6 +63,22 @@ def test_a_motion_smaller_than_the_tolerances_has_no_notice() -> None:
     still.initial[still.equations.coordinates[0]] = 1e-9 - np.pi / 2
     for method in ("ida", "ida3"):
         assert notices(still, t=(0, 10), method=method, rtol=1e-3)[1] == []
+
+
+@pytest.mark.parametrize("method", ["dop853", "tsit5", "bdf", "esdirk34", "tr_bdf2"])
+@pytest.mark.parametrize("away", [0.0, 1e-9, 1e-6])
+def test_a_body_at_rest_on_loads_alone_has_no_notice(method: str, away: float) -> None:
+    """Its weight is a load here, so that what moves is rounding, of work as well."""
+    m, k, z = *symbols("m k"), functions_of_time("z")
+    body = Body(translate(0, z, 0), m)
+    load = Force(ground, 0, -k * z - 9.81 * m, 0, at=body.center_of_mass, on=body)
+    equations = newton_euler(System([body], [load], [z]))
+    for stiffness in (7.0, 40.0, 123.0):
+        values = {m: 1, k: stiffness}
+        start = {z: equilibrium(equations, values).coordinates[z] + away}
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            simulate(equations, values, start, t=(0, 10), method=method)
 
 
 @pytest.mark.parametrize("instants", [3, 5, 1001])

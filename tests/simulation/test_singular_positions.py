@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 import warnings
+from collections.abc import Callable
 from functools import cache
 from math import inf
 
@@ -14,6 +15,7 @@ from symbody import (
     Body,
     Equations,
     Expr,
+    Force,
     Point,
     System,
     Vector,
@@ -21,14 +23,18 @@ from symbody import (
     functions_of_time,
     ground,
     lagrange_equations,
+    newton_euler,
     project,
     rotate,
     simulate,
     simulate_many,
     symbols,
+    t,
+    tanh,
     time_derivative,
     translate,
 )
+from symbody.errors import ModelNotice
 from tests.reference.mechanisms.andrews import andrews
 from tests.reference.mechanisms.slider_crank import slider_crank
 
@@ -226,6 +232,66 @@ def test_regular_motions_pass_none(method: str, constraints: str, rtol: float) -
                 constraints=constraints,
                 rtol=rtol,
             )
+
+
+def turning_slider() -> tuple[Equations, dict[Expr, float], dict[Expr, float], float]:
+    """A mass on a spring along an arm that is turned: its inertia about the axis changes by a factor of 40 000."""
+    m, k = symbols("m k")
+    r, theta = functions_of_time("r theta")
+    arm = rotate("Z", theta)
+    bead = Body(arm * translate(r, 0, 0), m)
+    spring = Force(arm, -k * (r - 5), 0, 0, at=bead.center_of_mass, on=bead)
+    return (
+        newton_euler(System([bead], [spring], [r, theta], [theta - 0.3 * t])),
+        {m: 1, k: 4},
+        {r: 0.05},
+        12.0,
+    )
+
+
+def bead_over_a_step() -> tuple[Equations, dict[Expr, float], dict[Expr, float], float]:
+    """A bead on a curve whose slope changes from none to 200 and back."""
+    m = symbols("m")
+    x, y = functions_of_time("x y")
+    system = System([Body(translate(x, y, 0), m)], (), [x, y], [y - tanh(200 * x)])
+    return newton_euler(system), {m: 1}, {x: -0.5, y: -1, time_derivative(x): 3}, 0.4
+
+
+@pytest.mark.parametrize("model", [turning_slider, bead_over_a_step])
+@pytest.mark.parametrize(
+    ("method", "constraints"), [("bdf", "projection"), ("dop853", "free"), ("dop853", "baumgarte")]
+)
+def test_metrics_and_scales_that_change_make_nothing_singular(
+    model: Callable[[], tuple[Equations, dict[Expr, float], dict[Expr, float], float]],
+    method: str,
+    constraints: str,
+) -> None:
+    equations, values, initial, end = model()
+    with warnings.catch_warnings(record=True) as caught:
+        warnings.simplefilter("always")
+        simulate(equations, values, initial, t=(0, end), method=method, constraints=constraints)
+    assert [str(one.message) for one in caught if "singular" in str(one.message)] == []
+
+
+def test_a_motion_that_ida_lost_names_its_last_finite_state() -> None:
+    """Two beads on a circle and on a rod between them; at some speeds IDA's last states are not finite."""
+    m, g = symbols("m g")
+    xa, ya, xb = functions_of_time("xA yA xB")
+    beads = [Body(translate(xa, ya, 0), m), Body(translate(xb, 0, 0), m)]
+    lengths = [xa**2 + ya**2 - 1, (xb - xa) ** 2 + ya**2 - 1]
+    equations = newton_euler(System(beads, (), [xa, ya, xb], lengths, Vector(ground, 0, -g, 0)))
+
+    def start(w: float) -> dict[Expr, float]:
+        rates = {xa: -0.8 * w, ya: 0.6 * w, xb: -1.6 * w}
+        return {xa: 0.6, ya: 0.8, xb: 1.2} | {time_derivative(q): rate for q, rate in rates.items()}
+
+    pytest.importorskip("sksundae")
+    speeds = np.linspace(2, 12, 21)
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", ModelNotice)
+        runs = simulate_many(equations, {m: 1, g: 9.81}, [start(w) for w in speeds], t=(0, 6), method="ida")
+    assert runs.failures
+    assert all("dependent there" in failure.message for failure in runs.failures)
 
 
 def light_rod(length: float) -> tuple[Equations, dict[Expr, float], Expr, Expr]:

@@ -2,6 +2,7 @@
 
 import pickle
 import random
+import warnings
 
 import numpy as np
 import pytest
@@ -22,7 +23,7 @@ from symbody import (
     symbols,
     time_derivative,
 )
-from symbody.errors import ExpressionError, ModelNotice
+from symbody.errors import ArgumentError, ExpressionError, ModelNotice
 
 a, b, c, d, e, f = symbols("a b c d e f")
 u, v = symbols("u v")
@@ -142,3 +143,27 @@ def test_no_counterpart_in_sympy() -> None:
         x.to_sympy()
     with pytest.raises(ExpressionError, match="expected a component's number from 0"):
         parse("linear_solution(2, a, b, c, d, e, f)")
+
+
+def test_components_that_are_known_are_so_where_others_have_many_solutions() -> None:
+    """At a = 1 the third equation follows; what is zero elsewhere is zero in the least solution, too."""
+    matrix, right = [[1, a, a**2], [a, 1, 1], [2 * a, 1 + a, 2]], [1, 1, 2]
+    x, y, z = linear_solve(matrix, right)
+    assert y == 0
+    for point in (1.0, 1.7, -0.3):
+        A = lambdify([a], Matrix(matrix))(point)
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore", ModelNotice)
+            found = lambdify([a], [x, y, z])(point)
+        np.testing.assert_allclose(A @ found, right, rtol=1e-12)
+
+
+def test_the_right_side_may_be_a_column() -> None:
+    matrix = Matrix([[a, b], [b, -a]])
+    assert linear_solve(matrix, Matrix.column([c, 0])) == linear_solve(matrix, [c, 0])
+    with pytest.raises(ExpressionError, match="the right side is 1x2; expected one column"):
+        linear_solve(matrix, Matrix([[c, 0]]))
+    with pytest.raises(
+        ArgumentError, match="right side: 5 is an int; expected as many entries as A has rows"
+    ):
+        linear_solve(matrix, 5)  # type: ignore[arg-type]

@@ -25,7 +25,43 @@ impl Graph {
     /// When the matrix is not square, has not as many rows as the right side, or is too large.
     pub fn linear_solve(&mut self, matrix: &[Id], right: &[Id]) -> Result<Vec<Id>, Error> {
         let system = self.linear_system(matrix, right)?;
-        Ok((0..right.len() as u32).map(|index| self.solution(system, index)).collect())
+        let components = self.components(system, right.len());
+        let is_number = |id: &Id| matches!(self.view(*id), View::Number(_));
+        let known: Vec<Option<Id>> = components.iter().map(|&id| is_number(&id).then_some(id)).collect();
+        if known.iter().all(Option::is_none) || known.iter().all(Option::is_some) {
+            return Ok(components);
+        }
+        let rest = self.rest_of_system(matrix, right, &known)?;
+        let others = self.components(rest, right.len());
+        let are_same = components.iter().zip(&others).all(|(&a, &b)| self.value(a) == self.value(b));
+        Ok(if are_same { others } else { components })
+    }
+
+    fn components(&mut self, system: Id, count: usize) -> Vec<Id> {
+        (0..count as u32).map(|index| self.solution(system, index)).collect()
+    }
+
+    /// The system with numbers for the components that are known, so that its least solution, where it is singular, has
+    /// these numbers as well.
+    ///
+    /// The equation of a known component says that number: what it said before follows from the others.
+    fn rest_of_system(&mut self, matrix: &[Id], right: &[Id], known: &[Option<Id>]) -> Result<Id, Error> {
+        let n = right.len();
+        let (mut matrix, mut right) = (matrix.to_vec(), right.to_vec());
+        for (j, value) in known.iter().enumerate().filter_map(|(j, value)| value.map(|value| (j, value))) {
+            for i in (0..n).filter(|&i| i != j) {
+                let share = self.mul(matrix[i * n + j], value)?;
+                let opposite = self.neg(share);
+                right[i] = self.add(right[i], opposite);
+                matrix[i * n + j] = Id::ZERO;
+                matrix[j * n + i] = Id::ZERO;
+            }
+            if matrix[j * n + j] == Id::ZERO {
+                matrix[j * n + j] = Id::ONE;
+            }
+            right[j] = self.mul(matrix[j * n + j], value)?;
+        }
+        self.linear_system(&matrix, &right)
     }
 
     /// The node of a linear system; its parts are those of the matrix and then those of the right side.

@@ -15,8 +15,12 @@ use crate::number::Number;
 /// The largest denominator: half a degree is pi/360.
 const LARGEST_DENOMINATOR: i64 = 360;
 
-/// Larger angles are not looked at: their doubles are too far apart.
-const LARGEST_ANGLE: f64 = 1000.0;
+/// Angles above the first bound are multiples of common fractions of pi alone, and above the second one none: the larger
+/// they are, the farther apart are their doubles.
+const LARGEST_ANGLES: (f64, f64) = (1e3, 1e6);
+
+/// The largest denominator of a common fraction: 15 degrees are pi/12.
+const LARGEST_COMMON: i64 = 12;
 
 /// What a product and a quotient of doubles lose, relative: `math.radians(1)*45` is two or three doubles off.
 const ROUNDING: f64 = 2.0 * f64::EPSILON;
@@ -27,10 +31,12 @@ const SEARCH: usize = 64;
 /// The multiple k/n of pi with the least n up to 360 that is within a tolerance of an angle, and not zero.
 #[must_use]
 pub fn multiple_of_pi(angle: f64, tolerance: f64) -> Option<(i64, i64)> {
-    if angle.is_nan() || angle.abs() > LARGEST_ANGLE {
+    if angle.is_nan() || angle.abs() > LARGEST_ANGLES.1 {
         return None;
     }
+    let largest = if angle.abs() > LARGEST_ANGLES.0 { LARGEST_COMMON } else { LARGEST_DENOMINATOR };
     convergents(angle.abs() / PI)
+        .take_while(|&(_, n)| n <= largest)
         .find(|&(k, n)| k > 0 && (angle.abs() - times_pi(k, n)).abs() <= tolerance)
         .map(|(k, n)| if angle < 0.0 { (-k, n) } else { (k, n) })
 }
@@ -47,7 +53,6 @@ fn convergents(ratio: f64) -> impl Iterator<Item = (i64, i64)> {
         (last, current) = (current, next);
         Some(next)
     })
-    .take_while(|&(_, n)| n <= LARGEST_DENOMINATOR)
 }
 
 /// The double nearest to k pi/n.
@@ -170,5 +175,18 @@ mod tests {
             assert_eq!(number.multiple_of_pi(), None, "{angle}");
         }
         assert_eq!(Number::rational(355, 113).multiple_of_pi(), None);
+    }
+
+    #[test]
+    fn large_angles_are_multiples_of_common_fractions() {
+        for (k, n) in [(1000, 1), (721, 2), (100_001, 12), (300_000, 1)] {
+            #[expect(clippy::cast_precision_loss, reason = "small")]
+            let angle = Number::from_f64(k as f64 * PI / n as f64).expect("a finite double");
+            assert_eq!(angle.multiple_of_pi(), Some(Number::rational(k, n)), "{k} pi/{n}");
+        }
+        for angle in [2000.0 * PI / 7.0 / 11.0 * 13.0, 1e6 * PI] {
+            let angle = Number::from_f64(angle).expect("a finite double");
+            assert_eq!(angle.multiple_of_pi(), None);
+        }
     }
 }

@@ -35,8 +35,8 @@ pub struct Balance<'a> {
     /// The largest energy that moves, and the largest at all.
     moving: f64,
     largest: f64,
-    /// The most that errors of one tolerance in each entry of the state change the energy.
-    spread: f64,
+    /// The most that errors of one tolerance in each entry of the state change the energy, and of one absolute tolerance.
+    spread: (f64, f64),
     /// By how much the balance was off, and when.
     seen: Vec<(f64, f64)>,
 }
@@ -50,7 +50,7 @@ impl<'a> Balance<'a> {
             first_potential: 0.0,
             moving: 0.0,
             largest: 0.0,
-            spread: 0.0,
+            spread: (0.0, 0.0),
             seen: Vec::new(),
         };
         if let Some([kinetic, potential]) = new.at(t, state) {
@@ -88,8 +88,11 @@ impl<'a> Balance<'a> {
         let [kinetic, potential] = self.at(t, state)?;
         self.widen(t, state, kinetic + potential);
         // Work and energies of springs are integrals: their errors are those of the energy that moves.
-        let each = self.spread.max(self.tolerances.relative * self.moving);
-        let most = MOST.0.max(MOST.1 * self.tolerances.relative) * self.moving;
+        let Tolerances { relative, absolute, .. } = self.tolerances;
+        let least = self.spread.1 + if self.has_work(state) { absolute } else { 0.0 };
+        let each = self.spread.0.max(least).max(relative * self.moving);
+        // Motions as small as the absolute tolerances may lose all that moves.
+        let most = MOST.0.max(MOST.1 * relative) * self.moving + MARGIN * least;
         let explained = (MARGIN * (1.0 + errors) * each).min(most) + ROUNDING * self.largest;
         let &(t, _) = self.seen.iter().find(|(_, off)| *off > explained)?;
         let most = self.seen.iter().fold(0.0, |most: f64, (_, off)| most.max(*off));
@@ -101,6 +104,10 @@ impl<'a> Balance<'a> {
         state.get(self.tolerances.controlled).copied().unwrap_or(0.0)
     }
 
+    fn has_work(&self, state: &[f64]) -> bool {
+        state.len() > self.tolerances.controlled
+    }
+
     fn at(&self, t: f64, state: &[f64]) -> Option<[f64; 2]> {
         let mut energies = [0.0; 2];
         self.energies?.call(t, state, &mut energies);
@@ -109,15 +116,22 @@ impl<'a> Balance<'a> {
 
     /// Add what errors of one tolerance in each entry change here to what they change elsewhere.
     fn widen(&mut self, t: f64, state: &[f64], energy: f64) {
-        let Tolerances { relative, absolute, controlled, .. } = self.tolerances;
+        let Tolerances { relative, absolute, .. } = self.tolerances;
+        let both = self.changed(t, state, energy, |x| absolute + relative * x.abs());
+        let absolute = self.changed(t, state, energy, |_| absolute);
+        self.spread = (self.spread.0.max(both), self.spread.1.max(absolute));
+    }
+
+    /// The sum of what an error in each entry changes.
+    fn changed(&self, t: f64, state: &[f64], energy: f64, error: impl Fn(f64) -> f64) -> f64 {
         let mut near = state.to_vec();
         let mut sum = 0.0;
-        for i in 0..controlled {
-            near[i] = state[i] + absolute + relative * state[i].abs();
+        for i in 0..self.tolerances.controlled {
+            near[i] = state[i] + error(state[i]);
             let changed = self.at(t, &near);
             sum += changed.map_or(0.0, |[kinetic, potential]| (kinetic + potential - energy).abs());
             near[i] = state[i];
         }
-        self.spread = self.spread.max(sum);
+        sum
     }
 }

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 
-from symbody.errors import ArgumentError, ModelError, ProgramError
+from symbody.errors import ArgumentError, ExpressionError, ModelError, ProgramError
 from symbody.geometry import Vector
 from symbody.geometry.argument import checked
 from symbody.multibody import gravitational_energy, kinetic_energy
@@ -200,7 +200,7 @@ def _result(name: str, value: Output) -> Result:
         return _matrix(name, value)
     if isinstance(value, Vector):
         return _vector(name, value.components, f"components in {value.frame}")
-    if isinstance(value, Sequence):
+    if isinstance(value, Sequence) and not isinstance(value, str):
         return _vector(name, [_scalar(name, entry) for entry in value])
     expression = _scalar(name, value)
     return Result(name, _shown(expression), (expression,), ())
@@ -209,7 +209,7 @@ def _result(name: str, value: Output) -> Result:
 def _scalar(name: str, value: ExprLike) -> Expr:
     try:
         return number(value)
-    except ArgumentError as failure:
+    except (ArgumentError, ExpressionError) as failure:
         raise ProgramError(
             f"program: the output {name} is or holds {brief(repr(value))}; expected an expression, a vector, a "
             "matrix or a list of expressions"

@@ -37,8 +37,8 @@ def _report(value: Scalar, exact: Expr, where: str) -> None:
         return
     shown = f"{where}: angle = {brief(value)}" + ("" if exact.is_number else f" holds {number}, which")
     meant = meant_multiple_of_pi(number)
-    if meant is not None:
-        gap = abs(float(number) - float(meant))
+    gap = 0.0 if meant is None else abs(float(number) - float(meant))
+    if gap > 0:
         notify(f"{shown} is within {gap:.2g} of {meant}; write {meant} with symbody.pi if that is meant")
     elif abs(float(number)) > 2 * pi:
         notify(

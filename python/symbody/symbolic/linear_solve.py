@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 
-from symbody.errors import ExpressionError
+from symbody.errors import ArgumentError, ExpressionError
 from symbody.symbolic import _core
 from symbody.symbolic._core import Expr
-from symbody.symbolic.arguments import counted
+from symbody.symbolic.arguments import counted, described
 from symbody.symbolic.leaves import ExprLike
 from symbody.symbolic.matrix import Matrix
 
@@ -15,7 +15,7 @@ __all__ = ["linear_solve"]
 
 
 def linear_solve(
-    matrix: Matrix | Sequence[Sequence[ExprLike]], right: Sequence[ExprLike]
+    matrix: Matrix | Sequence[Sequence[ExprLike]], right: Matrix | Sequence[ExprLike]
 ) -> tuple[Expr, ...]:
     """Return the solution x of ``A x = b`` as values that are computed at run time, by elimination with pivoting.
 
@@ -26,10 +26,11 @@ def linear_solve(
 
     Args:
         matrix: A, n x n.
-        right: b, n entries.
+        right: b, n entries, or a matrix of one column.
 
     Raises:
         ExpressionError: the matrix isn't square, or has another number of rows than b.
+        ArgumentError: b is no list of expressions.
 
     >>> from symbody import Matrix, linear_solve, symbols
     >>> a, b, c = symbols("a b c")
@@ -40,9 +41,18 @@ def linear_solve(
     True
     """
     square = matrix if isinstance(matrix, Matrix) else Matrix(matrix)
-    if square.rows != square.columns or square.rows != len(right):
+    if isinstance(right, Matrix) and right.columns != 1:
+        raise ExpressionError(
+            f"linear_solve: the right side is {right.rows}x{right.columns}; expected one column"
+        )
+    if not isinstance(right, Matrix | Iterable):
+        raise ArgumentError(
+            f"linear_solve, right side: {described(right)}; expected as many entries as A has rows"
+        )
+    entries = list(right.entries if isinstance(right, Matrix) else right)
+    if square.rows != square.columns or square.rows != len(entries):
         raise ExpressionError(
             f"linear_solve: the matrix is {square.rows}x{square.columns} and the right side has "
-            f"{counted(len(right), 'entry')}; expected a square matrix and as many entries as it has rows"
+            f"{counted(len(entries), 'entry')}; expected a square matrix and as many entries as it has rows"
         )
-    return _core.linear_solve(square.entries, list(right))
+    return _core.linear_solve(square.entries, entries)

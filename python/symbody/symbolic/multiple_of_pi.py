@@ -1,7 +1,8 @@
 """Angles whose doubles stand for multiples of pi: ``math.pi/2`` is pi/2, ``math.radians(30)`` is pi/6.
 
 No double is a multiple of pi. In the angle of a rotation, and beside other terms in the argument of a sine, cosine or
-tangent, a decimal within two rounding errors of ``k*pi/n`` with n up to 360 is that multiple. The sine of a number
+tangent, a decimal within two rounding errors of ``k*pi/n`` with n up to 360 is that multiple; above 1000, with n up to
+12, and above 1e6 none. The sine of a number
 alone is taken at that number: it is data, and `sin(3.141592653589793)` is not zero. Decimals that were cut to fewer
 digits, such as 1.5708, stay what they are: `meant_multiple_of_pi` finds what they probably mean.
 """

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 
 import numpy as np
 from numpy.typing import NDArray
@@ -24,48 +24,52 @@ PARTS, MARGIN = 2, 2.0
 straight line through two values may meet zero where one interval was expected."""
 ROUNDS, FINER = 2, 16
 """How often the intervals beside a minimum are cut again, and into how many parts."""
-AT_ONCE = 2**14
+AT_ONCE = 2**12
 """Matrices that are looked at at once: more would take much memory."""
 
 
 def singular_passages(model: Model, parameters: Mapping[Expr, float], trail: Array) -> Array:
     """Return the instants, in s, at which the constraints of a motion are dependent, or as good as that.
 
-    There the smallest singular value of ``phi_q L^-T``, with ``M = L L^T``, has a minimum next to zero; each constraint
-    counts in units of its longest derivative along the motion. Between steps the coordinates are interpolated by cubic
-    polynomials through their values and rates. A motion that stays at such positions for a while passes once.
+    There the smallest singular value of ``D phi_q L^-T`` has a minimum next to zero. ``L L^T`` is the mean of the mass
+    matrix along the motion: a metric that changes makes no constraints dependent. D brings each row to the length of
+    its largest entry, relative to the largest that this entry is anywhere: rows vanish where all of their entries do.
+    Between steps the coordinates are interpolated by cubic polynomials through their values and rates. A motion that
+    stays at such positions for a while passes once.
 
     Args:
         model: what moves.
         parameters: the values of its parameters, and those of the stabilisation, if there is one.
         trail: the motion: rows of the instant, coordinates and speeds at the ends of its steps.
     """
-    if not model.constraints or not model.independent_constraints or len(trail) < 2:
+    if not model.constraints or not model.independent_constraints:
         return np.empty(0)
     p = np.array([parameters[name] for name in (*model.parameters, *model.damping)])
-    way, ends = _way(model, p, trail), np.unique(trail[:, 0])
+    ends, states, rates = _finite(model, p, trail)
+    if len(ends) < 2:
+        return np.empty(0)
+    way = _way(ends, states, rates)
     t = np.append(_cut(ends[:-1], ends[1:], PARTS)[:, :-1], ends[-1])
 
-    def products(times: Array) -> Array:
-        parts = np.array_split(times, 1 + len(times) // AT_ONCE)
-        return np.concatenate([_products(model, p, part, way(part)) for part in parts])
+    def along(times: Array) -> Iterator[tuple[Array, Array]]:
+        for part in np.array_split(times, 1 + len(times) // AT_ONCE):
+            yield masses_and_slopes(model, p, part, way(part))
 
-    first = products(t)
-    longest = np.sqrt(np.nanmax(np.einsum("kii->ki", first), axis=0, initial=0.0))
-    scale = np.where(longest > 0, longest, 1.0)
-    found = _smallest(first / np.multiply.outer(scale, scale), model.independent_constraints)
+    scaled = _scaling(along(t))
+    if scaled is None:
+        return np.empty(0)
+
+    def smallest(times: Array) -> Array:
+        return np.concatenate([_smallest(scaled(J), model.independent_constraints) for _, J in along(times)])
+
+    found = smallest(t)
     largest = np.nanmax(found, initial=0.0)
     if largest == 0:
         return np.empty(0)
-
-    def ratio(times: Array) -> Array:
-        of_scale = products(times) / np.multiply.outer(scale, scale)
-        return _smallest(of_scale, model.independent_constraints) / largest
-
     found = found / largest
     places = 1 + np.flatnonzero(_may_vanish(t, found) | (found[1:-1] < SINGULAR))
-    at, least = _minima(ratio, t[places - 1], t[places + 1])
-    is_passed = least < SINGULAR
+    at, least = _minima(smallest, t[places - 1], t[places + 1])
+    is_passed = least < SINGULAR * largest
     # Minima with nothing regular between them are of one passage: a motion may stay there.
     regular = np.searchsorted(t[found > REGULAR], at[is_passed])
     return at[is_passed][np.unique(regular, return_index=True)[1]]
@@ -85,12 +89,12 @@ def _may_vanish(t: Array, ratio: Array) -> NDArray[np.bool_]:
     return is_passed
 
 
-def _minima(ratio: Callable[[Array], Array], begin: Array, end: Array) -> tuple[Array, Array]:
-    """Return where the ratio is least within intervals, and how small it is there."""
+def _minima(value: Callable[[Array], Array], begin: Array, end: Array) -> tuple[Array, Array]:
+    """Return where a value is least within intervals, and how small it is there."""
     t, least, rows = begin, np.full(len(begin), np.inf), np.arange(len(begin))
     for _ in range(ROUNDS if len(begin) else 0):
         times = _cut(begin, end, FINER)
-        values = ratio(times.ravel()).reshape(times.shape)
+        values = value(times.ravel()).reshape(times.shape)
         places = np.argmin(np.where(np.isfinite(values), values, np.inf), axis=1)
         t, least = times[rows, places], values[rows, places]
         begin, end = times[rows, np.maximum(places - 1, 0)], times[rows, np.minimum(places + 1, FINER)]
@@ -102,15 +106,22 @@ def _cut(begin: Array, end: Array, parts: int) -> Array:
     return begin[:, None] + (end - begin)[:, None] * np.linspace(0, 1, parts + 1)
 
 
-def _way(model: Model, parameters: Array, trail: Array) -> Callable[[Array], Array]:
-    """Return the states between the ends of steps: coordinates by Hermite's polynomials, speeds as they were last."""
-    from scipy.interpolate import CubicHermiteSpline  # noqa: PLC0415 - slow to load, and few motions are looked at
-
+def _finite(model: Model, parameters: Array, trail: Array) -> tuple[Array, Array, Array]:
+    """Return instants, states and rates of the coordinates at the ends of steps, where all of them are finite."""
     t, at = np.unique(trail[:, 0], return_index=True)
-    states, q = trail[at, 1 : 1 + len(model.state)], len(model.coordinates)
+    states = trail[at, 1 : 1 + len(model.state)]
     function = model.function(model.kinematics, (*model.parameters, *model.damping))
     with np.errstate(all="ignore"):
         rates = np.asarray(function(t, *states.T, *parameters)).T
+    is_finite = np.isfinite(t) & np.isfinite(states).all(axis=1) & np.isfinite(rates).all(axis=1)
+    return t[is_finite], states[is_finite], rates[is_finite]
+
+
+def _way(t: Array, states: Array, rates: Array) -> Callable[[Array], Array]:
+    """Return the states between the ends of steps: coordinates by Hermite's polynomials, speeds as they were last."""
+    from scipy.interpolate import CubicHermiteSpline  # noqa: PLC0415 - slow to load, and few motions are looked at
+
+    q = rates.shape[1]
     coordinates = CubicHermiteSpline(t, states[:, :q], rates)
 
     def way(times: Array) -> Array:
@@ -120,20 +131,35 @@ def _way(model: Model, parameters: Array, trail: Array) -> Callable[[Array], Arr
     return way
 
 
-def _products(model: Model, parameters: Array, t: Array, states: Array) -> Array:
-    """Return ``phi_q M^-1 phi_q^T``, a matrix for each instant; NaN where it isn't finite."""
-    M, J = masses_and_slopes(model, parameters, t, states)
-    is_finite = np.isfinite(M).all(axis=(1, 2)) & np.isfinite(J).all(axis=(1, 2))
-    is_fit = is_finite & (np.linalg.eigvalsh(np.where(np.isfinite(M), M, 0.0))[:, 0] > 0)
-    products = np.full((len(t), J.shape[1], J.shape[1]), np.nan)
-    products[is_fit] = J[is_fit] @ np.linalg.solve(M[is_fit], np.swapaxes(J[is_fit], 1, 2))
-    return products
+def _scaling(parts: Iterable[tuple[Array, Array]]) -> Callable[[Array], Array] | None:
+    """Return what scales derivatives of the constraints, k x m x n; nothing without a mean mass matrix.
+
+    Args:
+        parts: mass matrices and derivatives of the constraints along the motion.
+    """
+    total, largest = 0.0, 0.0
+    for M, slopes in parts:
+        total = total + M[np.isfinite(M).all(axis=(1, 2))].sum(axis=0)
+        largest = np.maximum(largest, np.abs(np.where(np.isfinite(slopes), slopes, 0.0)).max(axis=0))
+    if not np.linalg.eigvalsh(total)[0] > 0:
+        return None
+    to_metric = np.linalg.inv(np.linalg.cholesky(total)).T
+    entries = np.where(largest == 0, 1.0, largest)
+
+    def scaled(some: Array) -> Array:
+        in_metric = some @ to_metric
+        lengths = np.linalg.norm(in_metric, axis=2)
+        shares = (np.abs(some) / entries).max(axis=2)
+        factors: Array = shares / np.where(lengths > 0, lengths, 1.0)
+        result: Array = in_metric * factors[:, :, None]
+        return result
+
+    return scaled
 
 
-def _smallest(products: Array, rank: int) -> Array:
+def _smallest(slopes: Array, rank: int) -> Array:
     """Return the smallest singular value of the independent constraints, NaN if not finite."""
-    is_fit = np.isfinite(products).all(axis=(1, 2))
-    smallest = np.full(len(products), np.nan)
-    squares = np.linalg.eigvalsh(products[is_fit])
-    smallest[is_fit] = np.sqrt(np.maximum(squares[:, -rank], 0.0))
+    is_fit = np.isfinite(slopes).all(axis=(1, 2))
+    smallest = np.full(len(slopes), np.nan)
+    smallest[is_fit] = np.linalg.svd(slopes[is_fit], compute_uv=False)[:, rank - 1]
     return smallest

@@ -79,8 +79,9 @@ def _of_ida(failure: Failure, outcome: Outcome, model: Model, parameters: Array)
     """Return what IDA says, and which constraints are dependent at the end of its last step."""
     told = failure.message.removeprefix("simulate: ")
     t, state = outcome.end
-    if len(outcome.trail):
-        t, *state = outcome.trail[-1]
+    known = outcome.trail[np.isfinite(outcome.trail).all(axis=1)]
+    if len(known):
+        t, *state = known[-1]
     dependent = _dependent(model, parameters, t, np.array(state)[: len(model.state)], _BY_CONSTRAINTS["ida"])
     return f"{told.partition('; expected')[0]}; {dependent}" if dependent else told
 
