@@ -16,7 +16,7 @@ __all__ = ["singular_passages"]
 
 Array = NDArray[np.float64]
 
-SINGULAR, REGULAR = 0.01, 0.03
+SINGULAR, REGULAR = 0.02, 0.06
 """The parts of its largest value along the motion below which the least singular value is taken for zero, and above
 which it is not."""
 PARTS, MARGIN = 2, 2.0
