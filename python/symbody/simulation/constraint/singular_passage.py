@@ -24,6 +24,8 @@ PARTS, MARGIN = 2, 2.0
 straight line through two values may meet zero where one interval was expected."""
 ROUNDS, FINER = 2, 16
 """How often the intervals beside a minimum are cut again, and into how many parts."""
+SHORT = 1e-9
+"""The part of the time below which steps aren't told apart."""
 AT_ONCE = 2**14
 """Matrices that are looked at at once: more would take much memory."""
 
@@ -40,10 +42,13 @@ def singular_passages(model: Model, parameters: Mapping[Expr, float], trail: Arr
         parameters: the values of its parameters, and those of the stabilisation, if there is one.
         trail: the motion: rows of the instant, coordinates and speeds at the ends of its steps.
     """
-    if not model.constraints or not model.independent_constraints or len(trail) < 2:
+    if not model.constraints or not model.independent_constraints:
+        return np.empty(0)
+    trail = _thinned(trail)
+    if len(trail) < 2:
         return np.empty(0)
     p = np.array([parameters[name] for name in (*model.parameters, *model.damping)])
-    way, ends = _way(model, p, trail), np.unique(trail[:, 0])
+    way, ends = _way(model, p, trail), trail[:, 0]
     t = np.append(_cut(ends[:-1], ends[1:], PARTS)[:, :-1], ends[-1])
 
     def products(times: Array) -> Array:
@@ -69,6 +74,17 @@ def singular_passages(model: Model, parameters: Mapping[Expr, float], trail: Arr
     # Minima with nothing regular between them are of one passage: a motion may stay there.
     regular = np.searchsorted(t[found > REGULAR], at[is_passed])
     return at[is_passed][np.unique(regular, return_index=True)[1]]
+
+
+def _thinned(trail: Array) -> Array:
+    """Return the ends of steps in their order, one of those in each of `SHORT` equal parts of the time.
+
+    Where a method finds no way on, thousands of its steps lie at one instant.
+    """
+    t = trail[:, 0]
+    begin, span = t.min(initial=np.inf), np.ptp(t) if len(t) else 0.0
+    kept: Array = trail[np.unique(np.floor((t - begin) / (SHORT * span or 1.0)), return_index=True)[1]]
+    return kept
 
 
 def _may_vanish(t: Array, ratio: Array) -> NDArray[np.bool_]:
@@ -106,8 +122,7 @@ def _way(model: Model, parameters: Array, trail: Array) -> Callable[[Array], Arr
     """Return the states between the ends of steps: coordinates by Hermite's polynomials, speeds as they were last."""
     from scipy.interpolate import CubicHermiteSpline  # noqa: PLC0415 - slow to load, and few motions are looked at
 
-    t, at = np.unique(trail[:, 0], return_index=True)
-    states, q = trail[at, 1 : 1 + len(model.state)], len(model.coordinates)
+    t, states, q = trail[:, 0], trail[:, 1 : 1 + len(model.state)], len(model.coordinates)
     function = model.function(model.kinematics, (*model.parameters, *model.damping))
     with np.errstate(all="ignore"):
         rates = np.asarray(function(t, *states.T, *parameters)).T
