@@ -45,10 +45,8 @@ def without_contradictions(
 ) -> Outcome:
     """Return an outcome that fails where equations contradict each other, if they do along the motion.
 
-    Constraints may, and the equations of speeds that move no mass.
-
-    Where they don't, what the linear solver noted of them belongs to states that were given up: there equations follow
-    from each other.
+    Constraints may do so, and the equations of speeds that move no mass. Where they don't, what the
+    linear solver noted of them belongs to states that were given up: there equations follow from each other.
     """
     of_model = {d for d in outcome.deficiencies if d.equations == len(model.equation_names)}
     noted = {d for d in of_model if d.contradictions}
