@@ -10,9 +10,11 @@ from symbody import (
     Equations,
     Expr,
     System,
+    Vector,
     cos,
     forward_dynamics,
     functions_of_time,
+    ground,
     lambdify,
     newton_euler,
     simulate,
@@ -24,11 +26,13 @@ from symbody import (
     translate,
 )
 from symbody.errors import ConstraintError, ModelNotice, SimulationError
+from symbody.simulation.constraint.kinematics import kinematics_of
+from symbody.simulation.integrate.contradictory_constraints import contradictory_rows
 from tests.simulation.singular_mechanisms import cranks
 from tests.simulation.test_notices import told
 
-x, y = functions_of_time("x y")
-m, a, b = symbols("m a b")
+x, y, z = functions_of_time("x y z")
+m, a, b, g = symbols("m a b g")
 WAY_OUT = (
     "contradict each other: they ask for different motions of the same coordinates; correct them, or leave out what "
     "should follow from the others"
@@ -150,3 +154,34 @@ def test_a_motion_that_leaves_its_constraints_says_so() -> None:
         for notice in notices
     )
     assert told(lambda: simulate(beads(gap), {m: 1}, {time_derivative(y): 0.5}, t=(0, 1))) == []
+
+
+def equal_bars(*more: Expr) -> Equations:
+    """A crank and a rod of one length in natural coordinates: folded, the rod could turn with the crank."""
+    pin, slider = Body(translate(x, y, 0), m), Body(translate(z, 0, 0), m)
+    constraints = [x**2 + y**2 - 1, (z - x) ** 2 + y**2 - 1, *more]
+    return newton_euler(System([pin, slider], [], [x, y, z], constraints, Vector(ground, 0, -g, 0)))
+
+
+def test_constraints_of_a_singular_position_do_not_contradict() -> None:
+    """Some of these motions stop where gradients cancel to the last digit, with a speed of neither branch."""
+    speed = np.linspace(3, 12, 200)[:40]
+    rates = {time_derivative(q): share * speed for q, share in {x: -0.8, y: 0.6, z: -1.6}.items()}
+    begin = {x: 0.6, y: 0.8, z: 1.2} | rates
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", ModelNotice)
+        runs = simulate_many(
+            equal_bars(), {m: 1, g: 9.81}, begin, t=(0, 6), constraints=(30, 1), progress=False
+        )
+    assert len(runs.failures) > 5
+    assert [failure for failure in runs.failures if "a singular position" not in failure.message] == []
+
+
+def test_in_a_singular_position_constraints_say_which_speeds_go_on() -> None:
+    """Folded at the pin of the slider, with speeds that are no branch's, and with constraints that contradict."""
+    state = [1.0, 0.0, 0.0, 0.0, 1.0, 0.5]
+    assert contradictory_rows(kinematics_of(equal_bars()), np.empty(0), 0.0, state, 6.0) == ()
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", ModelNotice)
+        wrong = equal_bars(x - cos(t), x - 1 + t**2)
+    assert contradictory_rows(kinematics_of(wrong), np.empty(0), 0.0, state, 6.0) == (2, 3)

@@ -224,3 +224,61 @@ def test_two_too_many() -> None:
     assert (
         str(redundant_constraints(independent)) == "the constraints are independent where the mechanism moves"
     )
+
+
+def flat_cranks(count: int, stages: int = 1) -> System:
+    """Parallel cranks of length 1 that carry a coupler, and others on it, as many stages; all flat where angles are 0.
+
+    Of each stage the first two cranks and the coupler move as parallelograms; each further crank is one constraint too
+    much. Flat, the constraints along x have no gradient, and those along y let cranks and coupler turn independently.
+    """
+    root, bodies, angles, constraints = translate(0, 0, 0), [], [], []
+    for stage in range(stages):
+        *turned, of_coupler = functions_of_time(" ".join(f"r{stage}_{k}" for k in range(count + 1)))
+        frames = [root * translate(k, 0, 0) * rotate("Z", angle) for k, angle in enumerate(turned)]
+        coupler = frames[0] * translate(1, 0, 0) * rotate("Z", of_coupler - turned[0])
+        for k, crank in enumerate(frames[1:], start=1):
+            gap = project(Point(coupler, k, 0, 0) - Point(crank, 1, 0, 0), ground)
+            constraints += gap.components[:2]
+        bodies += [Body(frame, m, 0, 0, m) for frame in (*frames, coupler)]
+        angles += [*turned, of_coupler]
+        root = coupler
+    return System(bodies, (), angles, constraints, Vector(ground, 0, -g, 0))
+
+
+@pytest.mark.parametrize(("count", "stages"), [(3, 1), (5, 1), (3, 2)])
+def test_a_singular_start_is_left_before_constraints_are_counted(count: int, stages: int) -> None:
+    system = flat_cranks(count, stages)
+    found = redundant_constraints(system, VALUES)
+    raised = {q: 1.0 for q in system.coordinates if not str(q).endswith(str(count))}
+    beside = redundant_constraints(system, VALUES, guess=raised)
+    assert found.count == beside.count == stages * (count - 2)
+    assert found.rows == beside.rows == tuple(range(len(system.constraints)))
+    if stages == 1:
+        assert found.choices.partition(" (")[0] == beside.choices.partition(" (")[0]
+        for row, ratio in beside.ratios.items():
+            assert found.ratios[row] == pytest.approx(ratio, rel=0.05, abs=0.02)
+
+
+def test_the_error_without_a_motion_says_so_as_well() -> None:
+    with pytest.raises(ConstraintError) as error:
+        newton_euler(flat_cranks(3))
+    text = str(error.value)
+    assert "one of them too many; leave out one, best 2 or 4; not 1 or 3, without which the others" in text
+
+
+def test_choices_are_those_apart_from_singular_positions() -> None:
+    """The walk meets the flat position, in which all constraints along x depend on each other, whatever is left out."""
+    plate, raised = translate(x, y, 0) * rotate("Z", theta), {a: 1.0, b: 1.0, c: 1.0}
+    constraints, bodies = [], [Body(plate, m, 0, 0, m)]
+    for place, angle in enumerate((a, b, c)):
+        crank = translate(place, 0, 0) * rotate("Z", angle)
+        constraints += project(Point(plate, place, 0, 0) - Point(crank, 1, 0, 0), ground).components[:2]
+        bodies.append(Body(crank, m, 0, 0, m))
+    system = System(bodies, (), [a, b, c, x, y, theta], constraints)
+    flat = redundant_constraints(system, VALUES, guess={x: 1.0})
+    beside = redundant_constraints(system, VALUES, guess=raised | {x: np.cos(1.0), y: np.sin(1.0)})
+    assert flat.rows == beside.rows == (0, 1, 2, 3, 4, 5)
+    assert min(beside.ratios.values()) > 1e-3
+    for row, ratio in beside.ratios.items():
+        assert flat.ratios[row] == pytest.approx(ratio, rel=0.3)

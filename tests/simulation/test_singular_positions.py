@@ -35,6 +35,10 @@ from symbody import (
     translate,
 )
 from symbody.errors import ModelNotice
+from symbody.simulation.constraint import singular_passage
+from symbody.simulation.constraint.constraint_directions import masses_and_slopes
+from symbody.simulation.constraint.singular_passage import singular_passages
+from symbody.simulation.model.model import Model, model_of
 from tests.reference.mechanisms.andrews import andrews
 from tests.reference.mechanisms.slider_crank import slider_crank
 
@@ -334,3 +338,24 @@ def test_a_batch_counts_the_motions_that_pass_singular_positions() -> None:
     said = [str(notice.message) for notice in caught if "passes singular positions" in str(notice.message)]
     assert len(said) == 1
     assert said[0].startswith("simulate_many: in 3 of 3 cases, first case 0")
+
+
+def test_steps_that_get_nowhere_are_looked_at_once(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A method that finds no way on leaves thousands of steps at one instant."""
+    found, _ = mechanism("one")
+    model = model_of(found.equations)
+    t = np.linspace(0.0, 3.0, 61)
+    signs = np.array([1.0, 1.0, -1.0])
+    trail = np.column_stack([t, np.outer(np.pi / 2 - 1.1 * t, signs), np.outer(np.full(len(t), -1.1), signs)])
+    piled = np.repeat(trail[40:41], 4000, axis=0) + np.linspace(0, 1e-10, 4000)[:, None]
+    looked = 0
+
+    def counted(model: Model, parameters: Array, t: Array, states: Array) -> tuple[Array, Array]:
+        nonlocal looked
+        looked += len(t)
+        return masses_and_slopes(model, parameters, t, states)
+
+    monkeypatch.setattr(singular_passage, "masses_and_slopes", counted)
+    passed = singular_passages(model, found.parameters, np.vstack([trail[:41], piled, trail[41:]]))
+    np.testing.assert_allclose(passed, [np.pi / 2 / 1.1], atol=1e-3)
+    assert looked < 1000

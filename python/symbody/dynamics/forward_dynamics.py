@@ -40,8 +40,8 @@ class ForwardDynamics:
         multipliers: the multipliers, in the order of the constraints.
         method: how they were found.
         conditions: what has to be positive, as numbers, for all of this to be accurate; nothing by most methods.
-        equation_names: what to call the rows of the linear system that is solved at run time, as `lambdify` takes them;
-            nothing where there is none.
+        equation_names: what to call the rows of the linear system that is solved at run time, behind the word equation,
+            as `lambdify` takes them; nothing where there is none.
     """
 
     accelerations: tuple[Expr, ...]
@@ -85,7 +85,7 @@ def forward_dynamics(eqs: Equations, *, method: str = "auto", baumgarte: Damping
 
 def _equation_names(eqs: Equations, method: str) -> tuple[str, ...]:
     constraints = tuple(map(str, eqs.constraints))
-    speeds = tuple(f"the equation of {speed}" for speed in eqs.speeds)
+    speeds = tuple(f"of {speed}" for speed in eqs.speeds)
     return {"schur_complement": constraints, "pivoted": speeds + constraints}.get(method, ())
 
 

@@ -31,6 +31,8 @@ Array = NDArray[np.float64]
 
 NEAR = 5e-2
 """The ratio of singular values below which constraints that stay count as nearly dependent."""
+SINGULAR = 5e-2
+"""The part of the largest ratio along the walk below which a position counts as next to a singular one."""
 STEPS = 80
 """Positions that are looked at in either direction."""
 MOST = 12
@@ -150,7 +152,7 @@ def redundancy(constraints: tuple[Expr, ...], gradients: Sequence[Array]) -> Red
     count = min((len(found) for found in combinations), default=0)
     regular = [(J, found) for J, found in zip(gradients, combinations, strict=True) if len(found) == count]
     rows = sorted({int(row) for _, found in regular for y in found for row in np.flatnonzero(y)})
-    places = [J for J, _ in regular]
+    places = _apart_from_singular([J for J, _ in regular], count)
     ratios = {row: _ratio_without(places, row, rows, count) for row in rows} if len(rows) <= MOST else {}
     return Redundancy(constraints, count, tuple(rows), ratios)
 
@@ -165,12 +167,20 @@ def _ratio_without(places: Sequence[Array], row: int, rows: Sequence[int], count
     return _least(places, removed, count)
 
 
+def _apart_from_singular(places: Sequence[Array], count: int) -> list[Array]:
+    """Return those of the places that aren't next to singular ones, where no choice keeps the others independent."""
+    own = np.array([_ratio(J, count) for J in places])
+    return [J for J, ratio in zip(places, own, strict=True) if ratio >= SINGULAR * own.max(initial=0.0)]
+
+
 def _least(places: Sequence[Array], removed: Sequence[int], count: int) -> float:
     """Return the least ratio over all positions; of the singular values that should stay with so many too many."""
-    rank = len(places[0]) - count
+    left = count - len(removed)
+    return min(_ratio(np.delete(J, list(removed), axis=0), left) for J in places)
 
-    def ratio(J: Array) -> float:
-        s = np.linalg.svd(np.delete(J, list(removed), axis=0), compute_uv=False)
-        return float(s[rank - 1] / s[0]) if rank else 1.0
 
-    return min(map(ratio, places))
+def _ratio(J: Array, count: int) -> float:
+    """Return the ratio of singular values, without those of so many rows that are too many."""
+    rank = len(J) - count
+    s = np.linalg.svd(J, compute_uv=False)
+    return float(s[rank - 1] / s[0]) if rank else 1.0

@@ -24,6 +24,8 @@ PARTS, MARGIN = 2, 2.0
 straight line through two values may meet zero where one interval was expected."""
 ROUNDS, FINER = 2, 16
 """How often the intervals beside a minimum are cut again, and into how many parts."""
+SHORT = 1e-9
+"""The part of the time below which steps aren't told apart."""
 AT_ONCE = 2**12
 """Matrices that are looked at at once: more would take much memory."""
 
@@ -42,10 +44,10 @@ def singular_passages(model: Model, parameters: Mapping[Expr, float], trail: Arr
         parameters: the values of its parameters, and those of the stabilisation, if there is one.
         trail: the motion: rows of the instant, coordinates and speeds at the ends of its steps.
     """
-    if not model.constraints or not model.independent_constraints:
+    if len(trail) < 2 or not model.constraints or not model.independent_constraints:
         return np.empty(0)
     p = np.array([parameters[name] for name in (*model.parameters, *model.damping)])
-    ends, states, rates = _finite(model, p, trail)
+    ends, states, rates = _finite(model, p, _thinned(trail))
     if len(ends) < 2:
         return np.empty(0)
     way = _way(ends, states, rates)
@@ -73,6 +75,17 @@ def singular_passages(model: Model, parameters: Mapping[Expr, float], trail: Arr
     # Minima with nothing regular between them are of one passage: a motion may stay there.
     regular = np.searchsorted(t[found > REGULAR], at[is_passed])
     return at[is_passed][np.unique(regular, return_index=True)[1]]
+
+
+def _thinned(trail: Array) -> Array:
+    """Return the ends of steps in their order, one of those in each of `SHORT` equal parts of the time.
+
+    Where a method finds no way on, thousands of its steps lie at one instant.
+    """
+    t = trail[:, 0]
+    begin, span = t.min(initial=np.inf), np.ptp(t) if len(t) else 0.0
+    kept: Array = trail[np.unique(np.floor((t - begin) / (SHORT * span or 1.0)), return_index=True)[1]]
+    return kept
 
 
 def _may_vanish(t: Array, ratio: Array) -> NDArray[np.bool_]:
@@ -108,8 +121,7 @@ def _cut(begin: Array, end: Array, parts: int) -> Array:
 
 def _finite(model: Model, parameters: Array, trail: Array) -> tuple[Array, Array, Array]:
     """Return instants, states and rates of the coordinates at the ends of steps, where all of them are finite."""
-    t, at = np.unique(trail[:, 0], return_index=True)
-    states = trail[at, 1 : 1 + len(model.state)]
+    t, states = trail[:, 0], trail[:, 1 : 1 + len(model.state)]
     function = model.function(model.kinematics, (*model.parameters, *model.damping))
     with np.errstate(all="ignore"):
         rates = np.asarray(function(t, *states.T, *parameters)).T

@@ -94,7 +94,8 @@ def is_singular(kinematics: Kinematics, p: Array, t: float, q: Array, held: Sequ
     if not np.isfinite(here).all():
         return False
     is_alone = True
-    for J in footing.around(q, DIRECTIONS):
+    for beside in footing.around(q, DIRECTIONS):
+        J = footing.slopes(beside)[0]
         if np.isfinite(J).all():
             ranks = np.sum(
                 np.linalg.svd(equilibrated(np.array([here, J])), compute_uv=False) > SINGULAR, axis=1

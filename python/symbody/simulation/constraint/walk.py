@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from itertools import islice
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,7 +13,9 @@ from numpy.typing import NDArray
 from symbody.symbolic import Expr
 
 from .consistent import Positions
+from .gauss_newton import gauss_newton
 from .kinematics import Kinematics
+from .vanishing_combinations import vanishing_combinations
 
 __all__ = ["CANCELLED", "Footing", "free_directions", "scaled", "walk"]
 
@@ -20,16 +23,23 @@ Array = NDArray[np.float64]
 
 CANCELLED = 1e-7
 """The part of the gradients that may be left of a combination that cancels, at positions right to ten digits."""
+SURE = 1e-3
+"""The same where positions are right to half as many digits, as solutions next to singular positions are."""
 BACK = 40
 """Steps of Gauss and Newton that lead back onto the constraints, at most; each one halves what is off, or more."""
 STEP = 0.05
 """How far positions are apart, in rad or in parts of the lengths."""
+AWAY = 0.2
+"""How far positions beside one are away from it, in the same units."""
+TRIES, DEPARTURES = 48, 12
+"""In how many directions positions are looked for to walk from, and how many are enough."""
 
 
 def walk(kinematics: Kinematics, p: Array, t: float, begin: Array, steps: int) -> Iterator[Array]:
     """Yield the derivatives of the constraints by the speeds where a mechanism gets to, both ways.
 
-    The first position itself comes first in either direction.
+    The first position itself comes first in either direction. If it is singular, walks begin beside it instead, where
+    most constraints are independent: one for each set of constraints that depend on each other there.
 
     Args:
         kinematics: the constraints.
@@ -39,17 +49,46 @@ def walk(kinematics: Kinematics, p: Array, t: float, begin: Array, steps: int) -
         steps: how many positions to look at in either direction.
     """
     ground = Footing(kinematics, p, t)
-    for sign in (1.0, -1.0):
-        q, direction = begin, np.zeros(len(kinematics.system.speeds))
-        for _ in range(steps):
-            J, K = ground.slopes(q)
-            if not np.isfinite(J).all():
-                break
-            yield J
-            direction = _onward(J, direction, sign)
-            q = ground.moved(q, K @ direction)
-            if not len(q):
-                break
+    for first in _departures(ground, begin):
+        for sign in (1.0, -1.0):
+            yield from _walked(ground, first, sign, steps)
+
+
+def _walked(ground: Footing, begin: Array, sign: float, steps: int) -> Iterator[Array]:
+    q, direction = begin, np.zeros(len(ground.kinematics.system.speeds))
+    for _ in range(steps):
+        J, K = ground.slopes(q)
+        if not np.isfinite(J).all():
+            break
+        yield J
+        direction = _onward(J, direction, sign)
+        q = ground.moved(q, K @ direction)
+        if not len(q):
+            break
+
+
+def _departures(ground: Footing, begin: Array) -> list[Array]:
+    """Return the position, or some beside it on different branches, if more constraints are independent there."""
+    found, rank = [begin], _rank(ground.slopes(begin)[0])
+    while True:
+        places = islice(ground.around(found[0], TRIES, SURE), DEPARTURES)
+        beside = [(q, ground.slopes(q)[0]) for q in places]
+        movable = [(q, J, _rank(J)) for q, J in beside if _rank(J) < J.shape[1]]
+        higher = max((other for _, _, other in movable), default=0)
+        if higher <= rank:
+            return found
+        found = list({_dependence(J): q for q, J, other in movable if other == higher}.values())
+        rank = higher
+
+
+def _rank(J: Array) -> int:
+    """Return how many constraints are independent for sure."""
+    return J.shape[1] - len(free_directions(J, SURE)) if np.isfinite(J).all() else 0
+
+
+def _dependence(J: Array) -> tuple[tuple[int, ...], ...]:
+    """Return which constraints depend on each other, by groups."""
+    return tuple(tuple(np.flatnonzero(y).tolist()) for y in vanishing_combinations(scaled(J), CANCELLED))
 
 
 @dataclass(frozen=True, eq=False)
@@ -88,33 +127,59 @@ class Footing:
         found = problem.solved(onward, self._is_free, BACK)
         return found if problem.error(found) < CANCELLED * 1e-2 else np.zeros(0)
 
-    def around(self, q: Array, count: int) -> Iterator[Array]:
-        """Yield derivatives of the constraints where steps lead that they allow to first order, in some directions.
+    def around(self, q: Array, count: int, near: float = CANCELLED) -> Iterator[Array]:
+        """Yield positions a step away, in the neighbourhood of some directions that constraints allow to first order.
 
-        Where several motions go on, most of these directions are of none of them, and lead to one none the less.
+        Where several motions go on, most of these directions are of none of them: ``phi = 0`` is solved together with
+        ``|q - q0| = r``, so that the search does not end where it began.
         """
         J, K = self.slopes(q)
         if not np.isfinite(J).all():
             return
-        free = free_directions(J)
+        free = free_directions(J, near)
         draw = np.random.Generator(np.random.PCG64(1)).uniform(-1, 1, (count, len(free)))
         for direction in draw @ free:
-            found = self.moved(q, K @ direction)
-            if len(found) and np.abs(found - q).max() > 1e-2 * STEP:
-                yield self.slopes(found)[0]
+            found = self._at_distance(q, K @ direction)
+            if len(found):
+                yield found
+
+    def _at_distance(self, q: Array, rates: Array) -> Array:
+        """Return a position `AWAY` from another one, near a direction; nothing where none is found."""
+        r = AWAY * max(1.0, float(np.abs(q).max()))
+        if not rates.any():
+            return np.zeros(0)
+        found = q + r * rates / np.linalg.norm(rates)
+        problem = Positions.at(self.kinematics, self.p, self.t, found)
+
+        def on_sphere(free: Array) -> tuple[Array, Array]:
+            found[self._is_free] = free
+            phi, J = problem.linearization(found, self._is_free)
+            away = (found - q) / r
+            return np.append(phi / r**2, (away @ away - 1) / 2), np.vstack(
+                [J / r**2, away[self._is_free] / r]
+            )
+
+        found[self._is_free] = gauss_newton(on_sphere, found[self._is_free])
+        is_away = float(np.linalg.norm(found - q)) > r / 2
+        return found if is_away and problem.error(found) < CANCELLED * 1e-2 else np.zeros(0)
 
 
-def scaled(J: Array) -> Array:
-    """Return the rows, each divided by its length."""
+def scaled(J: Array, near: float = CANCELLED) -> Array:
+    """Return the rows, each divided by its length, unless that is this part of the longest one or less."""
     lengths = np.linalg.norm(J, axis=1, keepdims=True)
-    scaled: Array = J / np.where(lengths > CANCELLED * lengths.max(initial=0.0), lengths, 1.0)
+    scaled: Array = J / np.where(lengths > near * lengths.max(initial=0.0), lengths, 1.0)
     return scaled
 
 
-def free_directions(J: Array) -> Array:
-    """Return directions of the speeds that the constraints allow, orthonormal, a row each."""
-    _, s, Vt = np.linalg.svd(scaled(J))
-    return Vt[int(np.sum(s > CANCELLED * s.max(initial=0.0))) :]
+def free_directions(J: Array, near: float = CANCELLED) -> Array:
+    """Return directions of the speeds that the constraints allow, orthonormal, a row each.
+
+    Args:
+        J: the derivatives of the constraints by the speeds.
+        near: the part of the largest singular value up to which one counts as zero.
+    """
+    _, s, Vt = np.linalg.svd(scaled(J, near))
+    return Vt[int(np.sum(s > near * s.max(initial=0.0))) :]
 
 
 def _onward(J: Array, before: Array, sign: float) -> Array:

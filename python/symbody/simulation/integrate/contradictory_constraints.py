@@ -1,14 +1,17 @@
 """Constraints that contradict each other along a motion: no motion satisfies them, whatever was integrated.
 
 A combination y of constraints whose gradients cancel, ``y^T phi_q = 0``, says something of time alone: ``y^T phi``,
-``y^T phi_t`` and ``y^T c`` have to vanish, where ``phi'' = phi_q u' + c``. The linear solver notes right sides that
-contradict, also at states that were tried and given up; here the states that a motion went through decide.
+``y^T phi_t`` and ``y^T c`` have to vanish, where ``phi'' = phi_q u' + c``. So it is where they cancel beside the
+position, too: for all w with ``phi_q w = 0``, ``y^T (phi_q w)_q w`` vanishes. At a singular position it doesn't, and
+``y^T c = 0`` says there which speeds are those of a motion. The linear solver notes right sides that contradict, also
+at states that were tried and given up; here the states that a motion went through decide.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import replace
+from functools import partial
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -25,6 +28,7 @@ from symbody.simulation.model.model import Model
 from symbody.symbolic import Expr
 from symbody.symbolic.deficiency import Deficiency
 
+from .massless_speeds import unbalanced_speeds
 from .outcome import Failure, Outcome
 
 __all__ = ["contradictory_rows", "without_contradictions"]
@@ -39,10 +43,10 @@ _SUSPECT = {"projection", "stalled", "step_collapse", "library", "ida"}
 def without_contradictions(
     outcome: Outcome, model: Model, parameters: Mapping[Expr, float], instants: Array
 ) -> Outcome:
-    """Return an outcome that fails where constraints contradict each other, if they do along the motion.
+    """Return an outcome that fails where equations contradict each other, if they do along the motion.
 
-    Where they don't, what the linear solver noted of them belongs to states that were given up: there equations follow
-    from each other.
+    Constraints may do so, and the equations of speeds that move no mass. Where they don't, what the
+    linear solver noted of them belongs to states that were given up: there equations follow from each other.
     """
     of_model = {d for d in outcome.deficiencies if d.equations == len(model.equation_names)}
     noted = {d for d in of_model if d.contradictions}
@@ -50,25 +54,45 @@ def without_contradictions(
     if not model.constraints or not (noted or is_suspect):
         return outcome
     times, states = _course(outcome, model, instants)
-    kinematics = kinematics_of(model.equations, dict(model.inputs))
-    p = np.array([parameters[name] for name in kinematics.parameters])
     span = float(instants[-1] - instants[0]) or 1.0
-    place = _first(kinematics, p, times, states, span)
+    told = partial(_contradiction, model, parameters, span, are_speeds_noted=_holds_speeds(noted, model))
+    place = _first(lambda k: bool(told(float(times[k]), states[k])), len(times))
     if place is None:
         return replace(outcome, deficiencies=outcome.deficiencies - noted | {_followed(d) for d in noted})
-    t, state = float(times[place]), states[place]
-    rows = contradictory_rows(kinematics, p, t, state, span)
+    t = float(times[place])
     reached = max(1, min(place + 1, len(outcome.states)))
     return replace(
         outcome,
         states=outcome.states[:reached],
         occurrences=[event for event in outcome.occurrences if event[1] <= t],
         end=(t, outcome.states[place].tolist() if place < len(outcome.states) else outcome.end[1]),
-        failure=Failure(
-            "contradiction", t, f"at t = {t:.9g} s: {contradiction_between(model.constraints, rows)}"
-        ),
+        failure=Failure("contradiction", t, f"at t = {t:.9g} s: {told(t, states[place])}"),
         deficiencies=outcome.deficiencies - of_model,
     )
+
+
+def _contradiction(
+    model: Model,
+    parameters: Mapping[Expr, float],
+    span: float,
+    t: float,
+    state: Array,
+    *,
+    are_speeds_noted: bool,
+) -> str:
+    """Return which equations contradict each other at a state, and why; the empty text if none do."""
+    kinematics = kinematics_of(model.equations, dict(model.inputs))
+    p = np.array([parameters[name] for name in kinematics.parameters])
+    rows = contradictory_rows(kinematics, p, t, state, span)
+    if rows:
+        return contradiction_between(model.constraints, rows)
+    return unbalanced_speeds(model, parameters, t, state) if are_speeds_noted else ""
+
+
+def _holds_speeds(noted: Iterable[Deficiency], model: Model) -> bool:
+    """Whether equations of speeds, which come before the constraints, are among those that may contradict others."""
+    n = len(model.speeds) if len(model.equation_names) > len(model.constraints) else 0
+    return any(min((row, *others)) < n for d in noted for row, others in d.contradictions)
 
 
 def contradictory_rows(
@@ -92,12 +116,34 @@ def contradictory_rows(
     if not all(np.isfinite(part).all() for part in (phi, A, b, c)):
         return ()
     terms = term_sizes(q, phi_q, sizes)
-    for y in cancelling_combinations(A):
+    for y in _lasting_combinations(kinematics, p, t, q, A):
         allowed = INCONSISTENT * float(np.abs(y) @ terms)
         rates = ((b, span), (c, span**2 / 2))
         if abs(y @ phi) > allowed or any(_is_off(y, rate, factor, allowed) for rate, factor in rates):
             return tuple(int(row) for row in np.flatnonzero(y))
     return ()
+
+
+def _lasting_combinations(kinematics: Kinematics, p: Array, t: float, q: Array, A: Array) -> list[Array]:
+    """Return the combinations of constraints whose gradients cancel at a position, and at those beside it, too."""
+    cancelling = len(cancelling_combinations(A))
+    if not cancelling:
+        return []
+    free = least_norm(A, np.zeros(len(A)))[1]
+    draw = np.random.Generator(np.random.PCG64(1)).uniform(-1, 1, (cancelling, free.shape[1]))
+    bends = [_second_derivative(kinematics, p, t, q, free @ share) for share in draw]
+    return cancelling_combinations(np.column_stack([A, *bends]))
+
+
+def _second_derivative(kinematics: Kinematics, p: Array, t: float, q: Array, w: Array) -> Array:
+    """Return ``(phi_q w)_q w``: the part of c that is of second degree in the speeds."""
+    with np.errstate(all="ignore"):
+        forth, back, none = (
+            kinematics.acceleration(t, np.concatenate([q, u]), p)[: len(kinematics.constraints)]
+            for u in (w, -w, np.zeros_like(w))
+        )
+    bend: Array = np.nan_to_num((forth + back) / 2 - none, posinf=0.0, neginf=0.0)
+    return bend
 
 
 def _polished(kinematics: Kinematics, p: Array, t: float, state: Array) -> tuple[Array, Array]:
@@ -130,13 +176,9 @@ def _course(outcome: Outcome, model: Model, instants: Array) -> tuple[Array, Arr
     return np.append(times, outcome.end[0]), np.vstack([states, outcome.end[1][:size]])
 
 
-def _first(kinematics: Kinematics, p: Array, times: Array, states: Array, span: float) -> int | None:
-    """Return the place of the first state where constraints contradict each other: of some, then of the gap before."""
-
-    def is_contradictory(place: int) -> bool:
-        return bool(contradictory_rows(kinematics, p, float(times[place]), states[place], span))
-
-    looks = np.unique(np.linspace(0, len(times) - 1, min(LOOKS, len(times))).astype(int)).tolist()
+def _first(is_contradictory: Callable[[int], bool], count: int) -> int | None:
+    """Return the place of the first state where equations contradict each other: of some, then of the gap before."""
+    looks = np.unique(np.linspace(0, count - 1, min(LOOKS, count)).astype(int)).tolist()
     found = next((k for k, place in enumerate(looks) if is_contradictory(place)), None)
     if found is None:
         return None
