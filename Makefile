@@ -72,7 +72,7 @@ lint-python: $(STAMPS)/build $(STAMPS)/develop
 	$(BIN)/ruff check .
 	$(BIN)/mypy
 	$(BIN)/python -m mypy.stubtest symbody.symbolic._core
-	$(BIN)/lint-imports
+	$(BIN)/lint-imports --no-cache
 
 format: $(STAMPS)/develop  ## put the sources into the project's format, and README.md into that of an index
 	cargo fmt --all
