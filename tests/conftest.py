@@ -92,7 +92,7 @@ def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter) -> None:
         counts = sorted(Counter(name for names in wanted for name in names).items())
         listed = ", ".join(f"{name} ({count})" for name, count in counts)
         tests = "1 test" if len(wanted) == 1 else f"{len(wanted)} tests"
-        packages = "scripts/tools.py names the packages, where there are any"
+        packages = "`python -m symbody doctor` says how to get them, where that is possible"
         terminalreporter.write_line(f"{tests} skipped for want of {listed}; {packages}")
     for test in unexcused(terminalreporter):
         terminalreporter.write_line(f"skipped, which CI does not allow: {test}")
