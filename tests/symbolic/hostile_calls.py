@@ -62,7 +62,7 @@ def _first_expressions() -> list[Value]:
     x, y = _core.symbol("x"), _core.symbol("y", positive=True)
     z, q = _core.symbol("z", real=False), _core.time_function("q")
     deep = x
-    for _ in range(300):
+    for _ in range(100):
         deep = _core.apply("sin", [deep * y]) + q
     system = _core.linear_solve([x, y, 1, x], [q, 1])
     first = {"x": x, "y": y, "z": z, "q": q, "t": _core.time(), "pi": _core.pi(), "deep": deep}

@@ -1,7 +1,7 @@
 //! What is too large is an error or is kept whole: nothing is cut off in silence.
 
 use symbody_core::{
-    Assumption, Error, Function, Graph, Id, LARGEST_ORDER, Matrix, Number, View, check_rows, vector,
+    Assumption, Error, Function, Graph, Id, LARGEST_ORDER, Matrix, Number, NumberId, View, check_rows, vector,
 };
 
 const MOST_ARGUMENTS: usize = 60_000;
@@ -47,12 +47,24 @@ fn functions_have_a_most_of_arguments() {
 #[test]
 fn long_sums_are_nested() -> Result<(), Error> {
     let g = &mut Graph::new();
-    let (args, one) = (symbols(g, 70_000), symbody_core::NumberId::ONE);
+    let (args, one) = (symbols(g, 70_000), NumberId::ONE);
     let terms: Vec<_> = args.iter().map(|&id| (one, id)).collect();
     let whole = g.sum(&terms);
     let (left, right) = (g.sum(&terms[..35_000]), g.sum(&terms[35_000..]));
     let difference = g.sub(whole, left);
     assert!(g.equal(difference, right));
+    Ok(())
+}
+
+#[test]
+fn long_products_are_nested() -> Result<(), Error> {
+    let g = &mut Graph::new();
+    let factors: Vec<_> = symbols(g, 31_000).into_iter().map(|id| (id, NumberId::ONE)).collect();
+    let product = g.product(&factors)?;
+    let (left, right) = (g.product(&factors[..500])?, g.product(&factors[500..])?);
+    assert!(g.children(product).len() < factors.len());
+    let again = g.mul(left, right)?;
+    assert!(g.equal(product, again));
     Ok(())
 }
 
