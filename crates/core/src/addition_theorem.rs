@@ -92,7 +92,7 @@ impl Ring<'_> {
 /// The largest number of which both are whole multiples.
 fn common_unit(a: &Number, b: &Number) -> Number {
     let num = (a.numerator() * b.denominator()).gcd(&(b.numerator() * a.denominator()));
-    Number::from_big(num, a.denominator() * b.denominator()).unwrap_or_else(|_| a.abs())
+    Number::from_big(num, a.denominator() * b.denominator()).expect("denominators are positive")
 }
 
 #[cfg(test)]

@@ -155,11 +155,14 @@ impl Graph {
                 (View::Product(factors), Some(_)) => {
                     open.extend(factors.iter().map(|(node, e)| (node, self.get_number(e).mul(&exponent))));
                 }
-                (View::Scale(factor, child), Some(n)) => {
-                    coefficient =
-                        coefficient.mul(&self.get_number(factor).powi(n).unwrap_or(Number::integer(1)));
-                    open.push((child, exponent));
-                }
+                (View::Scale(factor, child), Some(n)) => match self.get_number(factor).powi(n) {
+                    Ok(power) => {
+                        coefficient = coefficient.mul(&power);
+                        open.push((child, exponent));
+                    }
+                    // Too large a number: the power stays whole.
+                    Err(_) => parts.push(Step::Atom(self.power_value(base, &exponent))),
+                },
                 (View::Sum(_), Some(n @ 1..=6)) => parts.extend((0..n).map(|_| Step::Visit(base))),
                 _ => parts.push(Step::Atom(self.power_value(base, &exponent))),
             }
@@ -199,10 +202,14 @@ impl Graph {
         })
     }
 
-    /// The value of base ** exponent with an exponent that is no number: x^(n + a) = x^n x^a.
+    /// The value of base ** exponent with an exponent that is no number: x^(n + a) = x^n x^a, but for zero.
     pub(crate) fn general_power(&self, base: Id, exponent: Id) -> Element {
-        let linear = self.linear(exponent);
         let key = Key::new("power").element(self.value(base));
+        if base == Id::ZERO {
+            // 0^(a - 1) is no product of 0^a and a power of zero.
+            return Element::draw(&key.element(self.value(exponent)));
+        }
+        let linear = self.linear(exponent);
         let atoms = linear.atoms.iter().map(|(atom, coefficient)| (*atom, coefficient.clone()));
         let pi = (!linear.pi.is_zero()).then(|| (Element::draw(&Key::new("pi")), linear.pi.clone()));
         atoms.chain(pi).fold(self.power_value(base, &linear.number), |value, (atom, coefficient)| {
@@ -241,13 +248,12 @@ fn torsion(multiple: &Number) -> Circle {
     if turns.is_zero() {
         return Circle::ONE;
     }
-    let steps = turns.mul(&Number::rational(i64::try_from(TORSION).unwrap_or(1), 1));
+    let steps = turns.mul(&Number::whole(TORSION.into()));
     if let Some(k) = steps.to_i64() {
         return Circle::torsion(k.unsigned_abs());
     }
     let key = Key::new("part of a turn").text(&turns.denominator().to_string());
-    let numerator = Number::from_big(turns.numerator(), 1.into()).unwrap_or(Number::integer(1));
-    Circle::draw(&key).times(&numerator)
+    Circle::draw(&key).times(&Number::whole(turns.numerator()))
 }
 
 /// The value of the square root of a prime, in agreement with the values of trigonometric functions.

@@ -3,8 +3,8 @@
 use crate::error::Error;
 use crate::field::{Element, Key};
 use crate::function::{Function, Parity};
-use crate::graph::{Graph, LONGEST};
-use crate::node::{Flags, Id, Kind, NumberId, View};
+use crate::graph::{Graph, check_count};
+use crate::node::{Id, Kind, NumberId, View};
 use crate::number::Number;
 use crate::print::compare_names;
 use std::cmp::Ordering;
@@ -19,9 +19,7 @@ impl Graph {
     /// When the number of arguments is wrong, or the value is not defined there.
     pub fn apply(&mut self, function: Function, args: &[Id]) -> Result<Id, Error> {
         function.check_arity(args.len())?;
-        if args.len() > LONGEST {
-            return Err(Error::Limit { what: "arguments of a function", limit: LONGEST, found: args.len() });
-        }
+        check_count(args.len())?;
         let args: Vec<Id> = args.iter().map(|&id| self.adopt(id)).collect();
         if let Some(exact) = self.exact_value(function, &args)? {
             return Ok(exact);
@@ -30,7 +28,7 @@ impl Graph {
             return Ok(result);
         }
         let value = self.function_value(function, &args);
-        let flags = args.iter().map(|&id| self.flags(id)).reduce(Flags::join).unwrap_or_default();
+        let flags = self.joined_flags(args.iter().copied());
         let words: Vec<u32> = args.iter().map(|id| id.0).collect();
         Ok(self.finish(Kind::Function(function), flags, &words, value))
     }

@@ -138,7 +138,8 @@ impl Search {
         if self.index[node] != Some(self.low[node]) {
             return;
         }
-        let start = self.open.iter().rposition(|&open| open == node).unwrap_or(0);
+        let start = self.open.iter().rposition(|&open| open == node);
+        let start = start.expect("a node is open until its component is closed");
         let component = self.open.split_off(start);
         for &member in &component {
             self.low[member] = usize::MAX;

@@ -4,7 +4,7 @@ use rustc_hash::FxHashMap;
 
 use crate::error::Error;
 use crate::function::Function;
-use crate::graph::Graph;
+use crate::graph::{Graph, check_order};
 use crate::node::{Id, NumberId, View};
 use crate::number::Number;
 
@@ -33,6 +33,15 @@ impl Graph {
     /// When `variable` is no variable.
     pub fn diff(&mut self, id: Id, variable: Id) -> Result<Id, Error> {
         Ok(self.diff_all(&[id], variable)?[0])
+    }
+
+    /// The n-th partial derivative.
+    ///
+    /// # Errors
+    /// When `variable` is no variable, or n is larger than [`LARGEST_ORDER`](crate::LARGEST_ORDER).
+    pub fn diff_times(&mut self, id: Id, variable: Id, n: u64) -> Result<Id, Error> {
+        check_order(n)?;
+        (0..n).try_fold(id, |id, _| self.diff(id, variable))
     }
 
     /// The partial derivatives of several expressions with respect to one variable.
@@ -64,7 +73,7 @@ impl Graph {
                 View::TimeFunction(name, order) => (name.to_owned(), order + 1),
                 _ => return Ok(None),
             };
-            Ok(Some(graph.time_function(&next.0, next.1)))
+            graph.time_function(&next.0, next.1).map(Some)
         })
     }
 
@@ -162,7 +171,10 @@ impl Graph {
         let one = NumberId::ONE;
         match self.view(id) {
             View::Scale(factor, _) => Ok((factor, Id::ONE)),
-            View::Sum(terms) => Ok((terms.iter().nth(k).map_or(one, |(c, _)| c), Id::ONE)),
+            View::Sum(terms) => {
+                let (factor, _) = terms.iter().nth(k).expect("child k of a sum is its k-th term");
+                Ok((factor, Id::ONE))
+            }
             View::Product(factors) => {
                 let mut factors: Vec<(Id, NumberId)> = factors.iter().collect();
                 let exponent = factors[k].1;
@@ -178,7 +190,7 @@ impl Graph {
                 let (name, args, mut orders) =
                     (name.to_owned(), args.iter().collect::<Vec<_>>(), orders.to_vec());
                 orders[k] += 1;
-                Ok((one, self.application(&name, &args, &orders)))
+                Ok((one, self.application(&name, &args, &orders)?))
             }
             View::Function(function, args) => {
                 let args: Vec<Id> = args.iter().collect();
@@ -380,7 +392,7 @@ mod tests {
     #[test]
     fn a_coordinate_and_its_derivatives_are_linked_by_time() -> Result<(), Error> {
         let g = &mut Graph::new();
-        let (x, v, a) = (g.time_function("x", 0), g.time_function("x", 1), g.time_function("x", 2));
+        let (x, v, a) = (g.time_function("x", 0)?, g.time_function("x", 1)?, g.time_function("x", 2)?);
         let square = g.mul(v, v)?;
         let energy = g.mul(square, x)?;
         assert_eq!(g.diff(energy, x)?, square);

@@ -3,11 +3,14 @@
 //! Only products that nothing else uses are taken apart. So the running sums of a chain (of masses, of
 //! composite inertias) come out as one multiplication each, not one for every body.
 
+use crate::error::Error;
 use crate::graph::{Graph, LONGEST};
 use crate::node::{Id, NumberId, View};
 
 /// Longer sums are left as they are.
 const SEARCH: usize = 24;
+
+const FRESH: &str = "a fresh product is a product";
 
 type Term = (NumberId, Id);
 type Factor = (Id, NumberId);
@@ -21,8 +24,8 @@ impl Graph {
                 .iter()
                 .copied()
                 .partition(|&(_, id)| self.is_fresh_product(id) && self.has_factor(id, factor));
-            let cofactors: Vec<Term> =
-                with.iter().map(|&(c, id)| (c, self.without_factor(id, factor))).collect();
+            let cofactors = with.iter().map(|&(c, id)| Ok((c, self.without_factor(id, factor)?)));
+            let Ok(cofactors) = cofactors.collect::<Result<Vec<Term>, Error>>() else { break };
             let sum = self.sum(&cofactors);
             let Ok(product) = self.product(&[factor, (sum, NumberId::ONE)]) else { break };
             rest.push((NumberId::ONE, product));
@@ -73,10 +76,9 @@ impl Graph {
         }
     }
 
-    fn without_factor(&mut self, product: Id, factor: Factor) -> Id {
-        let View::Product(factors) = self.view(product) else { return product };
+    fn without_factor(&mut self, product: Id, factor: Factor) -> Result<Id, Error> {
+        let View::Product(factors) = self.view(product) else { unreachable!("{FRESH}") };
         let rest: Vec<_> = factors.iter().filter(|&known| known != factor).collect();
-        // Taking a factor away divides by nothing.
-        self.product(&rest).unwrap_or(product)
+        self.product(&rest)
     }
 }

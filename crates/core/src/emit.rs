@@ -3,6 +3,8 @@
 use rustc_hash::FxHashMap;
 use std::cmp::Reverse;
 
+const STORED: &str = "that the operand is a number was seen before";
+
 use crate::schedule::need;
 use crate::tape::{Factorization, Instruction, Operand, Solution, Tape};
 
@@ -55,6 +57,7 @@ impl Emitter {
         Some(if value.negative { -number } else { number })
     }
 
+    /// The number of a constant.
     fn stored_in(&self, operand: Operand) -> Option<f64> {
         match operand {
             Operand::Constant(index) => Some(self.tape.constants[index as usize]),
@@ -99,7 +102,7 @@ impl Emitter {
     /// The result of an instruction, which is a constant when its operands are.
     pub fn emit(&mut self, instruction: Instruction) -> Signed {
         if instruction.operands().all(|operand| self.stored_in(operand).is_some()) {
-            let result = instruction.evaluate(|operand| self.stored_in(operand).unwrap_or(f64::NAN));
+            let result = instruction.evaluate(|operand| self.stored_in(operand).expect(STORED));
             return self.constant(result);
         }
         Signed::plus(self.write(match instruction {
@@ -208,7 +211,7 @@ impl Emitter {
     }
 
     fn scaled_by(&mut self, constant: Operand, operand: Operand, factor: f64) -> Signed {
-        let product = self.stored_in(constant).unwrap_or(1.0) * factor;
+        let product = self.stored_in(constant).expect(STORED) * factor;
         self.times(operand, product)
     }
 

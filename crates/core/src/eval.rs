@@ -160,7 +160,13 @@ impl Evaluator {
                 return Err(Error::Shape { operation: "evaluation", left, right });
             }
         }
-        let mut out = vec![0.0; self.outputs * points];
+        let Some(length) = self.outputs.checked_mul(points) else {
+            return Err(Error::Limit { what: "points", limit: usize::MAX / self.outputs, found: points });
+        };
+        if length == 0 {
+            return Ok((Vec::new(), BTreeSet::new())); // however many points there are
+        }
+        let mut out = vec![0.0; length];
         let lanes = (BLOCK_BYTES / (8 * self.registers.max(1))).clamp(FEWEST_LANES, MOST_LANES);
         let mut registers = vec![vec![0.0; lanes]; self.registers];
         let mut memory = self.systems.memory(lanes);

@@ -184,11 +184,12 @@ impl Graph {
         };
         let quadrant =
             whole.sub(&Number::integer(4).mul(&whole.mul(&Number::rational(1, 4)).floor())).to_i64();
+        let quadrant = quadrant.expect("a remainder of the division by four is a small integer");
         let turned = |graph: &mut Self, f: Function, negative: bool| -> Result<Option<Id>, Error> {
             let value = graph.apply(f, &[rest])?;
             Ok(Some(if negative { graph.scale(NumberId::MINUS_ONE, value) } else { value }))
         };
-        match (function, quadrant.unwrap_or(0)) {
+        match (function, quadrant) {
             (Function::Sin, 1) => turned(self, Function::Cos, false),
             (Function::Sin, 3) => turned(self, Function::Cos, true),
             (Function::Cos, 1) => turned(self, Function::Sin, true),

@@ -22,10 +22,12 @@ pub(crate) enum Opening {
     Angles,
 }
 
+const EXPANDED: &str = "the parts of a node are expanded before it, and kept for all that ask for them";
+
 /// Limits of what a user may ask for.
 const BUDGET: Budget = Budget::new(200_000, 5_000_000);
 /// Exponents beyond this stay closed.
-const LARGEST_EXPONENT: i64 = 257;
+const LARGEST_EXPONENT: u64 = 257;
 
 impl Graph {
     /// Multiply products and powers of sums out, also in arguments and denominators.
@@ -164,10 +166,10 @@ impl Ring<'_> {
     fn operand(&mut self, id: Id, state: &mut Expansion) -> Result<Polynomial, Error> {
         let left = state.uses.get(&id).copied().unwrap_or(1);
         if left <= 1 {
-            return Ok(state.memo.remove(&id).unwrap_or_default());
+            return Ok(state.memo.remove(&id).expect(EXPANDED));
         }
         state.uses.insert(id, left - 1);
-        let polynomial = state.memo.get(&id).cloned().unwrap_or_default();
+        let polynomial = state.memo.get(&id).expect(EXPANDED).clone();
         self.budget.spend(polynomial.len())?;
         Ok(polynomial)
     }
@@ -197,7 +199,8 @@ impl Ring<'_> {
         state: &mut Expansion,
     ) -> Result<Polynomial, Error> {
         let polynomial = self.operand(base, state)?;
-        let Some((num, den)) = exponent.to_small().filter(|(n, _)| n.abs() < LARGEST_EXPONENT) else {
+        let Some((num, den)) = exponent.to_small().filter(|(n, _)| n.unsigned_abs() < LARGEST_EXPONENT)
+        else {
             let power = self.graph.pow_number(base, exponent)?;
             return Ok(self.leaf(power));
         };

@@ -226,8 +226,8 @@ fn common_monomial(polynomial: &Polynomial) -> Monomial {
     let Some((first, _)) = polynomial.iter().next() else { return common };
     for &(atom, _) in first.factors() {
         let exponents = || polynomial.iter().map(|(m, _)| m.exponent(atom));
-        let (lowest, highest) = (exponents().min().unwrap_or(0), exponents().max().unwrap_or(0));
-        if lowest > 0 || highest < 0 {
+        let lowest = exponents().min().expect("the atom is one of the first term");
+        if lowest > 0 || exponents().all(|exponent| exponent < 0) {
             common = common.times(&Monomial::power(atom, lowest));
         }
     }

@@ -17,6 +17,8 @@ use crate::number::Number;
 /// The order of the group of torsion angles: multiples of 2 pi / 110880.
 pub const TORSION: u64 = 110_880;
 
+const RESIDUE: &str = "a residue is between zero and its modulus, a word";
+
 /// One prime field and the orders of the groups in it that serve angles and exponents.
 #[derive(Clone, Copy, Debug)]
 struct Prime {
@@ -197,7 +199,7 @@ impl Element {
 
     fn from_bigint(value: &BigInt) -> Self {
         let magnitude = value.abs();
-        let residue = |prime: &Prime| (&magnitude % prime.p).to_u64().unwrap_or(0);
+        let residue = |prime: &Prime| (&magnitude % prime.p).to_u64().expect(RESIDUE);
         let element = Self::ZERO.zip(Self::ZERO, |prime, _, _| prime.mul(residue(prime), prime.r2));
         if value.is_negative() { element.neg() } else { element }
     }
@@ -279,7 +281,8 @@ impl Neg for Element {
 fn residue(value: &Number, order: u64) -> u64 {
     let modulo = |big: &BigInt| -> u64 {
         let rest = big % order;
-        if rest.is_negative() { (rest + order).to_u64().unwrap_or(0) } else { rest.to_u64().unwrap_or(0) }
+        let rest = if rest.is_negative() { rest + order } else { rest };
+        rest.to_u64().expect(RESIDUE)
     };
     let (num, den) = match value.to_small() {
         Some((num, 1)) if num >= 0 => return num.unsigned_abs() % order,

@@ -152,16 +152,12 @@ impl Function {
             Self::Abs => x.abs(),
             Self::Sign if x == 0.0 => 0.0,
             Self::Sign => x.signum(),
-            Self::Min => args
-                .iter()
-                .copied()
-                .reduce(|a, b| if a.is_nan() || b.is_nan() { f64::NAN } else { a.min(b) })
-                .unwrap_or(x),
-            Self::Max => args
-                .iter()
-                .copied()
-                .reduce(|a, b| if a.is_nan() || b.is_nan() { f64::NAN } else { a.max(b) })
-                .unwrap_or(x),
+            Self::Min => {
+                args.iter().fold(x, |a, &b| if a.is_nan() || b.is_nan() { f64::NAN } else { a.min(b) })
+            }
+            Self::Max => {
+                args.iter().fold(x, |a, &b| if a.is_nan() || b.is_nan() { f64::NAN } else { a.max(b) })
+            }
             Self::Power => x.powf(args[1]),
             Self::Piecewise => {
                 let chosen = args.chunks_exact(2).find(|pair| pair[1] > 0.0).map(|pair| pair[0]);

@@ -26,7 +26,7 @@ fn gcd(mut a: BigInt, mut b: BigInt) -> BigInt {
     }
     while b.bits() > LEADING {
         let shift = a.bits() - LEADING;
-        let leading = |value: &BigInt| (value >> shift).to_i64().unwrap_or(0);
+        let leading = |value: &BigInt| (value >> shift).to_i64().expect("both have at most 62 leading bits");
         (a, b) = match steps(leading(&a), leading(&b)) {
             [_, 0, _, _] => {
                 let rest = &a % &b;
@@ -36,7 +36,10 @@ fn gcd(mut a: BigInt, mut b: BigInt) -> BigInt {
         };
     }
     match b.to_i64() {
-        Some(small) if !b.is_zero() => BigInt::from((a % b).to_i64().unwrap_or(0).gcd(&small)),
+        Some(small) if !b.is_zero() => {
+            let rest = (a % b).to_i64().expect("a remainder is below its divisor, which fits");
+            BigInt::from(rest.gcd(&small))
+        }
         _ => a,
     }
 }

@@ -5,6 +5,7 @@ use rustc_hash::{FxHashMap, FxHasher};
 use std::hash::{Hash, Hasher};
 
 use crate::classes::Classes;
+use crate::error::Error;
 use crate::field::{Circle, Element, Key};
 use crate::node::{Assumption, Factors, Flags, Id, Ids, Kind, NumberId, Terms, View};
 use crate::number::Number;
@@ -14,13 +15,37 @@ use crate::number::Number;
 struct Row {
     /// Where the node's words start in `words`.
     start: u32,
-    len: u16,
+    len: u32,
     flags: Flags,
     kind: Kind,
 }
 
-/// The largest number of words of one node; longer sums and products are nested.
+// A shorter `len` would save nothing: the row is padded to 12 bytes.
+const _: () = assert!(size_of::<Row>() == 12);
+
+/// The most words of a sum or a product, which are nested beyond, and the most arguments of a function.
 pub(crate) const LONGEST: usize = 60_000;
+
+/// The most derivatives of one function: each is printed, and made, on its own.
+pub const LARGEST_ORDER: u32 = 1000;
+
+/// The error for more than [`LARGEST_ORDER`] derivatives.
+pub(crate) fn check_order(order: u64) -> Result<(), Error> {
+    if order <= u64::from(LARGEST_ORDER) {
+        return Ok(());
+    }
+    let found = usize::try_from(order).unwrap_or(usize::MAX); // a message on a machine of 32 bits
+    Err(Error::Limit { what: "derivatives of one function", limit: LARGEST_ORDER as usize, found })
+}
+
+/// The next number of a table, whose entries are known by 32 bits.
+///
+/// # Panics
+/// When the table is full, before anything is changed: an id that stood for two entries would make `==` lie. Four
+/// billion rows take 200 GB; every operation makes some, so that an error from each would be an error from all.
+fn next_number(length: usize) -> u32 {
+    u32::try_from(length).expect("the table of expressions is full: it holds 2**32 words")
+}
 
 /// All expressions of a process.
 ///
@@ -206,7 +231,7 @@ impl Graph {
         if let Some(&id) = self.number_index.get(number) {
             return NumberId(id);
         }
-        let id = u32::try_from(self.numbers.len()).unwrap_or(u32::MAX);
+        let id = next_number(self.numbers.len());
         let mut value = Element::from_number(number);
         if value.is_singular() && !number.is_zero() {
             // A multiple of one of the primes: no image that could be told from zero, so draw one.
@@ -222,7 +247,7 @@ impl Graph {
         if let Some(&id) = self.name_index.get(name) {
             return id;
         }
-        let id = u32::try_from(self.names.len()).unwrap_or(u32::MAX);
+        let id = next_number(self.names.len());
         self.names.push(name.into());
         self.name_kinds.push(0);
         self.name_index.insert(name.into(), id);
@@ -279,16 +304,30 @@ impl Graph {
     }
 
     /// The function of time `name`, differentiated `order` times.
-    pub fn time_function(&mut self, name: &str, order: u32) -> Id {
+    ///
+    /// # Errors
+    /// When `order` is larger than [`LARGEST_ORDER`].
+    pub fn time_function(&mut self, name: &str, order: u32) -> Result<Id, Error> {
+        check_order(order.into())?;
         let name_id = self.name_id(name);
         let value = Element::draw(&Key::new("time function").text(name).word(order.into()));
         self.name_kinds[name_id as usize] |= 1;
-        let level = u8::try_from(order).unwrap_or(u8::MAX).saturating_add(1);
-        self.intern(Kind::TimeFunction, Flags::TIME.at_level(level), &[name_id, order], value)
+        // Level 3 is the highest one.
+        let level = order.min(2) as u8 + 1;
+        Ok(self.intern(Kind::TimeFunction, Flags::TIME.at_level(level), &[name_id, order], value))
     }
 
     /// The undefined function `name` of arguments, differentiated `orders[i]` times by argument i.
-    pub fn application(&mut self, name: &str, args: &[Id], orders: &[u32]) -> Id {
+    ///
+    /// # Errors
+    /// When there are too many arguments, more or fewer orders than arguments, or too many derivatives.
+    pub fn application(&mut self, name: &str, args: &[Id], orders: &[u32]) -> Result<Id, Error> {
+        check_count(args.len())?;
+        if args.len() != orders.len() {
+            let (left, right) = ((args.len(), 1), (orders.len(), 1));
+            return Err(Error::Shape { operation: "differentiation", left, right });
+        }
+        check_order(orders.iter().copied().map(u64::from).sum())?;
         if let ([arg], [order]) = (args, orders)
             && self.kind(*arg) == Kind::Time
         {
@@ -305,7 +344,7 @@ impl Graph {
             .chain(args.iter().map(|id| id.0))
             .chain(orders.iter().copied())
             .collect();
-        self.finish(Kind::Application, flags, &words, Element::draw(&key))
+        Ok(self.finish(Kind::Application, flags, &words, Element::draw(&key)))
     }
 
     /// The node of this row, made if it is new.
@@ -319,10 +358,11 @@ impl Graph {
         if let Some(&id) = self.index.find(hash, same) {
             return Id(id);
         }
-        let id = u32::try_from(self.rows.len()).unwrap_or(u32::MAX);
-        let start = u32::try_from(self.words.len()).unwrap_or(u32::MAX);
+        let (id, start) = (next_number(self.rows.len()), next_number(self.words.len()));
+        // Every word has a number, so `start` and `len` of the row, and of the next one, fit.
+        next_number(self.words.len() + words.len());
         self.words.extend_from_slice(words);
-        self.rows.push(Row { start, len: words.len() as u16, flags, kind });
+        self.rows.push(Row { start, len: words.len() as u32, flags, kind });
         self.values.push(value);
         let (rows, table) = (&self.rows, &self.words);
         self.index.insert_unique(hash, id, |&id| {
@@ -340,6 +380,14 @@ impl Graph {
             + self.words.capacity() * size_of::<u32>()
             + self.index.capacity() * 8 * (size_of::<u32>() + 1) / 7
     }
+}
+
+/// The error for more than [`LONGEST`] arguments.
+pub(crate) fn check_count(found: usize) -> Result<(), Error> {
+    if found <= LONGEST {
+        return Ok(());
+    }
+    Err(Error::Limit { what: "arguments of a function", limit: LONGEST, found })
 }
 
 fn hash_row(kind: Kind, words: &[u32]) -> u64 {

@@ -35,7 +35,7 @@ impl Graph {
         for id in order {
             let children = self.children(id);
             let changed = children.iter().any(|child| map.get(child) != Some(child));
-            let lookup = |_: &Self, child: Id| map.get(&child).copied().unwrap_or(child);
+            let lookup = |_: &Self, child: Id| map[&child];
             let mut forms = vec![id];
             if changed {
                 forms.push(self.rebuild(id, &lookup)?);
@@ -46,9 +46,10 @@ impl Graph {
             // The field must prove each step. It reads an angle term by term, so sin(sin(a + b)) and
             // sin(sin(a)*cos(b) + ...) have unlike values there, and a root is opaque to it.
             let is_same = |form: &Id| self.value(*form) == self.value(id);
-            map.insert(id, forms.into_iter().rfind(is_same).unwrap_or(id));
+            let last = forms.into_iter().rfind(is_same).expect("the node itself is the first form");
+            map.insert(id, last);
         }
-        Ok(map.get(&root).copied().unwrap_or(root))
+        Ok(map[&root])
     }
 
     /// The children of a node that no polynomial reaches: arguments, divisors, radicands.

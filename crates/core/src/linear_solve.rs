@@ -18,6 +18,18 @@ struct System {
     right: Vec<Id>,
 }
 
+/// Whether a linear system of n rows is small enough for a node.
+///
+/// # Errors
+/// When it is not.
+pub fn check_rows(n: usize) -> Result<(), Error> {
+    let found = n.saturating_mul(n.saturating_add(1));
+    if found <= LONGEST {
+        return Ok(());
+    }
+    Err(Error::Limit { what: "entries of a linear system", limit: LONGEST, found })
+}
+
 impl Graph {
     /// The solution of A x = b, given the matrix row by row.
     ///
@@ -66,14 +78,12 @@ impl Graph {
 
     /// The node of a linear system; its parts are those of the matrix and then those of the right side.
     pub(crate) fn linear_system(&mut self, matrix: &[Id], right: &[Id]) -> Result<Id, Error> {
-        let (n, found) = (right.len(), matrix.len() + right.len());
+        let n = right.len();
         if matrix.len() != n * n {
             let shape = (matrix.len().checked_div(n).unwrap_or(0), n);
             return Err(Error::Shape { operation: "linear_solve", left: shape, right: (n, 1) });
         }
-        if found > LONGEST {
-            return Err(Error::Limit { what: "entries of a linear system", limit: LONGEST, found });
-        }
+        check_rows(n)?;
         let parts: Vec<Id> = matrix.iter().chain(right).map(|&id| self.adopt(id)).collect();
         let key = parts.iter().fold(Key::new("linear system"), |key, &id| key.element(self.value(id)));
         let flags = self.joined_flags(parts.iter().copied());
@@ -111,7 +121,7 @@ impl Graph {
 
     fn system(&self, id: Id) -> System {
         let View::LinearSystem { matrix, right } = self.view(id) else {
-            return System { matrix: Vec::new(), right: Vec::new() };
+            unreachable!("a solution is that of a linear system");
         };
         System { matrix: matrix.iter().collect(), right: right.iter().collect() }
     }

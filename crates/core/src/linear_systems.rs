@@ -104,7 +104,7 @@ impl LinearSystems {
 fn matrix_of(tape: &Tape, operand: Operand) -> usize {
     match operand.value().map(|value| tape.instructions[value as usize]) {
         Some(Instruction::Factor(number)) => number as usize,
-        _ => 0,
+        _ => unreachable!("a system refers to its factorisation"),
     }
 }
 
@@ -112,6 +112,6 @@ fn matrix_of(tape: &Tape, operand: Operand) -> usize {
 pub(crate) fn solution_of(tape: &Tape, operand: Operand) -> u32 {
     match operand.value().map(|value| tape.instructions[value as usize]) {
         Some(Instruction::Solve(number)) => number,
-        _ => 0,
+        _ => unreachable!("a component refers to its solution"),
     }
 }

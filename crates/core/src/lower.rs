@@ -119,7 +119,7 @@ impl<'a> Lowering<'a> {
             return self.code.constant(number.to_f64());
         }
         let (key, opposite) = self.graph.value(id).unsigned();
-        self.known.get(&key).copied().unwrap_or(Signed::plus(Operand::Input(0))).flipped_if(opposite)
+        self.known.get(&key).expect("what a node reads is lowered before it").flipped_if(opposite)
     }
 
     fn output(&mut self, id: Id) -> Operand {
@@ -176,7 +176,7 @@ impl<'a> Lowering<'a> {
             let subtracted = parts.remove(subtracted);
             parts.push(subtracted);
         }
-        parts.into_iter().reduce(|a, b| self.code.add(a, b)).unwrap_or(Signed::plus(Operand::Input(0)))
+        parts.into_iter().reduce(|a, b| self.code.add(a, b)).expect("a constant stands for no terms")
     }
 
     fn product(&mut self, factors: Factors) -> Signed {
@@ -229,7 +229,7 @@ impl<'a> Lowering<'a> {
         match function {
             Function::Min | Function::Max => {
                 let call = |a, b| self.code.emit_plain(Instruction::Binary(function, a, b));
-                Signed::plus(args.into_iter().reduce(call).unwrap_or(Operand::Input(0)))
+                Signed::plus(args.into_iter().reduce(call).expect("an extremum has arguments"))
             }
             Function::Piecewise => self.choice(&args),
             _ => match args[..] {

@@ -2,11 +2,16 @@
 
 use crate::error::Error;
 use crate::graph::Graph;
+use crate::minor::first_columns;
 use crate::node::{Id, NumberId};
 use crate::rank::{Row, rank};
 
 /// The largest matrix that is inverted in symbols.
 const LARGEST_INVERSE: usize = 6;
+
+/// The most rows, columns, and entries of a product, which factors without entries make from nothing.
+const MOST_ROWS: usize = 1 << 20;
+const MOST_ENTRIES: usize = 1 << 24;
 
 /// A matrix, its entries row by row.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -20,9 +25,13 @@ impl Matrix {
     /// The matrix of these entries, row by row.
     ///
     /// # Errors
-    /// When their number is not rows * columns.
+    /// When their number is not rows * columns, or there are too many rows or columns.
     pub fn new(rows: usize, columns: usize, entries: Vec<Id>) -> Result<Self, Error> {
-        if entries.len() == rows * columns {
+        if rows.checked_mul(columns) == Some(entries.len()) {
+            let found = rows.max(columns);
+            if found > MOST_ROWS {
+                return Err(Error::Limit { what: "rows or columns of a matrix", limit: MOST_ROWS, found });
+            }
             return Ok(Self { rows, columns, entries });
         }
         let (left, right) = ((1, entries.len()), (rows, columns));
@@ -87,10 +96,14 @@ impl Graph {
     /// The product of two matrices.
     ///
     /// # Errors
-    /// When the shapes do not fit.
+    /// When the shapes do not fit, or the product is too large.
     pub fn matrix_product(&mut self, a: &Matrix, b: &Matrix) -> Result<Matrix, Error> {
         if a.columns != b.rows {
             return Err(Error::Shape { operation: "product", left: a.shape(), right: b.shape() });
+        }
+        let found = a.rows * b.columns; // of two numbers up to 2^20
+        if found > MOST_ENTRIES {
+            return Err(Error::Limit { what: "entries of a matrix", limit: MOST_ENTRIES, found });
         }
         let mut entries = Vec::with_capacity(a.rows * b.columns);
         for row in 0..a.rows {
@@ -114,9 +127,9 @@ impl Graph {
     /// When the matrix is not square, or the expansion has too many minors.
     pub fn determinant(&mut self, matrix: &Matrix) -> Result<Id, Error> {
         matrix.check_square("determinant")?;
-        let all = u64::MAX.checked_shr(64 - matrix.rows.min(64) as u32).unwrap_or(0);
         let rows: Vec<Vec<Id>> = (0..matrix.rows).map(|row| matrix.row(row).to_vec()).collect();
-        Ok(self.minors(&rows)?.get(&all).copied().unwrap_or(Id::ZERO))
+        // Minors that are zero drop out.
+        Ok(self.minors(&rows)?.get(&first_columns(matrix.rows)).copied().unwrap_or(Id::ZERO))
     }
 
     /// The inverse, by cofactors over the determinant.
@@ -151,7 +164,7 @@ impl Graph {
         let others = (0..size).filter(|&other| other != row);
         let others: Vec<Vec<Id>> = others.map(|other| matrix.row(other).to_vec()).collect();
         let minors = self.minors(&others)?;
-        let all = (1u64 << size) - 1;
+        let all = first_columns(size);
         let cofactor = |column: usize| {
             let minor = minors.get(&(all & !(1 << column))).copied().unwrap_or(Id::ZERO);
             if (row + column) % 2 == 1 { self.neg(minor) } else { minor }

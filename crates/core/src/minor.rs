@@ -17,6 +17,11 @@ const MOST_COLUMNS: usize = 64;
 /// A set of columns, a bit each.
 pub(crate) type Columns = u64;
 
+/// The set of the first n columns, of which [`Graph::minors`] takes no more than the set has bits.
+pub(crate) fn first_columns(n: usize) -> Columns {
+    (0..n).fold(0, |set, column| set | 1 << column)
+}
+
 impl Graph {
     /// The minors of all rows that are not zero, by their columns.
     ///
@@ -76,7 +81,7 @@ impl Graph {
         // Short rows first: fewer minors. The order of the equations does not change the solution.
         rows.sort_by_key(|row| row.iter().filter(|&&entry| entry != Id::ZERO).count());
         let minors = self.minors(&rows)?;
-        let all: Columns = (1 << (unknowns + 1)) - 1;
+        let all = first_columns(unknowns + 1);
         let minor = |column: usize| minors.get(&(all & !(1 << column))).copied().unwrap_or(Id::ZERO);
         let mut solution = Vec::with_capacity(unknowns);
         for (column, content) in contents.into_iter().enumerate() {

@@ -61,7 +61,8 @@ fn times_pi(k: i64, n: i64) -> f64 {
     const DIGITS: (i128, u32) = (31_415_926_535_897_932_384_626_433_832_795_028_842, 37);
     let numerator = BigInt::from(DIGITS.0) * k;
     let denominator = BigInt::from(10).pow(DIGITS.1) * n;
-    Number::from_big(numerator, denominator).map_or(f64::NAN, |product| product.to_f64())
+    let product = Number::from_big(numerator, denominator);
+    product.expect("the denominators of convergents are positive").to_f64()
 }
 
 impl Number {

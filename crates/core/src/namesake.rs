@@ -97,7 +97,10 @@ mod tests {
     fn assumptions_make_namesakes_and_derivatives_do_not() {
         let g = &mut Graph::new();
         let (real, positive) = (g.symbol("m", Assumption::Real), g.symbol("m", Assumption::Positive));
-        let (motion, rate) = (g.time_function("m", 0), g.time_function("m", 1));
+        let (motion, rate) = (
+            g.time_function("m", 0).expect("few derivatives"),
+            g.time_function("m", 1).expect("few derivatives"),
+        );
         assert_eq!(g.namesakes(&[real, rate], &[positive, motion]), [(real, positive)]);
         assert!(g.namesakes(&[real], &[real, positive]).is_empty());
     }

@@ -105,6 +105,12 @@ impl Number {
         Ok(Self { value: Value::from_big(BigRational::new(num, den)), decimal: false })
     }
 
+    /// An integer of any size.
+    #[must_use]
+    pub fn whole(value: BigInt) -> Self {
+        Self { value: Value::from_big(BigRational::from(value)), decimal: false }
+    }
+
     /// The shortest decimal that prints as this double.
     ///
     /// # Errors
@@ -113,13 +119,7 @@ impl Number {
         if !value.is_finite() {
             return Err(Error::NotFinite(value));
         }
-        let text = format!("{value:e}");
-        let (mantissa, exponent) = text.split_once('e').unwrap_or((&text, "0"));
-        let exponent: i32 = exponent.parse().unwrap_or(0);
-        let digits: String = mantissa.chars().filter(|c| *c != '.').collect();
-        let fraction = mantissa.split_once('.').map_or(0, |(_, f)| i32::try_from(f.len()).unwrap_or(0));
-        let num: BigInt = digits.parse().unwrap_or_default();
-        let power = exponent - fraction;
+        let (num, power) = shortest_decimal(value);
         let scale = BigInt::from(10).pow(power.unsigned_abs());
         let exact = if power >= 0 { BigRational::from(num * scale) } else { BigRational::new(num, scale) };
         Ok(Self { value: Value::from_big(exact), decimal: true })
@@ -361,6 +361,27 @@ impl Number {
     }
 }
 
+/// The integer n and the exponent e of the shortest decimal n 10^e that prints as this finite double.
+fn shortest_decimal(value: f64) -> (BigInt, i32) {
+    const FORMAT: &str = "a finite double prints as digits, e and an exponent";
+    let text = format!("{value:e}");
+    let (mantissa, exponent) = text.split_once('e').expect(FORMAT);
+    let exponent: i32 = exponent.parse().expect(FORMAT);
+    let fraction = mantissa.split_once('.').map_or("", |(_, fraction)| fraction);
+    let digits: String = mantissa.chars().filter(|c| *c != '.').collect();
+    (digits.parse().expect(FORMAT), exponent - i32::try_from(fraction.len()).expect(FORMAT))
+}
+
+/// How many bits an integer has.
+fn bits(value: &BigInt) -> i64 {
+    i64::try_from(value.bits()).expect("a number in memory has fewer than 2^63 bits")
+}
+
+/// How many decimal digits an integer that is not negative has.
+fn length(value: &BigInt) -> i64 {
+    i64::try_from(value.to_string().len()).expect("a number in memory has fewer than 2^63 digits")
+}
+
 /// Round a rational to the nearest double (ties to even) with 64 extra quotient bits.
 fn nearest_f64(value: &BigRational) -> f64 {
     if value.is_zero() {
@@ -368,8 +389,7 @@ fn nearest_f64(value: &BigRational) -> f64 {
     }
     let num = value.numer().abs();
     let den = value.denom();
-    let shift =
-        66 + i64::try_from(den.bits()).unwrap_or(i64::MAX / 2) - i64::try_from(num.bits()).unwrap_or(0);
+    let shift = 66 + bits(den) - bits(&num);
     let (scaled_num, scaled_den) = if shift >= 0 {
         (num << shift.unsigned_abs(), den.clone())
     } else {
@@ -385,8 +405,7 @@ fn nearest_f64(value: &BigRational) -> f64 {
 fn scale_by_power_of_two(value: &BigInt, exponent: i64) -> f64 {
     // Subnormal results must be rounded once only: drop the bits below 2^-1074 with a sticky bit first.
     let lowest = -1074 - exponent;
-    let bits = i64::try_from(value.bits()).unwrap_or(i64::MAX);
-    let (value, exponent) = if lowest > 0 && bits - lowest < 53 {
+    let (value, exponent) = if lowest > 0 && bits(value) - lowest < 53 {
         let keep = lowest - 2;
         if keep > 0 {
             let kept = value >> keep.unsigned_abs();
@@ -397,12 +416,12 @@ fn scale_by_power_of_two(value: &BigInt, exponent: i64) -> f64 {
     } else {
         (value.clone(), exponent)
     };
-    let mantissa = value.to_f64().unwrap_or(f64::INFINITY);
+    let mantissa = value.to_f64().expect("an integer beyond the doubles rounds to infinity");
     let mut result = mantissa;
     let mut left = exponent;
     while left != 0 && result != 0.0 && result.is_finite() {
         let step = left.clamp(-1000, 1000);
-        result *= 2f64.powi(i32::try_from(step).unwrap_or(0));
+        result *= 2f64.powi(step as i32); // between -1000 and 1000
         left -= step;
     }
     result
@@ -410,7 +429,7 @@ fn scale_by_power_of_two(value: &BigInt, exponent: i64) -> f64 {
 
 /// A count of quarters of the smallest subnormal, rounded to that subnormal's multiples.
 fn round_quarter(quarters: &BigInt) -> f64 {
-    let count = quarters.to_u64().unwrap_or(u64::MAX);
+    let count = quarters.to_u64().expect("what rounds to a multiple of the smallest subnormal has 55 bits");
     let (whole, part) = (count >> 2, count & 3);
     let up = part == 3 || (part == 2 && whole & 1 == 1);
     f64::from_bits(whole + u64::from(up))
@@ -441,13 +460,13 @@ impl std::fmt::Display for Number {
 fn scientific(value: &BigRational) -> String {
     const DIGITS: usize = 17;
     let (num, den) = (value.numer().abs(), value.denom());
-    let length = |n: &BigInt| i64::try_from(n.to_string().len()).unwrap_or(i64::MAX);
     // One digit more than is printed, whichever of the two lengths the quotient has.
     let shift = 19 - (length(&num) - length(den));
-    let ten = BigInt::from(10).pow(u32::try_from(shift.unsigned_abs()).unwrap_or(u32::MAX));
+    let ten = BigInt::from(10)
+        .pow(u32::try_from(shift.unsigned_abs()).expect("a number has fewer than 2^32 digits"));
     let quotient = if shift >= 0 { num * ten / den } else { num / (den * ten) };
+    let exponent = length(&quotient) - 1 - shift;
     let digits = quotient.to_string();
-    let exponent = i64::try_from(digits.len()).unwrap_or(0) - 1 - shift;
     let mantissa = digits[..DIGITS.min(digits.len())].trim_end_matches('0');
     let (first, rest) = mantissa.split_at(1);
     let sign = if value.is_negative() { "-" } else { "" };

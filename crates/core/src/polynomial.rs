@@ -159,7 +159,8 @@ impl Polynomial {
 
     /// The largest monomial that divides all terms into natural ones.
     pub(crate) fn lowest_powers(&self) -> Monomial {
-        let lowest = |atom: u32| self.0.keys().map(|m| m.exponent(atom)).min().unwrap_or(0);
+        let lowest =
+            |atom: u32| self.0.keys().map(|m| m.exponent(atom)).min().expect("an atom occurs in a term");
         self.atoms()
             .into_iter()
             .fold(Monomial::default(), |floor, atom| floor.times(&Monomial::power(atom, lowest(atom))))
@@ -179,7 +180,10 @@ impl Polynomial {
         if self.leading().is_some_and(|(_, coefficient)| coefficient.is_negative()) {
             above = -above;
         }
-        Number::from_big(above, below).ok().filter(|n| !n.is_zero()).unwrap_or_else(|| Number::integer(1))
+        if above == BigInt::from(0) {
+            return Number::integer(1); // of no terms
+        }
+        Number::from_big(above, below).expect("a common multiple of denominators is positive")
     }
 
     fn leading(&self) -> Option<(&Monomial, &Number)> {

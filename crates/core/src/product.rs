@@ -72,8 +72,10 @@ impl Graph {
     /// The error that names what was to be divided.
     fn zero_divisor(&mut self, factors: &[Factor]) -> Error {
         let dividend: Vec<Factor> = factors.iter().copied().filter(|&(id, _)| id != Id::ZERO).collect();
-        let dividend = self.product(&dividend).unwrap_or(Id::ONE);
-        Error::DivisionByZero(self.to_quotation(dividend))
+        match self.product(&dividend) {
+            Ok(dividend) => Error::DivisionByZero(self.to_quotation(dividend)),
+            Err(error) => error,
+        }
     }
 
     /// The derivation's node for a product of integer powers, found by its value alone.

@@ -81,7 +81,7 @@ mod tests {
         let [a, b, c] = ["a", "b", "c"].map(|name| g.symbol(name, Assumption::Real));
         let sum = g.add(a, b);
         let quotients = [g.div(a, sum)?, g.div(Id::ONE, sum)?, g.div(c, sum)?];
-        let cost = g.tape(&[a, b, c], &quotients)?.staged(&[0, 0, 0]).tape.operations();
+        let cost = g.tape(&[a, b, c], &quotients)?.staged(&[0, 0, 0])?.tape.operations();
         assert_eq!((cost.additions, cost.multiplications, cost.divisions), (1, 2, 1));
         Ok(())
     }
@@ -91,9 +91,9 @@ mod tests {
         let g = &mut Graph::new();
         let [a, b] = ["a", "b"].map(|name| g.symbol(name, Assumption::Real));
         let quotient = g.div(a, b)?;
-        let staged = g.tape(&[a, b], &[quotient])?.staged(&[1, 0]);
+        let staged = g.tape(&[a, b], &[quotient])?.staged(&[1, 0])?;
         assert_eq!(staged.operations().iter().map(|cost| cost.divisions).collect::<Vec<_>>(), [1, 0]);
-        let same = g.tape(&[a, b], &[quotient])?.staged(&[1, 1]);
+        let same = g.tape(&[a, b], &[quotient])?.staged(&[1, 1])?;
         assert_eq!(same.operations().iter().map(|cost| cost.divisions).collect::<Vec<_>>(), [0, 1]);
         Ok(())
     }

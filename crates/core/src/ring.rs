@@ -137,7 +137,8 @@ impl<'g> Ring<'g> {
             return Ok(sum.clone());
         }
         let content = sum.lowest_powers();
-        let factor = sum.iter().next_back().map_or(Number::integer(1), |(_, c)| c.clone());
+        let (_, factor) = sum.iter().next_back().expect("a sum has two terms or more");
+        let factor = factor.clone();
         let primitive = sum.shifted(&content.pow(-1), &factor.recip()?);
         let node = self.node_of(&primitive)?;
         Ok(self.leaf(node).shifted(&content, &factor))

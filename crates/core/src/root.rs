@@ -11,6 +11,8 @@ use crate::graph::Graph;
 use crate::node::{Assumption, Flags, Id, Kind, View};
 use crate::number::Number;
 
+const POSITIVE: &str = "the denominator of a number is positive";
+
 impl Graph {
     /// Whether no symbol below may be complex.
     pub(crate) fn is_real(&self, id: Id) -> bool {
@@ -109,9 +111,8 @@ pub(crate) fn square_part(number: &Number) -> (Number, Number) {
         outside *= root;
         inside = num_bigint::BigInt::from(1);
     }
-    let outside = Number::from_big(outside, number.denominator()).unwrap_or_else(|_| Number::integer(1));
-    let inside = Number::from_big(inside, num_bigint::BigInt::from(1)).unwrap_or_else(|_| Number::integer(1));
-    (outside.with_decimal(decimal), inside)
+    let outside = Number::from_big(outside, number.denominator()).expect(POSITIVE);
+    (outside.with_decimal(decimal), Number::whole(inside))
 }
 
 /// The exact root of a number, if it has one.
@@ -124,9 +125,11 @@ fn exact_root(number: &Number, degree: i64) -> Option<Number> {
 
 /// The value of sqrt(number): the product of the roots of its primes.
 fn radical_value(number: &Number) -> Element {
+    if number.is_zero() {
+        return Element::ZERO; // which every prime divides, as often as one tries
+    }
     let mut rest = number.numerator() * number.denominator();
-    let mut value =
-        Element::from_number(&Number::from_big(1.into(), number.denominator()).unwrap_or(Number::integer(1)));
+    let mut value = Element::from_number(&Number::from_big(1.into(), number.denominator()).expect(POSITIVE));
     for q in 2u32..2000 {
         while (&rest % q).bits() == 0 {
             rest /= q;
@@ -136,6 +139,5 @@ fn radical_value(number: &Number) -> Element {
     if rest == num_bigint::BigInt::from(1) {
         return value;
     }
-    let rest = Number::from_big(rest, 1.into()).unwrap_or(Number::integer(1));
-    value * crate::angle::free_root(&rest)
+    value * crate::angle::free_root(&Number::whole(rest))
 }

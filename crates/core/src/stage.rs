@@ -3,6 +3,7 @@
 //! Parameters change seldom, accelerations at every call: what comes first in the code can leave the hot path.
 
 use crate::cost::Cost;
+use crate::error::Error;
 use crate::tape::{Operand, Tape};
 
 /// A tape whose instructions are sorted by stage.
@@ -15,14 +16,20 @@ pub struct Staged {
 }
 
 impl Tape {
-    /// Sort the instructions by stage, given the stage of each input (of the last one for those that have none).
+    /// Sort the instructions by stage, given the stage of each input.
     ///
     /// Where stages are given, the code is for many calls: products share coefficients, and divisions become products
     /// with reciprocals.
-    #[must_use]
-    pub fn staged(&self, inputs: &[u8]) -> Staged {
+    ///
+    /// # Errors
+    /// When there are stages, but not one for each input.
+    pub fn staged(&self, inputs: &[u8]) -> Result<Staged, Error> {
         if inputs.is_empty() {
-            return Staged { tape: self.clone(), stages: vec![0; self.instructions.len()] };
+            return Ok(Staged { tape: self.clone(), stages: vec![0; self.instructions.len()] });
+        }
+        if inputs.len() != self.inputs.len() {
+            let (left, right) = ((inputs.len(), 1), (self.inputs.len(), 1));
+            return Err(Error::Shape { operation: "staging", left, right });
         }
         let tape = self.with_shared_coefficients();
         let stages = tape.stages(inputs);
@@ -31,7 +38,7 @@ impl Tape {
         let mut sequence: Vec<u32> = (0..tape.instructions.len() as u32).collect();
         sequence.sort_by_key(|&value| stages[value as usize]);
         stages.sort_unstable();
-        Staged { tape: tape.reordered(&sequence), stages }
+        Ok(Staged { tape: tape.reordered(&sequence), stages })
     }
 
     /// The stage of each instruction.
@@ -48,7 +55,7 @@ impl Tape {
 fn stage_of(operand: Operand, inputs: &[u8], values: &[u8]) -> u8 {
     match operand {
         Operand::Constant(_) => 0,
-        Operand::Input(input) => inputs.get(input as usize).copied().unwrap_or(0),
+        Operand::Input(input) => inputs[input as usize],
         Operand::Value(value) => values[value as usize],
     }
 }

@@ -50,7 +50,7 @@ impl Graph {
         if let View::TimeFunction(name, order) = self.view(id) {
             let name = name.to_owned();
             for lower in (0..order).rev() {
-                let base = self.time_function(&name, lower);
+                let base = self.time_function(&name, lower)?;
                 if let Some(&replacement) = targets.get(&self.value(base)) {
                     let mut derivative = replacement;
                     for _ in lower..order {
@@ -59,7 +59,7 @@ impl Graph {
                     return Ok(derivative);
                 }
             }
-            return Ok(time.map_or(id, |t| self.application(&name, &[t], &[order])));
+            return time.map_or(Ok(id), |t| self.application(&name, &[t], &[order]));
         }
         if self.children(id).iter().all(|child| done[child] == *child) {
             return Ok(id);
@@ -94,7 +94,7 @@ mod tests {
     #[test]
     fn derivatives_follow_their_coordinate() -> Result<(), Error> {
         let g = &mut Graph::new();
-        let (x, v, y) = (g.time_function("x", 0), g.time_function("x", 1), g.time_function("y", 0));
+        let (x, v, y) = (g.time_function("x", 0)?, g.time_function("x", 1)?, g.time_function("y", 0)?);
         let sum = g.add(x, v);
         let square = g.mul(y, y)?;
         let replaced = g.substitute(&[sum], &[(x, square)])?[0];
@@ -107,7 +107,7 @@ mod tests {
     #[test]
     fn substitution_is_simultaneous() -> Result<(), Error> {
         let g = &mut Graph::new();
-        let (x, y) = (g.time_function("x", 0), g.time_function("y", 0));
+        let (x, y) = (g.time_function("x", 0)?, g.time_function("y", 0)?);
         let quotient = g.div(x, y)?;
         let swapped = g.substitute(&[quotient], &[(x, y), (y, x)])?[0];
         assert_eq!(swapped, g.div(y, x)?);

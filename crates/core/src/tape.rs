@@ -309,7 +309,10 @@ impl<'a> Places<'a> {
     fn of(&mut self, operand: Operand) -> Operand {
         match operand {
             Operand::Input(_) => operand,
-            Operand::Value(value) => Operand::Value(self.values[value as usize].unwrap_or(value)),
+            Operand::Value(value) => {
+                let place = self.values[value as usize];
+                Operand::Value(place.expect("what an instruction reads is in the sequence"))
+            }
             Operand::Constant(constant) => {
                 Operand::Constant(*self.kept[constant as usize].get_or_insert_with(|| {
                     self.constants.push(self.tape.constants[constant as usize]);

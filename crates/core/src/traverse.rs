@@ -52,7 +52,7 @@ impl Graph {
             View::Application { name, args, orders } => {
                 let (name, orders) = (name.to_owned(), orders.to_vec());
                 let args: Vec<Id> = args.iter().map(|arg| map(self, arg)).collect();
-                Ok(self.application(&name, &args, &orders))
+                self.application(&name, &args, &orders)
             }
             View::Scale(factor, child) => {
                 let child = map(self, child);

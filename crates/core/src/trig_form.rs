@@ -28,7 +28,8 @@ impl Ring<'_> {
         let mut known: Vec<(Polynomial, Polynomial)> = Vec::new();
         let mut result = Polynomial::default();
         for (monomial, waves) in groups {
-            let factor = waves.iter().next_back().map_or(Number::integer(1), |(_, c)| c.clone());
+            let (_, factor) = waves.iter().next_back().expect("a group has a term");
+            let factor = factor.clone();
             let waves = waves.scaled(&factor.recip()?);
             let short = match known.iter().find(|(long, _)| *long == waves) {
                 Some((_, short)) => short.clone(),

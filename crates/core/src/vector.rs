@@ -49,7 +49,7 @@ pub fn cross(graph: &mut Graph, a: Vector3, b: Vector3) -> Result<Vector3, Error
 /// R v for the rotation about axis 0, 1 or 2 by the angle with this cosine and sine.
 ///
 /// # Errors
-/// Never: products of nodes do not divide.
+/// When there is no such axis.
 pub fn rotate(graph: &mut Graph, axis: usize, cos: Id, sin: Id, v: Vector3) -> Result<Vector3, Error> {
     let opposite = graph.neg(sin);
     rotate_back(graph, axis, cos, opposite, v)
@@ -58,8 +58,11 @@ pub fn rotate(graph: &mut Graph, axis: usize, cos: Id, sin: Id, v: Vector3) -> R
 /// R^T v for the rotation about axis 0, 1 or 2 by the angle with this cosine and sine.
 ///
 /// # Errors
-/// Never: products of nodes do not divide.
+/// When there is no such axis.
 pub fn rotate_back(graph: &mut Graph, axis: usize, cos: Id, sin: Id, v: Vector3) -> Result<Vector3, Error> {
+    if axis > 2 {
+        return Err(Error::Limit { what: "number of an axis", limit: 2, found: axis });
+    }
     let (j, k) = ((axis + 1) % 3, (axis + 2) % 3);
     let mut out = v;
     let (cj, sk) = (graph.mul(cos, v[j])?, graph.mul(sin, v[k])?);

@@ -13,7 +13,7 @@ fn on_a_small_stack(body: fn() -> Result<(), Error>) -> Result<(), Error> {
 
 /// Sums, products, quotients and functions in turn.
 fn tower(g: &mut Graph, levels: usize) -> Result<(Id, Id), Error> {
-    let x = g.time_function("x", 0);
+    let x = g.time_function("x", 0)?;
     let a = g.symbol("a", Assumption::Real);
     let mut node = x;
     for level in 0..levels {

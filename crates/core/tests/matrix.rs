@@ -45,7 +45,7 @@ fn the_inverse_of_a_rotation_is_its_transpose() -> Result<(), Error> {
     let g = &mut Graph::new();
     let mut rotation = Matrix::identity(3);
     for (name, axis) in [("a", 0), ("b", 1), ("c", 2)] {
-        let angle = g.time_function(name, 0);
+        let angle = g.time_function(name, 0)?;
         let (sin, cos) = (g.apply(Function::Sin, &[angle])?, g.apply(Function::Cos, &[angle])?);
         let minus = g.neg(sin);
         let mut entries = Matrix::identity(3).entries().to_vec();
@@ -68,7 +68,7 @@ fn determinants_multiply() -> Result<(), Error> {
     for size in 1..=4 {
         let g = &mut Graph::new();
         let a = symbols(g, size, size)?;
-        let angle = g.time_function("q", 0);
+        let angle = g.time_function("q", 0)?;
         let entries = a.entries().iter().rev().map(|&entry| g.add(entry, angle)).collect();
         let b = Matrix::new(size, size, entries)?;
         let product = g.matrix_product(&a, &b)?;

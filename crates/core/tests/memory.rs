@@ -19,7 +19,7 @@ fn grow(g: &mut Graph, pool: &[Id], step: u32) -> Result<Id, Error> {
     let at = |offset: usize| pool[(step as usize * 7 + offset * offset * 13) % pool.len()];
     match step % 8 {
         0 => {
-            let (angle, turns) = (g.time_function("q", step % 5), g.integer(step.into()));
+            let (angle, turns) = (g.time_function("q", step % 5)?, g.integer(step.into()));
             let argument = g.mul(turns, angle)?;
             g.apply(Function::Sin, &[argument])
         }

@@ -22,7 +22,7 @@ impl Model {
     }
 
     fn coordinates<const N: usize>(&mut self, names: [&str; N]) -> [Id; N] {
-        names.map(|name| self.g.time_function(name, 0))
+        names.map(|name| self.g.time_function(name, 0).expect("few derivatives"))
     }
 
     /// The rotation about the axis x, y or z (0, 1, 2).
@@ -102,7 +102,7 @@ impl Model {
 
     /// The derivative of the energy by the rates of two coordinates.
     fn mass(&mut self, energy: Id, a: &str, b: &str) -> Result<Id> {
-        let rates = [a, b].map(|name| self.g.time_function(name, 1));
+        let rates = [a, b].map(|name| self.g.time_function(name, 1).expect("few derivatives"));
         let first = self.g.diff(energy, rates[0])?;
         self.g.diff(first, rates[1])
     }
@@ -295,7 +295,7 @@ fn three_bars_in_a_plane_with_relative_angles() -> Result<()> {
 
 /// d/dt dT/dq' - dT/dq + dV/dq
 fn lagrange(m: &mut Model, kinetic: Id, potential: Id, coordinate: &str) -> Result<Id> {
-    let (q, rate) = (m.g.time_function(coordinate, 0), m.g.time_function(coordinate, 1));
+    let (q, rate) = (m.g.time_function(coordinate, 0)?, m.g.time_function(coordinate, 1)?);
     let momentum = m.g.diff(kinetic, rate)?;
     let inertia = m.g.time_derivative(momentum)?;
     let lagrangian = m.g.sub(kinetic, potential);

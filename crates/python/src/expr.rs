@@ -394,8 +394,7 @@ impl Expr {
     fn diff(&self, py: Python<'_>, variable: &Bound<'_, PyAny>, n: Times) -> PyResult<Self> {
         let variable = operand(variable, "diff, variable")?;
         notice_namesakes(py, "diff", &[self.0], &[variable])?;
-        let derive = |graph: &mut Graph| (0..n.0).try_fold(self.0, |id, _| graph.diff(id, variable));
-        raise(py, with_graph(derive)).map(Self)
+        raise(py, with_graph(|graph| graph.diff_times(self.0, variable, n.0))).map(Self)
     }
 
     /// The expression with every key of the mapping replaced by its value, all at once.
@@ -440,13 +439,13 @@ fn quoted(graph: &Graph, id: Id) -> String {
 }
 
 /// How often to differentiate.
-struct Times(u32);
+struct Times(u64);
 
 impl<'a, 'py> FromPyObject<'a, 'py> for Times {
     type Error = PyErr;
 
     fn extract(object: Borrowed<'a, 'py, PyAny>) -> PyResult<Self> {
-        let times: Option<u32> = object.extract().ok();
+        let times: Option<u64> = object.extract().ok();
         times.map(Self).ok_or_else(|| {
             let text = object.repr().map_or_else(|_| String::new(), |repr| repr.to_string());
             argument_error(object.py(), format!("diff: n is {text}; expected 0, 1, 2, ... derivatives"))

@@ -9,13 +9,16 @@ use std::slice;
 
 use pyo3::exceptions::PyKeyError;
 use pyo3::prelude::*;
-use symbody_core::{Deficiency, factorization, positive_definite};
+use symbody_core::{Deficiency, check_rows, factorization, positive_definite};
 
 use crate::deficiency::note;
+use crate::session::raise;
+
+const ROWS: &str = "compiled code gives the number of rows, which is not negative";
 
 /// Factorise the matrix of n rows at `work`.
 unsafe extern "C" fn factor(n: i64, work: *mut f64) {
-    let n = usize::try_from(n).unwrap_or(0);
+    let n = usize::try_from(n).expect(ROWS);
     let work = unsafe { slice::from_raw_parts_mut(work, factorization::workspace(n)) };
     if !positive_definite::factor(n, work) {
         factorization::factor(n, work);
@@ -24,11 +27,12 @@ unsafe extern "C" fn factor(n: i64, work: *mut f64) {
 
 /// Solve for the right side at `x` with a factorised matrix; note under the number of the system what it lacks.
 unsafe extern "C" fn solve(n: i64, work: *const f64, x: *mut f64, system: i64) {
-    let n = usize::try_from(n).unwrap_or(0);
+    let n = usize::try_from(n).expect(ROWS);
     let work = unsafe { slice::from_raw_parts(work, factorization::workspace(n)) };
     let x = unsafe { slice::from_raw_parts_mut(x, n) };
     if !positive_definite::solve(n, work, x) {
-        note(Deficiency::of(u32::try_from(system).unwrap_or(0), n, work, x));
+        let system = u32::try_from(system).expect("compiled code numbers its systems by 32 bits");
+        note(Deficiency::of(system, n, work, x));
         factorization::solve(n, work, x);
     }
 }
@@ -45,8 +49,9 @@ fn kernel_address(name: &str) -> PyResult<usize> {
 
 /// How many doubles a matrix with so many rows and its factorisation take.
 #[pyfunction]
-fn kernel_workspace(rows: usize) -> usize {
-    factorization::workspace(rows)
+fn kernel_workspace(py: Python<'_>, rows: usize) -> PyResult<usize> {
+    raise(py, check_rows(rows))?;
+    Ok(factorization::workspace(rows))
 }
 
 pub fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {

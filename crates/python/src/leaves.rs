@@ -32,14 +32,19 @@ fn symbol(name: &str, positive: bool, real: bool) -> Expr {
 /// The function of time `name`, differentiated `order` times.
 #[pyfunction]
 #[pyo3(signature = (name, order = 0))]
-fn time_function(name: &str, order: u32) -> Expr {
-    Expr(with_graph(|graph| graph.time_function(name, order)))
+fn time_function(py: Python<'_>, name: &str, order: u32) -> PyResult<Expr> {
+    raise(py, with_graph(|graph| graph.time_function(name, order))).map(Expr)
 }
 
 /// The undefined function `name` of arguments, differentiated `orders[i]` times by argument i.
 #[pyfunction]
 #[pyo3(signature = (name, args, orders = None))]
-fn application(name: &str, args: &Bound<'_, PyAny>, orders: Option<Vec<u32>>) -> PyResult<Expr> {
+fn application(
+    py: Python<'_>,
+    name: &str,
+    args: &Bound<'_, PyAny>,
+    orders: Option<Vec<u32>>,
+) -> PyResult<Expr> {
     let args = operands(args, name)?;
     let orders = orders.unwrap_or_else(|| vec![0; args.len()]);
     if orders.len() != args.len() {
@@ -49,7 +54,7 @@ fn application(name: &str, args: &Bound<'_, PyAny>, orders: Option<Vec<u32>>) ->
             args.len()
         )));
     }
-    Ok(Expr(with_graph(|graph| graph.application(name, &args, &orders))))
+    raise(py, with_graph(|graph| graph.application(name, &args, &orders))).map(Expr)
 }
 
 /// A function of the table, by name.

@@ -14,19 +14,24 @@ thread_local! {
     static CLASSES: RefCell<Vec<Box<Classes>>> = const { RefCell::new(Vec::new()) };
 }
 
+/// The graph while it is in the derivation of this thread; it leaves it also when work ends in a panic.
+struct Deriving<'a>(&'a mut Graph);
+
+impl Drop for Deriving<'_> {
+    fn drop(&mut self) {
+        CLASSES.with_borrow_mut(|waiting| waiting.extend(self.0.leave()));
+    }
+}
+
 /// Work on the graph within the derivation of this thread, if it is in one.
 pub fn with_graph<T>(work: impl FnOnce(&mut Graph) -> T) -> T {
     let mut graph = GRAPH.lock().unwrap_or_else(PoisonError::into_inner);
-    let classes = CLASSES.with_borrow_mut(Vec::pop);
-    let derives = classes.is_some();
-    if let Some(classes) = classes {
-        graph.enter(classes);
-    }
-    let result = work(&mut graph);
-    if derives {
-        CLASSES.with_borrow_mut(|waiting| waiting.extend(graph.leave()));
-    }
-    result
+    let Some(classes) = CLASSES.with_borrow_mut(Vec::pop) else {
+        return work(&mut graph);
+    };
+    graph.enter(classes);
+    let deriving = Deriving(&mut graph);
+    work(deriving.0)
 }
 
 /// Work on the graph outside of any derivation: rewrites keep the forms they make.

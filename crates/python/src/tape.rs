@@ -3,7 +3,7 @@
 use pyo3::buffer::PyBuffer;
 use pyo3::prelude::*;
 use pyo3::types::{PyList, PyTuple};
-use symbody_core::{Column, Cost, Evaluator, Instruction, Operand, Staged};
+use symbody_core::{Column, Cost, Error, Evaluator, Instruction, Operand, Staged};
 
 use crate::convert::operands;
 use crate::deficiency::note;
@@ -35,7 +35,7 @@ impl Tape {
         let inputs = operands(inputs, &format!("{where_}, arguments"))?;
         let outputs = operands(outputs, &format!("{where_}, expressions"))?;
         let tape = raise(py, with_forms(|graph| graph.tape(&inputs, &outputs)))?;
-        let staged = tape.staged(&stages.unwrap_or_default());
+        let staged = raise(py, tape.staged(&stages.unwrap_or_default()))?;
         Ok(Self { evaluator: Evaluator::new(&staged.tape), staged })
     }
 
@@ -118,6 +118,12 @@ impl Tape {
         points: usize,
         out: &Bound<'_, PyAny>,
     ) -> PyResult<()> {
+        // Before room for the results is taken, which may be more than there is.
+        let out = PyBuffer::<f64>::get(out)?;
+        if self.outputs().checked_mul(points) != Some(out.item_count()) {
+            let (left, right) = ((self.outputs(), points), (out.item_count(), 1));
+            return raise(py, Err(Error::Shape { operation: "evaluation", left, right }));
+        }
         let values: Vec<Vec<f64>> = inputs.iter().map(|buffer| buffer.to_vec(py)).collect::<PyResult<_>>()?;
         let columns: Vec<Column> = values
             .iter()
@@ -129,7 +135,7 @@ impl Tape {
         let result = py.detach(|| self.evaluator.evaluate_columns_noting(&columns, points));
         let (result, found) = raise(py, result)?;
         note(found);
-        PyBuffer::<f64>::get(out)?.copy_from_slice(py, &result)
+        out.copy_from_slice(py, &result)
     }
 }
 
