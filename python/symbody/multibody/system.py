@@ -116,6 +116,12 @@ class System:
         """The rates of the speeds."""
         return tuple(time_derivative(u) for u in self.speeds)
 
+    @cached_property
+    def state_names(self) -> tuple[Expr, ...]:
+        """What a state may be given by: coordinates, speeds, and rates of coordinates."""
+        rates = (time_derivative(q) for q in self.coordinates)
+        return tuple(dict.fromkeys((*self.coordinates, *self.speeds, *rates)))
+
     @property
     def has_quasi_velocities(self) -> bool:
         """Whether some speed is no rate of a coordinate, or some rate no speed."""

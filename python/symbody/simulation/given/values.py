@@ -83,7 +83,11 @@ def vanishing(parameters: object) -> tuple[Expr, ...]:
     """Return the parameters whose value, or one of them, is zero; what is no number is told by others."""
     if not isinstance(parameters, Mapping):
         return ()
-    return tuple(name for name, value in parameters.items() if np.any(np.asarray(value) == 0))
+    return tuple(name for name, value in parameters.items() if _has_zero(value))
+
+
+def _has_zero(value: object) -> bool:
+    return value == 0 if isinstance(value, float | int) else bool(np.any(np.asarray(value) == 0))
 
 
 def state_values(
@@ -121,9 +125,7 @@ def check_state_names(system: System, given: Iterable[object], place: str) -> No
     Raises:
         ParameterError: one isn't.
     """
-    rates = [time_derivative(q) for q in system.coordinates]
-    known = tuple(dict.fromkeys((*system.coordinates, *system.speeds, *rates)))
-    check_known(given, known, place, "a coordinate, a rate of one or a speed of this system")
+    check_known(given, system.state_names, place, "a coordinate, a rate of one or a speed of this system")
 
 
 def given_inputs(
