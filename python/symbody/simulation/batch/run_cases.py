@@ -100,9 +100,18 @@ def _record(results: Results, case: int, motion: Integrated) -> None:
     )
     if task.keeps_states:
         results.states[case, :reached, : outcome.states.shape[1]] = outcome.states
+    met = _put_outputs(results, case, motion) if task.outputs else motion
+    with noting():  # what the motion met is among the findings
+        findings = findings_of(met)
+    results.findings[case] = tuple(dict.fromkeys((*results.findings[case], *findings)))
+
+
+def _put_outputs(results: Results, case: int, motion: Integrated) -> Integrated:
+    """Put in the outputs of one case; return the motion with the linear systems that they met."""
+    task, states = motion.task, motion.outcome.states
+    reached, size = len(states), len(task.model.state)
     with noting() as found:
         results.outputs[case, :, :reached] = task.values(
-            list(task.outputs.values()), outcome.states[:, :size], task.instants[:reached], motion.parameters
+            list(task.outputs.values()), states[:, :size], task.instants[:reached], motion.parameters
         )
-    findings = findings_of(replace(motion, outcome=with_deficiencies(outcome, found)))
-    results.findings[case] = tuple(dict.fromkeys((*results.findings[case], *findings)))
+    return replace(motion, outcome=with_deficiencies(motion.outcome, found))
