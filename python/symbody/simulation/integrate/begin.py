@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from symbody.simulation.constraint.consistent import found_state
 from symbody.simulation.constraint.kinematics import kinematics_of
 from symbody.simulation.constraint.overconstraint import check_rank
-from symbody.simulation.given.values import parameter_values, state_values
+from symbody.simulation.given.values import state_values
 from symbody.symbolic import Expr
 
 from .task import Task
@@ -31,7 +31,7 @@ def begin(
     state[: len(model.state)] = [given.get(name, 0.0) for name in model.state]
     if model.constraints:
         kinematics = kinematics_of(model.equations, dict(model.inputs))
-        p = parameter_values(kinematics.parameters, parameters)
+        p = np.array([parameters[name] for name in kinematics.parameters])
         slopes, _ = kinematics.velocity(t, state[: len(model.coordinates)], p)
         check_rank(model, slopes[: len(model.constraints)], parameters)
     return state
