@@ -68,10 +68,7 @@ impl Graph {
                 matrix[i * n + j] = Id::ZERO;
                 matrix[j * n + i] = Id::ZERO;
             }
-            if matrix[j * n + j] == Id::ZERO {
-                matrix[j * n + j] = Id::ONE;
-            }
-            right[j] = self.mul(matrix[j * n + j], value)?;
+            (matrix[j * n + j], right[j]) = (Id::ONE, value);
         }
         self.linear_system(&matrix, &right)
     }

@@ -14,16 +14,20 @@ __all__ = ["DEFAULT", "METHODS", "method_name"]
 DEFAULT = "dop853"
 """What "auto" stands for."""
 
+_EXPLICIT = Method(native.prepare, is_explicit=True)
+_IMPLICIT = Method(partial(native.prepare, needs_jacobian=True))
+
 METHODS = {
-    "dop853": Method(native.prepare, is_explicit=True),
-    "tsit5": Method(native.prepare, is_explicit=True),
-    "bdf": Method(partial(native.prepare, needs_jacobian=True)),
-    "esdirk34": Method(partial(native.prepare, needs_jacobian=True)),
-    "tr_bdf2": Method(partial(native.prepare, needs_jacobian=True)),
+    "dop853": _EXPLICIT,
+    "tsit5": _EXPLICIT,
+    "bdf": _IMPLICIT,
+    "esdirk34": _IMPLICIT,
+    "tr_bdf2": _IMPLICIT,
     "ida": Method(by_ida.prepare),
     "ida2": Method(by_ida.prepare),
     "ida3": Method(by_ida.prepare),
 }
+"""By name, who integrates."""
 
 
 def method_name(given: object, where: str) -> str:
