@@ -26,7 +26,7 @@ from symbody import (
     symbols,
     translate,
 )
-from symbody.symbolic.arguments import brief
+from symbody.symbolic.given.arguments import brief
 from tests import test_errors
 
 SHOWN = 80

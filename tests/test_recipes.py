@@ -15,7 +15,7 @@ from symbody.dynamics import Equations
 from symbody.geometry.motion import Motion
 from symbody.multibody import Load, System
 from symbody.simulation.integrate.methods import METHODS
-from symbody.symbolic import functions
+from symbody.symbolic.expression import functions
 from tests.laws import test_formalisms, test_rewrites
 from tests.laws.random_system import random_floating_system, random_system
 from tests.reference import test_robots

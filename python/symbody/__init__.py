@@ -113,7 +113,7 @@ from symbody.symbolic import (
     to_sympy,
     zeros,
 )
-from symbody.symbolic.hint import no_attribute
+from symbody.symbolic.given.hint import no_attribute
 
 if TYPE_CHECKING:
     from symbody.codegen import CompiledFunction, MachineCode, generate, lambdify

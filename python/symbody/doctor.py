@@ -15,7 +15,7 @@ from packaging.requirements import Requirement
 from symbody.codegen import lambdify
 from symbody.codegen.toolchain import TOOLS
 from symbody.symbolic import cos, sin, symbols
-from symbody.symbolic.arguments import brief
+from symbody.symbolic.given.arguments import brief
 
 __all__ = ["EXTRAS", "Finding", "findings", "report"]
 

@@ -15,7 +15,7 @@ import pytest
 import scipy.linalg
 
 from symbody.codegen.runtime import NAMES, SNIPPETS, factor_size, runtime_text
-from symbody.symbolic.kernel import kernel_address, kernel_workspace, take_deficiencies
+from symbody.symbolic.numeric.kernel import kernel_address, kernel_workspace, take_deficiencies
 from tests.codegen.linear_solve_drivers import COMPILED, LIBRARIES, NEEDED, Solved, solved_by
 from tests.codegen.linear_systems import System, systems, weights
 

@@ -51,7 +51,7 @@ from symbody.simulation.integrate.native import run
 from symbody.simulation.integrate.problem import Problem
 from symbody.simulation.model.model import model_of
 from symbody.simulation.motion.simulate import simulate
-from symbody.symbolic.arguments import described
+from symbody.symbolic.given.arguments import described
 
 Array = NDArray[np.float64]
 m, l, g = symbols("m l g")

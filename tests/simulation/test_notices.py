@@ -40,7 +40,7 @@ from symbody.simulation.integrate.problem import Problem
 from symbody.simulation.inverse.inverse_dynamics import inverse_dynamics
 from symbody.simulation.model.model import model_of
 from symbody.simulation.statics.equilibrium import equilibrium
-from symbody.symbolic.deficiency import noting
+from symbody.symbolic.numeric.deficiency import noting
 from tests.simulation.tasks import a_task
 
 x, y = functions_of_time("x y")

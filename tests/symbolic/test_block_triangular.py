@@ -6,7 +6,7 @@ import pytest
 
 from symbody import Matrix, symbols
 from symbody.errors import ExpressionError
-from symbody.symbolic.block_triangular import block_triangular
+from symbody.symbolic.linear.block_triangular import block_triangular
 
 
 def pattern(*rows: str) -> Matrix:

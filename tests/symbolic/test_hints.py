@@ -9,7 +9,7 @@ import pytest
 import symbody
 from symbody import Matrix, Piecewise, symbols
 from symbody.errors import ArgumentError
-from symbody.symbolic.hint import _HINTS
+from symbody.symbolic.given.hint import _HINTS
 
 x, k = symbols("x k")
 A = Matrix([[x, 1]])

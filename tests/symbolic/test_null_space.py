@@ -10,7 +10,7 @@ import pytest
 from symbody import Expr, Matrix, lambdify, symbols
 from symbody.errors import ExpressionError
 from symbody.symbolic import derivation, free_symbols, number, saddle_point_solve
-from symbody.symbolic.block_triangular import block_triangular
+from symbody.symbolic.linear.block_triangular import block_triangular
 
 a, b, c, d = symbols("a b c d")
 

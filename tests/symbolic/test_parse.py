@@ -22,7 +22,7 @@ from symbody.symbolic import (
     t,
     time_derivative,
 )
-from symbody.symbolic.parse import parse
+from symbody.symbolic.text.parse import parse
 from tests.symbolic.random_expression import NAMES, doubling, expression
 
 a, b, c = symbols("a b c")

@@ -19,7 +19,7 @@ from symbody.symbolic import (
     symbols,
     time_derivative,
 )
-from symbody.symbolic.parse import parse
+from symbody.symbolic.text.parse import parse
 from tests.symbolic.random_expression import NAMES, doubling, expression
 
 m, m1, m2, l1, l2, l10, k = symbols("m m1 m2 l1 l2 l10 k")

@@ -31,7 +31,7 @@ from symbody.symbolic import (
     t,
     time_derivative,
 )
-from symbody.symbolic.sympy_bridge import from_sympy, to_sympy
+from symbody.symbolic.sympy_bridge.structured import from_sympy, to_sympy
 from tests.symbolic.random_expression import doubling, expression
 
 a, b = symbols("a b")

@@ -30,7 +30,7 @@ pub fn take() -> Vec<Noted> {
 pub fn report(py: Python<'_>, found: BTreeSet<Deficiency>, place: &str) -> PyResult<()> {
     if !found.is_empty() {
         let all: Vec<Noted> = found.into_iter().map(told).collect();
-        py.import("symbody.symbolic.deficiency")?.call_method1("report_noted", (all, place))?;
+        py.import("symbody.symbolic.numeric.deficiency")?.call_method1("report_noted", (all, place))?;
     }
     Ok(())
 }

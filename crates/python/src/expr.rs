@@ -133,7 +133,7 @@ impl Expr {
         inputs: &Bound<'py, PyTuple>,
         options: Option<&Bound<'py, PyDict>>,
     ) -> PyResult<Bound<'py, PyAny>> {
-        let bridge = slf.py().import("symbody.symbolic.ufunc")?;
+        let bridge = slf.py().import("symbody.symbolic.expression.ufunc")?;
         bridge.call_method1("array_ufunc", (ufunc, method, inputs, options))
     }
 
@@ -146,7 +146,7 @@ impl Expr {
         if name.starts_with('_') {
             return Err(PyAttributeError::new_err(format!("'Expr' object has no attribute '{name}'")));
         }
-        py.import("symbody.symbolic.ufunc")?.call_method1("attribute", (slf, name))
+        py.import("symbody.symbolic.expression.ufunc")?.call_method1("attribute", (slf, name))
     }
 
     /// Agrees with `==`, and for simple numbers with Python's own numbers.
@@ -214,7 +214,7 @@ impl Expr {
 
     /// The same expression in `SymPy`.
     fn to_sympy<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
-        slf.py().import("symbody.symbolic.sympy_bridge")?.call_method1("to_sympy", (slf,))
+        slf.py().import("symbody.symbolic.sympy_bridge.structured")?.call_method1("to_sympy", (slf,))
     }
 
     /// LaTeX without the dollar signs.
@@ -386,7 +386,7 @@ impl Expr {
 
     /// Pickled node by node: the form is built again, in whatever process.
     fn __reduce__<'py>(slf: &Bound<'py, Self>) -> PyResult<Bound<'py, PyAny>> {
-        slf.py().import("symbody.symbolic.encoding")?.call_method1("reduced", (slf,))
+        slf.py().import("symbody.symbolic.expression.encoding")?.call_method1("reduced", (slf,))
     }
 
     /// The n-th partial derivative with respect to a variable.
@@ -476,7 +476,7 @@ impl Expr {
         if with_forms(|graph| graph.is_constant(self.0)) {
             return py.import("math")?.call_method1(name, (self.__float__(py)?,));
         }
-        py.import("symbody.symbolic.ufunc")?.call_method1("refuse", (name,))
+        py.import("symbody.symbolic.expression.ufunc")?.call_method1("refuse", (name,))
     }
 }
 

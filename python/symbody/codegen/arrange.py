@@ -19,7 +19,7 @@ from symbody.codegen.sample import Sample, sample_of
 from symbody.codegen.straight_line import Code, Input, code_of
 from symbody.errors import ProgramError
 from symbody.symbolic import Argument, Program, Routine, t
-from symbody.symbolic.identifier import identifier
+from symbody.symbolic.given.identifier import identifier
 
 __all__ = ["module_name", "module_of"]
 

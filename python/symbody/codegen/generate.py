@@ -25,8 +25,8 @@ from symbody.codegen.target import Target
 from symbody.codegen.write import write_all
 from symbody.errors import CodegenError, ModelNotice
 from symbody.symbolic import STAGES, Program, free_symbols
-from symbody.symbolic.identifier import program_name
-from symbody.symbolic.program import Programmable, program_of
+from symbody.symbolic.given.identifier import program_name
+from symbody.symbolic.numeric.program import Programmable, program_of
 
 __all__ = ["TARGETS", "generate", "source", "target_of"]
 

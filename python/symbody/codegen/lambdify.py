@@ -17,10 +17,10 @@ from symbody.codegen.machine_code import MachineCode
 from symbody.codegen.worth import is_worth_compiling
 from symbody.errors import ArgumentError, ExpressionError, ParameterError, SymbodyError
 from symbody.symbolic import Expr, Matrix
-from symbody.symbolic.arguments import brief, counted, described, expression
-from symbody.symbolic.deficiency import noting, report
-from symbody.symbolic.encoding import Encoded, decode, encode
-from symbody.symbolic.tape import Tape
+from symbody.symbolic.expression.encoding import Encoded, decode, encode
+from symbody.symbolic.given.arguments import brief, counted, described, expression
+from symbody.symbolic.numeric.deficiency import noting, report
+from symbody.symbolic.numeric.tape import Tape
 
 __all__ = ["CompiledFunction", "lambdify"]
 

@@ -16,8 +16,8 @@ from symbody.codegen.llvm import jit
 from symbody.codegen.llvm.module import batch_modules, scalar_modules
 from symbody.codegen.straight_line import Code, Input, code_of_tape
 from symbody.symbolic import Expr
-from symbody.symbolic.deficiency import Deficiency, noting, report
-from symbody.symbolic.tape import Tape
+from symbody.symbolic.numeric.deficiency import Deficiency, noting, report
+from symbody.symbolic.numeric.tape import Tape
 
 __all__ = ["POINTER", "MachineCode"]
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass, field
 
-from symbody.symbolic.identifier import identifier
+from symbody.symbolic.given.identifier import identifier
 
 __all__ = ["Scope", "program_identifier"]
 

@@ -9,7 +9,7 @@ from math import isfinite
 from typing import TypeAlias
 
 from symbody.symbolic import Program, Routine
-from symbody.symbolic.tape import Tape
+from symbody.symbolic.numeric.tape import Tape
 
 __all__ = ["Sample", "sample_of"]
 

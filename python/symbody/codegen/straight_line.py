@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from typing import Any, TypeAlias
 
 from symbody.symbolic import STAGES, Argument, Expr
-from symbody.symbolic.tape import Tape
+from symbody.symbolic.numeric.tape import Tape
 
 __all__ = [
     "Code",

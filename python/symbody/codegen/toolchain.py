@@ -15,7 +15,7 @@ from symbody.codegen.generate import source, target_of
 from symbody.codegen.target import Target
 from symbody.errors import CodegenError
 from symbody.symbolic import Program
-from symbody.symbolic.program import Programmable, program_of
+from symbody.symbolic.numeric.program import Programmable, program_of
 
 __all__ = ["TOOLS", "check", "check_files", "missing_tools", "needed_tools"]
 

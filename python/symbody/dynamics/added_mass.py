@@ -8,7 +8,7 @@ from symbody.errors import ModelError
 from symbody.multibody import Action, Load, System
 from symbody.multibody.load import action_velocity
 from symbody.symbolic import Expr, Matrix, dot3, jacobian, number
-from symbody.symbolic.arguments import brief
+from symbody.symbolic.given.arguments import brief
 
 
 def with_added_mass(mass_matrix: Matrix, system: System) -> Matrix:

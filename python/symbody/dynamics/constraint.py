@@ -10,7 +10,7 @@ from typing import NamedTuple
 from symbody.errors import ConstraintError, ModelNotice
 from symbody.multibody import System
 from symbody.symbolic import Expr, Matrix, derivation, gradient, jacobian, number, t, time_derivative, zeros
-from symbody.symbolic.arguments import brief
+from symbody.symbolic.given.arguments import brief
 
 
 def constraint_jacobian(system: System) -> Matrix:

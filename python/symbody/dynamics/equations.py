@@ -11,8 +11,8 @@ from symbody.geometry import Scalar
 from symbody.geometry.argument import checked
 from symbody.multibody import System
 from symbody.symbolic import Expr, Matrix, Program, free_symbols, listing, time_derivative
-from symbody.symbolic.arguments import counted
-from symbody.symbolic.program import program_of
+from symbody.symbolic.given.arguments import counted
+from symbody.symbolic.numeric.program import program_of
 
 from .baumgarte import Damping, stabilized
 from .constraint import constraint_jacobian

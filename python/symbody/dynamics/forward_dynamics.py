@@ -20,7 +20,7 @@ from symbody.symbolic import (
     saddle_point_solve,
     substitute,
 )
-from symbody.symbolic.arguments import brief, counted
+from symbody.symbolic.given.arguments import brief, counted
 
 from . import articulated_body
 from .baumgarte import Damping

@@ -13,7 +13,7 @@ from symbody.geometry.twist import Twist
 from symbody.multibody import Action, Body, System
 from symbody.multibody.coordinate import rate_of_any
 from symbody.symbolic import Expr, derivation, free_symbols
-from symbody.symbolic.arguments import brief
+from symbody.symbolic.given.arguments import brief
 
 from .added_mass import check_loads
 from .partial_motion import PartialTwist, partial_twists, partial_twists_by_speeds

@@ -26,7 +26,7 @@ from symbody.symbolic import (
     time_derivative,
     time_derivatives,
 )
-from symbody.symbolic.arguments import brief
+from symbody.symbolic.given.arguments import brief
 
 from .added_mass import with_added_mass
 from .composite_rigid_body import mass_matrix

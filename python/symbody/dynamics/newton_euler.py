@@ -19,7 +19,7 @@ from symbody.symbolic import (
     substitute,
     time_derivatives,
 )
-from symbody.symbolic.arguments import brief
+from symbody.symbolic.given.arguments import brief
 
 from .added_mass import with_added_mass
 from .base_inertia import base_inertias

@@ -20,9 +20,9 @@ from symbody.symbolic import (
     number,
     t,
 )
-from symbody.symbolic.arguments import brief
-from symbody.symbolic.identifier import program_name, title_identifier
-from symbody.symbolic.program import program_of
+from symbody.symbolic.given.arguments import brief
+from symbody.symbolic.given.identifier import program_name, title_identifier
+from symbody.symbolic.numeric.program import program_of
 
 from .baumgarte import Damping
 from .equations import Equations

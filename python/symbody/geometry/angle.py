@@ -7,7 +7,7 @@ from math import pi
 
 from symbody.errors import notify
 from symbody.symbolic import Expr, exact_angle, meant_multiple_of_pi, radians
-from symbody.symbolic.arguments import brief
+from symbody.symbolic.given.arguments import brief
 
 from .triple import Scalar
 

@@ -13,7 +13,7 @@ from typing import Annotated, Any, NamedTuple, ParamSpec, TypeVar, Union, get_ar
 
 from symbody.errors import SymbodyError
 from symbody.symbolic import Expr, ExprLike, number
-from symbody.symbolic.arguments import described
+from symbody.symbolic.given.arguments import described
 
 P = ParamSpec("P")
 R = TypeVar("R")

@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 from symbody.errors import FrameError
 from symbody.symbolic import add3, derivation, sub3
-from symbody.symbolic.arguments import brief
+from symbody.symbolic.given.arguments import brief
 
 from .frame import Frame
 from .motion import Motion, Substitution

@@ -7,7 +7,7 @@ from typing import Annotated, Protocol, TypeAlias, runtime_checkable
 
 from symbody.errors import FrameError
 from symbody.symbolic import Expr, functions_of_time
-from symbody.symbolic.arguments import brief, counted
+from symbody.symbolic.given.arguments import brief, counted
 
 from .angle import angle as angle_in_radians
 from .argument import checked

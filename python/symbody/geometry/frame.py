@@ -8,7 +8,7 @@ from typing import Annotated, NamedTuple, TypeAlias, TypeVar, final
 
 from symbody.errors import FrameError
 from symbody.symbolic import Expr, Matrix, add3, derivation, dot3, number
-from symbody.symbolic.arguments import brief
+from symbody.symbolic.given.arguments import brief
 
 from .argument import checked
 from .floating import Floating

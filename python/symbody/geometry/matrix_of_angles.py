@@ -10,7 +10,7 @@ from math import isfinite, pi
 
 from symbody.errors import SymbodyError
 from symbody.symbolic import Expr, free_symbols
-from symbody.symbolic.traverse import post_order
+from symbody.symbolic.expression.traverse import post_order
 
 from .motion import Rows
 from .orientation import distance_from_rotation

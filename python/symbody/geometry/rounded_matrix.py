@@ -8,7 +8,7 @@ from __future__ import annotations
 from math import asin, prod
 
 from symbody.symbolic import Expr, multiple_of_pi, number, sin
-from symbody.symbolic.traverse import post_order
+from symbody.symbolic.expression.traverse import post_order
 
 from .motion import Rows
 from .orientation import SNAP

@@ -23,7 +23,7 @@ from symbody.symbolic import (
     time_derivative,
     time_derivatives,
 )
-from symbody.symbolic.arguments import brief
+from symbody.symbolic.given.arguments import brief
 
 from .floating import Floating
 from .frame import Frame, ground

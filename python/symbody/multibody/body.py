@@ -11,7 +11,7 @@ from symbody.geometry.argument import checked
 from symbody.geometry.motion import Translation
 from symbody.geometry.triple import expression, triple
 from symbody.symbolic import Expr, Matrix, matvec3
-from symbody.symbolic.arguments import brief
+from symbody.symbolic.given.arguments import brief
 
 from .physical_inertia import report_impossible_inertia
 

@@ -6,7 +6,7 @@ from collections.abc import Iterable
 
 from symbody.errors import ModelError
 from symbody.symbolic import Expr
-from symbody.symbolic.arguments import brief
+from symbody.symbolic.given.arguments import brief
 
 
 def check_function_of_time(thing: Expr, where: str) -> None:

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from symbody.symbolic import Expr, functions_of_time, gradient, number, substitute, t
-from symbody.symbolic.arguments import brief
-from symbody.symbolic.namesake import namesake_note
+from symbody.symbolic.given.arguments import brief
+from symbody.symbolic.given.namesake import namesake_note
 
 from .coordinate import rate_of_any
 

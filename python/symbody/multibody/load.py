@@ -12,7 +12,7 @@ from symbody.geometry.argument import checked
 from symbody.geometry.coordinates import path
 from symbody.geometry.kinematics import Seen, material_velocity, spin
 from symbody.symbolic import Expr, derivation, dot3, number
-from symbody.symbolic.arguments import brief, counted
+from symbody.symbolic.given.arguments import brief, counted
 
 from .body import Body
 

@@ -25,7 +25,7 @@ from symbody.errors import notify
 from symbody.geometry import Frame
 from symbody.geometry.kinematics import pose_from
 from symbody.symbolic import Expr
-from symbody.symbolic.arguments import brief
+from symbody.symbolic.given.arguments import brief
 
 Array: TypeAlias = NDArray[np.float64]
 

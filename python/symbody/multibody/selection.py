@@ -9,7 +9,7 @@ from typing import Annotated, TypeAlias
 
 from symbody.errors import ModelError, ModelNotice
 from symbody.geometry import Frame, Vector
-from symbody.symbolic.arguments import brief
+from symbody.symbolic.given.arguments import brief
 
 from .body import Body
 from .load import Action, Load

@@ -14,7 +14,7 @@ from symbody.geometry.argument import checked
 from symbody.geometry.floating import Floating, by_speeds, known_rates, rate_by
 from symbody.geometry.triple import Rate, expression
 from symbody.symbolic import Expr, functions_of_time, time_derivative
-from symbody.symbolic.arguments import brief, counted
+from symbody.symbolic.given.arguments import brief, counted
 
 from .body import Body
 from .coordinate import check_function_of_time

@@ -1,8 +1,8 @@
 """Expressions: values first, forms second."""
 
 from symbody.symbolic._core import Expr
-from symbody.symbolic.bordered import SaddlePointSolution
-from symbody.symbolic.calculus import (
+from symbody.symbolic.calculus.cost import Cost, cost
+from symbody.symbolic.calculus.derivative import (
     diff,
     free_symbols,
     gradient,
@@ -12,9 +12,17 @@ from symbody.symbolic.calculus import (
     time_derivative,
     time_derivatives,
 )
-from symbody.symbolic.cost import Cost, cost
-from symbody.symbolic.derivation import Derivation, current_derivation, derivation
-from symbody.symbolic.functions import (
+from symbody.symbolic.calculus.rewrite import (
+    coeff,
+    collect,
+    combine_trig,
+    expand,
+    expand_trig,
+    factor_terms,
+    simplify,
+)
+from symbody.symbolic.expression.derivation import Derivation, current_derivation, derivation
+from symbody.symbolic.expression.functions import (
     Abs,
     Max,
     Min,
@@ -34,8 +42,7 @@ from symbody.symbolic.functions import (
     tan,
     tanh,
 )
-from symbody.symbolic.ldl import ldl_solve
-from symbody.symbolic.leaves import (
+from symbody.symbolic.expression.leaves import (
     ExprLike,
     UndefinedFunction,
     function,
@@ -46,17 +53,14 @@ from symbody.symbolic.leaves import (
     symbols,
     t,
 )
-from symbody.symbolic.linear_solve import linear_solve
-from symbody.symbolic.matrix import Matrix, identity, zeros
-from symbody.symbolic.multiple_of_pi import exact_angle, meant_multiple_of_pi, multiple_of_pi, radians
-from symbody.symbolic.parse import parse
-from symbody.symbolic.printing import latex, listing, maple
-from symbody.symbolic.program import STAGES, Argument, Program, Result, Routine
-from symbody.symbolic.rewrite import coeff, collect, combine_trig, expand, expand_trig, factor_terms, simplify
-from symbody.symbolic.saddle_point import saddle_point_solve
-from symbody.symbolic.solve import solve
-from symbody.symbolic.sympy_bridge import from_sympy, to_sympy
-from symbody.symbolic.triple import (
+from symbody.symbolic.expression.matrix import Matrix, identity, zeros
+from symbody.symbolic.expression.multiple_of_pi import (
+    exact_angle,
+    meant_multiple_of_pi,
+    multiple_of_pi,
+    radians,
+)
+from symbody.symbolic.expression.triple import (
     add3,
     cross3,
     dot3,
@@ -67,6 +71,15 @@ from symbody.symbolic.triple import (
     scale3,
     sub3,
 )
+from symbody.symbolic.linear.bordered import SaddlePointSolution
+from symbody.symbolic.linear.ldl import ldl_solve
+from symbody.symbolic.linear.linear_solve import linear_solve
+from symbody.symbolic.linear.saddle_point import saddle_point_solve
+from symbody.symbolic.linear.solve import solve
+from symbody.symbolic.numeric.program import STAGES, Argument, Program, Result, Routine
+from symbody.symbolic.sympy_bridge.structured import from_sympy, to_sympy
+from symbody.symbolic.text.parse import parse
+from symbody.symbolic.text.printing import latex, listing, maple
 
 __all__ = [
     "STAGES",

@@ -11,7 +11,7 @@ from scipy.spatial.transform import Rotation
 from symbody.errors import ViewError
 from symbody.geometry import Frame, Point, Vector
 from symbody.symbolic import Expr
-from symbody.symbolic.arguments import brief
+from symbody.symbolic.given.arguments import brief
 from symbody.view.motion import Motion
 
 Array = NDArray[np.float64]

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from symbody.errors import ViewError
 from symbody.geometry import ground
 from symbody.multibody import Body
-from symbody.symbolic.arguments import brief
+from symbody.symbolic.given.arguments import brief
 from symbody.view.arrow import arrow_entries, load_arrows, reaction_arrows
 from symbody.view.camera import view_of
 from symbody.view.equivalent import equivalent_shape

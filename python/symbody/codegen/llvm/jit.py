@@ -22,8 +22,8 @@ except (
 from symbody.codegen.llvm.assembly import Assembly
 from symbody.codegen.llvm.object_cache import cached
 from symbody.errors import CodegenError
-from symbody.symbolic.arguments import brief
-from symbody.symbolic.kernel import kernel_address
+from symbody.symbolic.given.arguments import brief
+from symbody.symbolic.numeric.kernel import kernel_address
 
 __all__ = ["Compiled", "check_available", "compiled", "is_available", "lanes", "watched"]
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from symbody.codegen.straight_line import Code
-from symbody.symbolic.kernel import kernel_workspace
+from symbody.symbolic.numeric.kernel import kernel_workspace
 
 __all__ = ["Memory"]
 

@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 from symbody.errors import ArgumentError, ParameterError
 from symbody.simulation.given.column import Column, column_of
 from symbody.symbolic import Expr
-from symbody.symbolic.arguments import described
+from symbody.symbolic.given.arguments import described
 
 Values: TypeAlias = Mapping[Expr, ArrayLike] | Sequence[Mapping[Expr, float]]
 """Values by name: numbers and rows of numbers, or a dictionary of numbers for each motion."""

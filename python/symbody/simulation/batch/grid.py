@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 from symbody.errors import ArgumentError, ParameterError
 from symbody.simulation.given.column import column_of
 from symbody.symbolic import Expr
-from symbody.symbolic.arguments import described
+from symbody.symbolic.given.arguments import described
 
 
 def grid(axes: Mapping[Expr, ArrayLike]) -> dict[Expr, NDArray[np.float64]]:

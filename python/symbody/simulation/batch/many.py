@@ -23,7 +23,7 @@ from symbody.simulation.integrate.task_of import notice_odd_values, task_of
 from symbody.simulation.terminal.interruption import Interruption
 from symbody.simulation.terminal.progress import progress_bar
 from symbody.symbolic import Expr, ExprLike
-from symbody.symbolic.arguments import described
+from symbody.symbolic.given.arguments import described
 
 from .case_check import check_cases
 from .cases import PLACE, Cases, Values, cases_of

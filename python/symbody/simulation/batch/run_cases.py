@@ -14,7 +14,7 @@ from symbody.simulation.integrate.integrated import Integrated, run_motions
 from symbody.simulation.integrate.notices import deficiency_findings, findings_of
 from symbody.simulation.integrate.outcome import with_deficiencies
 from symbody.simulation.integrate.task import KeepGoing, Task
-from symbody.symbolic.deficiency import noting
+from symbody.symbolic.numeric.deficiency import noting
 
 from .cases import Cases
 from .results import Results, Status

@@ -24,8 +24,8 @@ from symbody.simulation.model.unknown import explain_unknown
 from symbody.simulation.motion.motion import Motion
 from symbody.simulation.motion.motion_of import motion_of
 from symbody.symbolic import Expr, ExprLike
-from symbody.symbolic.arguments import counted, described
-from symbody.symbolic.deficiency import noting
+from symbody.symbolic.given.arguments import counted, described
+from symbody.symbolic.numeric.deficiency import noting
 
 from .cases import Cases
 from .results import Results, Status

@@ -14,7 +14,7 @@ from symbody.simulation.given.unused import notice_unused
 from symbody.simulation.given.values import check_equations, parameter_values, state_values
 from symbody.simulation.model.named_constraint import shortened
 from symbody.symbolic import Expr, ExprLike, number, time_derivative
-from symbody.symbolic.deficiency import reporting
+from symbody.symbolic.numeric.deficiency import reporting
 
 from .contradiction import contradiction_between, contradictory_rows_of
 from .gauss_newton import gauss_newton

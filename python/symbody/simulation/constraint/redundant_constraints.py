@@ -18,7 +18,7 @@ from symbody.multibody import System
 from symbody.simulation.given.values import parameter_values, state_values
 from symbody.simulation.model.named_constraint import listed, named_constraints
 from symbody.symbolic import Expr, ExprLike, number
-from symbody.symbolic.deficiency import noting, reporting
+from symbody.symbolic.numeric.deficiency import noting, reporting
 
 from .consistent import positions
 from .kinematics import Kinematics

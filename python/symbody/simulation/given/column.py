@@ -7,7 +7,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from symbody.errors import ArgumentError, ParameterError, SymbodyError
 from symbody.symbolic import Expr
-from symbody.symbolic.arguments import described
+from symbody.symbolic.given.arguments import described
 
 __all__ = ["Column", "column_of"]
 

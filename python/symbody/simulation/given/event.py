@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from symbody.errors import SimulationError
 from symbody.symbolic import Expr
-from symbody.symbolic.arguments import described
+from symbody.symbolic.given.arguments import described
 
 __all__ = ["Event", "Occurrence"]
 

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from symbody.errors import SimulationError
-from symbody.symbolic.arguments import described
+from symbody.symbolic.given.arguments import described
 
 __all__ = ["KEPT", "Options", "check_options", "instants_of", "kept_by"]
 

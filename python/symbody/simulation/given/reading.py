@@ -10,7 +10,7 @@ from typing import NoReturn
 from symbody.errors import ArgumentError
 from symbody.geometry import Point, Vector
 from symbody.symbolic import Expr, Matrix
-from symbody.symbolic.arguments import brief, described, expression
+from symbody.symbolic.given.arguments import brief, described, expression
 
 __all__ = ["Reading"]
 

@@ -9,7 +9,7 @@ from difflib import get_close_matches
 from symbody.dynamics import Equations
 from symbody.errors import ModelNotice
 from symbody.symbolic import Expr, free_symbols
-from symbody.symbolic.namesake import namesake_note
+from symbody.symbolic.given.namesake import namesake_note
 
 __all__ = ["notice_unused"]
 

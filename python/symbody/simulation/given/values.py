@@ -13,8 +13,8 @@ from symbody.dynamics import Equations
 from symbody.errors import ArgumentError, ModelError, ParameterError
 from symbody.multibody import System
 from symbody.symbolic import Expr, ExprLike, t, time_derivative
-from symbody.symbolic.arguments import described, expression
-from symbody.symbolic.namesake import namesake_note
+from symbody.symbolic.given.arguments import described, expression
+from symbody.symbolic.given.namesake import namesake_note
 
 from .column import column_of
 from .given_input import check_no_circle

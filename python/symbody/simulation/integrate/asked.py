@@ -9,8 +9,8 @@ from symbody.simulation.given.event import Event
 from symbody.simulation.given.given_input import check_explicit
 from symbody.simulation.model.model import Model
 from symbody.symbolic import Expr, ExprLike, free_symbols
-from symbody.symbolic.arguments import described, expression
-from symbody.symbolic.namesake import namesake_note
+from symbody.symbolic.given.arguments import described, expression
+from symbody.symbolic.given.namesake import namesake_note
 
 __all__ = ["asked_outputs", "check_known_along", "parameters_in", "watched_events"]
 

@@ -13,7 +13,7 @@ from symbody.simulation.given.event import Event
 from symbody.simulation.given.options import Options
 from symbody.simulation.model.model import Model
 from symbody.symbolic import Expr
-from symbody.symbolic.deficiency import noting
+from symbody.symbolic.numeric.deficiency import noting
 
 from .energy_balance import imbalance_of
 from .ida import IDA_FORMS, IdaRun, integrate_ida

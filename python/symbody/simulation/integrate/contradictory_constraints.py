@@ -26,7 +26,7 @@ from symbody.simulation.constraint.kinematics import Kinematics, kinematics_of
 from symbody.simulation.constraint.least_norm import least_norm
 from symbody.simulation.model.model import Model
 from symbody.symbolic import Expr
-from symbody.symbolic.deficiency import Deficiency
+from symbody.symbolic.numeric.deficiency import Deficiency
 
 from .massless_speeds import unbalanced_speeds
 from .outcome import Failure, Outcome

@@ -19,7 +19,7 @@ from symbody.errors import CodegenError, ParameterError, SimulationError
 from symbody.simulation.given.event import Event
 from symbody.simulation.model.model import model_of
 from symbody.symbolic import Expr, ExprLike
-from symbody.symbolic.arguments import brief
+from symbody.symbolic.given.arguments import brief
 
 from .dae import DifferentialAlgebraicEquations, dae_of
 from .dae_start import Start, start_of

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from symbody.simulation.given.options import Options
-from symbody.symbolic.deficiency import Deficiency, deficiencies_of, noting
+from symbody.symbolic.numeric.deficiency import Deficiency, deficiencies_of, noting
 
 from .outcome import Failure, Outcome, Statistics, with_deficiencies
 from .problem import Problem

@@ -15,7 +15,7 @@ from symbody.simulation.constraint.singular_passage import singular_passages
 from symbody.simulation.constraint.singular_position import SINGULAR, is_singular, may_be_singular
 from symbody.simulation.model.model import Model
 from symbody.simulation.model.named_constraint import named_constraints
-from symbody.symbolic.deficiency import Deficiency, strongest
+from symbody.symbolic.numeric.deficiency import Deficiency, strongest
 
 from .integrated import Integrated
 

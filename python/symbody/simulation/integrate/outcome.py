@@ -8,7 +8,7 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from symbody.symbolic.deficiency import Deficiency
+from symbody.symbolic.numeric.deficiency import Deficiency
 
 __all__ = ["Failure", "Outcome", "Statistics", "with_deficiencies"]
 

@@ -13,7 +13,7 @@ from symbody.simulation.constraint.kinematics import Kinematics
 from symbody.simulation.given.values import parameter_values, state_values
 from symbody.simulation.motion.motion import Motion
 from symbody.symbolic import Expr, ExprLike
-from symbody.symbolic.arguments import described
+from symbody.symbolic.given.arguments import described
 
 from .kinematic_analysis import Course, course
 from .prescription import prescription_of

@@ -22,9 +22,9 @@ from symbody.simulation.model.unknown import unknown_variables
 from symbody.simulation.motion.motion import Motion
 from symbody.symbolic import Expr, ExprLike, free_symbols
 from symbody.symbolic import t as symbolic_time
-from symbody.symbolic.arguments import counted, described
-from symbody.symbolic.deficiency import reporting
-from symbody.symbolic.namesake import namesake_note
+from symbody.symbolic.given.arguments import counted, described
+from symbody.symbolic.given.namesake import namesake_note
+from symbody.symbolic.numeric.deficiency import reporting
 
 from .driven_motion import followed_motion, prescribed_motion
 from .driving_load import driving_loads

@@ -15,7 +15,7 @@ from symbody.multibody import System
 from symbody.simulation.given.column import column_of
 from symbody.simulation.given.values import check_known
 from symbody.symbolic import Expr, ExprLike, free_symbols, number, t, time_derivative
-from symbody.symbolic.arguments import counted, described
+from symbody.symbolic.given.arguments import counted, described
 
 if TYPE_CHECKING:
     from scipy.interpolate import BSpline

@@ -18,7 +18,7 @@ from symbody.multibody.load import action_power
 from symbody.simulation.given.given_input import with_given
 from symbody.symbolic import Expr, ExprLike, cost, derivation, free_symbols, number, substitute, symbols, t
 from symbody.symbolic import jacobian as jacobian_of
-from symbody.symbolic.deficiency import noting, report
+from symbody.symbolic.numeric.deficiency import noting, report
 
 from .least_change import LeastChange, least_change
 

@@ -7,7 +7,7 @@ from collections.abc import Iterable, Sequence
 from symbody.errors import ParameterError, SimulationError
 from symbody.multibody import System
 from symbody.symbolic import Expr, free_symbols
-from symbody.symbolic.namesake import namesake_note
+from symbody.symbolic.given.namesake import namesake_note
 
 from .model import Model
 from .named_constraint import listed

@@ -20,7 +20,7 @@ from symbody.simulation.integrate.outcome import Statistics
 from symbody.simulation.model.model import Model
 from symbody.simulation.model.unknown import explain_unknown
 from symbody.symbolic import Expr, ExprLike, free_symbols
-from symbody.symbolic.arguments import counted, described
+from symbody.symbolic.given.arguments import counted, described
 
 from .drawing import drawer
 from .rates_along import accelerations_along

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from symbody.simulation.model.model import Model
 from symbody.symbolic import Expr
-from symbody.symbolic.deficiency import noting, report
+from symbody.symbolic.numeric.deficiency import noting, report
 
 __all__ = ["accelerations_along"]
 

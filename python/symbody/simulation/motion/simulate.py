@@ -24,7 +24,7 @@ from symbody.simulation.integrate.task_of import notice_odd_values, task_of
 from symbody.simulation.terminal.interruption import Interruption
 from symbody.simulation.terminal.progress import preparation_bar, progress_bar
 from symbody.symbolic import Expr, ExprLike
-from symbody.symbolic.deficiency import noting
+from symbody.symbolic.numeric.deficiency import noting
 
 from .motion import Motion
 from .motion_of import motion_of

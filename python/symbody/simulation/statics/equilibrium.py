@@ -17,7 +17,7 @@ from symbody.simulation.given.unused import notice_unused
 from symbody.simulation.given.values import given_inputs, parameter_values, state_values
 from symbody.simulation.model.named_constraint import shortened
 from symbody.symbolic import Expr, ExprLike
-from symbody.symbolic.deficiency import reporting
+from symbody.symbolic.numeric.deficiency import reporting
 
 from .balance import Balance
 from .place_at_rest import Place

@@ -1,0 +1,156 @@
+"""Derivatives and substitution."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any, overload
+
+import numpy as np
+from numpy.typing import NDArray
+
+from symbody.symbolic import _core
+from symbody.symbolic._core import Expr
+from symbody.symbolic.expression.leaves import ExprLike
+from symbody.symbolic.expression.matrix import Matrix
+from symbody.symbolic.given.arguments import size
+
+__all__ = [
+    "diff",
+    "free_symbols",
+    "gradient",
+    "jacobian",
+    "subs",
+    "substitute",
+    "time_derivative",
+    "time_derivatives",
+]
+
+
+def diff(expression: ExprLike, variable: Expr, n: int = 1) -> Expr:
+    """Return the n-th partial derivative; x, x', x'' are variables of their own.
+
+    The derivative with respect to ``t`` is the total one.
+
+    Raises:
+        ExpressionError: ``variable`` is no variable.
+
+    >>> from symbody import diff, functions_of_time, sin
+    >>> x = functions_of_time("x")
+    >>> diff(sin(x) ** 2, x)
+    2*sin(x)*cos(x)
+    """
+    return _core.number(expression, "diff, expression").diff(variable, n)
+
+
+def free_symbols(expressions: Sequence[ExprLike]) -> frozenset[Expr]:
+    """Return the symbols, functions of time and their derivatives in several expressions, found in one walk.
+
+    >>> from symbody import symbols
+    >>> from symbody.symbolic import free_symbols
+    >>> a, b = symbols("a b")
+    >>> sorted(map(str, free_symbols([a, a * b])))
+    ['a', 'b']
+    """
+    return _core.free_symbols(expressions)
+
+
+@overload
+def time_derivative(expression: ExprLike, n: int = 1) -> Expr: ...
+@overload
+def time_derivative(expression: Matrix, n: int = 1) -> Matrix: ...
+@overload
+def time_derivative(expression: NDArray[Any], n: int = 1) -> NDArray[Any]: ...
+@overload
+def time_derivative(expression: list[Any], n: int = 1) -> list[Any]: ...
+@overload
+def time_derivative(expression: tuple[Any, ...], n: int = 1) -> tuple[Any, ...]: ...
+def time_derivative(expression: Any, n: int = 1) -> Any:
+    """Return the n-th total time derivative: x becomes x', x' becomes x''; of lists, arrays and matrices, by entries.
+
+    >>> from symbody import functions_of_time, time_derivative
+    >>> x, y = functions_of_time("x y")
+    >>> time_derivative(x**2, 2)
+    2*(x*x'' + x'**2)
+    >>> time_derivative([x, x * y])
+    [x', x*y' + x'*y]
+    """
+    if isinstance(expression, list | tuple):
+        return type(expression)([time_derivative(each, n) for each in expression])
+    times = size(n, "time_derivative: n", "derivatives")
+    if isinstance(expression, np.ndarray) and expression.ndim:
+        made = np.empty(expression.shape, dtype=object)
+        for index, rate in zip(np.ndindex(made.shape), _derived(list(expression.flat), times), strict=True):
+            made[index] = rate
+        return made
+    if isinstance(expression, Matrix):
+        entries = _derived(expression.entries, times)
+        return Matrix.from_entries(expression.rows, expression.columns, entries)
+    return _derived((_core.number(expression, "time_derivative, expression"),), times)[0]
+
+
+def _derived(expressions: Sequence[ExprLike], times: int) -> Sequence[Any]:
+    """Return the time derivatives of several expressions, which share each sweep."""
+    for _ in range(times):
+        expressions = _core.time_derivatives(expressions)
+    return expressions
+
+
+def time_derivatives(expressions: Sequence[ExprLike]) -> tuple[Expr, ...]:
+    """Return the total time derivatives of several expressions, which share one sweep.
+
+    >>> from symbody import functions_of_time, time_derivatives
+    >>> x = functions_of_time("x")
+    >>> time_derivatives([x, x**2])
+    (x', 2*x*x')
+    """
+    return _core.time_derivatives(expressions)
+
+
+def gradient(expression: ExprLike, variables: Expr | Sequence[Expr]) -> tuple[Expr, ...]:
+    """Return the partial derivatives with respect to many variables (or one), by one reverse sweep.
+
+    >>> from symbody import gradient, symbols
+    >>> x, y = symbols("x y")
+    >>> gradient(x * y**2, [x, y])
+    (y**2, 2*x*y)
+    """
+    return _core.gradient(expression, variables)
+
+
+def jacobian(expressions: Expr | Sequence[ExprLike], variables: Expr | Sequence[Expr]) -> Matrix:
+    """Return the matrix of partial derivatives, a row for each expression; one alone is a list of one.
+
+    >>> from symbody import jacobian, symbols
+    >>> x, y = symbols("x y")
+    >>> jacobian([x * y, x + y], [x, y])
+    Matrix([[y, x], [1, 1]])
+    """
+    rows = _core.jacobian(expressions, variables)
+    if not rows:
+        return Matrix.from_entries(0, 1 if isinstance(variables, Expr) else len(variables), ())
+    return Matrix(rows)
+
+
+def subs(expression: ExprLike, mapping: Mapping[Expr, ExprLike]) -> Expr:
+    """Return the expression with every key replaced by its value, all at once.
+
+    A replacement of x(t) also replaces x', x'', ... by its time derivatives, unless the mapping has
+    entries for them.
+
+    >>> from symbody import functions_of_time, sin, subs, t, time_derivative
+    >>> x = functions_of_time("x")
+    >>> subs(time_derivative(x), {x: sin(t)})
+    cos(t)
+    """
+    return _core.number(expression, "subs, expression").subs(mapping)
+
+
+def substitute(expressions: Sequence[ExprLike], mapping: Mapping[Expr, ExprLike]) -> tuple[Expr, ...]:
+    """Return several expressions with every key replaced by its value; they share one sweep.
+
+    >>> from symbody import substitute, symbols
+    >>> x, y = symbols("x y")
+    >>> substitute([x + y, x * y], {x: y, y: x})
+    (x + y, x*y)
+    """
+    return _core.substitute(expressions, mapping)

@@ -1,0 +1,94 @@
+"""Rewrites: the same value in another form, chosen by the user."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from symbody.symbolic import _core
+from symbody.symbolic._core import Expr
+from symbody.symbolic.expression.leaves import ExprLike
+
+__all__ = ["coeff", "collect", "combine_trig", "expand", "expand_trig", "factor_terms", "simplify"]
+
+
+def expand(expression: ExprLike) -> Expr:
+    """Multiply products of sums out.
+
+    Raises:
+        ExpressionError: the result would have too many terms.
+
+    >>> from symbody import expand, symbols
+    >>> a, b = symbols("a b")
+    >>> expand((a + b) ** 2)
+    a**2 + 2*a*b + b**2
+    """
+    return _core.rewrite("expand", expression)
+
+
+def expand_trig(expression: ExprLike) -> Expr:
+    """Write sines and cosines of sums by those of their terms, and multiply out.
+
+    >>> from symbody import expand_trig, cos, symbols
+    >>> a, b = symbols("a b")
+    >>> expand_trig(cos(a - b))
+    sin(a)*sin(b) + cos(a)*cos(b)
+    """
+    return _core.rewrite("expand_trig", expression)
+
+
+def collect(expression: ExprLike, variables: Expr | Sequence[ExprLike]) -> Expr:
+    """Write an expression as a polynomial in the variables (or one), the first one outermost.
+
+    >>> from symbody import collect, symbols
+    >>> x, a, b = symbols("x a b")
+    >>> collect(a * x + b * x + a, [x])
+    x*(a + b) + a
+    """
+    return _core.collect(expression, variables)
+
+
+def coeff(expression: ExprLike, variable: ExprLike, n: int = 1) -> Expr:
+    """Return the coefficient of a power of a variable.
+
+    >>> from symbody import coeff, symbols
+    >>> x, a, b = symbols("x a b")
+    >>> coeff((a + x) * b, x)
+    b
+    """
+    return _core.coeff(expression, variable, n)
+
+
+def factor_terms(expression: ExprLike) -> Expr:
+    """Take out what all terms have in common.
+
+    >>> from symbody import factor_terms, symbols
+    >>> a, b, c = symbols("a b c")
+    >>> factor_terms(a * b + a * c)
+    a*(b + c)
+    """
+    return _core.rewrite("factor_terms", expression)
+
+
+def combine_trig(expression: ExprLike) -> Expr:
+    """Write products of sines and cosines as sines and cosines of sums.
+
+    >>> from symbody import combine_trig, cos, sin, symbols
+    >>> a, b = symbols("a b")
+    >>> combine_trig(cos(a) * cos(b) + sin(a) * sin(b))
+    cos(a - b)
+    """
+    return _core.rewrite("combine_trig", expression)
+
+
+def simplify(expression: ExprLike) -> Expr:
+    """Return the cheapest form that a fixed list of rewrites finds.
+
+    Bounded and deterministic, never costlier than the expression; the value at the random point proves
+    that nothing changed.
+
+    >>> from symbody import cos, simplify, sin, symbols
+    >>> a, b, x = symbols("a b x")
+    >>> simplify(a * sin(x) ** 2 + (a + b) * cos(x) ** 2)
+    a + b*cos(x)**2
+    """
+    return _core.rewrite("simplify", expression)

@@ -1,0 +1,289 @@
+"""Matrices of expressions."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any, overload
+
+import numpy as np
+from numpy.typing import NDArray
+
+from symbody.errors import ArgumentError, ExpressionError
+from symbody.symbolic import _core
+from symbody.symbolic._core import Expr
+from symbody.symbolic.expression.encoding import Encoded, decode, encode
+from symbody.symbolic.expression.leaves import ExprLike
+from symbody.symbolic.expression.to_sympy import ToSympy, import_sympy
+from symbody.symbolic.given.arguments import counted, described, size
+from symbody.symbolic.given.hint import no_attribute
+
+__all__ = ["Matrix", "identity", "zeros"]
+
+
+@dataclass(frozen=True, init=False, repr=False)
+class Matrix:
+    """An immutable matrix of expressions, ``entries`` row by row.
+
+    >>> from symbody import Matrix, symbols
+    >>> a, b = symbols("a b")
+    >>> Matrix([[a, b], [b, a]]) @ Matrix([[1], [-1]])
+    Matrix([[a - b], [b - a]])
+    """
+
+    rows: int
+    columns: int
+    entries: tuple[Expr, ...]
+
+    def __init__(self, rows: Sequence[Sequence[ExprLike]]) -> None:
+        listed = _rows(rows)
+        width = len(listed[0]) if listed else 0
+        for i, row in enumerate(listed):
+            if len(row) != width:
+                raise ExpressionError(
+                    f"row {i + 1} of the matrix has {counted(len(row), 'entry')}, the first has {width}; "
+                    "all rows need the same number"
+                )
+        _fill(self, len(listed), width, _numbers([entry for row in listed for entry in row], width))
+
+    @classmethod
+    def from_entries(cls, rows: int, columns: int, entries: Sequence[ExprLike]) -> Matrix:
+        """Return the matrix of these entries, given row by row."""
+        if len(entries) != rows * columns:
+            raise ExpressionError(
+                f"a {rows}x{columns} matrix has {rows * columns} entries, found {len(entries)}"
+            )
+        matrix = cls.__new__(cls)
+        _fill(matrix, rows, columns, _numbers(entries, columns))
+        return matrix
+
+    @classmethod
+    def column(cls, entries: Sequence[ExprLike]) -> Matrix:
+        """Return a matrix of one column."""
+        return cls.from_entries(len(entries), 1, entries)
+
+    @property
+    def shape(self) -> tuple[int, int]:
+        """The numbers of rows and columns."""
+        return self.rows, self.columns
+
+    @property
+    def T(self) -> Matrix:
+        """The transpose."""
+        entries = [self.entries[i * self.columns + j] for j in range(self.columns) for i in range(self.rows)]
+        return Matrix.from_entries(self.columns, self.rows, entries)
+
+    def row(self, i: int) -> tuple[Expr, ...]:
+        """Return row i."""
+        return self.entries[i * self.columns : (i + 1) * self.columns]
+
+    def tolist(self) -> list[list[Expr]]:
+        """Return the rows as lists."""
+        return [list(self.row(i)) for i in range(self.rows)]
+
+    @overload
+    def __getitem__(self, key: tuple[int, int]) -> Expr: ...
+    @overload
+    def __getitem__(self, key: tuple[int | slice, slice] | tuple[slice, int]) -> Matrix: ...
+    def __getitem__(self, key: tuple[int | slice, int | slice]) -> Expr | Matrix:
+        if not isinstance(key, tuple) or len(key) != 2:  # type: ignore[redundant-expr]  # users may err
+            raise ExpressionError(f"a matrix takes two indices, row and column, found {key!r}")
+        i, j = key
+        if isinstance(i, int) and isinstance(j, int):
+            return self.entries[
+                _place(i, self.rows, "rows") * self.columns + _place(j, self.columns, "columns")
+            ]
+        picked_rows = _places(i, self.rows, "rows")
+        picked_columns = _places(j, self.columns, "columns")
+        entries = [self.entries[a * self.columns + b] for a in picked_rows for b in picked_columns]
+        return Matrix.from_entries(len(picked_rows), len(picked_columns), entries)
+
+    def __array_ufunc__(self, ufunc: np.ufunc, method: str, *inputs: Any, **options: Any) -> Any:
+        """Apply a function of NumPy to the entries; a result of two dimensions is a matrix again."""
+        from symbody.symbolic.expression.ufunc import array_ufunc  # noqa: PLC0415 - only who calls NumPy's functions needs it
+
+        arrays = [np.asarray(each, dtype=object) if isinstance(each, Matrix) else each for each in inputs]
+        result = array_ufunc(ufunc, method, arrays, options)
+        is_matrix = isinstance(result, np.ndarray) and result.ndim == 2 and result.dtype == object
+        return Matrix(result.tolist()) if is_matrix else result
+
+    def __getattr__(self, name: str) -> Any:
+        if name.startswith("_"):
+            raise AttributeError(f"'Matrix' object has no attribute {name!r}")
+        raise no_attribute("Matrix", name)
+
+    def __array__(self, dtype: object = None, copy: bool | None = None) -> NDArray[np.object_]:  # noqa: FBT001 - NumPy's
+        array = np.empty(self.shape, dtype=object)
+        array[...] = self.tolist()
+        return array
+
+    def __iter__(self) -> Iterator[Expr]:
+        return iter(self.entries)
+
+    def _same_shape(self, other: Matrix, operation: str) -> None:
+        if self.shape != other.shape:
+            raise ExpressionError(
+                f"{operation} of a {self.rows}x{self.columns} and a {other.rows}x{other.columns} matrix: "
+                "the shapes differ"
+            )
+
+    def __add__(self, other: Matrix) -> Matrix:
+        if not isinstance(other, Matrix):
+            return NotImplemented
+        self._same_shape(other, "sum")
+        return self._like([a + b for a, b in zip(self.entries, other.entries, strict=True)])
+
+    def __sub__(self, other: Matrix) -> Matrix:
+        if not isinstance(other, Matrix):
+            return NotImplemented
+        self._same_shape(other, "difference")
+        return self._like([a - b for a, b in zip(self.entries, other.entries, strict=True)])
+
+    def __neg__(self) -> Matrix:
+        return self._like([-a for a in self.entries])
+
+    def __mul__(self, factor: ExprLike) -> Matrix:
+        if isinstance(factor, Matrix):
+            raise ExpressionError("the product of two matrices is written A @ B")
+        scalar = _core.number(factor, "Matrix * factor")
+        return self._like([a * scalar for a in self.entries])
+
+    __rmul__ = __mul__
+
+    def __truediv__(self, divisor: ExprLike) -> Matrix:
+        scalar = _core.number(divisor, "Matrix / divisor")
+        return self._like([a / scalar for a in self.entries])
+
+    def __matmul__(self, other: Matrix) -> Matrix:
+        if not isinstance(other, Matrix):
+            return NotImplemented
+        if self.columns != other.rows:
+            raise ExpressionError(
+                f"product of a {self.rows}x{self.columns} and a {other.rows}x{other.columns} matrix: "
+                f"the first has {counted(self.columns, 'column')}, the second {counted(other.rows, 'row')}"
+            )
+        entries = _core.matrix_product(self.rows, self.columns, other.columns, self.entries, other.entries)
+        return Matrix.from_entries(self.rows, other.columns, entries)
+
+    def _like(self, entries: Sequence[Expr]) -> Matrix:
+        return Matrix.from_entries(self.rows, self.columns, entries)
+
+    def _square(self, operation: str) -> int:
+        if self.rows != self.columns:
+            raise ExpressionError(f"{operation} of a {self.rows}x{self.columns} matrix: it is not square")
+        return self.rows
+
+    def det(self) -> Expr:
+        """Return the determinant, by cofactors up to 4x4."""
+        return _core.determinant(self._square("determinant"), self.entries)
+
+    def rank(self) -> int:
+        """Return the rank at almost every point: exact, since it is that of the values in the finite field."""
+        return _core.matrix_rank(self.rows, self.columns, self.entries)
+
+    def inverse(self) -> Matrix:
+        """Return the inverse, by cofactors up to 4x4.
+
+        Raises:
+            ExpressionError: the matrix is singular or larger.
+        """
+        return self._like(_core.inverse(self._square("inverse"), self.entries))
+
+    def map(self, function: Callable[[Expr], ExprLike]) -> Matrix:
+        """Return the matrix of the function's values."""
+        return self._like([_core.number(function(entry)) for entry in self.entries])
+
+    def diff(self, variable: Expr, n: int = 1) -> Matrix:
+        """Return the matrix of partial derivatives with respect to one variable."""
+        entries = self.entries
+        for _ in range(size(n, "Matrix.diff: n", "derivatives")):
+            entries = _core.diff_all(entries, variable)
+        return self._like(entries)
+
+    def time_derivative(self) -> Matrix:
+        """Return the matrix of total time derivatives."""
+        return self._like(_core.time_derivatives(self.entries))
+
+    def subs(self, mapping: Mapping[Expr, ExprLike]) -> Matrix:
+        """Return the matrix with every key of the mapping replaced, all at once."""
+        return self._like(_core.substitute(self.entries, mapping))
+
+    def equals(self, other: Matrix) -> bool:
+        """Return whether all entries are equal as mathematics."""
+        return self == other
+
+    def __repr__(self) -> str:
+        return f"Matrix({self.tolist()})"
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        """Pickle the entries together, for they share much."""
+        return _decoded, (self.rows, self.columns, encode(self.entries))
+
+    def to_sympy(self) -> Any:
+        """Return the matrix as SymPy has it; ``to_sympy`` has more options."""
+        return ToSympy(import_sympy(), {}).convert_matrix(self.shape, self.entries)
+
+    def latex(self) -> str:
+        """Return the matrix in LaTeX."""
+        rows = r" \\ ".join(" & ".join(entry.latex() for entry in self.row(i)) for i in range(self.rows))
+        return rf"\begin{{bmatrix}} {rows} \end{{bmatrix}}"
+
+    def _repr_latex_(self) -> str:
+        return f"$\\displaystyle {self.latex()}$"
+
+
+def _fill(matrix: Matrix, rows: int, columns: int, entries: tuple[Expr, ...]) -> None:
+    for name, value in (("rows", rows), ("columns", columns), ("entries", entries)):
+        object.__setattr__(matrix, name, value)  # the one time that a frozen matrix is written
+
+
+def _rows(rows: object) -> list[Sequence[ExprLike]]:
+    if isinstance(rows, str | Expr | Matrix) or not isinstance(rows, Iterable):
+        raise ArgumentError(
+            f"Matrix: {described(rows)}; expected a list of rows, as in Matrix([[a, b], [c, d]])"
+        )
+    listed: list[Any] = list(rows)
+    for i, row in enumerate(listed):
+        if isinstance(row, str) or not hasattr(row, "__len__"):
+            raise ArgumentError(
+                f"Matrix, row {i + 1}: {described(row)}; expected a list of entries. "
+                "One column is Matrix.column([a, b]), one row Matrix([[a, b]])"
+            )
+    return listed
+
+
+def _numbers(entries: Sequence[ExprLike], columns: int) -> tuple[Expr, ...]:
+    return tuple(
+        entry
+        if isinstance(entry, Expr)
+        else _core.number(entry, f"Matrix, row {k // columns + 1}, column {k % columns + 1}")
+        for k, entry in enumerate(entries)
+    )
+
+
+def _place(index: int, count: int, what: str) -> int:
+    if not isinstance(index, int):
+        raise ArgumentError(f"the index {index!r} of a matrix; expected whole numbers or slices")
+    if not -count <= index < count:
+        raise ExpressionError(f"the index {index} of a matrix of {count} {what}; the first has the index 0")
+    return index % count
+
+
+def _places(index: int | slice, count: int, what: str) -> Sequence[int]:
+    return range(count)[index] if isinstance(index, slice) else [_place(index, count, what)]
+
+
+def _decoded(rows: int, columns: int, encoded: Encoded) -> Matrix:
+    return Matrix.from_entries(rows, columns, decode(encoded))
+
+
+def identity(n: int) -> Matrix:
+    """Return the n x n identity."""
+    n = size(n, "identity: n", "rows")
+    return Matrix([[int(i == j) for j in range(n)] for i in range(n)])
+
+
+def zeros(rows: int, columns: int) -> Matrix:
+    """Return a matrix of zeros."""
+    rows, columns = size(rows, "zeros: rows", "rows"), size(columns, "zeros: columns", "columns")
+    return Matrix.from_entries(rows, columns, [0] * (rows * columns))

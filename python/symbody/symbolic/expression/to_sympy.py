@@ -1,0 +1,126 @@
+"""Expressions as SymPy has them, node by node."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+from symbody.errors import ExpressionError
+from symbody.symbolic import _core
+from symbody.symbolic._core import Expr
+from symbody.symbolic.expression.traverse import post_order
+
+__all__ = ["ToSympy", "import_sympy"]
+
+
+class ToSympy:
+    """Expressions as objects of SymPy; what is shared by several is made once."""
+
+    def __init__(self, sympy: Any, names: Mapping[str, Any]) -> None:
+        self._sympy, self._names = sympy, names
+        self._made: dict[int, Any] = {}
+        self._t = names.get("t", sympy.Symbol("t"))
+
+    def convert(self, root: Expr) -> Any:
+        """Return one expression as SymPy has it.
+
+        Raises:
+            ExpressionError: the expression is deeper than SymPy's recursions reach.
+        """
+        try:
+            for node in post_order([root], lambda e: e.args, lambda e: e.id):
+                self._made[node.id] = self._node(node, [self._made[arg.id] for arg in node.args])
+        except RecursionError:
+            raise ExpressionError(
+                "to_sympy: the expression is nested deeper than SymPy, which recurses, can go; "
+                "raise the limit with sys.setrecursionlimit, or convert parts of it"
+            ) from None
+        return self._made[root.id]
+
+    def convert_matrix(self, shape: tuple[int, int], entries: Sequence[Expr]) -> Any:
+        """Return a matrix as SymPy has it."""
+        return self._sympy.Matrix(*shape, [self.convert(entry) for entry in entries])
+
+    def _node(self, e: Expr, args: list[Any]) -> Any:
+        sympy = self._sympy
+        match e.kind:
+            case "sum":
+                return sympy.Add(*args)
+            case "product":
+                return sympy.Mul(*args)
+            case "power":
+                return sympy.Pow(*args)
+            case "application":
+                return self._application(e, args)
+            case "solution":
+                raise ExpressionError(
+                    "to_sympy: the expression holds the solution of a linear system, which has no counterpart in "
+                    "SymPy; solve the system there, or evaluate it with lambdify"
+                )
+            case "function":
+                return self._piecewise(args) if e.name == "Piecewise" else getattr(sympy, e.name)(*args)
+            case _:
+                return self._leaf(e)
+
+    def _leaf(self, e: Expr) -> Any:
+        sympy = self._sympy
+        match e.kind:
+            case "number":
+                # A decimal that no double prints, such as 0.1/3, stays exact.
+                is_double = e.is_decimal and _core.number(float(e)) == e
+                return sympy.Float(float(e)) if is_double else sympy.Rational(*e.ratio)
+            case "constant":
+                return sympy.pi
+            case "time_function":
+                function = self._names.get(e.name, sympy.Function(e.name)(self._t))
+                return function.diff(self._t, e.order) if e.order else function
+            case _:
+                return self._symbol(e)
+
+    def _symbol(self, e: Expr) -> Any:
+        if e.same_form(_core.time()):
+            return self._t
+        assumptions = {"real": {"real": True}, "positive": {"positive": True}, "none": {"complex": True}}
+        symbol = self._sympy.Symbol(e.name, **assumptions[e.assumption])
+        return self._names.get(e.name, symbol)
+
+    def _application(self, e: Expr, args: list[Any]) -> Any:
+        """Return f(x, y) or its derivative: by an argument itself if that is a symbol on its own."""
+        sympy = self._sympy
+        function = self._names.get(e.name, sympy.Function(e.name))
+        slots, by = list(args), []
+        for i, order in enumerate(e.orders):
+            others = [arg for j, arg in enumerate(args) if j != i]
+            if order and not (args[i].is_Symbol and all(args[i] not in arg.free_symbols for arg in others)):
+                slots[i] = sympy.Dummy(f"xi_{i + 1}")
+            if order:
+                by.append((slots[i], order))
+        if not by:
+            return function(*args)
+        moved = [(slot, arg) for slot, arg in zip(slots, args, strict=True) if slot is not arg]
+        derivative = sympy.Derivative(function(*slots), *by)
+        return sympy.Subs(derivative, *zip(*moved, strict=True)) if moved else derivative
+
+    def _piecewise(self, args: list[Any]) -> Any:
+        sympy = self._sympy
+        # Unevaluated: SymPy would rescale the conditions.
+        branches = [
+            (value, sympy.Gt(condition, 0, evaluate=False))
+            for value, condition in zip(args[:-1:2], args[1::2], strict=True)
+        ]
+        return sympy.Piecewise(*branches, (args[-1], True), evaluate=False)
+
+
+def import_sympy() -> Any:
+    """Return SymPy, an extra.
+
+    Raises:
+        ImportError: it isn't installed.
+    """
+    try:
+        import sympy  # noqa: PLC0415 - an extra: only who converts needs it
+    except ModuleNotFoundError as error:
+        if error.name != "sympy":  # it is there, and something else is missing
+            raise
+        raise ImportError("SymPy isn't installed; pip install 'symbody[sympy]'") from error
+    return sympy

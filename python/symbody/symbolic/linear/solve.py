@@ -1,0 +1,30 @@
+"""Linear equations."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from symbody.symbolic import _core
+from symbody.symbolic._core import Expr
+from symbody.symbolic.expression.leaves import ExprLike
+
+__all__ = ["solve"]
+
+
+def solve(equations: Expr | Sequence[ExprLike], unknowns: Expr | Sequence[Expr]) -> dict[Expr, Expr]:
+    """Solve equations, each an expression that is to be zero, that are linear in the unknowns.
+
+    An equation or an unknown alone needs no list. Unknowns may be symbols, functions of time and their
+    derivatives. What can be solved on its own is solved first; at most six unknowns may be coupled.
+
+    Raises:
+        ExpressionError: an equation is not linear, the equations contradict each other or leave
+            unknowns free, or too many are coupled; the message names them.
+
+    >>> from symbody import solve, symbols
+    >>> x, y, a = symbols("x y a")
+    >>> solve([x + y - a, x - y], [x, y])
+    {x: a/2, y: a/2}
+    """
+    values = _core.solve(equations, unknowns)
+    return dict(zip([unknowns] if isinstance(unknowns, Expr) else unknowns, values, strict=True))

@@ -1,0 +1,58 @@
+"""Expressions from their plain text: what ``str`` prints, ``parse`` reads back."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Mapping
+
+from symbody.errors import ArgumentError
+from symbody.symbolic import _core
+from symbody.symbolic._core import Expr
+from symbody.symbolic.expression.leaves import Meaning, pi, t
+from symbody.symbolic.given.arguments import described
+
+__all__ = ["parse"]
+
+_NAME = r"[^\W\d]\w*"
+_DEFINITION = re.compile(rf"\s*({_NAME})\s*=(?!=)")
+_OF_TIME = re.compile(rf"({_NAME})'+(?!\s*\(|')|\bdiff\(\s*({_NAME})\s*,\s*t\b")
+
+
+def parse(text: str, names: Mapping[str, Meaning] | None = None) -> Expr:
+    """Return the expression that a text denotes.
+
+    ``names`` says what a name stands for. Any other name is a real symbol, or a function of time where
+    the text differentiates it: ``x'``, ``diff(x, t)``. Lines ``z1 = ...`` before the last define names.
+
+    Raises:
+        ParseError: the text is no expression; the message shows where, and what was expected.
+
+    >>> from symbody import parse, symbols
+    >>> parse("m*x'' + k*x - F")
+    m*x'' + k*x - F
+    >>> length = symbols("length", positive=True)
+    >>> parse("sqrt(length**2)", names={"length": length})
+    length
+    """
+    if not isinstance(text, str):
+        raise ArgumentError(f"parse: {described(text)}; expected a text, such as 'm*x + k*x'")
+    from symbody.symbolic.text.syntax import Source  # noqa: PLC0415 - the parser is loaded with the first text
+
+    known: dict[str, Meaning] = {"pi": pi, "t": t}
+    known |= {name: _core.time_function(name) for name in _functions_of_time(text)}
+    known |= names or {}
+    lines = text.split("\n")
+    for row, line in enumerate(lines):
+        definition = _DEFINITION.match(line)
+        if definition is None:
+            return Source(lines, row, 0, len(lines)).parse(known)
+        value = Source(lines, row, definition.end(), row + 1)
+        known[definition[1]] = value.parse(known)
+    raise Source(lines, len(lines), 0, len(lines)).error(
+        len(lines), len(lines[-1]) + 1, "found definitions only, expected an expression after them"
+    )
+
+
+def _functions_of_time(text: str) -> Iterable[str]:
+    """Return the names that the text differentiates with respect to time."""
+    return (match[1] or match[2] for match in _OF_TIME.finditer(text))
