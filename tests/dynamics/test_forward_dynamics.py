@@ -270,9 +270,9 @@ MISTAKES = [
             method="ldl",
         ),
         (
-            "forward_dynamics: the mass matrix of x', phi': ldl_solve: row 2 of the 2x2 matrix has no pivot: on the "
-            "diagonal elimination leaves what is identically zero; expected a positive definite matrix; give every "
-            "coordinate some mass to move, or use method='pivoted'"
+            "forward_dynamics: the mass matrix of x', phi': ldl_solve: row 2 of the 2x2 matrix has no pivot: "
+            "elimination leaves zeros on the diagonal; expected a positive definite matrix; give every coordinate "
+            "some mass to move, or use method='pivoted'"
         ),
     ),
     (

@@ -57,13 +57,13 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
     (
         ArgumentError,
         lambda: anything.symbols("n", integer=True),
-        "symbols: there is no assumption integer; expected positive=True, or real=False, or none",
+        "symbols: unknown assumption integer; expected positive=True, real=False, or none",
     ),
     (
         ArgumentError,
         lambda: anything.symbols("n", negative=True),
         (
-            "symbols: there is no assumption negative; expected positive=True, or real=False, or none; a negative "
+            "symbols: unknown assumption negative; expected positive=True, real=False, or none; a negative "
             "number is -symbols('a', positive=True)"
         ),
     ),
@@ -71,8 +71,8 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
         ArgumentError,
         lambda: anything.functions_of_time("l", positive=True),
         (
-            "functions_of_time: there is no assumption positive; functions of time are real, and that is all that is "
-            "known of them: leave it out"
+            "functions_of_time: unknown assumption positive; functions of time are real and have no other "
+            "assumptions: leave it out"
         ),
     ),
     (
@@ -313,7 +313,7 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
     (
         ArgumentError,
         lambda: from_sympy(None),
-        "from_sympy: None; expected an expression or a matrix of SymPy's, or a list of them",
+        "from_sympy: None; expected an expression or a matrix of SymPy, or a list of them",
     ),
     (ArgumentError, lambda: from_sympy("x"), "from_sympy: 'x' is a str; parse reads texts"),
     (
@@ -328,8 +328,8 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
         ExpressionError,
         lambda: from_sympy(sympy.Symbol("x'") + 1),
         (
-            'from_sympy: "x\'" is no name; expected letters, digits and underscores, not starting with a digit; '
-            "say what it stands for, as in names={\"x'\": symbols('a')}"
+            'from_sympy: "x\'" is not a name; expected letters, digits and underscores, not starting with a digit; '
+            "give its meaning, as in names={\"x'\": symbols('a')}"
         ),
     ),
     (
@@ -337,7 +337,7 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
         lambda: from_sympy(sympy.Symbol("pi")),
         (
             "from_sympy: the name 'pi' stands for the circle constant, symbody.pi; choose another name; "
-            "say what it stands for, as in names={'pi': symbols('a')}"
+            "give its meaning, as in names={'pi': symbols('a')}"
         ),
     ),
     (ArgumentError, lambda: anything.to_sympy([None]), f"to_sympy: None; {NUMBER}"),

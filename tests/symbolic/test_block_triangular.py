@@ -43,10 +43,19 @@ def test_unknowns_that_leave_a_singular_block_are_not_the_dependent_ones() -> No
 @pytest.mark.parametrize(
     ("matrix", "message"),
     [
-        (pattern("xxxxx", "xxxxx", "xxxxx", "xxxxx"), "the equations 1, 2, 3, 4 are no block of at most 3"),
-        (pattern("xx.", "xx.", "xx."), "the equations 1, 2, 3 are no block of at most 3 independent ones"),
-        (Matrix([[1, 2, 3], [2, 4, 6]]), "the equations 1, 2 are no block of at most 3 independent ones"),
-        (Matrix([[0, 0, 0]]), "the equations 1 are no block"),
+        (
+            pattern("xxxxx", "xxxxx", "xxxxx", "xxxxx"),
+            "the equations 1, 2, 3, 4 do not form a block of at most 3",
+        ),
+        (
+            pattern("xx.", "xx.", "xx."),
+            "the equations 1, 2, 3 do not form a block of at most 3 independent equations",
+        ),
+        (
+            Matrix([[1, 2, 3], [2, 4, 6]]),
+            "the equations 1, 2 do not form a block of at most 3 independent equations",
+        ),
+        (Matrix([[0, 0, 0]]), "the equations 1 do not form a block"),
     ],
 )
 def test_what_has_no_small_blocks_is_refused(matrix: Matrix, message: str) -> None:

@@ -120,8 +120,8 @@ MISTAKES = [
     (
         lambda: ldl_solve(Matrix([[a, 0, 0], [0, b, b], [0, b, b]]), [a, b, c]),
         (
-            "ldl_solve: row 2 of the 3x3 matrix has no pivot: on the diagonal elimination leaves what is identically "
-            "zero; expected a positive definite matrix"
+            "ldl_solve: row 2 of the 3x3 matrix has no pivot: elimination leaves zeros on the diagonal; "
+            "expected a positive definite matrix"
         ),
     ),
 ]

@@ -60,10 +60,10 @@ EXPECTED = "expected names separated by blanks, such as 'm g l1'"
         ),
         ("x1:9999999999", "'x1:9999999999' has 9999999998 names; expected at most 100000 in one range"),
         ("x:999:999", "'x:999:999' has 998001 names; expected at most 100000 in one range"),
-        (":3", "'0' is no name; expected letters, digits and underscores, not starting with a digit"),
+        (":3", "'0' is not a name; expected letters, digits and underscores, not starting with a digit"),
         (
             "x((1:3))",
-            "'x(1)' is no name; expected letters, digits and underscores, not starting with a digit",
+            "'x(1)' is not a name; expected letters, digits and underscores, not starting with a digit",
         ),
         ("s:u", "the name 't' stands for time, symbody.t; choose another name"),
     ],

@@ -109,5 +109,5 @@ def test_values_are_those_of_the_other_ways() -> None:
 
 
 def test_conditions_that_follow_from_others() -> None:
-    with pytest.raises(ExpressionError, match="the equations 1 are no block"):
+    with pytest.raises(ExpressionError, match="the equations 1 do not form a block"):
         saddle_point_solve(Matrix([[a, b], [b, d]]), Matrix([[0, 0]]), [a, b], [c], "null_space")

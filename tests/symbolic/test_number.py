@@ -75,12 +75,12 @@ ONE = "expected one such as '1/2', '-7/3', '0.1' or '1e-3'; parse reads expressi
 def test_texts_of_no_number(text: str) -> None:
     with pytest.raises(ExpressionError) as caught:
         number(text)
-    assert str(caught.value) == f"number: {text!r} is no number; {ONE}"
+    assert str(caught.value) == f"number: {text!r} is not a number; {ONE}"
 
 
 @pytest.mark.parametrize("text", ["1/0", "0/0", "1/0.0", "1/-0"])
 def test_a_zero_below_the_line(text: str) -> None:
-    with pytest.raises(ExpressionError, match=r"divided by zero|is no number"):
+    with pytest.raises(ExpressionError, match=r"divided by zero|is not a number"):
         number(text)
 
 

@@ -149,9 +149,11 @@ def test_names_used_against_their_meaning() -> None:
         parse("a + m'", {"m": a})
     with pytest.raises(ParseError, match=r"column 1: f is a function; it needs arguments, as in f\(x\)"):
         parse("f + 1", {"f": f})
-    with pytest.raises(ParseError, match=r"column 3: a is no function; a product is written a\*\(\.\.\.\)"):
+    with pytest.raises(
+        ParseError, match=r"column 3: a is not a function; a product is written a\*\(\.\.\.\)"
+    ):
         parse("2*a(b)", {"a": a})
-    with pytest.raises(ParseError, match=r"column 6: a is no undefined function"):
+    with pytest.raises(ParseError, match=r"column 6: a is not an undefined function"):
         parse("D[1](a)(b)", {"a": a})
 
 

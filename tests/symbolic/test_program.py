@@ -61,8 +61,8 @@ MISTAKES: list[tuple[Callable[[], object], str]] = [
     (
         lambda: program(Routine("rise", "", ("p",), (Result("height", "", (a * x * b + y,), ()),))),
         (
-            "the result height of rise contains b, x, y, and is no function of its arguments p; substitute a value, or "
-            "make it a parameter or an input"
+            "the result height of rise contains b, x, y, and is not a function of its arguments p; substitute a value, "
+            "or make it a parameter or an input"
         ),
     ),
 ]

@@ -1,1 +1,1 @@
-"""Calculus and rewriting: derivatives, substitution, other forms of the same value, and what a form costs."""
+"""Calculus and rewriting: derivatives, substitution, other forms of a value, and their operation counts."""

@@ -18,10 +18,20 @@ _STAGES = ("parameters", "positions", "velocities", "accelerations")
 
 @dataclass(frozen=True)
 class Cost:
-    """Operations of an evaluation. Constants are free: they are folded once.
+    """Operation counts of one evaluation. Operations on constants are not counted.
 
-    ``stages`` has the same operations by what they depend on: ``parameters`` alone (done once for all states),
-    ``positions`` (and time), ``velocities`` and ``accelerations``.
+    Attributes:
+        additions: additions and subtractions.
+        multiplications: multiplications.
+        divisions: divisions.
+        functions: calls of sine, cosine, root and the like.
+        stages: the same operations by what they depend on: ``parameters`` alone (done once for all states),
+            ``positions`` (and time), ``velocities`` and ``accelerations``.
+
+    >>> from symbody import cost, sin, symbols
+    >>> x, a = symbols("x a")
+    >>> cost(a * sin(x)).multiplications, cost(a * sin(x)).total
+    (1, 2)
     """
 
     additions: int
@@ -43,14 +53,14 @@ class Cost:
         return " + ".join(parts) + f" = {self.total} operation{'' if self.total == 1 else 's'}"
 
 
-#: Expressions, or sequences and matrices of them, nested as deep as they come.
+#: Expressions, or sequences and matrices of them, nested to any depth.
 Costed: TypeAlias = "ExprLike | Iterable[Costed]"
 
 
 def cost(*expressions: Costed, tree: bool = False) -> Cost:
-    """Return the operations that evaluate expressions, sequences of them and matrices together.
+    """Count the operations that evaluate expressions, sequences of them and matrices together.
 
-    Counted on the shared graph, each node once; with ``tree=True`` as the expressions are written.
+    Each shared node counts once; with ``tree=True``, operations are counted as the expressions are written.
 
     >>> from symbody import cost, sin, symbols
     >>> a, b = symbols("a b")

@@ -32,7 +32,7 @@ def diff(expression: ExprLike, variable: Expr, n: int = 1) -> Expr:
     The derivative with respect to ``t`` is the total one.
 
     Raises:
-        ExpressionError: ``variable`` is no variable.
+        ExpressionError: ``variable`` is not a variable.
 
     >>> from symbody import diff, functions_of_time, sin
     >>> x = functions_of_time("x")
@@ -43,7 +43,7 @@ def diff(expression: ExprLike, variable: Expr, n: int = 1) -> Expr:
 
 
 def free_symbols(expressions: Sequence[ExprLike]) -> frozenset[Expr]:
-    """Return the symbols, functions of time and their derivatives in several expressions, found in one walk.
+    """Return the symbols, functions of time and their derivatives that several expressions contain.
 
     >>> from symbody import symbols
     >>> from symbody.symbolic import free_symbols
@@ -65,7 +65,7 @@ def time_derivative(expression: list[Any], n: int = 1) -> list[Any]: ...
 @overload
 def time_derivative(expression: tuple[Any, ...], n: int = 1) -> tuple[Any, ...]: ...
 def time_derivative(expression: Any, n: int = 1) -> Any:
-    """Return the n-th total time derivative: x becomes x', x' becomes x''; of lists, arrays and matrices, by entries.
+    """Return the n-th total time derivative: x becomes x', x' becomes x''; lists, arrays, matrices entry by entry.
 
     >>> from symbody import functions_of_time, time_derivative
     >>> x, y = functions_of_time("x y")
@@ -89,14 +89,14 @@ def time_derivative(expression: Any, n: int = 1) -> Any:
 
 
 def _derived(expressions: Sequence[ExprLike], times: int) -> Sequence[Any]:
-    """Return the time derivatives of several expressions, which share each sweep."""
+    """Return the time derivatives of several expressions, computed in shared sweeps."""
     for _ in range(times):
         expressions = _core.time_derivatives(expressions)
     return expressions
 
 
 def time_derivatives(expressions: Sequence[ExprLike]) -> tuple[Expr, ...]:
-    """Return the total time derivatives of several expressions, which share one sweep.
+    """Return the total time derivatives of several expressions, computed in one sweep.
 
     >>> from symbody import functions_of_time, time_derivatives
     >>> x = functions_of_time("x")
@@ -107,7 +107,7 @@ def time_derivatives(expressions: Sequence[ExprLike]) -> tuple[Expr, ...]:
 
 
 def gradient(expression: ExprLike, variables: Expr | Sequence[Expr]) -> tuple[Expr, ...]:
-    """Return the partial derivatives with respect to many variables (or one), by one reverse sweep.
+    """Return the partial derivatives with respect to one or many variables, by one reverse sweep.
 
     >>> from symbody import gradient, symbols
     >>> x, y = symbols("x y")
@@ -118,7 +118,9 @@ def gradient(expression: ExprLike, variables: Expr | Sequence[Expr]) -> tuple[Ex
 
 
 def jacobian(expressions: Expr | Sequence[ExprLike], variables: Expr | Sequence[Expr]) -> Matrix:
-    """Return the matrix of partial derivatives, a row for each expression; one alone is a list of one.
+    """Return the matrix of partial derivatives: one row per expression, one column per variable.
+
+    A single expression or variable needs no list.
 
     >>> from symbody import jacobian, symbols
     >>> x, y = symbols("x y")
@@ -146,7 +148,7 @@ def subs(expression: ExprLike, mapping: Mapping[Expr, ExprLike]) -> Expr:
 
 
 def substitute(expressions: Sequence[ExprLike], mapping: Mapping[Expr, ExprLike]) -> tuple[Expr, ...]:
-    """Return several expressions with every key replaced by its value; they share one sweep.
+    """Return several expressions with every key replaced by its value, all at once, in one sweep.
 
     >>> from symbody import substitute, symbols
     >>> x, y = symbols("x y")

@@ -1,4 +1,4 @@
-"""Rewrites: the same value in another form, chosen by the user."""
+"""Rewrites: another form of the same value."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ __all__ = ["coeff", "collect", "combine_trig", "expand", "expand_trig", "factor_
 
 
 def expand(expression: ExprLike) -> Expr:
-    """Multiply products of sums out.
+    """Multiply out products of sums.
 
     Raises:
         ExpressionError: the result would have too many terms.
@@ -26,7 +26,7 @@ def expand(expression: ExprLike) -> Expr:
 
 
 def expand_trig(expression: ExprLike) -> Expr:
-    """Write sines and cosines of sums by those of their terms, and multiply out.
+    """Write sines and cosines of sums with those of the terms, and multiply out.
 
     >>> from symbody import expand_trig, cos, symbols
     >>> a, b = symbols("a b")
@@ -37,7 +37,7 @@ def expand_trig(expression: ExprLike) -> Expr:
 
 
 def collect(expression: ExprLike, variables: Expr | Sequence[ExprLike]) -> Expr:
-    """Write an expression as a polynomial in the variables (or one), the first one outermost.
+    """Write an expression as a polynomial in one or several variables; the first one is outermost.
 
     >>> from symbody import collect, symbols
     >>> x, a, b = symbols("x a b")
@@ -59,7 +59,7 @@ def coeff(expression: ExprLike, variable: ExprLike, n: int = 1) -> Expr:
 
 
 def factor_terms(expression: ExprLike) -> Expr:
-    """Take out what all terms have in common.
+    """Take out the common factors of all terms.
 
     >>> from symbody import factor_terms, symbols
     >>> a, b, c = symbols("a b c")
@@ -83,8 +83,8 @@ def combine_trig(expression: ExprLike) -> Expr:
 def simplify(expression: ExprLike) -> Expr:
     """Return the cheapest form that a fixed list of rewrites finds.
 
-    Bounded and deterministic, never costlier than the expression; the value at the random point proves
-    that nothing changed.
+    The search is bounded and deterministic, and the result never costs more than the expression. The value at the
+    random point proves that the mathematics is unchanged.
 
     >>> from symbody import cos, simplify, sin, symbols
     >>> a, b, x = symbols("a b x")

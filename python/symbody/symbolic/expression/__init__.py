@@ -1,1 +1,1 @@
-"""Expressions and matrices: leaves, functions, derivations; how they are pickled, what NumPy and SymPy get of them."""
+"""Expressions and matrices: leaves, functions, derivations; pickling; NumPy's functions; conversion to SymPy."""

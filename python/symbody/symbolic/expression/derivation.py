@@ -1,4 +1,4 @@
-"""Derivations: what is built inside one takes values, not forms."""
+"""Derivations: inside one, equal values are one node, whatever their form."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ __all__ = ["Derivation", "current_derivation", "derivation"]
 
 @dataclass(frozen=True, eq=False)
 class Derivation:
-    """One derivation: its memo of intermediate results lives and ends with it."""
+    """One derivation, with a cache of intermediate results that ends with it."""
 
     cache: dict[Any, Any] = field(default_factory=dict)
 
@@ -28,17 +28,23 @@ _current = _Current()
 
 
 def current_derivation() -> Derivation | None:
-    """Return the derivation that this thread is in, if it is in one."""
+    """Return the derivation that this thread is in, or None.
+
+    >>> from symbody.symbolic import current_derivation, derivation
+    >>> with derivation() as outer:
+    ...     current_derivation() is outer
+    True
+    """
     return _current.derivation
 
 
 @contextmanager
 def derivation(*, fresh: bool = False) -> Iterator[Derivation]:
-    """Derive: an expression whose value was built before is the node that was built.
+    """Open a derivation: in it, an expression that equals an earlier one becomes the earlier node.
 
-    The classes of equal values belong to this one derivation, so its results depend on the model alone
-    and never on what else the process has computed. A derivation inside another one joins it, unless it is to be a
-    ``fresh`` one, as formalisms take: the outer one then waits for its end.
+    Each derivation has classes of equal values of its own, so its results depend on the model alone and not on what
+    else the process has computed. A derivation inside another one joins it. A ``fresh`` one, as formalisms use it,
+    suspends the outer one until it ends.
 
     >>> from symbody.symbolic import derivation, symbols
     >>> a, b, c = symbols("a b c")

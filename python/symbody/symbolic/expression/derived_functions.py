@@ -1,4 +1,4 @@
-"""Functions that others have, by those of the table: what NumPy and SymPy know and expressions have no node for."""
+"""Functions of NumPy and SymPy for which there is no node, written with the elementary functions."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ __all__ = ["DERIVED", "WITHOUT_COUNTERPART", "heaviside"]
 
 
 def heaviside(x: ExprLike, at_zero: ExprLike) -> Expr:
-    """Return 0 for negative x, 1 for positive x, and the given value at zero; (1 + sign(x))/2 where that is 1/2.
+    """Return 0 for negative x, 1 for positive x, and ``at_zero`` at zero; if that is 1/2, (1 + sign(x))/2.
 
     >>> from symbody import symbols
     >>> x = symbols("x")
@@ -45,7 +45,7 @@ def _sinc(x: Expr) -> Expr:
 
 
 def _asinh(x: Expr) -> Expr:
-    """Return the logarithm of a sum of positive terms: for negative x the other form, that doesn't cancel."""
+    """Return a logarithm; each branch adds terms of one sign, so nothing cancels."""
     root = sqrt(x**2 + 1)
     return Piecewise((log(root + x), x), otherwise=-log(root - x))
 
@@ -83,13 +83,13 @@ DERIVED: Mapping[str, Callable[[Expr], Expr]] = {
     "degrees": lambda x: x * 180 / pi,
     "radians": lambda x: x * pi / 180,
 }
-"""Functions of one argument, as SymPy and NumPy call them.
+"""Functions of one argument, by the names of SymPy and NumPy.
 
-``expm1`` keeps its digits near zero. The inverse hyperbolic functions are logarithms, accurate to 1e-16 in all, not in
-parts of what is nearly zero; ``log1p``, whose point are these digits, is none of them.
+``expm1`` keeps its digits near zero. The inverse hyperbolic functions are logarithms, with an absolute error of 1e-16;
+near zero their relative error is larger. ``log1p`` exists for its relative accuracy near zero, so it is not among them.
 """
 
 WITHOUT_COUNTERPART: Mapping[str, str] = {
     "log1p": "write log(1 + x), whose digits near x = 0 are those of 1 + x",
 }
-"""Functions of which only the name could be kept, and what to write."""
+"""Functions that cannot be offered with their accuracy, and what to write instead."""

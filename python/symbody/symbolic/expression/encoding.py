@@ -1,4 +1,4 @@
-"""Expressions as rows of plain data, for pickling: other processes build the same forms from them."""
+"""Expressions as rows of plain data, for pickling: another process builds the same forms from them."""
 
 from __future__ import annotations
 
@@ -13,15 +13,15 @@ from symbody.symbolic.expression.traverse import post_order
 
 __all__ = ["Encoded", "decode", "encode", "reduced"]
 
-#: A node: its kind, the places of its parts among the rows before it, and what else makes it.
+#: A node: its kind, the positions of its parts among the earlier rows, and its other data.
 Row: TypeAlias = tuple[str, tuple[int, ...], tuple[Any, ...]]
 
-#: Rows, parts first, and the places of the expressions among them.
+#: Rows, parts first, and the positions of the expressions among them.
 Encoded: TypeAlias = tuple[tuple[Row, ...], tuple[int, ...]]
 
 
 def encode(expressions: Iterable[Expr]) -> Encoded:
-    """Return several expressions as rows; what they share is one row."""
+    """Return several expressions as rows; a node that they share is one row."""
     roots = tuple(expressions)
     places: dict[int, int] = {}
     rows: list[Row] = []
@@ -32,7 +32,7 @@ def encode(expressions: Iterable[Expr]) -> Encoded:
 
 
 def decode(encoded: Encoded) -> tuple[Expr, ...]:
-    """Return the expressions of :func:`encode`."""
+    """Return the expressions that :func:`encode` encoded."""
     rows, roots = encoded
     made: list[Expr] = []
     for kind, parts, data in rows:
@@ -41,7 +41,7 @@ def decode(encoded: Encoded) -> tuple[Expr, ...]:
 
 
 def reduced(expression: Expr) -> tuple[Any, tuple[Encoded]]:
-    """Return what ``Expr.__reduce__`` does: a maker and what it makes the expression of."""
+    """Return the value of ``Expr.__reduce__``: a function and the arguments from which it makes the expression."""
     return _single, (encode([expression]),)
 
 
@@ -99,6 +99,6 @@ def _leaf(kind: str, data: tuple[Any, ...]) -> Expr:
 
 
 def _number(numerator: int, denominator: int, decimal: bool) -> Expr:  # noqa: FBT001 - a row of data
-    """Return the number, marked as a decimal if it was one: a product with 1.0 is."""
+    """Return the number, marked as a decimal if it was one: the product with 1.0 is marked."""
     exact = _core.number(Fraction(numerator, denominator))
     return exact * 1.0 if decimal else exact

@@ -28,10 +28,10 @@ __all__ = [
     "t",
 ]
 
-#: What converts to an expression: int, float, Fraction and NumPy scalars do.
+#: What converts to an expression: numbers of Python (int, float, Fraction) and NumPy scalars.
 ExprLike: TypeAlias = Expr | int | float
 
-#: Names that print as something else.
+#: Names that have a meaning already.
 _TAKEN = (
     {"t": "time, symbody.t", "pi": "the circle constant, symbody.pi"}
     | {name: f"the function symbody.{name}" for name in (*_core.function_names(), "sqrt") if name != "Power"}
@@ -51,13 +51,13 @@ symbol = _core.symbol
 
 
 def number(value: ExprLike | Fraction | Decimal | str) -> Expr:
-    """Return a number as an expression, exactly: a fraction, a decimal, or a text of one.
+    """Return a number as an exact expression: a fraction, a decimal, or a string with one.
 
-    Doubles keep the decimals that print them, and so do texts: 0.1 is 1/10.
+    A double stands for the decimal that it prints as, and so does a string: 0.1 is 1/10.
 
     Raises:
-        ArgumentError: it is no number.
-        ExpressionError: the text is no number; ``parse`` reads expressions.
+        ArgumentError: the value is not a number.
+        ExpressionError: the string is not a number; ``parse`` reads expressions.
 
     >>> from fractions import Fraction
     >>> number(Fraction(1, 3)) + number(0.5), number("1/2"), number("1e-3")
@@ -69,7 +69,7 @@ def number(value: ExprLike | Fraction | Decimal | str) -> Expr:
 def _number_in(text: str) -> Expr:
     if not _NUMBER.fullmatch(text):
         raise ExpressionError(
-            f"number: {text!r} is no number; expected one such as '1/2', '-7/3', '0.1' or '1e-3'; "
+            f"number: {text!r} is not a number; expected one such as '1/2', '-7/3', '0.1' or '1e-3'; "
             "parse reads expressions"
         )
     numerator, _, denominator = text.partition("/")
@@ -87,17 +87,17 @@ def _decimal(text: str) -> Expr:
 
 
 def check_name(name: str) -> None:
-    """Raise an error for a name that prints as something else."""
+    """Raise an error for a name that has a meaning already, or that is not an identifier."""
     if not _NAME.fullmatch(name):
         raise ExpressionError(
-            f"{name!r} is no name; expected letters, digits and underscores, not starting with a digit"
+            f"{name!r} is not a name; expected letters, digits and underscores, not starting with a digit"
         )
     if name in _TAKEN:
         raise ExpressionError(f"the name {name!r} stands for {_TAKEN[name]}; choose another name")
 
 
 def _named(names: object, make: Callable[[str], Expr], place: str) -> Any:
-    """Return what is made of each name, in the structure that the names have."""
+    """Return what ``make`` returns for each name, in the same nested structure as the names."""
     if isinstance(names, str):
         made = tuple(make(name) for name in _checked(names_in(names)))
         return made if is_list_of_names(names) else made[0]
@@ -116,11 +116,10 @@ def _checked(names: list[str]) -> list[str]:
 def symbols(
     names: str | Iterable[str], *, positive: bool = False, real: bool = True, **unknown: object
 ) -> Any:
-    """Return the symbols of these names: one alone, a tuple for several or a range, a list for a list of texts.
+    """Return symbols: one for one name, a tuple for several names or a range, a list for a list of strings.
 
-    Names and ranges are written as for SymPy: ``"x y"``, ``"x0:3"`` (x0, x1, x2), ``"a:d"``, ``"x,"`` (a tuple of one).
-    A symbol is real unless ``real=False``; the roots of a ``positive`` one are taken exactly. There are no other
-    assumptions.
+    Names and ranges are written as in SymPy: ``"x y"``, ``"x0:3"`` (x0, x1, x2), ``"a:d"``, ``"x,"`` (a tuple of one).
+    A symbol is real unless ``real=False``; roots of a ``positive`` symbol are exact. There are no other assumptions.
 
     >>> from symbody import sqrt, symbols
     >>> m, g = symbols("m g")
@@ -131,7 +130,7 @@ def symbols(
     for assumption in unknown:
         negative = "; a negative number is -symbols('a', positive=True)" if assumption == "negative" else ""
         raise ArgumentError(
-            f"symbols: there is no assumption {assumption}; expected positive=True, or real=False, or none{negative}"
+            f"symbols: unknown assumption {assumption}; expected positive=True, real=False, or none{negative}"
         )
     for option, value in (("positive", positive), ("real", real)):
         if not isinstance(value, bool):
@@ -140,9 +139,9 @@ def symbols(
 
 
 def functions_of_time(names: str | Iterable[str], **unknown: object) -> Any:
-    """Return functions of time of these names, ranges too, as ``symbols`` does; primes denote their derivatives.
+    """Return functions of time, for names and ranges as in ``symbols``; primes denote their derivatives.
 
-    They are real, and have no other assumptions.
+    They are real and have no other assumptions.
 
     >>> from symbody import functions_of_time, time_derivative
     >>> x, y = functions_of_time("x y")
@@ -152,15 +151,22 @@ def functions_of_time(names: str | Iterable[str], **unknown: object) -> Any:
     for assumption, value in unknown.items():
         if (assumption, value) != ("real", True):
             raise ArgumentError(
-                f"functions_of_time: there is no assumption {assumption}; functions of time are real, and that is all "
-                "that is known of them: leave it out"
+                f"functions_of_time: unknown assumption {assumption}; functions of time are real and have no other "
+                "assumptions: leave it out"
             )
     return _named(names, _core.time_function, "functions_of_time")
 
 
 @dataclass(frozen=True)
 class UndefinedFunction:
-    """A function of which nothing but the name is known; applied to arguments it is an expression."""
+    """A function of which only the name is known; applied to arguments, it gives an expression.
+
+    >>> from symbody import function, symbols
+    >>> x, y = symbols("x y")
+    >>> f = function("f")
+    >>> f(x, y).diff(y) == f.derivative([0, 1], x, y)
+    True
+    """
 
     name: str
 
@@ -170,7 +176,7 @@ class UndefinedFunction:
         return _core.application(self.name, args)
 
     def derivative(self, orders: Sequence[int], *args: ExprLike) -> Expr:
-        """Return the partial derivative of the given orders, one for each argument."""
+        """Return a partial derivative at ``args``; ``orders`` has one order for each argument."""
         checked = [size(n, f"{self.name}.derivative: an order", "derivatives") for n in orders]
         if len(checked) != len(args):
             raise ExpressionError(
@@ -181,7 +187,7 @@ class UndefinedFunction:
 
 
 def function(name: str) -> UndefinedFunction:
-    """Return the undefined function of this name.
+    """Return the undefined function with this name.
 
     >>> from symbody import function, symbols
     >>> x, y = symbols("x y")
@@ -198,4 +204,4 @@ def function(name: str) -> UndefinedFunction:
 
 
 Meaning: TypeAlias = ExprLike | UndefinedFunction
-"""What a name in a text may stand for."""
+"""What a name in a parsed text may stand for."""

@@ -1,4 +1,4 @@
-"""A component of the solution of a linear system, as it prints and as it is read."""
+"""One component of the solution of a linear system, written as a function of the system's entries."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ __all__ = ["linear_solution"]
 def linear_solution(index: Expr, *entries: Expr) -> Expr:
     """Return component ``index`` of the solution, given the matrix row by row and then the right side.
 
-    That is how a component prints, and so how it is read.
+    Components are printed in this form, so it is what the parser and unpickling read.
     """
     n = (isqrt(4 * len(entries) + 1) - 1) // 2
     if n * n + n != len(entries) or not index.is_number or index not in range(n):

@@ -23,7 +23,7 @@ __all__ = ["Matrix", "identity", "zeros"]
 
 @dataclass(frozen=True, init=False, repr=False)
 class Matrix:
-    """An immutable matrix of expressions, ``entries`` row by row.
+    """An immutable matrix of expressions; ``entries`` holds them row by row.
 
     >>> from symbody import Matrix, symbols
     >>> a, b = symbols("a b")
@@ -48,7 +48,7 @@ class Matrix:
 
     @classmethod
     def from_entries(cls, rows: int, columns: int, entries: Sequence[ExprLike]) -> Matrix:
-        """Return the matrix of these entries, given row by row."""
+        """Return the matrix with these entries, given row by row."""
         if len(entries) != rows * columns:
             raise ExpressionError(
                 f"a {rows}x{columns} matrix has {rows * columns} entries, found {len(entries)}"
@@ -99,8 +99,8 @@ class Matrix:
         return Matrix.from_entries(len(picked_rows), len(picked_columns), entries)
 
     def __array_ufunc__(self, ufunc: np.ufunc, method: str, *inputs: Any, **options: Any) -> Any:
-        """Apply a function of NumPy to the entries; a result of two dimensions is a matrix again."""
-        from symbody.symbolic.expression.ufunc import array_ufunc  # noqa: PLC0415 - only who calls NumPy's functions needs it
+        """Apply a NumPy function to the entries; a two-dimensional result is a matrix."""
+        from symbody.symbolic.expression.ufunc import array_ufunc  # noqa: PLC0415 - loaded by the first call of a NumPy function
 
         arrays = [np.asarray(each, dtype=object) if isinstance(each, Matrix) else each for each in inputs]
         result = array_ufunc(ufunc, method, arrays, options)
@@ -178,7 +178,7 @@ class Matrix:
         return _core.determinant(self._square("determinant"), self.entries)
 
     def rank(self) -> int:
-        """Return the rank at almost every point: exact, since it is that of the values in the finite field."""
+        """Return the rank at almost every point: the rank of the values in the finite field."""
         return _core.matrix_rank(self.rows, self.columns, self.entries)
 
     def inverse(self) -> Matrix:
@@ -190,7 +190,7 @@ class Matrix:
         return self._like(_core.inverse(self._square("inverse"), self.entries))
 
     def map(self, function: Callable[[Expr], ExprLike]) -> Matrix:
-        """Return the matrix of the function's values."""
+        """Return the matrix of the function's values at the entries."""
         return self._like([_core.number(function(entry)) for entry in self.entries])
 
     def diff(self, variable: Expr, n: int = 1) -> Matrix:
@@ -216,11 +216,11 @@ class Matrix:
         return f"Matrix({self.tolist()})"
 
     def __reduce__(self) -> tuple[Any, ...]:
-        """Pickle the entries together, for they share much."""
+        """Pickle the entries together, because they share nodes."""
         return _decoded, (self.rows, self.columns, encode(self.entries))
 
     def to_sympy(self) -> Any:
-        """Return the matrix as SymPy has it; ``to_sympy`` has more options."""
+        """Return a SymPy matrix; the function ``to_sympy`` has more options."""
         return ToSympy(import_sympy(), {}).convert_matrix(self.shape, self.entries)
 
     def latex(self) -> str:
@@ -234,7 +234,7 @@ class Matrix:
 
 def _fill(matrix: Matrix, rows: int, columns: int, entries: tuple[Expr, ...]) -> None:
     for name, value in (("rows", rows), ("columns", columns), ("entries", entries)):
-        object.__setattr__(matrix, name, value)  # the one time that a frozen matrix is written
+        object.__setattr__(matrix, name, value)  # only here is a frozen matrix written
 
 
 def _rows(rows: object) -> list[Sequence[ExprLike]]:
@@ -278,12 +278,22 @@ def _decoded(rows: int, columns: int, encoded: Encoded) -> Matrix:
 
 
 def identity(n: int) -> Matrix:
-    """Return the n x n identity."""
+    """Return the n x n identity matrix.
+
+    >>> from symbody import identity
+    >>> identity(2)
+    Matrix([[1, 0], [0, 1]])
+    """
     n = size(n, "identity: n", "rows")
     return Matrix([[int(i == j) for j in range(n)] for i in range(n)])
 
 
 def zeros(rows: int, columns: int) -> Matrix:
-    """Return a matrix of zeros."""
+    """Return a rows x columns matrix of zeros.
+
+    >>> from symbody import zeros
+    >>> zeros(1, 3)
+    Matrix([[0, 0, 0]])
+    """
     rows, columns = size(rows, "zeros: rows", "rows"), size(columns, "zeros: columns", "columns")
     return Matrix.from_entries(rows, columns, [0] * (rows * columns))

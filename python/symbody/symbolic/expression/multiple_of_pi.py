@@ -1,10 +1,10 @@
-"""Angles whose doubles stand for multiples of pi: ``math.pi/2`` is pi/2, ``math.radians(30)`` is pi/6.
+"""Multiples of pi that are given as doubles: ``math.pi/2`` is pi/2, ``math.radians(30)`` is pi/6.
 
-No double is a multiple of pi. In the angle of a rotation, and beside other terms in the argument of a sine, cosine or
-tangent, a decimal within two rounding errors of ``k*pi/n`` with n up to 360 is that multiple; above 1000, with n up to
-12, and above 1e6 none. The sine of a number
-alone is taken at that number: it is data, and `sin(3.141592653589793)` is not zero. Decimals that were cut to fewer
-digits, such as 1.5708, stay what they are: `meant_multiple_of_pi` finds what they probably mean.
+No double is exactly a multiple of pi. In the angle of a rotation, and beside other terms in the argument of a sine,
+cosine or tangent, a decimal within two rounding errors of ``k*pi/n`` with n up to 360 becomes that multiple; above
+1000, n goes up to 12; above 1e6, no decimal is a multiple. The sine of a number alone is evaluated at that
+number: it is data, and `sin(3.141592653589793)` is not zero. Decimals with fewer digits, such as 1.5708, remain
+decimals; `meant_multiple_of_pi` finds the multiple that they probably mean.
 """
 
 from __future__ import annotations
@@ -17,18 +17,18 @@ from symbody.symbolic.expression.leaves import ExprLike, pi
 
 __all__ = ["exact_angle", "meant_multiple_of_pi", "multiple_of_pi", "radians"]
 
-#: The denominators of the multiples that people round: those of 15, 18 and 22.5 degrees.
+#: Denominators of the multiples that people round: those of 15, 18 and 22.5 degrees.
 _DENOMINATORS = (1, 2, 3, 4, 5, 6, 8, 10, 12)
 
-#: Fractions of pi with the denominator n are meant within this part of 1/n^2: 0.785 is, 0.79 isn't.
+#: A decimal means a fraction of pi with denominator n if it is within this part of 1/n^2: 0.785 does, 0.79 does not.
 _NARROW = 0.01
 
-#: Half of the digits of a double: what single precision leaves.
+#: The relative precision of half of a double's digits, about that of single precision.
 _HALF_OF_THE_DIGITS = 1e-6
 
 
 def exact_angle(angle: ExprLike) -> Expr:
-    """Return an angle in which the decimals that stand for multiples of pi are such multiples.
+    """Return an angle with its decimals replaced by the multiples of pi that they stand for.
 
     >>> import math
     >>> from symbody import functions_of_time
@@ -39,21 +39,21 @@ def exact_angle(angle: ExprLike) -> Expr:
 
 
 def radians(angle: Expr) -> Expr:
-    """Return the number in an angle, multiples of pi aside."""
+    """Return the numeric part of an angle, without multiples of pi."""
     return _core.radians(angle)
 
 
 def multiple_of_pi(angle: float, tolerance: float) -> Expr | None:
-    """Return ``k*pi/n`` with the least n up to 360 that is within a tolerance of an angle and not zero, if any."""
+    """Return the nonzero ``k*pi/n`` with the least n up to 360 within a tolerance of an angle, or None."""
     found = _core.multiple_of_pi(angle, tolerance)
     return None if found is None else pi * found[0] / found[1]
 
 
 def meant_multiple_of_pi(angle: Expr) -> Expr | None:
-    """Return the multiple of pi that a decimal of few digits, or of single precision, probably means.
+    """Return the multiple of pi that a decimal of few digits, or of single precision, probably means, or None.
 
-    Its digits must be those of the multiple, rounded or cut: 0.785 is pi/4, and 3.57, beside 25*pi/22, is an angle
-    that somebody measured.
+    Its digits must be those of the multiple, rounded or truncated: 0.785 is pi/4; 3.57 is near 25*pi/22, but it is
+    a measured angle.
 
     >>> from symbody import number
     >>> [meant_multiple_of_pi(number(angle)) for angle in (1.5708, 3.14, 0.785, 0.79, 3.57)]
@@ -73,7 +73,7 @@ def meant_multiple_of_pi(angle: Expr) -> Expr | None:
 
 
 def _last_decimal(angle: Expr) -> float:
-    """Return the unit of the last decimal of a number with two decimals or more, else zero."""
+    """Return the unit of the last decimal place of a number that has at least two, otherwise zero."""
     _, denominator = angle.ratio
     decimals = next((n for n in range(17) if 10**n % denominator == 0), 0)
     return 10.0**-decimals if decimals >= 2 else 0.0

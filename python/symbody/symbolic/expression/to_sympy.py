@@ -1,4 +1,4 @@
-"""Expressions as SymPy has them, node by node."""
+"""Conversion of expressions to SymPy, node by node."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ __all__ = ["ToSympy", "import_sympy"]
 
 
 class ToSympy:
-    """Expressions as objects of SymPy; what is shared by several is made once."""
+    """A conversion to SymPy; a node that several expressions share is converted once."""
 
     def __init__(self, sympy: Any, names: Mapping[str, Any]) -> None:
         self._sympy, self._names = sympy, names
@@ -22,10 +22,10 @@ class ToSympy:
         self._t = names.get("t", sympy.Symbol("t"))
 
     def convert(self, root: Expr) -> Any:
-        """Return one expression as SymPy has it.
+        """Return one expression as a SymPy expression.
 
         Raises:
-            ExpressionError: the expression is deeper than SymPy's recursions reach.
+            ExpressionError: the expression is nested deeper than SymPy's recursion allows.
         """
         try:
             for node in post_order([root], lambda e: e.args, lambda e: e.id):
@@ -38,7 +38,7 @@ class ToSympy:
         return self._made[root.id]
 
     def convert_matrix(self, shape: tuple[int, int], entries: Sequence[Expr]) -> Any:
-        """Return a matrix as SymPy has it."""
+        """Return a matrix as a SymPy matrix."""
         return self._sympy.Matrix(*shape, [self.convert(entry) for entry in entries])
 
     def _node(self, e: Expr, args: list[Any]) -> Any:
@@ -66,7 +66,7 @@ class ToSympy:
         sympy = self._sympy
         match e.kind:
             case "number":
-                # A decimal that no double prints, such as 0.1/3, stays exact.
+                # A decimal that no double represents, such as 0.1/3, stays exact.
                 is_double = e.is_decimal and _core.number(float(e)) == e
                 return sympy.Float(float(e)) if is_double else sympy.Rational(*e.ratio)
             case "constant":
@@ -85,7 +85,7 @@ class ToSympy:
         return self._names.get(e.name, symbol)
 
     def _application(self, e: Expr, args: list[Any]) -> Any:
-        """Return f(x, y) or its derivative: by an argument itself if that is a symbol on its own."""
+        """Return f(x, y) or its derivative; an argument that is not a symbol of its own is replaced by a dummy."""
         sympy = self._sympy
         function = self._names.get(e.name, sympy.Function(e.name))
         slots, by = list(args), []
@@ -112,15 +112,15 @@ class ToSympy:
 
 
 def import_sympy() -> Any:
-    """Return SymPy, an extra.
+    """Import SymPy, an optional dependency.
 
     Raises:
         ImportError: it isn't installed.
     """
     try:
-        import sympy  # noqa: PLC0415 - an extra: only who converts needs it
+        import sympy  # noqa: PLC0415 - an extra, imported by the first conversion
     except ModuleNotFoundError as error:
-        if error.name != "sympy":  # it is there, and something else is missing
+        if error.name != "sympy":  # SymPy is installed, but one of its own dependencies is missing
             raise
         raise ImportError("SymPy isn't installed; pip install 'symbody[sympy]'") from error
     return sympy

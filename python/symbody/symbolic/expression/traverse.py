@@ -1,4 +1,4 @@
-"""The order in which a graph is worked through."""
+"""Traversal of a graph."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ Node = TypeVar("Node")
 def post_order(
     roots: Iterable[Node], parts: Callable[[Node], Iterable[Node]], key: Callable[[Node], int]
 ) -> list[Node]:
-    """Return the nodes below the roots, parts first, each once; a loop, for expressions are deep."""
+    """Return the nodes below the roots, parts first, each once. A loop, because expressions are deep."""
     order: list[Node] = []
     seen: set[int] = set()
     stack = [(root, False) for root in roots]

@@ -1,7 +1,7 @@
-"""NumPy's functions of expressions: ``np.cos(x)``, of arrays that hold expressions as well.
+"""NumPy's functions of expressions and of arrays of expressions, such as ``np.cos(x)``.
 
-NumPy asks an operand that is an expression for ``__array_ufunc__``, and the entries of an array of objects for methods
-of the functions' names; both lead to the table here. Operators stay NumPy's own, entry by entry.
+NumPy calls ``__array_ufunc__`` of an operand that is an expression, and methods with the function's name of the entries
+of an object array; both lead to the table here. NumPy applies operators itself, entry by entry.
 """
 
 from __future__ import annotations
@@ -38,7 +38,7 @@ _OPERATORS = frozenset(
     | {"equal", "not_equal", "less", "less_equal", "greater", "greater_equal"}
     | {"matmul", "vecdot", "matvec", "vecmat"}
 )
-"""What NumPy does with Python's operators, entry by entry."""
+"""Functions that NumPy computes with Python's operators, entry by entry."""
 
 _NAMES = {
     **{name: name for name in ("sin", "cos", "tan", "sinh", "cosh", "tanh", "exp", "log", "sqrt", "sign")},
@@ -47,13 +47,13 @@ _NAMES = {
     "rad2deg": "degrees",
     "deg2rad": "radians",
 }
-"""NumPy's functions of one argument, and what they are called here."""
+"""NumPy's functions of one argument, and their names here."""
 
 
 _STEPS = frozenset(
     {"floor", "ceil", "trunc", "rint", "round", "fix", "floor_divide", "fmod", "mod", "remainder"}
 )
-"""What rounds."""
+"""Functions that round."""
 
 
 def _hypot(x: Expr, y: Expr) -> Expr:
@@ -77,16 +77,16 @@ _FUNCTIONS: Mapping[str, Callable[..., Expr]] = {
     "heaviside": heaviside,
     "clip": _clip,
 }
-"""The functions of expressions by NumPy's names."""
+"""Functions of expressions, by their names in NumPy."""
 
 
 def array_ufunc(
     ufunc: np.ufunc, method: str, inputs: Iterable[object], options: Mapping[str, Any] | None = None
 ) -> Any:
-    """Return what a function of NumPy gives for operands of which one is an expression or holds some.
+    """Return the value of a NumPy function if some operand is or holds an expression.
 
     Raises:
-        ArgumentError: expressions have no such function.
+        ArgumentError: the function does not exist for expressions.
 
     >>> from symbody import symbols
     >>> x, y = symbols("x y")
@@ -105,10 +105,10 @@ def array_ufunc(
 
 
 def attribute(expression: Expr, name: str) -> Callable[..., Expr]:
-    """Return the method that NumPy calls for an entry of an array of objects.
+    """Return the method that NumPy calls for an entry of an object array.
 
     Raises:
-        AttributeError: there is no such method; the message has our way, where SymPy's users expect another one.
+        AttributeError: there is no such method; the message says what to write instead, where that is known.
     """
     if name in _FUNCTIONS:
         return partial(_FUNCTIONS[name], expression)
@@ -118,20 +118,20 @@ def attribute(expression: Expr, name: str) -> Callable[..., Expr]:
 
 
 def _of_numbers(function: Callable[..., Expr]) -> Callable[..., Expr]:
-    """Return the function for entries that may be numbers of NumPy."""
+    """Return the function for entries that may be NumPy numbers."""
     return lambda *entries: function(*(number(entry) for entry in entries))
 
 
 def refuse(name: str, *_: object) -> Expr:
-    """Raise the error for a function of NumPy's that expressions don't have."""
+    """Raise the error for a NumPy function that does not exist for expressions."""
     raise _unknown(name)
 
 
 def _unknown(name: str) -> ArgumentError:
-    way_out = WITHOUT_COUNTERPART.get(name, "docs/notation.md lists those that they have")
+    way_out = WITHOUT_COUNTERPART.get(name, "docs/notation.md lists the functions that exist")
     if name in _STEPS:
-        way_out = "it is no continuous function; Piecewise may say what is meant"
+        way_out = "it is not continuous; write what is meant with Piecewise"
     return ArgumentError(
-        f"np.{name}: expressions have no such function; {way_out}. lambdify makes functions of numbers, to which all "
-        "of NumPy applies"
+        f"np.{name}: there is no such function of expressions; {way_out}. lambdify makes functions of numbers, to "
+        "which all of NumPy applies"
     )

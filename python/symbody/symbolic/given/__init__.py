@@ -1,1 +1,1 @@
-"""What a user gives: names, numbers and lists, checked, and hints where a name is another program's."""
+"""Checks of what the user passes: names, numbers, lists; hints for users of other programs."""

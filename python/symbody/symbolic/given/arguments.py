@@ -1,4 +1,4 @@
-"""What functions accept besides expressions, and what they say to anything else."""
+"""Checks of arguments, and the wording of messages about them."""
 
 from __future__ import annotations
 
@@ -10,11 +10,11 @@ __all__ = ["brief", "counted", "described", "expression", "size"]
 
 
 _SHOWN = 80
-"""Characters of a thing that a message quotes."""
+"""The most characters of a value that a message quotes."""
 
 
 def brief(thing: object) -> str:
-    """Return how a message calls a thing: by what prints it, of a long text the beginning and the end.
+    """Return the printed form of a value for a message, shortened in the middle if it is long.
 
     >>> from symbody import symbols
     >>> brief(sum(symbols(f"stiffness_{n}") for n in range(20)))
@@ -25,14 +25,14 @@ def brief(thing: object) -> str:
 
 
 def described(value: object) -> str:
-    """Return what was found in words: ``3 is an int``; of a long thing the beginning and the end."""
+    """Return a value and its type in words, as in ``3 is an int``; a long value is shortened."""
     shown, kind = brief(repr(value)), type(value).__name__
     article = "an" if kind[0] in "aeiouAEIOU" else "a"
     return shown if value is None else f"{shown} is {article} {kind}"
 
 
 def counted(count: int, noun: str) -> str:
-    """Return how many there are of something.
+    """Return a count with its noun, in the plural where needed.
 
     >>> counted(1, "body"), counted(0, "body"), counted(2, "load")
     ('1 body', '0 bodies', '2 loads')
@@ -43,12 +43,12 @@ def counted(count: int, noun: str) -> str:
 
 
 def size(value: int, place: str, what: str) -> int:
-    """Return a number of rows, of derivatives: a whole number, not negative."""
+    """Return a count (of rows, of derivatives) as an int; raise an error unless it is 0, 1, 2, ..."""
     if isinstance(value, bool) or not hasattr(value, "__index__") or value.__index__() < 0:
         raise ArgumentError(f"{place} is {value!r}; expected 0, 1, 2, ... {what}")
     return value.__index__()
 
 
 def expression(value: object, place: str) -> Expr:
-    """Return the expression of a number or an expression; ``place`` names the argument in the error."""
+    """Return a number or an expression as an expression; ``place`` names the argument in the error."""
     return _core.number(value, place)

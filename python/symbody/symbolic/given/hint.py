@@ -1,4 +1,4 @@
-"""What others call by another name: hints for users of SymPy, NumPy and MBSymba where a name isn't found."""
+"""Hints for users of SymPy, NumPy and MBSymba, who look for a name that is different here."""
 
 from __future__ import annotations
 
@@ -67,7 +67,7 @@ _MODULE = {
     "dot_prod": "dot",
     "cross_prod": "cross",
 }
-"""Names of the package, and what is written here."""
+"""Names that users look for in the package, and what to write instead."""
 
 _EXPRESSION = {
     "evalf": "float(e) for a number, e.evaluate({x: 1.0}) else",
@@ -95,7 +95,7 @@ _EXPRESSION = {
     "is_Number": "e.is_number",
     "T": "e itself: one expression is no matrix",
 }
-"""Attributes of expressions, and what is written here."""
+"""Attributes that users look for in expressions, and what to write instead."""
 
 _MATRIX = {
     "inv": "A.inverse()",
@@ -116,13 +116,13 @@ _MATRIX = {
     "flatten": "A.entries",
     "eigenvals": "equilibrium(...), for the eigenvalues of small motions",
 }
-"""Attributes of matrices, and what is written here."""
+"""Attributes that users look for in matrices, and what to write instead."""
 
 _HINTS: Mapping[str, Mapping[str, str]] = {"symbody": _MODULE, "Expr": _EXPRESSION, "Matrix": _MATRIX}
 
 
 def no_attribute(owner: str, name: str) -> AttributeError:
-    """Return the error for a name that isn't found: it says what is written here, where that is known.
+    """Return the error for a name that does not exist, with what to write instead where that is known.
 
     >>> print(no_attribute("Matrix", "inv"))
     Matrix has no 'inv'; here it is A.inverse()

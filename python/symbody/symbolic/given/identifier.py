@@ -1,4 +1,4 @@
-"""The user's names as identifiers, of which every language takes letters, digits and underscores."""
+"""The user's names as identifiers: letters, digits and underscores, which every language accepts."""
 
 from __future__ import annotations
 
@@ -45,7 +45,7 @@ def _latin(letter: str) -> str:
 
 
 def title_identifier(title: str, otherwise: str) -> str:
-    """Return the identifier of a title, which any text may be; another one where no letter or digit is in it.
+    """Return the identifier of a title, which may be any text; ``otherwise`` where it has no letter and no digit.
 
     >>> [title_identifier(title, "model") for title in ("Müller's crane", "2 links", "", "!")]
     ['Muller_s_crane', 'x2_links', 'model', 'model']
@@ -55,10 +55,10 @@ def title_identifier(title: str, otherwise: str) -> str:
 
 
 def program_name(name: object, place: str) -> str:
-    """Return what a program is called that a user gives any name.
+    """Return the identifier of the name that a user gives to a program.
 
     Raises:
-        ProgramError: the name is no text, or has no letter and no digit.
+        ProgramError: the name is not a string, or has no letter and no digit.
 
     >>> program_name("my crane", "generate")
     'my_crane'

@@ -1,4 +1,4 @@
-"""Names in a text: separated by blanks or commas, with ranges as SymPy writes them."""
+"""Lists of names in a string: separated by spaces or commas, with ranges as in SymPy."""
 
 from __future__ import annotations
 
@@ -14,20 +14,20 @@ __all__ = ["is_list_of_names", "names_in"]
 _BARE = r"(?:[0-9]*:[0-9]+|[A-Za-z]?:[A-Za-z])"
 _RANGE = re.compile(rf"(\({_BARE}\)|{_BARE})")
 _MOST = 100_000
-"""Names in one range: more are a slip of the keyboard."""
+"""The most names in one range; more are a typing error."""
 
 
 def is_list_of_names(text: str) -> bool:
-    """Whether a text means several names, even if it holds one: after a comma, between blanks, in a range."""
+    """Whether a string denotes a list of names: it has a comma, a range, or several words."""
     stripped = text.strip()
     return any(sign in stripped for sign in ",:") or len(stripped.split()) > 1
 
 
 def names_in(text: str) -> list[str]:
-    """Return the names that a text lists; ``x0:3`` is a range of numbers, ``a:d`` one of letters.
+    """Return the names in a string; ``x0:3`` is a range of numbers, ``a:d`` a range of letters.
 
     Raises:
-        ExpressionError: a comma without a name, or a range without an end or without a name.
+        ExpressionError: a comma without a name, or an empty or incomplete range.
 
     >>> names_in("m, g l1:3"), names_in("x:2(a:c)")
     (['m', 'g', 'l1', 'l2'], ['x0a', 'x0b', 'x0c', 'x1a', 'x1b', 'x1c'])
@@ -40,7 +40,7 @@ def names_in(text: str) -> list[str]:
 
 
 def _expanded(word: str) -> Iterator[str]:
-    """Return the names of a word: every combination of the members of its ranges, the last one running fastest."""
+    """Return the names of a word: all combinations of the members of its ranges; the last range varies fastest."""
     pieces = _RANGE.split(word)
     if any(":" in literal for literal in pieces[::2]):
         raise ExpressionError(f"{word!r} has a range without an end; expected one such as 'x0:3' or 'a:d'")

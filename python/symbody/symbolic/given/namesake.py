@@ -1,4 +1,4 @@
-"""Different variables of one name: why a value that was given seems to be missing."""
+"""Different variables with the same name, which make a given value seem to be missing."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ __all__ = ["namesake_note"]
 def namesake_note(
     needed: Iterable[object], given: Iterable[object], roles: tuple[str, str] = ("without a value", "given")
 ) -> str:
-    """Return what a message says after ``needed`` names that were ``given`` as other variables; nothing if none were.
+    """Return a note for a message: which of the ``needed`` variables were ``given`` under the same name; or nothing.
 
     >>> from symbody import symbols
     >>> print(namesake_note([symbols("m", positive=True)], [symbols("m")])[:78])

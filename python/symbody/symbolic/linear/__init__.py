@@ -1,1 +1,1 @@
-"""Linear systems, solved in symbols or by a node that is solved at run time: saddle points, null spaces, LDL."""
+"""Linear systems, solved in symbols or at run time: elimination, saddle points, null spaces."""

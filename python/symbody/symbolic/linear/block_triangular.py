@@ -1,4 +1,4 @@
-"""Which unknowns of too few linear equations follow from the others: small blocks, one after another."""
+"""Block triangular order of underdetermined linear equations: which unknowns follow from the others."""
 
 from __future__ import annotations
 
@@ -12,12 +12,12 @@ from symbody.symbolic.expression.matrix import Matrix
 __all__ = ["LARGEST", "Block", "BlockTriangular", "block_triangular"]
 
 LARGEST = 3
-"""Equations of a block at most: their inverse is written out."""
+"""The most equations in one block, whose inverse is written out."""
 
 
 @dataclass(frozen=True)
 class Block:
-    """Equations, and as many unknowns that follow from them and from earlier ones."""
+    """Equations, and as many unknowns, which follow from them and from earlier unknowns."""
 
     rows: tuple[int, ...]
     columns: tuple[int, ...]
@@ -28,8 +28,8 @@ class BlockTriangular:
     """An order in which ``B x = c`` is solved.
 
     Attributes:
-        blocks: each holds no unknown of later ones.
-        independent: the columns of the unknowns that may be chosen.
+        blocks: none contains an unknown of a later one.
+        independent: the columns of the unknowns that can be chosen freely.
     """
 
     blocks: tuple[Block, ...]
@@ -37,13 +37,13 @@ class BlockTriangular:
 
 
 def block_triangular(B: Matrix) -> BlockTriangular:
-    """Return the blocks of a wide matrix of full rank; of unknowns that could be chosen, the first ones are.
+    """Return the blocks of a wide matrix of full rank; among possible independent unknowns, the first ones are taken.
 
-    The equations that bring the fewest new unknowns come first: closing one loop of a mechanism often brings one more
-    than it has equations, and the loops behind it none.
+    The equations with the fewest new unknowns come first. The closure of one loop of a mechanism often has one more
+    unknown than equations; the loops behind it then have as many unknowns as equations.
 
     Raises:
-        ExpressionError: some equation follows from others, or a block is larger than :data:`LARGEST`.
+        ExpressionError: an equation follows from others, or a block is larger than :data:`LARGEST`.
 
     >>> from symbody.symbolic import Matrix, symbols
     >>> a, b, c, d = symbols("a b c d")
@@ -71,7 +71,7 @@ def _columns(blocks: Sequence[Block]) -> set[int]:
 
 
 def _next(unknown: dict[int, set[int]]) -> tuple[tuple[int, ...], set[int]]:
-    """Return the equations, within the unknowns of one of them, that leave the fewest of these open."""
+    """Return the equations, contained in the unknowns of one of them, that leave the fewest unknowns undetermined."""
     groups = ((tuple(q for q in sorted(unknown) if unknown[q] <= new), new) for new in unknown.values())
     return min(groups, key=lambda group: (len(group[1]) - len(group[0]), len(group[0]), group[0]))
 
@@ -82,12 +82,12 @@ def _regular_block(B: Matrix, rows: tuple[int, ...], new: Sequence[int]) -> Bloc
             return Block(rows, columns)
     equations = ", ".join(str(row + 1) for row in rows)
     raise ExpressionError(
-        f"block_triangular: the equations {equations} are no block of at most {LARGEST} independent ones"
+        f"block_triangular: the equations {equations} do not form a block of at most {LARGEST} independent equations"
     )
 
 
 def _choices(rows: Sequence[int], new: Sequence[int]) -> Iterator[tuple[int, ...]]:
-    """Yield the unknowns that may be dependent, the first ones open as long as possible."""
+    """Yield the choices of dependent unknowns; the first unknowns stay independent as long as possible."""
     if len(rows) > min(LARGEST, len(new)):
         return
     for free in combinations(new, len(new) - len(rows)):

@@ -1,4 +1,4 @@
-"""Saddle-point systems as a whole: a symmetric matrix, bordered by conditions."""
+"""Saddle-point systems solved as a whole: the symmetric matrix, bordered by the conditions."""
 
 from __future__ import annotations
 
@@ -21,10 +21,10 @@ class SaddlePointSolution:
     """The solution of a saddle-point system.
 
     Attributes:
-        x: the unknowns of the matrix.
+        x: the unknowns.
         y: the multipliers of the conditions.
-        conditions: where all are positive the numbers of x and y are accurate, to some four digits less than all;
-            none, where they are everywhere.
+        conditions: where all are positive, x and y are accurate numerically (about four digits are lost at most);
+            empty where they are accurate everywhere.
     """
 
     x: tuple[Expr, ...]
@@ -37,7 +37,7 @@ def bordered_solve(
 ) -> SaddlePointSolution:
     """Return x and y with ``[[A, -B^T], [B, 0]] (x, y) = (f, c)``, solved at run time as a whole, by pivoting.
 
-    For any A, also where conditions follow from each other; the arguments are those of `saddle_point_solve`.
+    Any A is allowed, and conditions may follow from each other. The arguments are those of `saddle_point_solve`.
     """
     n, m = A.rows, B.rows
     with derivation():
@@ -50,7 +50,7 @@ def bordered_solve(
 def check_saddle_point(
     A: Matrix, B: Matrix, right: Sequence[ExprLike], conditions: Sequence[ExprLike]
 ) -> None:
-    """See that the parts of a saddle-point system fit.
+    """Check that the parts of a saddle-point system fit together.
 
     Raises:
         ExpressionError: A isn't symmetric, or the sizes differ.

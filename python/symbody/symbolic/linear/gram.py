@@ -1,4 +1,4 @@
-"""Products of lists of expressions: one with another, all of some with all of others."""
+"""Scalar products of lists of expressions, and matrices of such products."""
 
 from __future__ import annotations
 
@@ -11,14 +11,14 @@ __all__ = ["dot", "gram"]
 
 
 def dot(a: Sequence[Expr], b: Sequence[Expr]) -> Expr:
-    """Return the sum of the products."""
-    # Long lists are mostly zeros: to multiply them took a third of the derivation of a long chain of linkages.
+    """Return the scalar product of two lists."""
+    # Long lists are mostly zeros; multiplying them took a third of the derivation of a long chain of linkages.
     terms = (x * y for x, y in zip(a, b, strict=True) if not (x.is_zero or y.is_zero))
     return sum(terms, start=number(0))
 
 
 def gram(lines: Sequence[Sequence[Expr]], images: Sequence[Sequence[Expr]]) -> Matrix:
-    """Return ``L A L^T`` by the lines of L and their images by a symmetric A: each product once."""
+    """Return ``L A L^T`` from the rows of L and their images under a symmetric A; each product is computed once."""
     count = len(lines)
     lower = [[dot(lines[i], images[j]) for j in range(i + 1)] for i in range(count)]
     entries = [lower[max(i, j)][min(i, j)] for i in range(count) for j in range(count)]

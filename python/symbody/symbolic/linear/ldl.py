@@ -22,9 +22,9 @@ def ldl_solve(matrix: Matrix, right: Sequence[ExprLike]) -> tuple[Expr, ...]: ..
 def ldl_solve(matrix: Matrix, right: Matrix | Sequence[ExprLike]) -> Matrix | tuple[Expr, ...]:
     """Return x with ``A x = b`` for a symmetric A, as expressions, by ``A = L^T D L`` [Featherstone 2008, sec. 6.5].
 
-    Rows are eliminated from the last one to the first, unless another order leaves more zeros: the mass matrix of a
-    tree keeps all of its zeros. Each pivot is divided by once. Pivots that may become zero as numbers, such as those
-    of an indefinite matrix, are none of its business: it is made for positive definite ones.
+    Rows are eliminated from the last to the first, unless another order keeps more zeros; the mass matrix of a tree
+    keeps all of its zeros. There is one division per pivot. The matrix should be positive definite: pivots that
+    become zero numerically, such as those of an indefinite matrix, are not detected.
 
     Args:
         matrix: a symmetric matrix A.
@@ -34,7 +34,7 @@ def ldl_solve(matrix: Matrix, right: Matrix | Sequence[ExprLike]) -> Matrix | tu
         The unknowns, in the shape of the right side.
 
     Raises:
-        ExpressionError: the matrix isn't symmetric, or every pivot that is left is identically zero.
+        ExpressionError: the matrix isn't symmetric, or every remaining pivot is identically zero.
 
     >>> from symbody.symbolic import Matrix, symbols
     >>> a, b, c = symbols("a b c")
@@ -53,10 +53,10 @@ def ldl_solve(matrix: Matrix, right: Matrix | Sequence[ExprLike]) -> Matrix | tu
 
 @final
 class Elimination:
-    """The factors of a symmetric matrix ``A = L^T D L``: an order of the rows, and what takes each out of the others.
+    """The factors of a symmetric matrix ``A = L^T D L``: an order of the rows, and the multipliers of each elimination.
 
     Raises:
-        ExpressionError: every pivot that is left is identically zero.
+        ExpressionError: every remaining pivot is identically zero.
     """
 
     def __init__(self, matrix: Matrix) -> None:
@@ -65,12 +65,12 @@ class Elimination:
         ]
         self._left = list(range(len(self._rows)))
         self._steps: list[tuple[int, Expr, dict[int, Expr]]] = []
-        """Row, reciprocal of its pivot, and multipliers of the rows that it was taken out of."""
+        """For each elimination: the row, the reciprocal of its pivot, and the multipliers of the other rows."""
         while self._left:
             self._eliminate(self._next())
 
     def _next(self) -> int:
-        """Return the row whose elimination fills the fewest zeros; of several the last."""
+        """Return the row whose elimination fills the fewest zeros; the last one of several."""
         best, fewest = -1, len(self._rows) ** 2
         for row in reversed(self._left):
             if row not in self._rows[row]:
@@ -83,7 +83,7 @@ class Elimination:
         if best < 0:
             raise ExpressionError(
                 f"ldl_solve: row {self._left[-1] + 1} of the {len(self._rows)}x{len(self._rows)} matrix has no pivot: "
-                "on the diagonal elimination leaves what is identically zero; expected a positive definite matrix"
+                "elimination leaves zeros on the diagonal; expected a positive definite matrix"
             )
         return best
 

@@ -1,4 +1,4 @@
-"""Linear systems that are solved at run time: opaque values with a known derivative."""
+"""Linear systems that are solved at run time: values without a formula, with a known derivative."""
 
 from __future__ import annotations
 
@@ -19,18 +19,18 @@ def linear_solve(
 ) -> tuple[Expr, ...]:
     """Return the solution x of ``A x = b`` as values that are computed at run time, by elimination with pivoting.
 
-    No symbolic pivot can vanish: the pivots are chosen among the numbers. Where A is singular, x is the solution of
-    least norm (of least squares where there is none), and a notice says which equations follow from others, or
-    contradict them. The derivative is ``dx = A^-1 (db - dA x)``, right where the rank of A is constant. Solutions
-    with one matrix share its factorisation.
+    Pivots are chosen among the numbers, so no symbolic pivot can vanish. Where A is singular, x is the solution of
+    least norm (the least-squares solution if there is none), and a notice says which equations follow from others or
+    contradict them. The derivative is ``dx = A^-1 (db - dA x)``, which holds where the rank of A is constant.
+    Solutions with the same matrix share its factorization.
 
     Args:
         matrix: A, n x n.
         right: b, n entries, or a matrix of one column.
 
     Raises:
-        ExpressionError: the matrix isn't square, or has another number of rows than b.
-        ArgumentError: b is no list of expressions.
+        ExpressionError: the matrix is not square, or its number of rows differs from that of b.
+        ArgumentError: b is not a list of expressions.
 
     >>> from symbody import Matrix, linear_solve, symbols
     >>> a, b, c = symbols("a b c")

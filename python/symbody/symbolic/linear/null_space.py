@@ -1,4 +1,4 @@
-"""Saddle-point systems by the directions that the conditions leave open, in expressions alone."""
+"""Saddle-point systems by a null-space method: a basis of the directions that the conditions allow."""
 
 from __future__ import annotations
 
@@ -20,11 +20,11 @@ from symbody.symbolic.linear.ldl import Elimination
 __all__ = ["null_space_solve"]
 
 _LEAST_DETERMINANT = 1e-3
-"""What cancellation has to leave of a determinant, as a part of its terms."""
+"""The least ratio of a determinant to the sum of its terms' moduli, so that cancellation does no harm."""
 
 _LARGEST_GROWTH = 1e4
-"""How many times larger what A makes of a direction may be than what it makes of the direction's own unknown: where
-dependent unknowns race ahead of independent ones, others should be the independent ones."""
+"""The largest ratio of ``N^T A N`` to ``A`` on the diagonal. Where it is larger, dependent unknowns move much faster
+than independent ones, and other unknowns should be independent."""
 
 
 def null_space_solve(
@@ -32,10 +32,11 @@ def null_space_solve(
 ) -> SaddlePointSolution:
     """Return x and y with ``A x = f + B^T y, B x = c``, by a null-space method [Benzi, Golub & Liesen 2005, ch. 6].
 
-    Some unknowns are independent, the others follow from ``B x = c``, block by block: ``x = p + N z`` with ``B N = 0``
-    and ``B p = c``. Then ``N^T A N z = N^T (f - A p)``, for a mechanism its equations of motion in independent speeds
-    [Wehage & Haug 1982]. No system is left for run time, so that this is the fastest way; but there are states in which
-    other unknowns had better be independent, a crank's at its dead centre, and the conditions tell them.
+    Some unknowns are independent; the others follow from ``B x = c``, block by block: ``x = p + N z`` with ``B N = 0``
+    and ``B p = c``. Then ``N^T A N z = N^T (f - A p)``; for a mechanism, these are its equations of motion in
+    independent speeds [Wehage & Haug 1982]. No system is left to be solved at run time, so this is the fastest method.
+    In some states, such as a crank at its dead centre, other unknowns should be independent; there, one of the
+    conditions of the solution is negative.
 
     A has to be positive definite as numbers. The arguments are those of `saddle_point_solve`.
 
@@ -82,12 +83,12 @@ class _Dependence:
 
     @property
     def directions(self) -> list[list[Expr]]:
-        """For each independent unknown, what all of them do where it changes by one, and c is zero."""
+        """The columns of N: the solution of ``B x = 0`` in which one independent unknown is 1, the others 0."""
         nothing = [number(0)] * self.B.rows
         return [self.completed({column: number(1)}, nothing) for column in self.independent]
 
     def completed(self, given: Mapping[int, Expr], right: Sequence[Expr]) -> list[Expr]:
-        """Return the solution with these independent unknowns; the others of them are zero."""
+        """Return the solution for given independent unknowns; those not given are zero."""
         x = [given.get(column, number(0)) for column in range(self.B.columns)]
         for block, adjugate, reciprocal in zip(self.blocks, self.adjugates, self.reciprocals, strict=True):
             rest = [right[row] - dot(self.B.row(row), x) for row in block.rows]
@@ -96,7 +97,7 @@ class _Dependence:
         return x
 
     def multipliers(self, load: Sequence[Expr]) -> tuple[Expr, ...]:
-        """Return y with ``B^T y = load``, by the rows of the dependent unknowns."""
+        """Return y with ``B^T y = load``, from the rows of the dependent unknowns."""
         y, gradients = [number(0)] * self.B.rows, self.B.T
         steps = zip(self.blocks, self.adjugates, self.reciprocals, strict=True)
         for block, adjugate, reciprocal in reversed(list(steps)):
@@ -111,13 +112,13 @@ def _square(B: Matrix, block: Block) -> Matrix:
 
 
 def _adjugate(square: Matrix) -> list[list[Expr]]:
-    """Return the rows of the inverse, times the determinant."""
+    """Return the rows of the inverse times the determinant."""
     places = range(square.rows)
     return [[(-1) ** (i + j) * _minor(square, i, j) for i in places] for j in places]
 
 
 def _minor(square: Matrix, i: int, j: int) -> Expr:
-    """Return the determinant without a row and a column."""
+    """Return the determinant without one row and one column."""
     rows, columns = ([k for k in range(square.rows) if k != left_out] for left_out in (i, j))
     return sum(_terms(square, rows, columns), start=number(0)) if rows else number(1)
 
@@ -133,7 +134,7 @@ def _terms(square: Matrix, rows: Sequence[int], columns: Sequence[int]) -> list[
 
 
 def _certainty(square: Matrix) -> Expr:
-    """Return what is positive where the determinant isn't zero, and more than the rounding errors of its terms."""
+    """Return an expression that is positive where the determinant is well above the rounding errors of its terms."""
     places = range(square.rows)
     terms = _terms(square, places, places)
     size = sum((Abs(term) for term in terms), start=number(0))

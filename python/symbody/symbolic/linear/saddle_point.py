@@ -1,4 +1,4 @@
-"""Saddle-point systems: a symmetric matrix, bordered by conditions, solved by one of three methods."""
+"""Saddle-point systems: a symmetric matrix, bordered by conditions; one row for each method."""
 
 from __future__ import annotations
 
@@ -36,13 +36,13 @@ def saddle_point_solve(
         B: the gradients of m conditions, m x n.
         right: f, n entries.
         conditions: c, m entries.
-        method: "schur_complement", whose small system is solved at run time; "null_space", which leaves none, but is
-            accurate only where its conditions are positive; both need an A that is positive definite as numbers.
-            "pivoted", all of it at run time.
+        method: "schur_complement" solves a small system at run time. "null_space" solves nothing at run time, but is
+            accurate only where its conditions are positive. Both need an A that is positive definite numerically.
+            "pivoted" solves the whole system at run time.
 
     Raises:
-        ExpressionError: a method that isn't known; A isn't symmetric, has a pivot that is identically zero, or the
-            sizes differ; or the null space has no small blocks.
+        ExpressionError: the method is unknown; A is not symmetric or has a pivot that is identically zero; the sizes
+            differ; or the null space has no small blocks.
 
     >>> from symbody.symbolic import Matrix, symbols
     >>> m, g = symbols("m g")

@@ -22,8 +22,8 @@ def schur_complement_solve(
     """Return x and y with ``A x = f + B^T y, B x = c``, by a Schur complement [Benzi, Golub & Liesen 2005, ch. 5].
 
     ``A = L^T D L`` is eliminated in symbols, where all zeros are known; ``S y = c - B A^-1 f`` with ``S = B A^-1 B^T``
-    is solved at run time, by pivoting. Much shorter than pivoting in the whole system; but A has to be positive
-    definite as numbers, not only as expressions. The arguments are those of `saddle_point_solve`.
+    is solved at run time, with pivoting. This is much shorter than pivoting in the whole system, but A has to be
+    positive definite numerically, not only symbolically. The arguments are those of `saddle_point_solve`.
 
     Raises:
         ExpressionError: A isn't symmetric, has a pivot that is identically zero, or the sizes differ.

@@ -1,4 +1,4 @@
-"""Linear equations."""
+"""Linear equations, solved in symbols."""
 
 from __future__ import annotations
 
@@ -12,10 +12,10 @@ __all__ = ["solve"]
 
 
 def solve(equations: Expr | Sequence[ExprLike], unknowns: Expr | Sequence[Expr]) -> dict[Expr, Expr]:
-    """Solve equations, each an expression that is to be zero, that are linear in the unknowns.
+    """Solve equations that are linear in the unknowns; an equation is an expression that is to be zero.
 
-    An equation or an unknown alone needs no list. Unknowns may be symbols, functions of time and their
-    derivatives. What can be solved on its own is solved first; at most six unknowns may be coupled.
+    A single equation or unknown needs no list. Unknowns may be symbols, functions of time and their derivatives.
+    Equations that can be solved separately are solved first; at most six unknowns may be coupled.
 
     Raises:
         ExpressionError: an equation is not linear, the equations contradict each other or leave

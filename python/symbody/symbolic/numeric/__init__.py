@@ -1,1 +1,1 @@
-"""The way to numbers: programs of routines, their tape, and the kernel that solves linear systems at run time."""
+"""From expressions to numbers: programs of routines, tapes, and the kernel that solves linear systems at run time."""

@@ -1,4 +1,4 @@
-"""Linear systems of deficient rank, met at run time: noted by the kernel, collected by whoever evaluates, reported."""
+"""Rank-deficient linear systems at run time: noted by the kernel, collected and reported by the evaluating function."""
 
 from __future__ import annotations
 
@@ -19,10 +19,11 @@ class Deficiency:
     """A linear system that had no unique solution.
 
     Attributes:
-        system: its number among those of the function, from 0.
+        system: its index among the systems of the function, from 0.
         equations: how many equations it has.
         dependent: the rows that follow from the others.
-        contradictions: rows that contradict others, with these: a combination of them vanishes on the left side alone.
+        contradictions: rows, each with the rows that it contradicts: a combination of them has a zero left side
+            and a nonzero right side.
     """
 
     system: int
@@ -31,10 +32,10 @@ class Deficiency:
     contradictions: tuple[tuple[int, tuple[int, ...]], ...] = ()
 
     def sentence(self, names: Sequence[str] = ()) -> str:
-        """Return what to say of it.
+        """Return the sentence of a notice.
 
         Args:
-            names: what to call the equations, if they are as many as the system has.
+            names: names of the equations; used if there is one for each equation of the system.
         """
         called = names if len(names) == self.equations else [f"number {k + 1}" for k in range(self.equations)]
         clauses = [
@@ -68,20 +69,20 @@ _open = threading.local()
 
 
 def _scopes() -> list[set[Deficiency]]:
-    """Return what the open `noting` blocks of this thread have collected, the innermost one last."""
+    """Return what the open `noting` blocks of this thread have collected; the innermost block is last."""
     scopes: list[set[Deficiency]] = _open.__dict__.setdefault("scopes", [])
     return scopes
 
 
 def _settle() -> None:
-    """Give what the kernel noted on this thread to the block that is open; what nobody asked for is dropped."""
+    """Move what the kernel noted on this thread to the innermost open block; drop it if none is open."""
     noted = deficiencies_of(take_deficiencies())
     if _scopes():
         _scopes()[-1].update(noted)
 
 
 def deficiencies_of(noted: Iterable[Noted]) -> set[Deficiency]:
-    """Return what the kernel noted, in the terms of this file."""
+    """Return the kernel's notes as deficiencies."""
     return {
         Deficiency(
             system, equations, tuple(dependent), tuple((row, tuple(others)) for row, others in contradictions)
@@ -91,9 +92,9 @@ def deficiencies_of(noted: Iterable[Noted]) -> set[Deficiency]:
 
 
 def strongest(found: Iterable[Deficiency]) -> list[Deficiency]:
-    """Return what is to be said of deficient systems: not that equations follow from others where some contradict them.
+    """Return the deficiencies to report: a row that contradicts others somewhere is not reported as dependent.
 
-    At the states that a run tries, right sides may fit each other by chance.
+    At some states of a run, the right sides may be consistent by chance.
     """
     met = sorted(found)
     contradictory = {(each.system, each.equations, row) for each in met for row, _ in each.contradictions}
@@ -111,7 +112,7 @@ def strongest(found: Iterable[Deficiency]) -> list[Deficiency]:
 
 @contextmanager
 def noting() -> Iterator[set[Deficiency]]:
-    """Collect the deficient systems that this thread meets in the block, and in functions that the block calls."""
+    """Collect the deficient systems that occur on this thread while the block runs."""
     _settle()
     found: set[Deficiency] = set()
     _scopes().append(found)
@@ -125,13 +126,13 @@ def noting() -> Iterator[set[Deficiency]]:
 def report(
     found: Iterable[Deficiency], names: Sequence[str] = (), where: str = "lambdify", depth: int = 4
 ) -> None:
-    """Hand deficient systems to the `noting` block that is open on this thread; without one, warn of each.
+    """Pass deficient systems to the open `noting` block of this thread; without one, warn of each.
 
     Args:
         found: the systems.
-        names: what to call their equations.
+        names: names of their equations.
         where: the function that the user called.
-        depth: how many calls above the warning the user's line is.
+        depth: the number of calls between the warning and the user's line.
     """
     if _scopes():
         _scopes()[-1].update(found)
@@ -142,11 +143,11 @@ def report(
 
 @contextmanager
 def reporting(where: str, names: Sequence[str] = ()) -> Iterator[None]:
-    """Report the deficient systems that a block of a function meets, each once, under the name that the user called.
+    """Report each deficient system that occurs while the block runs once, under the name of the user's call.
 
     Args:
-        where: the function, whose caller's line is shown.
-        names: what to call the equations.
+        where: the function that the user called; the warning shows the line of the call.
+        names: names of the equations.
     """
     found: set[Deficiency] = set()
     try:
@@ -157,5 +158,5 @@ def reporting(where: str, names: Sequence[str] = ()) -> Iterator[None]:
 
 
 def report_noted(noted: Iterable[Noted], where: str) -> None:
-    """Report what an evaluation in the kernel found."""
+    """Report what the kernel noted in one evaluation."""
     report(deficiencies_of(noted), where=where, depth=3)

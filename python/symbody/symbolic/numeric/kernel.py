@@ -1,4 +1,4 @@
-"""The kernel of linear systems, for machine code: where it is, the room it needs, and the deficient systems it met."""
+"""The kernel of linear systems, for machine code: its address, its workspace, and the deficient systems it noted."""
 
 from typing import TypeAlias
 
@@ -7,4 +7,4 @@ from symbody.symbolic._core import kernel_address, kernel_workspace, take_defici
 __all__ = ["Noted", "kernel_address", "kernel_workspace", "take_deficiencies"]
 
 Noted: TypeAlias = tuple[int, int, list[int], list[tuple[int, list[int]]]]
-"""A system: its number, its equations, those that follow from others, and those that contradict others."""
+"""A system: its index, its number of equations, the dependent ones, and the contradicting ones."""

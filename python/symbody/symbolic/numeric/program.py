@@ -1,4 +1,4 @@
-"""Programs: named routines over named arrays of variables, the source of generated code."""
+"""Programs: named routines over named arrays of variables, from which code is generated."""
 
 from __future__ import annotations
 
@@ -17,20 +17,20 @@ from symbody.symbolic.given.namesake import namesake_note
 __all__ = ["STAGES", "Argument", "Program", "Programmable", "Result", "Routine", "program_of"]
 
 STAGES = ("parameters", "time and inputs", "positions", "velocities", "accelerations")
-"""What an instruction may depend on, from what changes seldom to what changes at every call."""
+"""What an instruction may depend on, from what changes seldom to what changes in every call."""
 
 _NAME = re.compile(r"[A-Za-z][A-Za-z0-9_]*")
 
 
 @dataclass(frozen=True)
 class Argument:
-    """One array of a program's input.
+    """One input array of a program.
 
     Attributes:
-        name: the name in the code, as ``q``.
+        name: its name in the code, such as ``q``.
         meaning: what it is, for the reader of the code.
         variables: the variables whose values it holds, in order.
-        stage: one of :data:`STAGES`: how often the values change.
+        stage: one of :data:`STAGES`, which says how often the values change.
     """
 
     name: str
@@ -53,7 +53,7 @@ class Argument:
 
 @dataclass(frozen=True)
 class Result:
-    """One array of a routine's output: a scalar with the shape (), a vector, or a matrix row by row."""
+    """One output of a routine: a scalar with the shape (), a vector (n,), or a matrix (rows, columns) row by row."""
 
     name: str
     meaning: str
@@ -71,7 +71,7 @@ class Result:
 
 @dataclass(frozen=True)
 class Routine:
-    """A function of some of the program's arguments, by name, to results."""
+    """A function that computes results from some of the program's arguments, which it has by name."""
 
     name: str
     meaning: str
@@ -90,7 +90,7 @@ class Routine:
 
 @dataclass(frozen=True)
 class Program:
-    """Routines over common arguments.
+    """Routines with common arguments.
 
     >>> from symbody.symbolic import Argument, Program, Result, Routine, sin, symbols
     >>> x, a = symbols("x a")
@@ -125,7 +125,7 @@ class Program:
 
 
 def _check_closed(routine: Routine, arguments: Iterable[Argument]) -> None:
-    """Raise an error that names each result with a variable that is no argument."""
+    """Raise an error for a result that contains a variable that is not among the arguments."""
     given = {variable for argument in arguments for variable in argument.variables}
     for result in routine.results:
         leaves = free_symbols(result.expressions)
@@ -133,8 +133,8 @@ def _check_closed(routine: Routine, arguments: Iterable[Argument]) -> None:
         if missing:
             names = ", ".join(argument.name for argument in arguments)
             raise ProgramError(
-                f"the result {result.name} of {routine.name} contains {', '.join(missing)}, and is no function of its "
-                f"arguments {names}; substitute a value, or make it a parameter or an input"
+                f"the result {result.name} of {routine.name} contains {', '.join(missing)}, and is not a function of "
+                f"its arguments {names}; substitute a value, or make it a parameter or an input"
                 f"{namesake_note(leaves - given, given, ('in the result', 'among the arguments'))}"
             )
 
@@ -147,7 +147,7 @@ def _check_name(kind: str, name: str) -> None:
 
 
 def _check_single_variables(variables: Sequence[Expr]) -> None:
-    """Raise an error for variables of one name, which are the same one, or differ by their assumptions."""
+    """Raise an error for variables with the same name, equal or with different assumptions."""
     names = [str(variable) for variable in variables]
     for name, count in Counter(names).items():
         same = [variable for variable in variables if count > 1 and str(variable) == name]
@@ -164,7 +164,7 @@ def _check_single(kind: str, names: Iterable[str]) -> None:
 
 
 class Programmable(Protocol):
-    """What a program can be made of, as the equations of motion."""
+    """Anything of which a program can be made, such as the equations of motion."""
 
     def program(self) -> Program:
         """Return the program."""
@@ -173,12 +173,12 @@ class Programmable(Protocol):
 
 @singledispatch
 def program_of(model: Any, **_options: Any) -> Program:
-    """Return a program, or the program of something that has one.
+    """Return the program of a model; a program is its own.
 
-    Layers above register how a program is made of their models, with options of their own.
+    Layers above register how the program of their models is made, with options of their own.
 
     Raises:
-        ProgramError: a model of which no program can be made.
+        ProgramError: no program can be made of the model.
     """
     if hasattr(model, "program"):
         program = model.program()

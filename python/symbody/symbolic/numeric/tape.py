@@ -1,4 +1,4 @@
-"""The tape, for the layers above: expressions lowered to straight-line code."""
+"""The tape: expressions as straight-line code, for the layers above."""
 
 from symbody.symbolic._core import Tape
 

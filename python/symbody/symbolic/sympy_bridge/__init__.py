@@ -1,1 +1,1 @@
-"""Expressions from SymPy's objects, and whole structures of them to SymPy and back."""
+"""Conversion from SymPy, and of whole structures to SymPy and back."""

@@ -1,4 +1,4 @@
-"""Expressions of SymPy as expressions, node by node."""
+"""Conversion of SymPy's expressions, node by node."""
 
 from __future__ import annotations
 
@@ -15,28 +15,28 @@ from symbody.symbolic.expression.traverse import post_order
 
 __all__ = ["FromSympy", "no_counterpart"]
 
-#: The functions that both sides call by the same name.
+#: Functions that have the same name in SymPy and here.
 _COMMON = frozenset(_core.function_names()) - {"Power", "Piecewise"}
 
 _REASONS = {
     ("ImaginaryUnit", "conjugate", "re", "im", "arg"): "expressions are real; make SymPy's symbols with real=True",
     ("NaN", "Infinity", "NegativeInfinity", "ComplexInfinity"): "expressions hold finite numbers only",
-    ("DiracDelta",): "an impulse has no value; begin a motion with the velocities behind it",
+    ("DiracDelta",): "an impulse has no value; start a motion with the velocities after it",
     ("Integral", "Sum", "Product", "Limit"): "let SymPy evaluate it first, by doit(); an integral over time may be a "
     "coordinate, with its integrand as the rate",
     tuple(WITHOUT_COUNTERPART): "; ".join(WITHOUT_COUNTERPART.values()),
-    ("floor", "ceiling", "frac", "Mod"): "it is no continuous function; Piecewise may say what is meant",
+    ("floor", "ceiling", "frac", "Mod"): "it is not continuous; write what is meant with Piecewise",
     ("MatrixSymbol", "MatrixElement"): "a matrix needs its entries; as_explicit() makes them symbols of their own",
     (
         "GreaterThan", "LessThan", "StrictGreaterThan", "StrictLessThan", "Unequality", "And", "Or", "Not",
         "BooleanTrue", "BooleanFalse",
-    ): "a condition is no number; it may stand in a Piecewise",
+    ): "a condition is not a number; use it in a Piecewise",
 }  # fmt: skip
-"""Why something of SymPy's has no counterpart, and the way out."""
+"""Why an object of SymPy has no counterpart, and what to do."""
 
 
 class FromSympy:
-    """Expressions of SymPy as expressions; what is shared by several is made once."""
+    """A conversion from SymPy; an object that several expressions share is converted once."""
 
     def __init__(self, sympy: Any, names: Mapping[str, Expr]) -> None:
         self._sympy, self._names = sympy, names
@@ -44,8 +44,8 @@ class FromSympy:
         self._roots: list[Any] = []
 
     def convert(self, root: Any) -> Expr:
-        """Return one expression of SymPy as an expression."""
-        # Keyed by object: parts live as long as their root, and roots as long as this.
+        """Return one expression of SymPy as an expression here."""
+        # The keys are ids of objects: parts live as long as their root, and roots as long as this conversion.
         self._roots.append(root)
         for node in post_order([root], self._parts, id):
             self._made[id(node)] = self._node(node)
@@ -112,7 +112,7 @@ class FromSympy:
                 raise no_counterpart(s)
 
     def _float(self, s: Any) -> Expr:
-        """Return the decimal that prints the number: a double, or one of more digits."""
+        """Return the decimal as which the number prints: a double, or one with more digits."""
         is_double = self._sympy.Rational(float(s)) == self._sympy.Rational(s)
         return _core.number(float(s) if is_double else Decimal(str(s)))
 
@@ -179,21 +179,21 @@ class FromSympy:
 
 
 def _check_assumptions(s: Any) -> None:
-    """Refuse a symbol that is not real, and say what is lost of a negative one."""
+    """Refuse a symbol that is not real; give a notice for a negative one, whose sign is lost."""
     if s.is_real is False:
         raise ExpressionError(
             f"from_sympy: {s.name} is {'imaginary' if s.is_imaginary else 'not real'}; expressions are real: make it "
-            f"with real=True, or say what it stands for, as in names={{{s.name!r}: symbols({s.name!r})}}"
+            f"with real=True, or give its meaning, as in names={{{s.name!r}: symbols({s.name!r})}}"
         )
     if s.is_negative:
         notify(
-            f"from_sympy: {s.name} is negative, and becomes a real symbol, whose sign is not known; if roots depend on "
-            f"it, say names={{{s.name!r}: -symbols({s.name!r}, positive=True)}}"
+            f"from_sympy: {s.name} is negative, and becomes a real symbol of unknown sign; if roots depend on "
+            f"it, give names={{{s.name!r}: -symbols({s.name!r}, positive=True)}}"
         )
 
 
 def _comparison(operator: str, excess: Expr, yes: Expr, no: Expr) -> Expr:
-    """Return ``yes`` where the excess of the left over the right side fits, by strict inequalities alone."""
+    """Return ``yes`` where the comparison of left - right with zero holds, written with strict inequalities."""
     if operator in {">=", "<=", "=="}:
         return _comparison({">=": "<", "<=": ">", "==": "!="}[operator], excess, no, yes)
     if operator == "!=":
@@ -209,25 +209,25 @@ def _sides(sympy: Any, condition: Any) -> list[Any]:
 
 
 def _first(value: Expr, condition: Expr, otherwise: Expr) -> Expr:
-    """Return the value where the condition is positive, in one list with the choices made otherwise."""
+    """Return a Piecewise with this branch first; branches of ``otherwise`` follow in the same list."""
     nested = otherwise.kind == "function" and otherwise.name == "Piecewise"
     rest = otherwise.args if nested else (otherwise,)
     return _core.apply("Piecewise", (value, condition, *rest))
 
 
 def no_counterpart(s: Any) -> ExpressionError:
-    """Return the error for what stands for no expression here, with the reason where there is one."""
+    """Return the error for an object of SymPy that has no counterpart, with the reason where it is known."""
     kind = type(s).__name__
     reason = next((reason for kinds, reason in _REASONS.items() if kind in kinds), "")
     return ExpressionError(f"SymPy's {kind} has no counterpart here: {s}" + (f"; {reason}" if reason else ""))
 
 
 def _checked(name: str) -> str:
-    """Return a name of SymPy's that prints as a name here too."""
+    """Return a name of SymPy that is a valid name here too."""
     try:
         check_name(name)
     except ExpressionError as error:
         raise ExpressionError(
-            f"from_sympy: {error}; say what it stands for, as in names={{{name!r}: symbols('a')}}"
+            f"from_sympy: {error}; give its meaning, as in names={{{name!r}: symbols('a')}}"
         ) from None
     return name

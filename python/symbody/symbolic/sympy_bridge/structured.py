@@ -1,4 +1,4 @@
-"""SymPy and back, lists and matrices included. SymPy is an extra, imported when a function here is called."""
+"""Conversion to SymPy and back, of lists and matrices too. SymPy is optional; the first conversion imports it."""
 
 from __future__ import annotations
 
@@ -19,15 +19,15 @@ __all__ = ["from_sympy", "to_sympy"]
 
 
 def to_sympy(expression: Any, names: Mapping[str, Any] | None = None) -> Any:
-    """Return an expression, a matrix, or a list, tuple or dictionary of these as SymPy has it.
+    """Return an expression, a matrix, or a list, tuple or dictionary of these as objects of SymPy.
 
-    What is shared here is one object there. Functions of time become ``x(t)`` as ``dynamicsymbols`` makes them, symbols
-    keep their assumptions, decimals that no double holds become fractions. ``names`` gives SymPy's object for a name
-    where another one is wanted.
+    Shared nodes become shared objects. Functions of time become ``x(t)``, as ``dynamicsymbols`` makes them; symbols
+    keep their assumptions; decimals that no double represents become fractions. ``names`` gives the SymPy object for a
+    name where another one is wanted.
 
     Raises:
-        ImportError: SymPy isn't installed.
-        ExpressionError: the expression is deeper than SymPy's recursions reach.
+        ImportError: SymPy is not installed.
+        ExpressionError: the expression is nested deeper than SymPy's recursion allows.
 
     >>> from symbody import functions_of_time, symbols, time_derivative
     >>> m = symbols("m")
@@ -41,14 +41,14 @@ def to_sympy(expression: Any, names: Mapping[str, Any] | None = None) -> Any:
 
 
 def from_sympy(expression: Any, names: Mapping[str, Expr] | None = None) -> Any:
-    """Return an expression of SymPy as an expression, a matrix as a Matrix, and lists and dictionaries of these.
+    """Convert an expression of SymPy to an expression, a matrix to a Matrix, and lists and dictionaries of these.
 
-    ``x(t)`` becomes a function of time, an equation the difference of its sides. A symbol without assumptions becomes a
-    real one, as ``symbols`` makes it. ``names`` gives the expression for a name where another one is wanted.
+    ``x(t)`` becomes a function of time, an equation the difference of its sides, a symbol without assumptions a real
+    symbol. ``names`` gives the expression for a name where another one is wanted.
 
     Raises:
-        ImportError: SymPy isn't installed.
-        ExpressionError: something in the expression has no counterpart.
+        ImportError: SymPy is not installed.
+        ExpressionError: a part of the expression has no counterpart.
 
     >>> import sympy
     >>> x, y = sympy.symbols("x y")
@@ -61,7 +61,7 @@ def from_sympy(expression: Any, names: Mapping[str, Expr] | None = None) -> Any:
 
 
 def _structured(item: Any, convert: Callable[[Any], Any]) -> Any:
-    """Return what is made of each item, in the lists, tuples, dictionaries and arrays in which they stand."""
+    """Return the converted items in the same lists, tuples, dictionaries and arrays."""
     if isinstance(item, Mapping):
         return {
             key if isinstance(key, str) else _structured(key, convert): _structured(value, convert)
@@ -84,7 +84,7 @@ def _one_to_sympy(bridge: ToSympy, item: Any) -> Any:
 
 
 def _one_from_sympy(sympy: Any, bridge: FromSympy, item: Any) -> Any:
-    """Return one expression, or the matrix, the equation or the list of SymPy's own types that the item is."""
+    """Convert one item: an expression, or a matrix, an equation or a list of SymPy's own types."""
     match item:
         case Expr() | Matrix():
             return item
@@ -114,12 +114,12 @@ def _matrix(matrix: Any, bridge: FromSympy) -> Matrix:
 
 
 def _is_explicit_matrix(sympy: Any, item: Any) -> bool:
-    """Whether it is a matrix expression, such as a product, of matrices whose entries are known."""
+    """Whether an item is a matrix expression, such as a product, of matrices with known entries."""
     return isinstance(item, sympy.MatrixExpr) and not item.has(sympy.MatrixSymbol)
 
 
 def _of_others(item: Any) -> Expr:
-    """Return a number of Python's or NumPy's; an error that says the way out for anything else."""
+    """Convert a number of Python or NumPy; raise an error with the way out for anything else."""
     if type(item).__module__.startswith("sympy.physics.vector"):
         raise ArgumentError(
             f"from_sympy: {described(item)} of sympy.physics; convert its components, "
@@ -129,5 +129,5 @@ def _of_others(item: Any) -> Expr:
         return _core.number(item)
     except ArgumentError:
         raise ArgumentError(
-            f"from_sympy: {described(item)}; expected an expression or a matrix of SymPy's, or a list of them"
+            f"from_sympy: {described(item)}; expected an expression or a matrix of SymPy, or a list of them"
         ) from None

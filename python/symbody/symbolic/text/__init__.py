@@ -1,1 +1,1 @@
-"""Expressions as text: parsed, printed, listed."""
+"""Expressions as text: parsing, printing, listings."""

@@ -1,4 +1,4 @@
-"""Expressions from their plain text: what ``str`` prints, ``parse`` reads back."""
+"""Expressions from plain text; ``parse`` reads what ``str`` prints."""
 
 from __future__ import annotations
 
@@ -21,11 +21,11 @@ _OF_TIME = re.compile(rf"({_NAME})'+(?!\s*\(|')|\bdiff\(\s*({_NAME})\s*,\s*t\b")
 def parse(text: str, names: Mapping[str, Meaning] | None = None) -> Expr:
     """Return the expression that a text denotes.
 
-    ``names`` says what a name stands for. Any other name is a real symbol, or a function of time where
-    the text differentiates it: ``x'``, ``diff(x, t)``. Lines ``z1 = ...`` before the last define names.
+    ``names`` gives the meanings of names. Any other name is a real symbol, or a function of time where the text
+    differentiates it, as in ``x'`` or ``diff(x, t)``. Lines ``z1 = ...`` before the expression define names.
 
     Raises:
-        ParseError: the text is no expression; the message shows where, and what was expected.
+        ParseError: the text is not an expression; the message shows where, and what was expected.
 
     >>> from symbody import parse, symbols
     >>> parse("m*x'' + k*x - F")
@@ -36,7 +36,7 @@ def parse(text: str, names: Mapping[str, Meaning] | None = None) -> Expr:
     """
     if not isinstance(text, str):
         raise ArgumentError(f"parse: {described(text)}; expected a text, such as 'm*x + k*x'")
-    from symbody.symbolic.text.syntax import Source  # noqa: PLC0415 - the parser is loaded with the first text
+    from symbody.symbolic.text.syntax import Source  # noqa: PLC0415 - the first text loads the parser
 
     known: dict[str, Meaning] = {"pi": pi, "t": t}
     known |= {name: _core.time_function(name) for name in _functions_of_time(text)}

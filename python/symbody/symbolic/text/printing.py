@@ -1,4 +1,4 @@
-"""Expressions as text: plain, LaTeX, Maple."""
+"""Expressions in LaTeX, in Maple's notation, and as listings."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ __all__ = ["latex", "listing", "maple"]
 
 
 def latex(expression: ExprLike | Matrix) -> str:
-    r"""Return LaTeX, without dollar signs.
+    r"""Return an expression in LaTeX, without dollar signs.
 
     >>> from symbody import functions_of_time, latex, sin, time_derivative
     >>> theta = functions_of_time("theta")
@@ -24,7 +24,7 @@ def latex(expression: ExprLike | Matrix) -> str:
 
 
 def maple(expression: ExprLike) -> str:
-    """Return Maple's one-dimensional notation.
+    """Return an expression in Maple's one-dimensional notation.
 
     >>> from symbody import functions_of_time, maple, time_derivative
     >>> x = functions_of_time("x")
@@ -39,7 +39,19 @@ def listing(
 ) -> tuple[list[tuple[str, str]], list[str]]:
     """Return several expressions printed together: named intermediate quantities, then the results.
 
-    What is large and shared is named once, so the listing grows with the graph and not with the tree.
+    Large shared parts are named once, so the length of the listing is that of the graph, not of the tree.
+
+    Args:
+        expressions: one expression or several.
+        notation: "text", "latex" or "maple".
+
+    Returns:
+        Pairs of a name and its definition, in an order in which they can be evaluated; then one text per expression.
+
+    >>> from symbody import listing, sin, symbols
+    >>> x, y = symbols("x y")
+    >>> listing([sin(x) + y, sin(x) * y])
+    ([], ['y + sin(x)', 'y*sin(x)'])
     """
     definitions, results = _core.listing(expressions, notation)
     return definitions, results

@@ -1,4 +1,4 @@
-"""The syntax of expressions: the grammar's rules, what each means, and what is said about a text that breaks them."""
+"""The syntax of expressions: the meaning of each rule of the grammar, and the messages for texts that break them."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ class Source:
         self.lines, self.row, self.column, self.end = lines, row, column, end
 
     def parse(self, names: Mapping[str, Meaning]) -> Expr:
-        # Blanks in place of what comes before keep lines and columns as they are in the text.
+        # Spaces in place of what comes before, so that lines and columns are those of the text.
         blank = "\n" * self.row + " " * self.column
         text = "\n".join([self.lines[self.row][self.column :], *self.lines[self.row + 1 : self.end]])
         try:
@@ -57,7 +57,7 @@ class Source:
         return self.error(line, column, f"the text ends here, expected {expected}")
 
     def error(self, line: int | None, column: int | None, message: str) -> ParseError:
-        """Return the error with the line that is wrong and a caret under the place."""
+        """Return the error with the wrong line and a caret under the place."""
         line, column = line or 1, column or 1
         return ParseError(
             f"line {line}, column {column}: {message}\n  {self.lines[line - 1]}\n  {'^':>{column}}"
@@ -65,14 +65,14 @@ class Source:
 
 
 class _Mistake(Exception):
-    """A text that has the form of an expression and denotes none."""
+    """A text with the form of an expression, but without a meaning."""
 
     def __init__(self, token: Token, message: str) -> None:
         super().__init__(message)
         self.token = token
 
 
-#: Terminals as a reader calls them, in the order in which a message lists them.
+#: Terminals as messages call them, in the order in which messages list them.
 _WORDS = {
     "NUMBER": "a number",
     "NAME": "a name",
@@ -172,7 +172,7 @@ class _Builder(Transformer_NonRecursive[Token, Expr]):
     def _at_time(self, token: Token, function: Expr, args: tuple[Expr, ...]) -> Expr:
         """Return x for ``x(t)``."""
         if args != (t,) or not function.depends_on_time:
-            raise _Mistake(token, f"{token} is no function; a product is written {token}*(...)")
+            raise _Mistake(token, f"{token} is not a function; a product is written {token}*(...)")
         return function
 
     def derivative_call(self, token: Token, primes: Token, args: tuple[Expr, ...]) -> Expr:
@@ -197,7 +197,7 @@ class _Builder(Transformer_NonRecursive[Token, Expr]):
     def _function(self, token: Token) -> UndefinedFunction:
         meaning = self._names.get(token, UndefinedFunction(str(token)))
         if not isinstance(meaning, UndefinedFunction):
-            raise _Mistake(token, f"{token} is no undefined function")
+            raise _Mistake(token, f"{token} is not an undefined function")
         return meaning
 
     def branch(self, value: Expr, condition: Expr | None) -> tuple[Expr, Expr | None]:
@@ -228,7 +228,7 @@ _SPELLINGS = {"abs": "Abs", "min": "Min", "max": "Max", "ln": "log"}
 
 
 def _differentiated(token: Token, expression: Expr, *variables: Expr) -> Expr:
-    """Return ``diff(e, x, 2, y)``: twice by x, then by y."""
+    """Return ``diff(e, x, 2, y)``: the second derivative by x, differentiated by y."""
     if not variables or variables[0].is_number:
         raise _Mistake(token, "diff needs an expression and a variable, as in diff(x**2, x)")
     variable = variables[0]
