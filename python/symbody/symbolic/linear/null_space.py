@@ -14,7 +14,7 @@ from symbody.symbolic.expression.leaves import ExprLike
 from symbody.symbolic.expression.matrix import Matrix
 from symbody.symbolic.linear.block_triangular import Block, block_triangular
 from symbody.symbolic.linear.bordered import SaddlePointSolution, check_saddle_point
-from symbody.symbolic.linear.gram import dot, gram
+from symbody.symbolic.linear.gram import gram, scalar_product
 from symbody.symbolic.linear.ldl import Elimination
 
 __all__ = ["null_space_solve"]
@@ -60,8 +60,8 @@ def null_space_solve(
         images = [_product(A, column) for column in N]
         mass = gram(N, images)
         rest = [force - image for force, image in zip(f, _product(A, p), strict=True)]
-        z = Elimination(mass).solve(dot(column, rest) for column in N)
-        x = [start + dot(z, line) for start, line in zip(p, _lines(N, B.columns), strict=True)]
+        z = Elimination(mass).solve(scalar_product(column, rest) for column in N)
+        x = [start + scalar_product(z, line) for start, line in zip(p, _lines(N, B.columns), strict=True)]
         y = dependence.multipliers([image - force for image, force in zip(_product(A, x), f, strict=True)])
         growth = [_LARGEST_GROWTH * A[j, j] - mass[k, k] for k, j in enumerate(dependence.independent)]
         return SaddlePointSolution(tuple(x), y, (*dependence.certainties, *growth))
@@ -76,7 +76,7 @@ class _Dependence:
         squares = [_square(B, block) for block in self.blocks]
         self.adjugates = [_adjugate(square) for square in squares]
         self.reciprocals = [
-            1 / dot(square.row(0), [line[0] for line in adjugate])
+            1 / scalar_product(square.row(0), [line[0] for line in adjugate])
             for square, adjugate in zip(squares, self.adjugates, strict=True)
         ]
         self.certainties = [_certainty(square) for square in squares]
@@ -91,9 +91,9 @@ class _Dependence:
         """Return the solution for given independent unknowns; those not given are zero."""
         x = [given.get(column, number(0)) for column in range(self.B.columns)]
         for block, adjugate, reciprocal in zip(self.blocks, self.adjugates, self.reciprocals, strict=True):
-            rest = [right[row] - dot(self.B.row(row), x) for row in block.rows]
+            rest = [right[row] - scalar_product(self.B.row(row), x) for row in block.rows]
             for column, line in zip(block.columns, adjugate, strict=True):
-                x[column] = reciprocal * dot(line, rest)
+                x[column] = reciprocal * scalar_product(line, rest)
         return x
 
     def multipliers(self, load: Sequence[Expr]) -> tuple[Expr, ...]:
@@ -101,9 +101,9 @@ class _Dependence:
         y, gradients = [number(0)] * self.B.rows, self.B.T
         steps = zip(self.blocks, self.adjugates, self.reciprocals, strict=True)
         for block, adjugate, reciprocal in reversed(list(steps)):
-            rest = [load[column] - dot(gradients.row(column), y) for column in block.columns]
+            rest = [load[column] - scalar_product(gradients.row(column), y) for column in block.columns]
             for row, line in zip(block.rows, zip(*adjugate, strict=True), strict=True):
-                y[row] = reciprocal * dot(line, rest)
+                y[row] = reciprocal * scalar_product(line, rest)
         return tuple(y)
 
 
@@ -142,7 +142,7 @@ def _certainty(square: Matrix) -> Expr:
 
 
 def _product(A: Matrix, column: Sequence[Expr]) -> list[Expr]:
-    return [dot(A.row(i), column) for i in range(A.rows)]
+    return [scalar_product(A.row(i), column) for i in range(A.rows)]
 
 
 def _lines(N: Sequence[Sequence[Expr]], count: int) -> list[list[Expr]]:

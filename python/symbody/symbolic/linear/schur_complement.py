@@ -9,7 +9,7 @@ from symbody.symbolic.expression.derivation import derivation
 from symbody.symbolic.expression.leaves import ExprLike
 from symbody.symbolic.expression.matrix import Matrix
 from symbody.symbolic.linear.bordered import SaddlePointSolution, check_saddle_point
-from symbody.symbolic.linear.gram import dot, gram
+from symbody.symbolic.linear.gram import gram, scalar_product
 from symbody.symbolic.linear.ldl import Elimination
 from symbody.symbolic.linear.linear_solve import linear_solve
 
@@ -36,7 +36,13 @@ def schur_complement_solve(
         load = elimination.forward(number(entry, "saddle_point_solve: the right side") for entry in right)
         y = linear_solve(
             gram(lines, scaled),
-            [condition - dot(line, load) for condition, line in zip(conditions, scaled, strict=True)],
+            [
+                condition - scalar_product(line, load)
+                for condition, line in zip(conditions, scaled, strict=True)
+            ],
         )
-        sums = [entry + dot(column, y) for entry, column in zip(load, zip(*lines, strict=True), strict=True)]
+        sums = [
+            entry + scalar_product(column, y)
+            for entry, column in zip(load, zip(*lines, strict=True), strict=True)
+        ]
         return SaddlePointSolution(elimination.backward(elimination.scaled(sums)), y)
