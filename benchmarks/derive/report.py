@@ -6,6 +6,7 @@ import os
 import platform
 from collections.abc import Sequence
 from math import isfinite
+from textwrap import fill
 
 from .engines import ENGINES, SYMBODY
 from .problem import Contender, Measurement, Problem, Results, Target
@@ -32,6 +33,9 @@ Each trial is a separate process, so that nothing derived before helps it, and c
 Versions: {versions}; Python {python}, {cores} cores.
 """
 
+WIDTH = 120
+"""Of lines of text."""
+
 HEADER = (
     "| n | contender | derive s | cse s | additions | multiplications | divisions | functions | operations | agrees |",
     "|---:|---|---:|---:|---:|---:|---:|---:|---:|---|",
@@ -49,7 +53,7 @@ def introduction(rounds: str) -> str:
 def section(problem: Problem, sizes: Sequence[int], results: Results) -> str:
     """Return the tables of a problem."""
     rows = [_row(problem, contender, size, results) for size in sizes for contender in problem.contenders]
-    return "\n".join([f"## {problem.title}", "", problem.statement, "", *HEADER, *rows, ""])
+    return "\n".join([f"## {problem.title}", "", fill(problem.statement, WIDTH), "", *HEADER, *rows, ""])
 
 
 def targets(problem: Problem, results: Results) -> str:

@@ -6,6 +6,7 @@ import os
 import platform
 from collections.abc import Sequence
 from importlib import metadata
+from textwrap import fill
 
 from .measure import RIVALS, Effort, Results, Timing
 from .scaling import Growth
@@ -119,7 +120,7 @@ def growth(measured: Sequence[Growth]) -> str:
         "Inverse dynamics of a chain of bodies with symbolic parameters, in a separate process. Times are processor "
         "times in seconds. C is compiled as in the generated Makefile (-O1)."
     )
-    return "\n".join(["## Making the code", "", sentence, "", *head, *rows, ""])
+    return "\n".join(["## Making the code", "", fill(sentence, 120), "", *head, *rows, ""])
 
 
 def bounds(targets: Sequence[Bound]) -> str:
