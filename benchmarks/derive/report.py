@@ -6,6 +6,7 @@ import os
 import platform
 from collections.abc import Sequence
 from math import isfinite
+from textwrap import fill
 
 from .engines import ENGINES, SYMBODY
 from .problem import Contender, Measurement, Problem, Results, Target
@@ -14,22 +15,26 @@ from .rounds import agree
 INTRODUCTION = """\
 # Deriving equations of motion
 
-Written by `python -m benchmarks.derive.run`: {rounds}; each trial is a process of its own, so that nothing derived
-before helps it; contenders take turns.
+Written by `python -m benchmarks.derive.run`: {rounds}.
+Each trial is a separate process, so that nothing derived before helps it, and contenders take turns.
 
-* *derive*: seconds (median) from nothing to the outputs, building the model included; *cse*: seconds of common
-  subexpression elimination, by each rival's own means. symbody has no such step: a common subexpression is never
-  built twice. Seconds are those of the processor: what the clock shows on an idle machine, all using one thread.
-* Operations are counted by one counter on the instructions that remain after cse. A subtraction is an addition, and
-  so is a change of sign that no sum absorbs; an integer power costs its repeated squarings, once; a matrix counts by
-  its upper triangle.
-* *agrees*: the instructions that were counted, run at a random point, give the numbers that those of the first
-  contender give, to 1e-9 of the largest.
-* "By hand": the rival has no mechanics, or a slower one, and the model is written for it in scalars, velocities in
-  local axes, as a careful user would. SymPy's Kane is `sympy.physics.mechanics`.
+* *derive*: seconds (median) from nothing to the outputs, including building the model. *cse*: seconds of common
+  subexpression elimination, by each rival's own means. symbody has no such step, because a common subexpression is
+  never built twice. Times are processor times, as the clock would show on an idle machine; all contenders use one
+  thread.
+* All operations are counted in the same way, on the instructions that remain after cse. A subtraction counts as an
+  addition, and so does a change of sign that no sum absorbs. An integer power costs its repeated squarings, once. A
+  matrix counts by its upper triangle.
+* *agrees*: the counted instructions, evaluated at a random point, give the same numbers as those of the first
+  contender, to 1e-9 of the largest.
+* "By hand": the rival has no mechanics, or a slower one. The model is written for it in scalars, with velocities in
+  local axes, as a careful user would do. SymPy's Kane is `sympy.physics.mechanics`.
 
 Versions: {versions}; Python {python}, {cores} cores.
 """
+
+WIDTH = 120
+"""Of lines of text."""
 
 HEADER = (
     "| n | contender | derive s | cse s | additions | multiplications | divisions | functions | operations | agrees |",
@@ -48,7 +53,7 @@ def introduction(rounds: str) -> str:
 def section(problem: Problem, sizes: Sequence[int], results: Results) -> str:
     """Return the tables of a problem."""
     rows = [_row(problem, contender, size, results) for size in sizes for contender in problem.contenders]
-    return "\n".join([f"## {problem.title}", "", problem.statement, "", *HEADER, *rows, ""])
+    return "\n".join([f"## {problem.title}", "", fill(problem.statement, WIDTH), "", *HEADER, *rows, ""])
 
 
 def targets(problem: Problem, results: Results) -> str:

@@ -45,7 +45,7 @@ def quick(names: list[str]) -> list[str]:
 
 def full(names: list[str], rounds: int) -> list[str]:
     """Return all tables, with the targets."""
-    parts = [introduction(f"{rounds} rounds (one, of what takes more than 5 s)")]
+    parts = [introduction(f"{rounds} rounds (one for trials that take more than 5 s)")]
     for problem in (PROBLEMS[name] for name in names):
         results = in_turns(problem, rounds)
         parts += [section(problem, problem.sizes, results), targets(problem, results)]

@@ -6,6 +6,7 @@ import os
 import platform
 from collections.abc import Sequence
 from importlib import metadata
+from textwrap import fill
 
 from .measure import RIVALS, Effort, Results, Timing
 from .scaling import Growth
@@ -14,22 +15,25 @@ from .targets import SPEEDS, Bound, Speed
 INTRODUCTION = """\
 # Evaluating equations of motion
 
-Written by `python -m benchmarks.evaluate.run`: {rounds} rounds, in each of which every contender runs in turn, in a
-loop outside Python, over 256 random states; a trial takes at least {milliseconds:.0f} ms.
+Written by `python -m benchmarks.evaluate.run`: {rounds} rounds. In each round every contender runs in turn, in a loop
+outside Python, over 256 random states. A trial takes at least {milliseconds:.0f} ms.
 
-* *ns*: median time of one state; *ratio*: how many times longer than symbody's machine code, median over the rounds.
-  Time is that of the processor, since other programs ran on the machine; only threads go by the clock on the wall.
-* *agrees*: the results of all states are those of symbody's machine code to 1e-9 of the largest; the largest
-  difference.
-* Machine code is LLVM's, in the process (`MachineCode`); generated C (`generate`), CasADi's C and Pinocchio's templates
-  are compiled by gcc with -O3 -march=native -DNDEBUG. Forces are inputs of the forward dynamics, for all.
-* CasADi's C comes of Pinocchio's recursions (RNEA, CRBA, ABA) written in SX by hand, since the wheel of Pinocchio
-  lacks `pinocchio.casadi`. Pinocchio's own templates on SX were measured once beside it, outside of this run: the same
-  for inverse dynamics within 9 %; forward dynamics 404 ns against 471 (panda), 2437 against 3235 (chain of 30), 1031
-  against 791 (solo12). Where its own are the faster, CasADi's ratios here are up to a third too large.
-* Pinocchio has a joint collection of the joint types in use. Without -march=native its forward dynamics was 6 to 12 %
-  faster, its inverse dynamics 8 to 11 % slower.
-* The robots' numbers are folded in. A floating base has a quaternion and velocities in its own axes, for all.
+* *ns*: median time per state. *ratio*: time relative to symbody's machine code, median over the rounds. Times are
+  processor times, since other programs ran on the machine; only runs with threads are measured in wall-clock time.
+* *agrees*: whether the results of all states equal those of symbody's machine code to 1e-9 of the largest, and the
+  largest difference.
+* Machine code is made by LLVM in the process (`MachineCode`). Generated C (`generate`), CasADi's C and Pinocchio's
+  templates are compiled by gcc with -O3 -march=native -DNDEBUG. For all contenders, forces are inputs of the forward
+  dynamics.
+* CasADi's C is generated from Pinocchio's recursions (RNEA, CRBA, ABA), written by hand in SX, since the wheel of
+  Pinocchio lacks `pinocchio.casadi`. Pinocchio's own templates on SX were measured once for comparison, outside of
+  this run. For inverse dynamics they take the same time within 9 %. For forward dynamics they take 404 ns against 471
+  (panda), 2437 against 3235 (chain of 30), and 1031 against 791 (solo12). Where they are faster, CasADi's ratios here
+  are up to a third too large.
+* Pinocchio uses a joint collection of the joint types that occur. Without -march=native its forward dynamics was 6 to
+  12 % faster, and its inverse dynamics 8 to 11 % slower.
+* The numbers of the robots are folded into the code. For all contenders, a floating base has a quaternion, and
+  velocities in its own axes.
 
 {rivals}
 
@@ -94,12 +98,10 @@ def _met(is_met: bool) -> str:
 
 def batches(timings: Sequence[tuple[int, Timing]]) -> str:
     """Return the table of many states at a time."""
-    head = ["| the arm's inverse dynamics | states | ns a state | agrees |", "|---|---:|---:|---|"]
+    head = ["| the arm's inverse dynamics | states | ns per state | agrees |", "|---|---:|---:|---|"]
     rows = [f"| {t.label} | {states} | {t.nanoseconds:.1f} | {_agreement(t)} |" for states, t in timings]
     (_, one), (_, two) = timings[-2:]
-    scaling = (
-        f"Two threads do {one.over(two):.2f} times what one does (two cores, which other programs use too)."
-    )
+    scaling = f"Two threads are {one.over(two):.2f} times as fast as one (on two cores, which other programs use too)."
     return "\n".join(["## Many states at a time", "", *head, *rows, "", scaling, ""])
 
 
@@ -115,10 +117,10 @@ def growth(measured: Sequence[Growth]) -> str:
         for g in measured
     ]
     sentence = (
-        "Inverse dynamics of a chain of bodies, all parameters symbolic, in a process of its own; seconds of the "
-        "processor; C as the generated Makefile compiles it (-O1)."
+        "Inverse dynamics of a chain of bodies with symbolic parameters, in a separate process. Times are processor "
+        "times in seconds. C is compiled as in the generated Makefile (-O1)."
     )
-    return "\n".join(["## Making the code", "", sentence, "", *head, *rows, ""])
+    return "\n".join(["## Making the code", "", fill(sentence, 120), "", *head, *rows, ""])
 
 
 def bounds(targets: Sequence[Bound]) -> str:

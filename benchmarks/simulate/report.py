@@ -18,7 +18,7 @@ BOUND = 20.0
 """How many times longer solve_ivp's best method must take, at least."""
 
 SHOWN = (1e-4, 1e-6, 1e-8, 1e-10, 1e-12)
-"""The tolerances whose points are told."""
+"""The tolerances whose points are shown."""
 
 WIDTH = 120
 """Of lines of text."""
@@ -28,21 +28,23 @@ PACKAGES = ("symbody", "scipy", "numpy", "llvmlite", "scikit-sundae", "jax")
 INTRODUCTION = """\
 # Simulating
 
-Written by `python -m benchmarks.simulate.run`: {rounds} rounds, in each of which every contender runs in turn; a trial
-is as many integrations as fill {milliseconds:.0f} ms (one, of what takes more); medians. Time is that of the processor,
-since other programs ran on the machine; only the throughput of many motions goes by the clock on the wall.
+Written by `python -m benchmarks.simulate.run`: {rounds} rounds. In each round every contender runs in turn. A trial
+consists of as many integrations as fill {milliseconds:.0f} ms, or of a single longer one. Results are medians.
+Times are processor times, since other programs ran on the machine; only the throughput of many motions is measured in
+wall-clock time.
 
-* All integrate the same machine code of the rates, called by symbody's integrators from compiled code, and by solve_ivp
-  by the cheapest call that Python has for it: buffers that stay, one foreign call without conversions, one copy in, one
-  out ({call}).
-  LSODA, Radau and BDF have the Jacobian as machine code, too.
-* The *error* is the largest difference of a coordinate from a reference, in rad, at the ends of integrations over 90 %,
-  95 % and all of the time (one alone may happen to cross zero); relative and absolute tolerances are equal, and all go
-  through the same decades. Times at equal error are interpolated in powers between the
-  points of a method that no other of its points beats.
-* symbody integrates the ready system, for two instants; what the whole call of `simulate` takes is told below.
-* A system with constraints is integrated by symbody with projection onto them after each step (`ida`: as it is, by
-  SUNDIALS, called from Python); by solve_ivp as ordinary differential equations of index 1, and drifts off them.
+* All contenders integrate the same machine code of the rates. Symbody's integrators call it from compiled code.
+  solve_ivp calls it in the cheapest way that Python offers: permanent buffers, one foreign call without conversions,
+  one copy in, one copy out ({call}).
+  LSODA, Radau and BDF also use the Jacobian as machine code.
+* The *error* is the largest difference of a coordinate from a reference, in rad, at the ends of integrations over
+  90 %, 95 % and all of the time (a single one may happen to be a zero of the error). Relative and absolute tolerances
+  are equal, and all contenders run through the same decades. Times at equal error are interpolated by power laws
+  between those points of a method that no other of its points beats.
+* symbody integrates the prepared system, for two instants. The time of the whole call of `simulate` is given below.
+* Systems with constraints: symbody integrates with projection onto the constraints after each step (`ida`: unreduced,
+  by SUNDIALS, called from Python). solve_ivp integrates ordinary differential equations of index 1, and drifts off
+  the constraints.
 
 Versions: {versions}; Python {python}, {cores} cores.
 
@@ -51,11 +53,12 @@ Versions: {versions}; Python {python}, {cores} cores.
 
 
 MANY = """\
-{runs} motions of the double pendulum over {duration:g} s, let go from rest at a grid of angles from {low:g} to {high:g}
-rad, each with the loosest setting whose largest error at the end is at most {error:.0e} rad. The reference is symbody's
-dop853 at 1e-13, from which solve_ivp's Radau at 1e-11 differs by {check:.0e} rad on three of them. Loops in Python are
-measured on a sample and counted for all. JAX has the function that `generate` writes for it, all motions in one call,
-64 bits, and as many threads as it wants; *first* is the first call with the setting, in which JAX compiles.
+{runs} motions of the double pendulum over {duration:g} s, released from rest at a grid of angles from {low:g} to
+{high:g} rad. Each contender uses the loosest setting whose largest error at the end is at most {error:.0e} rad. The
+reference is symbody's dop853 at 1e-13, from which solve_ivp's Radau at 1e-11 differs by {check:.0e} rad on three of
+them. Loops in Python are measured on a sample and scaled to all motions. JAX runs the function that `generate` writes
+for it, with all motions in one call, 64 bits, and as many threads as it chooses. *First* is the first call with the
+setting, in which JAX compiles.
 """
 
 
@@ -74,14 +77,14 @@ def introduction(effort: Effort, calls: dict[str, float]) -> str:
 def comparison(found: Comparison) -> str:
     """Return the tables of one problem."""
     checks = "; ".join(f"{what}: {error:.1e} rad" for what, error in found.check.items())
-    told = (
-        "The reference is SciPy's DOP853 at 1e-13 in steps that are far smaller than it needs. From it differ "
-        f"{checks}."
+    text = (
+        "The reference is SciPy's DOP853 at 1e-13, with steps that are far smaller than necessary. These results "
+        f"differ from it: {checks}."
     )
     parts = [
         f"## {found.problem.name[0].upper()}{found.problem.name[1:]}, {found.problem.duration:g} s",
         "",
-        fill(told, WIDTH),
+        fill(text, WIDTH),
         "",
         *_ratios(found),
         "",
@@ -138,7 +141,7 @@ def _calls(found: Comparison) -> list[str]:
         for point in curve.points
     ]
     return [
-        "The whole call of `simulate` with what is compiled already: checks, initial state, integration, motion.",
+        "The whole call of `simulate`, when the code is already compiled: checks, initial state, integration, motion.",
         "",
         "| instants | tolerance | ms |",
         "|---:|---:|---:|",
@@ -179,18 +182,18 @@ def throughput(found: Throughput) -> str:
         runs=found.runs, duration=found.duration, low=low, high=high, error=ERROR, check=found.check
     )
     head = [
-        "| many motions | setting | error | motions | first s | s for all | of processors | a second | over loop |",
+        "| many motions | setting | error | motions | first s | s for all | of processors | per second | over loop |",
         "|---|---|---:|---:|---:|---:|---:|---:|---:|",
     ]
     loop = max((r for r in found.rates if "solve_ivp" in r.manner.label), key=lambda r: r.per_second)
     rows = [_rate(rate, found.runs, loop) for rate in found.rates]
     lacking = [f"**{by_jax.missing()} is missing.**", ""] if by_jax.missing() else []
-    told = (
-        "*Motions*: on how many it was measured. *Of processors*: seconds of all threads together; other programs ran "
-        "on the machine. *Over loop*: how many times more motions a second than the faster loop of solve_ivp."
+    text = (
+        "*Motions*: how many motions were measured. *Of processors*: processor time of all threads together; other "
+        "programs ran on the machine. *Over loop*: motions per second, relative to the faster loop of solve_ivp."
     )
     return "\n".join(
-        ["## Many motions", "", fill(sentence, WIDTH), "", *lacking, *head, *rows, "", fill(told, WIDTH), ""]
+        ["## Many motions", "", fill(sentence, WIDTH), "", *lacking, *head, *rows, "", fill(text, WIDTH), ""]
     )
 
 

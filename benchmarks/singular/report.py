@@ -9,29 +9,30 @@ from .scan import BOUND, MECHANISMS, Loss, Told
 TEXT = """\
 # The scan of singular positions
 
-Written by `python -m benchmarks.singular.run`. Mechanisms swing for ten seconds by their weight, with many initial
-speeds of the first crank, and pass some ten singular positions each; no clock is read. A motion has *passed* if it came
-to its end less than 0.01 rad or m off its branch, which is known in closed form. The energy lost is the largest
-deviation from the first energy, relative to the largest energy that moves, and stands beside what a single bar loses
-that swings with the same speeds, at the same tolerance. [Singular positions](../singular_positions.md) explains them.
+Written by `python -m benchmarks.singular.run`. Mechanisms swing for ten seconds under their weight, with many initial
+speeds of the first crank. Each motion passes some ten singular positions. No times are measured. A motion has
+*passed* if it reached its end less than 0.01 rad or m off its branch, which is known in closed form. The energy lost
+is the largest deviation from the initial energy, relative to the largest energy that moves. It is compared with the
+loss of a single bar that swings with the same speeds, at the same tolerance.
+[Singular positions](../singular_positions.md) are explained on their own page.
 
 ![Energy lost over the tolerance](singular.svg)
 
-Full lines: the largest loss of all motions; dotted: the median.
+Solid lines: the largest loss of all motions. Dotted lines: the median.
 
 ## Explicit methods with projection
 
-| mechanism | method | rtol | passed | lost: median | largest | a bar's | largest / bar's | asked | met |
+| mechanism | method | rtol | passed | lost: median | largest | a bar's | largest / bar's | bound | met |
 |---|---|---|---|---|---|---|---|---|---|
 {losses}
 
-## Other ways
+## Other methods and options
 
-Four mechanisms, five initial speeds and two tolerances (1e-4, 1e-7) each, five seconds, and two asked instants: the
-beginning and the end. A motion is *wrong* if it is off its branch, or has lost more than ten times the energy that a
-single bar loses by the same method.
+Four mechanisms, with five initial speeds and two tolerances (1e-4, 1e-7) each, over five seconds. Only two instants
+are requested: the beginning and the end. A motion is *wrong* if it is off its branch, or has lost more than ten times
+the energy that a single bar loses with the same method.
 
-| method | constraints | passed, nothing to report | with a notice | ended by an error | wrong in silence |
+| method | constraints | passed, nothing to report | with a notice | ended in an error | wrong without a report |
 |---|---|---|---|---|---|
 {others}
 """

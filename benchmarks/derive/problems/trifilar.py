@@ -41,7 +41,7 @@ def _problem(name: str, title: str, statement: str, *, own_frame: bool, operatio
 
 WORKSHEET = _problem(
     "trifilar",
-    "Trifilar pendulum, as the worksheet has it",
+    "Trifilar pendulum, as in the worksheet",
     "Natural coordinates; the plate's centre of mass is in a frame parallel to ground, so that its energy is "
     "translational only. Outputs: 12 Lagrange equations with multipliers and 9 constraints in Baumgarte's form.",
     own_frame=False,
