@@ -106,7 +106,7 @@ $(STAMPS)/venv: scripts/environment.py
 	@mkdir -p $(STAMPS) && touch $@
 
 $(STAMPS)/build: $(STAMPS)/venv $(RUST) pyproject.toml
-	$(call say,Building the Rust extension and installing the package (a minute the first time))
+	$(call say,Building the Rust extension and installing the package (some two minutes the first time))
 	VIRTUAL_ENV=$(abspath $(VENV)) $(BIN)/maturin develop --release $(LOCKED)
 	@touch $@
 
