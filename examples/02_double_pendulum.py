@@ -1,4 +1,4 @@
-"""The double pendulum: the textbook's mass matrix, two formalisms that agree, and a motion that keeps its energy.
+"""The double pendulum: the textbook's mass matrix, two formalisms that agree, and a motion of constant energy.
 
 Two point masses on massless rods; both angles are measured from the vertical, and the z axis points down.
 """
@@ -49,7 +49,7 @@ for entry in equations.bias:
 # Newton-Euler's recursion gives the same equations: not only the same values, the same nodes.
 recursion = newton_euler(pendulum)
 assert all(a.same_form(b) for a, b in zip(equations.residuals, recursion.residuals, strict=True))
-print("Lagrange and Newton-Euler: the same equations,", cost(equations.residuals))
+print("Lagrange and Newton-Euler give the same equations:", cost(equations.residuals))
 
 # A motion from a high start: its energy stays, and smaller tolerances change little.
 parameters = {m1: 2.0, m2: 1.0, l1: 0.7, l2: 0.5, g: 9.81}
@@ -57,7 +57,7 @@ start = {theta1: 2.0, theta2: 2.5}
 motion = simulate(equations, parameters, start, t=(0, 5), rtol=1e-11, atol=1e-12)
 finer = simulate(equations, parameters, start, t=(0, 5), rtol=1e-13, atol=1e-14)
 print(f"motion of {motion.t[-1]:g} s in {motion.statistics.steps} steps, and in {finer.statistics.steps}")
-print(f"    the energy varies by {motion.energy_drift:.1e}, then by {finer.energy_drift:.1e} of its value")
+print(f"    relative drift of the energy: {motion.energy_drift:.1e} and {finer.energy_drift:.1e}")
 print(f"    the tip's angle differs by {abs(motion[theta2] - finer[theta2]).max():.1e} rad")
 assert motion.energy_drift < 1e-9
 assert abs(motion[theta2] - finer[theta2]).max() < 1e-7

@@ -1,7 +1,7 @@
 """A slider-crank: a closed loop as a constraint, whose multipliers are the forces in the pin of the slider.
 
-A motor turns the crank OA; the rod AB pulls the slider B along the x axis. The loop O-A-B is opened at B: where the
-rod ends and where the slider is are written apart, and two constraints bring them together.
+A motor turns the crank OA; the rod AB pulls the slider B along the x axis. The loop O-A-B is opened at B: the
+end of the rod and the slider have coordinates of their own, and two constraints make the two points coincide.
 """
 
 import numpy as np
@@ -56,6 +56,6 @@ gained = motion[sb.mechanical_energy(engine)]
 print(f"after {motion.t[-1]:g} s the crank has made {motion[phi][-1] / (2 * np.pi):.1f} turns")
 print(f"the rod has pulled the slider with {pull.min():.1f} to {pull.max():.1f} N")
 print(f"constraints within {motion.constraint_drift:.1e} m")
-print(f"energy gained less work of the motor: {np.abs(gained - gained[0] - work).max():.1e} J")
+print(f"energy gained minus work of the motor: {np.abs(gained - gained[0] - work).max():.1e} J")
 assert motion.constraint_drift < 1e-12
 assert np.abs(gained - gained[0] - work).max() < 1e-8

@@ -70,5 +70,5 @@ assert error < 1e-10
 energy = lambdify([q, equations.speeds], mechanical_energy(arm))(angle, speed)
 power = (torque * speed).sum(axis=0)
 work = np.concatenate([[0], np.cumsum((power[1:] + power[:-1]) / 2 * np.diff(time))])
-print(f"energy gained less work of the torques: at most {np.abs(energy - energy[0] - work).max():.1e} J")
+print(f"energy gained minus work of the torques: at most {np.abs(energy - energy[0] - work).max():.1e} J")
 assert np.abs(energy - energy[0] - work).max() < 1e-4

@@ -1,7 +1,7 @@
-"""A satellite that turns by a wheel: a free body, by a quaternion and by velocities in its own axes.
+"""A satellite with a reaction wheel: a free body with a quaternion, and with velocities in its own axes.
 
-The wheel spins about the satellite's z axis, driven by a motor. What the motor gives the wheel the satellite loses: the
-angular momentum of both, seen from ground, stays what it was, and so does the length of the quaternion.
+The wheel spins about the satellite's z axis, driven by a motor. The motor acts on both, with
+opposite signs: their total angular momentum is constant, and so is the norm of the quaternion.
 """
 
 import numpy as np
@@ -52,7 +52,7 @@ print(
     f"the wheel turns at {motion[phi.diff(t)][-1]:.1f} rad/s, the satellite at {motion[r][-1]:.4f} rad/s about z"
 )
 print("angular momentum in ground:", np.round(before, 6), "then", np.round(after, 6), "kg m^2/s")
-print(f"length of the quaternion: 1 + {np.linalg.norm(quaternion, axis=0).max() - 1:.0e}")
-print(f"energy gained less work of the motor: {motion.energy_drift:.0e} of it")
+print(f"norm of the quaternion: 1 + {np.linalg.norm(quaternion, axis=0).max() - 1:.0e}")
+print(f"energy gained minus work of the motor, relative: {motion.energy_drift:.0e}")
 assert np.allclose(before, after, atol=1e-9)
 assert motion.energy_drift < 1e-8

@@ -1,12 +1,13 @@
-"""The trifilar pendulum in natural coordinates: from its description to 21 equations, code and ten seconds of motion.
+"""The trifilar pendulum in natural coordinates: 21 equations, generated code, and ten seconds of motion.
 
 A plate, the equilateral triangle ABC of side l, hangs by three threads of length h from A0, B0, C0. The derivation
-follows the worksheet "Trifilar Pendulum in Natural Coordinates" (R. Lot, 2004) command by command, twice:
+follows the worksheet "Trifilar Pendulum in Natural Coordinates" (R. Lot, 2004) command by command, for two models:
 
-* as the worksheet has it: the plate's centre of mass is a point of ground, so its energy is translational only;
-* with the plate's own frame TN, so that its inertia counts: of this model code is generated, and this one is simulated.
+* as in the worksheet: the plate's centre of mass is a point of ground, so the plate has translational energy only;
+* with the plate in its own frame TN, so that its moments of inertia count. This model is simulated and generated as
+  code.
 
-Run it with `make demo`, or `python examples/trifilar_pendulum.py`; it writes into the folder out/.
+Run it with `make demo` or `python examples/trifilar_pendulum.py`. It writes into the folder out/.
 """
 
 from __future__ import annotations
@@ -56,7 +57,7 @@ gravity = Vector(ground, 0, 0, -g)
 
 
 def plate_frame() -> Frame:
-    """Return TN, fixed to the plate; its axes u and v are solved for, so that B and C are where q says."""
+    """Return the frame TN of the plate; its axes u and v follow from the coordinates of B and C."""
     ux, vx, uy, vy, uz, vz = unknowns = sb.symbols("ux vx uy vy uz vz")
     TN = Frame([[ux, vx, wx, xA], [uy, vy, wy, yA], [uz, vz, wz, zA], [0, 0, 0, 1]])
     _, B, C = plate_vertices(TN)
@@ -70,13 +71,13 @@ def plate_vertices(TN: Frame) -> tuple[Point, Point, Point]:
 
 
 def ground_vertices(side: int) -> tuple[Point, Point, Point]:
-    """Return A0, B0, C0. The worksheet has side = +1, the opposite of the plate's; -1 is straight above the plate."""
+    """Return A0, B0, C0. The worksheet has side = +1, opposite to the plate; with -1 they are above A, B, C."""
     x, y = l * sqrt(3) / 2, side * l / 2
     return Point(ground, 0, 0, h), Point(ground, x, y, h), Point(ground, x, -y, h)
 
 
 def constraints(TN: Frame, side: int) -> list[Expr]:
-    """Return the six of an orthonormal frame and the three of the threads."""
+    """Return six constraints of an orthonormal frame and three of the threads."""
     rotation = [row[:3] for row in TN.matrix.tolist()[:3]]
     u, v, w = (Vector(ground, *column) for column in zip(*rotation, strict=True))
     rigid = [dot(u, v), dot(u, w), dot(v, w), dot(w, w) - 1, dot(v, v) - 1, dot(u, u) - 1]
@@ -101,7 +102,7 @@ def suspended(plate: Body, conditions: Sequence[Expr]) -> System:
 
 @dataclass(frozen=True)
 class Model:
-    """The pendulum's 21 equations: twelve of Lagrange, nine constraints in Baumgarte's form."""
+    """The pendulum's 21 equations: twelve Lagrange equations and nine constraints in Baumgarte's form."""
 
     title: str
     motion: Equations
@@ -121,7 +122,7 @@ def derive(title: str, describe: Callable[[], System]) -> Model:
 
 
 def as_in_the_worksheet(motion: Equations) -> list[Expr]:
-    """Return the twelve equations made by hand: of T + sum(lambda phi), less the generalised forces of the weight."""
+    """Return Lagrange's equations of T + sum(lambda phi) by hand, minus the generalised forces of the weight."""
     (plate,) = motion.system.bodies
     reactions = (k * phi for k, phi in zip(motion.multipliers, motion.constraints, strict=True))
     L = sb.kinetic_energy(plate) + sum(reactions)
@@ -142,7 +143,7 @@ FOLDER = Path("out")
 
 
 def hanging(side: int) -> Array:
-    """Return q at rest: each vertex straight below its anchor, and the normal that makes the frame right-handed."""
+    """Return q at rest: each vertex below its anchor, and the normal of a right-handed frame."""
     x, y = PARAMETERS[l] * np.sqrt(3) / 2, side * PARAMETERS[l] / 2
     return np.array([0, 0, 0, x, y, 0, x, -y, 0, 0, 0, -side])
 
@@ -150,9 +151,9 @@ def hanging(side: int) -> Array:
 def thrown(
     angle: float = 0.9, push: float = 0.15, velocity: Sequence[float] = (0, 0.5, 0)
 ) -> dict[Expr, float]:
-    """Return a guess of the start: the plate turned about the vertical, pushed aside and let go with a swing.
+    """Return a guess of the initial state: the plate turned about the vertical, displaced, and moving sideways.
 
-    It breaks the constraints: the threads would be too long. `simulate` moves it onto them by the shortest way.
+    It violates the constraints, as the threads would be too long. `simulate` moves it to the nearest consistent state.
     """
     vertices = hanging(-1)[:9].reshape(3, 3)
     centre, (c, s) = vertices.mean(axis=0), (np.cos(angle), np.sin(angle))
@@ -163,7 +164,7 @@ def thrown(
 
 
 def inertia_of_free_motion(motion: Equations, place: Array) -> Array:
-    """Return the mass matrix of the three motions that the constraints leave."""
+    """Return the mass matrix of the three motions that the constraints allow."""
     f = sb.lambdify([list(PARAMETERS), motion.coordinates], [motion.constraint_jacobian, motion.mass_matrix])
     phi_q, M = f(list(PARAMETERS.values()), place)
     N = null_space(phi_q)
@@ -172,14 +173,14 @@ def inertia_of_free_motion(motion: Equations, place: Array) -> Array:
 
 @dataclass(frozen=True)
 class Outputs:
-    """What is looked at, as expressions."""
+    """The quantities of interest, as expressions."""
 
     displacement: tuple[Expr, ...]
-    """Of the centre of mass from its place at rest, along x, y and z, in m."""
+    """Displacement of the centre of mass from its position at rest, along x, y and z, in m."""
     angle: Expr
-    """By which the plate has turned about the vertical, in degrees."""
+    """Rotation of the plate about the vertical, in degrees."""
     tension: tuple[Expr, ...]
-    """Of the threads of A, B and C, in N: phi_q lambda = 2 lambda (P - P0), and the thread's length is h."""
+    """Tensions of the threads of A, B and C, in N: phi_q lambda = 2 lambda (P - P0), with |P - P0| = h."""
     energies: dict[str, Expr]
 
 
@@ -203,7 +204,7 @@ def swing(motion: Equations, guess: dict[Expr, float], duration: float = DURATIO
 
 
 def draw(motion: Motion, shown: Outputs) -> None:
-    """Write the motion over time, and as a page for a browser."""
+    """Write a plot of the motion over time, and an animation for a browser."""
     panels = (
         {f"displacement ${x}_G$": u for x, u in zip("xyz", shown.displacement, strict=True)},
         {"rotation": shown.angle},
@@ -224,16 +225,7 @@ def draw(motion: Motion, shown: Outputs) -> None:
     )
 
 
-# --- equations as files: nothing is ever written half -----------------------------------------------------------------
-
-
-@contextmanager
-def whole_file(path: Path) -> Iterator[Path]:
-    """Give a temporary name to write to, and rename when all is written."""
-    path.parent.mkdir(parents=True, exist_ok=True)
-    temporary = path.with_name(path.name + ".part")
-    yield temporary
-    temporary.replace(path)
+# --- equations as files ----------------------------------------------------------------------------------------------
 
 
 def equations_text(models: Sequence[Model]) -> str:
@@ -288,14 +280,14 @@ def size_table(models: Sequence[Model], free_inertia: Sequence[Array]) -> Table:
     row("derived in", [milliseconds(model.seconds) for model in models])
     table.add_section()
     row("operations: 12 of Lagrange", [sb.cost(model.motion.residuals).total for model in models])
-    row("9 in Baumgarte's form", [sb.cost(model.stabilized).total for model in models])
+    row("  9 in Baumgarte's form", [sb.cost(model.stabilized).total for model in models])
     costs = [sb.cost(model.equations) for model in models]
-    row("all 21 together", [cost.total for cost in costs])
+    row("  all 21 together", [cost.total for cost in costs])
     for kind in ("additions", "multiplications", "divisions"):
-        row(f"  {kind}", [getattr(cost, kind) for cost in costs])
+        row(f"    {kind}", [getattr(cost, kind) for cost in costs])
     table.add_section()
     row("free motions at rest", [len(inertia) for inertia in free_inertia])
-    row("  that have inertia", [np.linalg.matrix_rank(inertia, tol=1e-9) for inertia in free_inertia])
+    row("  with inertia", [np.linalg.matrix_rank(inertia, tol=1e-9) for inertia in free_inertia])
     return table
 
 
@@ -315,11 +307,11 @@ def result_table(motion: Motion, shown: Outputs, seconds: float) -> Table:
 
 
 NOTE = """\
-The worksheet puts the plate's centre of mass in a frame parallel to ground. Its energy is translational only: at \
-rest the plate turns about the vertical without inertia, and the equations leave its acceleration open. So what is \
-simulated is the plate in its own frame.
-The worksheet's B0 and C0 have the opposite y of the plate's B and C. A plate that hangs from them straight has its \
-normal down (or is mirrored). In the model that is simulated they are above B and C, and the normal points up.
+The worksheet puts the plate's centre of mass in a frame parallel to ground. Its energy is \
+translational only: at rest, rotation about the vertical has no inertia, and the equations do not determine its \
+acceleration. The simulated model therefore has the plate in its own frame.
+The worksheet's B0 and C0 have y coordinates opposite to those of the plate's B and C, so the normal of a plate at \
+rest points down (or the plate is mirrored). In the simulated model they are above B and C, and the normal points up.
 """
 
 
@@ -328,7 +320,7 @@ def main() -> None:
     console.rule("Trifilar pendulum in natural coordinates")
     worksheet = derive("as in the worksheet", worksheet_system)
     physical = derive("plate in its own frame", physical_system)
-    with step(console, "the worksheet's commands, one by one, give the same twelve equations"):
+    with step(console, "the worksheet's commands give the same twelve equations"):
         assert as_in_the_worksheet(worksheet.motion) == list(worksheet.motion.residuals)
     show_equations(console, worksheet.motion)
     inertia = [
@@ -339,17 +331,17 @@ def main() -> None:
     console.print(NOTE)
     write_equations(console, [worksheet, physical])
     for target in ("fortran", "matlab"):
-        with step(console, f"code generated in {FOLDER / target}/, with a program that checks it"):
+        with step(console, f"code written to {FOLDER / target}/, with a program that checks it"):
             sb.generate(physical.motion, target=target, path=FOLDER / target)
     simulate(console, physical.motion)
 
 
 def show_equations(console: Console, motion: Equations) -> None:
-    """Print one equation of each kind; their sums are zero."""
+    """Print one equation of each kind."""
     zeros = dict(zip(map(str, q), motion.residuals, strict=True))
     rows = {f"Lagrange, {name}": zeros[name] for name in ("xA", "zA", "wx")}
     rows |= {"thread A0A": motion.constraints[6], "frame, w w = 1": motion.constraints[3]}
-    console.print("\nFive of the worksheet's 21 equations (a prime is d/dt); the files have all:")
+    console.print("\nFive of the worksheet's 21 equations (a prime is d/dt); the files contain all of them:")
     for name, zero in rows.items():
         console.print(f"  {name}:", style="bold")
         console.print(f"    0 = {zero}", markup=False, soft_wrap=True)
@@ -359,8 +351,9 @@ def show_equations(console: Console, motion: Equations) -> None:
 def write_equations(console: Console, models: Sequence[Model]) -> None:
     for name, text in (("txt", equations_text), ("tex", equations_latex)):
         path = FOLDER / f"trifilar_equations.{name}"
-        with step(console, f"equations written to {path}"), whole_file(path) as file:
-            file.write_text(text(models), encoding="utf-8")
+        path.parent.mkdir(parents=True, exist_ok=True)
+        with step(console, f"equations written to {path}"):
+            path.write_text(text(models), encoding="utf-8")
 
 
 def simulate(console: Console, equations: Equations) -> None:
@@ -368,7 +361,7 @@ def simulate(console: Console, equations: Equations) -> None:
     start = perf_counter()
     motion = swing(equations, thrown())
     console.print(result_table(motion, shown, perf_counter() - start))
-    with step(console, f"the motion drawn in {FOLDER}/trifilar_motion.png, and as a page in .html"):
+    with step(console, f"plot and animation written to {FOLDER}/trifilar_motion.png and .html"):
         draw(motion, shown)
 
 

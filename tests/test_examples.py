@@ -63,13 +63,13 @@ def models() -> tuple[trifilar.Model, trifilar.Model]:
 
 @pytest.fixture(scope="module")
 def demo(tmp_path_factory: pytest.TempPathFactory) -> tuple[str, Path]:
-    """What the demo tells, and the folder out/ that it writes."""
+    """What the demo prints, and the folder out/ that it writes."""
     folder = tmp_path_factory.mktemp("demo")
     return run(TRIFILAR, folder), folder / "out"
 
 
-def test_demo_tells_what_it_finds_and_writes_whole_files(demo: tuple[str, Path]) -> None:
-    told, out = demo
+def test_demo_reports_what_it_finds_and_writes_its_files(demo: tuple[str, Path]) -> None:
+    printed, out = demo
     for quantity in (
         "0 = xA**2 + yA**2 + (h - zA)**2 - h**2",
         "derived in",
@@ -77,7 +77,7 @@ def test_demo_tells_what_it_finds_and_writes_whole_files(demo: tuple[str, Path])
         "largest drift of the energy",
         "largest drift of the constr",
     ):
-        assert quantity in told
+        assert quantity in printed
     names = {str(path.relative_to(out)) for path in out.parent.rglob("*") if path.is_file()}
     pictures = {"trifilar_motion.html", "trifilar_motion.png"}
     equations = {"trifilar_equations.tex", "trifilar_equations.txt"}
