@@ -1,85 +1,25 @@
 //! The expression graph of symbody.
-//!
-//! Every node knows its exact value at a random point of a finite field, so equal mathematics is one
-//! node and zero is seen when it is made. No Python, no mechanics, no global state.
 
-mod addition_theorem;
-mod angle;
-mod angle_sum;
-mod apply;
-mod associate;
-mod block;
-mod build;
-mod classes;
-mod coefficient;
-mod collect;
-mod collector;
-mod combine_trig;
-mod content;
-pub mod contradiction;
-mod cost;
-mod deficiency;
-mod diff;
-mod distribute;
-mod emit;
+mod calculus;
+mod canonical;
 mod error;
-mod eval;
-mod exact;
-mod expand;
-mod factor_terms;
-pub mod factorization;
-mod field;
-mod function;
-mod gcd;
 mod graph;
-mod inside_out;
+mod kernel;
 mod linear;
-mod linear_solve;
-mod linear_systems;
-mod lower;
-mod matrix;
-mod minor;
-mod monomial;
-mod multiple_of_pi;
-mod namesake;
-mod node;
-mod number;
 mod polynomial;
-pub mod positive_definite;
 mod print;
-mod product;
-mod pythagoras;
-mod rank;
-mod rational;
-mod reciprocal;
-mod ring;
-mod root;
-mod schedule;
-mod sign;
-mod simplify;
-mod solve;
-mod stage;
-mod substitute;
-mod sum;
+mod rewrite;
 mod tape;
-mod traverse;
-mod trig_form;
-pub mod vector;
+mod value;
 
-pub use classes::Classes;
-pub use cost::Cost;
-pub use deficiency::Deficiency;
+pub use canonical::{check_rows, multiple_of_pi};
 pub use error::{Error, quoted};
-pub use eval::{Column, Evaluator};
-pub use field::Element;
-pub use function::Function;
-pub use graph::{Graph, LARGEST_ORDER};
-pub use linear_solve::check_rows;
-pub use matrix::Matrix;
-pub use multiple_of_pi::multiple_of_pi;
-pub use node::{Assumption, Factors, Id, Ids, NumberId, Terms, View};
-pub use number::Number;
+pub use graph::{
+    Assumption, Classes, Cost, Factors, Function, Graph, Id, Ids, LARGEST_ORDER, NumberId, Terms, View,
+};
+pub use kernel::{Deficiency, contradiction, factorization, positive_definite};
+pub use linear::{Matrix, vector};
 pub use print::{Format, Listing};
-pub use stage::Staged;
-pub use tape::{Factorization, Instruction, Operand, Registers, Solution, Tape};
+pub use tape::{Column, Evaluator, Factorization, Instruction, Operand, Registers, Solution, Staged, Tape};
+pub use value::{Element, Number};
 pub use vector::Vector3;

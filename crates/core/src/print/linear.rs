@@ -1,7 +1,7 @@
 //! The one-dimensional notations: everything on a line, with `*` and `/`; a dialect says what differs.
 
-use crate::function::Function;
-use crate::number::Number;
+use crate::graph::Function;
+use crate::value::Number;
 
 use super::order::is_fraction;
 use super::tree::{Base, Factor, Sum, Term};

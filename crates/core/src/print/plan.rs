@@ -4,9 +4,8 @@ use rustc_hash::{FxHashMap, FxHashSet};
 use std::collections::BTreeSet;
 use std::ops::Range;
 
-use crate::graph::Graph;
-use crate::node::{Id, View};
-use crate::number::Number;
+use crate::graph::{Graph, Id, View};
+use crate::value::Number;
 
 /// Up to this many printed leaves an expression is written out whole.
 const WHOLE: usize = 2000;
