@@ -99,7 +99,7 @@ pub use print::{Format, Listing};
 
 // Linear algebra on expressions, and in doubles.
 pub use canonical::check_rows;
-pub use kernel::{Deficiency, contradiction, factorization, positive_definite};
+pub use kernel::{Deficiency, FACTORIZATION_SOURCE, contradiction, factorization, positive_definite};
 pub use linear::{Matrix, vector};
 pub use vector::Vector3;
 

@@ -1,10 +1,10 @@
-"""The kernel of linear systems, for machine code: where it is, the room it needs, and the deficient systems it met."""
+"""The kernel of linear systems: its address, workspace and source, and the deficient systems that it met."""
 
 from typing import TypeAlias
 
-from symbody.symbolic._core import kernel_address, kernel_workspace, take_deficiencies
+from symbody.symbolic._core import kernel_address, kernel_source, kernel_workspace, take_deficiencies
 
-__all__ = ["Noted", "kernel_address", "kernel_workspace", "take_deficiencies"]
+__all__ = ["Noted", "kernel_address", "kernel_source", "kernel_workspace", "take_deficiencies"]
 
 Noted: TypeAlias = tuple[int, int, list[int], list[tuple[int, list[int]]]]
 """A system: its number, its equations, those that follow from others, and those that contradict others."""

@@ -5,7 +5,8 @@
 //! equations of a singular system follow from others, and which contradict them.
 //!
 //! Invariant: nothing here allocates while it factors or solves, and nothing uses the rest of the crate.
-//! `factorization.rs` is also the source of the solver in generated Rust code.
+//! Generated Rust code contains `factorization.rs` as text ([`FACTORIZATION_SOURCE`]), so that file is complete without
+//! this crate; its tests are in `tests/factorization.rs`.
 
 pub mod contradiction;
 mod deficiency;
@@ -13,3 +14,6 @@ pub mod factorization;
 pub mod positive_definite;
 
 pub use deficiency::Deficiency;
+
+/// The source of [`factorization`]: generated Rust code solves its linear systems with it.
+pub const FACTORIZATION_SOURCE: &str = include_str!("factorization.rs");
