@@ -1,4 +1,4 @@
-//! Evaluation of a tape in doubles: at one point, or at many points, a block of them at a time.
+//! Evaluation of a tape in doubles: at one point, or at many points, a chunk at a time.
 
 use std::collections::BTreeSet;
 
@@ -8,8 +8,8 @@ use crate::kernel::Deficiency;
 use super::linear_systems::{LinearSystems, Memory, solution_of};
 use super::straight_line::{Instruction, Operand, Tape};
 
-/// Bytes of registers in a block of points: what the processor keeps close.
-const BLOCK_BYTES: usize = 256 * 1024;
+/// Bytes of registers in a chunk of points: what the processor keeps close.
+const CHUNK_BYTES: usize = 256 * 1024;
 const MOST_LANES: usize = 256;
 const FEWEST_LANES: usize = 16;
 
@@ -168,20 +168,20 @@ impl Evaluator {
             return Ok((Vec::new(), BTreeSet::new())); // however many points there are
         }
         let mut out = vec![0.0; length];
-        let lanes = (BLOCK_BYTES / (8 * self.registers.max(1))).clamp(FEWEST_LANES, MOST_LANES);
+        let lanes = (CHUNK_BYTES / (8 * self.registers.max(1))).clamp(FEWEST_LANES, MOST_LANES);
         let mut registers = vec![vec![0.0; lanes]; self.registers];
         let mut memory = self.systems.memory(lanes);
         for start in (0..points).step_by(lanes) {
             let (len, systems) = (lanes.min(points - start), &self.systems);
-            let block = Block { inputs, constants: &self.constants, systems, start, len };
-            self.evaluate_block(&block, &mut registers, &mut memory, &mut out, points);
+            let chunk = Chunk { inputs, constants: &self.constants, systems, start, len };
+            self.evaluate_chunk(&chunk, &mut registers, &mut memory, &mut out, points);
         }
         Ok((out, memory.deficiencies))
     }
 
-    fn evaluate_block(
+    fn evaluate_chunk(
         &self,
-        block: &Block,
+        chunk: &Chunk,
         registers: &mut [Vec<f64>],
         memory: &mut Memory,
         out: &mut [f64],
@@ -194,12 +194,12 @@ impl Evaluator {
                 // No instruction reads the register that it writes, so its lanes can be taken out meanwhile.
                 let target = step.target as usize - first_register;
                 let mut lanes = std::mem::take(&mut registers[target]);
-                block.run(step.instruction, registers, memory, &mut lanes[..block.len]);
+                chunk.run(step.instruction, registers, memory, &mut lanes[..chunk.len]);
                 registers[target] = lanes;
             }
             done = store.steps;
-            let start = store.output * points + block.start;
-            map1(&mut out[start..start + block.len], block.read(store.slot, registers), |x| x);
+            let start = store.output * points + chunk.start;
+            map1(&mut out[start..start + chunk.len], chunk.read(store.slot, registers), |x| x);
         }
     }
 
@@ -219,7 +219,7 @@ impl Evaluator {
 }
 
 /// Some consecutive points.
-struct Block<'a> {
+struct Chunk<'a> {
     inputs: &'a [Column<'a>],
     constants: &'a [f64],
     systems: &'a LinearSystems,
@@ -227,7 +227,7 @@ struct Block<'a> {
     len: usize,
 }
 
-impl Block<'_> {
+impl Chunk<'_> {
     fn read<'a>(&'a self, slot: u32, registers: &'a [Vec<f64>]) -> Column<'a> {
         let slot = slot as usize;
         if let Some(&constant) = self.constants.get(slot) {

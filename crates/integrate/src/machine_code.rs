@@ -39,12 +39,12 @@ impl MachineCode {
 
 /// A function of time and state: machine code, and the constants of one set of parameters.
 #[derive(Clone, Debug)]
-pub struct Function {
+pub struct BoundCode {
     code: MachineCode,
     inputs: RefCell<Vec<f64>>,
 }
 
-impl Function {
+impl BoundCode {
     /// The function of these constants.
     ///
     /// # Panics
