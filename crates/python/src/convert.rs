@@ -152,7 +152,7 @@ pub fn mistake(object: &Bound<'_, PyAny>, place: &str, expected: &str) -> PyErr 
 /// How what was found becomes an expression.
 fn way_out(object: &Bound<'_, PyAny>) -> &'static str {
     if object.is_instance_of::<PyString>() {
-        return "; parse reads texts";
+        return "; parse converts it";
     }
     if is_sympy(object) { "; from_sympy converts it" } else { "" }
 }

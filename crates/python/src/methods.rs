@@ -84,7 +84,7 @@ impl Expr {
         modulo: Option<&Bound<'_, PyAny>>,
     ) -> PyResult<Py<PyAny>> {
         if modulo.is_some() {
-            let message = "pow takes an expression and an exponent; there is no power modulo a number";
+            let message = "pow takes an expression and an exponent, but no modulus";
             return Err(argument_error(slf.py(), message.to_owned()));
         }
         binary(slf.as_any(), other, power)
@@ -179,7 +179,7 @@ impl Expr {
     fn __int__(&self, py: Python<'_>) -> PyResult<BigInt> {
         let number =
             with_forms(|graph| graph.as_number(self.0).filter(|n| n.is_integer()).map(Number::numerator));
-        number.ok_or_else(|| argument_error(py, format!("int: {} is no integer", self.__str__())))
+        number.ok_or_else(|| argument_error(py, format!("int: {} is not an integer", self.__str__())))
     }
 
     fn __str__(&self) -> String {
@@ -426,8 +426,8 @@ fn no_order(py: Python<'_>, left: Id, right: Id, op: CompareOp) -> PyErr {
     };
     let (left, right) = with_forms(|graph| (shortened(graph, left), shortened(graph, right)));
     let message = format!(
-        "{left} {sign} {right}: expressions have no order; Max(a, b) and Min(a, b) choose, a condition is an \
-         expression that is positive, as in Piecewise((value, a - b)) for a > b, and float(e) makes a number"
+        "{left} {sign} {right}: expressions have no order; use Max(a, b) or Min(a, b) to choose one, a positive expression \
+         as a condition, as in Piecewise((value, a - b)) for a > b, or float(e) to compare numbers"
     );
     argument_error(py, message)
 }
@@ -492,7 +492,7 @@ fn constant_value(graph: &Graph, id: Id) -> Result<(f64, BTreeSet<Deficiency>), 
     }
     if let Some(&variable) = graph.variables(&[id]).first() {
         return Err(Error::MissingInput(format!(
-            "{} has no number: it contains {}; substitute values first",
+            "{} has no numeric value: it contains {}; substitute values first",
             graph.to_quotation(id),
             graph.to_quotation(variable)
         )));

@@ -96,7 +96,7 @@ impl Graph {
     /// The product of two matrices.
     ///
     /// # Errors
-    /// When the shapes do not fit, or the product is too large.
+    /// When the shapes do not match, or the product is too large.
     pub fn matrix_product(&mut self, a: &Matrix, b: &Matrix) -> Result<Matrix, Error> {
         if a.columns != b.rows {
             return Err(Error::Shape { operation: "product", left: a.shape(), right: b.shape() });

@@ -58,7 +58,7 @@ impl Graph {
         if let Some(wrong) = rank.dependent.iter().find(|dependent| dependent.contradicts) {
             let equation = self.quote(wrong.equation, equations);
             let others = if wrong.on.is_empty() {
-                "holds none of the unknowns and is not zero".to_owned()
+                "contains none of the unknowns and is not zero".to_owned()
             } else {
                 format!("contradicts {}", numbered(&wrong.on))
             };

@@ -61,9 +61,9 @@ impl Graph {
         let ((needed_as, needed_kind), (given_as, given_kind)) = (self.made(needed)?, self.made(given)?);
         let name = self.plain_name(needed)?;
         let law = if needed_kind == given_kind {
-            "another assumption makes another symbol"
+            "symbols with different assumptions are different symbols"
         } else {
-            "a symbol is no function of time"
+            "a symbol is not a function of time"
         };
         Some(format!(
             "the {name} {} is {needed_as}, the {name} {} is {given_as}: {law}; use the same one in both places",
