@@ -65,6 +65,7 @@ lint-rust: $(STAMPS)/tools-lint
 	$(call say,Rust lints)
 	$(call cargo-lint,rustfmt,fmt --all --check)
 	$(call cargo-lint,clippy,clippy --release --workspace --all-targets $(LOCKED) -- --deny warnings)
+	cargo --config 'build.rustdocflags="--deny warnings"' doc --release --no-deps --document-private-items --workspace $(LOCKED)
 
 lint-python: $(STAMPS)/build $(STAMPS)/develop
 	$(call say,Python lints: format$(,) lint$(,) types$(,) layers)

@@ -577,8 +577,8 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
         errors.FrameError,
         lambda: moving_frame(a, 0, b, 0, 0, 0, pose=translate(x, y, 0)),
         (
-            "moving_frame: the pose by x, y can't follow the velocities: no solution: equation 3 (-b = 0) holds none "
-            "of the unknowns and is not zero"
+            "moving_frame: the pose by x, y can't follow the velocities: no solution: equation 3 (-b = 0) contains "
+            "none of the unknowns and is not zero"
         ),
     ),
     (
@@ -753,8 +753,8 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
         errors.DivisionByZeroError,
         lambda: a / (x - x),
         (
-            "a is divided by an expression that is identically zero; check the divisor: its terms cancel, or what was "
-            "substituted makes it zero"
+            "a is divided by an expression that is identically zero; check the divisor: its terms cancel, or a "
+            "substitution makes it zero"
         ),
     ),
     # --- compiled functions ---

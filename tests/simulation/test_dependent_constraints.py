@@ -101,7 +101,7 @@ def test_failures_name_them(kind: str) -> None:
     """And advise nothing about dry friction."""
     task, values, gap = a_task(model_of(parallelogram())), {m: 1.0, l: 0.5, d: 1.0}, 1e-7
     state = [gap - np.pi, gap - np.pi, np.pi - gap, 1.0, 1.0, -1.0]
-    failure = Failure(kind, 4.25, "steps of about 2e-14 would never come to the end")
+    failure = Failure(kind, 4.25, "steps of about 2e-14 would never reach the end")
     outcome = Outcome(np.array([state]), [], (4.25, state), failure, Statistics(1, 0, 1, 0, is_stiff=False))
     told = diagnosis(Integrated(task, values, outcome))
     assert told.startswith(f"at t = 4.25 s: {failure.message}; constraint 1 (")

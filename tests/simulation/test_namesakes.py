@@ -66,11 +66,11 @@ def pendulum(mass: object = positive) -> Equations:
 GIVEN = {real: 1.0, l: 1.0, g: 9.81}
 RIGHT = {positive: 1.0, l: 1.0, g: 9.81}
 MASS = (
-    "; the m without a value is symbols('m', positive=True), the m given is symbols('m'): another assumption makes "
-    "another symbol; use the same one in both places"
+    "; the m without a value is symbols('m', positive=True), the m given is symbols('m'): symbols with different "
+    "assumptions are different symbols; use the same one in both places"
 )
 COORDINATE = (
-    "; the x expected is functions_of_time('x'), the x given is symbols('x'): a symbol is no function of time; "
+    "; the x expected is functions_of_time('x'), the x given is symbols('x'): a symbol is not a function of time; "
     "use the same one in both places"
 )
 INPUT = "no value for m: make each an input, or substitute it"
@@ -105,8 +105,8 @@ MISTAKES: list[tuple[type[Exception], Callable[[], object], str]] = [
         lambda: simulate(pendulum(), RIGHT, {x: 1}, t=(0, 1))[real],
         (
             "motion: m has no value in this motion; give it with the parameters of simulate; the m asked for is "
-            "symbols('m'), the m of the motion is symbols('m', positive=True): another assumption makes another "
-            "symbol; use the same one in both places"
+            "symbols('m'), the m of the motion is symbols('m', positive=True): symbols with different assumptions "
+            "are different symbols; use the same one in both places"
         ),
     ),
     (ParameterError, lambda: (positive + 1).evaluate({real: 1}), f"{INPUT}{MASS}"),
@@ -116,7 +116,7 @@ MISTAKES: list[tuple[type[Exception], Callable[[], object], str]] = [
         lambda: lambdify([plain_x], Matrix([[x, 1]])),
         (
             "no value for x: make each an input, or substitute it; the x without a value is functions_of_time('x'), "
-            "the x given is symbols('x'): a symbol is no function of time; use the same one in both places"
+            "the x given is symbols('x'): a symbol is not a function of time; use the same one in both places"
         ),
     ),
     (
@@ -130,7 +130,8 @@ MISTAKES: list[tuple[type[Exception], Callable[[], object], str]] = [
         (
             "the result y of f contains m, and is no function of its arguments p; substitute a value, or make it a "
             "parameter or an input; the m in the result is symbols('m', positive=True), the m among the arguments is "
-            "symbols('m', real=False): another assumption makes another symbol; use the same one in both places"
+            "symbols('m', real=False): symbols with different "
+            "assumptions are different symbols; use the same one in both places"
         ),
     ),
     (
@@ -138,7 +139,8 @@ MISTAKES: list[tuple[type[Exception], Callable[[], object], str]] = [
         lambda: source(pendulum(positive + real)),
         (
             "the variables have the name m 2 times; the m in one place is symbols('m'), the m in another is "
-            "symbols('m', positive=True): another assumption makes another symbol; use the same one in both places"
+            "symbols('m', positive=True): symbols with different "
+            "assumptions are different symbols; use the same one in both places"
         ),
     ),
     (
@@ -146,7 +148,7 @@ MISTAKES: list[tuple[type[Exception], Callable[[], object], str]] = [
         lambda: simulate(newton_euler(forced()), RIGHT, {x: 1}, t=(0, 1), inputs={symbols("F"): 1}),  # type: ignore[dict-item]
         (
             "simulate, inputs: F is no function of time that the equations hold beside coordinates and speeds; "
-            "expected F; the F expected is functions_of_time('F'), the F given is symbols('F'): a symbol is no "
+            "expected F; the F expected is functions_of_time('F'), the F given is symbols('F'): a symbol is not a "
             "function of time; use the same one in both places"
         ),
     ),
@@ -157,7 +159,7 @@ MISTAKES: list[tuple[type[Exception], Callable[[], object], str]] = [
             "motion: no values of l; this motion has values of time, the coordinates x, the speeds x', accelerations, "
             "multipliers and parameters; l is no coordinate or speed of this system: use those, or add it to the "
             "system before simulating; the l asked for is functions_of_time('l'), the l of the motion "
-            "is symbols('l'): a symbol is no function of time; use the same one in both places"
+            "is symbols('l'): a symbol is not a function of time; use the same one in both places"
         ),
     ),
 ]  # fmt: skip
@@ -180,8 +182,8 @@ def test_the_message_names_the_assumption(
 
 
 NOT_REPLACED = (
-    "the m in the expression is symbols('m', positive=True), the m given is symbols('m'): another assumption makes "
-    "another symbol; use the same one in both places"
+    "the m in the expression is symbols('m', positive=True), the m given is symbols('m'): symbols with different "
+    "assumptions are different symbols; use the same one in both places"
 )
 
 
@@ -233,8 +235,8 @@ def test_equations_and_constraints_of_another_variable() -> None:
         System([Body(translate(x, 0, 0), l)], coordinates=[x], constraints=[plain_x**2 - 1])
     assert str(caught.value) == (
         "System: constraint 1, x**2 - 1 = 0, holds none of the coordinates; leave it out, or correct it; the x among "
-        "the coordinates is functions_of_time('x'), the x in the constraint is symbols('x'): a symbol is no function "
-        "of time; use the same one in both places"
+        "the coordinates is functions_of_time('x'), the x in the constraint is symbols('x'): a symbol is not a "
+        "function of time; use the same one in both places"
     )
 
 

@@ -131,7 +131,7 @@ STRANGE_LISTS: list[tuple[object, str]] = [
     ),
     (
         [x, "x"],
-        "'x' is a str; expected an expression or a number (int, float, Fraction, NumPy scalar); parse reads texts",
+        "'x' is a str; expected an expression or a number (int, float, Fraction, NumPy scalar); parse converts it",
     ),
     ([[x]], "[x] is a list; expected an expression or a number (int, float, Fraction, NumPy scalar)"),
 ]

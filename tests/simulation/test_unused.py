@@ -78,7 +78,8 @@ def test_a_value_of_another_variable_of_the_same_name(where: str) -> None:
     assert str(notice.message) == (
         f"{where}: the parameters lenght, mass stand nowhere in this model, nor in outputs, events and inputs: the "
         "value has no effect; did you mean length?; the mass without a use is symbols('mass', positive=True), the mass "
-        "of the model is symbols('mass'): another assumption makes another symbol; use the same one in both places"
+        "of the model is symbols('mass'): symbols with different assumptions are different "
+        "symbols; use the same one in both places"
     )
 
 

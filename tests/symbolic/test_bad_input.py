@@ -114,7 +114,7 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
         "inf is not a finite number; expressions hold finite numbers only",
     ),
     # --- functions and operators ---
-    (ArgumentError, lambda: anything.sin("x"), f"sin: 'x' is a str; {NUMBER}; parse reads texts"),
+    (ArgumentError, lambda: anything.sin("x"), f"sin: 'x' is a str; {NUMBER}; parse converts it"),
     (ArgumentError, lambda: anything.sqrt(None), f"sqrt: None; {NUMBER}"),
     (ArgumentError, lambda: sin(True), f"sin: True is a bool; {NUMBER}"),
     (ArgumentError, lambda: anything.sin(f), f"sin: {f!r} is an UndefinedFunction; {NUMBER}"),
@@ -136,7 +136,7 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
     (
         ArgumentError,
         lambda: anything.Piecewise((x, "y")),
-        f"Piecewise: 'y' is a str; {NUMBER}; parse reads texts",
+        f"Piecewise: 'y' is a str; {NUMBER}; parse converts it",
     ),
     (
         ExpressionError,
@@ -148,22 +148,22 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
         lambda: x / (a - a),
         (
             "x is divided by an expression that is identically zero; "
-            "check the divisor: its terms cancel, or what was substituted makes it zero"
+            "check the divisor: its terms cancel, or a substitution makes it zero"
         ),
     ),
     (
         ArgumentError,
         lambda: pow(x, 2, 3),
-        "pow takes an expression and an exponent; there is no power modulo a number",
+        "pow takes an expression and an exponent, but no modulus",
     ),
-    (ArgumentError, lambda: int(sqrt(a)), "int: sqrt(a) is no integer"),
+    (ArgumentError, lambda: int(sqrt(a)), "int: sqrt(a) is not an integer"),
     # --- derivatives and substitution ---
     (ArgumentError, lambda: x.diff(x, -1), "diff: n is -1; expected 0, 1, 2, ... derivatives"),
     (ArgumentError, lambda: anything.diff(x, x, 1.5), "diff: n is 1.5; expected 0, 1, 2, ... derivatives"),
     (
         ArgumentError,
         lambda: anything.diff("x", x),
-        f"diff, expression: 'x' is a str; {NUMBER}; parse reads texts",
+        f"diff, expression: 'x' is a str; {NUMBER}; parse converts it",
     ),
     (ArgumentError, lambda: anything.diff(x, [x]), f"diff, variable: [x] is a list; {NUMBER}"),
     (
@@ -179,7 +179,7 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
     (
         ArgumentError,
         lambda: anything.gradient(x, "x"),
-        "gradient, variables: 'x' is a str; expected a list of expressions; parse reads texts",
+        "gradient, variables: 'x' is a str; expected a list of expressions; parse converts it",
     ),
     (
         ArgumentError,
@@ -191,7 +191,7 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
         lambda: anything.subs(x, 3),
         "subs: 3 is an int; expected a mapping of expressions to expressions, such as {x: 1}",
     ),
-    (ArgumentError, lambda: anything.subs(x, {"x": 1}), f"subs: 'x' is a str; {NUMBER}; parse reads texts"),
+    (ArgumentError, lambda: anything.subs(x, {"x": 1}), f"subs: 'x' is a str; {NUMBER}; parse converts it"),
     (
         ArgumentError,
         lambda: anything.subs(x, {x: None}),
@@ -200,7 +200,7 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
     (
         ArgumentError,
         lambda: x.evaluate({x: "1"}),
-        "evaluate: the value of x: '1' is a str; expected a number; parse reads texts",
+        "evaluate: the value of x: '1' is a str; expected a number; parse converts it",
     ),
     (
         ArgumentError,
@@ -208,7 +208,7 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
         "evaluate: 3 is an int; expected a mapping of variables to numbers, such as {x: 1.0}",
     ),
     # --- rewrites, equations, counts, texts ---
-    (ArgumentError, lambda: anything.expand("x"), f"expand: 'x' is a str; {NUMBER}; parse reads texts"),
+    (ArgumentError, lambda: anything.expand("x"), f"expand: 'x' is a str; {NUMBER}; parse converts it"),
     (ArgumentError, lambda: anything.simplify(M), f"simplify: {M!r} is a Matrix; {NUMBER}"),
     (
         ArgumentError,
@@ -231,13 +231,13 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
     (
         ArgumentError,
         lambda: listing([x], "pdf"),
-        "listing: pdf is no notation; expected text, latex or maple",
+        "listing: pdf is not a notation; expected text, latex or maple",
     ),
     (ArgumentError, lambda: anything.parse(3), "parse: 3 is an int; expected a text, such as 'm*x + k*x'"),
     (
         ArgumentError,
         lambda: anything.parse("a + 1", {"a": "b"}),
-        f"parse, the meaning of a: 'b' is a str; {NUMBER}; parse reads texts",
+        f"parse, the meaning of a: 'b' is a str; {NUMBER}; parse converts it",
     ),
     # --- matrices ---
     (
@@ -256,7 +256,7 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
     (
         ArgumentError,
         lambda: anything.Matrix([[x, "y"]]),
-        f"Matrix, row 1, column 2: 'y' is a str; {NUMBER}; parse reads texts",
+        f"Matrix, row 1, column 2: 'y' is a str; {NUMBER}; parse converts it",
     ),
     (ExpressionError, lambda: M[2, 0], "the index 2 of a matrix of 2 rows; the first has the index 0"),
     (
@@ -267,7 +267,7 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
     (
         ArgumentError,
         lambda: anything.Matrix([[x]]) * "y",
-        f"Matrix * factor: 'y' is a str; {NUMBER}; parse reads texts",
+        f"Matrix * factor: 'y' is a str; {NUMBER}; parse converts it",
     ),
     (ArgumentError, lambda: M.diff(a, -1), "Matrix.diff: n is -1; expected 0, 1, 2, ... derivatives"),
     (ArgumentError, lambda: identity(-1), "identity: n is -1; expected 0, 1, 2, ... rows"),
@@ -294,7 +294,7 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
     (
         ArgumentError,
         lambda: lambdify(x, "x"),
-        f"lambdify, expressions: 'x' is a str; {NUMBER}; parse reads texts",
+        f"lambdify, expressions: 'x' is a str; {NUMBER}; parse converts it",
     ),
     (ArgumentError, lambda: lambdify(x, x)([1, None]), "the argument x takes real numbers, found [1, None]"),  # type: ignore[arg-type]
     (ArgumentError, lambda: lambdify(x, x)(1j), "the argument x takes real numbers, found 1j"),
@@ -315,7 +315,7 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
         lambda: from_sympy(None),
         "from_sympy: None; expected an expression or a matrix of SymPy, or a list of them",
     ),
-    (ArgumentError, lambda: from_sympy("x"), "from_sympy: 'x' is a str; parse reads texts"),
+    (ArgumentError, lambda: from_sympy("x"), "from_sympy: 'x' is a str; parse converts it"),
     (
         ExpressionError,
         lambda: from_sympy(sympy.Integral(sympy.Symbol("x"))),

@@ -30,7 +30,7 @@ def test_entries(n: int) -> None:
 
 def test_what_is_no_expression() -> None:
     with pytest.raises(
-        ArgumentError, match=r"time_derivative, expression: 'x' is a str; .*; parse reads texts"
+        ArgumentError, match=r"time_derivative, expression: 'x' is a str; .*; parse converts it"
     ):
         time_derivative("x")  # type: ignore[call-overload]
     with pytest.raises(ArgumentError, match="time_derivative: n is -1; expected"):

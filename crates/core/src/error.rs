@@ -27,7 +27,7 @@ pub enum Error {
         /// Where it has no value.
         argument: String,
     },
-    /// Matrices whose shapes do not fit.
+    /// Matrices whose shapes do not match.
     Shape {
         /// What was to be done.
         operation: &'static str,
@@ -89,7 +89,7 @@ impl fmt::Display for Error {
             Self::NumberTooLarge(power) => {
                 write!(
                     f,
-                    "{power} has more than a million digits; use a symbol or a decimal exponent range you can print"
+                    "{power} has more than a million digits; use a symbol instead, or a smaller exponent"
                 )
             }
             Self::Arity { function, expected, found } => {
@@ -98,7 +98,7 @@ impl fmt::Display for Error {
             Self::Domain { function, argument } => write!(f, "{function} is not defined at {argument}"),
             Self::Shape { operation, left, right } => write!(
                 f,
-                "{operation} of a {}x{} and a {}x{} matrix: the shapes do not fit",
+                "{operation} of a {}x{} and a {}x{} matrix: the shapes do not match",
                 left.0, left.1, right.0, right.1
             ),
             Self::Singular(text) | Self::MissingInput(text) => write!(f, "{text}"),

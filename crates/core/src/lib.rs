@@ -1,85 +1,110 @@
-//! The expression graph of symbody.
+//! The value graph of symbody: symbolic expressions in which equal mathematics is one node.
 //!
-//! Every node knows its exact value at a random point of a finite field, so equal mathematics is one
-//! node and zero is seen when it is made. No Python, no mechanics, no global state.
+//! # What a value graph is
+//!
+//! A [`Graph`] is a table of expressions. Each row is a *node*: a number, a symbol, a function of time, or a sum, a
+//! product or a function of earlier nodes. An [`Id`] is the number of a row, and [`Graph::view`] shows what the row
+//! holds. Expressions share their parts, so an expression that takes megabytes when it is written out may be a few
+//! hundred nodes.
+//!
+//! Each node carries its *value*: the result of evaluating it exactly, in a finite field, at one random point. Every
+//! symbol has fixed coordinates there, derived from its name. Sines and cosines take points of the circle group, so
+//! that addition theorems hold exactly, and roots and exponentials take members of a group in which every root exists.
+//! Equal expressions therefore have equal values. Unequal expressions have unequal values but for a chance below 1e-30
+//! per pair, because a value is a number of 122 bits [Martin 1971; Gonnet 1984]. So `==` compares two values and takes
+//! no simplification, and a zero is recognised when it is made:
+//!
+//! ```
+//! use symbody_core::{Assumption, Error, Function, Graph, Id, Number};
+//!
+//! let mut g = Graph::new();
+//! let x = g.symbol("x", Assumption::Real);
+//! let (sin, cos) = (g.apply(Function::Sin, &[x])?, g.apply(Function::Cos, &[x])?);
+//!
+//! // sin(x)**2 + cos(x)**2 is the number 1 as soon as it is made.
+//! let (sin_squared, cos_squared) = (g.mul(sin, sin)?, g.mul(cos, cos)?);
+//! assert_eq!(g.add(sin_squared, cos_squared), Id::ONE);
+//!
+//! // (x + 1)**2 and x**2 + 2*x + 1 are two forms, hence two nodes, of one value.
+//! let sum = g.add(x, Id::ONE);
+//! let square = g.pow_number(sum, &Number::integer(2))?;
+//! let expanded = g.expand(square)?;
+//! assert_ne!(square, expanded);
+//! assert!(g.equal(square, expanded));
+//! assert_eq!(g.to_text(expanded), "x**2 + 2*x + 1");
+//!
+//! // Their difference is the number 0.
+//! assert_eq!(g.sub(square, expanded), Id::ZERO);
+//! # Ok::<(), Error>(())
+//! ```
+//!
+//! # Invariants
+//!
+//! * The table only grows. Nodes are never changed or removed, and a node comes after its children.
+//! * Equal rows are one node. A new row enters through one function, which turns rows of value zero, or of the value of
+//!   a simple number, into that number.
+//! * The value of a node is the value of the mathematics that it shows. What the field can't express, such as
+//!   `log(x*y)`, has a value of its own that is drawn from its parts. Such an expression equals itself only.
+//! * Within a derivation ([`Graph::enter`], [`Graph::leave`]) a node whose value is known is not made again, so that
+//!   two derivations of one quantity meet in one node.
+//! * Results depend on the arguments alone: never on ids, addresses, the order of a hash table, or what else the
+//!   process has computed.
+//! * Traversals are loops, not recursions, because graphs may be 100 000 levels deep.
+//! * Mistakes of the user are an [`Error`]. A panic is an error of this crate.
+//!
+//! # The chapters
+//!
+//! The sources lie in folders, from the lowest to the highest. A chapter uses only chapters before it
+//! (`tests/chapters.rs` checks this).
+//!
+//! | chapter | what lives there |
+//! |---|---|
+//! | `value` | exact numbers, and the finite field at the random point |
+//! | `polynomial` | sparse polynomials with exact coefficients |
+//! | `kernel` | linear systems in doubles |
+//! | `graph` | the table of nodes, the table of functions, orders of traversal, operation counts |
+//! | `print` | plain text, LaTeX, Maple |
+//! | `canonical` | the constructors: here `x + 0` becomes `x` |
+//! | `calculus` | derivatives, gradients, substitution |
+//! | `rewrite` | expand, collect, factor, combine, simplify: the rewrites that a user asks for |
+//! | `linear` | matrices, vectors, linear systems in symbols |
+//! | `tape` | straight-line code in doubles, and its evaluation |
+//!
+//! No Python, no mechanics, no global state.
 
-mod addition_theorem;
-mod angle;
-mod angle_sum;
-mod apply;
-mod associate;
-mod block;
-mod build;
-mod classes;
-mod coefficient;
-mod collect;
-mod collector;
-mod combine_trig;
-mod content;
-pub mod contradiction;
-mod cost;
-mod deficiency;
-mod diff;
-mod distribute;
-mod emit;
+#![warn(missing_docs)]
+
+mod calculus;
+mod canonical;
 mod error;
-mod eval;
-mod exact;
-mod expand;
-mod factor_terms;
-pub mod factorization;
-mod field;
-mod function;
-mod gcd;
 mod graph;
-mod inside_out;
+mod kernel;
 mod linear;
-mod linear_solve;
-mod linear_systems;
-mod lower;
-mod matrix;
-mod minor;
-mod monomial;
-mod multiple_of_pi;
-mod namesake;
-mod node;
-mod number;
 mod polynomial;
-pub mod positive_definite;
 mod print;
-mod product;
-mod pythagoras;
-mod rank;
-mod rational;
-mod reciprocal;
-mod ring;
-mod root;
-mod schedule;
-mod sign;
-mod simplify;
-mod solve;
-mod stage;
-mod substitute;
-mod sum;
+mod rewrite;
 mod tape;
-mod traverse;
-mod trig_form;
-pub mod vector;
+mod value;
 
-pub use classes::Classes;
-pub use cost::Cost;
-pub use deficiency::Deficiency;
+// Expressions: the graph and what it shows. The operations are methods of `Graph`.
+pub use graph::{Assumption, Classes, Cost, Graph, Id, LARGEST_ORDER, View};
+pub use graph::{Factors, Function, Ids, NumberId, Terms};
+pub use value::{Element, Number};
+
+// What can go wrong, and how messages quote an expression.
 pub use error::{Error, quoted};
-pub use eval::{Column, Evaluator};
-pub use field::Element;
-pub use function::Function;
-pub use graph::{Graph, LARGEST_ORDER};
-pub use linear_solve::check_rows;
-pub use matrix::Matrix;
-pub use multiple_of_pi::multiple_of_pi;
-pub use node::{Assumption, Factors, Id, Ids, NumberId, Terms, View};
-pub use number::Number;
+
+// Text.
 pub use print::{Format, Listing};
-pub use stage::Staged;
-pub use tape::{Factorization, Instruction, Operand, Registers, Solution, Tape};
+
+// Linear algebra on expressions, and in doubles.
+pub use canonical::check_rows;
+pub use kernel::{Deficiency, FACTORIZATION_SOURCE, contradiction, factorization, positive_definite};
+pub use linear::{Matrix, vector};
 pub use vector::Vector3;
+
+// Angles that are doubles.
+pub use canonical::multiple_of_pi;
+
+// Straight-line code.
+pub use tape::{Column, Evaluator, Factorization, Instruction, Operand, Registers, Solution, Staged, Tape};

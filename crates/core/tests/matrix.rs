@@ -123,7 +123,7 @@ fn what_cannot_be_done_is_said() -> Result<(), Error> {
     let message = |error: Option<Error>| error.map(|error| error.to_string()).unwrap_or_default();
     assert_eq!(
         message(g.matrix_product(&a, &b).err()),
-        "product of a 2x3 and a 2x2 matrix: the shapes do not fit"
+        "product of a 2x3 and a 2x2 matrix: the shapes do not match"
     );
     assert!(matches!(g.determinant(&a), Err(Error::Shape { operation: "determinant", .. })));
     assert!(matches!(Matrix::new(2, 2, vec![Id::ONE]), Err(Error::Shape { .. })));

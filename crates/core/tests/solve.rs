@@ -245,7 +245,7 @@ fn systems_without_one_solution_name_the_equations() -> Result<(), Error> {
     );
     assert_eq!(
         message(g.solve(&[first], &[z])),
-        "no solution: equation 1 (a*x + b*y - 1 = 0) holds none of the unknowns and is not zero"
+        "no solution: equation 1 (a*x + b*y - 1 = 0) contains none of the unknowns and is not zero"
     );
     assert_eq!(
         message(g.solve(&[second], &[x, z])),

@@ -1,7 +1,7 @@
 //! The balance of energy along a motion: what the state has of it, less the work done, is constant but for errors.
 
 use crate::dynamics::Dynamics;
-use crate::function::Function;
+use crate::machine_code::BoundCode;
 use crate::method::Tolerances;
 
 /// Steps between two looks at the energy, and looks between two at what errors make of it.
@@ -27,7 +27,7 @@ pub struct Imbalance {
 /// Watches the balance of energy.
 pub struct Balance<'a> {
     /// The kinetic and the potential energy.
-    energies: Option<&'a Function>,
+    energies: Option<&'a BoundCode>,
     tolerances: Tolerances,
     /// What they were at first, less the work.
     first: f64,

@@ -6,8 +6,8 @@ use std::thread;
 use std::time::Duration;
 
 use crate::dynamics::Dynamics;
-use crate::function::MachineCode;
 use crate::integrate::{Record, Run, integrate};
+use crate::machine_code::MachineCode;
 use crate::method::{Method, Tolerances};
 
 /// The time between two looks at whoever watches.

@@ -1,6 +1,6 @@
 //! What is integrated: the rates of a state, its constraints and its events.
 
-use crate::function::{Function, MachineCode};
+use crate::machine_code::{BoundCode, MachineCode};
 
 /// What counts as an event, and what it does.
 #[derive(Clone, Copy, Debug)]
@@ -13,7 +13,7 @@ pub struct EventKind {
 
 /// A system of equations as compiled code, for one set of parameters.
 #[derive(Clone, Debug)]
-pub struct Dynamics<F = Function> {
+pub struct Dynamics<F = BoundCode> {
     /// The rates of the state.
     pub rates: F,
     /// Its derivatives by the state that aren't identically zero, and their rows and columns.
@@ -35,7 +35,7 @@ impl Dynamics<MachineCode> {
         let mut function = |code: &MachineCode| {
             let (own, others) = rest.split_at(code.constants());
             rest = others;
-            Function::new(*code, own)
+            BoundCode::new(*code, own)
         };
         Dynamics {
             rates: function(&self.rates),

@@ -2,7 +2,7 @@
 
 use crate::dynamics::{Dynamics, EventKind};
 use crate::failure::Failure;
-use crate::function::Function;
+use crate::machine_code::BoundCode;
 use crate::projection::Projection;
 use crate::stepper::Stepper;
 
@@ -22,7 +22,7 @@ pub struct Occurrence {
 
 /// Looks for events, step by step.
 pub struct Watch<'a> {
-    functions: Option<(&'a Function, &'a [EventKind])>,
+    functions: Option<(&'a BoundCode, &'a [EventKind])>,
     t: f64,
     values: Vec<f64>,
     state: Vec<f64>,
@@ -96,7 +96,7 @@ impl<'a> Watch<'a> {
     /// leave the state there in `self.state`.
     fn locate(
         &mut self,
-        function: &Function,
+        function: &BoundCode,
         (stepper, projection): (&mut dyn Stepper, &mut Projection<'_>),
         event: usize,
         (mut b, before, mut at_b): (f64, f64, f64),
@@ -128,7 +128,7 @@ impl<'a> Watch<'a> {
     /// Write the functions at an instant of the last step, and remember the state there.
     fn evaluate(
         &mut self,
-        function: &Function,
+        function: &BoundCode,
         (stepper, projection): (&mut dyn Stepper, &mut Projection<'_>),
         t: f64,
         out: &mut [f64],

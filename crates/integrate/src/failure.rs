@@ -90,7 +90,7 @@ impl fmt::Display for Failure {
                 write!(f, "the step has shrunk to {step:.1e} without meeting the tolerances")
             }
             Self::Stalled { step, .. } => {
-                write!(f, "steps of about {step:.1e} would never come to the end")
+                write!(f, "steps of about {step:.1e} would never reach the end")
             }
             Self::Projection { change, .. } => {
                 write!(

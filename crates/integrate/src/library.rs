@@ -9,7 +9,7 @@ use diffsol::{
 
 use crate::dynamics::Dynamics;
 use crate::failure::Failure;
-use crate::function::Function;
+use crate::machine_code::BoundCode;
 use crate::method::{INTEGRAL, Method, Tolerances};
 use crate::stepper::{Statistics, Stepper};
 
@@ -38,7 +38,7 @@ impl Calls {
 
 /// The Jacobian at the last instant and state that it was asked for.
 struct Jacobian<'a> {
-    function: Option<&'a (Function, Vec<(usize, usize)>)>,
+    function: Option<&'a (BoundCode, Vec<(usize, usize)>)>,
     at: RefCell<(f64, Vec<f64>)>,
     entries: RefCell<Vec<f64>>,
 }
@@ -119,7 +119,7 @@ pub fn start<R>(
 fn run<'a, E, S, R>(
     solver: S,
     has_one_step: bool,
-    rates: &Function,
+    rates: &BoundCode,
     calls: &Calls,
     tolerances: Tolerances,
     then: impl FnOnce(&mut dyn Stepper) -> R,
@@ -153,7 +153,7 @@ where
 struct Library<'a, 'c, E, S> {
     solver: S,
     has_one_step: bool,
-    rates: &'c Function,
+    rates: &'c BoundCode,
     calls: &'c Calls,
     tolerances: Tolerances,
     t: f64,

@@ -8,7 +8,7 @@ use std::ops::Range;
 
 use crate::dynamics::Dynamics;
 use crate::failure::Failure;
-use crate::function::Function;
+use crate::machine_code::BoundCode;
 use crate::stepper::Stepper;
 
 /// Corrections below this, relative to the state, are the last: the next would be their square.
@@ -37,8 +37,8 @@ impl<'a> Projection<'a> {
 
     /// The places of the speeds in the state.
     pub fn speeds(&self) -> Range<usize> {
-        let coordinates = self.dynamics.position_correction.as_ref().map_or(0, Function::outputs);
-        coordinates..coordinates + self.dynamics.velocity_correction.as_ref().map_or(0, Function::outputs)
+        let coordinates = self.dynamics.position_correction.as_ref().map_or(0, BoundCode::outputs);
+        coordinates..coordinates + self.dynamics.velocity_correction.as_ref().map_or(0, BoundCode::outputs)
     }
 
     /// Write the state at an instant of the last step, on the constraints; as the dense output has it where only a leap of
@@ -91,14 +91,14 @@ const ASIDE: f64 = 1e-7;
 
 /// The directions of the speeds that the constraints allow.
 pub struct Tangent<'a> {
-    correction: &'a Function,
+    correction: &'a BoundCode,
     coordinates: usize,
 }
 
 impl<'a> Tangent<'a> {
     /// Those of a system whose constraints are kept by projection.
     pub fn of(dynamics: &'a Dynamics) -> Option<Self> {
-        let coordinates = dynamics.position_correction.as_ref().map_or(0, Function::outputs);
+        let coordinates = dynamics.position_correction.as_ref().map_or(0, BoundCode::outputs);
         dynamics.velocity_correction.as_ref().map(|correction| Self { correction, coordinates })
     }
 

@@ -12,7 +12,7 @@ mod tsit5;
 
 use crate::dynamics::Dynamics;
 use crate::failure::Failure;
-use crate::function::Function;
+use crate::machine_code::BoundCode;
 use crate::method::{INTEGRAL, Method, Tolerances};
 use crate::projection::{Projection, Tangent};
 use crate::stepper::{Statistics, Stepper};
@@ -44,7 +44,7 @@ enum First {
 /// A method in the midst of its work.
 pub struct RungeKutta<'a> {
     tableau: &'static Tableau,
-    rates: &'a Function,
+    rates: &'a BoundCode,
     /// Where constraints let the speeds go, if they are kept by projection.
     tangent: Option<Tangent<'a>>,
     projection: Projection<'a>,

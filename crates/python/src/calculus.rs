@@ -2,39 +2,11 @@
 
 use pyo3::prelude::*;
 use pyo3::types::{PyFrozenSet, PyTuple};
-use symbody_core::Id;
 
-use crate::convert::{mistake, operand, operands, optional};
+use crate::convert::{keys, operand, operands, pairs};
 use crate::expr::{leaves, tuple};
+use crate::namesake::notice_namesakes;
 use crate::session::{raise, with_forms, with_graph};
-
-/// The items of a mapping or of a sequence of pairs.
-pub fn pairs(mapping: &Bound<'_, PyAny>) -> PyResult<Vec<(Id, Id)>> {
-    let expected = "a mapping of expressions to expressions, such as {x: 1}";
-    let items = if mapping.hasattr("items")? { mapping.call_method0("items")? } else { mapping.clone() };
-    let Ok(items) = items.try_iter() else {
-        return Err(mistake(mapping, "subs", expected));
-    };
-    items
-        .map(|item| {
-            let item = item?;
-            let Ok((key, value)) = item.extract::<(Bound<'_, PyAny>, Bound<'_, PyAny>)>() else {
-                return Err(mistake(&item, "subs", expected));
-            };
-            let place = || key.str().map(|name| format!("subs: the replacement of {name}"));
-            let id = operand(&key, "subs")?;
-            match optional(&value)? {
-                Some(value) => Ok((id, value)),
-                None => Ok((id, operand(&value, &place()?)?)),
-            }
-        })
-        .collect()
-}
-
-/// What is to be replaced.
-pub fn keys(pairs: &[(Id, Id)]) -> Vec<Id> {
-    pairs.iter().map(|pair| pair.0).collect()
-}
 
 /// Several expressions with every key of the mapping replaced by its value, all at once.
 #[pyfunction]
@@ -47,27 +19,6 @@ fn substitute<'py>(
     notice_namesakes(py, "subs", &roots, &keys(&pairs))?;
     let replaced = raise(py, with_forms(|graph| graph.substitute(&roots, &pairs)))?;
     tuple(py, replaced)
-}
-
-/// Warn of variables that occur in none of the expressions, where others of their names do, at the user's line.
-pub fn notice_namesakes(py: Python<'_>, place: &str, roots: &[Id], sought: &[Id]) -> PyResult<()> {
-    let roles = ("in the expression", "given");
-    let Some(text) = with_forms(|graph| graph.explain_absent(roots, sought, roles)) else {
-        return Ok(());
-    };
-    py.import("symbody.errors")?.call_method1("notify", (format!("{place}: {text}"),)).map(|_| ())
-}
-
-/// How variables that are needed differ from those of the same names that are given; nothing if none do.
-#[pyfunction]
-fn namesakes(
-    needed: &Bound<'_, PyAny>,
-    given: &Bound<'_, PyAny>,
-    roles: (String, String),
-) -> PyResult<String> {
-    let (needed, given) = (operands(needed, "namesakes")?, operands(given, "namesakes")?);
-    let text = with_forms(|graph| graph.explain_namesakes(&needed, &given, (&roles.0, &roles.1)));
-    Ok(text.unwrap_or_default())
 }
 
 /// The derivatives of several expressions with respect to one variable.
@@ -123,7 +74,6 @@ fn jacobian<'py>(
 }
 
 pub fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
-    module.add_function(wrap_pyfunction!(namesakes, module)?)?;
     module.add_function(wrap_pyfunction!(substitute, module)?)?;
     module.add_function(wrap_pyfunction!(diff_all, module)?)?;
     module.add_function(wrap_pyfunction!(free_symbols, module)?)?;

@@ -43,6 +43,34 @@ pub fn operands(sequence: &Bound<'_, PyAny>, place: &str) -> PyResult<Vec<Id>> {
     }
 }
 
+/// The items of a mapping or of a sequence of pairs.
+pub fn pairs(mapping: &Bound<'_, PyAny>) -> PyResult<Vec<(Id, Id)>> {
+    let expected = "a mapping of expressions to expressions, such as {x: 1}";
+    let items = if mapping.hasattr("items")? { mapping.call_method0("items")? } else { mapping.clone() };
+    let Ok(items) = items.try_iter() else {
+        return Err(mistake(mapping, "subs", expected));
+    };
+    items
+        .map(|item| {
+            let item = item?;
+            let Ok((key, value)) = item.extract::<(Bound<'_, PyAny>, Bound<'_, PyAny>)>() else {
+                return Err(mistake(&item, "subs", expected));
+            };
+            let place = || key.str().map(|name| format!("subs: the replacement of {name}"));
+            let id = operand(&key, "subs")?;
+            match optional(&value)? {
+                Some(value) => Ok((id, value)),
+                None => Ok((id, operand(&value, &place()?)?)),
+            }
+        })
+        .collect()
+}
+
+/// What is to be replaced.
+pub fn keys(pairs: &[(Id, Id)]) -> Vec<Id> {
+    pairs.iter().map(|pair| pair.0).collect()
+}
+
 /// The expression of what is one or is a number, none for anything else; an error for nan and infinity.
 pub fn optional(object: &Bound<'_, PyAny>) -> PyResult<Option<Id>> {
     if let Ok(expr) = object.cast::<Expr>() {
@@ -124,7 +152,7 @@ pub fn mistake(object: &Bound<'_, PyAny>, place: &str, expected: &str) -> PyErr 
 /// How what was found becomes an expression.
 fn way_out(object: &Bound<'_, PyAny>) -> &'static str {
     if object.is_instance_of::<PyString>() {
-        return "; parse reads texts";
+        return "; parse converts it";
     }
     if is_sympy(object) { "; from_sympy converts it" } else { "" }
 }

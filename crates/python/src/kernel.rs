@@ -9,7 +9,7 @@ use std::slice;
 
 use pyo3::exceptions::PyKeyError;
 use pyo3::prelude::*;
-use symbody_core::{Deficiency, check_rows, factorization, positive_definite};
+use symbody_core::{Deficiency, FACTORIZATION_SOURCE, check_rows, factorization, positive_definite};
 
 use crate::deficiency::note;
 use crate::session::raise;
@@ -54,7 +54,14 @@ fn kernel_workspace(py: Python<'_>, rows: usize) -> PyResult<usize> {
     Ok(factorization::workspace(rows))
 }
 
+/// The Rust source of the kernel's factorisation, for generated Rust code.
+#[pyfunction]
+fn kernel_source() -> &'static str {
+    FACTORIZATION_SOURCE
+}
+
 pub fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(kernel_address, module)?)?;
+    module.add_function(wrap_pyfunction!(kernel_source, module)?)?;
     module.add_function(wrap_pyfunction!(kernel_workspace, module)?)
 }

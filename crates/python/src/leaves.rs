@@ -8,15 +8,6 @@ use crate::convert::{operand, operands};
 use crate::expr::Expr;
 use crate::session::{raise, with_graph};
 
-/// The Python name of an assumption.
-pub const fn assumption_name(assumption: Assumption) -> &'static str {
-    match assumption {
-        Assumption::None => "none",
-        Assumption::Real => "real",
-        Assumption::Positive => "positive",
-    }
-}
-
 /// The symbol of a name.
 #[pyfunction]
 #[pyo3(signature = (name, *, positive = false, real = true))]
@@ -92,6 +83,13 @@ fn function_names() -> Vec<&'static str> {
     Function::all().map(Function::name).collect()
 }
 
+/// The number of a Python value as an expression; `place` names the argument in the error.
+#[pyfunction]
+#[pyo3(signature = (value, place = ""))]
+fn number(value: &Bound<'_, PyAny>, place: &str) -> PyResult<Expr> {
+    operand(value, place).map(Expr)
+}
+
 pub fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(symbol, module)?)?;
     module.add_function(wrap_pyfunction!(time_function, module)?)?;
@@ -101,5 +99,5 @@ pub fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(time, module)?)?;
     module.add_function(wrap_pyfunction!(pi, module)?)?;
     module.add_function(wrap_pyfunction!(function_names, module)?)?;
-    module.add_function(wrap_pyfunction!(crate::expr::number, module)?)
+    module.add_function(wrap_pyfunction!(number, module)?)
 }

@@ -15,6 +15,8 @@ mod integrate;
 mod kernel;
 mod leaves;
 mod matrix;
+mod methods;
+mod namesake;
 mod nary;
 mod print;
 mod rewrite;
@@ -36,6 +38,7 @@ fn _core(module: &Bound<'_, PyModule>) -> PyResult<()> {
     integrate::register(module)?;
     kernel::register(module)?;
     matrix::register(module)?;
+    namesake::register(module)?;
     print::register(module)?;
     rewrite::register(module)?;
     tape::register(module)?;

@@ -4,9 +4,9 @@ use pyo3::prelude::*;
 use pyo3::types::PyTuple;
 use symbody_core::Matrix;
 
-use crate::calculus::notice_namesakes;
 use crate::convert::operands;
 use crate::expr::{Expr, tuple};
+use crate::namesake::notice_namesakes;
 use crate::session::{raise, with_graph};
 
 /// The product of a rows x inner and an inner x columns matrix.

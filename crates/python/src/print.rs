@@ -20,7 +20,7 @@ fn listing(expressions: &Bound<'_, PyAny>, notation: &str) -> PyResult<(Definiti
         _ => {
             return Err(argument_error(
                 expressions.py(),
-                format!("listing: {notation} is no notation; expected text, latex or maple"),
+                format!("listing: {notation} is not a notation; expected text, latex or maple"),
             ));
         }
     };

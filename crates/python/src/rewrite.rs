@@ -4,9 +4,9 @@ use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use symbody_core::{Error, Graph, Id};
 
-use crate::calculus::notice_namesakes;
 use crate::convert::{mistake, operand, operands};
 use crate::expr::Expr;
+use crate::namesake::notice_namesakes;
 use crate::session::{raise, with_forms};
 
 /// Additions, multiplications, divisions and functions of expressions: on the graph by what they depend on

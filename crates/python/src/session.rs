@@ -57,9 +57,7 @@ fn exception(py: Python<'_>, error: &Error) -> PyErr {
 /// What the user may do about an error, where the error itself doesn't say it.
 const fn way_out(error: &Error) -> &'static str {
     match error {
-        Error::DivisionByZero(_) => {
-            "; check the divisor: its terms cancel, or what was substituted makes it zero"
-        }
+        Error::DivisionByZero(_) => "; check the divisor: its terms cancel, or a substitution makes it zero",
         Error::Domain { .. } => "; check the argument, or keep a symbol there and give its value later",
         _ => "",
     }

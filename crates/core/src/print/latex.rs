@@ -1,7 +1,7 @@
 //! LaTeX, without dollar signs.
 
-use crate::function::Function;
-use crate::number::Number;
+use crate::graph::Function;
+use crate::value::Number;
 
 use super::linear::{fraction, indices};
 use super::name;

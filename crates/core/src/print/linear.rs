@@ -1,7 +1,7 @@
 //! The one-dimensional notations: everything on a line, with `*` and `/`; a dialect says what differs.
 
-use crate::function::Function;
-use crate::number::Number;
+use crate::graph::Function;
+use crate::value::Number;
 
 use super::order::is_fraction;
 use super::tree::{Base, Factor, Sum, Term};
@@ -154,7 +154,7 @@ impl<D: Dialect> Writer<'_, D> {
         });
     }
 
-    /// f(x, y) or, differentiated by its first and twice by its second argument, D[1,2,2](f)(x, y).
+    /// `f(x, y)`, or `D[1,2,2](f)(x, y)` if it is differentiated once by its first and twice by its second argument.
     fn application(&mut self, name: &str, args: &[Sum], orders: &[u32]) {
         let name = self.dialect.name(name);
         let indices = indices(orders);

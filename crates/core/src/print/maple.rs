@@ -1,6 +1,6 @@
 //! Maple's one-dimensional notation, as its `lprint` writes it.
 
-use crate::function::Function;
+use crate::graph::Function;
 
 use super::linear::Dialect;
 use super::name;

@@ -1,13 +1,19 @@
 //! Printing for readers: plain text that parses back, LaTeX, and Maple's one-dimensional notation.
 //!
-//! The graph is brought into the reader's form (`reader`, `tree`, `order`) and then written by one of three
-//! writers. A large or deep expression is written as named intermediate quantities (`plan`), so that a
-//! shared graph never unfolds: `z1 = ...`, `z2 = ...`, and the result in terms of them.
+//! The graph is brought into the reader's form (`reader` makes it, `tree` holds it, `assemble` merges and signs its
+//! terms, `order` sorts them) and then written by one of three writers. A large or deep expression is written as named
+//! intermediate quantities (`plan`), so that a shared graph never unfolds: `z1 = ...`, `z2 = ...`, and the result in
+//! terms of them.
+//!
+//! Invariant: the text depends on the structure and the names of an expression only, never on the order in which nodes
+//! were made.
 
+mod assemble;
 mod latex;
 mod linear;
 mod maple;
 mod name;
+mod namesake;
 mod order;
 mod plan;
 mod reader;
@@ -15,8 +21,7 @@ mod text;
 mod tree;
 
 use crate::error::quoted;
-use crate::graph::Graph;
-use crate::node::Id;
+use crate::graph::{Graph, Id};
 
 pub(crate) use name::compare as compare_names;
 use plan::Plan;

@@ -2,10 +2,10 @@
 
 use std::cmp::Ordering;
 
-use crate::number::Number;
+use crate::value::Number;
 
 use super::name;
-use super::tree::{Base, Factor, Sum, Term, compare_numbers};
+use super::tree::{Base, Factor, Sum, Term};
 
 /// Where a factor stands in a product: `2*sqrt(3)*pi*m*(a + b)*x'*sin(x)*(x + a)`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -193,4 +193,9 @@ fn variant(base: &Base) -> u8 {
 /// Whether a number is written with a fraction bar.
 pub(super) fn is_fraction(number: &Number) -> bool {
     !number.is_integer() && !number.is_decimal()
+}
+
+/// Numbers in order of size; of two equal ones the exact one first.
+fn compare_numbers(a: &Number, b: &Number) -> Ordering {
+    a.compare(b).then(a.is_decimal().cmp(&b.is_decimal()))
 }

@@ -4,14 +4,13 @@ use rustc_hash::{FxHashMap, FxHashSet};
 use std::collections::BTreeSet;
 use std::ops::Range;
 
-use crate::graph::Graph;
-use crate::node::{Id, View};
-use crate::number::Number;
+use crate::graph::{Graph, Id, View};
+use crate::value::Number;
 
 /// Up to this many printed leaves an expression is written out whole.
 const WHOLE: usize = 2000;
 /// Beyond that, a node of this many leaves gets a name: two or three lines of text.
-const BLOCK: usize = 40;
+const PIECE: usize = 40;
 /// Beyond that, a node that is used again gets a name from this many leaves on.
 const SHARED: usize = 4;
 /// Brackets never nest deeper than this.
@@ -58,12 +57,12 @@ impl Plan {
         let mut extents: FxHashMap<Id, Extent> = FxHashMap::default();
         for &id in &order {
             let mut extent = extent(graph, id, &extents);
-            if large && extent.leaves > 4 * BLOCK {
+            if large && extent.leaves > 4 * PIECE {
                 extent = plan.slice(graph, id, extent, &extents, &names.prefix);
             }
             let used_again = uses.get(&id).is_some_and(|&count| count > 1);
             let inner = !root_set.contains(&id) || used_again;
-            let long = large && (extent.leaves >= BLOCK || (used_again && extent.leaves >= SHARED));
+            let long = large && (extent.leaves >= PIECE || (used_again && extent.leaves >= SHARED));
             if (inner && long || extent.levels >= DEEPEST) && may_be_named(graph, id) {
                 plan.named.insert(id, plan.pieces.len());
                 plan.push(&names.prefix, id, None);
@@ -91,7 +90,7 @@ impl Plan {
         if !matches!(graph.view(id), View::Sum(_) | View::Product(_)) {
             return extent;
         }
-        let length = BLOCK.max(extent.leaves.isqrt());
+        let length = PIECE.max(extent.leaves.isqrt());
         let (first, mut start, mut leaves) = (self.pieces.len(), 0, 0);
         let children = graph.children(id);
         for (position, child) in children.iter().enumerate() {

@@ -1,9 +1,7 @@
 //! From the graph to the reader's form.
 
-use crate::function::Function;
-use crate::graph::Graph;
-use crate::node::{Assumption, Factors, Id, Ids, Terms, View};
-use crate::number::Number;
+use crate::graph::{Assumption, Factors, Function, Graph, Id, Ids, Terms, View};
+use crate::value::Number;
 
 use super::order;
 use super::plan::{Piece, Plan, is_sign};

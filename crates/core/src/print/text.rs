@@ -1,6 +1,6 @@
 //! Plain text that parses back: `m*x'' + 2*sin(q)**2`.
 
-use crate::function::Function;
+use crate::graph::Function;
 
 use super::linear::Dialect;
 

@@ -1,10 +1,10 @@
-"""The kernel of linear systems, for machine code: its address, its workspace, and the deficient systems it noted."""
+"""The kernel of linear systems: its address, workspace and source, and the deficient systems that it met."""
 
 from typing import TypeAlias
 
-from symbody.symbolic._core import kernel_address, kernel_workspace, take_deficiencies
+from symbody.symbolic._core import kernel_address, kernel_source, kernel_workspace, take_deficiencies
 
-__all__ = ["Noted", "kernel_address", "kernel_workspace", "take_deficiencies"]
+__all__ = ["Noted", "kernel_address", "kernel_source", "kernel_workspace", "take_deficiencies"]
 
 Noted: TypeAlias = tuple[int, int, list[int], list[tuple[int, list[int]]]]
 """A system: its index, its number of equations, the dependent ones, and the contradicting ones."""

@@ -89,7 +89,7 @@ def _one_from_sympy(sympy: Any, bridge: FromSympy, item: Any) -> Any:
         case Expr() | Matrix():
             return item
         case str():
-            raise ArgumentError(f"from_sympy: {described(item)}; parse reads texts")
+            raise ArgumentError(f"from_sympy: {described(item)}; parse converts it")
         case sympy.MatrixBase():
             return _matrix(item, bridge)
         case sympy.NDimArray():

@@ -1,0 +1,404 @@
+//! Derivatives: forward (one variable, many results), reverse (one result, many variables), in time.
+
+use rustc_hash::FxHashMap;
+
+use crate::error::Error;
+use crate::graph::{Function, Graph, Id, NumberId, View, check_order};
+use crate::value::Number;
+
+/// Which nodes depend on which of the variables: a row of bits for each node.
+struct Dependence {
+    order: Vec<Id>,
+    bits: FxHashMap<Id, Box<[u64]>>,
+}
+
+impl Dependence {
+    /// Nodes that depend on variable `j`, children first.
+    fn on(&self, j: usize) -> impl DoubleEndedIterator<Item = Id> {
+        self.order.iter().copied().filter(move |id| self.bits[id][j / 64] >> (j % 64) & 1 == 1)
+    }
+
+    fn is_active(&self, id: Id) -> bool {
+        self.bits.get(&id).is_some_and(|row| row.iter().any(|&word| word != 0))
+    }
+}
+
+impl Graph {
+    /// The partial derivative with respect to a variable: a symbol, t, or a function of time (whose
+    /// derivatives are other variables). The derivative with respect to t is the total one.
+    ///
+    /// # Errors
+    /// When `variable` is no variable.
+    pub fn diff(&mut self, id: Id, variable: Id) -> Result<Id, Error> {
+        Ok(self.diff_all(&[id], variable)?[0])
+    }
+
+    /// The n-th partial derivative.
+    ///
+    /// # Errors
+    /// When `variable` is no variable, or n is larger than [`LARGEST_ORDER`](crate::LARGEST_ORDER).
+    pub fn diff_times(&mut self, id: Id, variable: Id, n: u64) -> Result<Id, Error> {
+        check_order(n)?;
+        (0..n).try_fold(id, |id, _| self.diff(id, variable))
+    }
+
+    /// The partial derivatives of several expressions with respect to one variable.
+    ///
+    /// # Errors
+    /// When `variable` is no variable.
+    pub fn diff_all(&mut self, ids: &[Id], variable: Id) -> Result<Vec<Id>, Error> {
+        self.check_variable(variable)?;
+        if matches!(self.view(variable), View::Time) {
+            return self.time_derivatives(ids);
+        }
+        let ids: Vec<Id> = ids.iter().map(|&id| self.adopt(id)).collect();
+        let dependence = self.dependence(&ids, &[variable]);
+        self.tangents(&ids, dependence.on(0), &mut |graph, id| {
+            Ok((graph.value(id) == graph.value(variable)).then_some(Id::ONE))
+        })
+    }
+
+    /// The total derivatives with respect to time: x -> x', x' -> x''.
+    ///
+    /// # Errors
+    /// When a divisor turns out to be zero.
+    pub fn time_derivatives(&mut self, ids: &[Id]) -> Result<Vec<Id>, Error> {
+        let ids: Vec<Id> = ids.iter().map(|&id| self.adopt(id)).collect();
+        let order = self.post_order_where(&ids, |id| self.depends_on_time(id));
+        self.tangents(&ids, order.into_iter(), &mut |graph, id| {
+            let next = match graph.view(id) {
+                View::Time => return Ok(Some(Id::ONE)),
+                View::TimeFunction(name, order) => (name.to_owned(), order + 1),
+                _ => return Ok(None),
+            };
+            graph.time_function(&next.0, next.1).map(Some)
+        })
+    }
+
+    /// The total derivative with respect to time.
+    ///
+    /// # Errors
+    /// When a divisor turns out to be zero.
+    pub fn time_derivative(&mut self, id: Id) -> Result<Id, Error> {
+        Ok(self.time_derivatives(&[id])?[0])
+    }
+
+    fn check_variable(&self, variable: Id) -> Result<(), Error> {
+        if self.is_variable(variable) {
+            Ok(())
+        } else {
+            Err(Error::NotAVariable(self.to_quotation(variable)))
+        }
+    }
+
+    fn dependence(&self, roots: &[Id], variables: &[Id]) -> Dependence {
+        let width = variables.len().div_ceil(64);
+        let position: FxHashMap<_, usize> =
+            variables.iter().enumerate().map(|(j, &variable)| (self.value(variable), j)).collect();
+        let order = self.post_order(roots);
+        let mut bits: FxHashMap<Id, Box<[u64]>> = FxHashMap::default();
+        let mut children = Vec::new();
+        for &id in &order {
+            let mut row = vec![0u64; width].into_boxed_slice();
+            if self.is_variable(id)
+                && let Some(&j) = position.get(&self.value(id))
+            {
+                row[j / 64] |= 1 << (j % 64);
+            }
+            children.clear();
+            self.push_children(id, &mut children);
+            for child in &children {
+                for (word, below) in row.iter_mut().zip(&bits[child]) {
+                    *word |= below;
+                }
+            }
+            bits.insert(id, row);
+        }
+        Dependence { order, bits }
+    }
+
+    /// Forward differentiation over the nodes of `order`; all others have derivative zero.
+    fn tangents(
+        &mut self,
+        roots: &[Id],
+        order: impl Iterator<Item = Id>,
+        seed: &mut impl FnMut(&mut Self, Id) -> Result<Option<Id>, Error>,
+    ) -> Result<Vec<Id>, Error> {
+        let mut tangent: FxHashMap<Id, Id> = FxHashMap::default();
+        for id in order {
+            let derivative = match seed(self, id)? {
+                Some(derivative) => derivative,
+                None => self.chain_rule(id, &tangent)?,
+            };
+            tangent.insert(id, derivative);
+        }
+        Ok(roots.iter().map(|id| tangent.get(id).copied().unwrap_or(Id::ZERO)).collect())
+    }
+
+    /// The derivative of a node from those of its children.
+    fn chain_rule(&mut self, id: Id, tangent: &FxHashMap<Id, Id>) -> Result<Id, Error> {
+        let of = |child: Id| tangent.get(&child).copied().filter(|&d| d != Id::ZERO);
+        if let View::Function(Function::Piecewise, args) = self.view(id) {
+            let args: Vec<Id> = args.iter().collect();
+            let branches: Vec<Id> = args
+                .iter()
+                .enumerate()
+                .map(|(k, &arg)| if k % 2 == 1 { arg } else { of(arg).unwrap_or(Id::ZERO) })
+                .collect();
+            return self.apply(Function::Piecewise, &branches);
+        }
+        match self.view(id) {
+            View::LinearSystem { .. } => return self.system_tangent(id, tangent),
+            View::Solution(system, index) => {
+                return Ok(of(system).map_or(Id::ZERO, |tangent| self.solution(tangent, index)));
+            }
+            _ => {}
+        }
+        let mut terms = Vec::new();
+        for (k, child) in self.children(id).into_iter().enumerate() {
+            let Some(derivative) = of(child) else { continue };
+            let (factor, partial) = self.partial(id, k)?;
+            let term = if partial == Id::ONE { derivative } else { self.mul(partial, derivative)? };
+            terms.push((factor, term));
+        }
+        Ok(self.sum(&terms))
+    }
+
+    /// The partial derivative of a node with respect to its k-th child, as a multiple.
+    fn partial(&mut self, id: Id, k: usize) -> Result<(NumberId, Id), Error> {
+        let one = NumberId::ONE;
+        match self.view(id) {
+            View::Scale(factor, _) => Ok((factor, Id::ONE)),
+            View::Sum(terms) => {
+                let (factor, _) = terms.iter().nth(k).expect("child k of a sum is its k-th term");
+                Ok((factor, Id::ONE))
+            }
+            View::Product(factors) => {
+                let mut factors: Vec<(Id, NumberId)> = factors.iter().collect();
+                let exponent = factors[k].1;
+                let lower = self.get_number(exponent).sub(&Number::integer(1));
+                if lower.is_zero() {
+                    factors.remove(k);
+                } else {
+                    factors[k].1 = self.number_id(&lower);
+                }
+                Ok((exponent, self.product(&factors)?))
+            }
+            View::Application { name, args, orders } => {
+                let (name, args, mut orders) =
+                    (name.to_owned(), args.iter().collect::<Vec<_>>(), orders.to_vec());
+                orders[k] += 1;
+                Ok((one, self.application(&name, &args, &orders)?))
+            }
+            View::Function(function, args) => {
+                let args: Vec<Id> = args.iter().collect();
+                let partial = self.function_partial(function, &args, k, id)?;
+                Ok(self.split_multiple(one, partial))
+            }
+            View::Number(_)
+            | View::Pi
+            | View::Time
+            | View::Symbol(..)
+            | View::TimeFunction(..)
+            | View::LinearSystem { .. }
+            | View::Solution(..) => Ok((one, Id::ZERO)),
+        }
+    }
+
+    /// The partial derivative of a function of the table with respect to argument k.
+    fn function_partial(&mut self, function: Function, args: &[Id], k: usize, id: Id) -> Result<Id, Error> {
+        let x = args[0];
+        match function {
+            Function::Sin => self.apply(Function::Cos, args),
+            Function::Cos => {
+                let sine = self.apply(Function::Sin, args)?;
+                Ok(self.neg(sine))
+            }
+            Function::Tan => self.one_plus_square(id, 1),
+            Function::Tanh => self.one_plus_square(id, -1),
+            Function::Sinh => self.apply(Function::Cosh, args),
+            Function::Cosh => self.apply(Function::Sinh, args),
+            Function::Exp => Ok(id),
+            Function::Log => self.div(Id::ONE, x),
+            Function::Asin | Function::Acos => {
+                let radicand = self.one_plus_square(x, -1)?;
+                let slope = self.pow_number(radicand, &Number::rational(-1, 2))?;
+                Ok(if function == Function::Asin { slope } else { self.neg(slope) })
+            }
+            Function::Atan => {
+                let square = self.one_plus_square(x, 1)?;
+                self.div(Id::ONE, square)
+            }
+            Function::Atan2 => {
+                let (y, x) = (args[0], args[1]);
+                let (yy, xx) = (self.mul(y, y)?, self.mul(x, x)?);
+                let square = self.add(yy, xx);
+                let quotient = self.div(if k == 0 { x } else { y }, square)?;
+                Ok(if k == 0 { quotient } else { self.neg(quotient) })
+            }
+            Function::Abs => self.apply(Function::Sign, args),
+            Function::Sign => Ok(Id::ZERO),
+            Function::Min | Function::Max => self.extremum_partial(function, args, k, id),
+            Function::Power if k == 0 => {
+                let quotient = self.div(id, x)?;
+                self.mul(args[1], quotient)
+            }
+            Function::Power => {
+                let logarithm = self.apply(Function::Log, &[x])?;
+                self.mul(id, logarithm)
+            }
+            Function::Piecewise => self.branch_partial(args, k),
+        }
+    }
+
+    /// Of two: max(a, b) = (a + b + |a - b|)/2, so (1 + sign(a - b))/2. Of more: one where the argument is the
+    /// extremum, zero where it is beyond.
+    fn extremum_partial(&mut self, function: Function, args: &[Id], k: usize, id: Id) -> Result<Id, Error> {
+        if let &[a, b] = args {
+            let ahead = if (k == 0) == (function == Function::Max) { self.sub(a, b) } else { self.sub(b, a) };
+            let sign = self.apply(Function::Sign, &[ahead])?;
+            let half = self.number_id(&Number::rational(1, 2));
+            return Ok(self.sum(&[(half, Id::ONE), (half, sign)]));
+        }
+        let beyond = if function == Function::Min { self.sub(args[k], id) } else { self.sub(id, args[k]) };
+        self.apply(Function::Piecewise, &[Id::ZERO, beyond, Id::ONE])
+    }
+
+    /// One where the branch is chosen; conditions have no influence but by the choice.
+    fn branch_partial(&mut self, args: &[Id], k: usize) -> Result<Id, Error> {
+        let is_condition = |j: usize| j % 2 == 1 && j + 1 < args.len();
+        if is_condition(k) {
+            return Ok(Id::ZERO);
+        }
+        let branch = |j: usize| match j {
+            _ if is_condition(j) => args[j],
+            _ if j == k => Id::ONE,
+            _ => Id::ZERO,
+        };
+        let branches: Vec<Id> = (0..args.len()).map(branch).collect();
+        self.apply(Function::Piecewise, &branches)
+    }
+
+    /// 1 + sign * x^2
+    fn one_plus_square(&mut self, x: Id, sign: i64) -> Result<Id, Error> {
+        let square = self.mul(x, x)?;
+        Ok(if sign > 0 { self.add(Id::ONE, square) } else { self.sub(Id::ONE, square) })
+    }
+
+    /// The derivatives of one expression with respect to many variables, by one sweep from the result down.
+    ///
+    /// # Errors
+    /// When one of the variables is none.
+    pub fn gradient(&mut self, id: Id, variables: &[Id]) -> Result<Vec<Id>, Error> {
+        for &variable in variables {
+            self.check_variable(variable)?;
+        }
+        let root = self.adopt(id);
+        let dependence = self.dependence(&[root], variables);
+        self.adjoints(root, &dependence, variables)
+    }
+
+    fn adjoints(&mut self, root: Id, dependence: &Dependence, variables: &[Id]) -> Result<Vec<Id>, Error> {
+        let mut contributions: FxHashMap<Id, Vec<(NumberId, Id)>> = FxHashMap::default();
+        let mut result: FxHashMap<_, Id> = FxHashMap::default();
+        let mut of_solutions: FxHashMap<Id, Vec<(u32, Id)>> = FxHashMap::default();
+        contributions.insert(root, vec![(NumberId::ONE, Id::ONE)]);
+        for &id in dependence.order.iter().rev() {
+            if !dependence.is_active(id) {
+                continue;
+            }
+            if let Some(adjoints) = of_solutions.remove(&id) {
+                for (part, share) in self.system_adjoints(id, &adjoints)? {
+                    if dependence.is_active(part) && share != Id::ZERO {
+                        contributions.entry(part).or_default().push((NumberId::ONE, share));
+                    }
+                }
+                continue;
+            }
+            let Some(terms) = contributions.remove(&id) else { continue };
+            let adjoint = self.sum(&terms);
+            if adjoint == Id::ZERO {
+                continue;
+            }
+            if self.is_variable(id) {
+                result.insert(self.value(id), adjoint);
+            }
+            if let View::Solution(system, index) = self.view(id) {
+                of_solutions.entry(system).or_default().push((index, adjoint));
+                continue;
+            }
+            for (k, child) in self.children(id).into_iter().enumerate() {
+                if dependence.is_active(child) {
+                    let (factor, partial) = self.partial(id, k)?;
+                    let term = if partial == Id::ONE { adjoint } else { self.mul(partial, adjoint)? };
+                    contributions.entry(child).or_default().push((factor, term));
+                }
+            }
+        }
+        Ok(variables.iter().map(|&v| result.get(&self.value(v)).copied().unwrap_or(Id::ZERO)).collect())
+    }
+
+    /// The Jacobian, row by row: by rows in reverse when there are fewer expressions than variables,
+    /// else by columns forward; both visit only what depends on the variables.
+    ///
+    /// # Errors
+    /// When one of the variables is none.
+    pub fn jacobian(&mut self, ids: &[Id], variables: &[Id]) -> Result<Vec<Vec<Id>>, Error> {
+        if ids.len() < variables.len() {
+            return ids.iter().map(|&id| self.gradient(id, variables)).collect();
+        }
+        for &variable in variables {
+            self.check_variable(variable)?;
+        }
+        let ids: Vec<Id> = ids.iter().map(|&id| self.adopt(id)).collect();
+        let dependence = self.dependence(&ids, variables);
+        let mut rows = vec![vec![Id::ZERO; variables.len()]; ids.len()];
+        for (j, &variable) in variables.iter().enumerate() {
+            let value = self.value(variable);
+            let column = self.tangents(&ids, dependence.on(j), &mut |graph, id| {
+                Ok((graph.value(id) == value).then_some(Id::ONE))
+            })?;
+            for (row, derivative) in rows.iter_mut().zip(column) {
+                row[j] = derivative;
+            }
+        }
+        Ok(rows)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::graph::Assumption;
+
+    #[test]
+    fn forward_and_reverse_agree() -> Result<(), Error> {
+        let g = &mut Graph::new();
+        let (x, y) = (g.symbol("x", Assumption::Real), g.symbol("y", Assumption::Real));
+        let sine = g.apply(Function::Sin, &[x])?;
+        let product = g.mul(sine, y)?;
+        let sum = g.add(product, x);
+        let quotient = g.div(sum, y)?;
+        let gradient = g.gradient(quotient, &[x, y])?;
+        for (variable, derivative) in [x, y].into_iter().zip(gradient) {
+            let forward = g.diff(quotient, variable)?;
+            assert!(g.equal(forward, derivative));
+        }
+        Ok(())
+    }
+
+    #[test]
+    fn a_coordinate_and_its_derivatives_are_linked_by_time() -> Result<(), Error> {
+        let g = &mut Graph::new();
+        let (x, v, a) = (g.time_function("x", 0)?, g.time_function("x", 1)?, g.time_function("x", 2)?);
+        let square = g.mul(v, v)?;
+        let energy = g.mul(square, x)?;
+        assert_eq!(g.diff(energy, x)?, square);
+        let power = g.time_derivative(energy)?;
+        let (cube, force) = (g.mul(square, v)?, g.mul(x, v)?);
+        let force = g.mul(force, a)?;
+        let expected = g.sum(&[(NumberId::ONE, cube), (NumberId::ONE, force), (NumberId::ONE, force)]);
+        assert!(g.equal(power, expected));
+        Ok(())
+    }
+}

@@ -1,0 +1,11 @@
+//! Derivatives and substitution.
+//!
+//! [`diff`] has forward derivatives by a variable or by time, and gradients by one reverse sweep; [`linear_system`] has
+//! the rules for solutions of linear systems; [`substitute`] replaces whatever has the value of a target.
+//!
+//! Invariant: each node below the roots is visited once, so that the time is linear in the size of the graph, and no
+//! function is recursive in its depth.
+
+mod diff;
+mod linear_system;
+mod substitute;

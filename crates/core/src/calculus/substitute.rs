@@ -1,0 +1,101 @@
+//! Simultaneous substitution, by value: whatever equals a target is replaced.
+
+use rustc_hash::FxHashMap;
+
+use crate::error::Error;
+use crate::graph::{Function, Graph, Id, Kind, View};
+use crate::value::Element;
+
+impl Graph {
+    /// The expressions with every target replaced, all at once.
+    ///
+    /// A replacement of x(t) also replaces x', x'', ... by its time derivatives, unless these have
+    /// replacements of their own; a replacement of t turns x(t) into x(value). Doubles that stand for
+    /// multiples of pi are such multiples where they come beside other terms into a sine, cosine or tangent.
+    ///
+    /// # Errors
+    /// When a target is a number, or a divisor becomes zero.
+    pub fn substitute(&mut self, roots: &[Id], pairs: &[(Id, Id)]) -> Result<Vec<Id>, Error> {
+        let mut targets: FxHashMap<Element, Id> = FxHashMap::default();
+        let mut time = None;
+        for &(target, replacement) in pairs {
+            match self.kind(target) {
+                Kind::Number => return Err(Error::NotAVariable(self.to_quotation(target))),
+                Kind::Time => time = Some(replacement),
+                _ => {}
+            }
+            targets.insert(self.value(target), replacement);
+        }
+        let order = self.post_order_where(roots, |_| true);
+        let mut done: FxHashMap<Id, Id> = FxHashMap::default();
+        for id in order {
+            let replaced = match targets.get(&self.value(id)) {
+                Some(&replacement) => replacement,
+                None => self.substitute_in(id, &targets, time, &done)?,
+            };
+            done.insert(id, replaced);
+        }
+        Ok(roots.iter().map(|id| done[id]).collect())
+    }
+
+    fn substitute_in(
+        &mut self,
+        id: Id,
+        targets: &FxHashMap<Element, Id>,
+        time: Option<Id>,
+        done: &FxHashMap<Id, Id>,
+    ) -> Result<Id, Error> {
+        if let View::TimeFunction(name, order) = self.view(id) {
+            let name = name.to_owned();
+            for lower in (0..order).rev() {
+                let base = self.time_function(&name, lower)?;
+                if let Some(&replacement) = targets.get(&self.value(base)) {
+                    let mut derivative = replacement;
+                    for _ in lower..order {
+                        derivative = self.time_derivative(derivative)?;
+                    }
+                    return Ok(derivative);
+                }
+            }
+            return time.map_or(Ok(id), |t| self.application(&name, &[t], &[order]));
+        }
+        if self.children(id).iter().all(|child| done[child] == *child) {
+            return Ok(id);
+        }
+        if let View::Function(function @ (Function::Sin | Function::Cos | Function::Tan), args) =
+            self.view(id)
+        {
+            let argument = self.angle_beside_others(done[&args.get(0)]);
+            return self.apply(function, &[argument]);
+        }
+        self.rebuild(id, &|_, child| done[&child])
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn derivatives_follow_their_coordinate() -> Result<(), Error> {
+        let g = &mut Graph::new();
+        let (x, v, y) = (g.time_function("x", 0)?, g.time_function("x", 1)?, g.time_function("y", 0)?);
+        let sum = g.add(x, v);
+        let square = g.mul(y, y)?;
+        let replaced = g.substitute(&[sum], &[(x, square)])?[0];
+        let rate = g.time_derivative(square)?;
+        let expected = g.add(square, rate);
+        assert!(g.equal(replaced, expected));
+        Ok(())
+    }
+
+    #[test]
+    fn substitution_is_simultaneous() -> Result<(), Error> {
+        let g = &mut Graph::new();
+        let (x, y) = (g.time_function("x", 0)?, g.time_function("y", 0)?);
+        let quotient = g.div(x, y)?;
+        let swapped = g.substitute(&[quotient], &[(x, y), (y, x)])?[0];
+        assert_eq!(swapped, g.div(y, x)?);
+        Ok(())
+    }
+}

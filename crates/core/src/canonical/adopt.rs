@@ -1,0 +1,77 @@
+//! Building within a derivation: whoever builds a node whose value is known gets the node that is there.
+//!
+//! The classes belong to one derivation, so a result depends on the model alone and never on what else the process has
+//! computed. Nodes from outside are rebuilt on their first use.
+
+use crate::graph::{Graph, Id, Kind, View};
+use crate::value::Element;
+
+impl Graph {
+    /// The node of the derivation in progress that has this value, if there is one.
+    pub(super) fn known_value(&mut self, value: Element) -> Option<Id> {
+        let (id, negated) = self.classes.as_ref()?.find(value)?;
+        Some(if negated { self.opposite(id) } else { id })
+    }
+
+    /// Record that nodes became parts of another one.
+    pub(super) fn mark_used(&mut self, ids: impl Iterator<Item = Id>) {
+        let Some(mut classes) = self.classes.take() else { return };
+        classes.mark_used(ids.filter(|&id| self.kind(id) == Kind::Product));
+        self.classes = Some(classes);
+    }
+
+    /// Whether a node is a product made by this derivation and part of nothing yet.
+    pub(super) fn is_fresh_product(&self, id: Id) -> bool {
+        self.kind(id) == Kind::Product && self.classes.as_ref().is_some_and(|classes| !classes.is_used(id))
+    }
+
+    /// The node that stands for `id` in the derivation in progress; `id` itself outside of one.
+    pub(crate) fn adopt(&mut self, id: Id) -> Id {
+        let Some(classes) = self.classes.as_ref() else { return id };
+        if let Some(known) = classes.representative(id) {
+            return known;
+        }
+        match self.view(id) {
+            // Signs and multiples are not entered into the classes: look through them.
+            View::Scale(factor, child) => {
+                let child = self.adopt(child);
+                self.scale(factor, child)
+            }
+            View::Number(_) => id,
+            _ => self.adopt_below(id),
+        }
+    }
+
+    fn adopt_below(&mut self, root: Id) -> Id {
+        let order = self.post_order(&[root]);
+        let mut last = root;
+        for id in order {
+            let Some(classes) = self.classes.as_ref() else { return root };
+            if let Some(known) = classes.representative(id) {
+                last = known;
+                continue;
+            }
+            let adopted = if self.is_leaf(id) {
+                self.known_value(self.value(id)).filter(|_| self.kind(id) != Kind::Number).unwrap_or(id)
+            } else {
+                let map = |graph: &Self, child: Id| {
+                    graph.classes.as_ref().and_then(|classes| classes.representative(child)).unwrap_or(child)
+                };
+                // A division that was possible before stays possible.
+                self.rebuild(id, &map).unwrap_or(id)
+            };
+            if adopted == id {
+                self.remember(id);
+            }
+            if let Some(classes) = self.classes.as_mut() {
+                classes.replace(id, adopted);
+            }
+            last = adopted;
+        }
+        last
+    }
+
+    fn is_leaf(&self, id: Id) -> bool {
+        matches!(self.kind(id), Kind::Number | Kind::Pi | Kind::Time | Kind::Symbol(_) | Kind::TimeFunction)
+    }
+}

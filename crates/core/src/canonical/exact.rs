@@ -1,0 +1,385 @@
+//! Exact values: rules that replace a function by something simpler.
+
+use crate::error::Error;
+use crate::graph::{Function, Graph, Id, NumberId, View};
+use crate::value::Number;
+
+use super::collector::Collector;
+
+/// Longer products stay in their modulus as they are.
+const LONGEST_MODULUS: usize = 48;
+
+/// Parts of an angle that are searched for pi.
+const PI_SEARCH: usize = 64;
+
+impl Graph {
+    /// Rules that replace the function by something simpler.
+    pub(super) fn exact_value(&mut self, function: Function, args: &[Id]) -> Result<Option<Id>, Error> {
+        let first = args[0];
+        if let Some(number) = self.as_number(first).cloned() {
+            if let Some(result) = self.at_number(function, &number, args)? {
+                return Ok(Some(result));
+            }
+        }
+        let inner = match self.view(first) {
+            View::Function(inner, inner_args) => Some((inner, inner_args.get(0))),
+            _ => None,
+        };
+        Ok(match (function, inner) {
+            (Function::Log, Some((Function::Exp, x))) if self.is_real(x) => Some(x),
+            (Function::Exp, Some((Function::Log, x)))
+            | (Function::Sin, Some((Function::Asin, x)))
+            | (Function::Cos, Some((Function::Acos, x)))
+            | (Function::Tan, Some((Function::Atan, x))) => Some(x),
+            (Function::Abs, Some((Function::Abs, _))) => Some(first),
+            (Function::Abs, _) if self.is_positive(first) => Some(first),
+            (Function::Abs, _) => match self.view(first) {
+                View::Scale(factor, child) => {
+                    let factor = self.get_number(factor).abs();
+                    if factor.is_one() {
+                        None
+                    } else {
+                        let factor = self.number_id(&factor);
+                        let modulus = self.apply(Function::Abs, &[child])?;
+                        Some(self.scale(factor, modulus))
+                    }
+                }
+                View::Product(_) if self.is_real(first) => self.modulus_of_product(first)?,
+                _ => None,
+            },
+            (Function::Sign, _) if self.is_positive(first) => Some(Id::ONE),
+            (Function::Sign, _) => match self.view(first) {
+                View::Scale(factor, child) if !self.get_number(factor).is_negative() => {
+                    Some(self.apply(Function::Sign, &[child])?)
+                }
+                _ => None,
+            },
+            (Function::Sin | Function::Cos | Function::Tan, _) => self.quarter_turns(function, first)?,
+            (Function::Min | Function::Max, _) => self.extremum(function, args)?,
+            (Function::Power, _) => self.simple_power(first, args[1])?,
+            (Function::Piecewise, _) => self.decided_piecewise(args)?,
+            _ => None,
+        })
+    }
+
+    /// |a**2 b| = a**2 |b|: even powers leave a modulus.
+    fn modulus_of_product(&mut self, product: Id) -> Result<Option<Id>, Error> {
+        let one = Number::integer(1);
+        let opened = self.opened(&[(product, one.clone())]);
+        if opened.len() > LONGEST_MODULUS {
+            return Ok(None);
+        }
+        let mut collected = Collector { coefficient: one.clone(), factors: Vec::new(), radicand: None };
+        for (base, exponent) in opened {
+            collected.push(self, base, &exponent);
+        }
+        let factors = collected.factors;
+        if factors.iter().all(|(_, e)| e.is_one() || !e.is_integer()) {
+            return Ok(None);
+        }
+        let (mut outside, mut inside) = (Vec::new(), Vec::new());
+        for (base, exponent) in factors {
+            let integral = exponent.is_integer();
+            let even = if exponent.is_even() { exponent.clone() } else { exponent.sub(&one) };
+            if integral {
+                outside.push((base, self.number_id(&even)));
+            }
+            if !exponent.is_even() {
+                let left = if integral { one.clone() } else { exponent };
+                inside.push((base, self.number_id(&left)));
+            }
+        }
+        let inside = self.product(&inside)?;
+        outside.push((self.apply(Function::Abs, &[inside])?, NumberId::ONE));
+        self.product(&outside).map(Some)
+    }
+
+    fn at_number(&mut self, function: Function, number: &Number, args: &[Id]) -> Result<Option<Id>, Error> {
+        let domain = || Error::Domain { function: function.name(), argument: number.to_string() };
+        let zero = number.is_zero();
+        let one = Number::integer(1);
+        Ok(match function {
+            Function::Sin
+            | Function::Tan
+            | Function::Asin
+            | Function::Atan
+            | Function::Sinh
+            | Function::Tanh
+                if zero =>
+            {
+                Some(Id::ZERO)
+            }
+            Function::Cos | Function::Cosh | Function::Exp if zero => Some(Id::ONE),
+            Function::Log if zero || number.is_negative() => return Err(domain()),
+            Function::Log if number.is_one() => Some(Id::ZERO),
+            Function::Asin | Function::Acos if number.abs().compare(&one).is_gt() => return Err(domain()),
+            Function::Asin | Function::Acos | Function::Atan => self.inverse_at(function, number),
+            Function::Abs => Some(self.number(&number.abs())),
+            Function::Sign => {
+                Some(if zero { Id::ZERO } else { self.integer(if number.is_negative() { -1 } else { 1 }) })
+            }
+            Function::Atan2 => match self.as_number(args[1]).cloned() {
+                Some(x) => self.atan2_at(number, &x)?,
+                None => None,
+            },
+            _ => None,
+        })
+    }
+
+    /// asin, acos, atan at 0, +-1/2, +-1, as multiples of pi.
+    fn inverse_at(&mut self, function: Function, number: &Number) -> Option<Id> {
+        let twice = number.mul(&Number::integer(2)).to_i64()?;
+        let multiple = match (function, twice) {
+            (Function::Asin, -2..=2) => {
+                Number::rational([-3, -1, 0, 1, 3][usize::try_from(twice + 2).ok()?], 6)
+            }
+            (Function::Acos, -2..=2) => {
+                Number::rational([6, 4, 3, 2, 0][usize::try_from(twice + 2).ok()?], 6)
+            }
+            (Function::Atan, -2 | 0 | 2) => Number::rational(twice, 8),
+            _ => return None,
+        };
+        Some(self.pi_times(&multiple))
+    }
+
+    fn pi_times(&mut self, multiple: &Number) -> Id {
+        let factor = self.number_id(multiple);
+        let pi = self.pi();
+        self.scale(factor, pi)
+    }
+
+    fn atan2_at(&mut self, y: &Number, x: &Number) -> Result<Option<Id>, Error> {
+        if y.is_zero() && x.is_zero() {
+            return Err(Error::Domain { function: "atan2", argument: "(0, 0)".into() });
+        }
+        let sign = |n: &Number| {
+            if n.is_zero() {
+                0
+            } else if n.is_negative() {
+                -1
+            } else {
+                1
+            }
+        };
+        let eighths = match (sign(y), sign(x)) {
+            (0, 1) => 0,
+            (0, _) => 8,
+            (s, 0) => 4 * s,
+            (s, r) if y.abs().same_value(&x.abs()) => s * (4 - 2 * r),
+            _ => return Ok(None),
+        };
+        Ok(Some(self.pi_times(&Number::rational(eighths, 8))))
+    }
+
+    /// sin, cos, tan of u + k pi/2, and of the multiples of pi that have a short exact value.
+    fn quarter_turns(&mut self, function: Function, argument: Id) -> Result<Option<Id>, Error> {
+        let Some((multiple, rest)) = self.split_pi(argument) else { return Ok(None) };
+        let quarters = multiple.mul(&Number::integer(2));
+        let whole = quarters.floor();
+        let rest = match rest {
+            Some(rest) if quarters.is_integer() => rest,
+            Some(_) => return Ok(None),
+            None => return self.at_multiple_of_pi(function, &multiple),
+        };
+        let quadrant =
+            whole.sub(&Number::integer(4).mul(&whole.mul(&Number::rational(1, 4)).floor())).to_i64();
+        let quadrant = quadrant.expect("a remainder of the division by four is a small integer");
+        let turned = |graph: &mut Self, f: Function, negative: bool| -> Result<Option<Id>, Error> {
+            let value = graph.apply(f, &[rest])?;
+            Ok(Some(if negative { graph.scale(NumberId::MINUS_ONE, value) } else { value }))
+        };
+        match (function, quadrant) {
+            (Function::Sin, 1) => turned(self, Function::Cos, false),
+            (Function::Sin, 3) => turned(self, Function::Cos, true),
+            (Function::Cos, 1) => turned(self, Function::Sin, true),
+            (Function::Cos, 3) => turned(self, Function::Sin, false),
+            (Function::Tan, 1 | 3) => {
+                let tangent = self.apply(Function::Tan, &[rest])?;
+                let cotangent = self.div(Id::ONE, tangent)?;
+                Ok(Some(self.scale(NumberId::MINUS_ONE, cotangent)))
+            }
+            (Function::Tan, _) | (_, 0) => turned(self, function, false),
+            _ => turned(self, function, true),
+        }
+    }
+
+    /// The multiple of pi in an argument, also inside its sums, and what is left (`None` when nothing is).
+    fn split_pi(&mut self, argument: Id) -> Option<(Number, Option<Id>)> {
+        let mut visits = PI_SEARCH;
+        let (multiple, rest) = self.without_pi(argument, &mut visits)?;
+        (!multiple.is_zero()).then_some((multiple, Some(rest).filter(|&rest| rest != Id::ZERO)))
+    }
+
+    /// The multiple of pi among the terms of a node, and the node without it; `None` where there is none.
+    fn without_pi(&mut self, id: Id, visits: &mut usize) -> Option<(Number, Id)> {
+        if let View::Pi = self.view(id) {
+            return Some((Number::integer(1), Id::ZERO));
+        }
+        *visits = visits.checked_sub(1)?;
+        match self.view(id) {
+            View::Scale(factor, child) => {
+                let (multiple, rest) = self.without_pi(child, visits)?;
+                let multiple = multiple.mul(self.get_number(factor));
+                Some((multiple, self.scale(factor, rest)))
+            }
+            View::Sum(terms) => {
+                let mut terms: Vec<_> = terms.iter().collect();
+                let mut total = None;
+                for (factor, node) in &mut terms {
+                    if let Some((multiple, rest)) = self.without_pi(*node, visits) {
+                        let multiple = multiple.mul(self.get_number(*factor));
+                        total = Some(total.map_or(multiple.clone(), |sum: Number| sum.add(&multiple)));
+                        *node = rest;
+                    }
+                }
+                let total = total?;
+                Some((total, self.sum(&terms)))
+            }
+            _ => None,
+        }
+    }
+
+    /// Exact values at multiples of pi/12, in radicals.
+    fn at_multiple_of_pi(&mut self, function: Function, multiple: &Number) -> Result<Option<Id>, Error> {
+        let Some(twelfths) = multiple.mul(&Number::integer(12)).to_i64() else {
+            return self.reduced_multiple(function, multiple);
+        };
+        let k = twelfths.rem_euclid(24);
+        let id = match function {
+            Function::Sin => self.sine_of_twelfths(k)?,
+            Function::Cos => self.sine_of_twelfths((k + 6) % 24)?,
+            _ => {
+                let (sin, cos) = (self.sine_of_twelfths(k)?, self.sine_of_twelfths((k + 6) % 24)?);
+                if cos == Id::ZERO {
+                    let argument = format!("{multiple}*pi");
+                    return Err(Error::Domain { function: "tan", argument });
+                }
+                match k % 12 {
+                    1 => self.radical_sum(&[(2, 1), (-1, 3)], 1)?,
+                    5 => self.radical_sum(&[(2, 1), (1, 3)], 1)?,
+                    7 => self.radical_sum(&[(-2, 1), (-1, 3)], 1)?,
+                    11 => self.radical_sum(&[(-2, 1), (1, 3)], 1)?,
+                    _ => self.div(sin, cos)?,
+                }
+            }
+        };
+        Ok(Some(id))
+    }
+
+    fn sine_of_twelfths(&mut self, k: i64) -> Result<Id, Error> {
+        if k >= 12 {
+            let sine = self.sine_of_twelfths(k - 12)?;
+            return Ok(self.scale(NumberId::MINUS_ONE, sine));
+        }
+        match k.min(12 - k) {
+            0 => Ok(Id::ZERO),
+            1 => self.radical_sum(&[(1, 6), (-1, 2)], 4),
+            2 => self.radical_sum(&[(1, 1)], 2),
+            3 => self.radical_sum(&[(1, 2)], 2),
+            4 => self.radical_sum(&[(1, 3)], 2),
+            5 => self.radical_sum(&[(1, 6), (1, 2)], 4),
+            _ => Ok(Id::ONE),
+        }
+    }
+
+    /// (c1 sqrt(r1) + c2 sqrt(r2) + ...) / divisor
+    fn radical_sum(&mut self, terms: &[(i64, i64)], divisor: i64) -> Result<Id, Error> {
+        let mut sum = Vec::new();
+        for &(coefficient, radicand) in terms {
+            let radicand = self.integer(radicand);
+            let root = self.sqrt(radicand)?;
+            sum.push((self.number_id(&Number::rational(coefficient, divisor)), root));
+        }
+        Ok(self.sum(&sum))
+    }
+
+    /// sin, cos, tan of a multiple of pi brought into the first quadrant.
+    fn reduced_multiple(&mut self, function: Function, multiple: &Number) -> Result<Option<Id>, Error> {
+        let half = Number::rational(1, 2);
+        if !multiple.is_negative() && !multiple.compare(&half).is_gt() {
+            return Ok(None);
+        }
+        let turn = multiple.sub(&multiple.mul(&half).floor().mul(&Number::integer(2)));
+        let (turn, below) = if turn.compare(&Number::integer(1)).is_gt() {
+            (Number::integer(2).sub(&turn), true)
+        } else {
+            (turn, false)
+        };
+        let (turn, left) =
+            if turn.compare(&half).is_gt() { (Number::integer(1).sub(&turn), true) } else { (turn, false) };
+        let argument = self.pi_times(&turn);
+        let value = self.apply(function, &[argument])?;
+        let negative = match function {
+            Function::Sin => below,
+            Function::Cos => left,
+            _ => below != left,
+        };
+        Ok(Some(if negative { self.scale(NumberId::MINUS_ONE, value) } else { value }))
+    }
+
+    /// Min and Max: one of each value, numbers folded into one.
+    fn extremum(&mut self, function: Function, args: &[Id]) -> Result<Option<Id>, Error> {
+        let mut kept: Vec<Id> = Vec::new();
+        let mut bound: Option<Number> = None;
+        for &arg in args {
+            if let Some(number) = self.as_number(arg) {
+                let replaces =
+                    bound.as_ref().is_none_or(|b| (function == Function::Min) == number.compare(b).is_lt());
+                if replaces {
+                    bound = Some(number.clone());
+                }
+            } else if !kept.iter().any(|&known| self.equal(known, arg)) {
+                kept.push(arg);
+            }
+        }
+        if let Some(bound) = bound {
+            kept.push(self.number(&bound));
+        }
+        kept.sort_by_key(|&id| self.value(id));
+        Ok(match kept[..] {
+            [single] => Some(single),
+            _ if kept == args => None,
+            _ => Some(self.apply(function, &kept)?),
+        })
+    }
+
+    fn simple_power(&mut self, base: Id, exponent: Id) -> Result<Option<Id>, Error> {
+        if self.as_number(base).is_some_and(Number::is_one) {
+            return Ok(Some(base));
+        }
+        if let Some(number) = self.as_number(exponent).cloned() {
+            return self.pow_number(base, &number).map(Some);
+        }
+        if let View::Function(Function::Exp, args) = self.view(base) {
+            let inner = args.get(0);
+            let argument = self.mul(inner, exponent)?;
+            return self.apply(Function::Exp, &[argument]).map(Some);
+        }
+        Ok(None)
+    }
+
+    /// Drop the branches whose condition is a number; the first positive one decides.
+    fn decided_piecewise(&mut self, args: &[Id]) -> Result<Option<Id>, Error> {
+        let mut kept: Vec<Id> = Vec::new();
+        let mut otherwise = args[args.len() - 1];
+        for pair in args[..args.len() - 1].chunks_exact(2) {
+            match self.as_number(pair[1]) {
+                Some(number) if number.is_zero() || number.is_negative() => {}
+                Some(_) => {
+                    otherwise = pair[0];
+                    break;
+                }
+                None => kept.extend(pair),
+            }
+        }
+        while kept.len() >= 2 && self.equal(kept[kept.len() - 2], otherwise) {
+            kept.truncate(kept.len() - 2);
+        }
+        kept.push(otherwise);
+        Ok(match kept[..] {
+            [single] => Some(single),
+            _ if kept == args => None,
+            _ => Some(self.apply(Function::Piecewise, &kept)?),
+        })
+    }
+}

@@ -1,0 +1,31 @@
+//! Canonical forms: the constructors of sums, products, powers, functions and solutions.
+//!
+//! Every compound node is made here. A constructor brings its arguments into canonical form, computes the value at the
+//! random point and hands both to [`build`], the only door into the table. So `x + 0` becomes `x` in [`sum`], `x*x/x`
+//! becomes `x` in [`product`], `sin(pi/6)` becomes `1/2` in [`exact`], and whatever has the value zero becomes the
+//! number 0 in [`build`].
+//!
+//! Invariant: equal arguments give one node, and the value of a node is the value of the mathematics that it shows.
+//! Within a derivation, a node whose value is known is not made again ([`adopt`]).
+//!
+//! The files of this chapter call one another in circles, because the forms are defined in terms of one another: a sum
+//! of equal terms is a product, a power of a product is a product of powers, and a function of a negative argument is a
+//! multiple of a function.
+
+mod adopt;
+mod angle;
+mod apply;
+mod associate;
+mod build;
+mod collector;
+mod distribute;
+mod exact;
+mod linear_system;
+mod multiple_of_pi;
+mod product;
+mod rebuild;
+mod root;
+mod sum;
+
+pub use linear_system::check_rows;
+pub use multiple_of_pi::multiple_of_pi;

@@ -1,0 +1,353 @@
+//! Products and powers: equal bases merge by value, numbers come out, signs come out.
+
+use crate::error::Error;
+use crate::graph::{Factors, Flags, Function, Graph, Id, Kind, LONGEST, NumberId, View};
+use crate::value::{Element, Number, square_part};
+
+use super::collector::Collector;
+
+/// Factors up to this count are searched for ones that merge with those of child products.
+const MERGE_SEARCH: usize = 48;
+
+type Factor = (Id, NumberId);
+
+impl Graph {
+    /// a * b.
+    pub fn mul(&mut self, a: Id, b: Id) -> Result<Id, Error> {
+        self.product(&[(a, NumberId::ONE), (b, NumberId::ONE)])
+    }
+
+    /// a / b.
+    ///
+    /// # Errors
+    /// When b is identically zero.
+    pub fn div(&mut self, a: Id, b: Id) -> Result<Id, Error> {
+        self.product(&[(a, NumberId::ONE), (b, NumberId::MINUS_ONE)])
+    }
+
+    /// base ** exponent with a numeric exponent.
+    ///
+    /// # Errors
+    /// When zero is raised to a negative power, or the root of a negative number is taken.
+    pub fn pow_number(&mut self, base: Id, exponent: &Number) -> Result<Id, Error> {
+        let exponent = self.number_id(exponent);
+        self.product(&[(base, exponent)])
+    }
+
+    /// The square root.
+    ///
+    /// # Errors
+    /// When the argument is a negative number.
+    pub fn sqrt(&mut self, base: Id) -> Result<Id, Error> {
+        self.pow_number(base, &Number::rational(1, 2))
+    }
+
+    /// The product of numeric powers of nodes.
+    ///
+    /// # Errors
+    /// When a divisor is identically zero, or an even root of a negative number is taken.
+    pub fn product(&mut self, factors: &[Factor]) -> Result<Id, Error> {
+        let factors: Vec<Factor> = factors.iter().map(|&(id, e)| (self.adopt(id), e)).collect();
+        if factors.iter().any(|&(id, e)| id == Id::ZERO && self.get_number(e).is_negative()) {
+            return Err(self.zero_divisor(&factors));
+        }
+        if let Some(known) = self.known_product(&factors) {
+            return Ok(known);
+        }
+        let factors = if self.classes.is_some() { self.associate(factors) } else { factors };
+        let mut collector =
+            Collector { coefficient: Number::integer(1), factors: Vec::new(), radicand: None };
+        for (base, exponent) in factors {
+            let exponent = self.get_number(exponent).clone();
+            self.collect_power(&mut collector, base, &exponent)?;
+        }
+        self.open_shared_products(&mut collector);
+        self.merge_moduli(&mut collector)?;
+        Ok(self.finish_product(collector))
+    }
+
+    /// The error that names what was to be divided.
+    fn zero_divisor(&mut self, factors: &[Factor]) -> Error {
+        let dividend: Vec<Factor> = factors.iter().copied().filter(|&(id, _)| id != Id::ZERO).collect();
+        match self.product(&dividend) {
+            Ok(dividend) => Error::DivisionByZero(self.to_quotation(dividend)),
+            Err(error) => error,
+        }
+    }
+
+    /// The derivation's node for a product of integer powers, found by its value alone.
+    fn known_product(&mut self, factors: &[Factor]) -> Option<Id> {
+        self.classes.as_ref()?;
+        if factors.iter().all(|&(base, _)| self.as_number(base).is_some()) {
+            return None;
+        }
+        let mut value = Element::ONE;
+        for &(base, exponent) in factors {
+            let exponent = self.get_number(exponent).to_i64().filter(|e| *e > 0)?;
+            value = value * self.value(base).powi(exponent);
+        }
+        if value.is_zero() {
+            return Some(Id::ZERO);
+        }
+        self.known_value(value)
+    }
+
+    fn finish_product(&mut self, collector: Collector) -> Id {
+        let Collector { mut coefficient, mut factors, radicand } = collector;
+        if coefficient.is_zero() {
+            return Id::ZERO;
+        }
+        if let Some(radicand) = radicand {
+            let (outside, inside) = square_part(&radicand);
+            coefficient = coefficient.mul(&outside);
+            if !inside.is_one() {
+                factors.push((self.number(&inside), Number::rational(1, 2)));
+            }
+        }
+        let coefficient = self.number_id(&coefficient);
+        if let [(base, exponent)] = &factors[..]
+            && exponent.is_one()
+        {
+            return self.scale(coefficient, *base);
+        }
+        if factors.is_empty() {
+            return self.number_node(coefficient);
+        }
+        factors.sort_by_key(|&(base, _)| self.value(base).unsigned().0);
+        while factors.len() * 2 > LONGEST {
+            let factors_of_part = factors.split_off(factors.len() - LONGEST / 4);
+            let part =
+                Collector { coefficient: Number::integer(1), factors: factors_of_part, radicand: None };
+            factors.push((self.finish_product(part), Number::integer(1)));
+        }
+        let mut value = Element::ONE;
+        let mut root = false;
+        for (base, exponent) in &factors {
+            value = value * self.power_value(*base, exponent);
+            root |= !exponent.is_integer();
+        }
+        let mut flags = self.joined_flags(factors.iter().map(|&(base, _)| base));
+        // Moduli merge to squares as roots do.
+        root |= factors.iter().any(|&(base, _)| {
+            self.flags(base).has(Flags::ROOT) || self.kind(base) == Kind::Function(Function::Abs)
+        });
+        if root {
+            flags = flags.with(Flags::ROOT);
+        }
+        let words: Vec<u32> = factors.iter().flat_map(|(base, e)| [base.0, self.number_id(e).0]).collect();
+        let id = self.finish(Kind::Product, flags, &words, value);
+        self.mark_used(factors.iter().map(|&(base, _)| base));
+        self.scale(coefficient, id)
+    }
+
+    /// One modulus at most: |a| |b| is |a b|, |a|**3 is a**2 |a|. So equal moduli are one value in every form.
+    fn merge_moduli(&mut self, out: &mut Collector) -> Result<(), Error> {
+        let is_modulus = |graph: &Self, (base, exponent): &(Id, Number)| {
+            graph.kind(*base) == Kind::Function(Function::Abs)
+                && graph.is_real(*base)
+                && exponent.is_integer()
+        };
+        let (moduli, rest): (Vec<_>, Vec<_>) =
+            out.factors.drain(..).partition(|factor| is_modulus(self, factor));
+        out.factors = rest;
+        if let [(modulus, exponent)] = &moduli[..]
+            && exponent.is_one()
+        {
+            out.push(self, *modulus, exponent);
+            return Ok(());
+        }
+        let mut inside = Vec::new();
+        for (modulus, exponent) in &moduli {
+            let View::Function(_, args) = self.view(*modulus) else { continue };
+            let (argument, odd) = (args.get(0), !exponent.is_even());
+            let even = if odd { exponent.sub(&Number::integer(1)) } else { exponent.clone() };
+            self.collect_power(out, argument, &even)?;
+            if odd {
+                inside.push((argument, NumberId::ONE));
+            }
+        }
+        if !inside.is_empty() {
+            let inside = self.product(&inside)?;
+            let modulus = self.apply(Function::Abs, &[inside])?;
+            let (factor, modulus) = self.split_multiple(NumberId::ONE, modulus);
+            out.coefficient = out.coefficient.mul(self.get_number(factor));
+            if modulus != Id::ONE {
+                out.push(self, modulus, &Number::integer(1));
+            }
+        }
+        Ok(())
+    }
+
+    /// Take base ** exponent into the collector: numbers out, inner powers and multiples resolved.
+    fn collect_power(&mut self, out: &mut Collector, base: Id, exponent: &Number) -> Result<(), Error> {
+        if exponent.is_zero() {
+            return Ok(());
+        }
+        if base == Id::ZERO {
+            if exponent.is_negative() {
+                return Err(Error::DivisionByZero("0".into()));
+            }
+            out.coefficient = Number::integer(0);
+            return Ok(());
+        }
+        match self.view(base) {
+            View::Number(number) => {
+                let number = self.get_number(number).clone();
+                self.collect_number(out, &number, exponent)
+            }
+            View::Scale(number, child) => {
+                let number = self.get_number(number).clone();
+                if exponent.is_integer() {
+                    self.collect_number(out, &number, exponent)?;
+                    return self.collect_power(out, child, exponent);
+                }
+                self.collect_number(out, &number.abs(), exponent)?;
+                if number.is_negative() {
+                    let opposite = self.scale(NumberId::MINUS_ONE, child);
+                    out.push(self, opposite, exponent);
+                    return Ok(());
+                }
+                self.collect_power(out, child, exponent)
+            }
+            View::Product(factors) => {
+                let inner: Vec<(Id, Number)> =
+                    factors.iter().map(|(id, e)| (id, self.get_number(e).clone())).collect();
+                self.collect_product_power(out, base, &inner, exponent)
+            }
+            View::Function(Function::Exp, args) if !exponent.is_integer() => {
+                let argument = args.get(0);
+                let factor = self.number_id(exponent);
+                let argument = self.scale(factor, argument);
+                let power = self.apply(Function::Exp, &[argument])?;
+                out.push(self, power, &Number::integer(1));
+                Ok(())
+            }
+            View::Function(Function::Abs, args) if exponent.is_even() && self.is_real(base) => {
+                let argument = args.get(0);
+                self.collect_power(out, argument, exponent)
+            }
+            _ => {
+                out.push(self, base, exponent);
+                Ok(())
+            }
+        }
+    }
+
+    /// (product of powers) ** exponent: what may be distributed is, the rest stays one base.
+    fn collect_product_power(
+        &mut self,
+        out: &mut Collector,
+        base: Id,
+        inner: &[(Id, Number)],
+        exponent: &Number,
+    ) -> Result<(), Error> {
+        if exponent.is_integer() {
+            let distribute = inner.len() == 1 || self.flags(base).has(Flags::ROOT);
+            if !distribute {
+                out.push(self, base, exponent);
+                return Ok(());
+            }
+            for (node, e) in inner {
+                self.collect_power(out, *node, &e.mul(exponent))?;
+            }
+            return Ok(());
+        }
+        let mut rest = Vec::new();
+        let inner = &self.opened(inner);
+        for (node, e) in inner {
+            if self.is_positive(*node) {
+                self.collect_power(out, *node, &e.mul(exponent))?;
+            } else if inner.len() == 1 && e.is_even() && self.is_real(*node) {
+                // (u**2k)**r = |u|**(2kr) for real u.
+                let modulus = self.apply(Function::Abs, &[*node])?;
+                self.collect_power(out, modulus, &e.mul(exponent))?;
+            } else {
+                rest.push((*node, self.number_id(e)));
+            }
+        }
+        if rest.len() == inner.len() {
+            out.push(self, base, exponent);
+        } else if !rest.is_empty() {
+            let rest = self.product(&rest)?;
+            self.collect_power(out, rest, exponent)?;
+        }
+        Ok(())
+    }
+
+    /// The factors of nested products, as far as their exponents are integers.
+    pub(crate) fn opened(&self, factors: &[(Id, Number)]) -> Vec<(Id, Number)> {
+        let mut out = Vec::new();
+        let mut open: Vec<(Id, Number)> = factors.iter().rev().cloned().collect();
+        while let Some((base, exponent)) = open.pop() {
+            match self.view(base) {
+                View::Product(inner) if exponent.is_integer() => {
+                    open.extend(
+                        inner.iter().rev().map(|(node, e)| (node, self.get_number(e).mul(&exponent))),
+                    );
+                }
+                _ => out.push((base, exponent)),
+            }
+        }
+        out
+    }
+
+    /// Open child products that share a base with a factor beside them where that cancels or merges roots.
+    fn open_shared_products(&mut self, out: &mut Collector) {
+        for _ in 0..8 {
+            let Some(position) = self.product_to_open(&out.factors) else { return };
+            let (product, _) = out.factors.remove(position);
+            let View::Product(inner) = self.view(product) else { return };
+            let inner: Vec<(Id, Number)> =
+                inner.iter().map(|(id, e)| (id, self.get_number(e).clone())).collect();
+            for (node, exponent) in inner {
+                match (self.as_number(node).cloned(), exponent == Number::rational(1, 2)) {
+                    (Some(number), true) => {
+                        out.radicand =
+                            Some(out.radicand.as_ref().map_or_else(|| number.clone(), |r| r.mul(&number)));
+                    }
+                    _ => out.push(self, node, &exponent),
+                }
+            }
+        }
+    }
+
+    fn product_to_open(&self, factors: &[(Id, Number)]) -> Option<usize> {
+        if factors.len() < 2 || factors.len() > MERGE_SEARCH {
+            // One factor alone, or radicals of numbers beside a product that holds one.
+            return None;
+        }
+        let opens =
+            |&(base, ref exponent): &(Id, Number)| exponent.is_one() && self.kind(base) == Kind::Product;
+        factors.iter().position(|factor| {
+            opens(factor)
+                && (self.flags(factor.0).has(Flags::ROOT)
+                    || self.inner_factors(factor.0).any(|(node, e)| {
+                        factors.iter().any(|(other, other_e)| {
+                            (self.same_base(*other, node) && Self::merges(&e, other_e))
+                                || (opens(&(*other, other_e.clone()))
+                                    && *other != factor.0
+                                    && self
+                                        .inner_factors(*other)
+                                        .any(|(n, f)| self.same_base(n, node) && Self::merges(&e, &f)))
+                        })
+                    }))
+        })
+    }
+
+    fn inner_factors(&self, product: Id) -> impl Iterator<Item = (Id, Number)> {
+        let factors = match self.view(product) {
+            View::Product(factors) => Some(factors),
+            _ => None,
+        };
+        factors.into_iter().flat_map(Factors::iter).map(|(id, e)| (id, self.get_number(e).clone()))
+    }
+
+    fn same_base(&self, a: Id, b: Id) -> bool {
+        self.value(a).unsigned().0 == self.value(b).unsigned().0
+    }
+
+    /// Whether two exponents of one base are better merged: they cancel in part, or one is a root.
+    fn merges(a: &Number, b: &Number) -> bool {
+        a.is_negative() != b.is_negative() || !a.is_integer() || !b.is_integer()
+    }
+}

@@ -1,0 +1,213 @@
+//! Sums and multiples.
+//!
+//! A shared sum inside a sum stays a child (that sharing keeps recursive kinematics linear); like terms
+//! merge one level deep, by value. A sum has its first term positive; the sign moves into a `Scale`.
+
+use crate::graph::{Graph, Id, Kind, LONGEST, NumberId, View};
+use crate::value::Element;
+
+/// Terms up to this count are searched for cancellations with those of child sums.
+const CANCELLATION_SEARCH: usize = 48;
+
+type Term = (NumberId, Id);
+
+impl Graph {
+    /// A numeric multiple of a node.
+    pub fn scale(&mut self, factor: NumberId, id: Id) -> Id {
+        if factor == NumberId::ONE {
+            return id;
+        }
+        if self.get_number(factor).is_zero() || id == Id::ZERO {
+            return Id::ZERO;
+        }
+        match self.view(id) {
+            View::Number(number) => {
+                let product = self.get_number(factor).mul(self.get_number(number));
+                self.number(&product)
+            }
+            View::Scale(inner, child) => {
+                let product = self.get_number(factor).mul(self.get_number(inner));
+                let product = self.number_id(&product);
+                self.scale(product, child)
+            }
+            _ => {
+                if self.get_number(factor).is_minus_one() {
+                    return self.opposite(id);
+                }
+                let value = self.number_value(factor) * self.value(id);
+                self.finish(Kind::Scale, self.flags(id), &[factor.0, id.0], value)
+            }
+        }
+    }
+
+    /// The opposite of a node, as a row of its own whatever the classes hold: they know values up to sign.
+    pub(crate) fn opposite(&mut self, id: Id) -> Id {
+        let (factor, child) = self.split_multiple(NumberId::MINUS_ONE, id);
+        if child == Id::ONE {
+            return self.number_node(factor);
+        }
+        if factor == NumberId::ONE {
+            return child;
+        }
+        let (flags, value) = (self.flags(id), -self.value(id));
+        self.intern(Kind::Scale, flags, &[factor.0, child.0], value)
+    }
+
+    /// The opposite of a node.
+    pub fn neg(&mut self, id: Id) -> Id {
+        let id = self.adopt(id);
+        self.scale(NumberId::MINUS_ONE, id)
+    }
+
+    /// a + b.
+    pub fn add(&mut self, a: Id, b: Id) -> Id {
+        self.sum(&[(NumberId::ONE, a), (NumberId::ONE, b)])
+    }
+
+    /// a - b.
+    pub fn sub(&mut self, a: Id, b: Id) -> Id {
+        self.sum(&[(NumberId::ONE, a), (NumberId::MINUS_ONE, b)])
+    }
+
+    /// The sum of numeric multiples of nodes.
+    pub fn sum(&mut self, terms: &[Term]) -> Id {
+        let terms: Vec<Term> = terms.iter().map(|&(c, id)| (c, self.adopt(id))).collect();
+        let value = self.terms_value(&terms);
+        let plain = terms.iter().all(|&(_, id)| self.as_number(id).is_some());
+        if value.is_zero() && !plain {
+            return Id::ZERO;
+        }
+        if let Some(known) = self.known_value(value).filter(|_| !plain) {
+            return known;
+        }
+        let terms = self.merge_terms(terms);
+        let terms = self.cancel_terms(terms);
+        let terms = if self.classes.is_some() { self.factor_fresh_products(terms) } else { terms };
+        if self.classes.is_some()
+            && let Some((content, bare)) = self.split_content(&terms)
+        {
+            let sum = self.sum(&bare);
+            return self.scale(content, sum);
+        }
+        self.sum_of_merged(terms, value)
+    }
+
+    fn terms_value(&self, terms: &[Term]) -> Element {
+        terms.iter().fold(Element::ZERO, |sum, &(c, id)| sum + self.number_value(c) * self.value(id))
+    }
+
+    fn sum_of_merged(&mut self, mut terms: Vec<Term>, value: Element) -> Id {
+        if terms.is_empty() {
+            return Id::ZERO;
+        }
+        if let [(c, id)] = terms[..] {
+            return self.scale(c, id);
+        }
+        while terms.len() * 2 > LONGEST {
+            let rest = terms.split_off(terms.len() - LONGEST / 4);
+            let rest_value = self.terms_value(&rest);
+            terms.push((NumberId::ONE, self.sum_of_merged(rest, rest_value)));
+        }
+        let negative = self.get_number(terms[0].0).is_negative();
+        if negative {
+            for term in &mut terms {
+                term.0 = self.negated(term.0);
+            }
+        }
+        let flags = self.joined_flags(terms.iter().map(|&(_, id)| id));
+        let words: Vec<u32> = terms.iter().flat_map(|&(c, id)| [c.0, id.0]).collect();
+        let value = if negative { -value } else { value };
+        let id = self.finish(Kind::Sum, flags, &words, value);
+        self.mark_used(terms.iter().map(|&(_, id)| id));
+        if negative { self.scale(NumberId::MINUS_ONE, id) } else { id }
+    }
+
+    /// Bring terms to the form (coefficient, node that is no multiple), ordered by value, equal ones merged.
+    pub(super) fn merge_terms(&mut self, terms: Vec<Term>) -> Vec<Term> {
+        let mut keyed: Vec<(Element, Term)> = Vec::with_capacity(terms.len());
+        for (factor, id) in terms {
+            let (coefficient, node) = self.split_multiple(factor, id);
+            let (key, opposite) = self.value(node).unsigned();
+            keyed.push((key, (coefficient, node)));
+            debug_assert!(!opposite || key != self.value(node));
+        }
+        keyed.sort_by_key(|&(key, (_, node))| (node != Id::ONE, key));
+        let mut merged: Vec<(Element, Term)> = Vec::with_capacity(keyed.len());
+        for (key, (coefficient, node)) in keyed {
+            match merged.last_mut() {
+                Some((last_key, (last, kept))) if *last_key == key => {
+                    let same = self.values_equal(*kept, node);
+                    let addend = self.get_number(coefficient);
+                    let addend = if same { addend.clone() } else { addend.neg() };
+                    let total = self.get_number(*last).add(&addend);
+                    *last = self.number_id(&total);
+                }
+                _ => merged.push((key, (coefficient, node))),
+            }
+        }
+        merged.into_iter().map(|(_, term)| term).filter(|&(c, _)| !self.get_number(c).is_zero()).collect()
+    }
+
+    fn values_equal(&self, a: Id, b: Id) -> bool {
+        self.value(a) == self.value(b)
+    }
+
+    /// factor * id as a multiple of a node that is itself none; numbers are multiples of the node 1.
+    pub(crate) fn split_multiple(&mut self, factor: NumberId, id: Id) -> Term {
+        let (inner, node) = match self.view(id) {
+            View::Number(number) => (number, Id::ONE),
+            View::Scale(inner, child) => (inner, child),
+            _ => return (factor, id),
+        };
+        let product = self.get_number(factor).mul(self.get_number(inner));
+        (self.number_id(&product), node)
+    }
+
+    /// Open child sums whose terms cancel a term beside them, so that (a + b) - b is a.
+    fn cancel_terms(&mut self, mut terms: Vec<Term>) -> Vec<Term> {
+        for _ in 0..8 {
+            let Some((first, second)) = self.cancelling_sum(&terms) else { break };
+            let mut open = Vec::new();
+            for (position, &(factor, id)) in terms.iter().enumerate() {
+                match self.view(id) {
+                    View::Sum(inner) if position == first || Some(position) == second => {
+                        open.extend(inner.iter().map(|(c, node)| (factor, c, node)));
+                    }
+                    _ => open.push((factor, NumberId::ONE, id)),
+                }
+            }
+            terms = open.into_iter().map(|(factor, c, node)| (self.times(factor, c), node)).collect();
+            terms = self.merge_terms(terms);
+        }
+        terms
+    }
+
+    /// A child sum (and perhaps a second one) that holds a term which cancels another; positions.
+    fn cancelling_sum(&self, terms: &[Term]) -> Option<(usize, Option<usize>)> {
+        let mut seen: Vec<(Element, usize, bool)> = Vec::new();
+        for (position, &(factor, id)) in terms.iter().enumerate() {
+            let scaled =
+                |c: NumberId, node: Id| self.number_value(factor) * self.number_value(c) * self.value(node);
+            seen.push((scaled(NumberId::ONE, id), position, false));
+            if let View::Sum(inner) = self.view(id) {
+                seen.extend(inner.iter().map(|(c, node)| (scaled(c, node), position, true)));
+            }
+            if seen.len() > CANCELLATION_SEARCH {
+                return None;
+            }
+        }
+        for (i, &(value, position, inner)) in seen.iter().enumerate() {
+            let opposite = -value;
+            for &(other, other_position, other_inner) in &seen[..i] {
+                if other == opposite && other_position != position && (inner || other_inner) {
+                    return Some(match (inner, other_inner) {
+                        (true, true) => (other_position, Some(position)),
+                        (true, false) => (position, None),
+                        _ => (other_position, None),
+                    });
+                }
+            }
+        }
+        None
+    }
+}

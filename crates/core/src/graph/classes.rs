@@ -1,0 +1,56 @@
+//! Classes of equal value: the memory of one derivation.
+
+use rustc_hash::{FxHashMap, FxHashSet};
+
+use crate::value::Element;
+
+use super::node::Id;
+
+/// The classes of one derivation.
+///
+/// Invariant: every node that the derivation has made or met stands for itself or has another one of its value that
+/// stands for it; no two nodes that stand for themselves have equal or opposite values.
+#[derive(Default)]
+pub struct Classes {
+    /// Value up to sign -> the node, and whether the node has the opposite of the key's value.
+    by_value: FxHashMap<Element, (Id, bool)>,
+    /// Nodes seen by this derivation -> the node that stands for them.
+    known: FxHashMap<Id, Id>,
+    /// Products that are part of something: taking them apart would not save their multiplications.
+    used: FxHashSet<Id>,
+}
+
+impl Classes {
+    /// The node of this value or of its opposite, if there is one, and whether it has the opposite.
+    pub(crate) fn find(&self, value: Element) -> Option<(Id, bool)> {
+        let (key, negated) = value.unsigned();
+        self.by_value.get(&key).map(|&(id, opposite)| (id, negated != opposite))
+    }
+
+    /// The node that stands for `id`, if the derivation has seen `id`.
+    pub(crate) fn representative(&self, id: Id) -> Option<Id> {
+        self.known.get(&id).copied()
+    }
+
+    /// Let `id` stand for itself, and for its value if no other node does.
+    pub(crate) fn remember(&mut self, id: Id, value: Element) {
+        let (key, negated) = value.unsigned();
+        self.by_value.entry(key).or_insert((id, negated));
+        self.known.insert(id, id);
+    }
+
+    /// Let `representative` stand for `id`.
+    pub(crate) fn replace(&mut self, id: Id, representative: Id) {
+        self.known.insert(id, representative);
+    }
+
+    /// Record that products became parts of another node.
+    pub(crate) fn mark_used(&mut self, products: impl Iterator<Item = Id>) {
+        self.used.extend(products);
+    }
+
+    /// Whether a product is part of another node.
+    pub(crate) fn is_used(&self, product: Id) -> bool {
+        self.used.contains(&product)
+    }
+}

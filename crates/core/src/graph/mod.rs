@@ -1,0 +1,24 @@
+//! The value graph: one append-only table of nodes, each with its exact value at the random point.
+//!
+//! [`Graph`] stores nodes and reads them; [`View`] shows one node with its parts; [`Function`] is the table of
+//! elementary functions; [`Classes`] is the memory of a derivation; [`Cost`] counts operations.
+//!
+//! Invariants: nodes are never changed or removed; equal rows are one node; a node comes after its children. Nothing
+//! here decides which form an expression takes: sums, products and functions are made in `canonical`.
+
+mod classes;
+mod cost;
+mod function;
+mod node;
+mod table;
+mod traverse;
+
+pub use classes::Classes;
+pub use cost::Cost;
+pub(crate) use cost::{factoring, solving};
+pub use function::Function;
+pub(crate) use function::Parity;
+pub use node::{Assumption, Factors, Id, Ids, NumberId, Terms, View};
+pub(crate) use node::{Flags, Kind};
+pub use table::{Graph, LARGEST_ORDER};
+pub(crate) use table::{LONGEST, check_order};

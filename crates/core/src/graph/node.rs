@@ -1,0 +1,209 @@
+//! The kinds of nodes and how they are looked at.
+
+use super::function::Function;
+
+/// A node of the graph: an index into its append-only table. Children have smaller ids.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct Id(pub u32);
+
+impl Id {
+    /// The number 0; it and the number 1 are the first two nodes of every graph.
+    pub const ZERO: Self = Self(0);
+    /// The number 1.
+    pub const ONE: Self = Self(1);
+
+    pub(crate) const fn index(self) -> usize {
+        self.0 as usize
+    }
+}
+
+/// An exact number, interned: coefficients and exponents.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub struct NumberId(pub(crate) u32);
+
+impl NumberId {
+    /// The number 1: the coefficient and exponent of a plain term or factor.
+    pub const ONE: Self = Self(1);
+    pub(crate) const MINUS_ONE: Self = Self(2);
+}
+
+/// What the user promises about a symbol.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub enum Assumption {
+    /// Any complex value.
+    None,
+    /// A real value (the default).
+    Real,
+    /// A positive real value: its roots are taken exactly.
+    Positive,
+}
+
+/// The kind of a node as stored.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(crate) enum Kind {
+    Number,
+    Pi,
+    Time,
+    Symbol(Assumption),
+    TimeFunction,
+    Application,
+    Scale,
+    Sum,
+    Product,
+    Function(Function),
+    /// Words: the matrix row by row, then the right side. Not a number: only `Solution` may refer to it.
+    LinearSystem,
+    /// Words: the linear system, the index of the component.
+    Solution,
+}
+
+/// A node with its parts.
+#[derive(Clone, Copy, Debug)]
+pub enum View<'a> {
+    /// An exact number.
+    Number(NumberId),
+    /// The circle constant.
+    Pi,
+    /// The independent variable t.
+    Time,
+    /// A parameter or unknown.
+    Symbol(&'a str, Assumption),
+    /// x(t) or its derivative of the given order.
+    TimeFunction(&'a str, u32),
+    /// An undefined function of arguments, differentiated `orders[i]` times by argument i.
+    Application {
+        /// The name of the function.
+        name: &'a str,
+        /// What it is applied to.
+        args: Ids<'a>,
+        /// How often it is differentiated by each argument.
+        orders: &'a [u32],
+    },
+    /// A numeric multiple; the child is no number, no `Scale`.
+    Scale(NumberId, Id),
+    /// Two or more terms, ordered by value; no two have equal or opposite values.
+    Sum(Terms<'a>),
+    /// Powers of distinct bases, ordered by value; one factor only with an exponent other than one.
+    Product(Factors<'a>),
+    /// A function of the table.
+    Function(Function, Ids<'a>),
+    /// A linear system A x = b: no value by itself, a part of its solutions.
+    LinearSystem {
+        /// The entries of A, row by row.
+        matrix: Ids<'a>,
+        /// The entries of b.
+        right: Ids<'a>,
+    },
+    /// A component of the solution of a linear system.
+    Solution(Id, u32),
+}
+
+/// Child nodes.
+#[derive(Clone, Copy, Debug)]
+pub struct Ids<'a>(pub(crate) &'a [u32]);
+
+impl<'a> Ids<'a> {
+    /// In stored order.
+    pub fn iter(self) -> impl DoubleEndedIterator<Item = Id> + ExactSizeIterator + 'a {
+        self.0.iter().map(|&word| Id(word))
+    }
+    /// How many there are.
+    #[must_use]
+    pub const fn len(self) -> usize {
+        self.0.len()
+    }
+    /// Whether there is none.
+    #[must_use]
+    pub const fn is_empty(self) -> bool {
+        self.0.is_empty()
+    }
+    /// The child at a position.
+    #[must_use]
+    pub fn get(self, index: usize) -> Id {
+        Id(self.0[index])
+    }
+}
+
+/// The terms of a sum: coefficient and node; a constant term is a multiple of the node 1.
+#[derive(Clone, Copy, Debug)]
+pub struct Terms<'a>(pub(crate) &'a [u32]);
+
+impl<'a> Terms<'a> {
+    /// In stored order.
+    pub fn iter(self) -> impl DoubleEndedIterator<Item = (NumberId, Id)> + ExactSizeIterator + 'a {
+        self.0.chunks_exact(2).map(|pair| (NumberId(pair[0]), Id(pair[1])))
+    }
+    /// How many there are.
+    #[must_use]
+    pub const fn len(self) -> usize {
+        self.0.len() / 2
+    }
+    /// Whether there is none.
+    #[must_use]
+    pub const fn is_empty(self) -> bool {
+        self.0.is_empty()
+    }
+}
+
+/// The factors of a product: base and exponent.
+#[derive(Clone, Copy, Debug)]
+pub struct Factors<'a>(pub(crate) &'a [u32]);
+
+impl<'a> Factors<'a> {
+    /// In stored order.
+    pub fn iter(self) -> impl DoubleEndedIterator<Item = (Id, NumberId)> + ExactSizeIterator + 'a {
+        self.0.chunks_exact(2).map(|pair| (Id(pair[0]), NumberId(pair[1])))
+    }
+    /// How many there are.
+    #[must_use]
+    pub const fn len(self) -> usize {
+        self.0.len() / 2
+    }
+    /// Whether there is none.
+    #[must_use]
+    pub const fn is_empty(self) -> bool {
+        self.0.is_empty()
+    }
+}
+
+/// Facts about everything below a node.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) struct Flags(u8);
+
+impl Flags {
+    /// No symbol below: a constant, folded into one double when lowered.
+    pub(crate) const CONSTANT: Self = Self(1);
+    /// Depends on time: a function of time or t itself is below.
+    pub(super) const TIME: Self = Self(2);
+    /// A product with a root among its factors (which other products must merge with).
+    pub(crate) const ROOT: Self = Self(4);
+    /// Contains a symbol that may be complex: |z|^2 is not z^2, log(exp z) is not z.
+    pub(crate) const COMPLEX: Self = Self(8);
+
+    pub(crate) const fn has(self, other: Self) -> bool {
+        self.0 & other.0 != 0
+    }
+    pub(crate) const fn with(self, other: Self) -> Self {
+        Self(self.0 | other.0)
+    }
+    /// The flags of a node from those of two children.
+    pub(crate) const fn join(self, other: Self) -> Self {
+        let level = if self.level() > other.level() { self.level() } else { other.level() };
+        let joined =
+            (self.0 & other.0 & Self::CONSTANT.0) | ((self.0 | other.0) & (Self::TIME.0 | Self::COMPLEX.0));
+        Self(joined).at_level(level)
+    }
+
+    /// How often the node changes: 0 parameters, 1 time and positions, 2 speeds, 3 accelerations.
+    pub(crate) const fn level(self) -> u8 {
+        self.0 >> LEVEL_SHIFT
+    }
+
+    pub(super) const fn at_level(self, level: u8) -> Self {
+        let level = if level > 3 { 3 } else { level };
+        Self((self.0 & ((1 << LEVEL_SHIFT) - 1)) | (level << LEVEL_SHIFT))
+    }
+}
+
+/// The level has the two highest bits.
+const LEVEL_SHIFT: u32 = 6;

@@ -1,0 +1,378 @@
+//! The append-only, hash-consed graph: one table of nodes, one fingerprint each.
+
+use hashbrown::HashTable;
+use rustc_hash::{FxHashMap, FxHasher};
+use std::hash::{Hash, Hasher};
+
+use crate::error::Error;
+use crate::value::{Circle, Element, Key, Number};
+
+use super::classes::Classes;
+use super::node::{Assumption, Factors, Flags, Id, Ids, Kind, NumberId, Terms, View};
+
+/// One row of the table.
+#[derive(Clone, Copy, Debug)]
+struct Row {
+    /// Where the node's words start in `words`.
+    start: u32,
+    len: u32,
+    flags: Flags,
+    kind: Kind,
+}
+
+// A shorter `len` would save nothing: the row is padded to 12 bytes.
+const _: () = assert!(size_of::<Row>() == 12);
+
+/// The most words of a sum or a product, which are nested beyond, and the most arguments of a function.
+pub(crate) const LONGEST: usize = 60_000;
+
+/// The most derivatives of one function: each is printed, and made, on its own.
+pub const LARGEST_ORDER: u32 = 1000;
+
+/// The error for more than [`LARGEST_ORDER`] derivatives.
+pub(crate) fn check_order(order: u64) -> Result<(), Error> {
+    if order <= u64::from(LARGEST_ORDER) {
+        return Ok(());
+    }
+    let found = usize::try_from(order).unwrap_or(usize::MAX); // a message on a machine of 32 bits
+    Err(Error::Limit { what: "derivatives of one function", limit: LARGEST_ORDER as usize, found })
+}
+
+/// The next number of a table, whose entries are known by 32 bits.
+///
+/// # Panics
+/// When the table is full, before anything is changed: an id that stood for two entries would make `==` lie. Four
+/// billion rows take 200 GB; every operation makes some, so that an error from each would be an error from all.
+fn next_number(length: usize) -> u32 {
+    u32::try_from(length).expect("the table of expressions is full: it holds 2**32 words")
+}
+
+/// All expressions of a process.
+///
+/// Invariants: rows are never changed or removed; equal rows are one row; children precede parents;
+/// `values[i]` is the exact value of row i at the random point; nothing depends on ids but identity.
+#[derive(Default)]
+pub struct Graph {
+    rows: Vec<Row>,
+    values: Vec<Element>,
+    words: Vec<u32>,
+    index: HashTable<u32>,
+    numbers: Vec<Number>,
+    number_values: Vec<Element>,
+    number_index: FxHashMap<Number, u32>,
+    names: Vec<Box<str>>,
+    name_index: FxHashMap<Box<str>, u32>,
+    /// Which kinds of variables have a name, a bit each, by the name's number.
+    name_kinds: Vec<u8>,
+    /// Values that are recognised when they are made: small integers and simple fractions, unsigned.
+    pub(crate) plain_values: FxHashMap<Element, NumberId>,
+    /// Points of the circle of arguments seen before; a cache, derived from the graph alone.
+    pub(crate) angles: FxHashMap<Id, Circle>,
+    /// Values of solutions of linear systems; a cache, derived from the graph alone.
+    pub(crate) solutions: FxHashMap<Id, Vec<Element>>,
+    /// The classes of the derivation in progress, if there is one.
+    pub(crate) classes: Option<Box<Classes>>,
+}
+
+impl Graph {
+    /// A graph that holds the numbers 0 and 1.
+    #[must_use]
+    pub fn new() -> Self {
+        let mut graph = Self::default();
+        for value in [0, 1, -1] {
+            graph.number_id(&Number::integer(value));
+        }
+        graph.number(&Number::integer(0));
+        graph.number(&Number::integer(1));
+        for den in [1, 2, 3, 4, 6, 8, 12, 16] {
+            for num in 1..=24 {
+                let id = graph.number_id(&Number::rational(num, den));
+                let (value, negated) = graph.number_value(id).unsigned();
+                let id = if negated { graph.number_id(&Number::rational(-num, den)) } else { id };
+                graph.plain_values.entry(value).or_insert(id);
+            }
+        }
+        graph
+    }
+
+    /// How many nodes there are.
+    #[must_use]
+    pub fn len(&self) -> usize {
+        self.rows.len()
+    }
+
+    /// Whether there is no node: never, once it is made by [`Self::new`].
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.rows.is_empty()
+    }
+
+    /// The exact value of a node at the random point.
+    #[must_use]
+    pub fn value(&self, id: Id) -> Element {
+        self.values[id.index()]
+    }
+
+    /// Whether two nodes are equal as mathematics. Numbers are compared digit by digit.
+    #[must_use]
+    pub fn equal(&self, a: Id, b: Id) -> bool {
+        match (self.as_number(a), self.as_number(b)) {
+            (Some(x), Some(y)) => x.same_value(y),
+            _ => self.value(a) == self.value(b),
+        }
+    }
+
+    /// A node and its parts.
+    #[must_use]
+    pub fn view(&self, id: Id) -> View<'_> {
+        let words = self.words_of(id);
+        match self.kind(id) {
+            Kind::Number => View::Number(NumberId(words[0])),
+            Kind::Pi => View::Pi,
+            Kind::Time => View::Time,
+            Kind::Symbol(assumption) => View::Symbol(self.name(words[0]), assumption),
+            Kind::TimeFunction => View::TimeFunction(self.name(words[0]), words[1]),
+            Kind::Application => {
+                let (args, orders) = words[1..].split_at((words.len() - 1) / 2);
+                View::Application { name: self.name(words[0]), args: Ids(args), orders }
+            }
+            Kind::Scale => View::Scale(NumberId(words[0]), Id(words[1])),
+            Kind::Sum => View::Sum(Terms(words)),
+            Kind::Product => View::Product(Factors(words)),
+            Kind::Function(function) => View::Function(function, Ids(words)),
+            Kind::LinearSystem => {
+                let n = words.len().isqrt();
+                let (matrix, right) = words.split_at(n * n);
+                View::LinearSystem { matrix: Ids(matrix), right: Ids(right) }
+            }
+            Kind::Solution => View::Solution(Id(words[0]), words[1]),
+        }
+    }
+
+    pub(crate) fn kind(&self, id: Id) -> Kind {
+        self.rows[id.index()].kind
+    }
+
+    pub(crate) fn flags(&self, id: Id) -> Flags {
+        self.rows[id.index()].flags
+    }
+
+    fn words_of(&self, id: Id) -> &[u32] {
+        let row = self.rows[id.index()];
+        &self.words[row.start as usize..row.start as usize + row.len as usize]
+    }
+
+    fn name(&self, id: u32) -> &str {
+        &self.names[id as usize]
+    }
+
+    /// The child nodes, in their stored order.
+    #[must_use]
+    pub fn children(&self, id: Id) -> Vec<Id> {
+        let mut out = Vec::new();
+        self.push_children(id, &mut out);
+        out
+    }
+
+    /// Append the child nodes to `out`.
+    pub fn push_children(&self, id: Id, out: &mut Vec<Id>) {
+        match self.view(id) {
+            View::Application { args, .. } | View::Function(_, args) => out.extend(args.iter()),
+            View::Scale(_, child) | View::Solution(child, _) => out.push(child),
+            View::LinearSystem { matrix, right } => out.extend(matrix.iter().chain(right.iter())),
+            View::Sum(terms) => out.extend(terms.iter().map(|(_, node)| node)),
+            View::Product(factors) => out.extend(factors.iter().map(|(node, _)| node)),
+            View::Number(_) | View::Pi | View::Time | View::Symbol(..) | View::TimeFunction(..) => {}
+        }
+    }
+
+    /// Whether a node has no parts and is no number: a symbol, a function of time, t.
+    #[must_use]
+    pub fn is_variable(&self, id: Id) -> bool {
+        matches!(self.kind(id), Kind::Time | Kind::Symbol(_) | Kind::TimeFunction | Kind::Application)
+    }
+
+    /// Whether no symbol is below the node.
+    #[must_use]
+    pub fn is_constant(&self, id: Id) -> bool {
+        self.flags(id).has(Flags::CONSTANT)
+    }
+
+    /// Whether the node depends on time.
+    #[must_use]
+    pub fn depends_on_time(&self, id: Id) -> bool {
+        self.flags(id).has(Flags::TIME)
+    }
+
+    /// The number that a node is, if it is one.
+    #[must_use]
+    pub fn as_number(&self, id: Id) -> Option<&Number> {
+        match self.view(id) {
+            View::Number(number) => Some(self.get_number(number)),
+            _ => None,
+        }
+    }
+
+    /// An interned number.
+    #[must_use]
+    pub fn get_number(&self, id: NumberId) -> &Number {
+        &self.numbers[id.0 as usize]
+    }
+
+    pub(crate) fn number_value(&self, id: NumberId) -> Element {
+        self.number_values[id.0 as usize]
+    }
+
+    pub(crate) fn number_id(&mut self, number: &Number) -> NumberId {
+        if number.is_zero() && number.is_decimal() {
+            // There is one zero, so that `is_zero` sees each.
+            return self.number_id(&number.with_decimal(false));
+        }
+        if let Some(&id) = self.number_index.get(number) {
+            return NumberId(id);
+        }
+        let id = next_number(self.numbers.len());
+        let mut value = Element::from_number(number);
+        if value.is_singular() && !number.is_zero() {
+            // A multiple of one of the primes: no image that could be told from zero, so draw one.
+            value = Element::draw(&Key::new("singular number").text(&number.with_decimal(false).to_string()));
+        }
+        self.numbers.push(number.clone());
+        self.number_values.push(value);
+        self.number_index.insert(number.clone(), id);
+        NumberId(id)
+    }
+
+    pub(crate) fn name_id(&mut self, name: &str) -> u32 {
+        if let Some(&id) = self.name_index.get(name) {
+            return id;
+        }
+        let id = next_number(self.names.len());
+        self.names.push(name.into());
+        self.name_kinds.push(0);
+        self.name_index.insert(name.into(), id);
+        id
+    }
+
+    /// Whether more than one kind of variables has this name: symbols of different assumptions, functions of time.
+    pub(crate) fn has_namesakes(&self, name: &str) -> bool {
+        let id = self.name_index.get(name);
+        id.is_some_and(|&id| self.name_kinds[id as usize].count_ones() > 1)
+    }
+
+    /// The node of a number.
+    pub fn number(&mut self, number: &Number) -> Id {
+        let id = self.number_id(number);
+        self.number_node(id)
+    }
+
+    pub(crate) fn number_node(&mut self, id: NumberId) -> Id {
+        let node = self.intern(Kind::Number, Flags::CONSTANT, &[id.0], self.number_value(id));
+        if node != Id::ZERO {
+            self.remember(node);
+        }
+        node
+    }
+
+    /// The node of an integer.
+    pub fn integer(&mut self, value: i64) -> Id {
+        self.number(&Number::integer(value))
+    }
+
+    /// The circle constant.
+    pub fn pi(&mut self) -> Id {
+        self.intern(Kind::Pi, Flags::CONSTANT, &[], Element::draw(&Key::new("pi")))
+    }
+
+    /// The independent variable t.
+    pub fn time(&mut self) -> Id {
+        self.intern(Kind::Time, Flags::TIME.at_level(1), &[], Element::draw(&Key::new("time")))
+    }
+
+    /// A symbol. Symbols of one name and other assumptions are other symbols.
+    pub fn symbol(&mut self, name: &str, assumption: Assumption) -> Id {
+        let name_id = self.name_id(name);
+        let key = Key::new("symbol").text(name).word(assumption as u64);
+        // A positive symbol lives in the group of prime order, where every root exists.
+        let value = match assumption {
+            Assumption::Positive => Element::draw_exponential(&key),
+            Assumption::Real | Assumption::None => Element::draw(&key),
+        };
+        let flags = if assumption == Assumption::None { Flags::COMPLEX } else { Flags::default() };
+        self.name_kinds[name_id as usize] |= 2 << assumption as u8;
+        self.intern(Kind::Symbol(assumption), flags, &[name_id], value)
+    }
+
+    /// The function of time `name`, differentiated `order` times.
+    ///
+    /// # Errors
+    /// When `order` is larger than [`LARGEST_ORDER`].
+    pub fn time_function(&mut self, name: &str, order: u32) -> Result<Id, Error> {
+        check_order(order.into())?;
+        let name_id = self.name_id(name);
+        let value = Element::draw(&Key::new("time function").text(name).word(order.into()));
+        self.name_kinds[name_id as usize] |= 1;
+        // Level 3 is the highest one.
+        let level = order.min(2) as u8 + 1;
+        Ok(self.intern(Kind::TimeFunction, Flags::TIME.at_level(level), &[name_id, order], value))
+    }
+
+    /// The node of this row, made if it is new.
+    pub(crate) fn intern(&mut self, kind: Kind, flags: Flags, words: &[u32], value: Element) -> Id {
+        let hash = hash_row(kind, words);
+        let (rows, table) = (&self.rows, &self.words);
+        let same = |&id: &u32| {
+            let row = rows[id as usize];
+            row.kind == kind && &table[row.start as usize..row.start as usize + row.len as usize] == words
+        };
+        if let Some(&id) = self.index.find(hash, same) {
+            return Id(id);
+        }
+        let (id, start) = (next_number(self.rows.len()), next_number(self.words.len()));
+        // Every word has a number, so `start` and `len` of the row, and of the next one, fit.
+        next_number(self.words.len() + words.len());
+        self.words.extend_from_slice(words);
+        self.rows.push(Row { start, len: words.len() as u32, flags, kind });
+        self.values.push(value);
+        let (rows, table) = (&self.rows, &self.words);
+        self.index.insert_unique(hash, id, |&id| {
+            let row = rows[id as usize];
+            hash_row(row.kind, &table[row.start as usize..row.start as usize + row.len as usize])
+        });
+        Id(id)
+    }
+
+    /// Begin a derivation with the given classes (fresh ones for a new derivation).
+    pub fn enter(&mut self, classes: Box<Classes>) {
+        self.classes = Some(classes);
+    }
+
+    /// End or suspend the derivation and hand its classes back.
+    pub fn leave(&mut self) -> Option<Box<Classes>> {
+        self.classes.take()
+    }
+
+    /// Enter a node made by the derivation in progress, if there is one, into its classes.
+    pub(crate) fn remember(&mut self, id: Id) {
+        let value = self.value(id);
+        if let Some(classes) = self.classes.as_mut() {
+            classes.remember(id, value);
+        }
+    }
+
+    /// Bytes held by the table, for the memory budget.
+    #[must_use]
+    pub fn bytes(&self) -> usize {
+        self.rows.capacity() * size_of::<Row>()
+            + self.values.capacity() * size_of::<Element>()
+            + self.words.capacity() * size_of::<u32>()
+            + self.index.capacity() * 8 * (size_of::<u32>() + 1) / 7
+    }
+}
+
+fn hash_row(kind: Kind, words: &[u32]) -> u64 {
+    let mut hasher = FxHasher::default();
+    kind.hash(&mut hasher);
+    words.hash(&mut hasher);
+    hasher.finish()
+}

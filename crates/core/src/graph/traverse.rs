@@ -1,0 +1,56 @@
+//! Orders of visiting and rebuilding; all loops, no recursion: graphs are 10^5 levels deep.
+
+use rustc_hash::FxHashSet;
+
+use super::node::Id;
+use super::table::Graph;
+
+impl Graph {
+    /// All nodes below the roots, children before parents, each once; the order depends on structure only.
+    #[must_use]
+    pub fn post_order(&self, roots: &[Id]) -> Vec<Id> {
+        self.post_order_where(roots, |_| true)
+    }
+
+    /// Like [`Self::post_order`], without what is only reached through nodes that fail the test.
+    pub(crate) fn post_order_where(&self, roots: &[Id], enter: impl Fn(Id) -> bool) -> Vec<Id> {
+        let mut seen: FxHashSet<Id> = FxHashSet::default();
+        let mut order = Vec::new();
+        let mut stack: Vec<(Id, bool)> = Vec::new();
+        let mut children = Vec::new();
+        for &root in roots {
+            if enter(root) {
+                stack.push((root, false));
+            }
+            while let Some((id, expanded)) = stack.pop() {
+                if expanded {
+                    order.push(id);
+                    continue;
+                }
+                if !seen.insert(id) {
+                    continue;
+                }
+                stack.push((id, true));
+                children.clear();
+                self.push_children(id, &mut children);
+                stack.extend(
+                    children.iter().rev().filter(|&&child| enter(child)).map(|&child| (child, false)),
+                );
+            }
+        }
+        order
+    }
+
+    /// The variables below the nodes, ordered by structure.
+    #[must_use]
+    pub fn variables(&self, roots: &[Id]) -> Vec<Id> {
+        self.post_order(roots).into_iter().filter(|&id| self.is_variable(id)).collect()
+    }
+
+    /// Whether something equal to `part` is below the node (or is the node).
+    #[must_use]
+    pub fn has(&self, id: Id, part: Id) -> bool {
+        let value = self.value(part);
+        self.post_order(&[id]).into_iter().any(|node| self.value(node) == value)
+    }
+}

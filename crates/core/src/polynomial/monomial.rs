@@ -1,0 +1,138 @@
+//! Products of integer powers of numbered atoms.
+
+use std::cmp::Ordering;
+
+/// A product of integer powers of atoms.
+///
+/// Invariants: atoms ascend; no exponent is zero.
+#[derive(Clone, Debug, Default, PartialEq, Eq, Hash)]
+pub(crate) struct Monomial(Vec<(u32, i64)>);
+
+impl Monomial {
+    #[cfg(test)]
+    pub(crate) fn of(factors: &[(u32, i64)]) -> Self {
+        Self(factors.to_vec())
+    }
+
+    pub(crate) fn power(atom: u32, exponent: i64) -> Self {
+        if exponent == 0 { Self::default() } else { Self(vec![(atom, exponent)]) }
+    }
+
+    pub(crate) fn factors(&self) -> &[(u32, i64)] {
+        &self.0
+    }
+
+    pub(crate) fn is_one(&self) -> bool {
+        self.0.is_empty()
+    }
+
+    pub(crate) fn exponent(&self, atom: u32) -> i64 {
+        self.0.binary_search_by_key(&atom, |&(a, _)| a).map_or(0, |at| self.0[at].1)
+    }
+
+    /// The sum of the magnitudes of the exponents.
+    pub(crate) fn degree(&self) -> u64 {
+        self.0.iter().map(|&(_, e)| e.unsigned_abs()).sum()
+    }
+
+    pub(crate) fn times(&self, other: &Self) -> Self {
+        let mut out = Vec::with_capacity(self.0.len() + other.0.len());
+        let (mut left, mut right) = (&self.0[..], &other.0[..]);
+        while let ([(a, e), left_rest @ ..], [(b, f), right_rest @ ..]) = (left, right) {
+            match a.cmp(b) {
+                Ordering::Less => {
+                    out.push((*a, *e));
+                    left = left_rest;
+                }
+                Ordering::Greater => {
+                    out.push((*b, *f));
+                    right = right_rest;
+                }
+                Ordering::Equal => {
+                    let sum = e.saturating_add(*f);
+                    if sum != 0 {
+                        out.push((*a, sum));
+                    }
+                    (left, right) = (left_rest, right_rest);
+                }
+            }
+        }
+        out.extend_from_slice(left);
+        out.extend_from_slice(right);
+        Self(out)
+    }
+
+    pub(crate) fn pow(&self, n: i64) -> Self {
+        if n == 0 {
+            return Self::default();
+        }
+        Self(self.0.iter().map(|&(a, e)| (a, e.saturating_mul(n))).collect())
+    }
+
+    pub(crate) fn over(&self, divisor: &Self) -> Self {
+        self.times(&divisor.pow(-1))
+    }
+
+    /// The factors whose atom passes the test, and the others.
+    pub(crate) fn split(&self, pick: impl Fn(u32) -> bool) -> (Self, Self) {
+        let (picked, rest) = self.0.iter().partition(|&&(atom, _)| pick(atom));
+        (Self(picked), Self(rest))
+    }
+
+    pub(crate) fn is_natural(&self) -> bool {
+        self.0.iter().all(|&(_, e)| e > 0)
+    }
+
+    /// The square root, if no exponent is odd.
+    pub(super) fn halved(&self) -> Option<Self> {
+        let half: Vec<_> = self.0.iter().map(|&(a, e)| (a, e / 2)).collect();
+        self.0.iter().all(|&(_, e)| e % 2 == 0).then_some(Self(half))
+    }
+}
+
+/// Lexicographic by the exponents of the atoms in turn: an order that products keep.
+impl Ord for Monomial {
+    fn cmp(&self, other: &Self) -> Ordering {
+        for position in 0.. {
+            let (left, right) = (self.0.get(position), other.0.get(position));
+            let decided = match (left, right) {
+                (None, None) => return Ordering::Equal,
+                (Some((_, e)), None) => e.cmp(&0),
+                (None, Some((_, f))) => 0.cmp(f),
+                (Some((a, e)), Some((b, f))) => match a.cmp(b) {
+                    Ordering::Less => e.cmp(&0),
+                    Ordering::Greater => 0.cmp(f),
+                    Ordering::Equal => e.cmp(f),
+                },
+            };
+            if decided != Ordering::Equal {
+                return decided;
+            }
+        }
+        Ordering::Equal
+    }
+}
+
+impl PartialOrd for Monomial {
+    fn partial_cmp(&self, other: &Self) -> Option<Ordering> {
+        Some(self.cmp(other))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn products_keep_the_order_of_monomials() {
+        let monomials: Vec<Monomial> =
+            [&[(0, 1)][..], &[(0, -1), (1, 2)], &[(1, 1)], &[], &[(2, 3)]].map(Monomial::of).to_vec();
+        for a in &monomials {
+            for b in &monomials {
+                for c in &monomials {
+                    assert_eq!(a.cmp(b), a.times(c).cmp(&b.times(c)));
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,266 @@
+//! Lowering: expressions to the straight-line code of a tape.
+//!
+//! Every value is computed once, whatever forms it has. Signs travel with the values and end in
+//! subtractions; constants are folded; the negative exponents of a product end in one division.
+
+use rustc_hash::FxHashMap;
+use std::cmp::Reverse;
+
+use crate::error::Error;
+use crate::graph::{Factors, Function, Graph, Id, Ids, Kind, Terms, View};
+use crate::value::Element;
+
+use super::emit::{Emitter, Signed};
+use super::schedule::schedule;
+use super::sign::absorb_signs;
+use super::straight_line::{Instruction, Operand, Tape};
+
+/// Integer powers up to this one are multiplied out.
+const LARGEST_POWER: u64 = 1024;
+
+impl Graph {
+    /// The straight-line code that computes the outputs from the inputs.
+    ///
+    /// Inputs are symbols, functions of time and their derivatives, or applications of undefined functions;
+    /// they are recognised by value.
+    ///
+    /// # Errors
+    /// When an input is no variable, or an output depends on a variable that is no input.
+    pub fn tape(&self, inputs: &[Id], outputs: &[Id]) -> Result<Tape, Error> {
+        let mut lowering = Lowering::new(self, inputs)?;
+        let order = self.post_order_where(outputs, |id| !lowering.is_input(id));
+        for id in order {
+            if !lowering.knows(id) {
+                let Some(value) = lowering.lower(id) else {
+                    return Err(self.missing_inputs(inputs, outputs));
+                };
+                lowering.remember(id, value);
+            }
+        }
+        lowering.code.tape.outputs = outputs.iter().map(|&id| lowering.output(id)).collect();
+        absorb_signs(&mut lowering.code.tape);
+        Ok(schedule(&lowering.code.tape, &lowering.code.needs))
+    }
+
+    /// The error that names every variable without a value; those inside an unknown function stay out.
+    fn missing_inputs(&self, inputs: &[Id], outputs: &[Id]) -> Error {
+        let given: Vec<Element> = inputs.iter().map(|&id| self.value(id)).collect();
+        let is_input = |id: Id| given.contains(&self.value(id));
+        let mut inside: Vec<Id> = Vec::new();
+        let mut names: Vec<String> = Vec::new();
+        for id in self.post_order_where(outputs, |id| !is_input(id)) {
+            if self.kind(id) == Kind::Application {
+                inside.push(id);
+                names.push(self.to_quotation(id));
+            }
+        }
+        let outside = self.post_order_where(outputs, |id| !is_input(id) && !inside.contains(&id));
+        let needed: Vec<Id> = outside.into_iter().filter(|&id| self.is_variable(id)).collect();
+        names.extend(needed.iter().map(|&id| self.to_text(id)));
+        names.sort_unstable();
+        names.dedup();
+        let explained = self.explain_namesakes(&needed, inputs, ("without a value", "given"));
+        Error::MissingInput(format!(
+            "no value for {}: make each an input, or substitute it{}",
+            names.join(", "),
+            explained.map_or_else(String::new, |text| format!("; {text}"))
+        ))
+    }
+}
+
+struct Lowering<'a> {
+    graph: &'a Graph,
+    /// What is computed, by value up to sign.
+    known: FxHashMap<Element, Signed>,
+    inputs: FxHashMap<Element, u32>,
+    /// Linear systems, by value.
+    systems: FxHashMap<Element, Operand>,
+    code: Emitter,
+}
+
+impl<'a> Lowering<'a> {
+    fn new(graph: &'a Graph, inputs: &[Id]) -> Result<Self, Error> {
+        let mut lowering = Self {
+            graph,
+            known: FxHashMap::default(),
+            inputs: FxHashMap::default(),
+            systems: FxHashMap::default(),
+            code: Emitter::default(),
+        };
+        for (&input, position) in inputs.iter().zip(0..) {
+            if !graph.is_variable(input) {
+                return Err(Error::NotAVariable(graph.to_quotation(input)));
+            }
+            lowering.code.tape.inputs.push(graph.to_text(input));
+            lowering.inputs.entry(graph.value(input)).or_insert(position);
+            lowering.remember(input, Signed::plus(Operand::Input(position)));
+        }
+        Ok(lowering)
+    }
+
+    fn is_input(&self, id: Id) -> bool {
+        self.inputs.contains_key(&self.graph.value(id))
+    }
+
+    fn knows(&self, id: Id) -> bool {
+        self.known.contains_key(&self.graph.value(id).unsigned().0)
+    }
+
+    fn remember(&mut self, id: Id, value: Signed) {
+        let (key, opposite) = self.graph.value(id).unsigned();
+        self.known.entry(key).or_insert(value.flipped_if(opposite));
+    }
+
+    /// The operand of a node below, which comes earlier in the order.
+    fn at(&mut self, id: Id) -> Signed {
+        if let Some(number) = self.graph.as_number(id) {
+            // Numbers are exact beyond what their value in the field tells.
+            return self.code.constant(number.to_f64());
+        }
+        let (key, opposite) = self.graph.value(id).unsigned();
+        self.known.get(&key).expect("what a node reads is lowered before it").flipped_if(opposite)
+    }
+
+    fn output(&mut self, id: Id) -> Operand {
+        let value = self.at(id);
+        self.code.plain(value)
+    }
+
+    /// The code of one node; `None` for a variable that is no input.
+    fn lower(&mut self, id: Id) -> Option<Signed> {
+        Some(match self.graph.view(id) {
+            View::Time | View::Symbol(..) | View::TimeFunction(..) | View::Application { .. } => return None,
+            View::Number(number) => self.code.constant(self.graph.get_number(number).to_f64()),
+            View::Pi => self.code.constant(std::f64::consts::PI),
+            View::Scale(factor, child) => {
+                let child = self.at(child);
+                let factor = self.code.constant(self.graph.get_number(factor).to_f64());
+                self.code.multiply(factor, child)
+            }
+            View::Sum(terms) => self.sum(terms),
+            View::Product(factors) => self.product(factors),
+            View::Function(function, args) => self.call(function, args),
+            View::LinearSystem { matrix, right } => {
+                let system = self.linear_system(matrix, right);
+                self.systems.insert(self.graph.value(id), system);
+                Signed::plus(system)
+            }
+            View::Solution(system, index) => {
+                let system = *self.systems.get(&self.graph.value(system))?;
+                self.code.component(system, index)
+            }
+        })
+    }
+
+    /// Terms that need many values come first, constants together at the end.
+    fn sum(&mut self, terms: Terms) -> Signed {
+        let mut constant = 0.0;
+        let mut parts: Vec<Signed> = Vec::with_capacity(terms.len());
+        for (coefficient, node) in terms.iter() {
+            let coefficient = self.code.constant(self.graph.get_number(coefficient).to_f64());
+            let node = self.at(node);
+            let term = self.code.multiply(coefficient, node);
+            match self.code.number_in(term) {
+                Some(number) => constant += number,
+                None => parts.push(term),
+            }
+        }
+        parts.sort_by_key(|term| Reverse(self.code.need_of(*term)));
+        if constant != 0.0 || parts.is_empty() {
+            let constant = self.code.constant(constant);
+            parts.push(constant);
+        }
+        // A sum that ends in a subtraction has its opposite at no cost.
+        if let Some(subtracted) = parts.iter().rposition(|term| term.negative) {
+            let subtracted = parts.remove(subtracted);
+            parts.push(subtracted);
+        }
+        parts.into_iter().reduce(|a, b| self.code.add(a, b)).expect("a constant stands for no terms")
+    }
+
+    fn product(&mut self, factors: Factors) -> Signed {
+        let mut quotient = Quotient { constant: 1.0, above: Vec::new(), below: Vec::new() };
+        for (base, exponent) in factors.iter() {
+            let base = self.at(base);
+            let exponent = self.graph.get_number(exponent);
+            let power = match exponent.to_small() {
+                Some((n, d @ (1 | 2))) if n.unsigned_abs() <= LARGEST_POWER => {
+                    self.code.power(base, n.unsigned_abs(), d == 2)
+                }
+                _ => {
+                    let (base, exponent) =
+                        (self.code.plain(base), self.code.constant(exponent.abs().to_f64()));
+                    self.code.emit(Instruction::Binary(Function::Power, base, exponent.operand))
+                }
+            };
+            quotient.push(power, self.code.number_in(power), exponent.is_negative());
+        }
+        self.quotient(quotient)
+    }
+
+    fn quotient(&mut self, parts: Quotient) -> Signed {
+        let code = &mut self.code;
+        let constant = code.constant(parts.constant);
+        let above = code.multiply_all(parts.above);
+        let below = code.multiply_all(parts.below);
+        // The number stays outside, where it meets the numbers of multiples of the product.
+        match (above, below) {
+            (None, None) => constant,
+            (Some(above), None) => code.multiply(constant, above),
+            (None, Some(below)) => code.divide(constant, below),
+            (Some(above), Some(below)) => {
+                let quotient = code.divide(above, below);
+                code.multiply(constant, quotient)
+            }
+        }
+    }
+
+    /// Solutions that share a matrix share its factorisation.
+    fn linear_system(&mut self, matrix: Ids, right: Ids) -> Operand {
+        let matrix: Vec<Operand> = matrix.iter().map(|entry| self.output(entry)).collect();
+        let right: Vec<Operand> = right.iter().map(|entry| self.output(entry)).collect();
+        let factorization = self.code.factor(right.len(), matrix);
+        self.code.solve(factorization, right)
+    }
+
+    fn call(&mut self, function: Function, args: Ids) -> Signed {
+        let args: Vec<Operand> = args.iter().map(|arg| self.output(arg)).collect();
+        match function {
+            Function::Min | Function::Max => {
+                let call = |a, b| self.code.emit_plain(Instruction::Binary(function, a, b));
+                Signed::plus(args.into_iter().reduce(call).expect("an extremum has arguments"))
+            }
+            Function::Piecewise => self.choice(&args),
+            _ => match args[..] {
+                [a, b] => self.code.emit(Instruction::Binary(function, a, b)),
+                _ => self.code.emit(Instruction::Unary(function, args[0])),
+            },
+        }
+    }
+
+    /// The first value whose condition is positive: the choices nest from the last one.
+    fn choice(&mut self, args: &[Operand]) -> Signed {
+        let (otherwise, pairs) = (args[args.len() - 1], args[..args.len() - 1].chunks_exact(2));
+        Signed::plus(pairs.rev().fold(otherwise, |otherwise, pair| {
+            self.code.emit_plain(Instruction::Select { condition: pair[1], positive: pair[0], otherwise })
+        }))
+    }
+}
+
+/// The parts of a product: constant * above / below.
+struct Quotient {
+    constant: f64,
+    above: Vec<Signed>,
+    below: Vec<Signed>,
+}
+
+impl Quotient {
+    fn push(&mut self, factor: Signed, number: Option<f64>, divides: bool) {
+        match (number, divides) {
+            (Some(number), false) => self.constant *= number,
+            (Some(number), true) => self.constant /= number,
+            (None, false) => self.above.push(factor),
+            (None, true) => self.below.push(factor),
+        }
+    }
+}
