@@ -8,6 +8,11 @@ from dataclasses import dataclass, replace
 from functools import partial
 from typing import Annotated, TypeAlias
 
+from symbody.dynamics.equations.baumgarte import Damping
+from symbody.dynamics.equations.equations import Equations
+from symbody.dynamics.recursion import articulated_body
+from symbody.dynamics.recursion.inverse_dynamics import at_rest
+from symbody.dynamics.tree.frame_tree import FrameTree, frame_tree
 from symbody.errors import ConstraintError, ExpressionError, ModelError
 from symbody.geometry.argument import checked
 from symbody.symbolic import (
@@ -21,12 +26,6 @@ from symbody.symbolic import (
     substitute,
 )
 from symbody.symbolic.given.arguments import brief, counted
-
-from . import articulated_body
-from .baumgarte import Damping
-from .equations import Equations
-from .frame_tree import FrameTree, frame_tree
-from .newton_euler import at_rest
 
 Speeds: TypeAlias = Annotated[Sequence[Expr], "a list of speeds, such as time_derivative(x)"]
 
@@ -137,7 +136,7 @@ def _least_elimination(tree: FrameTree) -> int:
     beyond, total = [0] * len(tree.frames), 0
     for place in range(1, len(tree.frames)):
         beyond[place] = beyond[tree.parents[place]]
-        for _ in tree.coordinates[place]:
+        for _ in tree.moved_by[place]:
             total += beyond[place] * (beyond[place] + 5)
             beyond[place] += 1
     return total

@@ -4,12 +4,11 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
+from symbody.dynamics.inertia.wrench import Wrench
 from symbody.geometry.motion import Motion, Rotation
 from symbody.geometry.triple import NULL, Triple, is_null
 from symbody.multibody import Body
 from symbody.symbolic import Expr, add3, cos, cross3, matvec3, number, scale3, sin, sub3
-
-from .wrench import Wrench
 
 Tensor = tuple[Expr, Expr, Expr, Expr, Expr, Expr]
 """A symmetric 3x3 matrix: xx, yy, zz, yz, xz, xy."""

@@ -6,14 +6,13 @@ from collections.abc import Collection, Sequence
 from functools import partial
 from typing import Annotated, TypeAlias, overload
 
+from symbody.dynamics.tree.partial_motion import slope
 from symbody.errors import ModelError
 from symbody.geometry.argument import checked
 from symbody.geometry.kinematics import displacement_rate, pose_from
 from symbody.geometry.placement import axial_rate
 from symbody.multibody import Action, Load
 from symbody.symbolic import Expr, derivation, dot3, number
-
-from .partial_motion import slope
 
 Loads: TypeAlias = Annotated[Load | Collection[Load], "a force, a torque, or a list of them"]
 Coordinates: TypeAlias = Annotated[Expr | Sequence[Expr], "a coordinate, or a list of them"]

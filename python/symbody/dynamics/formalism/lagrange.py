@@ -5,6 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from typing import final
 
+from symbody.dynamics.equations.constraint_force import with_multipliers
+from symbody.dynamics.equations.equations import Assembly, Equations
+from symbody.dynamics.equations.independence import check_independent
+from symbody.dynamics.recursion.added_mass import with_added_mass
+from symbody.dynamics.recursion.inverse_dynamics import at_rest, bias, inverse_dynamics
+from symbody.dynamics.recursion.mass_matrix import mass_matrix
+from symbody.dynamics.tree.frame_tree import FrameTree, frame_tree, given_twist
 from symbody.errors import ModelError
 from symbody.geometry.argument import checked
 from symbody.geometry.triple import NULL, Triple
@@ -28,12 +35,7 @@ from symbody.symbolic import (
 )
 from symbody.symbolic.given.arguments import brief
 
-from .added_mass import with_added_mass
-from .composite_rigid_body import mass_matrix
-from .constraint import check_independent, with_multipliers
-from .equations import Assembly, Equations
-from .frame_tree import FrameTree, checked_tree, frame_tree, given_twist
-from .newton_euler import at_rest, bias, inverse_dynamics
+from .checked_tree import checked_tree
 
 
 @checked(ModelError)

@@ -18,14 +18,13 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field
 from typing import NamedTuple, final
 
+from symbody.dynamics.inertia.composite import Composite, composite, particle, rotor
+from symbody.dynamics.tree.frame_tree import FrameTree
+from symbody.dynamics.tree.rigid_group import RigidGroups
 from symbody.geometry.motion import Rotation, Translation
 from symbody.geometry.triple import NULL, Triple, is_null
 from symbody.multibody import Body, System
 from symbody.symbolic import Expr, number, scale3
-
-from .composite import Composite, composite, particle, rotor
-from .frame_tree import FrameTree
-from .link import Links
 
 _ZERO = number(0)
 _NOTHING = rotor((_ZERO, _ZERO, _ZERO, _ZERO, _ZERO, _ZERO))
@@ -85,7 +84,7 @@ class _Regrouping:
     """From the leaves to the root."""
 
     def __init__(self, system: System, tree: FrameTree) -> None:
-        self._tree, self._links = tree, Links(tree)
+        self._tree, self._groups = tree, RigidGroups(tree)
         self._mass = 0.0
         self.result = BaseInertias()
         for body in system.bodies:
@@ -109,14 +108,14 @@ class _Regrouping:
             if composites[place].is_null:
                 del composites[place]
             self.result.particles.extend(way.taken)
-            if place and self._tree.carried[self._links.before(place)]:
+            if place and self._tree.carried[self._groups.before(place)]:
                 self._keep(self._tree.parents[place], line)
 
     def _keep(self, place: int, inertia: Composite) -> None:
         """Add an inertia to the link of a frame."""
         if inertia.is_null:
             return
-        while place != self._links.home[place]:
+        while place != self._groups.home[place]:
             inertia = inertia.to_parent(self._tree.motion(place))
             place = self._tree.parents[place]
         known = self.result.composites.get(place)
@@ -124,7 +123,7 @@ class _Regrouping:
 
     def _line(self, place: int, whole: Composite) -> Composite:
         """Return what of a body may be kept in the link before; one without inertia stays without."""
-        before = self._links.before(place)
+        before = self._groups.before(place)
         if place == 0 or (self._tree.carried[before] and before not in self._owners):
             return _NOTHING
         match self._tree.motion(place):
@@ -144,7 +143,7 @@ class _Regrouping:
         if not whole.mass.is_zero:
             center = Particle(whole.mass, scale3(1 / whole.mass, whole.moment))
             yield self._without(place, center.position, place, center)
-        for branch in self._links.branches(place):
+        for branch in self._groups.branches(place):
             d = self._tree.motion(branch).displacement
             for h, r in zip(whole.moment, d, strict=True):
                 if not h.is_zero and not r.is_zero and abs(float(h / r)) <= self._mass:
@@ -166,7 +165,7 @@ class _Regrouping:
         each for the torque; an entry of the second moments two or three each.
         """
         left = whole.minus(self._line(place, whole))
-        travels = self._links.travels[place]
+        travels = self._groups.travels[place]
         x, y, z = left.second_moments
         pairs = [2 * _count(pair) for pair in ((x, y), (y, z), (z, x))]
         return (

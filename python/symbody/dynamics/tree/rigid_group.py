@@ -1,4 +1,4 @@
-"""Links: the frames of a tree that are fixed in each other at numbers, the first of them the link's own."""
+"""Rigid groups: frames of a tree that are fixed in each other by numbers, so that they move as one link."""
 
 from __future__ import annotations
 
@@ -11,11 +11,11 @@ from .frame_tree import FrameTree
 
 
 @final
-class Links:
-    """The links of a tree.
+class RigidGroups:
+    """The rigid groups of a tree.
 
     Attributes:
-        home: by frame, the first frame of its link.
+        home: by frame, the first frame of its group.
         travels: by frame, whether its origin moves with coordinates.
     """
 
@@ -34,11 +34,11 @@ class Links:
                 self._bears[tree.parents[place]] = True
 
     def before(self, place: int) -> int:
-        """Return the first frame of the link that carries a link."""
+        """Return the first frame of the group that carries a group."""
         return self.home[self._tree.parents[place]]
 
     def branches(self, home: int) -> Iterator[int]:
-        """Return the frames fixed in the first one of a link, at another origin, that bear other links."""
+        """Return the frames fixed in the first one of a group, at another origin, that bear other groups."""
         for place in range(home + 1, len(self.home)):
             beside = self._tree.parents[place] == home and self.home[place] == home
             if beside and self._bears[place] and not is_null(self._tree.motion(place).displacement):

@@ -6,6 +6,9 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property
 
+from symbody.dynamics.equations.baumgarte import Damping, stabilized
+from symbody.dynamics.equations.constraint_force import constraint_jacobian
+from symbody.dynamics.equations.output import Outputs
 from symbody.errors import ModelError
 from symbody.geometry import Scalar
 from symbody.geometry.argument import checked
@@ -13,10 +16,6 @@ from symbody.multibody import System
 from symbody.symbolic import Expr, Matrix, Program, free_symbols, listing, time_derivative
 from symbody.symbolic.given.arguments import counted
 from symbody.symbolic.numeric.program import program_of
-
-from .baumgarte import Damping, stabilized
-from .constraint import constraint_jacobian
-from .output import Outputs
 
 
 @dataclass(frozen=True)
@@ -134,7 +133,7 @@ class Equations:
         baumgarte: Damping = None,
         method: str | None = "auto",
     ) -> Program:
-        """Return the routines of which code is generated; see `symbody.dynamics.program.program`."""
+        """Return the routines of which code is generated; see `symbody.dynamics.solution.program.program`."""
         return program_of(self, name=name, outputs=outputs, baumgarte=baumgarte, method=method)
 
     def __repr__(self) -> str:

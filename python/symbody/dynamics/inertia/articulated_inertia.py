@@ -4,12 +4,11 @@ from __future__ import annotations
 
 from typing import NamedTuple, TypeAlias
 
+from symbody.dynamics.inertia.composite import Composite, Tensor, tensor_times, turned_tensor
+from symbody.dynamics.inertia.wrench import Wrench
 from symbody.geometry.motion import Motion, Rotation
 from symbody.geometry.triple import NULL, Triple, is_null
 from symbody.symbolic import Expr, add3, cos, cross3, matvec3, matvec3_transposed, sin
-
-from .composite import Composite, Tensor, tensor_times, turned_tensor
-from .wrench import Wrench
 
 Nine: TypeAlias = tuple[Expr, ...]
 """A 3x3 matrix, row after row."""

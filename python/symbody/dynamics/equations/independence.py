@@ -1,51 +1,21 @@
-"""Holonomic constraints: their Jacobian, and the forces of their multipliers."""
+"""Constraints that depend on each other, or leave no motion: notices and errors before anything is derived.
+
+Gaussian elimination in the rows of the Jacobian, ``phi_q = L U``, combines the constraints in the same way: a row that
+vanishes belongs to a combination of constraints that is constant, or holds no coordinate.
+"""
 
 from __future__ import annotations
 
 import warnings
-from collections.abc import Sequence
-from importlib import import_module
+from collections.abc import Callable, Sequence
 from typing import NamedTuple
 
 from symbody.errors import ConstraintError, ModelNotice
 from symbody.multibody import System
-from symbody.symbolic import Expr, Matrix, derivation, gradient, jacobian, number, t, time_derivative, zeros
+from symbody.symbolic import Expr, number, t
 from symbody.symbolic.given.arguments import brief
 
-
-def constraint_jacobian(system: System) -> Matrix:
-    """Return ``phi_q = dphi'/du``, a row a constraint and a column a speed."""
-    if not system.constraints:
-        return zeros(0, len(system.speeds))
-    with derivation():
-        if system.has_quasi_velocities:
-            return jacobian(system.rate(system.constraints), system.speeds)
-        return jacobian(system.constraints, system.coordinates)
-
-
-def with_multipliers(residuals: Sequence[Expr], system: System) -> tuple[Expr, ...]:
-    """Return ``residual - phi_q^T lambda``: the multipliers' forces stand on the side of the loads.
-
-    The products are the gradient of ``sum(lambda phi)``: taken backwards through what the constraints share, it is
-    shorter than the Jacobian's rows.
-    """
-    if not system.constraints:
-        return tuple(residuals)
-    augmented = number(0)
-    for multiplier, constraint in zip(system.multipliers, system.constraints, strict=True):
-        augmented += multiplier * constraint
-    forces = gradient(augmented, system.coordinates)
-    if system.has_quasi_velocities:
-        forces = _along_speeds(forces, system)
-    return tuple(residual - force for residual, force in zip(residuals, forces, strict=True))
-
-
-def _along_speeds(forces: Sequence[Expr], system: System) -> tuple[Expr, ...]:
-    """Return the power of forces along the coordinates, per unit of each speed."""
-    power = number(0)
-    for coordinate, force in zip(system.coordinates, forces, strict=True):
-        power += force * system.kinematics.get(coordinate, time_derivative(coordinate))
-    return gradient(power, system.speeds)
+from .constraint_force import constraint_jacobian
 
 
 def check_independent(system: System) -> None:
@@ -86,12 +56,21 @@ def _check_motion_is_left(system: System, independent: int) -> None:
 
 
 def _overconstrained(system: System) -> str:
-    """Return what is redundant in a mechanism that moves by its special dimensions alone, if this is one.
-
-    That takes numbers, and so a higher layer, which is looked up for this message only.
-    """
-    found: str = import_module("symbody.simulation.constraint.redundant_constraints").advice(system)
+    """Return what is redundant in a mechanism that moves by its special dimensions alone, if this is one."""
+    found = "".join(adviser(system) for adviser in _advisers)
     return found and f". With parameters that are all 1, {found}"
+
+
+_advisers: list[Callable[[System], str]] = []
+
+
+def register_adviser(adviser: Callable[[System], str]) -> None:
+    """Let a layer above say what is redundant in constraints that leave no motion, for the error's message.
+
+    That takes numbers, which only layers above know how to find. The adviser returns an empty text if nothing is
+    redundant.
+    """
+    _advisers.append(adviser)
 
 
 class _Combination(NamedTuple):

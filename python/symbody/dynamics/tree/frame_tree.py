@@ -5,19 +5,16 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 
+from symbody.dynamics.tree.partial_motion import PartialTwist, partial_twists, partial_twists_by_speeds
+from symbody.dynamics.tree.shifted_origin import with_shifted_origins
 from symbody.errors import ModelError
 from symbody.geometry import Frame
 from symbody.geometry.floating import Floating
 from symbody.geometry.motion import Motion
 from symbody.geometry.twist import Twist
 from symbody.multibody import Action, Body, System
-from symbody.multibody.coordinate import rate_of_any
-from symbody.symbolic import Expr, derivation, free_symbols
+from symbody.symbolic import derivation, free_symbols
 from symbody.symbolic.given.arguments import brief
-
-from .added_mass import check_loads
-from .partial_motion import PartialTwist, partial_twists, partial_twists_by_speeds
-from .shifted_origin import with_shifted_origins
 
 
 @dataclass(frozen=True)
@@ -27,14 +24,14 @@ class FrameTree:
     Attributes:
         frames: the root first, every parent before its children.
         parents: the place of each frame's parent in the list.
-        coordinates: the speeds, by their place in those of the system, that move each frame in its parent.
+        moved_by: for each frame, the speeds that move it in its parent, by their places in those of the system.
         carried: whether some motion at or before the frame has speeds.
         actions: what the loads do.
     """
 
     frames: tuple[Frame, ...]
     parents: tuple[int, ...]
-    coordinates: tuple[tuple[int, ...], ...]
+    moved_by: tuple[tuple[int, ...], ...]
     carried: tuple[bool, ...]
     actions: tuple[Action, ...]
     places: dict[bytes, int]
@@ -52,15 +49,18 @@ class FrameTree:
         return motion
 
     def partial_twists(self, place: int) -> dict[int, PartialTwist]:
-        """Return what each speed, by its place, does to the motion of a frame."""
+        """Return what each speed, by its place, does to the motion of a frame in its parent."""
         if place not in self._twists:
-            moving, given = self.coordinates[place], given_twist(self.frames[place])
-            if given is not None:
-                twists = partial_twists_by_speeds(given, [self.system.speeds[k] for k in moving])
-            else:
-                twists = partial_twists(self.motion(place), [self.system.driving[k] for k in moving])
-            self._twists[place] = dict(zip(moving, twists, strict=True))
+            self._twists[place] = dict(zip(self.moved_by[place], self._made(place), strict=True))
         return self._twists[place]
+
+    def _made(self, place: int) -> list[PartialTwist]:
+        moving, given = self.moved_by[place], given_twist(self.frames[place])
+        if not moving:
+            return []
+        if given is not None:
+            return partial_twists_by_speeds(given, [self.system.speeds[k] for k in moving])
+        return partial_twists(self.motion(place), [self.system.driving[k] for k in moving])
 
     @property
     def is_rigid(self) -> bool:
@@ -77,69 +77,9 @@ def frame_tree(system: System) -> FrameTree:
         return trees[system]
 
 
-def checked_tree(system: System, where: str) -> FrameTree:
-    """Return the tree of a system, or raise an error where it can't have equations of motion in its coordinates."""
-    tree = frame_tree(system)
-    for place, frame in enumerate(tree.frames):
-        if given_twist(frame) is None:
-            _check_motion(frame, system, where)
-        else:
-            _check_twist(tree, place, where)
-    _check_used(tree, where)
-    check_loads(system, where)
-    return tree
-
-
 def given_twist(frame: Frame) -> Twist | None:
     """Return the twist of a frame in its parent, or in ground, if it is given by speeds."""
     return frame.motion.twist if isinstance(frame.motion, Floating) else frame.carrier
-
-
-def _check_motion(frame: Frame, system: System, where: str) -> None:
-    leaves = frozenset[Expr]() if frame.motion is None else frame.motion.leaves
-    rate = rate_of_any(system.coordinates, leaves)
-    if rate is not None:
-        raise ModelError(
-            f"{where}: {brief(frame)} holds the rate {rate}; expected frames of coordinates and time alone"
-        )
-    names = {u.name: "a speed" for u in system.quasi_velocities}
-    names |= {q.name: "a coordinate of a floating frame" for q in system.kinematics}
-    taken = min(
-        (leaf.name for leaf in leaves if leaf.kind == "time_function" and leaf.name in names), default=None
-    )
-    if taken is not None:
-        raise ModelError(
-            f"{where}: {brief(frame)} is moved by {taken}, {names[taken]}; expected coordinates of its own"
-        )
-
-
-def _check_twist(tree: FrameTree, place: int, where: str) -> None:
-    for twist in tree.partial_twists(place).values():
-        for slope in (*twist.spin, *twist.drift):
-            speed = next((u for u in tree.system.speeds if u in slope.free_symbols), None)
-            if speed is not None:
-                raise ModelError(
-                    f"{where}: the velocities of {brief(tree.frames[place])} aren't linear in the speed {speed}; "
-                    "expected velocities that are linear in all speeds"
-                )
-
-
-def _check_used(tree: FrameTree, where: str) -> None:
-    system = tree.system
-    used = {system.driving[k] for moving in tree.coordinates for k in moving}
-    used.update(leaf for constraint in system.constraints for leaf in constraint.free_symbols)
-    for unknown in system.driving:
-        if unknown in used:
-            continue
-        if unknown in system.quasi_velocities:
-            raise ModelError(
-                f"{where}: the speed {unknown} moves no frame of a body; leave it out of the speeds, or build a moving "
-                "frame with it"
-            )
-        raise ModelError(
-            f"{where}: the coordinate {unknown} appears in no frame of a body and in no constraint; "
-            "leave it out of the coordinates, or build a frame with it"
-        )
 
 
 def _build(system: System) -> FrameTree:
@@ -153,11 +93,11 @@ def _build(system: System) -> FrameTree:
     ordered, parents = _ordered(system.root, [moved[frame.key] for frame in targets])
     places = {frame.key: place for place, frame in enumerate(ordered)}
     places |= {key: places[frame.key] for key, frame in moved.items() if frame.key in places}
-    coordinates = _dependence(ordered, system)
-    carried = [bool(coordinates[0])]
+    moved_by = _dependence(ordered, system)
+    carried = [bool(moved_by[0])]
     for place in range(1, len(ordered)):
-        carried.append(carried[parents[place]] or bool(coordinates[place]))
-    return FrameTree(tuple(ordered), tuple(parents), coordinates, tuple(carried), actions, places, system)
+        carried.append(carried[parents[place]] or bool(moved_by[place]))
+    return FrameTree(tuple(ordered), tuple(parents), moved_by, tuple(carried), actions, places, system)
 
 
 def _is_numeric(body: Body) -> bool:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from symbody.dynamics.inertia.spin_momentum import spin_momentum_rate
 from symbody.errors import ModelError
 from symbody.geometry import Frame, Point, Triple, Vector, acceleration
 from symbody.geometry.acceleration_field import Turning
@@ -13,8 +14,6 @@ from symbody.multibody import Body
 from symbody.multibody.load import Action
 from symbody.multibody.selection import Objects, Selection, select_bodies
 from symbody.symbolic import add3, cross3, derivation, number, scale3, sub3, time_derivatives
-
-from .spin_momentum import spin_momentum_rate
 
 
 @checked(ModelError)

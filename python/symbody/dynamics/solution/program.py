@@ -4,6 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 
+from symbody.dynamics.equations.baumgarte import Damping
+from symbody.dynamics.equations.equations import Equations
+from symbody.dynamics.equations.output import Output, Outputs
+from symbody.dynamics.solution.forward_dynamics import forward_dynamics
 from symbody.errors import ArgumentError, ExpressionError, ModelError, ProgramError
 from symbody.geometry import Vector
 from symbody.geometry.argument import checked
@@ -23,11 +27,6 @@ from symbody.symbolic import (
 from symbody.symbolic.given.arguments import brief
 from symbody.symbolic.given.identifier import program_name, title_identifier
 from symbody.symbolic.numeric.program import program_of
-
-from .baumgarte import Damping
-from .equations import Equations
-from .forward_dynamics import forward_dynamics
-from .output import Output, Outputs
 
 _ALWAYS = {
     "mass_matrix": ("p", "t", "r", "q"),
