@@ -12,7 +12,7 @@ import pytest
 import symbody
 from symbody import Body, dynamics, functions_of_time, newton_euler, simulate, simulate_many, translate
 from symbody.dynamics import Equations
-from symbody.geometry.motion import Motion
+from symbody.geometry.frame_motion import FrameMotion
 from symbody.multibody import Load, System
 from symbody.simulation.integrate.methods import METHODS
 from symbody.symbolic.expression import functions
@@ -36,7 +36,7 @@ def systems() -> list[System]:
 
 def test_every_motion_occurs_in_the_random_systems() -> None:
     motions = {type(m) for system in systems() for body in system.bodies for m in body.frame.motions}
-    assert set(concrete(Motion)) <= motions
+    assert set(concrete(FrameMotion)) <= motions
 
 
 def test_every_load_occurs_in_the_random_systems() -> None:

@@ -10,7 +10,7 @@ from symbody.symbolic import add3, derivation, sub3
 from symbody.symbolic.given.arguments import brief
 
 from .frame import Frame
-from .motion import Motion, Substitution
+from .frame_motion import FrameMotion, Substitution
 from .triple import Triple, is_null
 
 
@@ -74,10 +74,10 @@ def _common_ancestor(a: Frame, b: Frame) -> Frame:
     return a.chain[a.depth - len(up)]
 
 
-def path(source: Frame, target: Frame) -> tuple[list[Motion], list[Motion]]:
+def path(source: Frame, target: Frame) -> tuple[list[FrameMotion], list[FrameMotion]]:
     """Return the motions from the source up to the common ancestor, and from there down to the target."""
-    up: list[Motion] = []
-    down: list[Motion] = []
+    up: list[FrameMotion] = []
+    down: list[FrameMotion] = []
     a, b = source, target
     while a != b:
         if a.depth >= b.depth and a.parent is not None and a.motion is not None:

@@ -11,12 +11,14 @@ from symbody.symbolic.given.arguments import brief, counted
 
 from .angle import angle as angle_in_radians
 from .argument import checked
+from .axis_rotation import is_unit, rotation_about
 from .floating import floating
 from .frame import Frame, ground
-from .motion import AXES, Motion, Rotation, Translation
+from .frame_motion import FrameMotion
 from .orientation import ROUGH, exact_axis, report_rounding
-from .skew_axis import is_unit, rotation_about
+from .rotation import AXES, Rotation
 from .tracking import tracking
+from .translation import Translation
 from .triple import Scalar, Triple, triple
 from .twist import Twist
 
@@ -176,7 +178,7 @@ def _axis_components(axis: Sequence[Scalar] | HasComponents) -> Triple:
     return triple(*components)
 
 
-def _about(axis: Triple, turn: Expr) -> Motion:
+def _about(axis: Triple, turn: Expr) -> FrameMotion:
     shown = f"rotate: the axis ({brief(', '.join(map(str, axis)))})"
     if not all(component.is_constant for component in axis):
         if not is_unit(axis):

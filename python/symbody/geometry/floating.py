@@ -15,6 +15,7 @@ from typing import TypeAlias, final
 
 from symbody.symbolic import (
     Expr,
+    add3,
     cross3,
     dot3,
     free_symbols,
@@ -26,9 +27,10 @@ from symbody.symbolic import (
     time_derivatives,
 )
 
-from .motion import Motion, Rows, Substitution
+from .frame_motion import FrameMotion, Rows, Substitution
 from .placement import Placement
-from .triple import Rate, Triple
+from .triple import Rate, Triple, is_null, rates
+from .turning import Accelerated
 from .twist import Twist
 
 Quaternion: TypeAlias = tuple[Expr, Expr, Expr, Expr]
@@ -36,7 +38,7 @@ Quaternion: TypeAlias = tuple[Expr, Expr, Expr, Expr]
 
 
 @final
-class Floating(Motion):
+class Floating(FrameMotion):
     """A motion whose pose and twist are given on their own.
 
     Attributes:
@@ -57,7 +59,7 @@ class Floating(Motion):
         quaternion: Sequence[Expr] = (),
     ) -> None:
         self._pose = pose
-        self.twist = twist
+        self.twist: Twist = twist
         self.kinematics = dict(kinematics)
         self.speeds = tuple(speeds)
         self.quaternion = tuple(quaternion)
@@ -85,9 +87,24 @@ class Floating(Motion):
         del rate
         return self.to_parent(self.twist.linear)
 
-    def inverse(self) -> tuple[Motion, ...]:
-        (pose,) = self._pose.inverse()
-        assert isinstance(pose, Placement), "the inverse of a pose is a pose"
+    def child_twist(self, parent: Twist) -> Twist:
+        """Return ``w_B = R^T w_A + w``, ``v_B = R^T (v_A + w_A x d) + v``."""
+        linear = parent.linear
+        if not is_null(self.displacement):
+            linear = add3(linear, cross3(parent.angular, self.displacement))
+        angular = add3(self.to_child(parent.angular), self.twist.angular)
+        return Twist(angular, add3(self.to_child(linear), self.twist.linear))
+
+    def child_acceleration(self, parent: Accelerated, rate: Rate) -> Accelerated:
+        """Return ``a_B = R^T (a_A + F_A d) + v' + (2 R^T w_A + w) x v``, and how the child turns."""
+        linear = self.material_acceleration(parent)
+        v = self.twist.linear
+        w = add3(scale3(number(2), self.to_child(parent.turning.velocity)), self.twist.angular)
+        own = add3(rates(v, rate), cross3(w, v))
+        return Accelerated(self.child_turning(parent.turning, rate), add3(own, self.to_child(linear)))
+
+    def inverse(self) -> tuple[FrameMotion, ...]:
+        pose = self._pose.inverted()
         w, v = (self.to_parent(part) for part in self.twist)
         back = Twist(scale3(number(-1), w), sub3(cross3(w, self.displacement), v))
         return (Floating(pose, back, self.kinematics, self.speeds, self.quaternion),)
@@ -97,7 +114,7 @@ class Floating(Motion):
             return "floating_frame()"
         return f"moving_frame({', '.join(map(str, (*self.twist.linear, *self.twist.angular)))})"
 
-    def subs(self, substitution: Substitution) -> Motion:
+    def subs(self, substitution: Substitution) -> FrameMotion:
         (x, y, z), (u, v, w) = self.twist
         x, y, z, u, v, w = substitute((x, y, z, u, v, w), substitution)
         known = {

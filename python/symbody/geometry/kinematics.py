@@ -1,6 +1,7 @@
 """Velocities of frames by recursion along their chains, in local axes.
 
-With A the parent, B the child, d the displacement and w the child's spin in the parent:
+With A the parent, B the child, d the displacement and w the child's spin in the parent, each motion takes a step
+(`FrameMotion.child_twist`):
 
     w_NB = R_BA w_NA + w        v_NB = R_BA (v_NA + w_NA x d + d')
 
@@ -14,9 +15,7 @@ from typing import NamedTuple
 
 from symbody.symbolic import add3, cross3, derivation, matvec3, time_derivatives
 
-from .floating import Floating
 from .frame import UNMOVED, Frame, Pose, along_chain, moved
-from .motion import Motion
 from .placement import axial_rate, transposed
 from .triple import NULL, Rate, Triple, is_null, rates
 from .twist import Twist
@@ -33,27 +32,11 @@ def twist(frame: Frame) -> Twist:
     """Return the twist of a rigid frame in its own axes."""
     with derivation() as current:
         memo: dict[bytes, Twist] = current.cache.setdefault("twist", {})
-        return along_chain(frame, memo, _root_twist, _twist_step)
+        return along_chain(frame, memo, _root_twist, lambda motion, parent: motion.child_twist(parent))
 
 
 def _root_twist(root: Frame) -> Twist:
     return root.carrier or Twist(NULL, NULL)
-
-
-def _twist_step(motion: Motion, parent: Twist) -> Twist:
-    linear = parent.linear
-    if not is_null(motion.displacement):
-        linear = add3(linear, cross3(parent.angular, motion.displacement))
-    if isinstance(motion, Floating):
-        own = motion.twist
-        angular = add3(motion.to_child(parent.angular), own.angular)
-        return Twist(angular, add3(motion.to_child(linear), own.linear))
-    if not is_null(motion.displacement):
-        linear = add3(linear, motion.drift(time_derivatives))
-    if not motion.rotates:
-        return Twist(parent.angular, linear)
-    angular = add3(motion.to_child(parent.angular), motion.spin(time_derivatives))
-    return Twist(angular, motion.to_child(linear))
 
 
 def pose_from(frame: Frame, base: Frame) -> Pose:

@@ -12,7 +12,7 @@ from symbody.errors import SymbodyError
 from symbody.symbolic import Expr, free_symbols
 from symbody.symbolic.expression.traverse import post_order
 
-from .motion import Rows
+from .frame_motion import Rows
 from .orientation import distance_from_rotation
 from .placement import is_rotation
 

@@ -10,7 +10,7 @@ from symbody.symbolic import add3
 from .argument import checked
 from .coordinates import Ends, point_coordinates
 from .frame import Frame
-from .motion import Substitution
+from .frame_motion import Substitution
 from .triple import NULL, Scalar, Triple, triple
 from .vector import Vector, column
 

@@ -10,7 +10,7 @@ from math import asin, prod
 from symbody.symbolic import Expr, multiple_of_pi, number, sin
 from symbody.symbolic.expression.traverse import post_order
 
-from .motion import Rows
+from .frame_motion import Rows
 from .orientation import SNAP
 from .placement import is_rotation
 

@@ -10,7 +10,7 @@ from symbody.symbolic import Expr, add3, cross3, dot3, number, scale3, sub3
 from .argument import checked
 from .coordinates import Ends, difference, vector_components
 from .frame import Frame
-from .motion import Substitution
+from .frame_motion import Substitution
 from .triple import Scalar, Triple, expression, triple
 
 Factor: TypeAlias = Annotated[Scalar, "an expression or a number; two vectors multiply by dot and cross"]

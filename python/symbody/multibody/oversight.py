@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Iterator, Set
 
-from symbody.geometry.floating import Floating
 from symbody.symbolic import Expr
 
 from .body import Body
@@ -43,7 +42,7 @@ def _foreign_loads(members: Set[Body], loads: Iterable[Load]) -> Iterator[str]:
 
 def _given_motions(bodies: Iterable[Body], constraints: Iterable[Expr], known: Set[Expr]) -> Iterator[str]:
     """Return the functions of time that move bodies or stand in constraints, and in no list."""
-    motions = (m for body in bodies for m in body.frame.motions if not isinstance(m, Floating))
+    motions = (m for body in bodies for m in body.frame.motions if m.twist is None)
     moving = {leaf for motion in motions for leaf in motion.leaves} - known
     constraining = {leaf for constraint in constraints for leaf in constraint.free_symbols} - known
     for leaves, (does, do) in (

@@ -11,7 +11,7 @@ from typing import Annotated, TypeAlias, TypeVar, final
 from symbody.errors import ConstraintError, ModelError, ModelNotice
 from symbody.geometry import Frame, Scalar, Vector
 from symbody.geometry.argument import checked
-from symbody.geometry.floating import Floating, by_speeds, known_rates, rate_by
+from symbody.geometry.floating import by_speeds, known_rates, rate_by
 from symbody.geometry.triple import Rate, expression
 from symbody.symbolic import Expr, functions_of_time, time_derivative
 from symbody.symbolic.given.arguments import brief, counted
@@ -78,11 +78,11 @@ class System:
         self.loads: tuple[Load, ...] = _ordered(loads)
         self.gravity = gravity
         self._frames = all_frames(self.bodies, self.loads, gravity)
-        floating = [frame.motion for frame in self._frames if isinstance(frame.motion, Floating)]
-        self.kinematics = {q: rate for motion in floating for q, rate in motion.kinematics.items()}
+        motions = [frame.motion for frame in self._frames if frame.motion is not None]
+        self.kinematics = {q: rate for motion in motions for q, rate in motion.kinematics.items()}
         """The coordinates of floating frames, and their rates by speeds."""
         self.coordinates = _completed(coordinates, self.kinematics)
-        self.quasi_velocities = _completed(speeds, [u for motion in floating for u in motion.speeds])
+        self.quasi_velocities = _completed(speeds, [u for motion in motions for u in motion.speeds])
         self.constraints = tuple(expression(constraint) for constraint in constraints)
         self.name = name
         self.multipliers = tuple(multipliers) or self._default_multipliers()

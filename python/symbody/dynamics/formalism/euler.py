@@ -5,11 +5,11 @@ from __future__ import annotations
 from symbody.dynamics.inertia.spin_momentum import spin_momentum_rate
 from symbody.errors import ModelError
 from symbody.geometry import Frame, Point, Triple, Vector, acceleration
-from symbody.geometry.acceleration_field import Turning
 from symbody.geometry.argument import checked
 from symbody.geometry.coordinates import vector_components
 from symbody.geometry.kinematics import spin
 from symbody.geometry.triple import NULL, rates
+from symbody.geometry.turning import Turning
 from symbody.multibody import Body
 from symbody.multibody.load import Action
 from symbody.multibody.selection import Objects, Selection, select_bodies

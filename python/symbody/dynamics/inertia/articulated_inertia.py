@@ -2,16 +2,14 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple, TypeAlias
+from typing import NamedTuple
 
-from symbody.dynamics.inertia.composite import Composite, Tensor, tensor_times, turned_tensor
+from symbody.dynamics.inertia.composite import Composite, tensor_times, turned
 from symbody.dynamics.inertia.wrench import Wrench
-from symbody.geometry.motion import Motion, Rotation
+from symbody.geometry.frame_motion import FrameMotion, Symmetric
 from symbody.geometry.triple import NULL, Triple, is_null
-from symbody.symbolic import Expr, add3, cos, cross3, matvec3, matvec3_transposed, sin
-
-Nine: TypeAlias = tuple[Expr, ...]
-"""A 3x3 matrix, row after row."""
+from symbody.geometry.turning import Nine, nine
+from symbody.symbolic import add3, cross3, matvec3, matvec3_transposed
 
 
 class ArticulatedInertia(NamedTuple):
@@ -20,11 +18,11 @@ class ArticulatedInertia(NamedTuple):
     The acceleration a is that of the frame's origin; J and C are symmetric.
     """
 
-    rotational: Tensor
+    rotational: Symmetric
     """J"""
     coupling: Nine
     """B"""
-    linear: Tensor
+    linear: Symmetric
     """C"""
 
     @classmethod
@@ -37,7 +35,7 @@ class ArticulatedInertia(NamedTuple):
         """Return both bodies as one."""
         return ArticulatedInertia(
             _sum(self.rotational, other.rotational),
-            tuple(a + b for a, b in zip(self.coupling, other.coupling, strict=True)),
+            nine(a + b for a, b in zip(self.coupling, other.coupling, strict=True)),
             _sum(self.linear, other.linear),
         )
 
@@ -53,28 +51,28 @@ class ArticulatedInertia(NamedTuple):
         J, B, C = self
         return ArticulatedInertia(
             (J[0] - a * u, J[1] - b * v, J[2] - c * w, J[3] - b * w, J[4] - a * w, J[5] - a * v),
-            tuple(B[3 * i + j] - r * s for i, r in enumerate((u, v, w)) for j, s in enumerate((d, e, f))),
+            nine(B[3 * i + j] - r * s for i, r in enumerate((u, v, w)) for j, s in enumerate((d, e, f))),
             (C[0] - d * x, C[1] - e * y, C[2] - f * z, C[3] - e * z, C[4] - d * z, C[5] - d * y),
         )
 
-    def to_parent(self, motion: Motion) -> ArticulatedInertia:
+    def to_parent(self, motion: FrameMotion) -> ArticulatedInertia:
         """Return the inertia as seen from the parent."""
-        turned = ArticulatedInertia(
-            turned_tensor(self.rotational, motion),
-            _turned(self.coupling, motion),
-            turned_tensor(self.linear, motion),
+        inertia = ArticulatedInertia(
+            turned(self.rotational, motion),
+            motion.matrix_to_parent(self.coupling),
+            turned(self.linear, motion),
         )
-        return turned if is_null(motion.displacement) else turned.displaced(motion.displacement)
+        return inertia if is_null(motion.displacement) else inertia.displaced(motion.displacement)
 
     def displaced(self, d: Triple) -> ArticulatedInertia:
         """Return the inertia after a displacement d: ``B' = B + [d x] C``, ``J' = J - B [d x] + [d x] B'^T``."""
         columns = [cross3(d, row) for row in _rows(self.linear)]
-        coupling = tuple(self.coupling[3 * i + j] + columns[j][i] for i in range(3) for j in range(3))
+        coupling = nine(self.coupling[3 * i + j] + columns[j][i] for i in range(3) for j in range(3))
         change = _change(d, self.coupling, coupling)
         return ArticulatedInertia(_sum(self.rotational, change), coupling, self.linear)
 
 
-def _change(d: Triple, before: Nine, after: Nine) -> Tensor:
+def _change(d: Triple, before: Nine, after: Nine) -> Symmetric:
     """Return ``-B [d x] + [d x] B'^T``, which is symmetric, with few products."""
     entries = []
     for k in range(3):
@@ -88,38 +86,11 @@ def _change(d: Triple, before: Nine, after: Nine) -> Tensor:
     return entries[0], entries[1], entries[2], entries[3], entries[4], entries[5]
 
 
-def _sum(a: Tensor, b: Tensor) -> Tensor:
+def _sum(a: Symmetric, b: Symmetric) -> Symmetric:
     x, y, z, u, v, w = (p + q for p, q in zip(a, b, strict=True))
     return x, y, z, u, v, w
 
 
-def _rows(tensor: Tensor) -> tuple[Triple, Triple, Triple]:
+def _rows(tensor: Symmetric) -> tuple[Triple, Triple, Triple]:
     xx, yy, zz, yz, xz, xy = tensor
     return (xx, xy, xz), (xy, yy, yz), (xz, yz, zz)
-
-
-def _turned(matrix: Nine, motion: Motion) -> Nine:
-    """Return ``R B R^T``."""
-    if not motion.rotates:
-        return matrix
-    if isinstance(motion, Rotation):
-        return _turned_about(matrix, motion.axis, cos(motion.angle), sin(motion.angle))
-    rows = [motion.to_parent((matrix[3 * i], matrix[3 * i + 1], matrix[3 * i + 2])) for i in range(3)]
-    columns = [motion.to_parent((rows[0][j], rows[1][j], rows[2][j])) for j in range(3)]
-    return tuple(columns[j][i] for i in range(3) for j in range(3))
-
-
-def _turned_about(matrix: Nine, k: int, c: Expr, s: Expr) -> Nine:
-    """Turn in the plane (i, j), as a symmetric matrix turns; the difference of B_ij and B_ji stays."""
-    i, j = (k + 1) % 3, (k + 2) % 3
-    turned = list(matrix)
-    ii, jj, ij, ji, ik, jk, ki, kj = (
-        3 * a + b for a, b in ((i, i), (j, j), (i, j), (j, i), (i, k), (j, k), (k, i), (k, j))
-    )
-    p = c * (matrix[ii] - matrix[jj]) - s * (matrix[ij] + matrix[ji])
-    cp, sp = c * p, s * p
-    turned[ii], turned[jj] = matrix[jj] + cp, matrix[ii] - cp
-    turned[ij], turned[ji] = matrix[ij] + sp, matrix[ji] + sp
-    for a, b in ((ik, jk), (ki, kj)):
-        turned[a], turned[b] = c * matrix[a] - s * matrix[b], s * matrix[a] + c * matrix[b]
-    return tuple(turned)

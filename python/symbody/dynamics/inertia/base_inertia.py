@@ -21,7 +21,6 @@ from typing import NamedTuple, final
 from symbody.dynamics.inertia.composite import Composite, composite, particle, rotor
 from symbody.dynamics.tree.frame_tree import FrameTree
 from symbody.dynamics.tree.rigid_group import RigidGroups
-from symbody.geometry.motion import Rotation, Translation
 from symbody.geometry.triple import NULL, Triple, is_null
 from symbody.multibody import Body, System
 from symbody.symbolic import Expr, number, scale3
@@ -126,13 +125,10 @@ class _Regrouping:
         before = self._groups.before(place)
         if place == 0 or (self._tree.carried[before] and before not in self._owners):
             return _NOTHING
-        match self._tree.motion(place):
-            case Rotation(axis=axis):
-                return _on_axis(whole, axis)
-            case Translation():
-                return rotor(whole.inertia)
-            case _:
-                return _NOTHING
+        motion = self._tree.motion(place)
+        if motion.turn_axis is not None:
+            return _on_axis(whole, motion.turn_axis)
+        return _NOTHING if motion.rotates else rotor(whole.inertia)
 
     # --- particles ---
 

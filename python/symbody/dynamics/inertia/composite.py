@@ -5,16 +5,13 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from symbody.dynamics.inertia.wrench import Wrench
-from symbody.geometry.motion import Motion, Rotation
+from symbody.geometry.frame_motion import FrameMotion, Symmetric
 from symbody.geometry.triple import NULL, Triple, is_null
 from symbody.multibody import Body
-from symbody.symbolic import Expr, add3, cos, cross3, matvec3, number, scale3, sin, sub3
-
-Tensor = tuple[Expr, Expr, Expr, Expr, Expr, Expr]
-"""A symmetric 3x3 matrix: xx, yy, zz, yz, xz, xy."""
+from symbody.symbolic import Expr, add3, cross3, matvec3, number, scale3, sub3
 
 _ZERO = number(0)
-_NO_INERTIA: Tensor = (_ZERO, _ZERO, _ZERO, _ZERO, _ZERO, _ZERO)
+_NO_INERTIA: Symmetric = (_ZERO, _ZERO, _ZERO, _ZERO, _ZERO, _ZERO)
 
 
 class Composite(NamedTuple):
@@ -23,7 +20,7 @@ class Composite(NamedTuple):
     mass: Expr
     moment: Triple
     """The first moment, mass times position of the centre of mass."""
-    inertia: Tensor
+    inertia: Symmetric
     """About the frame's origin."""
 
     def plus(self, other: Composite) -> Composite:
@@ -55,10 +52,10 @@ class Composite(NamedTuple):
         half = number(1) / 2
         return half * (yy + zz - xx), half * (zz + xx - yy), half * (xx + yy - zz)
 
-    def to_parent(self, motion: Motion) -> Composite:
+    def to_parent(self, motion: FrameMotion) -> Composite:
         """Return the body as seen from the parent."""
-        turned = Composite(self.mass, motion.to_parent(self.moment), turned_tensor(self.inertia, motion))
-        return turned if is_null(motion.displacement) else turned.displaced(motion.displacement)
+        body = Composite(self.mass, motion.to_parent(self.moment), turned(self.inertia, motion))
+        return body if is_null(motion.displacement) else body.displaced(motion.displacement)
 
     def displaced(self, d: Triple) -> Composite:
         """Return the body after a displacement d.
@@ -80,37 +77,15 @@ class Composite(NamedTuple):
         return Wrench(force, add3(tensor_times(self.inertia, spin), cross3(self.moment, linear)))
 
 
-def tensor_times(tensor: Tensor, v: Triple) -> Triple:
+def tensor_times(tensor: Symmetric, v: Triple) -> Triple:
     """Return the product of a symmetric matrix and a vector."""
     xx, yy, zz, yz, xz, xy = tensor
     return matvec3((xx, xy, xz, xy, yy, yz, xz, yz, zz), v)
 
 
-def turned_tensor(tensor: Tensor, motion: Motion) -> Tensor:
-    """Return ``R J R^T``."""
-    if not motion.rotates or all(entry.is_zero for entry in tensor):
-        return tensor
-    if isinstance(motion, Rotation):
-        return _turned_about(tensor, motion.axis, cos(motion.angle), sin(motion.angle))
-    xx, yy, zz, yz, xz, xy = tensor
-    columns = [motion.to_parent(row) for row in ((xx, xy, xz), (xy, yy, yz), (xz, yz, zz))]
-    x, y, z = (motion.to_parent((columns[0][k], columns[1][k], columns[2][k])) for k in range(3))
-    return x[0], y[1], z[2], y[2], x[2], x[1]
-
-
-def _turned_about(tensor: Tensor, axis: int, c: Expr, s: Expr) -> Tensor:
-    """Turn in the plane (i, j): with ``p = c (J_ii - J_jj) - 2 s J_ij`` its entries change by c p and s p."""
-    i, j = (axis + 1) % 3, (axis + 2) % 3
-    entries = list(tensor)
-    mixed = 3 + axis
-    p = c * (tensor[i] - tensor[j]) - s * (2 * tensor[mixed])
-    cp = c * p
-    entries[i], entries[j], entries[mixed] = tensor[j] + cp, tensor[i] - cp, tensor[mixed] + s * p
-    entries[3 + j], entries[3 + i] = (
-        c * tensor[3 + j] - s * tensor[3 + i],
-        s * tensor[3 + j] + c * tensor[3 + i],
-    )
-    return entries[0], entries[1], entries[2], entries[3], entries[4], entries[5]
+def turned(tensor: Symmetric, motion: FrameMotion) -> Symmetric:
+    """Return ``R J R^T``; nothing stays nothing, whatever the sines and cosines."""
+    return tensor if all(entry.is_zero for entry in tensor) else motion.symmetric_to_parent(tensor)
 
 
 def composite(body: Body) -> Composite:
@@ -124,6 +99,6 @@ def particle(mass: Expr, place: Triple) -> Composite:
     return Composite(mass, NULL, _NO_INERTIA).displaced(place)
 
 
-def rotor(inertia: Tensor) -> Composite:
+def rotor(inertia: Symmetric) -> Composite:
     """Return what only resists rotation: it has no mass, wherever it is."""
     return Composite(_ZERO, NULL, inertia)

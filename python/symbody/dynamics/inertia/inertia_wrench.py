@@ -9,8 +9,9 @@ from symbody.dynamics.inertia.composite import Composite
 from symbody.dynamics.inertia.spin_momentum import momentum_rate, second_moment_rate, spin_momentum_rate
 from symbody.dynamics.inertia.wrench import Wrench
 from symbody.dynamics.tree.frame_tree import FrameTree
-from symbody.geometry.acceleration_field import Accelerated, AccelerationField
+from symbody.geometry.acceleration_field import AccelerationField
 from symbody.geometry.triple import NULL, is_null
+from symbody.geometry.turning import Accelerated
 from symbody.multibody import Body
 from symbody.symbolic import add3, cross3, matvec3, scale3, sub3
 

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from symbody.geometry.acceleration_field import Turning
 from symbody.geometry.triple import NULL, Triple, is_null
+from symbody.geometry.turning import Turning
 from symbody.multibody import Body
 from symbody.symbolic import Expr
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from symbody.dynamics.tree.partial_motion import PartialTwist
-from symbody.geometry.motion import Motion
+from symbody.geometry.frame_motion import FrameMotion
 from symbody.geometry.triple import Triple, is_null
 from symbody.symbolic import Expr, add3, cross3, dot3, scale3, sub3
 
@@ -28,7 +28,7 @@ class Wrench(NamedTuple):
         """Return the wrench times a factor."""
         return Wrench(scale3(factor, self.force), scale3(factor, self.moment))
 
-    def to_parent(self, motion: Motion) -> Wrench:
+    def to_parent(self, motion: FrameMotion) -> Wrench:
         """Return the same wrench on the parent."""
         force, moment = motion.to_parent(self.force), motion.to_parent(self.moment)
         if is_null(motion.displacement):

@@ -26,7 +26,7 @@ from symbody.dynamics.inertia.wrench import Wrench
 from symbody.dynamics.tree.frame_tree import FrameTree
 from symbody.dynamics.tree.partial_motion import PartialTwist
 from symbody.errors import ModelError
-from symbody.geometry.motion import Motion
+from symbody.geometry.frame_motion import FrameMotion
 from symbody.geometry.triple import NULL, Triple, is_null
 from symbody.multibody import System
 from symbody.symbolic import Expr, add3, cross3, number, scale3
@@ -150,7 +150,7 @@ class _ArticulatedBodies:
 _NOTHING = Wrench(NULL, NULL)
 
 
-def _carried(acceleration: tuple[Triple, Triple], motion: Motion) -> tuple[Triple, Triple]:
+def _carried(acceleration: tuple[Triple, Triple], motion: FrameMotion) -> tuple[Triple, Triple]:
     """Return the angular acceleration, and that of the origin, of a frame that is fixed in its parent."""
     angular, linear = acceleration
     if not is_null(motion.displacement):

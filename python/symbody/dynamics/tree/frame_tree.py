@@ -9,8 +9,7 @@ from symbody.dynamics.tree.partial_motion import PartialTwist, partial_twists, p
 from symbody.dynamics.tree.shifted_origin import with_shifted_origins
 from symbody.errors import ModelError
 from symbody.geometry import Frame
-from symbody.geometry.floating import Floating
-from symbody.geometry.motion import Motion
+from symbody.geometry.frame_motion import FrameMotion
 from symbody.geometry.twist import Twist
 from symbody.multibody import Action, Body, System
 from symbody.symbolic import derivation, free_symbols
@@ -42,7 +41,7 @@ class FrameTree:
         """Return the place of a frame in the list."""
         return self.places[frame.key]
 
-    def motion(self, place: int) -> Motion:
+    def motion(self, place: int) -> FrameMotion:
         """Return the motion that takes the parent to the frame."""
         motion = self.frames[place].motion
         assert motion is not None, "only the root has no motion"
@@ -79,7 +78,7 @@ def frame_tree(system: System) -> FrameTree:
 
 def given_twist(frame: Frame) -> Twist | None:
     """Return the twist of a frame in its parent, or in ground, if it is given by speeds."""
-    return frame.motion.twist if isinstance(frame.motion, Floating) else frame.carrier
+    return frame.carrier if frame.motion is None else frame.motion.twist
 
 
 def _build(system: System) -> FrameTree:

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from functools import partial
 from typing import NamedTuple
 
-from symbody.geometry.motion import Motion
+from symbody.geometry.frame_motion import FrameMotion
 from symbody.geometry.triple import NULL, Triple, is_null
 from symbody.geometry.twist import Twist
 from symbody.symbolic import Expr, jacobian
@@ -20,7 +20,7 @@ class PartialTwist(NamedTuple):
     """Of the child's origin."""
 
 
-def partial_twists(motion: Motion, coordinates: Sequence[Expr]) -> list[PartialTwist]:
+def partial_twists(motion: FrameMotion, coordinates: Sequence[Expr]) -> list[PartialTwist]:
     """Return the partial twists of a motion by the rate of each of the coordinates."""
     drifts = _partial_drifts(motion, coordinates)
     if not motion.rotates:
@@ -36,7 +36,7 @@ def partial_twists_by_speeds(twist: Twist, speeds: Sequence[Expr]) -> list[Parti
     return [PartialTwist((p, q, r), (u, v, w)) for p, q, r, u, v, w in columns]
 
 
-def _partial_drifts(motion: Motion, coordinates: Sequence[Expr]) -> list[Triple]:
+def _partial_drifts(motion: FrameMotion, coordinates: Sequence[Expr]) -> list[Triple]:
     """Return the derivatives of the displacement by each of the coordinates."""
     if is_null(motion.displacement):
         return [NULL] * len(coordinates)

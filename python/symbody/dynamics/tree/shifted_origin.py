@@ -12,7 +12,9 @@ from collections.abc import Sequence
 from typing import NamedTuple, final
 
 from symbody.geometry import Frame, Triple
-from symbody.geometry.motion import Motion, Rotation, Translation, along
+from symbody.geometry.frame_motion import FrameMotion
+from symbody.geometry.rotation import along
+from symbody.geometry.translation import Translation
 from symbody.geometry.triple import is_null
 from symbody.symbolic import add3, cross3, dot3, number, sub3
 
@@ -38,7 +40,7 @@ class _Run(NamedTuple):
 
     start: Frame
     displacement: Triple
-    turns: tuple[Motion, ...]
+    turns: tuple[FrameMotion, ...]
 
 
 @final
@@ -63,8 +65,8 @@ class _Shifting:
             self.moved[frame.key] = frame
             return
         base = self.moved[parent.key]
-        result = self._shifted(frame) if isinstance(motion, Rotation) else None
-        if result is None and base.key in self._loose and isinstance(motion, Translation):
+        result = self._shifted(frame)
+        if result is None and base.key in self._loose and not motion.rotates:
             result = self._joined(base, motion)
         if result is None:
             result = self._then(base, motion) if base is not parent else self._seen(frame, base, motion)
@@ -72,16 +74,19 @@ class _Shifting:
 
     def _shifted(self, frame: Frame) -> Frame | None:
         """Return the frame with the displacement along its axis put behind the rotation, if that is better."""
-        rotation, run = frame.motion, self._run(frame)
-        if run is None or not isinstance(rotation, Rotation) or rotation.is_constant:
+        rotation = frame.motion
+        if rotation is None or rotation.turn_axis is None or rotation.is_constant:
             return None
-        d, k = run.displacement, rotation.axis
+        run = self._run(frame)
+        if run is None:
+            return None
+        d, k = run.displacement, rotation.turn_axis
         for turn in run.turns:
             d = turn.to_child(d)
         behind = along(k, d[k])
         before = sub3(d, behind)
         meets = is_null(before) and self._rests[run.start.key]
-        folds = self._numeric and _is_numeric(run.displacement) and self._is_absorbed(frame, rotation.axis)
+        folds = self._numeric and _is_numeric(run.displacement) and self._is_absorbed(frame, k)
         if d[k].is_zero or not self._turned[run.start.key] or not (meets or folds):
             return None
         for turn in reversed(run.turns):
@@ -89,7 +94,7 @@ class _Shifting:
         chain = (*run.turns, rotation, Translation(behind))
         return self._chained(run.start, chain if is_null(before) else (Translation(before), *chain))
 
-    def _chained(self, start: Frame, motions: Sequence[Motion]) -> Frame | None:
+    def _chained(self, start: Frame, motions: Sequence[FrameMotion]) -> Frame | None:
         """Return the frame reached by motions; None if some of them merge, which would hide a coordinate."""
         result = start
         for motion in motions:
@@ -99,7 +104,7 @@ class _Shifting:
         self._loose.add(result.key)
         return result
 
-    def _joined(self, base: Frame, motion: Translation) -> Frame | None:
+    def _joined(self, base: Frame, motion: FrameMotion) -> Frame | None:
         if base.parent is None or base.motion is None:
             return None
         d, beyond = base.motion.displacement, motion.displacement
@@ -110,17 +115,22 @@ class _Shifting:
 
     def _run(self, frame: Frame) -> _Run | None:
         """Return what is there before a rotation for it alone."""
-        turns = list[Motion]()
+        turns = list[FrameMotion]()
         before = frame.parent
-        while before is not None and isinstance(before.motion, Rotation) and before.motion.is_constant:
+        while before is not None and (turn := _fixed_turn(before)) is not None:
             if not self._is_alone(before):
                 return None
-            turns.append(before.motion)
+            turns.append(turn)
             before = before.parent
         if before is None or not self._is_alone(before):
             return None
         place = self.moved[before.key]
-        if place.parent is None or not isinstance(place.motion, Translation) or not place.motion.is_constant:
+        if (
+            place.parent is None
+            or place.motion is None
+            or place.motion.rotates
+            or not place.motion.is_constant
+        ):
             return None
         return _Run(place.parent, place.motion.displacement, tuple(reversed(turns)))
 
@@ -131,25 +141,27 @@ class _Shifting:
             if not self._is_alone(frame):
                 return False
             frame = self._following[frame.key]
-            match frame.motion:
-                case Translation(displacement=d) if _is_numeric(d):
-                    if not dot3(e, d).is_zero:
-                        return True
-                case Rotation(axis=k, is_constant=fixed) as turn if fixed or is_null(
-                    cross3(along(k, number(1)), e)
-                ):
-                    e = turn.to_child(e)
-                case _:
+            motion = frame.motion
+            if motion is None:
+                return False
+            if not motion.rotates:
+                if not _is_numeric(motion.displacement):
                     return False
+                if not dot3(e, motion.displacement).is_zero:
+                    return True
+            elif _keeps(motion, e):
+                e = motion.to_child(e)
+            else:
+                return False
         return True
 
     def _is_alone(self, frame: Frame) -> bool:
         return self._forks[frame.key] == 1 and frame.key not in self._needed
 
-    def _then(self, base: Frame, motion: Motion) -> Frame:
+    def _then(self, base: Frame, motion: FrameMotion) -> Frame:
         return self._seen(base.then(motion), base, motion)
 
-    def _seen(self, frame: Frame, base: Frame, motion: Motion) -> Frame:
+    def _seen(self, frame: Frame, base: Frame, motion: FrameMotion) -> Frame:
         turned = self._turned[base.key] or not motion.is_constant
         self._turned[frame.key] = turned
         self._rests[frame.key] = self._rests[base.key] and (is_null(motion.displacement) or not turned)
@@ -166,6 +178,18 @@ def _forks(frames: Sequence[Frame], needed: set[bytes]) -> tuple[Counter[bytes],
             forks[frame.parent.key] += 1
             following[frame.parent.key] = frame
     return forks, following
+
+
+def _fixed_turn(frame: Frame) -> FrameMotion | None:
+    """Return the motion of a frame if it is a rotation about a principal axis by a number."""
+    motion = frame.motion
+    return motion if motion is not None and motion.turn_axis is not None and motion.is_constant else None
+
+
+def _keeps(motion: FrameMotion, e: Triple) -> bool:
+    """Tell whether an axis that is fixed in the parent is fixed in the child of a rotation about a principal axis."""
+    k = motion.turn_axis
+    return k is not None and (motion.is_constant or is_null(cross3(along(k, number(1)), e)))
 
 
 def _is_numeric(displacement: Triple) -> bool:

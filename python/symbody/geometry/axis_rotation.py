@@ -8,12 +8,13 @@ from typing import final
 from symbody.symbolic import Expr, add3, cos, cross3, dot3, matvec3, scale3, sin
 
 from .angle import substituted
-from .motion import Motion, Rotation, Substitution
+from .frame_motion import FrameMotion, Substitution
+from .rotation import Rotation
 from .triple import Rate, Triple, is_null, rates
 
 
 @final
-class AxisRotation(Motion):
+class AxisRotation(FrameMotion):
     """A rotation about a unit vector e: ``R = cos(a) 1 + sin(a) [e x] + (1 - cos(a)) e e^T`` (Rodrigues)."""
 
     tag = b"axis rotation"
@@ -52,10 +53,10 @@ class AxisRotation(Motion):
         spin = add3(spin, scale3(sin(self.angle), turning))
         return add3(spin, scale3(cos(self.angle) - 1, cross3(self.axis, turning)))
 
-    def inverse(self) -> tuple[Motion, ...]:
+    def inverse(self) -> tuple[FrameMotion, ...]:
         return (AxisRotation(self.axis, -self.angle),)
 
-    def subs(self, substitution: Substitution) -> Motion:
+    def subs(self, substitution: Substitution) -> FrameMotion:
         x, y, z = self.axis
         axis = x.subs(substitution), y.subs(substitution), z.subs(substitution)
         return rotation_about(axis, substituted(self.angle, substitution))
@@ -63,7 +64,7 @@ class AxisRotation(Motion):
     def __repr__(self) -> str:
         return f"rotate(({', '.join(map(str, self.axis))}), {self.angle})"
 
-    def merged(self, following: Motion) -> Motion | None:
+    def merged(self, following: FrameMotion) -> FrameMotion | None:
         if isinstance(following, AxisRotation) and following.axis == self.axis:
             return AxisRotation(self.axis, self.angle + following.angle)
         return None
@@ -73,7 +74,7 @@ class AxisRotation(Motion):
         return self.angle.is_zero
 
 
-def rotation_about(axis: Triple, angle: Expr) -> Motion:
+def rotation_about(axis: Triple, angle: Expr) -> FrameMotion:
     """Return the rotation about a unit vector, as one about a principal axis if it is along it."""
     for k, component in enumerate(axis):
         if (component * component - 1).is_zero:
