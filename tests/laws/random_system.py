@@ -140,7 +140,7 @@ def random_floating_system(
 ) -> System:
     """Return a tree of bodies that floats, and perhaps something beside it."""
     floating = base * floating_frame("base")
-    maker = Maker(Random(seed), symbolic, afloat=list(floating.kinematics))
+    maker = Maker(Random(seed), symbolic, afloat=list(floating.coordinate_rates))
     return _random_system(maker, [ground, floating], size=size, loads=loads)
 
 

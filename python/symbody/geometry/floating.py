@@ -43,7 +43,7 @@ class Floating(FrameMotion):
 
     Attributes:
         twist: of the child in the parent, in the child's axes.
-        kinematics: the pose's coordinates, and their rates by the twist.
+        coordinate_rates: the pose's coordinates, and their rates by the twist.
         speeds: what of the twist is unknown, if nobody says otherwise.
         quaternion: the Euler parameters of the pose, whose norm is one; empty where it is written in other coordinates.
     """
@@ -54,13 +54,13 @@ class Floating(FrameMotion):
         self,
         pose: Placement,
         twist: Twist,
-        kinematics: Mapping[Expr, Expr],
+        coordinate_rates: Mapping[Expr, Expr],
         speeds: Sequence[Expr] = (),
         quaternion: Sequence[Expr] = (),
     ) -> None:
         self._pose = pose
         self.twist: Twist = twist
-        self.kinematics = dict(kinematics)
+        self.coordinate_rates = dict(coordinate_rates)
         self.speeds = tuple(speeds)
         self.quaternion = tuple(quaternion)
         self.is_rigid = pose.is_rigid
@@ -107,7 +107,7 @@ class Floating(FrameMotion):
         pose = self._pose.inverted()
         w, v = (self.to_parent(part) for part in self.twist)
         back = Twist(scale3(number(-1), w), sub3(cross3(w, self.displacement), v))
-        return (Floating(pose, back, self.kinematics, self.speeds, self.quaternion),)
+        return (Floating(pose, back, self.coordinate_rates, self.speeds, self.quaternion),)
 
     def __repr__(self) -> str:
         if self.quaternion:
@@ -119,7 +119,7 @@ class Floating(FrameMotion):
         x, y, z, u, v, w = substitute((x, y, z, u, v, w), substitution)
         known = {
             coordinate: rate.subs(substitution)
-            for coordinate, rate in self.kinematics.items()
+            for coordinate, rate in self.coordinate_rates.items()
             if coordinate not in substitution
         }
         speeds = tuple(speed for speed in self.speeds if speed not in substitution)
@@ -133,8 +133,8 @@ def floating(position: Triple, quaternion: Quaternion, twist: Twist, speeds: Seq
     pose = Placement(rows, position)
     v = pose.to_parent(twist.linear)
     e = quaternion_rates(quaternion, twist.angular)
-    kinematics = dict(zip((*position, *quaternion), (*v, *e), strict=True))
-    return Floating(pose, twist, kinematics, speeds, quaternion)
+    rates = dict(zip((*position, *quaternion), (*v, *e), strict=True))
+    return Floating(pose, twist, rates, speeds, quaternion)
 
 
 def rotation_rows(quaternion: Quaternion) -> Rows:
@@ -159,30 +159,30 @@ def quaternion_rates(quaternion: Quaternion, w: Triple) -> Quaternion:
     return -half * dot3(vector, w), half * x, half * y, half * z
 
 
-def known_rates(kinematics: Mapping[Expr, Expr]) -> dict[Expr, Expr]:
+def known_rates(coordinate_rates: Mapping[Expr, Expr]) -> dict[Expr, Expr]:
     """Return the substitution of the coordinates' rates."""
-    return {time_derivative(coordinate): rate for coordinate, rate in kinematics.items()}
+    return {time_derivative(coordinate): rate for coordinate, rate in coordinate_rates.items()}
 
 
-def by_speeds(kinematics: Mapping[Expr, Expr], values: Sequence[Expr]) -> tuple[Expr, ...]:
+def by_speeds(coordinate_rates: Mapping[Expr, Expr], values: Sequence[Expr]) -> tuple[Expr, ...]:
     """Return values with the rates of coordinates, of any order, written by the speeds and their rates.
 
     ``q' = K u`` gives ``q'' = K u' + K' u``, in which ``K'`` holds first rates: each substitution lowers the order.
     """
-    if not kinematics:
+    if not coordinate_rates:
         return tuple(values)
-    names = {coordinate.name for coordinate in kinematics}
+    names = {coordinate.name for coordinate in coordinate_rates}
     rates = (
         leaf for leaf in free_symbols(list(values)) if leaf.kind == "time_function" and leaf.name in names
     )
-    known, written = known_rates(kinematics), tuple(values)
+    known, written = known_rates(coordinate_rates), tuple(values)
     for _ in range(max((rate.order for rate in rates), default=0)):
         written = substitute(written, known)
     return written
 
 
-def rate_by(kinematics: Mapping[Expr, Expr]) -> Rate:
+def rate_by(coordinate_rates: Mapping[Expr, Expr]) -> Rate:
     """Return the time derivative, with the rates of coordinates given by speeds."""
-    if not kinematics:
+    if not coordinate_rates:
         return time_derivatives
-    return lambda values: by_speeds(kinematics, time_derivatives(values))
+    return lambda values: by_speeds(coordinate_rates, time_derivatives(values))

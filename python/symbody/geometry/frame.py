@@ -162,9 +162,9 @@ class Frame:
         return frame
 
     @property
-    def kinematics(self) -> dict[Expr, Expr]:
-        """The coordinates of floating frames in the chain, and their rates by the speeds."""
-        return {q: rate for motion in self.motions for q, rate in motion.kinematics.items()}
+    def coordinate_rates(self) -> dict[Expr, Expr]:
+        """The coordinates in the chain whose rates are no speeds, and these rates by the speeds."""
+        return {q: rate for motion in self.motions for q, rate in motion.coordinate_rates.items()}
 
     def inverse(self) -> Frame:
         """Return the frame that undoes this one: the ground as seen from here (by the transpose, where not rigid)."""

@@ -44,7 +44,7 @@ class FrameMotion(ABC):
 
     twist: Twist | None = None
     """The twist of B in A, in the axes of B, where speeds of its own give it; None where the variables' rates do."""
-    kinematics: Mapping[Expr, Expr] = MappingProxyType({})
+    coordinate_rates: Mapping[Expr, Expr] = MappingProxyType({})
     """The coordinates whose rates are no speeds, and these rates by the speeds."""
     speeds: tuple[Expr, ...] = ()
     """The speeds of the twist that are unknown, unless the system lists others."""

@@ -12,6 +12,7 @@ from functools import cache
 from itertools import permutations
 
 from symbody.errors import ExpressionError, FrameError
+from symbody.geometry.frame_velocity import twist
 from symbody.symbolic import (
     Expr,
     derivation,
@@ -27,7 +28,6 @@ from symbody.symbolic.given.arguments import brief
 
 from .floating import Floating
 from .frame import Frame, ground
-from .kinematics import twist
 from .placement import Placement
 from .regular_form import regular_form
 from .triple import Triple
@@ -40,7 +40,7 @@ def tracking(pose: Frame, velocities: Twist) -> Floating:
     The coordinates are the functions of time in the pose; the twist of the pose, linear in their rates, is solved for
     these. The frame's own speeds must be able to follow: a pose in a plane has no rates for a velocity across it.
     """
-    if pose.ancestor != ground or not pose.is_rigid or pose.kinematics:
+    if pose.ancestor != ground or not pose.is_rigid or pose.coordinate_rates:
         raise FrameError(
             f"moving_frame: the pose {brief(pose)}; expected a frame of translations and rotations away from ground"
         )

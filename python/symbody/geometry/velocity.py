@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from symbody.errors import FrameError
+from symbody.geometry.frame_velocity import material_velocity, spin, twist
 from symbody.symbolic import add3, cross3, derivation, matvec3, number, scale3
 
 from .acceleration_field import AccelerationField
 from .argument import checked
 from .floating import rate_by
 from .frame import Frame
-from .kinematics import material_velocity, spin, twist
 from .point import Point
 from .triple import Triple, rates
 from .vector import Vector
@@ -48,7 +48,7 @@ def acceleration(thing: Point | Vector, frame: Frame | None = None) -> Vector:
 
 def _floats(frame: Frame, observer: Frame) -> bool:
     """Tell whether a frame floats as seen from its root: its velocities are then those by the speeds."""
-    return observer == frame.ancestor and bool(frame.kinematics) and frame.is_rigid
+    return observer == frame.ancestor and bool(frame.coordinate_rates) and frame.is_rigid
 
 
 def _first_rate(thing: Point | Vector) -> Triple:
@@ -64,14 +64,16 @@ def _second_rate(thing: Point | Vector) -> Triple:
     turning, linear = AccelerationField()(thing.frame)
     p, drift = _components(thing)
     coriolis = scale3(number(2), cross3(turning.velocity, drift))
-    turned = add3(matvec3(turning.field, p), add3(coriolis, rates(drift, rate_by(thing.frame.kinematics))))
+    turned = add3(
+        matvec3(turning.field, p), add3(coriolis, rates(drift, rate_by(thing.frame.coordinate_rates)))
+    )
     return add3(linear, turned) if isinstance(thing, Point) else turned
 
 
 def _components(thing: Point | Vector) -> tuple[Triple, Triple]:
     """Return what places a thing in its frame, and its rates."""
     p = thing.coordinates if isinstance(thing, Point) else thing.components
-    return p, rates(p, rate_by(thing.frame.kinematics))
+    return p, rates(p, rate_by(thing.frame.coordinate_rates))
 
 
 def _velocity(thing: Point | Vector, observer: Frame) -> Triple:
@@ -84,7 +86,7 @@ def _velocity(thing: Point | Vector, observer: Frame) -> Triple:
 
 def _rate(components: Triple, observer: Frame, frame: Frame) -> Triple:
     """Return the rate of components; a moving master frame stands for ground, so that its turning counts."""
-    change = rates(components, rate_by(observer.kinematics | frame.kinematics))
+    change = rates(components, rate_by(observer.coordinate_rates | frame.coordinate_rates))
     return change if observer.carrier is None else add3(change, cross3(observer.carrier.angular, components))
 
 

@@ -10,7 +10,7 @@ from symbody.errors import LoadError
 from symbody.geometry import Frame, Point, Scalar, Triple, Vector
 from symbody.geometry.argument import checked
 from symbody.geometry.coordinates import path
-from symbody.geometry.kinematics import Seen, material_velocity, spin
+from symbody.geometry.frame_velocity import Seen, material_velocity, spin
 from symbody.symbolic import Expr, derivation, dot3, number
 from symbody.symbolic.given.arguments import brief, counted
 

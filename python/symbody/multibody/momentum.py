@@ -6,7 +6,7 @@ from symbody.errors import ModelError
 from symbody.geometry import Point, Triple, Vector, velocity
 from symbody.geometry.argument import checked
 from symbody.geometry.coordinates import vector_components
-from symbody.geometry.kinematics import origin_velocity, spin
+from symbody.geometry.frame_velocity import origin_velocity, spin
 from symbody.geometry.triple import NULL
 from symbody.symbolic import add3, cross3, derivation, scale3, sub3
 

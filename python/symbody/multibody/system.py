@@ -79,9 +79,9 @@ class System:
         self.gravity = gravity
         self._frames = all_frames(self.bodies, self.loads, gravity)
         motions = [frame.motion for frame in self._frames if frame.motion is not None]
-        self.kinematics = {q: rate for motion in motions for q, rate in motion.kinematics.items()}
-        """The coordinates of floating frames, and their rates by speeds."""
-        self.coordinates = _completed(coordinates, self.kinematics)
+        self.coordinate_rates = {q: rate for motion in motions for q, rate in motion.coordinate_rates.items()}
+        """The coordinates whose rates are no speeds, as those of floating frames, and these rates by the speeds."""
+        self.coordinates = _completed(coordinates, self.coordinate_rates)
         self.quasi_velocities = _completed(speeds, [u for motion in motions for u in motion.speeds])
         self.constraints = tuple(expression(constraint) for constraint in constraints)
         self.name = name
@@ -103,7 +103,7 @@ class System:
     @cached_property
     def driving(self) -> tuple[Expr, ...]:
         """The quasi-velocities, then the coordinates whose rates are speeds: what the motion is free in."""
-        return self.quasi_velocities + tuple(q for q in self.coordinates if q not in self.kinematics)
+        return self.quasi_velocities + tuple(q for q in self.coordinates if q not in self.coordinate_rates)
 
     @cached_property
     def speeds(self) -> tuple[Expr, ...]:
@@ -127,19 +127,25 @@ class System:
         """Whether some speed is no rate of a coordinate, or some rate no speed."""
         return self.driving != self.coordinates
 
+    @property
+    def kinematics(self) -> dict[Expr, Expr]:
+        """The rates of all coordinates by the speeds."""
+        rates = (time_derivative(q) for q in self.coordinates)
+        return {rate: self.known_rates.get(rate, rate) for rate in rates}
+
     @cached_property
     def known_rates(self) -> dict[Expr, Expr]:
-        """The rates of coordinates that are no speeds, by speeds."""
-        return known_rates(self.kinematics)
+        """The rates of coordinates that are no speeds, by the speeds: the part of the kinematics that isn't trivial."""
+        return known_rates(self.coordinate_rates)
 
     @cached_property
     def rate(self) -> Rate:
         """The time derivative, with these rates put in."""
-        return rate_by(self.kinematics)
+        return rate_by(self.coordinate_rates)
 
     def by_speeds(self, expressions: Sequence[Expr]) -> tuple[Expr, ...]:
         """Return expressions with the rates of coordinates, of any order, by the speeds and their rates."""
-        return by_speeds(self.kinematics, expressions)
+        return by_speeds(self.coordinate_rates, expressions)
 
     def _check(self) -> None:
         if not self.bodies:

@@ -37,7 +37,7 @@ def with_multipliers(residuals: Sequence[Expr], system: System) -> tuple[Expr, .
 
 def _along_speeds(forces: Sequence[Expr], system: System) -> tuple[Expr, ...]:
     """Return the power of forces along the coordinates, per unit of each speed."""
-    power = number(0)
+    power, kinematics = number(0), system.kinematics
     for coordinate, force in zip(system.coordinates, forces, strict=True):
-        power += force * system.kinematics.get(coordinate, time_derivative(coordinate))
+        power += force * kinematics[time_derivative(coordinate)]
     return gradient(power, system.speeds)

@@ -13,7 +13,7 @@ from symbody.errors import ModelError
 from symbody.geometry import Scalar
 from symbody.geometry.argument import checked
 from symbody.multibody import System
-from symbody.symbolic import Expr, Matrix, Program, free_symbols, listing, time_derivative
+from symbody.symbolic import Expr, Matrix, Program, free_symbols, listing
 from symbody.symbolic.given.arguments import counted
 from symbody.symbolic.numeric.program import program_of
 
@@ -61,8 +61,7 @@ class Equations:
     @property
     def kinematics(self) -> dict[Expr, Expr]:
         """The rates of the coordinates by the speeds."""
-        rates = [time_derivative(q) for q in self.coordinates]
-        return {rate: self.system.known_rates.get(rate, rate) for rate in rates}
+        return self.system.kinematics
 
     @property
     def constraints(self) -> tuple[Expr, ...]:

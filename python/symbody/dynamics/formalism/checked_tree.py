@@ -33,7 +33,7 @@ def _check_motion(frame: Frame, system: System, where: str) -> None:
             f"{where}: {brief(frame)} holds the rate {rate}; expected frames of coordinates and time alone"
         )
     names = {u.name: "a speed" for u in system.quasi_velocities}
-    names |= {q.name: "a coordinate of a floating frame" for q in system.kinematics}
+    names |= {q.name: "a coordinate of a floating frame" for q in system.coordinate_rates}
     taken = min(
         (leaf.name for leaf in leaves if leaf.kind == "time_function" and leaf.name in names), default=None
     )

@@ -7,7 +7,7 @@ from symbody.errors import ModelError
 from symbody.geometry import Frame, Point, Triple, Vector, acceleration
 from symbody.geometry.argument import checked
 from symbody.geometry.coordinates import vector_components
-from symbody.geometry.kinematics import spin
+from symbody.geometry.frame_velocity import spin
 from symbody.geometry.triple import NULL, rates
 from symbody.geometry.turning import Turning
 from symbody.multibody import Body

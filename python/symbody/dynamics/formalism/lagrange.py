@@ -121,7 +121,7 @@ def _potential(system: System, held: _Held) -> Expr:
     if system.gravity is None:
         return number(0)
     gravity = system.gravity.projected(system.root).components
-    return -dot3(held.triple(gravity), _mass_moment(frame_tree(system), system.bodies))
+    return -dot3(held.stand_ins(gravity), _mass_moment(frame_tree(system), system.bodies))
 
 
 def _mass_moment(tree: FrameTree, bodies: Sequence[Body]) -> Triple:
@@ -143,7 +143,7 @@ def _power(system: System, held: _Held) -> Expr:
     power = number(0)
     for action in frame_tree(system).actions:
         velocity, axes = action_velocity(action)
-        power += dot3(held.triple(action.components(axes)), velocity)
+        power += dot3(held.stand_ins(action.components(axes)), velocity)
     return power
 
 
@@ -154,7 +154,7 @@ class _Held:
     def __init__(self) -> None:
         self._values: dict[Expr, Expr] = {}
 
-    def triple(self, components: Triple) -> Triple:
+    def stand_ins(self, components: Triple) -> Triple:
         x, y, z = components
         return self._stand_in(x), self._stand_in(y), self._stand_in(z)
 

@@ -55,7 +55,7 @@ def check_loads(system: System, where: str) -> None:
 
 
 def _check_floating(load: Load, leaves: Iterable[Expr], system: System, where: str) -> None:
-    names = {coordinate.name for coordinate in system.kinematics}
+    names = {coordinate.name for coordinate in system.coordinate_rates}
     rates = (
         leaf for leaf in leaves if leaf.kind == "time_function" and leaf.name in names and leaf.order > 1
     )

@@ -13,12 +13,11 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
+from symbody.geometry.frame import UNMOVED, Frame, Pose, along_chain, moved
+from symbody.geometry.placement import axial_rate, transposed
+from symbody.geometry.triple import NULL, Rate, Triple, is_null, rates
+from symbody.geometry.twist import Twist
 from symbody.symbolic import add3, cross3, derivation, matvec3, time_derivatives
-
-from .frame import UNMOVED, Frame, Pose, along_chain, moved
-from .placement import axial_rate, transposed
-from .triple import NULL, Rate, Triple, is_null, rates
-from .twist import Twist
 
 
 class Seen(NamedTuple):
