@@ -27,6 +27,13 @@ class Action:
     """Where a force acts; a torque acts nowhere in particular."""
 
     @property
+    def key(self) -> bytes:
+        """A digest of what acts where, for an order."""
+        place = () if self.point is None else self.point.coordinates
+        values = b"".join(value.fingerprint for value in (*self.vector.components, *place))
+        return self.body.key + self.vector.frame.key + values
+
+    @property
     def is_force(self) -> bool:
         """Whether this is a force, not a torque."""
         return self.point is not None
@@ -45,9 +52,13 @@ class Action:
 
 
 class Load(ABC):
-    """What acts on bodies: a load is the sum of its actions."""
+    """What acts on bodies: a load is the sum of its actions.
 
-    name: str
+    A new kind of load is one file with a final subclass that has `actions` (docs/extending.md). Its power, its
+    generalised forces and its part in all equations follow from them.
+    """
+
+    name: str = ""
 
     @property
     @abstractmethod
@@ -55,9 +66,13 @@ class Load(ABC):
         """What the load does, body by body."""
 
     @property
-    @abstractmethod
     def key(self) -> bytes:
         """What puts the loads of a set in order."""
+        return self.name.encode() + b"".join(action.key for action in self.actions)
+
+    def __repr__(self) -> str:
+        bodies = ", ".join(map(str, dict.fromkeys(action.body for action in self.actions)))
+        return self.name or f"{type(self).__name__}(on {bodies})"
 
 
 class _Vectorial(Load):
