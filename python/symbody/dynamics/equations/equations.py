@@ -6,9 +6,6 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from functools import cached_property
 
-from symbody.dynamics.equations.baumgarte import Damping, stabilized
-from symbody.dynamics.equations.constraint_force import constraint_jacobian
-from symbody.dynamics.equations.output import Outputs
 from symbody.errors import ModelError
 from symbody.geometry import Scalar
 from symbody.geometry.argument import checked
@@ -16,6 +13,10 @@ from symbody.multibody import System
 from symbody.symbolic import Expr, Matrix, Program, free_symbols, listing
 from symbody.symbolic.given.arguments import counted
 from symbody.symbolic.numeric.program import program_of
+
+from .baumgarte import Damping, stabilized
+from .constraint_force import constraint_jacobian
+from .output import Outputs
 
 
 @dataclass(frozen=True)

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from symbody.dynamics.inertia.composite import Composite, tensor_times, turned
-from symbody.dynamics.inertia.wrench import Wrench
 from symbody.geometry.frame_motion import FrameMotion, Symmetric
 from symbody.geometry.triple import NULL, Triple, is_null
 from symbody.geometry.turning import Nine, nine
 from symbody.symbolic import add3, cross3, matvec3, matvec3_transposed
+
+from .composite import Composite, tensor_times, turned
+from .wrench import Wrench
 
 
 class ArticulatedInertia(NamedTuple):

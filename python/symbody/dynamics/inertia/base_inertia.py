@@ -18,12 +18,13 @@ from collections.abc import Iterator
 from dataclasses import dataclass, field
 from typing import NamedTuple, final
 
-from symbody.dynamics.inertia.composite import Composite, composite, particle, rotor
 from symbody.dynamics.tree.frame_tree import FrameTree
 from symbody.dynamics.tree.rigid_group import RigidGroups
 from symbody.geometry.triple import NULL, Triple, is_null
 from symbody.multibody import Body, System
 from symbody.symbolic import Expr, number, scale3
+
+from .composite import Composite, composite, particle, rotor
 
 _ZERO = number(0)
 _NOTHING = rotor((_ZERO, _ZERO, _ZERO, _ZERO, _ZERO, _ZERO))

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from symbody.dynamics.inertia.wrench import Wrench
 from symbody.geometry.frame_motion import FrameMotion, Symmetric
 from symbody.geometry.triple import NULL, Triple, is_null
 from symbody.multibody import Body
 from symbody.symbolic import Expr, add3, cross3, matvec3, number, scale3, sub3
+
+from .wrench import Wrench
 
 _ZERO = number(0)
 _NO_INERTIA: Symmetric = (_ZERO, _ZERO, _ZERO, _ZERO, _ZERO, _ZERO)

@@ -4,16 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from symbody.dynamics.inertia.base_inertia import BaseInertias, Particle
-from symbody.dynamics.inertia.composite import Composite
-from symbody.dynamics.inertia.spin_momentum import momentum_rate, second_moment_rate, spin_momentum_rate
-from symbody.dynamics.inertia.wrench import Wrench
 from symbody.dynamics.tree.frame_tree import FrameTree
 from symbody.geometry.acceleration_field import AccelerationField
 from symbody.geometry.triple import NULL, is_null
 from symbody.geometry.turning import Accelerated
 from symbody.multibody import Body
 from symbody.symbolic import add3, cross3, matvec3, scale3, sub3
+
+from .base_inertia import BaseInertias, Particle
+from .composite import Composite
+from .spin_momentum import momentum_rate, second_moment_rate, spin_momentum_rate
+from .wrench import Wrench
 
 
 def inertia_wrenches(

@@ -1,33 +1,37 @@
-"""Forward dynamics: the accelerations by positions, speeds and loads, as expressions."""
+"""Forward dynamics: the accelerations by positions, speeds and loads, as expressions.
+
+Unconstrained equations are ``M u' = f``. They are solved over the tree, without M (`articulated_body.py`), or by the
+factors ``M = L D L^T`` ("ldl"). Constrained ones are a saddle point [Benzi, Golub & Liesen 2005]:
+
+    [ M      phi_q^T ] [    u'   ]   [  f ]
+    [ phi_q     0    ] [ -lambda ] = [ -c ]        c is phi'' at u' = 0, and Baumgarte's terms
+
+The multipliers come from the Schur complement ``phi_q M^-1 phi_q^T``, the accelerations from the null space of phi_q,
+or both from the whole matrix with pivoting.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from functools import partial
-from typing import Annotated, TypeAlias
 
 from symbody.dynamics.equations.baumgarte import Damping
 from symbody.dynamics.equations.equations import Equations
 from symbody.dynamics.recursion import articulated_body
 from symbody.dynamics.recursion.inverse_dynamics import at_rest
 from symbody.dynamics.tree.frame_tree import FrameTree, frame_tree
-from symbody.errors import ConstraintError, ExpressionError, ModelError
+from symbody.errors import ExpressionError, ModelError
 from symbody.geometry.argument import checked
 from symbody.symbolic import (
     Expr,
-    Matrix,
     cost,
     derivation,
     ldl_solve,
-    linear_solve,
     saddle_point_solve,
     substitute,
 )
-from symbody.symbolic.given.arguments import brief, counted
-
-Speeds: TypeAlias = Annotated[Sequence[Expr], "a list of speeds, such as time_derivative(x)"]
 
 
 @dataclass(frozen=True)
@@ -212,43 +216,3 @@ _METHODS: dict[str, Callable[[Equations, Damping], ForwardDynamics]] = {
     "null_space": partial(_eliminated, "null_space"),
     "pivoted": partial(_by_saddle_point, "pivoted"),
 }
-
-
-@checked(ModelError)
-def dependent_speeds(eqs: Equations, dependent: Speeds) -> dict[Expr, Expr]:
-    """Return the dependent speeds by the others, from ``phi' = 0``, as values that are computed at run time.
-
-    Args:
-        eqs: the equations of motion.
-        dependent: as many speeds as there are constraints; the others are independent.
-
-    Raises:
-        ConstraintError: too few or too many, or the constraints leave them undetermined.
-
-    >>> from symbody import Body, System, functions_of_time, newton_euler, symbols, time_derivative, translate
-    >>> (x, y), (m, l) = functions_of_time("x y"), symbols("m l")
-    >>> circle = System([Body(translate(x, y, 0), m)], coordinates=[x, y], constraints=[x**2 + y**2 - l**2])
-    >>> speed = time_derivative(y)
-    >>> dependent_speeds(newton_euler(circle), [speed])[speed] == -x * time_derivative(x) / y
-    True
-    """
-    columns = [_column(eqs, speed) for speed in dependent]
-    if len(set(columns)) != len(eqs.constraints) or len(columns) != len(eqs.constraints):
-        raise ConstraintError(
-            f"dependent_speeds: {counted(len(set(columns)), 'speed')}, "
-            f"{counted(len(eqs.constraints), 'constraint')}; expected one speed a constraint"
-        )
-    with derivation(fresh=True):
-        rates = substitute(eqs.system.rate(eqs.constraints), dict.fromkeys(dependent, 0))
-        J = eqs.constraint_jacobian
-        matrix = Matrix([[J[k, column] for column in columns] for k in range(len(columns))])
-        values = linear_solve(matrix, [-rate for rate in rates])
-    return dict(zip(dependent, values, strict=True))
-
-
-def _column(eqs: Equations, speed: Expr) -> int:
-    if speed not in eqs.speeds:
-        raise ConstraintError(
-            f"dependent_speeds: {brief(speed)} is no speed; expected some of {brief(', '.join(map(str, eqs.speeds)))}"
-        )
-    return eqs.speeds.index(speed)

@@ -2,44 +2,33 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping
 
 from symbody.dynamics.equations.baumgarte import Damping
 from symbody.dynamics.equations.equations import Equations
 from symbody.dynamics.equations.output import Output, Outputs
-from symbody.dynamics.solution.forward_dynamics import forward_dynamics
-from symbody.errors import ArgumentError, ExpressionError, ModelError, ProgramError
-from symbody.geometry import Vector
+from symbody.errors import ModelError, ProgramError
 from symbody.geometry.argument import checked
 from symbody.multibody import gravitational_energy, kinetic_energy
 from symbody.symbolic import (
-    Argument,
-    Expr,
-    ExprLike,
-    Matrix,
     Program,
     Result,
     Routine,
     free_symbols,
-    number,
     t,
 )
-from symbody.symbolic.given.arguments import brief
 from symbody.symbolic.given.identifier import program_name, title_identifier
 from symbody.symbolic.numeric.program import program_of
 
-_ALWAYS = {
-    "mass_matrix": ("p", "t", "r", "q"),
-    "forcing": ("p", "t", "r", "q", "u"),
-    "residuals": ("p", "t", "r", "q", "u", "a", "lambda_"),
-    "constraints": ("p", "t", "r", "q"),
-    "constraint_jacobian": ("p", "t", "r", "q"),
-    "forward_dynamics": ("p", "t", "r", "q", "u"),
-    "right_hand_side": ("p", "t", "r", "q", "u"),
-    "energies": ("p", "t", "r", "q", "u"),
-    "outputs": ("p", "t", "r", "q", "u"),
-}
-"""What a routine takes whether or not it needs it, so that a model's change doesn't change the calls."""
+from .forward_dynamics import forward_dynamics
+from .program_argument import (
+    MEANINGS,
+    arguments_of,
+    by_name,
+    leaves_of,
+    with_arguments,
+)
+from .program_result import matrix_result, output_result, vector_result
 
 
 @program_of.register
@@ -86,11 +75,11 @@ def program(
         results = _outputs(outputs, eqs)
         _check_time_functions(outputs, eqs, routines)
         routines.append(Routine("outputs", "what else was asked for", (), results))
-    arguments = _arguments(eqs, _leaves(routines))
+    arguments = arguments_of(eqs, leaves_of(routines))
     meaning = (
         f"the equations of motion of {', '.join(map(str, eqs.coordinates))}{_drift(eqs, method, baumgarte)}"
     )
-    completed = tuple(_with_arguments(routine, arguments) for routine in routines)
+    completed = tuple(with_arguments(routine, arguments) for routine in routines)
     named = title_identifier(eqs.system.name, "model") if name is None else program_name(name, "program")
     return Program(named, meaning, tuple(arguments), completed)
 
@@ -98,16 +87,16 @@ def program(
 def _equations_of_motion(eqs: Equations) -> list[Routine]:
     n, m = len(eqs.residuals), len(eqs.constraints)
     routines = [
-        _routine("mass_matrix", "the mass matrix", _matrix("M", eqs.mass_matrix)),
+        _routine("mass_matrix", "the mass matrix", matrix_result("M", eqs.mass_matrix)),
         _routine(
             "forcing",
             "the forces of speeds, weight and loads: M a = f" + (" + phi_q^T lambda" if m else ""),
-            _vector("f", eqs.forcing),
+            vector_result("f", eqs.forcing),
         ),
         _routine(
             "residuals",
             ("the equation" if n == 1 else f"the {n} equations") + " of motion: zero along a motion",
-            _vector("residuals", eqs.residuals),
+            vector_result("residuals", eqs.residuals),
         ),
     ]
     if m:
@@ -115,10 +104,10 @@ def _equations_of_motion(eqs: Equations) -> list[Routine]:
             _routine(
                 "constraints",
                 "the constraint, which is zero" if m == 1 else f"the {m} constraints, which are zero",
-                _vector("phi", eqs.constraints),
+                vector_result("phi", eqs.constraints),
             )
         )
-        jacobian = _matrix("phi_q", eqs.constraint_jacobian)
+        jacobian = matrix_result("phi_q", eqs.constraint_jacobian)
         routines.append(
             _routine(
                 "constraint_jacobian",
@@ -131,10 +120,10 @@ def _equations_of_motion(eqs: Equations) -> list[Routine]:
 
 def _forward(eqs: Equations, method: str, baumgarte: Damping) -> list[Routine]:
     solution = forward_dynamics(eqs, method=method, baumgarte=baumgarte)
-    found = [_vector("a", solution.accelerations, "the accelerations")]
+    found = [vector_result("a", solution.accelerations, "the accelerations")]
     if solution.multipliers:
-        found.append(_vector("lambda_", solution.multipliers, "the multipliers"))
-    rates = _vector(
+        found.append(vector_result("lambda_", solution.multipliers, "the multipliers"))
+    rates = vector_result(
         "rates", (*eqs.kinematics.values(), *solution.accelerations), "the rates of q, then those of u"
     )
     return [
@@ -184,116 +173,33 @@ def _outputs(outputs: Mapping[str, Output], eqs: Equations) -> tuple[Result, ...
     """Return the outputs, with the rates of coordinates that are no speeds written by speeds and accelerations."""
     results = []
     for name, value in outputs.items():
-        if name in _MEANINGS:
+        if name in MEANINGS:
             raise ProgramError(
-                f"program: the output {name} has the name of an argument, {_MEANINGS[name][0]}; choose another name"
+                f"program: the output {name} has the name of an argument, {MEANINGS[name][0]}; choose another name"
             )
-        result = _result(name, value)
+        result = output_result(name, value)
         by_speeds = eqs.system.by_speeds(result.expressions)
         results.append(Result(name, result.meaning, by_speeds, result.shape))
     return tuple(results)
-
-
-def _result(name: str, value: Output) -> Result:
-    if isinstance(value, Matrix):
-        return _matrix(name, value)
-    if isinstance(value, Vector):
-        return _vector(name, value.components, f"components in {value.frame}")
-    if isinstance(value, Sequence) and not isinstance(value, str):
-        return _vector(name, [_scalar(name, entry) for entry in value])
-    expression = _scalar(name, value)
-    return Result(name, _shown(expression), (expression,), ())
-
-
-def _scalar(name: str, value: ExprLike) -> Expr:
-    try:
-        return number(value)
-    except (ArgumentError, ExpressionError) as failure:
-        raise ProgramError(
-            f"program: the output {name} is or holds {brief(repr(value))}; expected an expression, a vector, a "
-            "matrix or a list of expressions"
-        ) from failure
-
-
-def _shown(expression: Expr) -> str:
-    text = str(expression)
-    return text if len(text) <= _SHORT else ""
-
-
-_SHORT = 60
-"""Characters of an expression that a comment may repeat."""
 
 
 def _routine(name: str, meaning: str, *results: Result) -> Routine:
     return Routine(name, meaning, (), results)
 
 
-def _vector(name: str, values: Sequence[Expr], meaning: str = "") -> Result:
-    return Result(name, meaning, tuple(values), (len(values),))
-
-
-def _matrix(name: str, matrix: Matrix, meaning: str = "") -> Result:
-    return Result(name, meaning, matrix.entries, matrix.shape)
-
-
-_MEANINGS = {
-    "p": ("parameters", "parameters"),
-    "t": ("time", "time and inputs"),
-    "r": ("inputs", "time and inputs"),
-    "q": ("coordinates", "positions"),
-    "u": ("speeds", "velocities"),
-    "a": ("accelerations", "accelerations"),
-    "lambda_": ("multipliers", "accelerations"),
-}
-"""Arguments: what they are, and their stage."""
-
-
-def _arguments(eqs: Equations, leaves: frozenset[Expr]) -> list[Argument]:
-    known = {*eqs.coordinates, *eqs.speeds, *eqs.accelerations, *eqs.multipliers, t}
-    others = sorted(leaves - known, key=_by_name)
-    variables: dict[str, Sequence[Expr]] = {
-        "p": [leaf for leaf in others if not leaf.depends_on_time],
-        "t": [t] if t in leaves else [],
-        "r": [leaf for leaf in others if leaf.depends_on_time],
-        "q": eqs.coordinates,
-        "u": eqs.speeds,
-        "a": eqs.accelerations,
-        "lambda_": eqs.multipliers,
-    }
-    return [
-        Argument(
-            name, f"{_MEANINGS[name][0]}: {', '.join(map(str, values))}", tuple(values), _MEANINGS[name][1]
-        )
-        for name, values in variables.items()
-        if values
-    ]
-
-
-def _by_name(leaf: Expr) -> tuple[str, int]:
-    return leaf.name, leaf.order if leaf.kind == "time_function" else 0
-
-
-def _with_arguments(routine: Routine, arguments: Sequence[Argument]) -> Routine:
-    leaves, always = _leaves([routine]), _ALWAYS[routine.name]
-    names = [a.name for a in arguments if a.name in always or not leaves.isdisjoint(a.variables)]
-    return Routine(routine.name, routine.meaning, tuple(names), routine.results)
-
-
-def _leaves(routines: Iterable[Routine]) -> frozenset[Expr]:
-    return free_symbols([expression for routine in routines for expression in routine.expressions])
-
-
 def _check_time_functions(outputs: Mapping[str, Output], eqs: Equations, routines: Iterable[Routine]) -> None:
     """Raise an error that names the first output with a function of time that the equations don't know."""
     motion = {*eqs.coordinates, *eqs.speeds, *eqs.accelerations, *eqs.multipliers}
-    inputs = {leaf.name for leaf in _leaves(routines) if leaf.kind == "time_function"}
+    inputs = {leaf.name for leaf in leaves_of(routines) if leaf.kind == "time_function"}
     inputs -= {leaf.name for leaf in motion}
     for name, value in outputs.items():
-        leaves = {leaf for leaf in free_symbols(_result(name, value).expressions) if leaf.depends_on_time}
+        leaves = {
+            leaf for leaf in free_symbols(output_result(name, value).expressions) if leaf.depends_on_time
+        }
         known = {*motion, t, *(leaf for leaf in leaves - {t} if leaf.name in inputs)}
         strange = {leaf for leaf in leaves if not free_symbols(eqs.system.by_speeds([leaf])) <= known}
         if strange:
-            first = min(strange, key=_by_name)
+            first = min(strange, key=by_name)
             raise ProgramError(
                 f"program: the output {name} holds {first}, of which the equations of motion know nothing; expected "
                 "an expression of coordinates, speeds, accelerations, multipliers, parameters, inputs and time"

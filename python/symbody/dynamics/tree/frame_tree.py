@@ -5,8 +5,6 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 
-from symbody.dynamics.tree.partial_motion import PartialTwist, partial_twists, partial_twists_by_speeds
-from symbody.dynamics.tree.shifted_origin import with_shifted_origins
 from symbody.errors import ModelError
 from symbody.geometry import Frame
 from symbody.geometry.frame_motion import FrameMotion
@@ -14,6 +12,9 @@ from symbody.geometry.twist import Twist
 from symbody.multibody import Action, Body, System
 from symbody.symbolic import derivation, free_symbols
 from symbody.symbolic.given.arguments import brief
+
+from .partial_motion import PartialTwist, partial_twists, partial_twists_by_speeds
+from .shifted_origin import with_shifted_origins
 
 
 @dataclass(frozen=True)
