@@ -1,4 +1,4 @@
-"""Formalisms: from a system to its equations of motion."""
+"""Dynamics: from a system to its equations of motion, and to what solves them."""
 
 from symbody.dynamics.equations.equations import Equations
 from symbody.dynamics.formalism.euler import euler_equations

@@ -58,9 +58,9 @@ def rotate(axis: Axis, angle: Scalar) -> Frame:
     the axis that stand for roots, such as ``1/math.sqrt(3)``.
 
     Args:
-        axis: about which.
-        angle: in radians. A number has a notice if it is a multiple of pi but for digits left out (1.5708), or more
-            than a full turn (90).
+        axis: the axis of the rotation.
+        angle: in radians. There is a notice for a number that is a rounded multiple of pi (1.5708), or more than a
+            full turn (90).
 
     >>> import math
     >>> rotate("Z", math.pi / 2).matrix[0, :3]
@@ -96,8 +96,8 @@ def moving_frame(
         wx: the angular velocity about x.
         wy: about y.
         wz: about z.
-        pose: the frame's place, such as ``translate(x, y, 0) * rotate("Z", psi)``; without it, nobody knows, and
-            ground can't be seen from the frame.
+        pose: the frame's place, such as ``translate(x, y, 0) * rotate("Z", psi)``; without it, the place is unknown,
+            and the frame can't be related to ground.
         name: what the frame is called.
 
     >>> from symbody import Body, System, functions_of_time, moving_frame, newton_euler, symbols

@@ -45,8 +45,8 @@ class Pose(NamedTuple):
 class Frame:
     """A frame of reference: ground, or a motion away from its parent.
 
-    ``T1 * T2`` appends the motions of T2 to those of T1, so products share what they have in common and *are* the
-    kinematic tree. A frame written as a 4x4 matrix (rotation, origin in the last column) is one general motion.
+    ``T1 * T2`` appends the motions of T2 to those of T1. Products share their common beginning, so that frames form
+    the kinematic tree. A frame written as a 4x4 matrix (rotation, origin in the last column) is one general motion.
 
     >>> from symbody import functions_of_time, rotate, translate
     >>> x, phi = functions_of_time("x phi")

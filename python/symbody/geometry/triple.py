@@ -25,7 +25,7 @@ def expression(value: Scalar) -> Expr:
 
 
 def triple(x: Scalar, y: Scalar, z: Scalar) -> Triple:
-    """Return three expressions."""
+    """Return three expressions, of expressions or numbers."""
     return expression(x), expression(y), expression(z)
 
 

@@ -21,7 +21,7 @@ def velocity(thing: Point | Vector, frame: Frame | None = None) -> Vector:
 
     Args:
         thing: point or vector.
-        frame: who looks; by default the root of the thing's own frame: ground, or the moving master frame, whose own
+        frame: the observer; by default the root of the thing's own frame: ground, or the moving master frame, whose own
             motion is then included.
 
     >>> from symbody import Point, functions_of_time, ground, velocity
@@ -38,7 +38,18 @@ def velocity(thing: Point | Vector, frame: Frame | None = None) -> Vector:
 
 @checked(FrameError)
 def acceleration(thing: Point | Vector, frame: Frame | None = None) -> Vector:
-    """Return the acceleration of a point, or the second rate of a vector, as seen from a frame and in its axes."""
+    """Return the acceleration of a point, or the second rate of a vector, as seen from a frame and in its axes.
+
+    Args:
+        thing: point or vector.
+        frame: the observer; by default the root of the thing's own frame: ground, or the moving master frame, whose own
+            motion is then included.
+
+    >>> from symbody import Point, acceleration, functions_of_time, rotate, symbols
+    >>> r, phi = symbols("r"), functions_of_time("phi")
+    >>> acceleration(Point(rotate("Z", phi), r, 0, 0)).components[0]
+    -r*(phi''*sin(phi) + phi'**2*cos(phi))
+    """
     observer = thing.frame.ancestor if frame is None else frame
     with derivation():
         if _floats(thing.frame, observer):
@@ -106,8 +117,8 @@ def frozen_velocity(point: Point, frame: Frame, *, axes: Frame | None = None) ->
     """Return the velocity of the material point of a frame that coincides with a point.
 
     Args:
-        point: where.
-        frame: of which the point is for the moment.
+        point: the place.
+        frame: the frame whose material point is wanted.
         axes: the frame in whose axes the components are, such as ``frame`` itself; by default the root: ground, or the
             moving master frame.
 

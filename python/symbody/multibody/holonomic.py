@@ -1,4 +1,4 @@
-"""Holonomic constraints: conditions on coordinates and time, and what becomes of conditions on velocities."""
+"""Holonomic constraints: conditions on coordinates and time. Conditions on velocities are reported with a way out."""
 
 from __future__ import annotations
 
@@ -20,11 +20,11 @@ _INTEGRATE = (
 
 
 def fault_of(constraint: Expr, coordinates: Sequence[Expr], speeds: Sequence[Expr]) -> str:
-    """Return what is wrong with a constraint and the way out; the empty text where nothing is.
+    """Return what is wrong with a constraint, and the way out; the empty text if nothing is.
 
     Args:
-        constraint: what is to be zero.
-        coordinates: of the system.
+        constraint: the expression that is to be zero.
+        coordinates: the coordinates of the system.
         speeds: its quasi-velocities.
     """
     if constraint.is_zero:

@@ -1,4 +1,4 @@
-"""What a formalism is asked about: bodies and loads, picked out of whatever a user hands over."""
+"""The bodies and loads for which a formalism is asked, from a system, a set, a list or a single one."""
 
 from __future__ import annotations
 

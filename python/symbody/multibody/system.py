@@ -41,11 +41,13 @@ Conditions: TypeAlias = Annotated[
 
 @final
 class System:
-    """A multibody system.
+    """A multibody system: bodies and loads, and the coordinates in which they move.
+
+    Sets are put in an order that doesn't depend on the run.
 
     Args:
-        bodies: what has mass.
-        loads: what acts on bodies, beside weight.
+        bodies: the bodies.
+        loads: the forces and torques on bodies, beside weight.
         coordinates: the functions of time in which the configuration is written, in the order of the equations; those
             of floating frames come first unless they are listed.
         constraints: expressions of the coordinates that are zero.
@@ -53,11 +55,18 @@ class System:
         speeds: the functions of time that are velocities in moving frames (quasi-velocities); those of floating frames
             come first unless they are listed.
         multipliers: one function of time per constraint; ``lambda1``, ``lambda2``, ... by default.
-        inputs: the functions of time in frames and constraints that are given from outside. Others there are inputs
-            too, but a notice names them: they may be coordinates that were forgotten. Those in loads need no list.
-        name: what to call the system.
+        inputs: the functions of time in frames and constraints that are given from outside. Unlisted ones are inputs
+            too, but a notice names them: they may be forgotten coordinates. Functions of time in loads need no list.
+        name: what the system is called.
 
-    Sets are put in an order that doesn't depend on the run.
+    >>> from symbody import Body, System, Vector, functions_of_time, ground, rotate, symbols, translate
+    >>> theta, (m, l, g) = functions_of_time("theta"), symbols("m l g")
+    >>> bob = Body(rotate("Z", theta) * translate(0, -l, 0), m)
+    >>> pendulum = System([bob], coordinates=[theta], gravity=Vector(ground, 0, -g, 0), name="pendulum")
+    >>> pendulum
+    System(pendulum, 1 body, 0 loads, 1 coordinate)
+    >>> pendulum.speeds
+    (theta',)
     """
 
     @checked(ModelError)
@@ -96,18 +105,18 @@ class System:
 
     @cached_property
     def actions(self) -> tuple[Action, ...]:
-        """What the loads do to the bodies; what they do to other bodies is left out."""
+        """What the loads do to the bodies of the system; their actions on other bodies are left out."""
         members = {*self.bodies}
         return tuple(action for load in self.loads for action in load.actions if action.body in members)
 
     @cached_property
     def driving(self) -> tuple[Expr, ...]:
-        """The quasi-velocities, then the coordinates whose rates are speeds: what the motion is free in."""
+        """The quasi-velocities, then the coordinates whose rates are speeds: the freedoms of the motion."""
         return self.quasi_velocities + tuple(q for q in self.coordinates if q not in self.coordinate_rates)
 
     @cached_property
     def speeds(self) -> tuple[Expr, ...]:
-        """The speeds, one for each equation of motion: the quasi-velocities, then rates of coordinates."""
+        """The speeds, one per equation of motion: the quasi-velocities, then rates of coordinates."""
         n = len(self.quasi_velocities)
         return self.quasi_velocities + tuple(time_derivative(q) for q in self.driving[n:])
 
@@ -118,7 +127,7 @@ class System:
 
     @cached_property
     def state_names(self) -> tuple[Expr, ...]:
-        """What a state may be given by: coordinates, speeds, and rates of coordinates."""
+        """The names by which a state may be given: coordinates, speeds, and rates of coordinates."""
         rates = (time_derivative(q) for q in self.coordinates)
         return tuple(dict.fromkeys((*self.coordinates, *self.speeds, *rates)))
 
@@ -144,7 +153,7 @@ class System:
         return rate_by(self.coordinate_rates)
 
     def by_speeds(self, expressions: Sequence[Expr]) -> tuple[Expr, ...]:
-        """Return expressions with the rates of coordinates, of any order, by the speeds and their rates."""
+        """Return expressions with the rates of coordinates, of any order, written by the speeds and their rates."""
         return by_speeds(self.coordinate_rates, expressions)
 
     def _check(self) -> None:
@@ -221,7 +230,7 @@ class System:
                 )
 
     def _default_multipliers(self) -> tuple[Expr, ...]:
-        """Return ``lambda1``, ``lambda2``, ..., but those that the model uses for something else."""
+        """Return ``lambda1``, ``lambda2``, ..., without names that the model uses for something else."""
         if not self.constraints:
             return ()
         taken = self._names()
@@ -230,7 +239,7 @@ class System:
 
     @cached_property
     def leaves(self) -> frozenset[Expr]:
-        """All symbols and functions of time that stand in the model, also those which its equations don't need."""
+        """All symbols and functions of time in the model, also those that its equations don't need."""
         return frozenset({*self.coordinates, *self.quasi_velocities}).union(
             *(value.free_symbols for value in self._values())
         )

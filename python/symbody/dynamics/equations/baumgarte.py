@@ -20,8 +20,14 @@ def stabilized(
 ) -> tuple[Expr, ...]:
     """Return ``phi'' + 2 zeta omega phi' + omega^2 phi`` for every constraint phi.
 
-    A violation of the constraint then dies out with frequency omega and damping ratio zeta, instead of growing. The
-    time derivative may be one that writes rates of coordinates by speeds.
+    Where this is kept at zero, a violation of the constraint dies out with the frequency omega and the damping ratio
+    zeta, instead of growing.
+
+    Args:
+        constraints: m expressions phi.
+        omega: the frequency, in rad/s.
+        zeta: the damping ratio.
+        rate: the time derivative; one that writes rates of coordinates by speeds is possible.
 
     >>> from symbody import functions_of_time
     >>> x = functions_of_time("x")

@@ -9,7 +9,7 @@ from symbody.symbolic import Expr, Matrix, derivation, gradient, jacobian, numbe
 
 
 def constraint_jacobian(system: System) -> Matrix:
-    """Return ``phi_q = dphi'/du``, a row a constraint and a column a speed."""
+    """Return ``phi_q = dphi'/du``, m x n: one row per constraint, one column per speed."""
     if not system.constraints:
         return zeros(0, len(system.speeds))
     with derivation():
@@ -19,10 +19,10 @@ def constraint_jacobian(system: System) -> Matrix:
 
 
 def with_multipliers(residuals: Sequence[Expr], system: System) -> tuple[Expr, ...]:
-    """Return ``residual - phi_q^T lambda``: the multipliers' forces stand on the side of the loads.
+    """Return ``residual - phi_q^T lambda``, one per speed: the forces of the multipliers are on the side of the loads.
 
-    The products are the gradient of ``sum(lambda phi)``: taken backwards through what the constraints share, it is
-    shorter than the Jacobian's rows.
+    The products are the gradient of ``sum(lambda phi)``. Accumulated backwards through the subexpressions that the
+    constraints share, it is shorter than the rows of the Jacobian.
     """
     if not system.constraints:
         return tuple(residuals)

@@ -21,7 +21,12 @@ from .output import Outputs
 
 @dataclass(frozen=True)
 class Assembly:
-    """The equations solved for what multiplies the accelerations: ``M u' + bias = phi_q^T lambda``."""
+    """The coefficients of the equations ``M u' + bias = phi_q^T lambda``.
+
+    Attributes:
+        mass_matrix: M, n x n for n speeds.
+        bias: one expression per speed.
+    """
 
     mass_matrix: Matrix
     bias: tuple[Expr, ...]
@@ -31,13 +36,23 @@ class Assembly:
 class Equations:
     """The equations of motion of a system: ``M u' = forcing + phi_q^T lambda`` with the constraints ``phi = 0``.
 
-    The speeds u are the rates of the coordinates, ``M q''`` then; where frames move by speeds of their own
-    (quasi-velocities), `kinematics` gives the rates of the coordinates, and phi_q stands for ``dphi'/du``.
+    There are n speeds u and m constraints. The speeds are the rates of the coordinates, so that ``M u'`` is ``M q''``.
+    Where frames move by speeds of their own (quasi-velocities), `kinematics` gives the rates of the coordinates, and
+    phi_q is ``dphi'/du``.
 
     Attributes:
-        system: where they come from.
-        residuals: one expression a speed, ``M u' - forcing - phi_q^T lambda``; motion makes them zero.
-        assemble: makes the mass matrix and the bias, which the residuals do without.
+        system: the system to which they belong.
+        residuals: n expressions, ``M u' - forcing - phi_q^T lambda``, which are zero along a motion.
+        assemble: derives the mass matrix and the bias when they are first needed; the residuals don't need them.
+
+    >>> from symbody import Body, System, functions_of_time, newton_euler, symbols, translate
+    >>> (x, y), (m, l) = functions_of_time("x y"), symbols("m l")
+    >>> circle = System([Body(translate(x, y, 0), m)], coordinates=[x, y], constraints=[x**2 + y**2 - l**2])
+    >>> equations = newton_euler(circle)
+    >>> equations
+    Equations(2 equations of motion, 1 constraint, coordinates x, y)
+    >>> equations.mass_matrix, equations.constraint_jacobian
+    (Matrix([[m, 0], [0, m]]), Matrix([[2*x, 2*y]]))
     """
 
     system: System
@@ -61,7 +76,7 @@ class Equations:
 
     @property
     def kinematics(self) -> dict[Expr, Expr]:
-        """The rates of the coordinates by the speeds."""
+        """The rates of the coordinates, each by the speeds: the rates are the keys."""
         return self.system.kinematics
 
     @property
@@ -71,12 +86,12 @@ class Equations:
 
     @cached_property
     def constraint_jacobian(self) -> Matrix:
-        """The Jacobian ``phi_q = dphi'/du``, a row a constraint and a column a speed."""
+        """The Jacobian ``phi_q = dphi'/du``, m x n: one row per constraint, one column per speed."""
         return constraint_jacobian(self.system)
 
     @property
     def multipliers(self) -> tuple[Expr, ...]:
-        """The multipliers, one a constraint."""
+        """The multipliers, one per constraint."""
         return self.system.multipliers
 
     @cached_property
@@ -85,17 +100,17 @@ class Equations:
 
     @property
     def mass_matrix(self) -> Matrix:
-        """The mass matrix M, n x n; symmetric but for loads that depend on accelerations."""
+        """The mass matrix M, n x n; symmetric, unless loads depend on accelerations."""
         return self._assembly.mass_matrix
 
     @property
     def bias(self) -> tuple[Expr, ...]:
-        """The residuals at zero accelerations and multipliers: inertia forces of speeds, weight and loads."""
+        """The residuals at zero accelerations and multipliers, n: inertia forces of speeds, less weight and loads."""
         return self._assembly.bias
 
     @cached_property
     def forcing(self) -> tuple[Expr, ...]:
-        """The opposite of the bias."""
+        """The negative of the bias, n."""
         return tuple(-entry for entry in self.bias)
 
     @cached_property
@@ -143,7 +158,7 @@ class Equations:
         return f"Equations({counted(n, 'equation')} of motion, {counted(m, 'constraint')}, {kind} {names})"
 
     def description(self) -> str:
-        """Return the equations line by line, after what they share: what `show` prints."""
+        """Return the equations line by line, after their common subexpressions: what `show` prints."""
         definitions, zeros, rates = self._listing("text")
         n = len(self.residuals)
         return "\n    ".join(
@@ -157,24 +172,24 @@ class Equations:
         )
 
     def latex(self) -> str:
-        """Return the equations and constraints in LaTeX, one a row, after what they share."""
+        """Return the equations and constraints in LaTeX, one per row, after their common subexpressions."""
         definitions, zeros, rates = self._listing("latex")
         rows = [f"{name} &= {value}" for name, value in definitions] + [f"{zero} &= 0" for zero in zeros]
         rows += [f"{rate.latex()} &= {value}" for rate, value in rates]
         return r"\begin{aligned} " + r" \\ ".join(rows) + r" \end{aligned}"
 
     def _listing(self, notation: str) -> tuple[list[tuple[str, str]], list[str], list[tuple[Expr, str]]]:
-        """Return what is shared, what is zero, and the rates of coordinates that are no speeds."""
+        """Return common subexpressions, the expressions that are zero, and the rates of coordinates by speeds."""
         known, zeros = self.system.known_rates, (*self.residuals, *self.constraints)
         definitions, values = listing((*zeros, *known.values()), notation)
         n = len(zeros)
         return definitions, values[:n], list(zip(known, values[n:], strict=True))
 
     def _repr_latex_(self) -> str | None:
-        """Show what is short enough to be read."""
+        """Return the equations in LaTeX if they are short enough to be read."""
         lines = sum(len(part) for part in self._listing("text"))
         return f"${self.latex()}$" if lines <= _READABLE else None
 
 
 _READABLE = 60
-"""Lines that a reader may look at."""
+"""Lines up to which a notebook shows equations."""

@@ -19,11 +19,11 @@ from .constraint_force import constraint_jacobian
 
 
 def check_independent(system: System) -> None:
-    """Warn of constraints which, at almost every position, follow from those before them.
+    """Give a notice of constraints that follow from those before them, at almost every position.
 
     Raises:
-        ConstraintError: a constraint contradicts those before it, a combination of them being a number and not zero;
-            or those that are independent leave no motion, and none of them drives it.
+        ConstraintError: a constraint contradicts those before it: a combination of them is a number other than zero.
+            Or the independent ones leave no motion, and none of them drives the system.
     """
     pivots: list[tuple[int, _Combination]] = []
     phi_q = constraint_jacobian(system)
@@ -74,13 +74,18 @@ def register_adviser(adviser: Callable[[System], str]) -> None:
 
 
 class _Combination(NamedTuple):
-    """A combination of constraints: its derivatives by the speeds, by their places, and its value."""
+    """A combination of constraints.
+
+    Attributes:
+        slopes: its derivatives by the speeds that aren't zero, by the places of the speeds.
+        value: the combination itself.
+    """
 
     slopes: dict[int, Expr]
     value: Expr
 
     def without(self, pivot: int, other: _Combination) -> _Combination:
-        """Return the combination with another one, such that the derivative by one speed vanishes."""
+        """Return the combination less a multiple of another one, so that the derivative by one speed vanishes."""
         factor = self.slopes[pivot] / other.slopes[pivot]
         slopes = dict(self.slopes)
         for column, entry in other.slopes.items():

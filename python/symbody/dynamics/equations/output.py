@@ -1,4 +1,4 @@
-"""What generated code may compute beside the equations of motion."""
+"""Outputs: expressions that generated code computes beside the equations of motion."""
 
 from __future__ import annotations
 

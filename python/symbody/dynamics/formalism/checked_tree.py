@@ -1,4 +1,4 @@
-"""Trees that have equations of motion: what a formalism refuses is reported before it derives."""
+"""Checks of a system before its equations are derived: frames, loads, and the use of its coordinates."""
 
 from __future__ import annotations
 
@@ -13,7 +13,15 @@ from symbody.symbolic.given.arguments import brief
 
 
 def checked_tree(system: System, where: str) -> FrameTree:
-    """Return the tree of a system, or raise an error where it can't have equations of motion in its coordinates."""
+    """Return the tree of a system.
+
+    Args:
+        system: the system.
+        where: the formalism, for messages.
+
+    Raises:
+        ModelError: the system has no equations of motion in its coordinates.
+    """
     tree = frame_tree(system)
     for place, frame in enumerate(tree.frames):
         if given_twist(frame) is None:

@@ -22,15 +22,21 @@ def euler_equations(
 ) -> Vector:
     """Return ``dH_A/dt + v_A x sum(m v_G) - M_A``, in the axes of a frame.
 
-    ``H_A = sum(AG x m v_G + H_G)`` is the angular momentum about A, and the second term, the transport of a moving A,
-    vanishes where A is fixed or is the centre of mass. The sum is ``sum(AG x m a_G + dH_G/dt) - M_A`` for every A.
+    ``H_A = sum(AG x m v_G + H_G)`` is the angular momentum about A. The second term is due to the motion of A, and
+    vanishes if A is fixed or is the centre of mass. For every A, the result is ``sum(AG x m a_G + dH_G/dt) - M_A``.
 
     Args:
-        objects: bodies and loads. Loads on other bodies are left out, with a notice; a force whose acting and
-            reacting bodies are both there cancels.
+        objects: bodies and loads. Loads on other bodies are left out, with a notice. A force cancels if both of its
+            bodies, acting and reacting, are among the objects.
         point: A, which may move; by default the centre of mass of the bodies.
-        frame: where the components are wanted; by default the root.
+        frame: the frame in whose axes the components are; by default the root.
         gravity: the acceleration of weight, whose moment is in M_A.
+
+    >>> from symbody import Body, Torque, euler_equations, functions_of_time, ground, rotate, symbols
+    >>> phi, (I, M) = functions_of_time("phi"), symbols("I M")
+    >>> rotor = Body(rotate("Z", phi), 1, Iz=I)
+    >>> euler_equations([rotor, Torque(ground, 0, 0, M, on=rotor)]).components
+    (0, 0, I*phi'' - M)
     """
     selection = select_bodies(objects, "euler_equations", gravity)
     axes = selection.root if frame is None else frame

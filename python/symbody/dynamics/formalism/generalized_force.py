@@ -34,7 +34,7 @@ def generalized_force(loads: Loads, q: Coordinates) -> Expr | list[Expr]:
         q: a coordinate, or a list of them.
 
     Returns:
-        One expression, or a list of one a coordinate.
+        One expression, or a list with one expression per coordinate.
 
     >>> from symbody import Body, Force, functions_of_time, ground, symbols, translate
     >>> x, z, F = *functions_of_time("x z"), symbols("F")

@@ -57,9 +57,9 @@ def lagrange(L: Expr, q: Expr) -> Expr:
 def lagrange_equations(system: System) -> Equations:
     """Return the equations of motion by differentiating ``T - V``: ``d/dt dL/dq' - dL/dq - Q - phi_q^T lambda``.
 
-    Q are the generalised forces of the loads, and lambda the multipliers of the constraints phi, of
-    ``L + sum(lambda phi)``. Where all frames are rigid, the recursion of `newton_euler` is derived first, so that what
-    has its value takes its form: two derivations that agree give the same nodes, and only then.
+    Q are the generalised forces of the loads, and lambda the multipliers of the constraints phi in
+    ``L + sum(lambda phi)``. If all frames are rigid, the recursion of `newton_euler` is derived first. Expressions of
+    equal value then take its form: both derivations give the same nodes if, and only if, they agree.
 
     >>> from symbody import Body, System, Vector, ground, functions_of_time, rotate, symbols, translate
     >>> theta, (m, l, g) = functions_of_time("theta"), symbols("m l g")
@@ -149,7 +149,7 @@ def _power(system: System, held: _Held) -> Expr:
 
 @final
 class _Held:
-    """Stand-ins for forces while power and potential are differentiated: forces count as they are at the instant."""
+    """Symbols in the place of forces while power and potential are differentiated: forces are held at the instant."""
 
     def __init__(self) -> None:
         self._values: dict[Expr, Expr] = {}

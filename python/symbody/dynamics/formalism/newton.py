@@ -17,9 +17,9 @@ def newton_equations(
     """Return ``sum(m a_G) - sum(F) - sum(m g)``, in the axes of a frame.
 
     Args:
-        objects: bodies and loads. Loads on other bodies are left out, with a notice; a force whose acting and
-            reacting bodies are both there cancels.
-        frame: where the components are wanted; by default the root.
+        objects: bodies and loads. Loads on other bodies are left out, with a notice. A force cancels if both of its
+            bodies, acting and reacting, are among the objects.
+        frame: the frame in whose axes the components are; by default the root.
         gravity: the acceleration of weight.
 
     >>> from symbody import Body, Vector, functions_of_time, ground, symbols, time_derivative, translate

@@ -14,9 +14,9 @@ from .wrench import Wrench
 
 
 class ArticulatedInertia(NamedTuple):
-    """What gives the wrench on a body by its acceleration: ``n = J al + B a``, ``f = B^T al + C a``.
+    """The linear map from the acceleration of a body to the wrench on it: ``n = J al + B a``, ``f = B^T al + C a``.
 
-    The acceleration a is that of the frame's origin; J and C are symmetric.
+    The acceleration a is that of the frame's origin. J and C are symmetric [Featherstone 2008, sec. 7.1].
     """
 
     rotational: Symmetric

@@ -1,15 +1,16 @@
-"""Base inertias: mass kept in the frames where it takes fewest operations [Mayeda, Yoshida & Osuka 1990].
+"""Base inertias: each mass is kept in the frame where it takes fewest operations [Mayeda, Yoshida & Osuka 1990].
 
-Mass on the axis of a joint is at rest in both links that the joint connects. For the z axis such a line of mass has
-any mass m, moment h_z and second moment S_zz. Kept in the link before the joint it leaves the equations as they are,
-and 7 of 10 inertial parameters are left beyond the joint [Gautier & Khalil 1990]. What has no mass may be kept before a
-sliding joint. Bodies on fixed joints are one.
+Mass on the axis of a joint is at rest in both links that the joint connects. For the z axis, such a line of mass has a
+mass m, a moment h_z and a second moment S_zz. It may be counted with the link before the joint: the equations stay the
+same, and 7 of the 10 inertial parameters are left beyond the joint [Gautier & Khalil 1990]. Inertia without mass may be
+counted with the link before a sliding joint. Bodies on fixed joints are one body.
 
 A mass may also be taken out of a body, and put where the acceleration is known anyway: at the origin of a frame that
-the body carries. It is chosen so that one component of the body's moment vanishes. What is then missing on the axis of
-the joint is missing in the link before, like any other mass there.
+the body carries. It is chosen so that one component of the body's moment vanishes. Mass that this leaves missing on the
+axis of the joint is subtracted from the link before.
 
-Only numbers are moved, since they fold: sums of symbols would have to be computed, and hide what they are made of.
+Only numbers are moved, since their sums are numbers. Sums of symbols would have to be computed, and would hide the
+symbols of the model.
 """
 
 from __future__ import annotations
@@ -39,11 +40,11 @@ class Particle(NamedTuple):
 
 @dataclass(frozen=True)
 class BaseInertias:
-    """What is moved with each frame, by the frame's place in the tree.
+    """The inertias that move with each frame, by the frame's place in the tree.
 
     Attributes:
-        bodies: those that are kept as they are.
-        composites: what the others have become.
+        bodies: the bodies with symbols, which are kept as they are.
+        composites: the sums of the others.
         particles: masses taken out of composites.
     """
 
@@ -59,12 +60,12 @@ class BaseInertias:
 
 
 def base_inertias(system: System, tree: FrameTree, *, particles: bool = False) -> BaseInertias:
-    """Return the inertias of a system, those that are numbers where they take fewest operations.
+    """Return the inertias of a system, with numbers moved to where they take fewest operations.
 
     Args:
         system: the bodies.
         tree: the frames of the system.
-        particles: whether masses may be taken out of bodies, by which the wrenches of a motion gain.
+        particles: whether masses may be taken out of bodies. This shortens the wrenches of a motion.
     """
     regrouping = _Regrouping(system, tree)
     regrouping.run(particles=particles)
@@ -72,7 +73,7 @@ def base_inertias(system: System, tree: FrameTree, *, particles: bool = False) -
 
 
 class _Way(NamedTuple):
-    """A way to see a body: without a particle, which is put at a frame."""
+    """A way to divide a body: into a particle at a frame, and the rest."""
 
     operations: int
     left: Composite
@@ -81,7 +82,7 @@ class _Way(NamedTuple):
 
 @final
 class _Regrouping:
-    """From the leaves to the root."""
+    """The recursion from the leaves to the root."""
 
     def __init__(self, system: System, tree: FrameTree) -> None:
         self._tree, self._groups = tree, RigidGroups(tree)
@@ -122,7 +123,7 @@ class _Regrouping:
         self.result.composites[place] = inertia if known is None else known.plus(inertia)
 
     def _line(self, place: int, whole: Composite) -> Composite:
-        """Return what of a body may be kept in the link before; one without inertia stays without."""
+        """Return the part of a body that may be kept in the link before, unless this has no inertia of numbers."""
         before = self._groups.before(place)
         if place == 0 or (self._tree.carried[before] and before not in self._owners):
             return _NOTHING
@@ -134,7 +135,7 @@ class _Regrouping:
     # --- particles ---
 
     def _ways(self, place: int) -> Iterator[_Way]:
-        """Return the ways to see a body: as a whole, and without a mass at its centre or at a branch."""
+        """Return the ways to divide a body: as a whole, and without a mass at its centre or at a branch."""
         whole = self.result.composites[place]
         yield self._whole(place)
         if not whole.mass.is_zero:
@@ -156,10 +157,10 @@ class _Regrouping:
         return _Way(moved + self._operations(place, left), left, ((at, taken),))
 
     def _operations(self, place: int, whole: Composite) -> int:
-        """Count the operations of the wrench of a body without what the link before keeps.
+        """Count the operations of the wrench of a body, less the part that the link before keeps.
 
-        A mass takes a product and a sum for each component of the force; a component of the moment these, and two
-        each for the torque; an entry of the second moments two or three each.
+        A mass takes a product and a sum per component of the force. A component of the first moment takes these, and
+        two of each for the torque. An entry of the second moments takes two or three of each.
         """
         left = whole.minus(self._line(place, whole))
         travels = self._groups.travels[place]
@@ -178,9 +179,9 @@ def _count(entries: tuple[Expr, ...]) -> int:
 
 
 def _on_axis(whole: Composite, k: int) -> Composite:
-    """Return the line of mass on an axis through the origin without which least is left.
+    """Return the line of mass on an axis through the origin whose removal leaves the fewest entries.
 
-    What turns like a wheel about the axis keeps nothing but its moment of inertia about it.
+    A body that is symmetric about the axis, as a wheel, keeps only its moment of inertia about the axis.
     """
     i, j = (k + 1) % 3, (k + 2) % 3
     J, h, zero = whole.inertia, whole.moment, _ZERO

@@ -32,18 +32,18 @@ class Composite(NamedTuple):
         return Composite(self.mass + other.mass, add3(self.moment, other.moment), (x, y, z, u, v, w))
 
     def minus(self, other: Composite) -> Composite:
-        """Return what is left without the other."""
+        """Return the rest of the body without another one."""
         x, y, z, u, v, w = (a - b for a, b in zip(self.inertia, other.inertia, strict=True))
         return Composite(self.mass - other.mass, sub3(self.moment, other.moment), (x, y, z, u, v, w))
 
     @property
     def is_numeric(self) -> bool:
-        """Whether there is no symbol in it."""
+        """Whether all its entries are numbers."""
         return all(entry.is_constant for entry in (self.mass, *self.moment, *self.inertia))
 
     @property
     def is_null(self) -> bool:
-        """Whether there is nothing."""
+        """Whether it has neither mass nor inertia."""
         return all(entry.is_zero for entry in (self.mass, *self.moment, *self.inertia))
 
     @property
@@ -61,8 +61,8 @@ class Composite(NamedTuple):
     def displaced(self, d: Triple) -> Composite:
         """Return the body after a displacement d.
 
-        With the new moment ``h' = h + m d`` the inertia grows by ``(d . s) 1 - sym(d s)`` for ``s = h + h'``,
-        written so that the products are few.
+        With the new moment ``h' = h + m d`` the inertia grows by ``(d . s) 1 - sym(d s)`` for ``s = h + h'``. The form
+        has few products.
         """
         h = self.moment
         moment = add3(h, scale3(self.mass, d))
@@ -85,7 +85,7 @@ def tensor_times(tensor: Symmetric, v: Triple) -> Triple:
 
 
 def turned(tensor: Symmetric, motion: FrameMotion) -> Symmetric:
-    """Return ``R J R^T``; nothing stays nothing, whatever the sines and cosines."""
+    """Return ``R J R^T``; zero stays zero."""
     return tensor if all(entry.is_zero for entry in tensor) else motion.symmetric_to_parent(tensor)
 
 
@@ -101,5 +101,5 @@ def particle(mass: Expr, place: Triple) -> Composite:
 
 
 def rotor(inertia: Symmetric) -> Composite:
-    """Return what only resists rotation: it has no mass, wherever it is."""
+    """Return a body that only resists rotation: it has inertia, and no mass."""
     return Composite(_ZERO, NULL, inertia)

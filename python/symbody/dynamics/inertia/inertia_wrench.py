@@ -1,4 +1,4 @@
-"""The wrench that a motion needs: of bodies, composites and particles, on their frames."""
+"""The wrenches that a motion needs: ``m a`` and ``dH/dt`` of bodies, composites and particles, on their frames."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""The rate of angular momentum, by what the field of accelerations F is made of."""
+"""The rate of angular momentum, ``J al + w x J w``, by the entries of the field of accelerations F (`turning.py`)."""
 
 from __future__ import annotations
 
