@@ -39,7 +39,7 @@ def point_coordinates(p: Triple, source: Frame, target: Frame) -> Triple:
 
 
 class Ends(NamedTuple):
-    """The points between which a vector goes: coordinates and frame of each."""
+    """The end points of a vector: coordinates and frame of each."""
 
     tip: Triple
     tip_frame: Frame
@@ -58,8 +58,8 @@ class Ends(NamedTuple):
 def difference(ends: Ends, target: Frame) -> Triple:
     """Return the components of the vector between two points in a frame.
 
-    The points meet where their ways to the frame meet: from there on it is only the vector that turns. In any other
-    frame turns there and back would have to cancel.
+    The difference is taken in the frame where the ways of the points to the target frame meet; from there on, only the
+    vector is turned. In any other frame, rotations forth and back would have to cancel.
     """
     frames = ends.tip_frame, ends.tail_frame, target
     meeting = max((_common_ancestor(a, b) for a, b in combinations(frames, 2)), key=lambda frame: frame.depth)

@@ -1,4 +1,4 @@
-"""Frames one motion away from ground: what chains are made of."""
+"""Frames one motion away from ground, of which chains are made."""
 
 from __future__ import annotations
 
@@ -54,8 +54,8 @@ def translate(x: Scalar, y: Scalar, z: Scalar) -> Frame:
 def rotate(axis: Axis, angle: Scalar) -> Frame:
     """Return the frame rotated about "X", "Y", "Z", a unit triple or a vector; right-handed.
 
-    Doubles that stand for multiples of pi are such multiples: ``math.pi/2``, ``math.radians(30)``. So are doubles in
-    the axis that stand for roots, such as ``1/math.sqrt(3)``.
+    Doubles that are rounded multiples of pi, such as ``math.pi/2`` and ``math.radians(30)``, are taken as exact ones;
+    doubles in the axis that are rounded roots, such as ``1/math.sqrt(3)``, as these roots.
 
     Args:
         axis: the axis of the rotation.
@@ -86,8 +86,8 @@ def moving_frame(
 ) -> Frame:
     """Return a moving master frame, whose velocities are given in its own axes.
 
-    Those of them that are unknown are speeds of the `System`. The rates of the pose's coordinates follow from them:
-    the tracking equations.
+    The unknown velocities are speeds of the `System`. The rates of the pose's coordinates follow from them by the
+    tracking equations.
 
     Args:
         u: the velocity along x, such as a function of time.
@@ -123,14 +123,14 @@ def floating_frame(
 ) -> Frame:
     """Return the frame of a free body: its position and Euler parameters change by speeds in its own axes.
 
-    The speeds u, v, w (of the origin) and p, q, r (angular) are unknowns with an equation of motion each, the rates of
-    the coordinates x, y, z and e0, ..., e3 their expressions: ``x' = R u``, ``e' = 1/2 e o (0, p)``. A system takes
-    all of them from its frames.
+    Each of the speeds u, v, w (of the origin) and p, q, r (angular) is an unknown with an equation of motion. The rates
+    of the coordinates x, y, z and e0, ..., e3 are expressions of the speeds: ``x' = R u``, ``e' = 1/2 e o (0, p)``. A
+    system takes all of them from its frames.
 
     Args:
-        name: what the frame is called; the functions are called by it too: x_base, u_base, ...
-        position: functions of time for x, y and z in ground, if not these.
-        quaternion: functions of time for the unit quaternion e0, e1, e2, e3, its scalar first.
+        name: what the frame is called; default functions get it as a suffix: x_base, u_base, ...
+        position: functions of time for x, y and z in ground.
+        quaternion: functions of time for the unit quaternion e0, e1, e2, e3, scalar first.
         velocity: functions of time for u, v and w.
         angular_velocity: functions of time for p, q and r.
 

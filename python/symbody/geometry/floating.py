@@ -1,11 +1,12 @@
-"""Floating frames: a pose by coordinates, a twist by speeds that are no rates of them (quasi-velocities).
+"""Floating frames: a pose by coordinates, and a twist by speeds that are not their rates (quasi-velocities).
 
 With A the parent, B the child, R and p its pose in A, and v and w its twist in A, in the axes of B:
 
     p' = R v        R' = R [w x]        a_NB = R^T (a_NA + F_A p) + v' + (2 R^T w_NA + w) x v
 
 The unit quaternion of Euler parameters e0, ..., e3 has the rates ``e' = 1/2 e o (0, w)`` [Nikravesh 1988, ch. 6]. Its
-rotation matrix is divided by its norm, which is one and stays so: it is a rotation whatever the rounding errors.
+rotation matrix is divided by its squared norm. This is one along a motion; with the division, the matrix is a rotation
+in spite of rounding errors.
 """
 
 from __future__ import annotations
@@ -39,13 +40,14 @@ Quaternion: TypeAlias = tuple[Expr, Expr, Expr, Expr]
 
 @final
 class Floating(FrameMotion):
-    """A motion whose pose and twist are given on their own.
+    """A motion whose pose and twist are given independently.
 
-    Attributes:
+    Args:
+        pose: of the child in the parent.
         twist: of the child in the parent, in the child's axes.
         coordinate_rates: the pose's coordinates, and their rates by the twist.
-        speeds: what of the twist is unknown, if nobody says otherwise.
-        quaternion: the Euler parameters of the pose, whose norm is one; empty where it is written in other coordinates.
+        speeds: the speeds of the twist that are unknown, unless the system lists others.
+        quaternion: the Euler parameters of the pose, whose norm is one; empty if it is written in other coordinates.
     """
 
     tag = b"floating"

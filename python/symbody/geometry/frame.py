@@ -93,11 +93,11 @@ class Frame:
 
     @classmethod
     def root(cls, name: str, carrier: Twist | None = None) -> Frame:
-        """Return a frame that hangs on no other one."""
+        """Return a frame without a parent."""
         return cls._make(None, None, name, carrier)
 
     def named(self, name: str) -> Frame:
-        """Return the same frame, shown by this name."""
+        """Return the same frame under another name."""
         return Frame._make(self.parent, self.motion, name, self.carrier)
 
     # --- chains ---
@@ -167,7 +167,7 @@ class Frame:
         return {q: rate for motion in self.motions for q, rate in motion.coordinate_rates.items()}
 
     def inverse(self) -> Frame:
-        """Return the frame that undoes this one: the ground as seen from here (by the transpose, where not rigid)."""
+        """Return the inverse frame: ground as seen from this frame (by the transpose, if it isn't rigid)."""
         frame = ground
         for motion in reversed(self.motions):
             for back in motion.inverse():
@@ -204,7 +204,7 @@ class Frame:
         return hash(self.key)
 
     def __repr__(self) -> str:
-        """Return the name, or what makes the frame out of the last one that has a name: motion by motion."""
+        """Return the name, or the motions from the last frame that has a name."""
         frame, motions = self, list[FrameMotion]()
         while not frame.name and frame.parent is not None and frame.motion is not None:
             motions.append(frame.motion)
@@ -236,7 +236,14 @@ def along_chain(
     start: Callable[[Frame], State],
     step: Callable[[FrameMotion, State], State],
 ) -> State:
-    """Return what a recursion from the root leads to at a frame; the memo keeps what it finds on the way."""
+    """Return the state of a recursion from the root at a frame.
+
+    Args:
+        frame: where the recursion ends.
+        memo: states by the keys of frames, to which those on the way are added.
+        start: gives the state of the root.
+        step: gives the state of a child by its motion and the state of the parent.
+    """
     missing = []
     current: Frame | None = frame
     while current is not None and current.key not in memo:

@@ -1,7 +1,7 @@
 """Motions of frames: the steps of which the chain of a frame is made.
 
-A new kind of joint is one file with a final subclass of `FrameMotion` (docs/extending.md). What it must say are the
-abstract methods; everything else follows from them. A motion with a shorter way to the same value overrides it.
+A new kind of joint is one file with a final subclass of `FrameMotion` (docs/extending.md). It implements the abstract
+methods, from which everything else follows. A motion that knows a shorter way to the same value overrides a method.
 """
 
 from __future__ import annotations
@@ -94,7 +94,7 @@ class FrameMotion(ABC):
 
     @property
     def is_identity(self) -> bool:
-        """Whether nothing moves."""
+        """Whether the child is the parent."""
         return False
 
     @cached_property
@@ -112,7 +112,7 @@ class FrameMotion(ABC):
 
     @cached_property
     def is_constant(self) -> bool:
-        """Whether the motion is no motion at all: the child is fixed in the parent."""
+        """Whether the child is fixed in the parent."""
         return not any(variable.depends_on_time for variable in self.variables)
 
     # --- velocities and accelerations ---
@@ -136,7 +136,7 @@ class FrameMotion(ABC):
         """Return the acceleration of the child, ``a_B = R^T (a_A + F_A d + 2 w_A x d' + d'')``, and how it turns.
 
         Args:
-            parent: the same of the parent.
+            parent: the acceleration of the parent, and how it turns.
             rate: the time derivative of velocities.
         """
         turning, linear = parent.turning, self.material_acceleration(parent)
@@ -149,7 +149,7 @@ class FrameMotion(ABC):
         return Accelerated(self.child_turning(turning, rate), self.to_child(linear))
 
     def material_acceleration(self, parent: Accelerated) -> Triple:
-        """Return ``a_A + F_A d``: of the point of the parent where the child's origin is for the moment."""
+        """Return ``a_A + F_A d``, the acceleration of the parent's point that coincides with the child's origin."""
         turning, linear = parent
         if is_null(self.displacement) or (is_null(turning.velocity) and is_null(turning.acceleration)):
             return linear

@@ -5,8 +5,8 @@ With A the parent, B the child, d the displacement and w the child's spin in the
 
     w_NB = R_BA w_NA + w        v_NB = R_BA (v_NA + w_NA x d + d')
 
-A frame beyond a bare matrix R (natural coordinates) is seen from its base, the last rigid frame of the chain: only the
-derivative of R itself is then right whether or not the constraints hold.
+A frame beyond a bare matrix R (natural coordinates) is seen from its base, the last rigid frame of the chain. There the
+matrix R itself is differentiated, which is right whether or not the constraints hold.
 """
 
 from __future__ import annotations

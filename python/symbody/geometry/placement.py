@@ -14,7 +14,7 @@ from .triple import NULL, Rate, Triple, rates
 class Placement(FrameMotion):
     """A rotation matrix (by rows) and a displacement, whose entries may be unknowns (natural coordinates).
 
-    Where the entries do not make the rows orthonormal by themselves, constraints must do so: the motion isn't rigid.
+    If the rows aren't orthonormal by themselves, the motion isn't rigid, and constraints must make them orthonormal.
     """
 
     tag = b"placement"

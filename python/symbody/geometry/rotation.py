@@ -1,8 +1,8 @@
 """Rotation about a principal axis: x, y or z.
 
-The axis is one and the same in both frames. The column of the field of accelerations that belongs to it (`turning.py`)
-is therefore one and the same vector: where the parent's field is known, the column is taken from there, and spares
-the child most of its angular acceleration and of its own field. Inertias turn in a plane.
+The axis is the same in both frames, and so is its column of the field of accelerations (`turning.py`). If the parent's
+field is known, the column is taken from there. Most of the child's angular acceleration and field follow from it.
+Matrices change in a plane only.
 """
 
 from __future__ import annotations

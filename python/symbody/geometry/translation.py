@@ -49,7 +49,7 @@ class Translation(FrameMotion):
         return f"translate({', '.join(map(str, self._displacement))})"
 
     def merged(self, following: FrameMotion) -> FrameMotion | None:
-        """Merge only what cancels: any other sum would hide the frame in between from those who share it."""
+        """Merge only translations that cancel: any other sum would hide the frame in between, which may be shared."""
         if not isinstance(following, Translation):
             return None
         total = tuple(a + b for a, b in zip(self._displacement, following.displacement, strict=True))

@@ -15,11 +15,11 @@ from symbody.symbolic import Expr, number
 from .triple import Triple
 
 Nine: TypeAlias = tuple[Expr, Expr, Expr, Expr, Expr, Expr, Expr, Expr, Expr]
-"""A 3x3 matrix, row after row."""
+"""A 3x3 matrix, row by row."""
 
 
 def nine(entries: Iterable[Expr]) -> Nine:
-    """Return a 3x3 matrix by its entries, row after row."""
+    """Return a 3x3 matrix by its entries, row by row."""
     a, b, c, d, e, f, g, h, l = entries
     return a, b, c, d, e, f, g, h, l
 
@@ -33,11 +33,13 @@ class Column(NamedTuple):
 
 @final
 class Turning:
-    """How a frame turns: angular velocity and acceleration, and the field they make.
+    """How a frame turns: angular velocity and acceleration, and the field that they make.
 
     Args:
-        column: a column of the field that is there already.
-        field: the field, if all of it is there already.
+        velocity: the angular velocity.
+        acceleration: the angular acceleration.
+        column: a column of the field, if it is known.
+        field: the field, if it is known.
     """
 
     def __init__(

@@ -1,4 +1,4 @@
-"""Velocities and accelerations as a user asks for them: seen from a frame, with components in that frame."""
+"""Velocities and accelerations as seen from a frame, with components in this frame."""
 
 from __future__ import annotations
 
@@ -58,12 +58,12 @@ def acceleration(thing: Point | Vector, frame: Frame | None = None) -> Vector:
 
 
 def _floats(frame: Frame, observer: Frame) -> bool:
-    """Tell whether a frame floats as seen from its root: its velocities are then those by the speeds."""
+    """Tell whether a frame floats as seen from its root, so that the speeds give its velocities."""
     return observer == frame.ancestor and bool(frame.coordinate_rates) and frame.is_rigid
 
 
 def _first_rate(thing: Point | Vector) -> Triple:
-    """Return ``w x p + p'`` for components p, and the velocity of the origin beside for a point."""
+    """Return ``w x p + p'`` for components p; for a point, plus the velocity of the origin."""
     angular, linear = twist(thing.frame)
     p, drift = _components(thing)
     turned = add3(cross3(angular, p), drift)
@@ -71,7 +71,7 @@ def _first_rate(thing: Point | Vector) -> Triple:
 
 
 def _second_rate(thing: Point | Vector) -> Triple:
-    """Return ``F p + 2 w x p' + p''``, and the acceleration of the origin beside for a point."""
+    """Return ``F p + 2 w x p' + p''``; for a point, plus the acceleration of the origin."""
     turning, linear = AccelerationField()(thing.frame)
     p, drift = _components(thing)
     coriolis = scale3(number(2), cross3(turning.velocity, drift))
@@ -82,7 +82,7 @@ def _second_rate(thing: Point | Vector) -> Triple:
 
 
 def _components(thing: Point | Vector) -> tuple[Triple, Triple]:
-    """Return what places a thing in its frame, and its rates."""
+    """Return the components of a thing in its frame, and their rates."""
     p = thing.coordinates if isinstance(thing, Point) else thing.components
     return p, rates(p, rate_by(thing.frame.coordinate_rates))
 
@@ -96,7 +96,7 @@ def _velocity(thing: Point | Vector, observer: Frame) -> Triple:
 
 
 def _rate(components: Triple, observer: Frame, frame: Frame) -> Triple:
-    """Return the rate of components; a moving master frame stands for ground, so that its turning counts."""
+    """Return the rate of components; in a moving master frame, the one that ground sees, with its rotation."""
     change = rates(components, rate_by(observer.coordinate_rates | frame.coordinate_rates))
     return change if observer.carrier is None else add3(change, cross3(observer.carrier.angular, components))
 

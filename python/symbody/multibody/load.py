@@ -38,7 +38,7 @@ class Action:
 
     @property
     def key(self) -> bytes:
-        """A digest of what acts where, for an order."""
+        """A digest of what acts, and where, by which loads can be put in order."""
         place = () if self.point is None else self.point.coordinates
         values = b"".join(value.fingerprint for value in (*self.vector.components, *place))
         return self.body.key + self.vector.frame.key + values

@@ -1,4 +1,4 @@
-"""Loads that depend on accelerations, such as the drag of a fluid pushed along: their share of the mass matrix."""
+"""Added mass: the share of loads that depend on accelerations in the mass matrix, as of a fluid that a body pushes."""
 
 from __future__ import annotations
 
@@ -12,10 +12,9 @@ from symbody.symbolic.given.arguments import brief
 
 
 def with_added_mass(mass_matrix: Matrix, system: System) -> Matrix:
-    """Return ``M - dQ/du'``, Q being the generalised forces of the loads.
+    """Return ``M - dQ/du'``, where Q are the generalised forces of the loads; n x n for n speeds.
 
-    It is symmetric if the loads see to it: a force on one coordinate by the acceleration of another is none that a
-    mass could exert.
+    The sum is symmetric only if ``dQ/du'`` is, which is up to the loads.
     """
     actions = [action for action in system.actions if _holds_acceleration(action, system)]
     return mass_matrix - _slopes(actions, system) if actions else mass_matrix
@@ -84,7 +83,7 @@ def _holds_acceleration(action: Action, system: System) -> bool:
 
 
 def _leaves(actions: Iterable[Action]) -> frozenset[Expr]:
-    """Return what stands in forces and torques, and in the places where they act, as seen from their bodies."""
+    """Return the symbols and functions of time in forces and torques, and in the places where they act."""
     return _union(
         value
         for action in actions
@@ -97,10 +96,7 @@ def _union(values: Iterable[Expr]) -> frozenset[Expr]:
 
 
 def _rate(leaves: Iterable[Expr], system: System, order: int) -> Expr | None:
-    """Return the first rate of a coordinate, by name, that is of this order or a higher one.
-
-    A quasi-velocity counts as a first rate.
-    """
+    """Return the first rate of a coordinate, by name, of at least a given order; a quasi-velocity is a first rate."""
     orders = {q.name: order for q in system.coordinates} | {
         u.name: order - 1 for u in system.quasi_velocities
     }

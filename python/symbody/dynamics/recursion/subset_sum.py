@@ -1,4 +1,4 @@
-"""Sums over subsets that share their ends."""
+"""Sums over subsets, sharing the sums of their last items."""
 
 from __future__ import annotations
 
@@ -12,8 +12,8 @@ Item = TypeVar("Item")
 class SubsetSum(Generic[Item]):
     """Sums of subsets of items; a subset is an integer whose bits say which items are in it.
 
-    The sum of a subset adds its first item to the sum of the others: subsets that end alike, such as all bodies from
-    the k-th on, share their sums, which are then running sums.
+    The sum of a subset adds its first item to the sum of the others. Subsets that end with the same items, such as all
+    bodies from the k-th on, share their sums: running sums.
     """
 
     def __init__(self, items: Sequence[Item], add: Callable[[Item, Item], Item]) -> None:

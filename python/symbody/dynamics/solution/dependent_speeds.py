@@ -1,4 +1,4 @@
-"""Dependent speeds: what the rates of the constraints leave of the speeds."""
+"""Dependent speeds: the rates of the constraints, solved for as many speeds."""
 
 from __future__ import annotations
 
@@ -16,14 +16,14 @@ Speeds: TypeAlias = Annotated[Sequence[Expr], "a list of speeds, such as time_de
 
 @checked(ModelError)
 def dependent_speeds(eqs: Equations, dependent: Speeds) -> dict[Expr, Expr]:
-    """Return the dependent speeds by the others, from ``phi' = 0``, as values that are computed at run time.
+    """Return the dependent speeds by the others, from ``phi' = 0``; the linear system is solved at run time.
 
     Args:
         eqs: the equations of motion.
         dependent: as many speeds as there are constraints; the others are independent.
 
     Raises:
-        ConstraintError: too few or too many, or the constraints leave them undetermined.
+        ConstraintError: there are too few or too many, or the constraints don't determine them.
 
     >>> from symbody import Body, System, functions_of_time, newton_euler, symbols, time_derivative, translate
     >>> (x, y), (m, l) = functions_of_time("x y"), symbols("m l")

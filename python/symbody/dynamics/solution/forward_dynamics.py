@@ -36,15 +36,24 @@ from symbody.symbolic import (
 
 @dataclass(frozen=True)
 class ForwardDynamics:
-    """What a motion does next.
+    """The solution of the equations of motion for accelerations and multipliers.
 
     Attributes:
-        accelerations: the rates of the speeds, in their order.
-        multipliers: the multipliers, in the order of the constraints.
+        accelerations: the rates of the speeds, n, in their order.
+        multipliers: the multipliers, m, in the order of the constraints.
         method: how they were found.
-        conditions: what has to be positive, as numbers, for all of this to be accurate; nothing by most methods.
-        equation_names: what to call the rows of the linear system that is solved at run time, behind the word equation,
-            as `lambdify` takes them; nothing where there is none.
+        conditions: expressions that must be positive for the solution to be accurate; none for most methods.
+        equation_names: names for the rows of the linear system that is solved at run time, which follow the word
+            "equation" in messages, as `lambdify` takes them; empty if there is no such system.
+
+    >>> from symbody import Body, System, Vector, forward_dynamics, functions_of_time, ground, newton_euler, symbols
+    >>> from symbody import rotate, translate
+    >>> theta, (m, l, g) = functions_of_time("theta"), symbols("m l g")
+    >>> bob = Body(rotate("Z", theta) * translate(0, -l, 0), m)
+    >>> pendulum = System([bob], coordinates=[theta], gravity=Vector(ground, 0, -g, 0))
+    >>> solution = forward_dynamics(newton_euler(pendulum))
+    >>> solution.method, solution.accelerations
+    ('articulated_body', (-g*sin(theta)/l,))
     """
 
     accelerations: tuple[Expr, ...]
@@ -60,16 +69,17 @@ def forward_dynamics(eqs: Equations, *, method: str = "auto", baumgarte: Damping
 
     Args:
         eqs: the equations of motion.
-        method: "articulated_body", a recursion whose length is proportional to the number of bodies, for a tree
-            whose every coordinate drives one motion; "ldl", elimination in the mass matrix, for unconstrained
-            equations; "schur_complement", the same for constrained ones, whose multipliers are solved for at run
-            time; "null_space", for constrained ones, by independent speeds, without any system for run time, but not
-            where others had better be independent: the conditions tell; "pivoted", a linear system that is solved at
-            run time, for any; "auto", the shortest that is right everywhere.
-        baumgarte: omega and zeta of ``phi'' + 2 zeta omega phi' + omega^2 phi = 0``, which keeps the constraints.
+        method: "articulated_body": a recursion whose length is proportional to the number of bodies, for trees in
+            which every speed drives one motion. "ldl": elimination in the mass matrix, for unconstrained equations.
+            "schur_complement": the same for constrained ones; a linear system of the multipliers is solved at run
+            time. "null_space": by independent speeds, for constrained equations, without a linear system at run time.
+            It is inaccurate at states where other speeds should be the independent ones; `conditions` shows these.
+            "pivoted": a linear system that is solved at run time, for any equations. "auto": the shortest of those
+            that are accurate everywhere.
+        baumgarte: omega and zeta of ``phi'' + 2 zeta omega phi' + omega^2 phi = 0``, which replaces ``phi'' = 0``.
 
     Raises:
-        ModelError: the method isn't for these equations, or a coordinate moves no mass.
+        ModelError: the method doesn't apply to these equations, or a coordinate moves no mass.
 
     >>> from symbody import Body, Force, System, functions_of_time, ground, newton_euler, symbols, translate
     >>> x, (m, F) = functions_of_time("x"), symbols("m F")
@@ -104,10 +114,10 @@ def _shortest(eqs: Equations, baumgarte: Damping) -> ForwardDynamics:
 
 
 def _shortest_with_constraints(eqs: Equations, baumgarte: Damping) -> ForwardDynamics:
-    """Eliminate the mass matrix, unless that is impossible, or takes more text than a compiler likes.
+    """Eliminate the mass matrix, unless that is impossible, or takes too much text for a compiler.
 
-    Where constraints depend on each other the whole system is solved at run time: the least multipliers are told from
-    rounding errors there, and the product of three matrices has more of them.
+    If constraints depend on each other, the whole system is solved at run time. The least multipliers must be
+    distinguished from rounding errors then, and the Schur complement, a product of three matrices, has more of these.
     """
     entries = sum(not entry.is_zero for entry in eqs.mass_matrix.entries)
     if entries <= _MOST_ENTRIES and eqs.constraint_jacobian.rank() == len(eqs.constraints):
@@ -117,11 +127,11 @@ def _shortest_with_constraints(eqs: Equations, baumgarte: Damping) -> ForwardDyn
 
 
 _MOST_ENTRIES = 2000
-"""Entries of a mass matrix that isn't zero there, up to which it is eliminated in symbols."""
+"""Nonzero entries of a mass matrix up to which it is eliminated in symbols."""
 
 
 def _shortest_for_tree(eqs: Equations, tree: FrameTree) -> ForwardDynamics:
-    """Return the shorter of two; if one meets a pivot that is identically zero, the other."""
+    """Return the shorter of recursion and elimination; if one meets a pivot that is identically zero, the other."""
     try:
         recursion = _articulated_body(eqs, None)
     except ModelError as failure:
@@ -136,7 +146,7 @@ def _shortest_for_tree(eqs: Equations, tree: FrameTree) -> ForwardDynamics:
 
 
 def _least_elimination(tree: FrameTree) -> int:
-    """Return how many operations elimination takes at least: ``k (k + 5)`` for a coordinate beyond k others."""
+    """Return a lower bound of the operations of elimination: ``k (k + 5)`` for a coordinate beyond k others."""
     beyond, total = [0] * len(tree.frames), 0
     for place in range(1, len(tree.frames)):
         beyond[place] = beyond[tree.parents[place]]
@@ -195,7 +205,7 @@ def _by_saddle_point(method: str, eqs: Equations, baumgarte: Damping) -> Forward
 
 
 def _stabilized_bias(eqs: Equations, baumgarte: Damping) -> tuple[Expr, ...]:
-    """Return what is left of ``phi'' + 2 zeta omega phi' + omega^2 phi`` without accelerations."""
+    """Return ``phi'' + 2 zeta omega phi' + omega^2 phi`` at zero accelerations."""
     omega, zeta = baumgarte or (0, 0)
     return substitute(eqs.baumgarte(omega, zeta), at_rest(eqs.system))
 

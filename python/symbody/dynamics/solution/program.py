@@ -45,18 +45,18 @@ def program(
 
     Args:
         eqs: the equations of motion.
-        name: what the generated code is called, as an identifier; the name of the system, or "model", by default.
-        outputs: what else the code computes: expressions, vectors or matrices by name.
+        name: the name of the generated code, as an identifier; by default the name of the system, or "model".
+        outputs: further expressions, vectors or matrices that the code computes, by name.
         baumgarte: omega and zeta of the stabilisation in the forward dynamics.
-        method: how the forward dynamics is solved, see `forward_dynamics`; None leaves it out, and the right-hand side.
+        method: the method of `forward_dynamics`; None leaves out the forward dynamics and the right-hand side.
 
     Returns:
         A program of the routines mass_matrix, forcing, residuals, constraints, constraint_jacobian, forward_dynamics,
-        right_hand_side, energies and outputs (but those that have nothing to compute). Their arguments are p
+        right_hand_side, energies and outputs, without those that have nothing to compute. Their arguments are p
         (parameters), t, r (inputs), q, u (speeds), a (accelerations) and lambda_ (multipliers), in this order.
 
     Raises:
-        ProgramError: an output isn't a function of these, or a name can't stand in code.
+        ProgramError: an output isn't a function of these, or a name is no identifier.
 
     >>> from symbody import Body, System, Vector, functions_of_time, ground, newton_euler, rotate, symbols, translate
     >>> theta, (m, l, g) = functions_of_time("theta"), symbols("m l g")
@@ -133,7 +133,7 @@ def _forward(eqs: Equations, method: str, baumgarte: Damping) -> list[Routine]:
 
 
 def _drift(eqs: Equations, method: str | None, baumgarte: Damping) -> str:
-    """Return what becomes of the constraints along a motion, for the reader of the code."""
+    """Return how the constraints are kept along a motion, for the comment at the head of the code."""
     if method is None or not eqs.constraints:
         return ""
     if baumgarte is None:
@@ -170,7 +170,7 @@ def _energies(eqs: Equations) -> tuple[Result, ...]:
 
 
 def _outputs(outputs: Mapping[str, Output], eqs: Equations) -> tuple[Result, ...]:
-    """Return the outputs, with the rates of coordinates that are no speeds written by speeds and accelerations."""
+    """Return the outputs, with rates of coordinates that are no speeds written by speeds and accelerations."""
     results = []
     for name, value in outputs.items():
         if name in MEANINGS:

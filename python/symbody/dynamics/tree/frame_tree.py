@@ -25,8 +25,10 @@ class FrameTree:
         frames: the root first, every parent before its children.
         parents: the place of each frame's parent in the list.
         moved_by: for each frame, the speeds that move it in its parent, by their places in those of the system.
-        carried: whether some motion at or before the frame has speeds.
-        actions: what the loads do.
+        carried: for each frame, whether speeds move it, or a frame before it.
+        actions: the actions of the loads on the bodies of the system.
+        places: the places of frames in the list, by their keys; also of the frames whose origin was shifted.
+        system: the system.
     """
 
     frames: tuple[Frame, ...]
@@ -69,7 +71,7 @@ class FrameTree:
 
 
 def frame_tree(system: System) -> FrameTree:
-    """Return the tree of a system; one derivation makes it once."""
+    """Return the tree of a system; it is built once per derivation."""
     with derivation() as current:
         trees: dict[System, FrameTree] = current.cache.setdefault("frame tree", {})
         if system not in trees:

@@ -1,4 +1,4 @@
-"""What a speed does to a motion: the partial derivatives of its twist by the speed."""
+"""Partial twists: the derivatives of the twist of a motion by the speeds."""
 
 from __future__ import annotations
 

@@ -1,8 +1,8 @@
-"""Where frames begin on their axes of rotation.
+"""Shifted origins: where frames begin on their axes of rotation.
 
-A displacement along the axis of the rotation that follows is the same one before and behind it. Put behind it, it may
-make two axes meet in a point at rest, as in a shoulder: no force beyond has a moment about the first axis then. And
-where all inertias are numbers, it may join the displacement that follows, or vanish in those of the last bodies.
+A displacement along the axis of the rotation that follows may be put behind this rotation. Two axes may then meet in a
+point at rest, as in a shoulder, so that forces at this point have no moment about the first axis. If all inertias are
+numbers, the displacement may also be added to the displacement that follows, or to the places of the last bodies.
 """
 
 from __future__ import annotations
@@ -22,12 +22,12 @@ from symbody.symbolic import add3, cross3, dot3, number, sub3
 def with_shifted_origins(
     frames: Sequence[Frame], needed: Sequence[Frame], *, numeric: bool
 ) -> dict[bytes, Frame]:
-    """Return, by the keys of frames, frames at the same places with displacements behind rotations.
+    """Return frames at the same places with displacements behind rotations, by the keys of the given frames.
 
     Args:
         frames: parents before their children.
-        needed: those that carry more than bodies of numbers.
-        numeric: whether all bodies are numbers.
+        needed: those of them on which more acts than bodies of numbers.
+        numeric: whether the masses and inertias of all bodies are numbers.
     """
     shifting = _Shifting(frames, needed, numeric=numeric)
     for frame in frames:
@@ -36,7 +36,7 @@ def with_shifted_origins(
 
 
 class _Run(NamedTuple):
-    """What comes before a rotation: a displacement of a frame, and turns by numbers."""
+    """The motions before a rotation: a displacement of a frame, and rotations by numbers."""
 
     start: Frame
     displacement: Triple
@@ -45,7 +45,7 @@ class _Run(NamedTuple):
 
 @final
 class _Shifting:
-    """From the root to the leaves."""
+    """The recursion from the root to the leaves."""
 
     def __init__(self, frames: Sequence[Frame], needed: Sequence[Frame], *, numeric: bool) -> None:
         self.moved: dict[bytes, Frame] = {}
@@ -73,7 +73,7 @@ class _Shifting:
         self.moved[frame.key] = result if result is frame else result.named(frame.name)
 
     def _shifted(self, frame: Frame) -> Frame | None:
-        """Return the frame with the displacement along its axis put behind the rotation, if that is better."""
+        """Return the frame with the displacement along its axis put behind the rotation; None if that gains nothing."""
         rotation = frame.motion
         if rotation is None or rotation.turn_axis is None or rotation.is_constant:
             return None
@@ -114,7 +114,7 @@ class _Shifting:
         return base.parent if is_null(total) else self._then(base.parent, Translation(total))
 
     def _run(self, frame: Frame) -> _Run | None:
-        """Return what is there before a rotation for it alone."""
+        """Return the motions before a rotation that lead to nothing but this rotation."""
         turns = list[FrameMotion]()
         before = frame.parent
         while before is not None and (turn := _fixed_turn(before)) is not None:
@@ -135,7 +135,7 @@ class _Shifting:
         return _Run(place.parent, place.motion.displacement, tuple(reversed(turns)))
 
     def _is_absorbed(self, frame: Frame, axis: int) -> bool:
-        """Tell whether a displacement along an axis of a frame joins one that follows, or nothing but bodies."""
+        """Tell whether a displacement along an axis of a frame joins one that follows, or only bodies follow."""
         e = along(axis, number(1))
         while self._forks[frame.key]:
             if not self._is_alone(frame):
@@ -169,7 +169,7 @@ class _Shifting:
 
 
 def _forks(frames: Sequence[Frame], needed: set[bytes]) -> tuple[Counter[bytes], dict[bytes, Frame]]:
-    """Return, by frame, how many of those that hang on it lead to motions or to needed frames, and one of them."""
+    """Return, by frame, how many of its children lead to motions or to needed frames, and one of these children."""
     forks, following = Counter[bytes](), dict[bytes, Frame]()
     for frame in reversed(frames):
         if frame.parent is None or frame.motion is None:
