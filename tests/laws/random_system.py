@@ -169,7 +169,9 @@ def random_floating_system(
 def _random_system(maker: Maker, frames: list[Frame], *, size: int, loads: int) -> System:
     """Return a system with any inertias: the laws are algebra, which doesn't ask whether a body has them."""
     with warnings.catch_warnings():
-        warnings.filterwarnings("ignore", ".*(no body has|together none|no body is joined)", ModelNotice)
+        warnings.filterwarnings(
+            "ignore", ".*(no body has|make an impossible one|no body is joined)", ModelNotice
+        )
         return _drawn(maker, frames, size=size, loads=loads)
 
 

@@ -76,8 +76,8 @@ class Body:
             if value.depends_on_time:
                 raise BodyError(
                     f"Body: {name} = {brief(value)} depends on time; expected a constant, such as symbols('m'): "
-                    "bodies are rigid and neither gain nor lose mass; make several bodies of parts that move in each "
-                    "other"
+                    "bodies are rigid and neither gain nor lose mass; make several bodies of parts that move "
+                    "relative to each other"
                 )
 
     @property

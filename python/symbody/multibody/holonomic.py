@@ -12,9 +12,9 @@ from .coordinate import rate_of_any
 
 __all__ = ["fault_of"]
 
-_EXPECTED = "expected coordinates and time, as constraints of velocities aren't supported"
+_EXPECTED = "expected coordinates and time, as constraints on velocities aren't supported"
 _INTEGRATE = (
-    "if it is the rate of a condition on coordinates, give that condition; if not, as for what rolls, choose speeds "
+    "if it is the rate of a condition on coordinates, give that condition; if not, as for rolling, choose speeds "
     "that keep it: moving_frame(..., pose=...) and System(speeds=[...])"
 )
 
@@ -61,7 +61,7 @@ def _way_out(constraint: Expr) -> str:
     integral = _integral(constraint)
     if integral is None:
         return _INTEGRATE
-    return f"give its integral, {brief(integral)}, less the value that this has in the beginning"
+    return f"give its integral, {brief(integral)}, minus its initial value"
 
 
 def _integral(constraint: Expr) -> Expr | None:

@@ -35,7 +35,7 @@ def _foreign_loads(members: Set[Body], loads: Iterable[Load]) -> Iterator[str]:
             continue
         named = " and ".join(map(str, strangers))
         outside = "none of its bodies" if len(strangers) == 1 else "not among its bodies"
-        what = "is left out, for it acts" if len(strangers) == len(bodies) else "acts"
+        what = "is left out: it acts" if len(strangers) == len(bodies) else "acts"
         left = "" if len(strangers) == len(bodies) else ", which is left out"
         yield f"{load} {what} on {named}, {outside}{left}; add what is missing to bodies"
 

@@ -130,7 +130,7 @@ def difference_fault(group: Sequence[MassDistribution], values: Mapping[Expr, fl
             "rigidly from which it could be taken away; build it on the frame of that body"
         )
     names = brief(", ".join(_named(body) for body in group))
-    return fault and f"{names}: joined rigidly, these bodies are together none: {fault}"
+    return fault and f"{names}: joined rigidly, these bodies make an impossible one: {fault}"
 
 
 def _tensor(body: MassDistribution) -> Array:

@@ -44,7 +44,7 @@ class Selection:
             if not inside:
                 bodies = " and ".join(brief(action.body) for action in load.actions)
                 warnings.warn(
-                    f"{where}: {brief(load)} is left out, for it acts on {bodies}, not in the set",
+                    f"{where}: {brief(load)} is left out: it acts on {bodies}, not in the set",
                     ModelNotice,
                     stacklevel=3,
                 )

@@ -113,7 +113,7 @@ def _tell(system: System, place: int, combined: Sequence[int], rest: Expr) -> No
         return
     warnings.warn(
         f"{constraint} depends on {others}: its gradient is a combination of theirs, so that their multipliers aren't "
-        "determined; forward dynamics takes the least ones; leave it out if it's one too many",
+        "determined; forward dynamics takes the least ones; leave it out if it is redundant",
         ModelNotice,
         stacklevel=5,
     )

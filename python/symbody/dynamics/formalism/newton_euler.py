@@ -55,6 +55,6 @@ def _check_rigid(tree: FrameTree) -> None:
     for frame in tree.frames:
         if not frame.is_rigid:
             raise FrameError(
-                f"newton_euler: {brief(frame)} isn't rigid: the entries of its matrix make no rotation by "
-                "themselves; if constraints make it one, use lagrange_equations, and correct the matrix if not"
+                f"newton_euler: {brief(frame)} isn't rigid: its matrix isn't a rotation by itself; if "
+                "constraints make it one, use lagrange_equations, and correct the matrix if not"
             )

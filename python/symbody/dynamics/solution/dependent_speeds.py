@@ -36,7 +36,7 @@ def dependent_speeds(eqs: Equations, dependent: Speeds) -> dict[Expr, Expr]:
     if len(set(columns)) != len(eqs.constraints) or len(columns) != len(eqs.constraints):
         raise ConstraintError(
             f"dependent_speeds: {counted(len(set(columns)), 'speed')}, "
-            f"{counted(len(eqs.constraints), 'constraint')}; expected one speed a constraint"
+            f"{counted(len(eqs.constraints), 'constraint')}; expected one speed per constraint"
         )
     with derivation(fresh=True):
         rates = substitute(eqs.system.rate(eqs.constraints), dict.fromkeys(dependent, 0))

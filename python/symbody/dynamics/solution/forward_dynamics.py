@@ -91,7 +91,9 @@ def forward_dynamics(eqs: Equations, *, method: str = "auto", baumgarte: Damping
     if method not in _METHODS:
         raise ModelError(f"forward_dynamics: the method {method!r}; expected one of {', '.join(_METHODS)}")
     if baumgarte is not None and not eqs.constraints:
-        raise ModelError("forward_dynamics: Baumgarte's stabilisation of no constraints; leave baumgarte out")
+        raise ModelError(
+            "forward_dynamics: Baumgarte's stabilisation without constraints; leave baumgarte out"
+        )
     found = _METHODS[method](eqs, baumgarte)
     return replace(found, equation_names=_equation_names(eqs, found.method))
 

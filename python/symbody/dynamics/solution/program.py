@@ -201,6 +201,6 @@ def _check_time_functions(outputs: Mapping[str, Output], eqs: Equations, routine
         if strange:
             first = min(strange, key=by_name)
             raise ProgramError(
-                f"program: the output {name} holds {first}, of which the equations of motion know nothing; expected "
+                f"program: the output {name} holds {first}, which isn't in the equations of motion; expected "
                 "an expression of coordinates, speeds, accelerations, multipliers, parameters, inputs and time"
             )
