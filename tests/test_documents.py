@@ -1,7 +1,7 @@
 """The documents keep their word: their Python runs, their links lead somewhere, the targets of make exist."""
 
 import re
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from pathlib import Path
 
 import pytest
@@ -14,6 +14,9 @@ LINK = re.compile(r"\[[^\]]*\]\(([^)\s]+)\)")
 HEADING = re.compile(r"^#+ +(.+?) *$", re.MULTILINE)
 CODE_SPAN = re.compile(r"`[^`\n]+`")
 PRINTED = re.compile(r"^print\(.*\)  # (.*)$", re.MULTILINE)
+SOURCE = re.compile(r"(?:[\w.-]+/)*[\w-]+\.(?:py|rs|toml|lark|ipynb|json)")
+OF_THE_SOURCES = [ROOT / name for name in ("ARCHITECTURE.md", "CONTRIBUTING.md", "docs/extending.md", "docs/values.md")]
+"""Documents that lead through the sources: each file that they name is there."""
 MAKE = re.compile(r"\bmake ([a-z][a-z-]*)")
 
 
@@ -64,6 +67,21 @@ def test_links_lead_somewhere(document: Path) -> None:
     assert list(broken_links(document)) == []
 
 
+def missing_sources(document: Path, names: Iterable[str]) -> Iterator[str]:
+    """The files that a document names and that no source's path ends with."""
+    for span in CODE_SPAN.findall(FENCE.sub("", document.read_text())):
+        named = span.strip("`")
+        if SOURCE.fullmatch(named) and not any(f"/{each}".endswith(f"/{named}") for each in names):
+            yield named
+
+
+@pytest.mark.parametrize("document", OF_THE_SOURCES, ids=name)
+def test_sources_that_a_document_names_exist(document: Path) -> None:
+    folders = ("python", "crates", "tests", "scripts", "benchmarks", "examples", "docs")
+    sources = [name(path) for folder in folders for path in (ROOT / folder).rglob("*.*")]
+    assert list(missing_sources(document, [*sources, *(name(path) for path in ROOT.glob("*.*"))])) == []
+
+
 def test_make_targets_exist() -> None:
     targets = set(re.findall(r"^([a-z][a-z-]*):", (ROOT / "Makefile").read_text(), re.MULTILINE))
     for document in DOCUMENTS:
@@ -82,3 +100,9 @@ def test_a_broken_link_is_found(tmp_path: Path) -> None:
     document = tmp_path / "page.md"
     document.write_text("# One two\n[a](#one-two) [b](#three) [c](page.md) [d](nowhere.md) `[e](f)`\n")
     assert list(broken_links(document)) == ["#three", "nowhere.md"]
+
+
+def test_a_source_that_is_missing_is_found(tmp_path: Path) -> None:
+    document = tmp_path / "page.md"
+    document.write_text("`core/sum.rs` `sum.rs` `um.rs` `python/core/sum.rs` `a.sum` \n")
+    assert list(missing_sources(document, ["crates/core/sum.rs"])) == ["um.rs", "python/core/sum.rs"]

@@ -135,7 +135,7 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
         errors.FrameError,
         lambda: newton_euler(System([Body(natural, m)], coordinates=[x, y], constraints=[x**2 + y**2 - 1])),
         (
-            "newton_euler: TN isn't rigid: the entries of its matrix make no rotation by themselves; if constraints "
+            "newton_euler: TN isn't rigid: its matrix isn't a rotation by itself; if constraints "
             "make it one, use lagrange_equations, and correct the matrix if not"
         ),
     ),
@@ -252,7 +252,7 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
         lambda: Body(ground, x * m),
         (
             "Body: mass = m*x depends on time; expected a constant, such as symbols('m'): bodies are rigid "
-            "and neither gain nor lose mass; make several bodies of parts that move in each other"
+            "and neither gain nor lose mass; make several bodies of parts that move relative to each other"
         ),
     ),
     (
@@ -260,7 +260,7 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
         lambda: Body(ground, m, Iz=sin(t)),
         (
             "Body: Iz = sin(t) depends on time; expected a constant, such as symbols('m'): bodies are rigid "
-            "and neither gain nor lose mass; make several bodies of parts that move in each other"
+            "and neither gain nor lose mass; make several bodies of parts that move relative to each other"
         ),
     ),
     (
@@ -651,9 +651,9 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
         errors.ConstraintError,
         lambda: System([Body(vehicle, m)], coordinates=[x], speeds=[y], constraints=[x - y]),
         (
-            "System: constraint 1, x - y = 0, holds the speed y; expected coordinates and time, as constraints of "
+            "System: constraint 1, x - y = 0, holds the speed y; expected coordinates and time, as constraints on "
             "velocities aren't supported; if it is the rate of a condition on coordinates, give that condition; if "
-            "not, as for what rolls, choose speeds that keep it: moving_frame(..., pose=...) and System(speeds=[...])"
+            "not, as for rolling, choose speeds that keep it: moving_frame(..., pose=...) and System(speeds=[...])"
         ),
     ),
     (
@@ -678,9 +678,9 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
         errors.ConstraintError,
         lambda: constrained(time_derivative(x) - a * y),
         (
-            "System: constraint 1, x' - a*y = 0, holds the rate x'; expected coordinates and time, as constraints of "
+            "System: constraint 1, x' - a*y = 0, holds the rate x'; expected coordinates and time, as constraints on "
             "velocities aren't supported; if it is the rate of a condition on coordinates, give that condition; if "
-            "not, as for what rolls, choose speeds that keep it: moving_frame(..., pose=...) and System(speeds=[...])"
+            "not, as for rolling, choose speeds that keep it: moving_frame(..., pose=...) and System(speeds=[...])"
         ),
     ),
     (
@@ -688,16 +688,15 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
         lambda: constrained(a * time_derivative(x) - time_derivative(y) - 2),
         (
             "System: constraint 1, a*x' - y' - 2 = 0, holds the rate x'; expected coordinates and time, as constraints "
-            "of velocities aren't supported; give its integral, a*x - 2*t - y, less the value that this has in the "
-            "beginning"
+            "on velocities aren't supported; give its integral, a*x - 2*t - y, minus its initial value"
         ),
     ),
     (
         errors.ConstraintError,
         lambda: constrained(time_derivative(x)),
         (
-            "System: constraint 1, x' = 0, holds the rate x'; expected coordinates and time, as constraints of "
-            "velocities aren't supported; give its integral, x, less the value that this has in the beginning"
+            "System: constraint 1, x' = 0, holds the rate x'; expected coordinates and time, as constraints on "
+            "velocities aren't supported; give its integral, x, minus its initial value"
         ),
     ),
     (
@@ -705,8 +704,8 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
         lambda: constrained(x - time_derivative(y, 2)),
         (
             "System: constraint 1, x - y'' = 0, holds the acceleration y''; expected coordinates and time, as "
-            "constraints of velocities aren't supported; if it is the rate of a condition on coordinates, give that "
-            "condition; if not, as for what rolls, choose speeds that keep it: moving_frame(..., pose=...) and "
+            "constraints on velocities aren't supported; if it is the rate of a condition on coordinates, give that "
+            "condition; if not, as for rolling, choose speeds that keep it: moving_frame(..., pose=...) and "
             "System(speeds=[...])"
         ),
     ),
@@ -804,7 +803,7 @@ def test_notice_of_a_load_that_is_left_out() -> None:
     with pytest.warns(ModelNotice) as notices:
         newton_equations([stranger, stray])
     assert [str(notice.message) for notice in notices] == [
-        "newton_equations: push is left out, for it acts on bead and cart, not in the set"
+        "newton_equations: push is left out: it acts on bead and cart, not in the set"
     ]
 
 
@@ -813,7 +812,7 @@ def test_notice_of_dependent_constraints() -> None:
     beads = System([Body(frame, m)], coordinates=[x, y, z, phi], constraints=[x**2 - y, y - z, x**2 - z])
     rest = (
         "its gradient is a combination of theirs, so that their multipliers aren't determined; forward dynamics takes "
-        "the least ones; leave it out if it's one too many"
+        "the least ones; leave it out if it is redundant"
     )
     for mistake, message in (
         (

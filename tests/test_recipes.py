@@ -1,33 +1,103 @@
 """Who follows half a recipe of docs/extending.md is told: whatever is added is held against the laws of its kind."""
 
 import typing
-from collections.abc import Iterator
+from collections.abc import Callable, Iterable, Iterator
 from importlib.util import find_spec
 from inspect import isabstract
+from itertools import islice
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
 
 import symbody
-from symbody import Body, dynamics, functions_of_time, newton_euler, simulate, simulate_many, translate
+from symbody import (
+    Body,
+    dynamics,
+    functions_of_time,
+    lagrange_equations,
+    lambdify,
+    newton_euler,
+    simulate,
+    simulate_many,
+    translate,
+)
 from symbody.dynamics import Equations
-from symbody.geometry.motion import Motion
+from symbody.geometry.frame_motion import FrameMotion
 from symbody.multibody import Load, System
 from symbody.simulation.integrate.methods import METHODS
+from symbody.symbolic import free_symbols
 from symbody.symbolic.expression import functions
+from tests.laws import random_system as random_systems
 from tests.laws import test_formalisms, test_rewrites
 from tests.laws.random_system import random_floating_system, random_system
 from tests.reference import test_robots
 from tests.symbolic import test_textbook_forms
+from tests.test_documents import code_blocks
+
+RECIPES = Path(__file__).parents[1] / "docs" / "extending.md"
 
 
 def concrete(base: type) -> Iterator[type]:
     """Each class of the package that is no base of others."""
     for derived in base.__subclasses__():
         yield from concrete(derived)
-        if not isabstract(derived) and not derived.__subclasses__():
+        if (
+            not isabstract(derived)
+            and not derived.__subclasses__()
+            and derived.__module__.startswith("symbody.")
+        ):
             yield derived
+
+
+def followed(recipe: str) -> dict[str, Any]:
+    """What the file and the row of a recipe define: the first two blocks of code of its section."""
+    section = RECIPES.read_text(encoding="utf-8").split(f"\n## {recipe}\n")[1].split("\n## ")[0]
+    namespace: dict[str, Any] = {"__name__": "recipe"}
+    for _, block in islice(code_blocks(section, "python"), 2):
+        exec(block, namespace)
+    return namespace
+
+
+@pytest.fixture
+def tables(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Let a recipe add its row to copies of the tables."""
+    monkeypatch.setattr(random_systems, "MOTIONS", [*random_systems.MOTIONS])
+    monkeypatch.setattr(random_systems, "LOADS", [*random_systems.LOADS])
+
+
+def drawn(kind: type, parts: Callable[[System], Iterable[object]]) -> list[System]:
+    """Random systems that hold a kind of thing, with symbols and with numbers."""
+    made = (random_system(seed, symbolic=bool(seed % 2)) for seed in range(60))
+    found = [system for system in made if any(type(part) is kind for part in parts(system))]
+    assert len(found) > 10
+    return found
+
+
+def compare_formalisms(system: System) -> None:
+    """The same nodes by both, and compiled the numbers that the expressions have."""
+    one, two = newton_euler(system), lagrange_equations(system)
+    assert one.residuals == two.residuals
+    assert one.mass_matrix == two.mass_matrix
+    leaves = sorted(free_symbols(one.residuals), key=str)
+    values = np.linspace(0.3, 0.9, len(leaves))
+    expected = [residual.evaluate(dict(zip(leaves, values, strict=True))) for residual in one.residuals]
+    np.testing.assert_allclose(lambdify(leaves, list(one.residuals))(*values), expected, rtol=1e-8, atol=1e-9)
+
+
+@pytest.mark.usefixtures("tables")
+def test_the_recipe_of_a_joint_makes_one_that_obeys_the_laws() -> None:
+    screw = followed("A joint: a motion of frames")["Screw"]
+    for system in drawn(screw, lambda system: (m for body in system.bodies for m in body.frame.motions)):
+        compare_formalisms(system)
+
+
+@pytest.mark.usefixtures("tables")
+def test_the_recipe_of_a_load_makes_one_that_obeys_the_laws() -> None:
+    spring = followed("A load")["Spring"]
+    for system in drawn(spring, lambda system: system.loads):
+        compare_formalisms(system)
 
 
 def systems() -> list[System]:
@@ -36,7 +106,7 @@ def systems() -> list[System]:
 
 def test_every_motion_occurs_in_the_random_systems() -> None:
     motions = {type(m) for system in systems() for body in system.bodies for m in body.frame.motions}
-    assert set(concrete(Motion)) <= motions
+    assert set(concrete(FrameMotion)) <= motions
 
 
 def test_every_load_occurs_in_the_random_systems() -> None:

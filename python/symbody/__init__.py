@@ -21,6 +21,7 @@ from symbody.dynamics import (
     newton_equations,
     newton_euler,
 )
+from symbody.dynamics.equations.independence import register_adviser
 from symbody.errors import ModelNotice, SymbodyError
 from symbody.geometry import (
     Frame,
@@ -257,6 +258,14 @@ __all__ = [
 
 _LATER = ("codegen", "simulation", "view")
 """The layers that are loaded with the first use of theirs, the lower first."""
+
+
+def _what_is_redundant(system: System) -> str:
+    text: str = import_module("symbody.simulation.constraint.redundant_constraints").advice(system)
+    return text
+
+
+register_adviser(_what_is_redundant)
 
 if not TYPE_CHECKING:  # for type checkers, a module with this function has every name
 

@@ -26,9 +26,9 @@ from symbody import (
     rotate,
     translate,
 )
-from symbody.dynamics.base_inertia import BaseInertias, base_inertias
-from symbody.dynamics.composite import Composite
-from symbody.dynamics.frame_tree import frame_tree
+from symbody.dynamics.inertia.base_inertia import BaseInertias, base_inertias
+from symbody.dynamics.inertia.composite import Composite
+from symbody.dynamics.tree.frame_tree import frame_tree
 from symbody.symbolic import derivation
 from tests.dynamics.models import chain
 from tests.laws.random_system import random_system

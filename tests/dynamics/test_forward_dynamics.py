@@ -251,7 +251,7 @@ MISTAKES = [
     (
         ModelError,
         lambda: forward_dynamics(newton_euler(chain(2)), baumgarte=(1, 1)),
-        "forward_dynamics: Baumgarte's stabilisation of no constraints; leave baumgarte out",
+        "forward_dynamics: Baumgarte's stabilisation without constraints; leave baumgarte out",
     ),
     (
         ModelError,
@@ -278,7 +278,7 @@ MISTAKES = [
     (
         ConstraintError,
         lambda: dependent_speeds(newton_euler(bead()), []),
-        "dependent_speeds: 0 speeds, 1 constraint; expected one speed a constraint",
+        "dependent_speeds: 0 speeds, 1 constraint; expected one speed per constraint",
     ),
     (
         ConstraintError,

@@ -163,14 +163,14 @@ MISTAKES = [
     (
         {"outputs": {"error": x - z}},
         (
-            "program: the output error holds z, of which the equations of motion know nothing; expected an expression "
+            "program: the output error holds z, which isn't in the equations of motion; expected an expression "
             "of coordinates, speeds, accelerations, multipliers, parameters, inputs and time"
         ),
     ),
     (
         {"outputs": {"jerk": time_derivative(x, 3)}},
         (
-            "program: the output jerk holds x''', of which the equations of motion know nothing; expected an "
+            "program: the output jerk holds x''', which isn't in the equations of motion; expected an "
             "expression of coordinates, speeds, accelerations, multipliers, parameters, inputs and time"
         ),
     ),

@@ -25,7 +25,7 @@ from symbody import (
     symbols,
     translate,
 )
-from symbody.dynamics.frame_tree import FrameTree, frame_tree
+from symbody.dynamics.tree.frame_tree import FrameTree, frame_tree
 from symbody.symbolic import derivation
 from tests.dynamics.models import general_body
 

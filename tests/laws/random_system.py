@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import warnings
+from collections.abc import Callable
 from dataclasses import dataclass, field
 from random import Random
 
@@ -27,6 +28,7 @@ from symbody import (
     time_derivative,
     translate,
 )
+from symbody.multibody import Load
 from symbody.symbolic import t
 
 
@@ -59,19 +61,7 @@ class Maker:
         return q
 
     def motion(self) -> Frame:
-        return self.random.choice(
-            [
-                self.turn,
-                self.turn,
-                self.slide,
-                self.screw,
-                self.skew,
-                self.slanted,
-                self.crank,
-                self.driven,
-                self.matrix,
-            ]
-        )()
+        return self.random.choice(MOTIONS)(self)
 
     def turn(self) -> Frame:
         return rotate(self.random.choice("XYZ"), self.coordinate())
@@ -79,7 +69,7 @@ class Maker:
     def slide(self) -> Frame:
         return translate(*self.random.sample([self.coordinate(), number(0), self.parameter("s")], 3))
 
-    def screw(self) -> Frame:
+    def turn_and_slide(self) -> Frame:
         q = self.coordinate()
         return translate(0, 0, self.parameter("p") * q) * rotate("Z", q)
 
@@ -115,7 +105,7 @@ class Maker:
             return Body(frame, -self.parameter("m"), *self.parameters("I"))
         return Body(place, self.parameter("m"), *self.parameters("I"), *self.parameters("C"))
 
-    def load(self, frames: list[Frame], bodies: list[Body]) -> Force | Torque:
+    def load(self, frames: list[Frame], bodies: list[Body]) -> Load:
         on, reaction = self.random.sample([*bodies, None], 2)
         if on is None:
             on, reaction = reaction, None
@@ -123,10 +113,42 @@ class Maker:
         q = self.random.choice([*self.coordinates, *self.afloat])
         size = [self.parameter("F"), self.parameter("k") * q, self.parameter("d") * time_derivative(q)]
         vector = Vector(self.random.choice(frames), *self.random.sample(size, 3))
-        if self.random.random() < 0.4:
-            return Torque(vector, on=on, reaction=reaction)
-        at = Point(self.random.choice([on.frame, *frames]), *self.parameters("a"))
-        return Force(vector, at=at, on=on, reaction=reaction)
+        draw = self.random.random() * sum(share for share, _ in LOADS)
+        for share, make in LOADS[:-1]:
+            if draw < share:
+                return make(self, vector, frames, on, reaction)
+            draw -= share
+        return LOADS[-1][1](self, vector, frames, on, reaction)
+
+    def torque(self, vector: Vector, frames: list[Frame], on: Body, reaction: Body | None) -> Load:
+        del frames
+        return Torque(vector, on=on, reaction=reaction)
+
+    def force(self, vector: Vector, frames: list[Frame], on: Body, reaction: Body | None) -> Load:
+        return Force(vector, at=self.point([on.frame, *frames]), on=on, reaction=reaction)
+
+    def point(self, frames: list[Frame]) -> Point:
+        return Point(self.random.choice(frames), *self.parameters("a"))
+
+
+MOTIONS: list[Callable[[Maker], Frame]] = [
+    Maker.turn,
+    Maker.turn,
+    Maker.slide,
+    Maker.turn_and_slide,
+    Maker.skew,
+    Maker.slanted,
+    Maker.crank,
+    Maker.driven,
+    Maker.matrix,
+]
+"""The motions of random systems; one that stands here twice is drawn twice as often."""
+
+LOADS: list[tuple[float, Callable[[Maker, Vector, list[Frame], Body, Body | None], Load]]] = [
+    (0.4, Maker.torque),
+    (0.6, Maker.force),
+]
+"""The loads of random systems, each with its share: made of a vector, frames, and the bodies that act and react."""
 
 
 def random_system(seed: int, *, symbolic: bool = True, size: int = 4, loads: int = 2) -> System:
@@ -140,14 +162,16 @@ def random_floating_system(
 ) -> System:
     """Return a tree of bodies that floats, and perhaps something beside it."""
     floating = base * floating_frame("base")
-    maker = Maker(Random(seed), symbolic, afloat=list(floating.kinematics))
+    maker = Maker(Random(seed), symbolic, afloat=list(floating.coordinate_rates))
     return _random_system(maker, [ground, floating], size=size, loads=loads)
 
 
 def _random_system(maker: Maker, frames: list[Frame], *, size: int, loads: int) -> System:
     """Return a system with any inertias: the laws are algebra, which doesn't ask whether a body has them."""
     with warnings.catch_warnings():
-        warnings.filterwarnings("ignore", ".*(no body has|together none|no body is joined)", ModelNotice)
+        warnings.filterwarnings(
+            "ignore", ".*(no body has|make an impossible one|no body is joined)", ModelNotice
+        )
         return _drawn(maker, frames, size=size, loads=loads)
 
 

@@ -52,7 +52,7 @@ from symbody import (
     velocity,
 )
 from symbody.geometry.floating import rate_by
-from symbody.geometry.kinematics import twist
+from symbody.geometry.frame_velocity import twist
 from symbody.symbolic import derivation
 from tests.laws.random_system import random_floating_system
 from tests.laws.test_formalisms import is_scleronomic
@@ -117,11 +117,11 @@ def test_power_of_the_loads_is_the_rate_of_the_energy(seed: int, base: Frame) ->
 def test_a_free_system_keeps_its_momentum(seed: int) -> None:
     """The residuals of the base are the rates of linear and angular momentum, in its axes."""
     whole = random_floating_system(seed, loads=0)
-    base = next(frame for body in whole.bodies for frame in body.frame.chain if frame.kinematics)
+    base = next(frame for body in whole.bodies for frame in body.frame.chain if frame.coordinate_rates)
     bodies = [body for body in whole.bodies if base in body.frame.chain]
     leaves = {leaf for body in bodies for motion in body.frame.motions for leaf in motion.leaves}
     system = System(
-        bodies, coordinates=[q for q in whole.coordinates if q in leaves and q not in whole.kinematics]
+        bodies, coordinates=[q for q in whole.coordinates if q in leaves and q not in whole.coordinate_rates]
     )
     residuals = newton_euler(system).residuals
     force, moment = Vector(base, *residuals[:3]), Vector(base, *residuals[3:6])
@@ -158,7 +158,7 @@ def test_velocities_are_the_rates_of_what_is_seen_from_ground(base: Frame) -> No
     """By the speeds in local axes, and by differentiation of coordinates and components in ground."""
     b, q1 = symbols("b"), functions_of_time("q1")
     frame = base * floating_frame("base") * translate(0, 0, b) * rotate("X", q1)
-    rate = rate_by(frame.kinematics)
+    rate = rate_by(frame.coordinate_rates)
     place, arrow = Point(frame, q1, 1, b), Vector(frame, 1, q1, b)
     for thing, seen in (
         (place, project(place, ground).coordinates),

@@ -5,8 +5,8 @@ from __future__ import annotations
 import pytest
 
 from symbody import Equations, Expr, Matrix, System, derivation, forward_dynamics, newton_euler
-from symbody.dynamics import articulated_body
-from symbody.dynamics.frame_tree import frame_tree
+from symbody.dynamics.recursion import articulated_body
+from symbody.dynamics.tree.frame_tree import frame_tree
 from symbody.errors import ModelError
 from tests.laws.random_system import random_system
 

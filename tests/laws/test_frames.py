@@ -20,7 +20,7 @@ from symbody import (
     velocity,
 )
 from symbody.geometry.acceleration_field import AccelerationField
-from symbody.geometry.kinematics import material_velocity, twist
+from symbody.geometry.frame_velocity import material_velocity, twist
 from symbody.symbolic import derivation
 from tests.laws.random_system import random_system
 

@@ -31,7 +31,7 @@ from symbody import (
     translate,
 )
 from symbody.errors import SymbodyError
-from symbody.geometry.kinematics import twist
+from symbody.geometry.frame_velocity import twist
 from symbody.symbolic import combine_trig
 
 x, y, z, a, b, c = functions_of_time("x y z a b c")
@@ -45,7 +45,7 @@ def tracked(pose: Frame, rates: dict[Expr, Expr], form: Callable[[Expr], Expr]) 
     known = {time_derivative(q): rate for q, rate in rates.items()}
     (p, q, r), (u, v, w) = twist(pose)
     written = [form(each) for each in substitute([u, v, w, p, q, r], known)]
-    return moving_frame(*written, pose=pose).kinematics
+    return moving_frame(*written, pose=pose).coordinate_rates
 
 
 def has_number(expression: Expr, place: dict[Expr, Expr]) -> bool:
@@ -124,7 +124,7 @@ def test_a_disc_that_rolls_upright(first: str, second: str, way: str) -> None:
             twist(pose).linear, {time_derivative(b): w1, time_derivative(a): -sign * w3 / sin(b)}
         )
     level = substitute(place, {time_derivative(x): w2, time_derivative(y): 0})
-    rates = moving_frame(*level, *(along[axis] for axis in "XYZ"), pose=pose).kinematics
+    rates = moving_frame(*level, *(along[axis] for axis in "XYZ"), pose=pose).coordinate_rates
     expected = w3 / cos(b) if way == "tangent" else -sign * w3 / sin(b)
     assert rates == {x: w2, y: 0, b: w1, a: expected}
     assert has_number(rates[a], {b: 0 if way == "tangent" else pi / 2})

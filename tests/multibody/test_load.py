@@ -71,7 +71,7 @@ def test_projection_keeps_what_a_load_acts_on() -> None:
 def test_a_load_on_another_body_is_left_out_with_a_notice(equations: object) -> None:
     assert callable(equations)
     stray = Force(ground, F, 0, 0, at=wheel.center_of_mass, on=wheel, name="drag")
-    with pytest.warns(ModelNotice, match="drag is left out, for it acts on wheel, not in the set"):
+    with pytest.warns(ModelNotice, match="drag is left out: it acts on wheel, not in the set"):
         result = equations([cart, stray], gravity=None)
     assert result.components == equations([cart]).components
 

@@ -50,12 +50,12 @@ def notices_of(*args: object, **more: object) -> tuple[System, list[str]]:
     [
         (
             Force(ground, F, 0, 0, at=bob.center_of_mass, on=bob, name="push"),
-            "System: push is left out, for it acts on bob, none of its bodies; add what is missing to bodies",
+            "System: push is left out: it acts on bob, none of its bodies; add what is missing to bodies",
         ),
         (
             Torque(ground, 0, 0, F, on=bob, reaction=Body(ground, 1, name="wall"), name="motor"),
             (
-                "System: motor is left out, for it acts on bob and wall, not among its bodies; add what is missing to "
+                "System: motor is left out: it acts on bob and wall, not among its bodies; add what is missing to "
                 "bodies"
             ),
         ),

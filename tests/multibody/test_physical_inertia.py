@@ -118,7 +118,7 @@ def test_what_is_left_of_a_body_is_one() -> None:
         System(bodies, coordinates=[q])
 
 
-JOINED = "joined rigidly, these bodies are together none"
+JOINED = "joined rigidly, these bodies make an impossible one"
 
 
 @pytest.mark.parametrize(

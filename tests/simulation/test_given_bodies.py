@@ -67,5 +67,5 @@ def test_a_hole_by_values_belongs_to_its_body() -> None:
     (notice,) = told_of(rotor(joined=True), body | {"hole": 1.5, "I3": 1.6})
     assert (
         notice
-        == "simulate: disc, hole: joined rigidly, these bodies are together none: their masses add up to -0.5"
+        == "simulate: disc, hole: joined rigidly, these bodies make an impossible one: their masses add up to -0.5"
     )

@@ -1,13 +1,14 @@
-"""Formalisms: from a system to its equations of motion."""
+"""Dynamics: from a system to its equations of motion, and to what solves them."""
 
-from .equations import Equations
-from .euler import euler_equations
-from .forward_dynamics import ForwardDynamics, dependent_speeds, forward_dynamics
-from .generalized_force import generalized_force
-from .lagrange import lagrange, lagrange_equations
-from .newton import newton_equations
-from .newton_euler import newton_euler
-from .program import program
+from symbody.dynamics.equations.equations import Equations
+from symbody.dynamics.formalism.euler import euler_equations
+from symbody.dynamics.formalism.generalized_force import generalized_force
+from symbody.dynamics.formalism.lagrange import lagrange, lagrange_equations
+from symbody.dynamics.formalism.newton import newton_equations
+from symbody.dynamics.formalism.newton_euler import newton_euler
+from symbody.dynamics.solution.dependent_speeds import dependent_speeds
+from symbody.dynamics.solution.forward_dynamics import ForwardDynamics, forward_dynamics
+from symbody.dynamics.solution.program import program
 
 __all__ = [
     "Equations",

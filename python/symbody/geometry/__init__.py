@@ -1,4 +1,4 @@
-"""Frames, points and vectors, and how they move."""
+"""Frames, points and vectors, their velocities and accelerations."""
 
 from .elementary import floating_frame, moving_frame, rotate, translate
 from .frame import Frame, ground

@@ -1,4 +1,4 @@
-"""Angles as users write them: in radians, with doubles that stand for multiples of pi."""
+"""Angles in radians, with doubles that are rounded multiples of pi taken as these."""
 
 from __future__ import annotations
 
@@ -13,9 +13,9 @@ from .triple import Scalar
 
 
 def angle(value: Scalar, where: str) -> Expr:
-    """Return an angle whose doubles are multiples of pi where they stand for one; report what looks like a mistake.
+    """Return an angle with rounded multiples of pi replaced by exact ones; report what looks like a mistake.
 
-    A number that is a multiple of pi but for digits left out, or more than a full turn, has a notice.
+    There is a notice for a number that is a multiple of pi with digits left out, or more than a full turn.
     """
     exact = exact_angle(value)
     _report(value, exact, where)
@@ -23,7 +23,7 @@ def angle(value: Scalar, where: str) -> Expr:
 
 
 def substituted(old: Expr, substitution: Mapping[Expr, Scalar]) -> Expr:
-    """Return an angle with expressions put in the place of others; report what looks like a mistake in what came in."""
+    """Return an angle with expressions put in the place of others; report new numbers that look like a mistake."""
     value = old.subs(substitution)
     exact = exact_angle(value)
     if radians(exact) != radians(old):

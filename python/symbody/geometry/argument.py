@@ -1,6 +1,6 @@
-"""Arguments of public functions, held against their annotations at the door.
+"""Arguments of public functions, checked against their annotations when the function is called.
 
-A wrong type or a wrong order is told where it is made, in the user's words, and not by what fails inside.
+A wrong type or a wrong order is reported where the user made it, in the user's words, and not by what fails inside.
 """
 
 from __future__ import annotations
@@ -36,7 +36,7 @@ _SCALAR = "an expression, such as symbols('a'), or a finite number"
 def checked(error: type[SymbodyError]) -> Callable[[Callable[P, R]], Callable[P, R]]:
     """Return a decorator: arguments that don't fit the annotations of the function raise this error.
 
-    An annotation ``Annotated[kind, "words"]`` says in its own words what is expected.
+    The words of an annotation ``Annotated[kind, "words"]`` are those of the message on what is expected.
 
     >>> from symbody import ground, velocity
     >>> velocity(ground)
@@ -60,7 +60,7 @@ center_of_mass(body), or a vector, such as Vector(frame, x, y, z)
 
 
 class _Door(NamedTuple):
-    """The arguments of one function, by what their annotations expect."""
+    """The arguments of one function, and what their annotations expect."""
 
     where: str
     error: type[SymbodyError]
@@ -111,7 +111,7 @@ class _Stranger(NamedTuple):
 
 
 def accepts(hint: Any, value: object) -> bool:
-    """Tell whether a value is what an annotation says."""
+    """Tell whether a value fits an annotation."""
     origin, parts = get_origin(hint), get_args(hint)
     if origin is Annotated:
         return accepts(parts[0], value)
@@ -139,14 +139,14 @@ def _is_scalar(value: Any) -> bool:
 
 
 def _is_collection(value: object, origin: type) -> bool:
-    """Tell whether a value can be gone through; once is enough only where the annotation says so."""
+    """Tell whether a value can be iterated over; only once is enough if the annotation says so."""
     if isinstance(value, str | bytes):
         return False
     return isinstance(value, Iterable) and (origin is Iterable or isinstance(value, Sized))
 
 
 def _strangers(hint: Any, value: object) -> list[object]:
-    """Return the entries of a collection that don't fit; what can be gone through once only is left alone."""
+    """Return the entries of a collection that don't fit; iterators, which work only once, are left alone."""
     if not (isinstance(value, Iterable) and isinstance(value, Sized)):
         return []
     entry = get_args(hint)[0]

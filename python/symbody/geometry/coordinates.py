@@ -10,7 +10,7 @@ from symbody.symbolic import add3, derivation, sub3
 from symbody.symbolic.given.arguments import brief
 
 from .frame import Frame
-from .motion import Motion, Substitution
+from .frame_motion import FrameMotion, Substitution
 from .triple import Triple, is_null
 
 
@@ -39,7 +39,7 @@ def point_coordinates(p: Triple, source: Frame, target: Frame) -> Triple:
 
 
 class Ends(NamedTuple):
-    """The points between which a vector goes: coordinates and frame of each."""
+    """The end points of a vector: coordinates and frame of each."""
 
     tip: Triple
     tip_frame: Frame
@@ -58,8 +58,8 @@ class Ends(NamedTuple):
 def difference(ends: Ends, target: Frame) -> Triple:
     """Return the components of the vector between two points in a frame.
 
-    The points meet where their ways to the frame meet: from there on it is only the vector that turns. In any other
-    frame turns there and back would have to cancel.
+    The difference is taken in the frame where the ways of the points to the target frame meet; from there on, only the
+    vector is turned. In any other frame, rotations forth and back would have to cancel.
     """
     frames = ends.tip_frame, ends.tail_frame, target
     meeting = max((_common_ancestor(a, b) for a, b in combinations(frames, 2)), key=lambda frame: frame.depth)
@@ -74,10 +74,10 @@ def _common_ancestor(a: Frame, b: Frame) -> Frame:
     return a.chain[a.depth - len(up)]
 
 
-def path(source: Frame, target: Frame) -> tuple[list[Motion], list[Motion]]:
+def path(source: Frame, target: Frame) -> tuple[list[FrameMotion], list[FrameMotion]]:
     """Return the motions from the source up to the common ancestor, and from there down to the target."""
-    up: list[Motion] = []
-    down: list[Motion] = []
+    up: list[FrameMotion] = []
+    down: list[FrameMotion] = []
     a, b = source, target
     while a != b:
         if a.depth >= b.depth and a.parent is not None and a.motion is not None:

@@ -1,4 +1,4 @@
-"""Frames one motion away from ground: what chains are made of."""
+"""Frames one motion away from ground, of which chains are made."""
 
 from __future__ import annotations
 
@@ -11,12 +11,14 @@ from symbody.symbolic.given.arguments import brief, counted
 
 from .angle import angle as angle_in_radians
 from .argument import checked
+from .axis_rotation import is_unit, rotation_about
 from .floating import floating
 from .frame import Frame, ground
-from .motion import AXES, Motion, Rotation, Translation
+from .frame_motion import FrameMotion
 from .orientation import ROUGH, exact_axis, report_rounding
-from .skew_axis import is_unit, rotation_about
+from .rotation import AXES, Rotation
 from .tracking import tracking
+from .translation import Translation
 from .triple import Scalar, Triple, triple
 from .twist import Twist
 
@@ -52,13 +54,13 @@ def translate(x: Scalar, y: Scalar, z: Scalar) -> Frame:
 def rotate(axis: Axis, angle: Scalar) -> Frame:
     """Return the frame rotated about "X", "Y", "Z", a unit triple or a vector; right-handed.
 
-    Doubles that stand for multiples of pi are such multiples: ``math.pi/2``, ``math.radians(30)``. So are doubles in
-    the axis that stand for roots, such as ``1/math.sqrt(3)``.
+    Doubles that are rounded multiples of pi, such as ``math.pi/2`` and ``math.radians(30)``, are taken as exact ones;
+    doubles in the axis that are rounded roots, such as ``1/math.sqrt(3)``, as these roots.
 
     Args:
-        axis: about which.
-        angle: in radians. A number has a notice if it is a multiple of pi but for digits left out (1.5708), or more
-            than a full turn (90).
+        axis: the axis of the rotation.
+        angle: in radians. There is a notice for a number that is a rounded multiple of pi (1.5708), or more than a
+            full turn (90).
 
     >>> import math
     >>> rotate("Z", math.pi / 2).matrix[0, :3]
@@ -84,8 +86,8 @@ def moving_frame(
 ) -> Frame:
     """Return a moving master frame, whose velocities are given in its own axes.
 
-    Those of them that are unknown are speeds of the `System`. The rates of the pose's coordinates follow from them:
-    the tracking equations.
+    The unknown velocities are speeds of the `System`. The rates of the pose's coordinates follow from them by the
+    tracking equations.
 
     Args:
         u: the velocity along x, such as a function of time.
@@ -94,8 +96,8 @@ def moving_frame(
         wx: the angular velocity about x.
         wy: about y.
         wz: about z.
-        pose: the frame's place, such as ``translate(x, y, 0) * rotate("Z", psi)``; without it, nobody knows, and
-            ground can't be seen from the frame.
+        pose: the frame's place, such as ``translate(x, y, 0) * rotate("Z", psi)``; without it, the place is unknown,
+            and the frame can't be related to ground.
         name: what the frame is called.
 
     >>> from symbody import Body, System, functions_of_time, moving_frame, newton_euler, symbols
@@ -121,14 +123,14 @@ def floating_frame(
 ) -> Frame:
     """Return the frame of a free body: its position and Euler parameters change by speeds in its own axes.
 
-    The speeds u, v, w (of the origin) and p, q, r (angular) are unknowns with an equation of motion each, the rates of
-    the coordinates x, y, z and e0, ..., e3 their expressions: ``x' = R u``, ``e' = 1/2 e o (0, p)``. A system takes
-    all of them from its frames.
+    Each of the speeds u, v, w (of the origin) and p, q, r (angular) is an unknown with an equation of motion. The rates
+    of the coordinates x, y, z and e0, ..., e3 are expressions of the speeds: ``x' = R u``, ``e' = 1/2 e o (0, p)``. A
+    system takes all of them from its frames.
 
     Args:
-        name: what the frame is called; the functions are called by it too: x_base, u_base, ...
-        position: functions of time for x, y and z in ground, if not these.
-        quaternion: functions of time for the unit quaternion e0, e1, e2, e3, its scalar first.
+        name: what the frame is called; default functions get it as a suffix: x_base, u_base, ...
+        position: functions of time for x, y and z in ground.
+        quaternion: functions of time for the unit quaternion e0, e1, e2, e3, scalar first.
         velocity: functions of time for u, v and w.
         angular_velocity: functions of time for p, q and r.
 
@@ -176,7 +178,7 @@ def _axis_components(axis: Sequence[Scalar] | HasComponents) -> Triple:
     return triple(*components)
 
 
-def _about(axis: Triple, turn: Expr) -> Motion:
+def _about(axis: Triple, turn: Expr) -> FrameMotion:
     shown = f"rotate: the axis ({brief(', '.join(map(str, axis)))})"
     if not all(component.is_constant for component in axis):
         if not is_unit(axis):

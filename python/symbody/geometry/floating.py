@@ -1,11 +1,12 @@
-"""Floating frames: a pose by coordinates, a twist by speeds that are no rates of them (quasi-velocities).
+"""Floating frames: a pose by coordinates, and a twist by speeds that are not their rates (quasi-velocities).
 
 With A the parent, B the child, R and p its pose in A, and v and w its twist in A, in the axes of B:
 
     p' = R v        R' = R [w x]        a_NB = R^T (a_NA + F_A p) + v' + (2 R^T w_NA + w) x v
 
 The unit quaternion of Euler parameters e0, ..., e3 has the rates ``e' = 1/2 e o (0, w)`` [Nikravesh 1988, ch. 6]. Its
-rotation matrix is divided by its norm, which is one and stays so: it is a rotation whatever the rounding errors.
+rotation matrix is divided by its squared norm. This is one along a motion; with the division, the matrix is a rotation
+in spite of rounding errors.
 """
 
 from __future__ import annotations
@@ -15,6 +16,7 @@ from typing import TypeAlias, final
 
 from symbody.symbolic import (
     Expr,
+    add3,
     cross3,
     dot3,
     free_symbols,
@@ -26,9 +28,10 @@ from symbody.symbolic import (
     time_derivatives,
 )
 
-from .motion import Motion, Rows, Substitution
+from .frame_motion import FrameMotion, Rows, Substitution
 from .placement import Placement
-from .triple import Rate, Triple
+from .triple import Rate, Triple, is_null, rates
+from .turning import Accelerated
 from .twist import Twist
 
 Quaternion: TypeAlias = tuple[Expr, Expr, Expr, Expr]
@@ -36,14 +39,15 @@ Quaternion: TypeAlias = tuple[Expr, Expr, Expr, Expr]
 
 
 @final
-class Floating(Motion):
-    """A motion whose pose and twist are given on their own.
+class Floating(FrameMotion):
+    """A motion whose pose and twist are given independently.
 
-    Attributes:
+    Args:
+        pose: of the child in the parent.
         twist: of the child in the parent, in the child's axes.
-        kinematics: the pose's coordinates, and their rates by the twist.
-        speeds: what of the twist is unknown, if nobody says otherwise.
-        quaternion: the Euler parameters of the pose, whose norm is one; empty where it is written in other coordinates.
+        coordinate_rates: the pose's coordinates, and their rates by the twist.
+        speeds: the speeds of the twist that are unknown, unless the system lists others.
+        quaternion: the Euler parameters of the pose, whose norm is one; empty if it is written in other coordinates.
     """
 
     tag = b"floating"
@@ -52,13 +56,13 @@ class Floating(Motion):
         self,
         pose: Placement,
         twist: Twist,
-        kinematics: Mapping[Expr, Expr],
+        coordinate_rates: Mapping[Expr, Expr],
         speeds: Sequence[Expr] = (),
         quaternion: Sequence[Expr] = (),
     ) -> None:
         self._pose = pose
-        self.twist = twist
-        self.kinematics = dict(kinematics)
+        self.twist: Twist = twist
+        self.coordinate_rates = dict(coordinate_rates)
         self.speeds = tuple(speeds)
         self.quaternion = tuple(quaternion)
         self.is_rigid = pose.is_rigid
@@ -85,24 +89,39 @@ class Floating(Motion):
         del rate
         return self.to_parent(self.twist.linear)
 
-    def inverse(self) -> tuple[Motion, ...]:
-        (pose,) = self._pose.inverse()
-        assert isinstance(pose, Placement), "the inverse of a pose is a pose"
+    def child_twist(self, parent: Twist) -> Twist:
+        """Return ``w_B = R^T w_A + w``, ``v_B = R^T (v_A + w_A x d) + v``."""
+        linear = parent.linear
+        if not is_null(self.displacement):
+            linear = add3(linear, cross3(parent.angular, self.displacement))
+        angular = add3(self.to_child(parent.angular), self.twist.angular)
+        return Twist(angular, add3(self.to_child(linear), self.twist.linear))
+
+    def child_acceleration(self, parent: Accelerated, rate: Rate) -> Accelerated:
+        """Return ``a_B = R^T (a_A + F_A d) + v' + (2 R^T w_A + w) x v``, and how the child turns."""
+        linear = self.material_acceleration(parent)
+        v = self.twist.linear
+        w = add3(scale3(number(2), self.to_child(parent.turning.velocity)), self.twist.angular)
+        own = add3(rates(v, rate), cross3(w, v))
+        return Accelerated(self.child_turning(parent.turning, rate), add3(own, self.to_child(linear)))
+
+    def inverse(self) -> tuple[FrameMotion, ...]:
+        pose = self._pose.inverted()
         w, v = (self.to_parent(part) for part in self.twist)
         back = Twist(scale3(number(-1), w), sub3(cross3(w, self.displacement), v))
-        return (Floating(pose, back, self.kinematics, self.speeds, self.quaternion),)
+        return (Floating(pose, back, self.coordinate_rates, self.speeds, self.quaternion),)
 
     def __repr__(self) -> str:
         if self.quaternion:
             return "floating_frame()"
         return f"moving_frame({', '.join(map(str, (*self.twist.linear, *self.twist.angular)))})"
 
-    def subs(self, substitution: Substitution) -> Motion:
+    def subs(self, substitution: Substitution) -> FrameMotion:
         (x, y, z), (u, v, w) = self.twist
         x, y, z, u, v, w = substitute((x, y, z, u, v, w), substitution)
         known = {
             coordinate: rate.subs(substitution)
-            for coordinate, rate in self.kinematics.items()
+            for coordinate, rate in self.coordinate_rates.items()
             if coordinate not in substitution
         }
         speeds = tuple(speed for speed in self.speeds if speed not in substitution)
@@ -116,8 +135,8 @@ def floating(position: Triple, quaternion: Quaternion, twist: Twist, speeds: Seq
     pose = Placement(rows, position)
     v = pose.to_parent(twist.linear)
     e = quaternion_rates(quaternion, twist.angular)
-    kinematics = dict(zip((*position, *quaternion), (*v, *e), strict=True))
-    return Floating(pose, twist, kinematics, speeds, quaternion)
+    rates = dict(zip((*position, *quaternion), (*v, *e), strict=True))
+    return Floating(pose, twist, rates, speeds, quaternion)
 
 
 def rotation_rows(quaternion: Quaternion) -> Rows:
@@ -142,30 +161,30 @@ def quaternion_rates(quaternion: Quaternion, w: Triple) -> Quaternion:
     return -half * dot3(vector, w), half * x, half * y, half * z
 
 
-def known_rates(kinematics: Mapping[Expr, Expr]) -> dict[Expr, Expr]:
+def known_rates(coordinate_rates: Mapping[Expr, Expr]) -> dict[Expr, Expr]:
     """Return the substitution of the coordinates' rates."""
-    return {time_derivative(coordinate): rate for coordinate, rate in kinematics.items()}
+    return {time_derivative(coordinate): rate for coordinate, rate in coordinate_rates.items()}
 
 
-def by_speeds(kinematics: Mapping[Expr, Expr], values: Sequence[Expr]) -> tuple[Expr, ...]:
+def by_speeds(coordinate_rates: Mapping[Expr, Expr], values: Sequence[Expr]) -> tuple[Expr, ...]:
     """Return values with the rates of coordinates, of any order, written by the speeds and their rates.
 
     ``q' = K u`` gives ``q'' = K u' + K' u``, in which ``K'`` holds first rates: each substitution lowers the order.
     """
-    if not kinematics:
+    if not coordinate_rates:
         return tuple(values)
-    names = {coordinate.name for coordinate in kinematics}
+    names = {coordinate.name for coordinate in coordinate_rates}
     rates = (
         leaf for leaf in free_symbols(list(values)) if leaf.kind == "time_function" and leaf.name in names
     )
-    known, written = known_rates(kinematics), tuple(values)
+    known, written = known_rates(coordinate_rates), tuple(values)
     for _ in range(max((rate.order for rate in rates), default=0)):
         written = substitute(written, known)
     return written
 
 
-def rate_by(kinematics: Mapping[Expr, Expr]) -> Rate:
+def rate_by(coordinate_rates: Mapping[Expr, Expr]) -> Rate:
     """Return the time derivative, with the rates of coordinates given by speeds."""
-    if not kinematics:
+    if not coordinate_rates:
         return time_derivatives
-    return lambda values: by_speeds(kinematics, time_derivatives(values))
+    return lambda values: by_speeds(coordinate_rates, time_derivatives(values))

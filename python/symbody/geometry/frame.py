@@ -11,9 +11,8 @@ from symbody.symbolic import Expr, Matrix, add3, derivation, dot3, number
 from symbody.symbolic.given.arguments import brief
 
 from .argument import checked
-from .floating import Floating
+from .frame_motion import FrameMotion, Rows, Substitution
 from .matrix_of_angles import least_distance
-from .motion import Motion, Rotation, Rows, Substitution, Translation
 from .orientation import (
     ROUGH,
     distance_from_rotation,
@@ -23,7 +22,9 @@ from .orientation import (
     turns,
 )
 from .placement import Placement, is_rotation
+from .rotation import Rotation
 from .rounded_matrix import without_rounding
+from .translation import Translation
 from .triple import NULL, Scalar, Triple, triple
 from .twist import Twist
 
@@ -44,8 +45,8 @@ class Pose(NamedTuple):
 class Frame:
     """A frame of reference: ground, or a motion away from its parent.
 
-    ``T1 * T2`` appends the motions of T2 to those of T1, so products share what they have in common and *are* the
-    kinematic tree. A frame written as a 4x4 matrix (rotation, origin in the last column) is one general motion.
+    ``T1 * T2`` appends the motions of T2 to those of T1. Products share their common beginning, so that frames form
+    the kinematic tree. A frame written as a 4x4 matrix (rotation, origin in the last column) is one general motion.
 
     >>> from symbody import functions_of_time, rotate, translate
     >>> x, phi = functions_of_time("x phi")
@@ -56,7 +57,7 @@ class Frame:
     __slots__ = ("carrier", "depth", "is_rigid", "key", "motion", "name", "parent")
 
     parent: Frame | None
-    motion: Motion | None
+    motion: FrameMotion | None
     carrier: Twist | None
     """The twist of a moving master frame, whose pose is unknown."""
     is_rigid: bool
@@ -71,7 +72,7 @@ class Frame:
         self._set(frame.parent, frame.motion, name)
 
     def _set(
-        self, parent: Frame | None, motion: Motion | None, name: str = "", carrier: Twist | None = None
+        self, parent: Frame | None, motion: FrameMotion | None, name: str = "", carrier: Twist | None = None
     ) -> Frame:
         self.parent, self.motion, self.name, self.carrier = parent, motion, name, carrier
         if parent is None or motion is None:
@@ -85,23 +86,23 @@ class Frame:
 
     @classmethod
     def _make(
-        cls, parent: Frame | None, motion: Motion | None, name: str = "", carrier: Twist | None = None
+        cls, parent: Frame | None, motion: FrameMotion | None, name: str = "", carrier: Twist | None = None
     ) -> Frame:
         frame = cls.__new__(cls)
         return cls._set(frame, parent, motion, name, carrier)
 
     @classmethod
     def root(cls, name: str, carrier: Twist | None = None) -> Frame:
-        """Return a frame that hangs on no other one."""
+        """Return a frame without a parent."""
         return cls._make(None, None, name, carrier)
 
     def named(self, name: str) -> Frame:
-        """Return the same frame, shown by this name."""
+        """Return the same frame under another name."""
         return Frame._make(self.parent, self.motion, name, self.carrier)
 
     # --- chains ---
 
-    def then(self, motion: Motion) -> Frame:
+    def then(self, motion: FrameMotion) -> Frame:
         """Return the frame reached from this one by one more motion."""
         if motion.is_identity:
             return self
@@ -140,7 +141,7 @@ class Frame:
             frame = frame.parent
 
     @property
-    def motions(self) -> list[Motion]:
+    def motions(self) -> list[FrameMotion]:
         """The motions from the root to this frame."""
         return [frame.motion for frame in self.chain if frame.motion is not None]
 
@@ -161,13 +162,12 @@ class Frame:
         return frame
 
     @property
-    def kinematics(self) -> dict[Expr, Expr]:
-        """The coordinates of floating frames in the chain, and their rates by the speeds."""
-        floating = [motion for motion in self.motions if isinstance(motion, Floating)]
-        return {q: rate for motion in floating for q, rate in motion.kinematics.items()}
+    def coordinate_rates(self) -> dict[Expr, Expr]:
+        """The coordinates in the chain whose rates are no speeds, and these rates by the speeds."""
+        return {q: rate for motion in self.motions for q, rate in motion.coordinate_rates.items()}
 
     def inverse(self) -> Frame:
-        """Return the frame that undoes this one: the ground as seen from here (by the transpose, where not rigid)."""
+        """Return the inverse frame: ground as seen from this frame (by the transpose, if it isn't rigid)."""
         frame = ground
         for motion in reversed(self.motions):
             for back in motion.inverse():
@@ -204,8 +204,8 @@ class Frame:
         return hash(self.key)
 
     def __repr__(self) -> str:
-        """Return the name, or what makes the frame out of the last one that has a name: motion by motion."""
-        frame, motions = self, list[Motion]()
+        """Return the name, or the motions from the last frame that has a name."""
+        frame, motions = self, list[FrameMotion]()
         while not frame.name and frame.parent is not None and frame.motion is not None:
             motions.append(frame.motion)
             frame = frame.parent
@@ -234,9 +234,16 @@ def along_chain(
     frame: Frame,
     memo: dict[bytes, State],
     start: Callable[[Frame], State],
-    step: Callable[[Motion, State], State],
+    step: Callable[[FrameMotion, State], State],
 ) -> State:
-    """Return what a recursion from the root leads to at a frame; the memo keeps what it finds on the way."""
+    """Return the state of a recursion from the root at a frame.
+
+    Args:
+        frame: where the recursion ends.
+        memo: states by the keys of frames, to which those on the way are added.
+        start: gives the state of the root.
+        step: gives the state of a child by its motion and the state of the parent.
+    """
     missing = []
     current: Frame | None = frame
     while current is not None and current.key not in memo:
@@ -250,7 +257,7 @@ def along_chain(
     return memo[frame.key]
 
 
-def moved(motion: Motion, pose: Pose) -> Pose:
+def moved(motion: FrameMotion, pose: Pose) -> Pose:
     """Return the pose reached by one more motion."""
     (x, y, z), origin = pose
     rows = (motion.to_child(x), motion.to_child(y), motion.to_child(z)) if motion.rotates else pose.rows

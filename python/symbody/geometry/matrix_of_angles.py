@@ -1,7 +1,7 @@
-"""Matrices whose variables are angles: sines and cosines make a rotation by themselves, or not at all.
+"""Matrices whose variables are angles: they are rotations by themselves, or wrong.
 
-Natural coordinates and quaternions become rotations by constraints. Angles are free, and a matrix of their sines that
-is no rotation has a sign or an entry wrong.
+Natural coordinates and quaternions become rotations by constraints. Angles are free: if a matrix of their sines and
+cosines isn't a rotation, a sign or an entry is wrong.
 """
 
 from __future__ import annotations
@@ -12,7 +12,7 @@ from symbody.errors import SymbodyError
 from symbody.symbolic import Expr, free_symbols
 from symbody.symbolic.expression.traverse import post_order
 
-from .motion import Rows
+from .frame_motion import Rows
 from .orientation import distance_from_rotation
 from .placement import is_rotation
 
@@ -22,9 +22,9 @@ _POSITIONS = 3
 
 
 def least_distance(rows: Rows) -> float:
-    """Return how far a matrix of angles is from a rotation, the least of some positions; zero for other matrices.
+    """Return how far a matrix of angles is from a rotation, the least over some positions; zero for other matrices.
 
-    Numbers decide, so that doubles in it, such as ``math.cos(0.3)``, may be rounded.
+    The distance is numeric, so that doubles in the matrix, such as ``math.cos(0.3)``, may be rounded.
     """
     entries = [entry for row in rows for entry in row]
     if is_rotation(rows) or not _has_angles_alone(entries):
@@ -38,7 +38,7 @@ def least_distance(rows: Rows) -> float:
 
 
 def _has_angles_alone(entries: list[Expr]) -> bool:
-    """Whether variables stand in sines, cosines and tangents only."""
+    """Whether variables occur in sines, cosines and tangents only."""
     nodes = post_order(entries, _parts_outside_of_waves, lambda node: node.id)
     return not any(node.is_variable for node in nodes)
 

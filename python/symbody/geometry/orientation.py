@@ -1,8 +1,7 @@
-"""Numeric axes and rotation matrices taken as angles.
+"""Numeric axes and rotation matrices, converted to angles.
 
-The entries of a numeric rotation matrix are rounded in the sixteenth digit, so that its rows are never exactly
-orthonormal, and two right derivations would differ. Angles make exact rotations: the sine and the cosine of any number
-lie on the circle.
+The entries of a numeric rotation matrix are rounded in the sixteenth digit. Its rows are never exactly orthonormal, and
+two correct derivations would differ. Angles make exact rotations, whatever their numbers.
 """
 
 from __future__ import annotations
@@ -34,13 +33,13 @@ LARGEST_DENOMINATOR = 1000
 
 
 def report_rounding(defect: float, what: str, way_out: str) -> None:
-    """Give a notice of numbers that are farther from orthonormal than rounding explains, and are corrected."""
+    """Give a notice of numbers that are farther from orthonormal than rounding explains, and were corrected."""
     if defect > SNAP:
         notify(f"{what} by {defect:.3g}, more than rounding of doubles explains; {way_out}")
 
 
 def exact_axis(x: float, y: float, z: float) -> Triple:
-    """Return the unit vector along (x, y, z), of length exactly one: by roots of fractions, else by angles."""
+    """Return the unit vector along (x, y, z), of length exactly one: by roots of fractions, or by angles."""
     length = hypot(x, y, z)
     components = x / length, y / length, z / length
     squares = [Fraction(c * c).limit_denominator(LARGEST_DENOMINATOR) for c in components]
@@ -55,7 +54,7 @@ def exact_axis(x: float, y: float, z: float) -> Triple:
 
 
 def _computed_angle(value: float) -> Expr:
-    """Return a number of radians, as a multiple of pi (half degrees, small fractions) where rounding hides one."""
+    """Return a number of radians; a rounded multiple of pi (half degrees, small fractions) becomes an exact one."""
     if abs(value) <= SNAP:
         return number(0)
     multiple = multiple_of_pi(value, SNAP)
@@ -63,7 +62,7 @@ def _computed_angle(value: float) -> Expr:
 
 
 def _without_last_digits(value: float) -> float:
-    """Return 0.7 for 0.7000000000000002: a decimal of few digits, where a number is that but for rounding."""
+    """Return 0.7 for 0.7000000000000002: a decimal of few digits, if it differs from the number by rounding only."""
     short = round(value, 12)
     return short if isclose(short, value, rel_tol=4e-16, abs_tol=0) else value
 
@@ -82,8 +81,8 @@ def nearest_rotation(r: Numbers) -> Numbers:
 def turns(r: Numbers) -> tuple[tuple[int, Expr], ...]:
     """Return the angles about z, y and x, in this order, whose rotations make an orthonormal matrix of numbers.
 
-    Near a pitch of a right angle yaw and roll are nearly one rotation, and yaw is what rounding leaves of it. So roll
-    is read from the matrix turned back by that yaw: whatever the one is, the other fits.
+    Near a pitch of a right angle, yaw and roll are nearly the same rotation, and yaw is determined by rounding errors.
+    Roll is therefore read from the matrix turned back by this yaw, so that both fit together.
     """
     cosine = hypot(r[0][0], r[1][0])
     pitch = _computed_angle(atan2(-r[2][0], cosine))
@@ -96,7 +95,7 @@ def turns(r: Numbers) -> tuple[tuple[int, Expr], ...]:
 
 
 def largest_difference(a: Numbers, b: Numbers) -> float:
-    """Return the largest difference of two entries at one place."""
+    """Return the largest difference between corresponding entries."""
     return max(abs(x - y) for row, other in zip(a, b, strict=True) for x, y in zip(row, other, strict=True))
 
 

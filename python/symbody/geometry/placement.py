@@ -6,15 +6,15 @@ from typing import final
 
 from symbody.symbolic import Expr, Matrix, cross3, dot3, matvec3, sub3
 
-from .motion import Motion, Rows, Substitution
+from .frame_motion import FrameMotion, Rows, Substitution
 from .triple import NULL, Rate, Triple, rates
 
 
 @final
-class Placement(Motion):
+class Placement(FrameMotion):
     """A rotation matrix (by rows) and a displacement, whose entries may be unknowns (natural coordinates).
 
-    Where the entries do not make the rows orthonormal by themselves, constraints must do so: the motion isn't rigid.
+    If the rows aren't orthonormal by themselves, the motion isn't rigid, and constraints must make them orthonormal.
     """
 
     tag = b"placement"
@@ -45,8 +45,12 @@ class Placement(Motion):
         """Return the axial vector of ``R^T dR/dt``."""
         return axial_rate(self.rows, rate)
 
-    def inverse(self) -> tuple[Motion, ...]:
-        return (Placement(transposed(self.rows), sub3(NULL, self.to_child(self._displacement))),)
+    def inverse(self) -> tuple[FrameMotion, ...]:
+        return (self.inverted(),)
+
+    def inverted(self) -> Placement:
+        """Return the one placement that brings the child back."""
+        return Placement(transposed(self.rows), sub3(NULL, self.to_child(self._displacement)))
 
     def __repr__(self) -> str:
         rows = [[*row, place] for row, place in zip(self.rows, self._displacement, strict=True)]

@@ -10,7 +10,7 @@ from symbody.symbolic import add3
 from .argument import checked
 from .coordinates import Ends, point_coordinates
 from .frame import Frame
-from .motion import Substitution
+from .frame_motion import Substitution
 from .triple import NULL, Scalar, Triple, triple
 from .vector import Vector, column
 
@@ -18,6 +18,13 @@ from .vector import Vector, column
 @final
 class Point:
     """A point given by its coordinates in a frame.
+
+    Args:
+        frame: in whose axes, and from whose origin, the coordinates are.
+        x: the coordinate along the x axis of the frame.
+        y: along y.
+        z: along z.
+        name: what the point is called where it is shown.
 
     >>> from symbody import ground, translate
     >>> A, B = Point(ground, 1, 0, 0), Point(translate(0, 2, 0), 1, 1, 0)
@@ -75,5 +82,10 @@ class Point:
 
 @checked(FrameError)
 def origin(frame: Frame) -> Point:
-    """Return the origin of a frame."""
+    """Return the origin of a frame.
+
+    >>> from symbody import origin, symbols, translate
+    >>> (origin(translate(0, 0, symbols("h"))) - origin(translate(0, 0, 0))).components
+    (0, 0, h)
+    """
     return Point(frame, *NULL)

@@ -1,4 +1,4 @@
-"""One door for seeing a thing from another frame."""
+"""Projection: points, vectors, forces and torques by their components in another frame."""
 
 from __future__ import annotations
 

@@ -24,9 +24,9 @@ def regular_form(forms: Iterable[Expr], coordinates: Sequence[Expr]) -> Expr:
     """Return the form that has a number in most of the positions where its value is finite; of equals, the first.
 
     Args:
-        forms: expressions of one value, in the order in which they are wanted; they are made one by one, and none
-            behind one that has a number wherever it could.
-        coordinates: what makes a position.
+        forms: expressions of one value, preferred ones first. They are made one by one, until one has a number
+            wherever the value is finite.
+        coordinates: the coordinates of a position.
 
     >>> from symbody import cos, functions_of_time, sin, tan
     >>> a, w = functions_of_time("a w")
@@ -77,7 +77,7 @@ def _has_number(form: Expr, position: Position) -> bool:
 
 
 def _is_finite(form: Expr, position: Position) -> bool:
-    """Whether a value stays as large as it is when a position comes nearer by four digits."""
+    """Whether a value doesn't grow when it is evaluated nearer to a position, by four digits."""
     far, near = (_size_beside(form, position, distance) for distance in (1e-2, 1e-6))
     return near <= _GROWTH * far
 
@@ -87,7 +87,7 @@ _GROWTH = 10
 
 
 def _size_beside(form: Expr, position: Position, distance: float) -> float:
-    """Return the largest of some values at a distance from a position, with any numbers for what isn't in it."""
+    """Return the largest of some values at a distance from a position, with arbitrary numbers for other variables."""
     leaves = sorted(form.free_symbols, key=str)
     largest = 0.0
     for turn in range(1, _VALUES + 1):

@@ -1,6 +1,6 @@
 """Rotation matrices in symbols and doubles: those of Denavit and Hartenberg, with ``math.cos(math.pi/2)`` in them.
 
-Their rows are orthonormal only if 6e-17 counts as zero, 0.7071067811865476 as the root that it stands for.
+Their rows are orthonormal only if 6e-17 is taken as zero, and 0.7071067811865476 as the root of 1/2.
 """
 
 from __future__ import annotations
@@ -10,13 +10,13 @@ from math import asin, prod
 from symbody.symbolic import Expr, multiple_of_pi, number, sin
 from symbody.symbolic.expression.traverse import post_order
 
-from .motion import Rows
+from .frame_motion import Rows
 from .orientation import SNAP
 from .placement import is_rotation
 
 
 def without_rounding(rows: Rows) -> Rows:
-    """Return the rotation matrix whose numbers the doubles in a matrix stand for, or the matrix if it is none."""
+    """Return the exact rotation matrix of which the doubles in a matrix are rounded, or the matrix if there is none."""
     if is_rotation(rows):
         return rows
     x, y, z = ((_exact(a), _exact(b), _exact(c)) for a, b, c in rows)
@@ -24,7 +24,7 @@ def without_rounding(rows: Rows) -> Rows:
 
 
 def _exact(entry: Expr) -> Expr:
-    """Return an entry whose decimal terms and factors are sines of multiples of pi where they stand for one."""
+    """Return an entry with decimals that are rounded sines of multiples of pi replaced by exact ones."""
     exact: dict[int, Expr] = {}
     for node in post_order([entry], _parts, lambda node: node.id):
         parts = [exact[part.id] for part in _parts(node)]

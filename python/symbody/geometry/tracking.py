@@ -1,8 +1,8 @@
 """Tracking equations: the rates of a pose's coordinates by the velocities in its own axes.
 
-Where a pose has fewer than six coordinates, the six velocities say some things twice, and the rates can be written in
-several ways: by some of the velocities, or by the least squares of all, ``A^T A q' = A^T v``, which divide by zero only
-where a coordinate moves nothing. All have the same value; the most regular one is taken.
+If a pose has fewer than six coordinates, the six velocities are redundant, and the rates can be written in several
+ways: by some of the velocities, or by the least squares of all, ``A^T A q' = A^T v``, which divide by zero only where a
+coordinate moves nothing. All ways have the same value; the most regular one is taken.
 """
 
 from __future__ import annotations
@@ -12,6 +12,7 @@ from functools import cache
 from itertools import permutations
 
 from symbody.errors import ExpressionError, FrameError
+from symbody.geometry.frame_velocity import twist
 from symbody.symbolic import (
     Expr,
     derivation,
@@ -27,7 +28,6 @@ from symbody.symbolic.given.arguments import brief
 
 from .floating import Floating
 from .frame import Frame, ground
-from .kinematics import twist
 from .placement import Placement
 from .regular_form import regular_form
 from .triple import Triple
@@ -37,10 +37,10 @@ from .twist import Twist
 def tracking(pose: Frame, velocities: Twist) -> Floating:
     """Return the motion that has the pose of a frame, and velocities of its own in its axes.
 
-    The coordinates are the functions of time in the pose; the twist of the pose, linear in their rates, is solved for
-    these. The frame's own speeds must be able to follow: a pose in a plane has no rates for a velocity across it.
+    The coordinates are the functions of time in the pose. The twist of the pose is linear in their rates, and is solved
+    for them. The pose must be able to follow the velocities: a pose in a plane has no rates for a velocity across it.
     """
-    if pose.ancestor != ground or not pose.is_rigid or pose.kinematics:
+    if pose.ancestor != ground or not pose.is_rigid or pose.coordinate_rates:
         raise FrameError(
             f"moving_frame: the pose {brief(pose)}; expected a frame of translations and rotations away from ground"
         )
@@ -84,7 +84,7 @@ _ALL = 6
 
 
 def _less(a: Triple, b: Triple) -> Triple:
-    """Return the difference, as equations are written: of what is looked for and what is given."""
+    """Return the difference of the unknown side of an equation and the given one."""
     return a[0] - b[0], a[1] - b[1], a[2] - b[2]
 
 

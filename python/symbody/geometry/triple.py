@@ -1,4 +1,4 @@
-"""Three components: what points, vectors and twists are made of, whatever their frame."""
+"""Triples: the three components of points, vectors and twists, in any frame."""
 
 from __future__ import annotations
 
@@ -8,13 +8,13 @@ from typing import TypeAlias
 from symbody.symbolic import Expr, ExprLike, number
 
 Scalar: TypeAlias = ExprLike
-"""What a user may write where an expression is wanted."""
+"""An expression, or a number that a user writes in its place."""
 
 Triple: TypeAlias = tuple[Expr, Expr, Expr]
 """Components along x, y and z."""
 
 Rate: TypeAlias = Callable[[Sequence[Expr]], tuple[Expr, ...]]
-"""What takes expressions to their time derivatives, or to their partial derivatives with respect to a coordinate."""
+"""A derivative of expressions: by time, or by a coordinate."""
 
 NULL: Triple = (number(0), number(0), number(0))
 
@@ -25,7 +25,7 @@ def expression(value: Scalar) -> Expr:
 
 
 def triple(x: Scalar, y: Scalar, z: Scalar) -> Triple:
-    """Return three expressions."""
+    """Return three expressions, of expressions or numbers."""
     return expression(x), expression(y), expression(z)
 
 

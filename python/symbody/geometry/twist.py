@@ -1,4 +1,4 @@
-"""Twists: how a rigid frame moves at an instant."""
+"""Twists: the motion of a rigid frame at an instant."""
 
 from __future__ import annotations
 

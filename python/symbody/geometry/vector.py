@@ -10,7 +10,7 @@ from symbody.symbolic import Expr, add3, cross3, dot3, number, scale3, sub3
 from .argument import checked
 from .coordinates import Ends, difference, vector_components
 from .frame import Frame
-from .motion import Substitution
+from .frame_motion import Substitution
 from .triple import Scalar, Triple, expression, triple
 
 Factor: TypeAlias = Annotated[Scalar, "an expression or a number; two vectors multiply by dot and cross"]
@@ -20,7 +20,14 @@ Factor: TypeAlias = Annotated[Scalar, "an expression or a number; two vectors mu
 class Vector:
     """A free vector: moving its frame's origin doesn't change it.
 
-    Vectors of different frames meet in the frame of the first.
+    Sums and products of vectors in different frames have the frame of the first vector.
+
+    Args:
+        frame: in whose axes the components are.
+        x: the component along the x axis of the frame.
+        y: along y.
+        z: along z.
+        name: what the vector is called where it is shown.
 
     >>> from symbody import ground, pi, rotate
     >>> Vector(ground, 1, 0, 0) + Vector(rotate("Z", pi / 2), 1, 0, 0)
@@ -100,11 +107,22 @@ def column(components: Triple) -> str:
 
 @checked(FrameError)
 def dot(u: Vector, v: Vector) -> Expr:
-    """Return the scalar product."""
+    """Return the scalar product.
+
+    >>> from symbody import Vector, cos, dot, functions_of_time, ground, rotate
+    >>> phi = functions_of_time("phi")
+    >>> dot(Vector(ground, 2, 0, 0), Vector(rotate("Z", phi), 3, 0, 0))
+    6*cos(phi)
+    """
     return dot3(u.components, v.projected(u.frame).components)
 
 
 @checked(FrameError)
 def cross(u: Vector, v: Vector) -> Vector:
-    """Return the vector product, in the frame of the first."""
+    """Return the vector product, in the frame of the first vector.
+
+    >>> from symbody import Vector, cross, ground
+    >>> cross(Vector(ground, 1, 0, 0), Vector(ground, 0, 2, 0))
+    Vector(ground, 0, 0, 2)
+    """
     return Vector(u.frame, *cross3(u.components, v.projected(u.frame).components))

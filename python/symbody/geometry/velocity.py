@@ -1,15 +1,15 @@
-"""Velocities and accelerations as a user asks for them: seen from a frame, with components in that frame."""
+"""Velocities and accelerations as seen from a frame, with components in this frame."""
 
 from __future__ import annotations
 
 from symbody.errors import FrameError
+from symbody.geometry.frame_velocity import material_velocity, spin, twist
 from symbody.symbolic import add3, cross3, derivation, matvec3, number, scale3
 
 from .acceleration_field import AccelerationField
 from .argument import checked
 from .floating import rate_by
 from .frame import Frame
-from .kinematics import material_velocity, spin, twist
 from .point import Point
 from .triple import Triple, rates
 from .vector import Vector
@@ -21,7 +21,7 @@ def velocity(thing: Point | Vector, frame: Frame | None = None) -> Vector:
 
     Args:
         thing: point or vector.
-        frame: who looks; by default the root of the thing's own frame: ground, or the moving master frame, whose own
+        frame: the observer; by default the root of the thing's own frame: ground, or the moving master frame, whose own
             motion is then included.
 
     >>> from symbody import Point, functions_of_time, ground, velocity
@@ -38,7 +38,18 @@ def velocity(thing: Point | Vector, frame: Frame | None = None) -> Vector:
 
 @checked(FrameError)
 def acceleration(thing: Point | Vector, frame: Frame | None = None) -> Vector:
-    """Return the acceleration of a point, or the second rate of a vector, as seen from a frame and in its axes."""
+    """Return the acceleration of a point, or the second rate of a vector, as seen from a frame and in its axes.
+
+    Args:
+        thing: point or vector.
+        frame: the observer; by default the root of the thing's own frame: ground, or the moving master frame, whose own
+            motion is then included.
+
+    >>> from symbody import Point, acceleration, functions_of_time, rotate, symbols
+    >>> r, phi = symbols("r"), functions_of_time("phi")
+    >>> acceleration(Point(rotate("Z", phi), r, 0, 0)).components[0]
+    -r*(phi''*sin(phi) + phi'**2*cos(phi))
+    """
     observer = thing.frame.ancestor if frame is None else frame
     with derivation():
         if _floats(thing.frame, observer):
@@ -47,12 +58,12 @@ def acceleration(thing: Point | Vector, frame: Frame | None = None) -> Vector:
 
 
 def _floats(frame: Frame, observer: Frame) -> bool:
-    """Tell whether a frame floats as seen from its root: its velocities are then those by the speeds."""
-    return observer == frame.ancestor and bool(frame.kinematics) and frame.is_rigid
+    """Tell whether a frame floats as seen from its root, so that the speeds give its velocities."""
+    return observer == frame.ancestor and bool(frame.coordinate_rates) and frame.is_rigid
 
 
 def _first_rate(thing: Point | Vector) -> Triple:
-    """Return ``w x p + p'`` for components p, and the velocity of the origin beside for a point."""
+    """Return ``w x p + p'`` for components p; for a point, plus the velocity of the origin."""
     angular, linear = twist(thing.frame)
     p, drift = _components(thing)
     turned = add3(cross3(angular, p), drift)
@@ -60,18 +71,20 @@ def _first_rate(thing: Point | Vector) -> Triple:
 
 
 def _second_rate(thing: Point | Vector) -> Triple:
-    """Return ``F p + 2 w x p' + p''``, and the acceleration of the origin beside for a point."""
+    """Return ``F p + 2 w x p' + p''``; for a point, plus the acceleration of the origin."""
     turning, linear = AccelerationField()(thing.frame)
     p, drift = _components(thing)
     coriolis = scale3(number(2), cross3(turning.velocity, drift))
-    turned = add3(matvec3(turning.field, p), add3(coriolis, rates(drift, rate_by(thing.frame.kinematics))))
+    turned = add3(
+        matvec3(turning.field, p), add3(coriolis, rates(drift, rate_by(thing.frame.coordinate_rates)))
+    )
     return add3(linear, turned) if isinstance(thing, Point) else turned
 
 
 def _components(thing: Point | Vector) -> tuple[Triple, Triple]:
-    """Return what places a thing in its frame, and its rates."""
+    """Return the components of a thing in its frame, and their rates."""
     p = thing.coordinates if isinstance(thing, Point) else thing.components
-    return p, rates(p, rate_by(thing.frame.kinematics))
+    return p, rates(p, rate_by(thing.frame.coordinate_rates))
 
 
 def _velocity(thing: Point | Vector, observer: Frame) -> Triple:
@@ -83,8 +96,8 @@ def _velocity(thing: Point | Vector, observer: Frame) -> Triple:
 
 
 def _rate(components: Triple, observer: Frame, frame: Frame) -> Triple:
-    """Return the rate of components; a moving master frame stands for ground, so that its turning counts."""
-    change = rates(components, rate_by(observer.kinematics | frame.kinematics))
+    """Return the rate of components; in a moving master frame, the one that ground sees, with its rotation."""
+    change = rates(components, rate_by(observer.coordinate_rates | frame.coordinate_rates))
     return change if observer.carrier is None else add3(change, cross3(observer.carrier.angular, components))
 
 
@@ -104,8 +117,8 @@ def frozen_velocity(point: Point, frame: Frame, *, axes: Frame | None = None) ->
     """Return the velocity of the material point of a frame that coincides with a point.
 
     Args:
-        point: where.
-        frame: of which the point is for the moment.
+        point: the place.
+        frame: the frame whose material point is wanted.
         axes: the frame in whose axes the components are, such as ``frame`` itself; by default the root: ground, or the
             moving master frame.
 

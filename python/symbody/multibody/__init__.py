@@ -1,4 +1,4 @@
-"""Bodies, loads, and what can be said of them before any equation of motion."""
+"""Bodies, loads and systems; their energy, momentum and power."""
 
 from .body import Body, center_of_mass
 from .energy import gravitational_energy, kinetic_energy, mechanical_energy

@@ -8,7 +8,7 @@ from typing import Annotated, TypeAlias, final
 from symbody.errors import BodyError
 from symbody.geometry import Frame, Point, Scalar, Triple, origin
 from symbody.geometry.argument import checked
-from symbody.geometry.motion import Translation
+from symbody.geometry.translation import Translation
 from symbody.geometry.triple import expression, triple
 from symbody.symbolic import Expr, Matrix, matvec3
 from symbody.symbolic.given.arguments import brief
@@ -24,12 +24,23 @@ Place: TypeAlias = Annotated[
 class Body:
     """A rigid body: a frame at its centre of mass, a mass, and the inertia about the centre of mass in that frame.
 
-    The products of inertia have a minus sign off the diagonal: ``[[Ix, -Cxy, -Cxz], [-Cxy, Iy, -Cyz],
-    [-Cxz, -Cyz, Iz]]``. Masses and inertias may be zero, or negative: what is subtracted from another body. Two bodies
-    are never equal, even if all their values are.
+    The tensor of inertia is ``[[Ix, -Cxy, -Cxz], [-Cxy, Iy, -Cyz], [-Cxz, -Cyz, Iz]]``: products of inertia have a
+    minus sign. Masses and inertias may be zero. They may be negative where a body is subtracted from another one. Two
+    bodies are never equal, even if all their values are.
 
-    Numbers that no body has, such as the moments 1, 1 and 5, have a notice. One moment alone has none: a motion in a
-    plane needs no other. Negative ones are checked with the bodies from which they are taken, by the `System`.
+    There is a notice for numbers that no body has, such as the moments 1, 1 and 5. One moment alone has none: a motion
+    in a plane needs no other. The `System` checks negative ones together with the bodies from which they are taken.
+
+    Args:
+        place: the centre of mass, or a frame at the centre of mass in whose axes the inertia is given.
+        mass: the mass; a constant, as all that follow.
+        Ix: the moment of inertia about the x axis through the centre of mass.
+        Iy: about y.
+        Iz: about z.
+        Cyz: the product of inertia, the integral of ``y z dm``.
+        Cxz: that of ``x z dm``.
+        Cxy: that of ``x y dm``.
+        name: what the body is called where it is shown.
 
     >>> from symbody import Point, ground, symbols
     >>> Body(Point(ground, 1, 0, 0), symbols("m")).mass
@@ -59,14 +70,14 @@ class Body:
         report_impossible_inertia(self)
 
     def _check_constant(self) -> None:
-        """A mass that changes would take momentum with it, and no equation here knows where to."""
+        """Raise an error for a mass or an inertia that changes: the momentum that it takes along is unknown."""
         names = ("mass", "Ix", "Iy", "Iz", "Cyz", "Cxz", "Cxy")
         for name, value in zip(names, (self.mass, *self.moments, *self.products), strict=True):
             if value.depends_on_time:
                 raise BodyError(
                     f"Body: {name} = {brief(value)} depends on time; expected a constant, such as symbols('m'): "
-                    "bodies are rigid and neither gain nor lose mass; make several bodies of parts that move in each "
-                    "other"
+                    "bodies are rigid and neither gain nor lose mass; make several bodies of parts that move "
+                    "relative to each other"
                 )
 
     @property
@@ -77,13 +88,13 @@ class Body:
 
     @cached_property
     def inertia_entries(self) -> tuple[Expr, ...]:
-        """The nine entries of the tensor of inertia, row after row."""
+        """The nine entries of the tensor of inertia, row by row."""
         (xx, yy, zz), (yz, xz, xy) = self.moments, self.products
         return xx, -xy, -xz, -xy, yy, -yz, -xz, -yz, zz
 
     @cached_property
     def is_particle(self) -> bool:
-        """Whether there is no inertia but the mass."""
+        """Whether the body has no inertia but its mass."""
         return not self.has_products and all(entry.is_zero for entry in self.moments)
 
     @cached_property
@@ -112,5 +123,12 @@ class Body:
 
 @checked(BodyError)
 def center_of_mass(body: Body) -> Point:
-    """Return the centre of mass of a body."""
+    """Return the centre of mass of a body.
+
+    >>> from symbody import Body, Point, center_of_mass, ground
+    >>> center_of_mass(Body(Point(ground, 1, 2, 0), 1)).coordinates
+    (0, 0, 0)
+    >>> center_of_mass(Body(Point(ground, 1, 2, 0), 1)).projected(ground).coordinates
+    (1, 2, 0)
+    """
     return body.center_of_mass

@@ -1,4 +1,4 @@
-"""Coordinates and speeds as a system knows them: functions of time, themselves and no rates."""
+"""Coordinates and speeds of a system: functions of time, and not rates of them."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from symbody.symbolic.given.arguments import brief
 
 
 def check_function_of_time(thing: Expr, where: str) -> None:
-    """Raise an error unless a coordinate or a multiplier is a function of time, itself and no rate."""
+    """Raise an error unless a coordinate or a multiplier is a function of time, and not a rate of one."""
     if thing.kind != "time_function" or thing.order != 0:
         raise ModelError(f"{where} {brief(thing)} isn't a function of time; make it with functions_of_time")
 

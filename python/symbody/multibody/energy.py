@@ -5,7 +5,7 @@ from __future__ import annotations
 from symbody.errors import ModelError
 from symbody.geometry import Vector
 from symbody.geometry.argument import checked
-from symbody.geometry.kinematics import origin_velocity, spin
+from symbody.geometry.frame_velocity import origin_velocity, spin
 from symbody.symbolic import Expr, derivation, dot3, number
 
 from .body import Body
@@ -45,7 +45,12 @@ def gravitational_energy(objects: Objects, gravity: Vector | None = None) -> Exp
         gravity: the acceleration; by default that of the system.
 
     Raises:
-        ModelError: no gravity, or bodies on a moving master frame of which nobody knows the height.
+        ModelError: there is no gravity, or the bodies hang on a moving master frame, whose height is unknown.
+
+    >>> from symbody import Body, Vector, functions_of_time, gravitational_energy, ground, symbols, translate
+    >>> z, (m, g) = functions_of_time("z"), symbols("m g")
+    >>> gravitational_energy(Body(translate(0, 0, z), m), Vector(ground, 0, 0, -g))
+    g*m*z
     """
     selection = select_bodies(objects, "gravitational_energy", gravity)
     if selection.gravity is None:
@@ -68,7 +73,17 @@ def _weight_energy(body: Body, g: tuple[Expr, Expr, Expr]) -> Expr:
 
 @checked(ModelError)
 def mechanical_energy(objects: Objects, gravity: Vector | None = None) -> Expr:
-    """Return the kinetic energy, plus the potential energy of weight where there is gravity."""
+    """Return the kinetic energy, plus the potential energy of weight where there is gravity.
+
+    Args:
+        objects: a body, bodies, or a system.
+        gravity: the acceleration of weight; by default that of the system, if it has one.
+
+    >>> from symbody import Body, Vector, functions_of_time, ground, mechanical_energy, symbols, translate
+    >>> z, (m, g) = functions_of_time("z"), symbols("m g")
+    >>> mechanical_energy(Body(translate(0, 0, z), m), Vector(ground, 0, 0, -g))
+    m*z'**2/2 + g*m*z
+    """
     selection = select_bodies(objects, "mechanical_energy", gravity)
     kinetic = kinetic_energy(selection.bodies)
     return (

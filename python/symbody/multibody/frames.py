@@ -11,7 +11,7 @@ from .load import Load
 
 
 def all_frames(bodies: Iterable[Body], loads: Iterable[Load], gravity: Vector | None) -> tuple[Frame, ...]:
-    """Return the frames of bodies, loads and gravity, and those on which they hang; these come first."""
+    """Return the frames of bodies, loads and gravity, and their parents; parents come first."""
     frames = [body.frame for body in bodies]
     for action in (action for load in loads for action in load.actions):
         frames.append(action.vector.frame)

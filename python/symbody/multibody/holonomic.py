@@ -1,4 +1,4 @@
-"""Holonomic constraints: conditions on coordinates and time, and what becomes of conditions on velocities."""
+"""Holonomic constraints: conditions on coordinates and time. Conditions on velocities are reported with a way out."""
 
 from __future__ import annotations
 
@@ -12,19 +12,19 @@ from .coordinate import rate_of_any
 
 __all__ = ["fault_of"]
 
-_EXPECTED = "expected coordinates and time, as constraints of velocities aren't supported"
+_EXPECTED = "expected coordinates and time, as constraints on velocities aren't supported"
 _INTEGRATE = (
-    "if it is the rate of a condition on coordinates, give that condition; if not, as for what rolls, choose speeds "
+    "if it is the rate of a condition on coordinates, give that condition; if not, as for rolling, choose speeds "
     "that keep it: moving_frame(..., pose=...) and System(speeds=[...])"
 )
 
 
 def fault_of(constraint: Expr, coordinates: Sequence[Expr], speeds: Sequence[Expr]) -> str:
-    """Return what is wrong with a constraint and the way out; the empty text where nothing is.
+    """Return what is wrong with a constraint, and the way out; the empty text if nothing is.
 
     Args:
-        constraint: what is to be zero.
-        coordinates: of the system.
+        constraint: the expression that is to be zero.
+        coordinates: the coordinates of the system.
         speeds: its quasi-velocities.
     """
     if constraint.is_zero:
@@ -61,7 +61,7 @@ def _way_out(constraint: Expr) -> str:
     integral = _integral(constraint)
     if integral is None:
         return _INTEGRATE
-    return f"give its integral, {brief(integral)}, less the value that this has in the beginning"
+    return f"give its integral, {brief(integral)}, minus its initial value"
 
 
 def _integral(constraint: Expr) -> Expr | None:

@@ -10,7 +10,7 @@ from symbody.errors import LoadError
 from symbody.geometry import Frame, Point, Scalar, Triple, Vector
 from symbody.geometry.argument import checked
 from symbody.geometry.coordinates import path
-from symbody.geometry.kinematics import Seen, material_velocity, spin
+from symbody.geometry.frame_velocity import Seen, material_velocity, spin
 from symbody.symbolic import Expr, derivation, dot3, number
 from symbody.symbolic.given.arguments import brief, counted
 
@@ -19,12 +19,29 @@ from .body import Body
 
 @dataclass(frozen=True, eq=False)
 class Action:
-    """What a load does to one body: a force at a point of it, or a torque."""
+    """What a load does to one body: a force at a point of it, or a torque.
+
+    Attributes:
+        body: on which it acts.
+        vector: the force or the torque.
+        point: where a force acts; None for a torque.
+
+    >>> from symbody import Body, Torque, functions_of_time, ground, rotate, symbols
+    >>> rotor, M = Body(rotate("Z", functions_of_time("phi")), 1, Iz=1), symbols("M")
+    >>> [action.is_force for action in Torque(ground, 0, 0, M, on=rotor).actions]
+    [False]
+    """
 
     body: Body
     vector: Vector
     point: Point | None = None
-    """Where a force acts; a torque acts nowhere in particular."""
+
+    @property
+    def key(self) -> bytes:
+        """A digest of what acts, and where, by which loads can be put in order."""
+        place = () if self.point is None else self.point.coordinates
+        values = b"".join(value.fingerprint for value in (*self.vector.components, *place))
+        return self.body.key + self.vector.frame.key + values
 
     @property
     def is_force(self) -> bool:
@@ -33,7 +50,7 @@ class Action:
 
     @property
     def anchor(self) -> Point:
-        """The point of a force by its coordinates in a frame that is fixed in the body: its own one if that is."""
+        """The point of a force by its coordinates in a frame that is fixed in the body; its own frame if that is."""
         point = self.point or self.body.center_of_mass
         up, down = path(point.frame, self.body.frame)
         fixed = all(motion.is_constant for motion in (*up, *down))
@@ -45,9 +62,20 @@ class Action:
 
 
 class Load(ABC):
-    """What acts on bodies: a load is the sum of its actions."""
+    """What acts on bodies: a load is the sum of its actions.
 
-    name: str
+    A new kind of load is one file with a final subclass that has `actions` (docs/extending.md). Its power, its
+    generalised forces and its part in all equations follow from them.
+
+    >>> from symbody import Body, Force, functions_of_time, ground, symbols, translate
+    >>> (x, y), F = functions_of_time("x y"), symbols("F")
+    >>> a, b = Body(translate(x, 0, 0), 1, name="a"), Body(translate(y, 0, 0), 1, name="b")
+    >>> thrust = Force(ground, F, 0, 0, at=a.center_of_mass, on=a, reaction=b)
+    >>> [(action.body, action.vector) for action in thrust.actions]
+    [(a, Vector(ground, F, 0, 0)), (b, Vector(ground, -F, 0, 0))]
+    """
+
+    name: str = ""
 
     @property
     @abstractmethod
@@ -55,13 +83,25 @@ class Load(ABC):
         """What the load does, body by body."""
 
     @property
-    @abstractmethod
     def key(self) -> bytes:
         """What puts the loads of a set in order."""
+        return self.name.encode() + b"".join(action.key for action in self.actions)
+
+    def __repr__(self) -> str:
+        bodies = ", ".join(map(str, dict.fromkeys(action.body for action in self.actions)))
+        return self.name or f"{type(self).__name__}(on {bodies})"
 
 
 class _Vectorial(Load):
-    """A vector that acts on a body, and with the opposite sign on a reaction body."""
+    """A vector that acts on a body, and with the opposite sign on a reaction body.
+
+    Args:
+        what: the vector, or the frame of its components.
+        components: three, if a frame is given.
+        on: the body on which it acts.
+        reaction: the body on which the opposite vector acts.
+        name: what the load is called where it is shown.
+    """
 
     def __init__(
         self, what: Vector | Frame, components: tuple[Scalar, ...], on: Body, reaction: Body | None, name: str
@@ -103,8 +143,23 @@ class _Vectorial(Load):
 class Force(_Vectorial):
     """A force at a point of a body: ``Force(vector, at=P, on=body)`` or ``Force(frame, x, y, z, at=P, on=body)``.
 
-    The point is a point of the body at the instant: the power of the force is that on the material point of the body
-    that is there. The reaction acts at the same place on the reaction body.
+    The power of the force is that on the material point of the body that is at the point at the instant. The reaction
+    acts at the same place on the reaction body.
+
+    Args:
+        what: the force as a vector, or the frame of its components.
+        components: three, if a frame is given.
+        at: the point where the force acts.
+        on: the body on which it acts.
+        reaction: the body on which the opposite force acts; none by default, such as the ground.
+        name: what the force is called where it is shown.
+
+    >>> from symbody import Body, Force, System, functions_of_time, ground, newton_euler, symbols, translate
+    >>> x, (m, k) = functions_of_time("x"), symbols("m k")
+    >>> slider = Body(translate(x, 0, 0), m)
+    >>> spring = Force(ground, -k * x, 0, 0, at=slider.center_of_mass, on=slider)
+    >>> newton_euler(System([slider], [spring], [x])).residuals
+    (m*x'' + k*x,)
     """
 
     @checked(LoadError)
@@ -137,7 +192,21 @@ class Force(_Vectorial):
 
 @final
 class Torque(_Vectorial):
-    """A torque on a body: ``Torque(vector, on=body)`` or ``Torque(frame, x, y, z, on=body)``."""
+    """A torque on a body: ``Torque(vector, on=body)`` or ``Torque(frame, x, y, z, on=body)``.
+
+    Args:
+        what: the torque as a vector, or the frame of its components.
+        components: three, if a frame is given.
+        on: the body on which it acts.
+        reaction: the body on which the opposite torque acts; none by default, such as the ground.
+        name: what the torque is called where it is shown.
+
+    >>> from symbody import Body, System, Torque, functions_of_time, ground, newton_euler, rotate, symbols
+    >>> phi, (I, M) = functions_of_time("phi"), symbols("I M")
+    >>> rotor = Body(rotate("Z", phi), 1, Iz=I)
+    >>> newton_euler(System([rotor], [Torque(ground, 0, 0, M, on=rotor)], [phi])).residuals
+    (I*phi'' - M,)
+    """
 
     @checked(LoadError)
     def __init__(
@@ -185,7 +254,7 @@ def action_power(action: Action) -> Expr:
 
 
 def action_velocity(action: Action) -> Seen:
-    """Return the velocity by which the power of an action is its product: of the material point, or angular."""
+    """Return the velocity whose product with an action is its power: of the material point, or angular."""
     if not action.is_force:
         return Seen(spin(action.body.frame), action.body.frame)
     anchor = action.anchor

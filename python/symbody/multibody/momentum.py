@@ -6,7 +6,7 @@ from symbody.errors import ModelError
 from symbody.geometry import Point, Triple, Vector, velocity
 from symbody.geometry.argument import checked
 from symbody.geometry.coordinates import vector_components
-from symbody.geometry.kinematics import origin_velocity, spin
+from symbody.geometry.frame_velocity import origin_velocity, spin
 from symbody.geometry.triple import NULL
 from symbody.symbolic import add3, cross3, derivation, scale3, sub3
 
@@ -16,7 +16,13 @@ from .selection import Objects, select_bodies
 
 @checked(ModelError)
 def linear_momentum(objects: Objects) -> Vector:
-    """Return the linear momentum ``m v_G``, summed over the bodies, in ground (or the moving master frame)."""
+    """Return the linear momentum ``m v_G``, summed over the bodies, in ground (or the moving master frame).
+
+    >>> from symbody import Body, functions_of_time, linear_momentum, symbols, translate
+    >>> (x, y), m = functions_of_time("x y"), symbols("m")
+    >>> linear_momentum(Body(translate(x, y, 0), m)).components
+    (m*x', m*y', 0)
+    """
     selection = select_bodies(objects, "linear_momentum")
     total = NULL
     with derivation():
@@ -35,6 +41,10 @@ def angular_momentum(objects: Objects, point: Point | None = None) -> Vector:
 
     Returns:
         A vector in the axes of the body, if there is only one; in those of the root otherwise.
+
+    >>> from symbody import Body, angular_momentum, functions_of_time, rotate, symbols
+    >>> angular_momentum(Body(rotate("Z", functions_of_time("phi")), 1, Iz=symbols("I"))).components
+    (0, 0, I*phi')
     """
     selection = select_bodies(objects, "angular_momentum")
     single = selection.bodies[0] if len(selection.bodies) == 1 else None

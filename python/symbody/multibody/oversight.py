@@ -1,10 +1,9 @@
-"""Oversights: what a user may have forgotten in a system, where it can be derived none the less."""
+"""Oversights: what a user may have forgotten in a system that can be derived without it."""
 
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Iterator, Set
 
-from symbody.geometry.floating import Floating
 from symbody.symbolic import Expr
 
 from .body import Body
@@ -16,13 +15,13 @@ __all__ = ["notices"]
 def notices(
     bodies: Collection[Body], loads: Iterable[Load], constraints: Iterable[Expr], known: Collection[Expr]
 ) -> Iterator[str]:
-    """Return what a user should look at: loads on other bodies, and motions that nobody has called unknown or given.
+    """Return what a user should check: loads on other bodies, and motions that are neither unknown nor given.
 
     Args:
-        bodies: those of a system.
-        loads: what acts on them.
-        constraints: what restrains them.
-        known: the functions of time that are unknown or given.
+        bodies: the bodies of a system.
+        loads: its loads.
+        constraints: its constraints.
+        known: the functions of time that are listed as unknown or given.
     """
     yield from _foreign_loads({*bodies}, loads)
     yield from _given_motions(bodies, constraints, {*known})
@@ -36,14 +35,14 @@ def _foreign_loads(members: Set[Body], loads: Iterable[Load]) -> Iterator[str]:
             continue
         named = " and ".join(map(str, strangers))
         outside = "none of its bodies" if len(strangers) == 1 else "not among its bodies"
-        what = "is left out, for it acts" if len(strangers) == len(bodies) else "acts"
+        what = "is left out: it acts" if len(strangers) == len(bodies) else "acts"
         left = "" if len(strangers) == len(bodies) else ", which is left out"
         yield f"{load} {what} on {named}, {outside}{left}; add what is missing to bodies"
 
 
 def _given_motions(bodies: Iterable[Body], constraints: Iterable[Expr], known: Set[Expr]) -> Iterator[str]:
-    """Return the functions of time that move bodies or stand in constraints, and in no list."""
-    motions = (m for body in bodies for m in body.frame.motions if not isinstance(m, Floating))
+    """Return the functions of time that move bodies or occur in constraints, and aren't listed."""
+    motions = (m for body in bodies for m in body.frame.motions if m.twist is None)
     moving = {leaf for motion in motions for leaf in motion.leaves} - known
     constraining = {leaf for constraint in constraints for leaf in constraint.free_symbols} - known
     for leaves, (does, do) in (

@@ -1,16 +1,18 @@
 """Inertias that no body has: second moments of mass that would be negative in some direction.
 
 With the tensor J about a point, ``S = 1/2 tr(J) 1 - J`` holds the second moments ``∫ x^2 dm``, ``∫ x y dm``. A
-distribution of mass has the mass m, the first moments h and these second moments exactly if no direction is negative in
+distribution of mass with the mass m, the first moments h and these second moments exists if, and only if, this matrix
+is positive semidefinite:
 
     P = | S  h |
         | h' m |
 
 [Wensing, Kim & Slotine, IEEE Robotics and Automation Letters 3 (2018), p. 60]. For S alone this says that the largest
-principal moment of inertia is at most the sum of the other two. P of bodies that are joined rigidly adds up:
-``X P X'`` with the 4x4 matrix X of the frame; so bodies taken away from others are checked together with these.
+principal moment of inertia is at most the sum of the other two. The matrices of bodies that are joined rigidly add up,
+each as ``X P X'`` with the 4x4 matrix X of its frame. So bodies that are subtracted from others are checked together
+with these.
 
-One moment of inertia alone is how a motion in a plane, or a rotor, is written: the other two are then unknown.
+One moment of inertia alone is given for a motion in a plane, or for a rotor: the other two are then unknown.
 """
 
 from __future__ import annotations
@@ -23,7 +25,7 @@ from numpy.typing import NDArray
 
 from symbody.errors import notify
 from symbody.geometry import Frame
-from symbody.geometry.kinematics import pose_from
+from symbody.geometry.frame_velocity import pose_from
 from symbody.symbolic import Expr
 from symbody.symbolic.given.arguments import brief
 
@@ -31,7 +33,7 @@ Array: TypeAlias = NDArray[np.float64]
 
 
 class MassDistribution(Protocol):
-    """What has a mass and an inertia about its centre of mass, at the origin of a frame: a body."""
+    """A body, or numbers in its place: a mass, and an inertia about the centre of mass at the origin of a frame."""
 
     @property
     def name(self) -> str: ...
@@ -54,10 +56,10 @@ ROUNDED = 1e-3
 
 
 def report_impossible_inertia(body: MassDistribution) -> None:
-    """Give a notice of moments of inertia that no body has; what is taken away from a body is left to its system.
+    """Give a notice of moments of inertia that no body has; the system checks bodies that are subtracted from others.
 
-    Moments in symbols aren't checked. Where products are symbols, the moments alone are: those about any three axes
-    obey the same inequality.
+    Moments in symbols aren't checked. If only products are symbols, the moments are checked: those about any three
+    perpendicular axes obey the same inequality.
     """
     if _is_planar(body) or not all(moment.is_constant for moment in body.moments):
         return
@@ -65,11 +67,11 @@ def report_impossible_inertia(body: MassDistribution) -> None:
     taken_away = np.linalg.eigvalsh(J)[2] <= 0 and not _is_positive(body.mass)
     if taken_away or _is_possible(J):
         return
-    notify(told_inertia(body, J, has_products=body.has_products))
+    notify(inertia_fault(body, J, has_products=body.has_products))
 
 
-def told_inertia(body: MassDistribution, J: Array, *, has_products: bool) -> str:
-    """Return that no body has a tensor of inertia, and why."""
+def inertia_fault(body: MassDistribution, J: Array, *, has_products: bool) -> str:
+    """Return the message that no body has a tensor of inertia, and why."""
     given = "no body has these moments and products" if has_products else "no body has these moments"
     return (
         f"{_named(body)}: {given} of inertia: {_fault(J)}; check the numbers, their units, and that they are about the "
@@ -78,11 +80,14 @@ def told_inertia(body: MassDistribution, J: Array, *, has_products: bool) -> str
 
 
 def are_impossible(mass: Array, J: Array) -> NDArray[np.bool_]:
-    """Return which of many masses and tensors of inertia no body has; those taken away from a body are left out.
+    """Return which of many masses and tensors of inertia no body has; those subtracted from a body are left out.
 
     Args:
-        mass: the masses, k of them.
+        mass: the masses, k.
         J: the tensors, k x 3 x 3.
+
+    Returns:
+        A mask, k.
     """
     moments = np.einsum("kii->ki", J)
     are_alone = np.count_nonzero(J, axis=(1, 2)) == np.count_nonzero(moments, axis=1)
@@ -94,11 +99,11 @@ def are_impossible(mass: Array, J: Array) -> NDArray[np.bool_]:
 
 
 def report_impossible_differences(bodies: Sequence[MassDistribution]) -> None:
-    """Give a notice of bodies joined rigidly, some of them taken away from others, that together are no body."""
+    """Give a notice of bodies that are joined rigidly, some subtracted from others, and whose sum no body has."""
     if not any(_is_taken_away(body) for body in bodies):
         return
     for group in joined_bodies(bodies):
-        fault = told_difference(group, {}) if any(_is_taken_away(body) for body in group) else ""
+        fault = difference_fault(group, {}) if any(_is_taken_away(body) for body in group) else ""
         if fault:
             notify(f"System: {fault}")
 
@@ -111,12 +116,12 @@ def joined_bodies(bodies: Sequence[Each]) -> list[list[Each]]:
     return list(groups.values())
 
 
-def told_difference(group: Sequence[MassDistribution], values: Mapping[Expr, float]) -> str:
-    """Return that bodies joined rigidly are together none, and why; the empty text if they are one.
+def difference_fault(group: Sequence[MassDistribution], values: Mapping[Expr, float]) -> str:
+    """Return the message that no body is the sum of bodies joined rigidly, and why; the empty text if one is.
 
     Args:
-        group: the bodies, some of them taken away from others.
-        values: those of symbols.
+        group: the bodies, some of them subtracted from others.
+        values: the values of symbols.
     """
     fault = _fault_of_sum(_carrier(group[0].frame), group, values)
     if fault and len(group) == 1:
@@ -125,11 +130,11 @@ def told_difference(group: Sequence[MassDistribution], values: Mapping[Expr, flo
             "rigidly from which it could be taken away; build it on the frame of that body"
         )
     names = brief(", ".join(_named(body) for body in group))
-    return fault and f"{names}: joined rigidly, these bodies are together none: {fault}"
+    return fault and f"{names}: joined rigidly, these bodies make an impossible one: {fault}"
 
 
 def _tensor(body: MassDistribution) -> Array:
-    """Return the tensor of inertia, or the moments alone where the products aren't all numbers."""
+    """Return the tensor of inertia, 3 x 3; with the moments alone if the products aren't all numbers."""
     entries = body.inertia_entries
     if all(entry.is_constant for entry in entries):
         return np.array([float(entry) for entry in entries]).reshape(3, 3)
@@ -187,7 +192,7 @@ def _carrier(frame: Frame) -> Frame:
 
 
 def _fault_of_sum(carrier: Frame, group: Sequence[MassDistribution], values: Mapping[Expr, float]) -> str:
-    """Return what is wrong with bodies that are joined, if all that decides it are numbers."""
+    """Return what is wrong with bodies that are joined; the empty text if nothing is, or if symbols decide it."""
     parts = [_pseudo_inertia(carrier, body, values) for body in group]
     known = [part for part in parts if part is not None]
     if len(known) < len(parts):
@@ -204,7 +209,7 @@ def _fault_of_sum(carrier: Frame, group: Sequence[MassDistribution], values: Map
 
 
 def _pseudo_inertia(carrier: Frame, body: MassDistribution, values: Mapping[Expr, float]) -> Array | None:
-    """Return P of a body in a frame in which it is fixed, if it holds numbers alone."""
+    """Return P of a body, 4 x 4, in a frame in which it is fixed, if all its entries are numbers."""
     rows, place = pose_from(body.frame, carrier)
     entries = (body.mass, *body.inertia_entries, *(entry for row in rows for entry in row), *place)
     if not all(entry.free_symbols <= values.keys() for entry in entries):
@@ -218,7 +223,7 @@ def _pseudo_inertia(carrier: Frame, body: MassDistribution, values: Mapping[Expr
 
 
 def _is_alone(J: Array) -> bool:
-    """Tell whether one moment of inertia is all that is given."""
+    """Tell whether only one moment of inertia is given."""
     return bool(np.count_nonzero(J) == np.count_nonzero(np.diag(J)) == 1)
 
 

@@ -1,4 +1,4 @@
-"""What a formalism is asked about: bodies and loads, picked out of whatever a user hands over."""
+"""The bodies and loads for which a formalism is asked, from a system, a set, a list or a single one."""
 
 from __future__ import annotations
 
@@ -44,7 +44,7 @@ class Selection:
             if not inside:
                 bodies = " and ".join(brief(action.body) for action in load.actions)
                 warnings.warn(
-                    f"{where}: {brief(load)} is left out, for it acts on {bodies}, not in the set",
+                    f"{where}: {brief(load)} is left out: it acts on {bodies}, not in the set",
                     ModelNotice,
                     stacklevel=3,
                 )

@@ -1,4 +1,4 @@
-"""Things in words, as MBSymba shows them."""
+"""Objects as text, in the notation of MBSymba."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ Shown: TypeAlias = Annotated[
 
 @checked(ModelError)
 def show(thing: Shown, *, synthetic: bool = False) -> None:
-    """Print a thing with all its fields.
+    """Print an object with all its fields.
 
     Args:
         thing: a frame, point, vector, body, load, system, equations of motion, or an expression.
@@ -46,7 +46,16 @@ def show(thing: Shown, *, synthetic: bool = False) -> None:
 
 @checked(ModelError)
 def describe(thing: Shown, *, synthetic: bool = False) -> str:
-    """Return what `show` prints."""
+    """Return what `show` prints.
+
+    Args:
+        thing: a frame, point, vector, body, load, system, equations of motion, or an expression.
+        synthetic: whether to show frames by their names alone.
+
+    >>> from symbody import Vector, describe, ground
+    >>> describe(Vector(ground, 1, 2, 0, name="v"))
+    'v = VECTOR(frame = ground, comps = [1, 2, 0])'
+    """
     if isinstance(thing, Described):
         return thing.description()
     if isinstance(thing, System):

@@ -11,7 +11,7 @@ from typing import Annotated, TypeAlias, TypeVar, final
 from symbody.errors import ConstraintError, ModelError, ModelNotice
 from symbody.geometry import Frame, Scalar, Vector
 from symbody.geometry.argument import checked
-from symbody.geometry.floating import Floating, by_speeds, known_rates, rate_by
+from symbody.geometry.floating import by_speeds, known_rates, rate_by
 from symbody.geometry.triple import Rate, expression
 from symbody.symbolic import Expr, functions_of_time, time_derivative
 from symbody.symbolic.given.arguments import brief, counted
@@ -41,11 +41,13 @@ Conditions: TypeAlias = Annotated[
 
 @final
 class System:
-    """A multibody system.
+    """A multibody system: bodies and loads, and the coordinates in which they move.
+
+    Sets are put in an order that doesn't depend on the run.
 
     Args:
-        bodies: what has mass.
-        loads: what acts on bodies, beside weight.
+        bodies: the bodies.
+        loads: the forces and torques on bodies, beside weight.
         coordinates: the functions of time in which the configuration is written, in the order of the equations; those
             of floating frames come first unless they are listed.
         constraints: expressions of the coordinates that are zero.
@@ -53,11 +55,18 @@ class System:
         speeds: the functions of time that are velocities in moving frames (quasi-velocities); those of floating frames
             come first unless they are listed.
         multipliers: one function of time per constraint; ``lambda1``, ``lambda2``, ... by default.
-        inputs: the functions of time in frames and constraints that are given from outside. Others there are inputs
-            too, but a notice names them: they may be coordinates that were forgotten. Those in loads need no list.
-        name: what to call the system.
+        inputs: the functions of time in frames and constraints that are given from outside. Unlisted ones are inputs
+            too, but a notice names them: they may be forgotten coordinates. Functions of time in loads need no list.
+        name: what the system is called.
 
-    Sets are put in an order that doesn't depend on the run.
+    >>> from symbody import Body, System, Vector, functions_of_time, ground, rotate, symbols, translate
+    >>> theta, (m, l, g) = functions_of_time("theta"), symbols("m l g")
+    >>> bob = Body(rotate("Z", theta) * translate(0, -l, 0), m)
+    >>> pendulum = System([bob], coordinates=[theta], gravity=Vector(ground, 0, -g, 0), name="pendulum")
+    >>> pendulum
+    System(pendulum, 1 body, 0 loads, 1 coordinate)
+    >>> pendulum.speeds
+    (theta',)
     """
 
     @checked(ModelError)
@@ -78,11 +87,11 @@ class System:
         self.loads: tuple[Load, ...] = _ordered(loads)
         self.gravity = gravity
         self._frames = all_frames(self.bodies, self.loads, gravity)
-        floating = [frame.motion for frame in self._frames if isinstance(frame.motion, Floating)]
-        self.kinematics = {q: rate for motion in floating for q, rate in motion.kinematics.items()}
-        """The coordinates of floating frames, and their rates by speeds."""
-        self.coordinates = _completed(coordinates, self.kinematics)
-        self.quasi_velocities = _completed(speeds, [u for motion in floating for u in motion.speeds])
+        motions = [frame.motion for frame in self._frames if frame.motion is not None]
+        self.coordinate_rates = {q: rate for motion in motions for q, rate in motion.coordinate_rates.items()}
+        """The coordinates whose rates are no speeds, as those of floating frames, and these rates by the speeds."""
+        self.coordinates = _completed(coordinates, self.coordinate_rates)
+        self.quasi_velocities = _completed(speeds, [u for motion in motions for u in motion.speeds])
         self.constraints = tuple(expression(constraint) for constraint in constraints)
         self.name = name
         self.multipliers = tuple(multipliers) or self._default_multipliers()
@@ -96,18 +105,18 @@ class System:
 
     @cached_property
     def actions(self) -> tuple[Action, ...]:
-        """What the loads do to the bodies; what they do to other bodies is left out."""
+        """What the loads do to the bodies of the system; their actions on other bodies are left out."""
         members = {*self.bodies}
         return tuple(action for load in self.loads for action in load.actions if action.body in members)
 
     @cached_property
     def driving(self) -> tuple[Expr, ...]:
-        """The quasi-velocities, then the coordinates whose rates are speeds: what the motion is free in."""
-        return self.quasi_velocities + tuple(q for q in self.coordinates if q not in self.kinematics)
+        """The quasi-velocities, then the coordinates whose rates are speeds: the freedoms of the motion."""
+        return self.quasi_velocities + tuple(q for q in self.coordinates if q not in self.coordinate_rates)
 
     @cached_property
     def speeds(self) -> tuple[Expr, ...]:
-        """The speeds, one for each equation of motion: the quasi-velocities, then rates of coordinates."""
+        """The speeds, one per equation of motion: the quasi-velocities, then rates of coordinates."""
         n = len(self.quasi_velocities)
         return self.quasi_velocities + tuple(time_derivative(q) for q in self.driving[n:])
 
@@ -118,7 +127,7 @@ class System:
 
     @cached_property
     def state_names(self) -> tuple[Expr, ...]:
-        """What a state may be given by: coordinates, speeds, and rates of coordinates."""
+        """The names by which a state may be given: coordinates, speeds, and rates of coordinates."""
         rates = (time_derivative(q) for q in self.coordinates)
         return tuple(dict.fromkeys((*self.coordinates, *self.speeds, *rates)))
 
@@ -127,19 +136,25 @@ class System:
         """Whether some speed is no rate of a coordinate, or some rate no speed."""
         return self.driving != self.coordinates
 
+    @property
+    def kinematics(self) -> dict[Expr, Expr]:
+        """The rates of all coordinates by the speeds."""
+        rates = (time_derivative(q) for q in self.coordinates)
+        return {rate: self.known_rates.get(rate, rate) for rate in rates}
+
     @cached_property
     def known_rates(self) -> dict[Expr, Expr]:
-        """The rates of coordinates that are no speeds, by speeds."""
-        return known_rates(self.kinematics)
+        """The rates of coordinates that are no speeds, by the speeds: the part of the kinematics that isn't trivial."""
+        return known_rates(self.coordinate_rates)
 
     @cached_property
     def rate(self) -> Rate:
         """The time derivative, with these rates put in."""
-        return rate_by(self.kinematics)
+        return rate_by(self.coordinate_rates)
 
     def by_speeds(self, expressions: Sequence[Expr]) -> tuple[Expr, ...]:
-        """Return expressions with the rates of coordinates, of any order, by the speeds and their rates."""
-        return by_speeds(self.kinematics, expressions)
+        """Return expressions with the rates of coordinates, of any order, written by the speeds and their rates."""
+        return by_speeds(self.coordinate_rates, expressions)
 
     def _check(self) -> None:
         if not self.bodies:
@@ -215,7 +230,7 @@ class System:
                 )
 
     def _default_multipliers(self) -> tuple[Expr, ...]:
-        """Return ``lambda1``, ``lambda2``, ..., but those that the model uses for something else."""
+        """Return ``lambda1``, ``lambda2``, ..., without names that the model uses for something else."""
         if not self.constraints:
             return ()
         taken = self._names()
@@ -224,7 +239,7 @@ class System:
 
     @cached_property
     def leaves(self) -> frozenset[Expr]:
-        """All symbols and functions of time that stand in the model, also those which its equations don't need."""
+        """All symbols and functions of time in the model, also those that its equations don't need."""
         return frozenset({*self.coordinates, *self.quasi_velocities}).union(
             *(value.free_symbols for value in self._values())
         )

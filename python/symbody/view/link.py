@@ -6,7 +6,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 from symbody.geometry import Frame, Point, origin
-from symbody.geometry.motion import Translation
+from symbody.geometry.translation import Translation
 from symbody.geometry.triple import Triple, is_null
 from symbody.multibody import Body
 

@@ -6,7 +6,9 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from symbody.geometry.floating import Floating
-from symbody.geometry.motion import Motion, Rotation, Translation
+from symbody.geometry.frame_motion import FrameMotion
+from symbody.geometry.rotation import Rotation
+from symbody.geometry.translation import Translation
 from symbody.multibody import System
 from symbody.symbolic import Expr, number, pi, substitute, time_derivative
 from symbody.view.attachment import natural_points
@@ -93,7 +95,7 @@ def _multiples(expressions: Sequence[Expr]) -> list[Expr]:
     return [leaf for x in expressions for leaf in _moving(x) if x.diff(leaf).kind == "number"]
 
 
-def _angles(motion: Motion) -> list[Expr]:
+def _angles(motion: FrameMotion) -> list[Expr]:
     """Return the functions of time of which a full turn changes nothing."""
     if isinstance(motion, Rotation):
         return _multiples(motion.variables)

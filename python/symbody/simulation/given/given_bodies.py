@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 from symbody.codegen import CompiledFunction, lambdify
 from symbody.errors import notify
 from symbody.multibody import Body, System
-from symbody.multibody.physical_inertia import are_impossible, joined_bodies, told_difference, told_inertia
+from symbody.multibody.physical_inertia import are_impossible, difference_fault, inertia_fault, joined_bodies
 from symbody.symbolic import Expr, free_symbols
 
 __all__ = ["notice_impossible_bodies"]
@@ -87,7 +87,7 @@ def _impossible_inertia(body: Body, mass: Array, J: Array) -> list[str]:
     if not len(places):
         return []
     first = J[places[0]]
-    told = told_inertia(body, first, has_products=bool((first - np.diag(np.diag(first))).any()))
+    told = inertia_fault(body, first, has_products=bool((first - np.diag(np.diag(first))).any()))
     return [f"{_counted(places, len(J))}{told}"]
 
 
@@ -99,7 +99,7 @@ def _impossible_difference(
             name: float(np.ravel(column)[place if np.size(column) > 1 else 0])
             for name, column in given.items()
         }
-        told = told_difference(group, values)
+        told = difference_fault(group, values)
         if told:
             is_many = any(np.size(column) > 1 for column in given.values())
             return [f"{f'first case {place}: ' if is_many else ''}{told}"]

@@ -1,0 +1,1 @@
+"""Equations of motion, as every formalism returns them, and their constraints."""

@@ -1,0 +1,195 @@
+"""Equations of motion: what every formalism returns."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import cached_property
+
+from symbody.errors import ModelError
+from symbody.geometry import Scalar
+from symbody.geometry.argument import checked
+from symbody.multibody import System
+from symbody.symbolic import Expr, Matrix, Program, free_symbols, listing
+from symbody.symbolic.given.arguments import counted
+from symbody.symbolic.numeric.program import program_of
+
+from .baumgarte import Damping, stabilized
+from .constraint_force import constraint_jacobian
+from .output import Outputs
+
+
+@dataclass(frozen=True)
+class Assembly:
+    """The coefficients of the equations ``M u' + bias = phi_q^T lambda``.
+
+    Attributes:
+        mass_matrix: M, n x n for n speeds.
+        bias: one expression per speed.
+    """
+
+    mass_matrix: Matrix
+    bias: tuple[Expr, ...]
+
+
+@dataclass(frozen=True, eq=False)
+class Equations:
+    """The equations of motion of a system: ``M u' = forcing + phi_q^T lambda`` with the constraints ``phi = 0``.
+
+    There are n speeds u and m constraints. The speeds are the rates of the coordinates, so that ``M u'`` is ``M q''``.
+    Where frames move by speeds of their own (quasi-velocities), `kinematics` gives the rates of the coordinates, and
+    phi_q is ``dphi'/du``.
+
+    Attributes:
+        system: the system to which they belong.
+        residuals: n expressions, ``M u' - forcing - phi_q^T lambda``, which are zero along a motion.
+        assemble: derives the mass matrix and the bias when they are first needed; the residuals don't need them.
+
+    >>> from symbody import Body, System, functions_of_time, newton_euler, symbols, translate
+    >>> (x, y), (m, l) = functions_of_time("x y"), symbols("m l")
+    >>> circle = System([Body(translate(x, y, 0), m)], coordinates=[x, y], constraints=[x**2 + y**2 - l**2])
+    >>> equations = newton_euler(circle)
+    >>> equations
+    Equations(2 equations of motion, 1 constraint, coordinates x, y)
+    >>> equations.mass_matrix, equations.constraint_jacobian
+    (Matrix([[m, 0], [0, m]]), Matrix([[2*x, 2*y]]))
+    """
+
+    system: System
+    residuals: tuple[Expr, ...]
+    assemble: Callable[[System], Assembly]
+
+    @property
+    def coordinates(self) -> tuple[Expr, ...]:
+        """The coordinates q."""
+        return self.system.coordinates
+
+    @property
+    def speeds(self) -> tuple[Expr, ...]:
+        """The speeds u, in the order of the equations: quasi-velocities, then rates of coordinates."""
+        return self.system.speeds
+
+    @property
+    def accelerations(self) -> tuple[Expr, ...]:
+        """The rates of the speeds."""
+        return self.system.accelerations
+
+    @property
+    def kinematics(self) -> dict[Expr, Expr]:
+        """The rates of the coordinates, each by the speeds: the rates are the keys."""
+        return self.system.kinematics
+
+    @property
+    def constraints(self) -> tuple[Expr, ...]:
+        """The constraints phi, expressions that are zero."""
+        return self.system.constraints
+
+    @cached_property
+    def constraint_jacobian(self) -> Matrix:
+        """The Jacobian ``phi_q = dphi'/du``, m x n: one row per constraint, one column per speed."""
+        return constraint_jacobian(self.system)
+
+    @property
+    def multipliers(self) -> tuple[Expr, ...]:
+        """The multipliers, one per constraint."""
+        return self.system.multipliers
+
+    @cached_property
+    def _assembly(self) -> Assembly:
+        return self.assemble(self.system)
+
+    @property
+    def mass_matrix(self) -> Matrix:
+        """The mass matrix M, n x n; symmetric, unless loads depend on accelerations."""
+        return self._assembly.mass_matrix
+
+    @property
+    def bias(self) -> tuple[Expr, ...]:
+        """The residuals at zero accelerations and multipliers, n: inertia forces of speeds, less weight and loads."""
+        return self._assembly.bias
+
+    @cached_property
+    def forcing(self) -> tuple[Expr, ...]:
+        """The negative of the bias, n."""
+        return tuple(-entry for entry in self.bias)
+
+    @cached_property
+    def parameters(self) -> tuple[Expr, ...]:
+        """The symbols that need values, by name."""
+        symbols = {leaf for leaf in self._leaves if leaf.kind == "symbol" and not leaf.depends_on_time}
+        return tuple(sorted(symbols, key=lambda symbol: symbol.name))
+
+    @cached_property
+    def inputs(self) -> tuple[Expr, ...]:
+        """The functions of time, and their rates, that are given from outside, by name."""
+        known = {unknown.name for unknown in (*self.coordinates, *self.speeds, *self.multipliers)}
+        given = {leaf for leaf in self._leaves if leaf.kind == "time_function" and leaf.name not in known}
+        return tuple(sorted(given, key=lambda function: (function.name, function.order)))
+
+    @cached_property
+    def _leaves(self) -> frozenset[Expr]:
+        return free_symbols((*self.residuals, *self.constraints, *self.system.known_rates.values()))
+
+    @checked(ModelError)
+    def baumgarte(self, omega: Scalar, zeta: Scalar) -> tuple[Expr, ...]:
+        """Return the stabilised constraints ``phi'' + 2 zeta omega phi' + omega^2 phi``, linear in the accelerations.
+
+        Args:
+            omega: the frequency with which a violation dies out, in rad/s.
+            zeta: its damping ratio; 1 is critical.
+        """
+        return stabilized(self.constraints, omega, zeta, self.system.rate)
+
+    def program(
+        self,
+        *,
+        name: str | None = None,
+        outputs: Outputs | None = None,
+        baumgarte: Damping = None,
+        method: str | None = "auto",
+    ) -> Program:
+        """Return the routines of which code is generated; see `symbody.dynamics.solution.program.program`."""
+        return program_of(self, name=name, outputs=outputs, baumgarte=baumgarte, method=method)
+
+    def __repr__(self) -> str:
+        n, m, names = len(self.residuals), len(self.constraints), ", ".join(map(str, self.system.driving))
+        alone = "coordinates" if len(self.system.driving) != 1 else "coordinate"
+        kind = "speeds and coordinates" if self.system.quasi_velocities else alone
+        return f"Equations({counted(n, 'equation')} of motion, {counted(m, 'constraint')}, {kind} {names})"
+
+    def description(self) -> str:
+        """Return the equations line by line, after their common subexpressions: what `show` prints."""
+        definitions, zeros, rates = self._listing("text")
+        n = len(self.residuals)
+        return "\n    ".join(
+            [
+                f"EQUATIONS OF MOTION of {', '.join(map(str, self.system.driving))}",
+                *(f"{name} := {value}" for name, value in definitions),
+                *(f"{zero} = 0" for zero in zeros[:n]),
+                *(f"constraint: {zero} = 0" for zero in zeros[n:]),
+                *(f"kinematics: {rate} = {value}" for rate, value in rates),
+            ]
+        )
+
+    def latex(self) -> str:
+        """Return the equations and constraints in LaTeX, one per row, after their common subexpressions."""
+        definitions, zeros, rates = self._listing("latex")
+        rows = [f"{name} &= {value}" for name, value in definitions] + [f"{zero} &= 0" for zero in zeros]
+        rows += [f"{rate.latex()} &= {value}" for rate, value in rates]
+        return r"\begin{aligned} " + r" \\ ".join(rows) + r" \end{aligned}"
+
+    def _listing(self, notation: str) -> tuple[list[tuple[str, str]], list[str], list[tuple[Expr, str]]]:
+        """Return common subexpressions, the expressions that are zero, and the rates of coordinates by speeds."""
+        known, zeros = self.system.known_rates, (*self.residuals, *self.constraints)
+        definitions, values = listing((*zeros, *known.values()), notation)
+        n = len(zeros)
+        return definitions, values[:n], list(zip(known, values[n:], strict=True))
+
+    def _repr_latex_(self) -> str | None:
+        """Return the equations in LaTeX if they are short enough to be read."""
+        lines = sum(len(part) for part in self._listing("text"))
+        return f"${self.latex()}$" if lines <= _READABLE else None
+
+
+_READABLE = 60
+"""Lines up to which a notebook shows equations."""

@@ -1,0 +1,60 @@
+"""Newton-Euler: the equations of motion by recursion over the tree of frames [Luh, Walker & Paul 1980]."""
+
+from __future__ import annotations
+
+from symbody.dynamics.equations.constraint_force import with_multipliers
+from symbody.dynamics.equations.equations import Assembly, Equations
+from symbody.dynamics.equations.independence import check_independent
+from symbody.dynamics.recursion.added_mass import with_added_mass
+from symbody.dynamics.recursion.inverse_dynamics import bias, inverse_dynamics
+from symbody.dynamics.recursion.mass_matrix import mass_matrix
+from symbody.dynamics.tree.frame_tree import FrameTree, frame_tree
+from symbody.errors import FrameError, ModelError
+from symbody.geometry.argument import checked
+from symbody.multibody import System
+from symbody.symbolic import derivation
+from symbody.symbolic.given.arguments import brief
+
+from .checked_tree import checked_tree
+
+
+@checked(ModelError)
+def newton_euler(system: System) -> Equations:
+    """Return the equations of motion by recursion over the tree of frames.
+
+    The accelerations of the frames, in their own axes, are carried outwards, with weight as an acceleration of the
+    root; the wrenches that cause them are carried inwards. The equation of a speed is the power of the wrenches on the
+    motions that it drives, per unit of the speed. The number of operations is proportional to the number of bodies.
+
+    Raises:
+        FrameError: a frame isn't rigid by itself, as in natural coordinates.
+
+    >>> from symbody import Body, System, Vector, ground, functions_of_time, rotate, symbols, translate
+    >>> theta, (m, l, g) = functions_of_time("theta"), symbols("m l g")
+    >>> bob = Body(rotate("Z", theta) * translate(0, -l, 0), m)
+    >>> pendulum = System([bob], coordinates=[theta], gravity=Vector(ground, 0, -g, 0))
+    >>> newton_euler(pendulum).mass_matrix[0, 0] == m * l**2
+    True
+    """
+    check_independent(system)
+    with derivation(fresh=True):
+        tree = checked_tree(system, "newton_euler")
+        _check_rigid(tree)
+        residuals = with_multipliers(inverse_dynamics(system, tree), system)
+    return Equations(system, residuals, _assemble)
+
+
+def _assemble(system: System) -> Assembly:
+    with derivation(fresh=True):
+        tree = frame_tree(system)
+        forces = bias(system, tree)
+        return Assembly(with_added_mass(mass_matrix(system, tree), system), forces)
+
+
+def _check_rigid(tree: FrameTree) -> None:
+    for frame in tree.frames:
+        if not frame.is_rigid:
+            raise FrameError(
+                f"newton_euler: {brief(frame)} isn't rigid: its matrix isn't a rotation by itself; if "
+                "constraints make it one, use lagrange_equations, and correct the matrix if not"
+            )

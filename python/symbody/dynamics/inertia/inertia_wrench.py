@@ -1,0 +1,56 @@
+"""The wrenches that a motion needs: ``m a`` and ``dH/dt`` of bodies, composites and particles, on their frames."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from symbody.dynamics.tree.frame_tree import FrameTree
+from symbody.geometry.acceleration_field import AccelerationField
+from symbody.geometry.triple import NULL, is_null
+from symbody.geometry.turning import Accelerated
+from symbody.multibody import Body
+from symbody.symbolic import add3, cross3, matvec3, scale3, sub3
+
+from .base_inertia import BaseInertias, Particle
+from .composite import Composite
+from .spin_momentum import momentum_rate, second_moment_rate, spin_momentum_rate
+from .wrench import Wrench
+
+
+def inertia_wrenches(
+    inertias: BaseInertias, tree: FrameTree, field: AccelerationField
+) -> Iterator[tuple[int, Wrench]]:
+    """Return the wrench of each inertia, by the place of its frame, parents first."""
+    for place, body in inertias.bodies:
+        yield place, body_wrench(body, field(tree.frames[place]))
+    for place, composite in sorted(inertias.composites.items()):
+        yield place, composite_wrench(composite, field(tree.frames[place]))
+    for place, particle in inertias.particles:
+        yield place, particle_wrench(particle, field(tree.frames[place]))
+
+
+def body_wrench(body: Body, motion: Accelerated) -> Wrench:
+    """Return ``m a`` and ``dH/dt`` of a body, whose frame is at its centre of mass."""
+    return Wrench(scale3(body.mass, motion.linear), spin_momentum_rate(body, motion.turning))
+
+
+def composite_wrench(body: Composite, motion: Accelerated) -> Wrench:
+    """Return ``m a + F h`` and ``h x a + dH/dt``, by the field F of the accelerations about the frame's origin."""
+    turning, a = motion
+    xx, yy, zz, yz, xz, xy = body.inertia
+    products = sub3(NULL, (yz, xz, xy))
+    force, h = scale3(body.mass, a), body.moment
+    if is_null(h) and is_null(products):
+        return Wrench(force, momentum_rate((xx, yy, zz), NULL, turning))
+    rate = second_moment_rate(body.second_moments, products, turning)
+    return Wrench(add3(force, matvec3(turning.field, h)), add3(rate, cross3(h, a)))
+
+
+def particle_wrench(particle: Particle, motion: Accelerated) -> Wrench:
+    """Return ``m (a + F r)``, and its moment about the frame's origin."""
+    turning, acceleration = motion
+    mass, position = particle
+    if not is_null(position):
+        acceleration = add3(acceleration, matvec3(turning.field, position))
+    force = scale3(mass, acceleration)
+    return Wrench(force, cross3(position, force))

@@ -1,0 +1,1 @@
+"""Recursions over the tree: inverse dynamics, the mass matrix, articulated bodies."""

@@ -1,0 +1,230 @@
+"""Forward dynamics: the accelerations by positions, speeds and loads, as expressions.
+
+Unconstrained equations are ``M u' = f``. They are solved over the tree, without M (`articulated_body.py`), or by the
+factors ``M = L D L^T`` ("ldl"). Constrained ones are a saddle point [Benzi, Golub & Liesen 2005]:
+
+    [ M      phi_q^T ] [    u'   ]   [  f ]
+    [ phi_q     0    ] [ -lambda ] = [ -c ]        c is phi'' at u' = 0, and Baumgarte's terms
+
+The multipliers come from the Schur complement ``phi_q M^-1 phi_q^T``, the accelerations from the null space of phi_q,
+or both from the whole matrix with pivoting.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from contextlib import suppress
+from dataclasses import dataclass, replace
+from functools import partial
+
+from symbody.dynamics.equations.baumgarte import Damping
+from symbody.dynamics.equations.equations import Equations
+from symbody.dynamics.recursion import articulated_body
+from symbody.dynamics.recursion.inverse_dynamics import at_rest
+from symbody.dynamics.tree.frame_tree import FrameTree, frame_tree
+from symbody.errors import ExpressionError, ModelError
+from symbody.geometry.argument import checked
+from symbody.symbolic import (
+    Expr,
+    cost,
+    derivation,
+    ldl_solve,
+    saddle_point_solve,
+    substitute,
+)
+
+
+@dataclass(frozen=True)
+class ForwardDynamics:
+    """The solution of the equations of motion for accelerations and multipliers.
+
+    Attributes:
+        accelerations: the rates of the speeds, n, in their order.
+        multipliers: the multipliers, m, in the order of the constraints.
+        method: how they were found.
+        conditions: expressions that must be positive for the solution to be accurate; none for most methods.
+        equation_names: names for the rows of the linear system that is solved at run time, which follow the word
+            "equation" in messages, as `lambdify` takes them; empty if there is no such system.
+
+    >>> from symbody import Body, System, Vector, forward_dynamics, functions_of_time, ground, newton_euler, symbols
+    >>> from symbody import rotate, translate
+    >>> theta, (m, l, g) = functions_of_time("theta"), symbols("m l g")
+    >>> bob = Body(rotate("Z", theta) * translate(0, -l, 0), m)
+    >>> pendulum = System([bob], coordinates=[theta], gravity=Vector(ground, 0, -g, 0))
+    >>> solution = forward_dynamics(newton_euler(pendulum))
+    >>> solution.method, solution.accelerations
+    ('articulated_body', (-g*sin(theta)/l,))
+    """
+
+    accelerations: tuple[Expr, ...]
+    multipliers: tuple[Expr, ...]
+    method: str
+    conditions: tuple[Expr, ...] = ()
+    equation_names: tuple[str, ...] = ()
+
+
+@checked(ModelError)
+def forward_dynamics(eqs: Equations, *, method: str = "auto", baumgarte: Damping = None) -> ForwardDynamics:
+    """Return the accelerations and multipliers that solve ``M q'' = forcing + phi_q^T lambda`` and ``phi'' = 0``.
+
+    Args:
+        eqs: the equations of motion.
+        method: "articulated_body": a recursion whose length is proportional to the number of bodies, for trees in
+            which every speed drives one motion. "ldl": elimination in the mass matrix, for unconstrained equations.
+            "schur_complement": the same for constrained ones; a linear system of the multipliers is solved at run
+            time. "null_space": by independent speeds, for constrained equations, without a linear system at run time.
+            It is inaccurate at states where other speeds should be the independent ones; `conditions` shows these.
+            "pivoted": a linear system that is solved at run time, for any equations. "auto": the shortest of those
+            that are accurate everywhere.
+        baumgarte: omega and zeta of ``phi'' + 2 zeta omega phi' + omega^2 phi = 0``, which replaces ``phi'' = 0``.
+
+    Raises:
+        ModelError: the method doesn't apply to these equations, or a coordinate moves no mass.
+
+    >>> from symbody import Body, Force, System, functions_of_time, ground, newton_euler, symbols, translate
+    >>> x, (m, F) = functions_of_time("x"), symbols("m F")
+    >>> body = Body(translate(x, 0, 0), m)
+    >>> push = Force(ground, F, 0, 0, at=body.center_of_mass, on=body)
+    >>> forward_dynamics(newton_euler(System([body], [push], [x]))).accelerations
+    (F/m,)
+    """
+    if method not in _METHODS:
+        raise ModelError(f"forward_dynamics: the method {method!r}; expected one of {', '.join(_METHODS)}")
+    if baumgarte is not None and not eqs.constraints:
+        raise ModelError(
+            "forward_dynamics: Baumgarte's stabilisation without constraints; leave baumgarte out"
+        )
+    found = _METHODS[method](eqs, baumgarte)
+    return replace(found, equation_names=_equation_names(eqs, found.method))
+
+
+def _equation_names(eqs: Equations, method: str) -> tuple[str, ...]:
+    constraints = tuple(map(str, eqs.constraints))
+    speeds = tuple(f"of {speed}" for speed in eqs.speeds)
+    return {"schur_complement": constraints, "pivoted": speeds + constraints}.get(method, ())
+
+
+def _shortest(eqs: Equations, baumgarte: Damping) -> ForwardDynamics:
+    if eqs.constraints:
+        return _shortest_with_constraints(eqs, baumgarte)
+    with derivation(fresh=True):
+        tree = frame_tree(eqs.system)
+        recursive = articulated_body.is_applicable(eqs.system, tree)
+    if recursive:
+        return _shortest_for_tree(eqs, tree)
+    return _ldl(eqs, None) if eqs.mass_matrix == eqs.mass_matrix.T else _by_saddle_point("pivoted", eqs, None)
+
+
+def _shortest_with_constraints(eqs: Equations, baumgarte: Damping) -> ForwardDynamics:
+    """Eliminate the mass matrix, unless that is impossible, or takes too much text for a compiler.
+
+    If constraints depend on each other, the whole system is solved at run time. The least multipliers must be
+    distinguished from rounding errors then, and the Schur complement, a product of three matrices, has more of these.
+    """
+    entries = sum(not entry.is_zero for entry in eqs.mass_matrix.entries)
+    if entries <= _MOST_ENTRIES and eqs.constraint_jacobian.rank() == len(eqs.constraints):
+        with suppress(ModelError):
+            return _eliminated("schur_complement", eqs, baumgarte)
+    return _by_saddle_point("pivoted", eqs, baumgarte)
+
+
+_MOST_ENTRIES = 2000
+"""Nonzero entries of a mass matrix up to which it is eliminated in symbols."""
+
+
+def _shortest_for_tree(eqs: Equations, tree: FrameTree) -> ForwardDynamics:
+    """Return the shorter of recursion and elimination; if one meets a pivot that is identically zero, the other."""
+    try:
+        recursion = _articulated_body(eqs, None)
+    except ModelError as failure:
+        with suppress(ModelError):
+            return _ldl(eqs, None)
+        raise failure from None
+    shortest = cost(recursion.accelerations).total
+    if _least_elimination(tree) >= shortest:
+        return recursion
+    elimination = _ldl(eqs, None)
+    return elimination if cost(elimination.accelerations).total < shortest else recursion
+
+
+def _least_elimination(tree: FrameTree) -> int:
+    """Return a lower bound of the operations of elimination: ``k (k + 5)`` for a coordinate beyond k others."""
+    beyond, total = [0] * len(tree.frames), 0
+    for place in range(1, len(tree.frames)):
+        beyond[place] = beyond[tree.parents[place]]
+        for _ in tree.moved_by[place]:
+            total += beyond[place] * (beyond[place] + 5)
+            beyond[place] += 1
+    return total
+
+
+def _articulated_body(eqs: Equations, _: Damping) -> ForwardDynamics:
+    with derivation(fresh=True):
+        tree = frame_tree(eqs.system)
+        if not articulated_body.is_applicable(eqs.system, tree):
+            raise ModelError(
+                "forward_dynamics: the articulated-body recursion is for trees without constraints, each coordinate "
+                "of which drives one rigid motion alone, and loads without accelerations; use method='auto'"
+            )
+        return ForwardDynamics(articulated_body.accelerations(eqs.system, tree), (), "articulated_body")
+
+
+def _ldl(eqs: Equations, _: Damping) -> ForwardDynamics:
+    M = eqs.mass_matrix
+    if eqs.constraints or M != M.T:
+        raise ModelError(
+            "forward_dynamics: elimination without pivoting is for symmetric mass matrices and no constraints; "
+            "use method='pivoted'"
+        )
+    with derivation(fresh=True):
+        try:
+            return ForwardDynamics(ldl_solve(M, [-entry for entry in eqs.bias]), (), "ldl")
+        except ExpressionError as failure:
+            raise ModelError(_massless(eqs, failure)) from failure
+
+
+def _eliminated(method: str, eqs: Equations, baumgarte: Damping) -> ForwardDynamics:
+    """Solve ``M q'' = forcing + phi_q^T lambda, phi_q q'' = -bias of phi''`` without pivoting in M."""
+    if not eqs.constraints or eqs.mass_matrix != eqs.mass_matrix.T:
+        raise ModelError(
+            f"forward_dynamics: the method {method!r} is for symmetric mass matrices and constraints; use method='auto'"
+        )
+    try:
+        return _by_saddle_point(method, eqs, baumgarte)
+    except ExpressionError as failure:
+        if method == "null_space":
+            raise ModelError(
+                f"forward_dynamics: independent speeds: {failure}; use method='auto'"
+            ) from failure
+        raise ModelError(_massless(eqs, failure)) from failure
+
+
+def _by_saddle_point(method: str, eqs: Equations, baumgarte: Damping) -> ForwardDynamics:
+    with derivation(fresh=True):
+        right = [-entry for entry in _stabilized_bias(eqs, baumgarte)] if eqs.constraints else []
+        solution = saddle_point_solve(eqs.mass_matrix, eqs.constraint_jacobian, eqs.forcing, right, method)
+    return ForwardDynamics(solution.x, solution.y, method, solution.conditions)
+
+
+def _stabilized_bias(eqs: Equations, baumgarte: Damping) -> tuple[Expr, ...]:
+    """Return ``phi'' + 2 zeta omega phi' + omega^2 phi`` at zero accelerations."""
+    omega, zeta = baumgarte or (0, 0)
+    return substitute(eqs.baumgarte(omega, zeta), at_rest(eqs.system))
+
+
+def _massless(eqs: Equations, failure: ExpressionError) -> str:
+    names = ", ".join(map(str, eqs.speeds))
+    return (
+        f"forward_dynamics: the mass matrix of {names}: {failure}; give every coordinate some mass to move, or use "
+        "method='pivoted'"
+    )
+
+
+_METHODS: dict[str, Callable[[Equations, Damping], ForwardDynamics]] = {
+    "auto": _shortest,
+    "articulated_body": _articulated_body,
+    "ldl": _ldl,
+    "schur_complement": partial(_eliminated, "schur_complement"),
+    "null_space": partial(_eliminated, "null_space"),
+    "pivoted": partial(_by_saddle_point, "pivoted"),
+}

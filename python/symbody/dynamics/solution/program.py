@@ -1,0 +1,206 @@
+"""Programs of equations of motion: the routines of which code is generated."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+
+from symbody.dynamics.equations.baumgarte import Damping
+from symbody.dynamics.equations.equations import Equations
+from symbody.dynamics.equations.output import Output, Outputs
+from symbody.errors import ModelError, ProgramError
+from symbody.geometry.argument import checked
+from symbody.multibody import gravitational_energy, kinetic_energy
+from symbody.symbolic import (
+    Program,
+    Result,
+    Routine,
+    free_symbols,
+    t,
+)
+from symbody.symbolic.given.identifier import program_name, title_identifier
+from symbody.symbolic.numeric.program import program_of
+
+from .forward_dynamics import forward_dynamics
+from .program_argument import (
+    MEANINGS,
+    arguments_of,
+    by_name,
+    leaves_of,
+    with_arguments,
+)
+from .program_result import matrix_result, output_result, vector_result
+
+
+@program_of.register
+@checked(ModelError)
+def program(
+    eqs: Equations,
+    *,
+    name: str | None = None,
+    outputs: Outputs | None = None,
+    baumgarte: Damping = None,
+    method: str | None = "auto",
+) -> Program:
+    """Return the routines of the equations of motion, of which code is generated.
+
+    Args:
+        eqs: the equations of motion.
+        name: the name of the generated code, as an identifier; by default the name of the system, or "model".
+        outputs: further expressions, vectors or matrices that the code computes, by name.
+        baumgarte: omega and zeta of the stabilisation in the forward dynamics.
+        method: the method of `forward_dynamics`; None leaves out the forward dynamics and the right-hand side.
+
+    Returns:
+        A program of the routines mass_matrix, forcing, residuals, constraints, constraint_jacobian, forward_dynamics,
+        right_hand_side, energies and outputs, without those that have nothing to compute. Their arguments are p
+        (parameters), t, r (inputs), q, u (speeds), a (accelerations) and lambda_ (multipliers), in this order.
+
+    Raises:
+        ProgramError: an output isn't a function of these, or a name is no identifier.
+
+    >>> from symbody import Body, System, Vector, functions_of_time, ground, newton_euler, rotate, symbols, translate
+    >>> theta, (m, l, g) = functions_of_time("theta"), symbols("m l g")
+    >>> bob = Body(rotate("Z", theta) * translate(0, -l, 0), m)
+    >>> pendulum = System([bob], coordinates=[theta], gravity=Vector(ground, 0, -g, 0))
+    >>> model = program(newton_euler(pendulum), name="pendulum")
+    >>> [argument.name for argument in model.arguments]
+    ['p', 'q', 'u', 'a']
+    """
+    routines = [
+        *_equations_of_motion(eqs),
+        *(() if method is None else _forward(eqs, method, baumgarte)),
+        Routine("energies", "energies of the bodies", (), _energies(eqs)),
+    ]
+    if outputs:
+        results = _outputs(outputs, eqs)
+        _check_time_functions(outputs, eqs, routines)
+        routines.append(Routine("outputs", "what else was asked for", (), results))
+    arguments = arguments_of(eqs, leaves_of(routines))
+    meaning = (
+        f"the equations of motion of {', '.join(map(str, eqs.coordinates))}{_drift(eqs, method, baumgarte)}"
+    )
+    completed = tuple(with_arguments(routine, arguments) for routine in routines)
+    named = title_identifier(eqs.system.name, "model") if name is None else program_name(name, "program")
+    return Program(named, meaning, tuple(arguments), completed)
+
+
+def _equations_of_motion(eqs: Equations) -> list[Routine]:
+    n, m = len(eqs.residuals), len(eqs.constraints)
+    routines = [
+        _routine("mass_matrix", "the mass matrix", matrix_result("M", eqs.mass_matrix)),
+        _routine(
+            "forcing",
+            "the forces of speeds, weight and loads: M a = f" + (" + phi_q^T lambda" if m else ""),
+            vector_result("f", eqs.forcing),
+        ),
+        _routine(
+            "residuals",
+            ("the equation" if n == 1 else f"the {n} equations") + " of motion: zero along a motion",
+            vector_result("residuals", eqs.residuals),
+        ),
+    ]
+    if m:
+        routines.append(
+            _routine(
+                "constraints",
+                "the constraint, which is zero" if m == 1 else f"the {m} constraints, which are zero",
+                vector_result("phi", eqs.constraints),
+            )
+        )
+        jacobian = matrix_result("phi_q", eqs.constraint_jacobian)
+        routines.append(
+            _routine(
+                "constraint_jacobian",
+                "the derivatives of the constraints by q (of their rates by u)",
+                jacobian,
+            )
+        )
+    return routines
+
+
+def _forward(eqs: Equations, method: str, baumgarte: Damping) -> list[Routine]:
+    solution = forward_dynamics(eqs, method=method, baumgarte=baumgarte)
+    found = [vector_result("a", solution.accelerations, "the accelerations")]
+    if solution.multipliers:
+        found.append(vector_result("lambda_", solution.multipliers, "the multipliers"))
+    rates = vector_result(
+        "rates", (*eqs.kinematics.values(), *solution.accelerations), "the rates of q, then those of u"
+    )
+    return [
+        _routine("forward_dynamics", f"the accelerations, {_WAYS[solution.method]}", *found),
+        _routine("right_hand_side", "the rates of the state (q, u)", rates),
+    ]
+
+
+def _drift(eqs: Equations, method: str | None, baumgarte: Damping) -> str:
+    """Return how the constraints are kept along a motion, for the comment at the head of the code."""
+    if method is None or not eqs.constraints:
+        return ""
+    if baumgarte is None:
+        return (
+            ".\n\nThe accelerations keep the second derivatives of the constraints at zero, and nothing more: in a "
+            "long motion positions and speeds drift off the constraints. Made by "
+            "equations.program(baumgarte=(omega, zeta)) with a frequency and a damping ratio, the accelerations bring "
+            "them back."
+        )
+    omega, zeta = baumgarte
+    return (
+        ".\n\nThe accelerations keep phi'' + 2 zeta omega phi' + omega^2 phi at zero (Baumgarte's stabilisation, "
+        f"omega: {omega}, zeta: {zeta}), so that positions and speeds that have left the constraints phi = 0 come back."
+    )
+
+
+_WAYS = {
+    "articulated_body": "by articulated bodies",
+    "ldl": "by elimination in the mass matrix",
+    "schur_complement": "by elimination in the mass matrix, and a linear system of the multipliers that is solved with "
+    "pivoting",
+    "null_space": "by independent speeds, accurate away from states in which others had better be independent",
+    "pivoted": "by a linear system that is solved with pivoting",
+}
+
+
+def _energies(eqs: Equations) -> tuple[Result, ...]:
+    bodies, gravity, moves = eqs.system.bodies, eqs.system.gravity, eqs.system.root.carrier is not None
+    kinetic = Result("kinetic", "the kinetic energy", (kinetic_energy(bodies),), ())
+    if gravity is None or moves:
+        return (kinetic,)
+    weight = gravitational_energy(bodies, gravity)
+    return kinetic, Result("potential", "the potential energy of weight", (weight,), ())
+
+
+def _outputs(outputs: Mapping[str, Output], eqs: Equations) -> tuple[Result, ...]:
+    """Return the outputs, with rates of coordinates that are no speeds written by speeds and accelerations."""
+    results = []
+    for name, value in outputs.items():
+        if name in MEANINGS:
+            raise ProgramError(
+                f"program: the output {name} has the name of an argument, {MEANINGS[name][0]}; choose another name"
+            )
+        result = output_result(name, value)
+        by_speeds = eqs.system.by_speeds(result.expressions)
+        results.append(Result(name, result.meaning, by_speeds, result.shape))
+    return tuple(results)
+
+
+def _routine(name: str, meaning: str, *results: Result) -> Routine:
+    return Routine(name, meaning, (), results)
+
+
+def _check_time_functions(outputs: Mapping[str, Output], eqs: Equations, routines: Iterable[Routine]) -> None:
+    """Raise an error that names the first output with a function of time that the equations don't know."""
+    motion = {*eqs.coordinates, *eqs.speeds, *eqs.accelerations, *eqs.multipliers}
+    inputs = {leaf.name for leaf in leaves_of(routines) if leaf.kind == "time_function"}
+    inputs -= {leaf.name for leaf in motion}
+    for name, value in outputs.items():
+        leaves = {
+            leaf for leaf in free_symbols(output_result(name, value).expressions) if leaf.depends_on_time
+        }
+        known = {*motion, t, *(leaf for leaf in leaves - {t} if leaf.name in inputs)}
+        strange = {leaf for leaf in leaves if not free_symbols(eqs.system.by_speeds([leaf])) <= known}
+        if strange:
+            first = min(strange, key=by_name)
+            raise ProgramError(
+                f"program: the output {name} holds {first}, which isn't in the equations of motion; expected "
+                "an expression of coordinates, speeds, accelerations, multipliers, parameters, inputs and time"
+            )

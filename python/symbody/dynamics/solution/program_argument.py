@@ -1,0 +1,71 @@
+"""Arguments of the routines of a program: parameters, time, inputs, coordinates, speeds, accelerations, multipliers."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+
+from symbody.dynamics.equations.equations import Equations
+from symbody.symbolic import Argument, Expr, Routine, free_symbols, t
+
+ALWAYS = {
+    "mass_matrix": ("p", "t", "r", "q"),
+    "forcing": ("p", "t", "r", "q", "u"),
+    "residuals": ("p", "t", "r", "q", "u", "a", "lambda_"),
+    "constraints": ("p", "t", "r", "q"),
+    "constraint_jacobian": ("p", "t", "r", "q"),
+    "forward_dynamics": ("p", "t", "r", "q", "u"),
+    "right_hand_side": ("p", "t", "r", "q", "u"),
+    "energies": ("p", "t", "r", "q", "u"),
+    "outputs": ("p", "t", "r", "q", "u"),
+}
+"""What a routine takes whether or not it needs it, so that a model's change doesn't change the calls."""
+
+MEANINGS = {
+    "p": ("parameters", "parameters"),
+    "t": ("time", "time and inputs"),
+    "r": ("inputs", "time and inputs"),
+    "q": ("coordinates", "positions"),
+    "u": ("speeds", "velocities"),
+    "a": ("accelerations", "accelerations"),
+    "lambda_": ("multipliers", "accelerations"),
+}
+"""Arguments: what they are, and their stage."""
+
+
+def arguments_of(eqs: Equations, leaves: frozenset[Expr]) -> list[Argument]:
+    """Return the arguments of a program that hold some of the leaves, or belong to the motion."""
+    known = {*eqs.coordinates, *eqs.speeds, *eqs.accelerations, *eqs.multipliers, t}
+    others = sorted(leaves - known, key=by_name)
+    variables: dict[str, Sequence[Expr]] = {
+        "p": [leaf for leaf in others if not leaf.depends_on_time],
+        "t": [t] if t in leaves else [],
+        "r": [leaf for leaf in others if leaf.depends_on_time],
+        "q": eqs.coordinates,
+        "u": eqs.speeds,
+        "a": eqs.accelerations,
+        "lambda_": eqs.multipliers,
+    }
+    return [
+        Argument(
+            name, f"{MEANINGS[name][0]}: {', '.join(map(str, values))}", tuple(values), MEANINGS[name][1]
+        )
+        for name, values in variables.items()
+        if values
+    ]
+
+
+def by_name(leaf: Expr) -> tuple[str, int]:
+    """Return what puts leaves in order: the name, then the order of the rate."""
+    return leaf.name, leaf.order if leaf.kind == "time_function" else 0
+
+
+def with_arguments(routine: Routine, arguments: Sequence[Argument]) -> Routine:
+    """Return a routine with the names of the arguments that it takes."""
+    leaves, always = leaves_of([routine]), ALWAYS[routine.name]
+    names = [a.name for a in arguments if a.name in always or not leaves.isdisjoint(a.variables)]
+    return Routine(routine.name, routine.meaning, tuple(names), routine.results)
+
+
+def leaves_of(routines: Iterable[Routine]) -> frozenset[Expr]:
+    """Return the symbols and functions of time in routines."""
+    return free_symbols([expression for routine in routines for expression in routine.expressions])

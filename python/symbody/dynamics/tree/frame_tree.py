@@ -1,0 +1,147 @@
+"""The kinematic tree of a system: its frames, parents before children."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+
+from symbody.errors import ModelError
+from symbody.geometry import Frame
+from symbody.geometry.frame_motion import FrameMotion
+from symbody.geometry.twist import Twist
+from symbody.multibody import Action, Body, System
+from symbody.symbolic import derivation, free_symbols
+from symbody.symbolic.given.arguments import brief
+
+from .partial_motion import PartialTwist, partial_twists, partial_twists_by_speeds
+from .shifted_origin import with_shifted_origins
+
+
+@dataclass(frozen=True)
+class FrameTree:
+    """All frames between the root and the bodies and loads of a system.
+
+    Attributes:
+        frames: the root first, every parent before its children.
+        parents: the place of each frame's parent in the list.
+        moved_by: for each frame, the speeds that move it in its parent, by their places in those of the system.
+        carried: for each frame, whether speeds move it, or a frame before it.
+        actions: the actions of the loads on the bodies of the system.
+        places: the places of frames in the list, by their keys; also of the frames whose origin was shifted.
+        system: the system.
+    """
+
+    frames: tuple[Frame, ...]
+    parents: tuple[int, ...]
+    moved_by: tuple[tuple[int, ...], ...]
+    carried: tuple[bool, ...]
+    actions: tuple[Action, ...]
+    places: dict[bytes, int]
+    system: System
+    _twists: dict[int, dict[int, PartialTwist]] = field(default_factory=dict)
+
+    def index(self, frame: Frame) -> int:
+        """Return the place of a frame in the list."""
+        return self.places[frame.key]
+
+    def motion(self, place: int) -> FrameMotion:
+        """Return the motion that takes the parent to the frame."""
+        motion = self.frames[place].motion
+        assert motion is not None, "only the root has no motion"
+        return motion
+
+    def partial_twists(self, place: int) -> dict[int, PartialTwist]:
+        """Return what each speed, by its place, does to the motion of a frame in its parent."""
+        if place not in self._twists:
+            self._twists[place] = dict(zip(self.moved_by[place], self._made(place), strict=True))
+        return self._twists[place]
+
+    def _made(self, place: int) -> list[PartialTwist]:
+        moving, given = self.moved_by[place], given_twist(self.frames[place])
+        if not moving:
+            return []
+        if given is not None:
+            return partial_twists_by_speeds(given, [self.system.speeds[k] for k in moving])
+        return partial_twists(self.motion(place), [self.system.driving[k] for k in moving])
+
+    @property
+    def is_rigid(self) -> bool:
+        """Whether all frames are rigid, whatever the values of the coordinates."""
+        return all(frame.is_rigid for frame in self.frames)
+
+
+def frame_tree(system: System) -> FrameTree:
+    """Return the tree of a system; it is built once per derivation."""
+    with derivation() as current:
+        trees: dict[System, FrameTree] = current.cache.setdefault("frame tree", {})
+        if system not in trees:
+            trees[system] = _build(system)
+        return trees[system]
+
+
+def given_twist(frame: Frame) -> Twist | None:
+    """Return the twist of a frame in its parent, or in ground, if it is given by speeds."""
+    return frame.carrier if frame.motion is None else frame.motion.twist
+
+
+def _build(system: System) -> FrameTree:
+    actions = system.actions
+    targets = [body.frame for body in system.bodies]
+    targets += [action.anchor.frame for action in actions if action.is_force]
+    given, _ = _ordered(system.root, targets)
+    numeric = all(_is_numeric(body) for body in system.bodies)
+    needed = targets[len(system.bodies) :] if numeric else targets
+    moved = with_shifted_origins(given, needed, numeric=numeric)
+    ordered, parents = _ordered(system.root, [moved[frame.key] for frame in targets])
+    places = {frame.key: place for place, frame in enumerate(ordered)}
+    places |= {key: places[frame.key] for key, frame in moved.items() if frame.key in places}
+    moved_by = _dependence(ordered, system)
+    carried = [bool(moved_by[0])]
+    for place in range(1, len(ordered)):
+        carried.append(carried[parents[place]] or bool(moved_by[place]))
+    return FrameTree(tuple(ordered), tuple(parents), moved_by, tuple(carried), actions, places, system)
+
+
+def _is_numeric(body: Body) -> bool:
+    return all(entry.is_constant for entry in (body.mass, *body.moments, *body.products))
+
+
+def _ordered(root: Frame, targets: Sequence[Frame]) -> tuple[list[Frame], list[int]]:
+    """Return the frames up to the targets, and the places of their parents."""
+    places, ordered, parents = {root.key: 0}, [root], [0]
+    for frame in targets:
+        for link in _missing(frame, places):
+            if link.parent is None:
+                raise ModelError(
+                    f"System: one body hangs on {brief(root)}, another one on {brief(link)}; build all on the same one"
+                )
+            parents.append(places[link.parent.key])
+            places[link.key] = len(ordered)
+            ordered.append(link)
+    return ordered, parents
+
+
+def _missing(frame: Frame, places: dict[bytes, int]) -> list[Frame]:
+    missing = []
+    link: Frame | None = frame
+    while link is not None and link.key not in places:
+        missing.append(link)
+        link = link.parent
+    missing.reverse()
+    return missing
+
+
+def _dependence(frames: Sequence[Frame], system: System) -> tuple[tuple[int, ...], ...]:
+    quasi = len(system.quasi_velocities)
+    by_speed = {speed: k for k, speed in enumerate(system.speeds)}
+    by_coordinate = {q: k for k, q in enumerate(system.driving) if k >= quasi}
+    moving = []
+    for frame in frames:
+        twist = given_twist(frame)
+        if twist is not None:
+            leaves, place = free_symbols((*twist.angular, *twist.linear)), by_speed
+        else:
+            leaves = frozenset() if frame.motion is None else frame.motion.leaves
+            place = by_coordinate
+        moving.append(tuple(sorted(place[leaf] for leaf in leaves if leaf in place)))
+    return tuple(moving)

@@ -1,0 +1,60 @@
+"""Translation: a displacement without rotation."""
+
+from __future__ import annotations
+
+from typing import final
+
+from symbody.symbolic import Expr, number, scale3
+
+from .frame_motion import FrameMotion, Substitution
+from .triple import NULL, Rate, Triple, is_null
+
+
+@final
+class Translation(FrameMotion):
+    """A displacement along the parent's axes."""
+
+    tag = b"translation"
+    rotates = False
+
+    def __init__(self, displacement: Triple) -> None:
+        self._displacement = displacement
+
+    @property
+    def variables(self) -> tuple[Expr, ...]:
+        return self._displacement
+
+    @property
+    def displacement(self) -> Triple:
+        return self._displacement
+
+    def to_parent(self, v: Triple) -> Triple:
+        return v
+
+    def to_child(self, v: Triple) -> Triple:
+        return v
+
+    def spin(self, rate: Rate) -> Triple:
+        del rate
+        return NULL
+
+    def inverse(self) -> tuple[FrameMotion, ...]:
+        return (Translation(scale3(number(-1), self._displacement)),)
+
+    def subs(self, substitution: Substitution) -> FrameMotion:
+        x, y, z = self._displacement
+        return Translation((x.subs(substitution), y.subs(substitution), z.subs(substitution)))
+
+    def __repr__(self) -> str:
+        return f"translate({', '.join(map(str, self._displacement))})"
+
+    def merged(self, following: FrameMotion) -> FrameMotion | None:
+        """Merge only translations that cancel: any other sum would hide the frame in between, which may be shared."""
+        if not isinstance(following, Translation):
+            return None
+        total = tuple(a + b for a, b in zip(self._displacement, following.displacement, strict=True))
+        return None if any(not component.is_zero for component in total) else Translation(NULL)
+
+    @property
+    def is_identity(self) -> bool:
+        return is_null(self._displacement)
