@@ -47,9 +47,9 @@ def _parser() -> argparse.ArgumentParser:
 
 
 def _doctor() -> int:
-    from symbody.doctor import findings, report  # noqa: PLC0415 - it loads the compiler of machine code
+    from symbody.doctor import checks, report  # noqa: PLC0415 - it loads the compiler of machine code
 
-    found = findings()
+    found = checks()
     print(report(found))
     return int(any(one.is_fault for one in found))
 

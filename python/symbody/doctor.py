@@ -17,7 +17,7 @@ from symbody.codegen.toolchain import TOOLS
 from symbody.symbolic import cos, sin, symbols
 from symbody.symbolic.given.arguments import brief
 
-__all__ = ["EXTRAS", "Finding", "findings", "report"]
+__all__ = ["EXTRAS", "Check", "checks", "report"]
 
 EXTRAS = {
     "sympy": "to_sympy and from_sympy",
@@ -43,7 +43,7 @@ PATIENCE = 20.0
 
 
 @dataclass(frozen=True)
-class Finding:
+class Check:
     """One thing that was looked for.
 
     Attributes:
@@ -64,12 +64,12 @@ class Finding:
         return f"  {self.name:<14} {self.state:<12} {self.note}".rstrip()
 
 
-def findings() -> list[Finding]:
+def checks() -> list[Check]:
     """Look for packages, extras and programs, and try expressions and machine code."""
     return [*_packages(), *_extras(), *_programs(), *_trials()]
 
 
-def report(found: Iterable[Finding]) -> str:
+def report(found: Iterable[Check]) -> str:
     """Return what was found, group by group, with a conclusion."""
     listed = list(found)
     machine = f"Python {platform.python_version()}, {platform.system()} {platform.machine()}"
@@ -81,39 +81,39 @@ def report(found: Iterable[Finding]) -> str:
     return "\n".join([*lines, "", f"{conclusion}."])
 
 
-def _packages() -> Iterator[Finding]:
+def _packages() -> Iterator[Check]:
     for requirement in _requirements(""):
         state, advice = _state(requirement, f'pip install "{_text(requirement)}"')
-        yield Finding("Packages", requirement.name, state, advice, is_fault=bool(advice))
+        yield Check("Packages", requirement.name, state, advice, is_fault=bool(advice))
 
 
-def _extras() -> Iterator[Finding]:
+def _extras() -> Iterator[Check]:
     for extra, purpose in EXTRAS.items():
         for requirement in _requirements(extra):
             state, advice = _state(requirement, f'pip install "symbody[{extra}]"')
-            yield Finding("Extras", requirement.name, state, f"{purpose}: {advice}" if advice else purpose)
+            yield Check("Extras", requirement.name, state, f"{purpose}: {advice}" if advice else purpose)
 
 
-def _programs() -> Iterator[Finding]:
+def _programs() -> Iterator[Check]:
     group = "Programs that compile and check generated code"
     for name, description in TOOLS.items():
         what, _, way_out = description.partition("; ")
         if shutil.which(name):
-            yield Finding(group, name, _program_version(name), what)
+            yield Check(group, name, _program_version(name), what)
         else:
-            yield Finding(group, name, "missing", f"{what}: {way_out}")
+            yield Check(group, name, "missing", f"{what}: {way_out}")
 
 
-def _trials() -> Iterator[Finding]:
+def _trials() -> Iterator[Check]:
     x = symbols("x")
     is_right = sin(x) ** 2 + cos(x) ** 2 == 1
-    yield Finding("Trials", "expressions", "ok" if is_right else "wrong", is_fault=not is_right)
+    yield Check("Trials", "expressions", "ok" if is_right else "wrong", is_fault=not is_right)
     try:
         is_right = abs(float(lambdify([x], sin(x), compile=True)(0.5)) - 0.479425538604203) < 1e-15
-        yield Finding("Trials", "machine code", "ok" if is_right else "wrong", is_fault=not is_right)
+        yield Check("Trials", "machine code", "ok" if is_right else "wrong", is_fault=not is_right)
     except Exception as error:  # whatever it is, it is the finding
         note = brief(f"{type(error).__name__}: {error}")
-        yield Finding("Trials", "machine code", "fails", note, is_fault=True)
+        yield Check("Trials", "machine code", "fails", note, is_fault=True)
 
 
 def _requirements(extra: str) -> Iterator[Requirement]:

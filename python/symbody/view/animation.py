@@ -18,18 +18,18 @@ from symbody.errors import ViewError
 from symbody.geometry import Frame, Point
 from symbody.multibody import Body, Load, System
 from symbody.symbolic import Expr
-from symbody.view.motion import Motion
+from symbody.view.drawable_motion import DrawableMotion
+from symbody.view.drawing_options import DrawingOptions
 from symbody.view.scene import scene
 from symbody.view.shape import Shape
 from symbody.view.whole_file import file_of, write_whole
-from symbody.view.wishes import Wishes
 
 MOST = 1500
 """Instants of a page: a minute at 25 a second; the page goes smoothly from one to the next."""
 
 
 def animate(
-    motion: Motion,
+    motion: DrawableMotion,
     path: str | os.PathLike[str],
     *,
     title: str = "",
@@ -69,8 +69,8 @@ def animate(
     """
     file = _page_file(path)
     loads = (motion.system.loads if forces else ()) if isinstance(forces, bool) else forces
-    wishes = Wishes(shapes or {}, frames, points, traces, lines, loads, reactions, follow)
-    text = page(scene(thinned(motion), wishes, title or motion.system.name or "symbody"))
+    options = DrawingOptions(shapes or {}, frames, points, traces, lines, loads, reactions, follow)
+    text = page(scene(thinned(motion), options, title or motion.system.name or "symbody"))
     return write_whole(file, lambda temporary: temporary.write_text(text, encoding="utf-8", newline="\n"))
 
 
@@ -106,7 +106,7 @@ def _read(name: str) -> str:
     return files(__package__).joinpath("page", name).read_text(encoding="utf-8")
 
 
-def thinned(motion: Motion) -> Motion:
+def thinned(motion: DrawableMotion) -> DrawableMotion:
     """Return a motion of no more instants than a page shows, as evenly spread as they can be."""
     if len(motion.t) <= MOST:
         return motion
@@ -119,7 +119,7 @@ def thinned(motion: Motion) -> Motion:
 class _Thinned:
     """Some instants of a motion."""
 
-    motion: Motion
+    motion: DrawableMotion
     kept: NDArray[np.intp]
 
     @property

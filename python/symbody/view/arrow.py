@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from symbody.geometry import Point, Vector
 from symbody.multibody import Load
 from symbody.view.attachment import Thread
-from symbody.view.motion import Motion
+from symbody.view.drawable_motion import DrawableMotion
 from symbody.view.pose import arrows, paths, rounded
 
 Array = NDArray[np.float64]
@@ -50,7 +50,9 @@ def reaction_arrows(threads: Iterable[Thread]) -> list[Arrow]:
     return [Arrow("", "reaction", thread.start, thread.force) for thread in threads]
 
 
-def arrow_entries(motion: Motion, given: Sequence[Arrow], radius: float) -> tuple[dict[str, Any], Array]:
+def arrow_entries(
+    motion: DrawableMotion, given: Sequence[Arrow], radius: float
+) -> tuple[dict[str, Any], Array]:
     """Return the entries of the page, which are the arrows and how large the largest of each kind is; and the tips."""
     places = paths(motion, [arrow.at for arrow in given])
     vectors = arrows(motion, [arrow.vector for arrow in given])

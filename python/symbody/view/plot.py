@@ -15,7 +15,7 @@ from matplotlib.figure import Figure
 
 from symbody.errors import ViewError
 from symbody.symbolic import Expr
-from symbody.view.motion import Motion
+from symbody.view.drawable_motion import DrawableMotion
 from symbody.view.overview import Group, overview
 from symbody.view.pose import values
 from symbody.view.whole_file import file_of, write_whole
@@ -33,7 +33,7 @@ WIDE = 4
 
 
 def plot(
-    motion: Motion,
+    motion: DrawableMotion,
     *panels: Panel,
     units: Units | None = None,
     time: str = "s",
@@ -70,7 +70,7 @@ def plot(
     """
     groups = overview(motion.system)
     columns = (
-        _asked(panels, units or {}, _kinds(groups, time)) if panels else _overview(groups, units or {}, time)
+        _panels(panels, units or {}, _kinds(groups, time)) if panels else _overview(groups, units or {}, time)
     )
     rows = max(map(len, columns))
     figure = Figure(figsize=(6.5 * len(columns) + 1, 2.4 * rows + 0.8), layout="constrained")
@@ -140,7 +140,7 @@ def _kinds(groups: Groups, time: str) -> dict[Expr, tuple[str, str]]:
     }
 
 
-def _asked(
+def _panels(
     panels: Sequence[Panel], units: Units, kinds: Mapping[Expr, tuple[str, str]]
 ) -> list[list[_Curves]]:
     """Return the panels of a user by columns; coordinates and speeds of one kind have its unit unless one is given."""
@@ -231,7 +231,7 @@ def _symbol(expression: Expr) -> str:
     return f"${latex}$" if len(text) <= 40 and not {"begin", "text"} & set(latex.split("\\")) else text[:60]
 
 
-def _draw(axes: Axes, motion: Motion, panel: _Curves) -> None:
+def _draw(axes: Axes, motion: DrawableMotion, panel: _Curves) -> None:
     rows = values(motion, list(panel.curves.values()))
     for name, unit, row in zip(panel.curves, panel.units, rows, strict=True):
         short = _distinction(name, panel.kind)

@@ -12,12 +12,12 @@ from symbody.errors import ViewError
 from symbody.geometry import Frame, Point, Vector
 from symbody.symbolic import Expr
 from symbody.symbolic.given.arguments import brief
-from symbody.view.motion import Motion
+from symbody.view.drawable_motion import DrawableMotion
 
 Array = NDArray[np.float64]
 
 
-def values(motion: Motion, expressions: Sequence[Expr]) -> Array:
+def values(motion: DrawableMotion, expressions: Sequence[Expr]) -> Array:
     """Return the values of expressions along a motion, a row for each.
 
     Raises:
@@ -40,7 +40,7 @@ def values(motion: Motion, expressions: Sequence[Expr]) -> Array:
     return rows
 
 
-def poses(motion: Motion, frames: Sequence[Frame]) -> Array:
+def poses(motion: DrawableMotion, frames: Sequence[Frame]) -> Array:
     """Return origins and unit quaternions (x, y, z, w) of frames seen from the root: frames by instants by 7.
 
     Matrices that are no rotations, as natural coordinates within the drift of their constraints, give the nearest one.
@@ -64,19 +64,19 @@ def _quaternions(matrices: Array) -> Array:
     return np.asarray(quaternions * signs[:, None])
 
 
-def paths(motion: Motion, points: Sequence[Point]) -> Array:
+def paths(motion: DrawableMotion, points: Sequence[Point]) -> Array:
     """Return the places of points seen from the root: points by instants by 3."""
     entries = [x for point in points for x in point.projected(point.frame.ancestor).coordinates]
     return values(motion, entries).reshape(len(points), 3, len(motion.t)).transpose(0, 2, 1)
 
 
-def arrows(motion: Motion, vectors: Sequence[Vector]) -> Array:
+def arrows(motion: DrawableMotion, vectors: Sequence[Vector]) -> Array:
     """Return the components of vectors seen from the root: vectors by instants by 3."""
     entries = [x for vector in vectors for x in vector.projected(vector.frame.ancestor).components]
     return values(motion, entries).reshape(len(vectors), 3, len(motion.t)).transpose(0, 2, 1)
 
 
-def constants(motion: Motion, expressions: Sequence[Expr]) -> Array:
+def constants(motion: DrawableMotion, expressions: Sequence[Expr]) -> Array:
     """Return the values of expressions of parameters."""
     return values(motion, expressions)[:, 0]
 

@@ -11,8 +11,8 @@ from numpy.typing import NDArray
 
 from symbody.geometry import Point
 from symbody.view.attachment import RIGID, Attachment, Thread, attachment, natural_points, threads
+from symbody.view.drawable_motion import DrawableMotion
 from symbody.view.link import guides, links
-from symbody.view.motion import Motion
 from symbody.view.pose import constants, paths, values
 from symbody.view.table import FrameTable
 
@@ -43,7 +43,7 @@ class Skeleton:
         return max(ends, key=lambda end: float(np.linalg.norm(end)), default=None)
 
 
-def skeleton(motion: Motion, table: FrameTable, tracks: Array) -> Skeleton:
+def skeleton(motion: DrawableMotion, table: FrameTable, tracks: Array) -> Skeleton:
     """Return the skeleton of a model in motion.
 
     Rods are the constant distances in the chains of frames (links), the lines along which frames slide (guides), and
@@ -69,7 +69,9 @@ def skeleton(motion: Motion, table: FrameTable, tracks: Array) -> Skeleton:
     return Skeleton(rods, points, lines, shown)
 
 
-def _confirmed(motion: Motion, tracks: Array) -> tuple[list[Point], list[Array], list[Attachment], float]:
+def _confirmed(
+    motion: DrawableMotion, tracks: Array
+) -> tuple[list[Point], list[Array], list[Attachment], float]:
     """Return the natural coordinates that move with a body: points, paths, and where; and the size of the picture."""
     named = natural_points(motion.system)
     places = paths(motion, named)
@@ -106,7 +108,7 @@ def _is_drawn(
     return bool(stays) or end is not None or thread.end in named
 
 
-def _points_of_action(motion: Motion, tracks: Array, size: float) -> list[Attachment]:
+def _points_of_action(motion: DrawableMotion, tracks: Array, size: float) -> list[Attachment]:
     """Return the points where forces act, if they stay where they are on their bodies."""
     bodies = list(motion.system.bodies)
     actions = [a for load in motion.system.loads for a in load.actions if a.body in bodies]
@@ -120,7 +122,7 @@ def _points_of_action(motion: Motion, tracks: Array, size: float) -> list[Attach
     return found
 
 
-def _links(motion: Motion, table: FrameTable) -> list[dict[str, Any]]:
+def _links(motion: DrawableMotion, table: FrameTable) -> list[dict[str, Any]]:
     found = links(motion.system.bodies)
     ends = constants(motion, [x for link in found for x in link.to]).reshape(-1, 3)
     return [
@@ -129,7 +131,7 @@ def _links(motion: Motion, table: FrameTable) -> list[dict[str, Any]]:
     ]
 
 
-def _guides(motion: Motion, table: FrameTable) -> list[dict[str, Any]]:
+def _guides(motion: DrawableMotion, table: FrameTable) -> list[dict[str, Any]]:
     rods = []
     for guide in guides(motion.system.bodies):
         places = values(motion, guide.displacement).T
@@ -140,7 +142,7 @@ def _guides(motion: Motion, table: FrameTable) -> list[dict[str, Any]]:
 
 
 def _arms(
-    motion: Motion, table: FrameTable, arms: Sequence[Attachment], least: float
+    motion: DrawableMotion, table: FrameTable, arms: Sequence[Attachment], least: float
 ) -> list[dict[str, Any]]:
     bodies = motion.system.bodies
     return [

@@ -127,10 +127,10 @@ def simulate_many(
     check_cases(task, all_cases)
     notice_odd_values(task, all_cases.parameters, PLACE)
     file = None if path is None else ResultsFile(Path(path), problem_digest(task, all_cases))
-    results = _begun(file, empty_results(task, all_cases.count))
-    run = _Run(task, all_cases, results, file)
+    results = _results_so_far(file, empty_results(task, all_cases.count))
+    run = _Batch(task, all_cases, results, file)
     with Interruption() as interruption:
-        reason = run.to_the_end(*workforce, interruption, progress=progress)
+        reason = run.run_missing(*workforce, interruption, progress=progress)
     runs = Runs(task, all_cases, results)
     for notice in filter(None, (_failure_notice(runs), _gap_notice(runs, reason, path), run.fault)):
         warnings.warn(ModelNotice(PREFIX + notice.removeprefix(PREFIX)), stacklevel=2)
@@ -152,7 +152,7 @@ def _checked(executor: object, threads: object, path: object) -> tuple[Executor 
     return executor, threads
 
 
-def _begun(file: ResultsFile | None, empty: Results) -> Results:
+def _results_so_far(file: ResultsFile | None, empty: Results) -> Results:
     """Return the results to go on with; see first that they can be kept."""
     if file is None:
         return empty
@@ -161,7 +161,7 @@ def _begun(file: ResultsFile | None, empty: Results) -> Results:
 
 
 @dataclass(eq=False)
-class _Run:
+class _Batch:
     """A batch on its way."""
 
     task: Task
@@ -174,7 +174,7 @@ class _Run:
     _pause: float = field(default_factory=lambda: SAVE_EVERY)
     _has_news: bool = False
 
-    def to_the_end(
+    def run_missing(
         self, executor: Executor | None, threads: int, interruption: Interruption, *, progress: bool | None
     ) -> str:
         """Run what is missing; return why some of it was not run."""

@@ -8,8 +8,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from symbody.errors import SymbodyError
-from symbody.simulation.integrate.begin import begin
 from symbody.simulation.integrate.diagnosis import diagnosis
+from symbody.simulation.integrate.initial_state import initial_state
 from symbody.simulation.integrate.integrated import Integrated, run_motions
 from symbody.simulation.integrate.notices import deficiency_findings, findings_of
 from symbody.simulation.integrate.outcome import with_deficiencies
@@ -55,7 +55,7 @@ def _starts(
             break
         with noting() as found:
             try:
-                states[case] = begin(task, cases.parameters_of(case), cases.initial_of(case))
+                states[case] = initial_state(task, cases.parameters_of(case), cases.initial_of(case))
             except SymbodyError as error:
                 results.status[case], results.messages[case] = Status.FAILED, str(error)
         results.findings[case] = deficiency_findings(found, task.model)
@@ -64,7 +64,7 @@ def _starts(
 
 
 def _free_starts(task: Task, cases: Cases) -> Array:
-    """Return where motions begin that nothing restrains, a row each: NaN where `begin` has to solve for something."""
+    """Return the initial states of unconstrained motions, one row each; NaN where `initial_state` solves for them."""
     model = task.model
     if model.constraints or model.system.has_quasi_velocities:
         return np.full((cases.count, model.width), np.nan)

@@ -16,8 +16,7 @@ from symbody.multibody import System
 from symbody.simulation.given.reading import Reading
 from symbody.simulation.integrate.integrated import Integrated
 from symbody.simulation.integrate.notices import Finding, deficiency_findings, notices_of_batch
-from symbody.simulation.integrate.outcome import Failure as IntegratorFailure
-from symbody.simulation.integrate.outcome import Outcome, Statistics
+from symbody.simulation.integrate.outcome import Failure, Outcome, Statistics
 from symbody.simulation.integrate.task import Task
 from symbody.simulation.model.named_constraint import shortened
 from symbody.simulation.model.unknown import explain_unknown
@@ -40,7 +39,7 @@ _READING = Reading(
 
 
 @dataclass(frozen=True)
-class Failure:
+class FailedCase:
     """A motion that ended before its time, and not by an event.
 
     Attributes:
@@ -212,7 +211,7 @@ class Runs:
             states,
             occurrences,
             end,
-            IntegratorFailure("failed", t_reached, str(results.messages[index])) if failed else None,
+            Failure("failed", t_reached, str(results.messages[index])) if failed else None,
             Statistics(steps, rejected, evaluations, jacobians, bool(is_stiff)),
         )
 
@@ -222,10 +221,10 @@ class Runs:
         return np.isin(self.results.status, (Status.COMPLETED, Status.ENDED_BY_EVENT))
 
     @cached_property
-    def failures(self) -> list[Failure]:
+    def failures(self) -> list[FailedCase]:
         """The cases that ended before their time."""
         return [
-            Failure(
+            FailedCase(
                 i,
                 self.cases.parameters_of(i),
                 self.cases.initial_of(i),

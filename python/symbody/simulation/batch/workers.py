@@ -19,7 +19,7 @@ from .cases import Cases
 from .parcel import Parcel
 from .results import Results
 from .run_cases import empty_results, run_cases
-from .stop_sign import StopSign
+from .stop_flag import StopFlag
 
 Part = tuple[NDArray[np.intp], Results]
 """Some cases, and what they gave."""
@@ -33,7 +33,7 @@ TASKS = 200
 LOOK = 0.1
 """s between two looks for Ctrl-C."""
 
-_interrupted: set[StopSign] = set()
+_interrupted: set[StopFlag] = set()
 """The calls whose tasks stop in this process alone, as Ctrl-C came to it."""
 
 
@@ -87,7 +87,7 @@ def by_executor(
     Raises:
         SimulationError: tasks were lost: the executor is broken, or a worker can't run the model.
     """
-    parcel, done, lost, sign = Parcel(task), 0, None, StopSign()
+    parcel, done, lost, sign = Parcel(task), 0, None, StopFlag()
     with parcel.open_here():
         waiting = _submitted(parcel, cases, indices, executor, _fitting(task), sign)
         try:
@@ -103,7 +103,7 @@ def by_executor(
                         yield chosen, part
         finally:
             if waiting:
-                sign.put_up()
+                sign.set()
                 _withdraw(waiting, executor)
     if lost is not None and keep_going(done):
         raise _lost(lost) from lost
@@ -115,7 +115,7 @@ def _submitted(
     indices: NDArray[np.intp],
     executor: Executor,
     most: int,
-    sign: StopSign,
+    sign: StopFlag,
 ) -> dict[Future[Results], NDArray[np.intp]]:
     size = min(most, -(-len(indices) // TASKS))
     parts = [indices[start : start + size] for start in range(0, len(indices), size)]
@@ -136,18 +136,18 @@ def _withdraw(waiting: Iterable[Future[Results]], executor: Executor) -> None:
             future.cancel()
 
 
-def _run(parcel: Parcel[Task], cases: Cases, sign: StopSign) -> Results:
+def _run(parcel: Parcel[Task], cases: Cases, sign: StopFlag) -> Results:
     """Run some cases where a worker is, until its call is over, or Ctrl-C comes to the worker.
 
     A terminal sends Ctrl-C to all processes that it started: a pool ends then without a wait for long motions.
     """
-    if sign in _interrupted or sign.is_up():
+    if sign in _interrupted or sign.is_set():
         return empty_results(parcel.content, cases.count)
-    if sign.is_from_here():
-        return run_cases(parcel.content, cases, 1, lambda _: not sign.is_up())
+    if sign.is_of_this_process():
+        return run_cases(parcel.content, cases, 1, lambda _: not sign.is_set())
     with Interruption() as interruption:
         results = run_cases(
-            parcel.content, cases, 1, lambda _: not (interruption.is_asked_for or sign.is_up())
+            parcel.content, cases, 1, lambda _: not (interruption.is_asked_for or sign.is_set())
         )
     if interruption.is_asked_for:
         _interrupted.add(sign)

@@ -159,7 +159,7 @@ def positions(
     if not kinematics.constraints:
         return start
     best, least = start, np.inf
-    for beginning in beginnings(start, is_free):
+    for beginning in starting_points(start, is_free):
         problem = Positions.at(kinematics, p, t, beginning)
         found = problem.solved(beginning, is_free)
         if problem.error(found) <= EXACT:
@@ -173,7 +173,7 @@ def positions(
     raise ConstraintError(f"{where}: {_unsatisfied(kinematics, p, t, best, fixed)}")
 
 
-def beginnings(start: Array, is_free: Flags) -> Iterator[Array]:
+def starting_points(start: Array, is_free: Flags) -> Iterator[Array]:
     """Return the start, then places around it, farther and farther: where it is singular, they aren't."""
     yield start
     if not is_free.any():
@@ -255,8 +255,8 @@ def velocities(
     if not (error <= ROUNDED).all():
         against = contradictory_rows_of(A[:m], b[:m], np.abs(b[:m])) if np.isfinite(A).all() else ()
         if against:
-            told = contradiction_between(kinematics.system.constraints, against)
-            raise ConstraintError(f"{_WHERE}: at t = {t:g} s {told}")
+            contradiction = contradiction_between(kinematics.system.constraints, against)
+            raise ConstraintError(f"{_WHERE}: at t = {t:g} s {contradiction}")
         raise ConstraintError(_impossible(kinematics, t, error, places, fixed))
     return u
 

@@ -15,7 +15,7 @@ from symbody.symbolic import Expr
 
 from .kinematics import Kinematics
 from .vanishing_combinations import vanishing_combinations
-from .walk import CANCELLED, Footing, scaled
+from .walk import CANCELLED, ConfigurationSpace, scaled
 
 __all__ = ["SINGULAR", "dependent_rows", "equilibrated", "is_singular", "may_be_singular"]
 
@@ -89,13 +89,13 @@ def is_singular(kinematics: Kinematics, p: Array, t: float, q: Array, held: Sequ
         q: the coordinates.
         held: coordinates that stay where they are.
     """
-    footing = Footing(kinematics, p, t, held)
-    here = footing.slopes(q)[0]
+    space = ConfigurationSpace(kinematics, p, t, held)
+    here = space.slopes(q)[0]
     if not np.isfinite(here).all():
         return False
     is_alone = True
-    for beside in footing.around(q, DIRECTIONS):
-        J = footing.slopes(beside)[0]
+    for beside in space.around(q, DIRECTIONS):
+        J = space.slopes(beside)[0]
         if np.isfinite(J).all():
             ranks = np.sum(
                 np.linalg.svd(equilibrated(np.array([here, J])), compute_uv=False) > SINGULAR, axis=1

@@ -17,7 +17,7 @@ from .gauss_newton import gauss_newton
 from .kinematics import Kinematics
 from .vanishing_combinations import vanishing_combinations
 
-__all__ = ["CANCELLED", "Footing", "free_directions", "scaled", "walk"]
+__all__ = ["CANCELLED", "ConfigurationSpace", "free_directions", "scaled", "walk"]
 
 Array = NDArray[np.float64]
 
@@ -48,31 +48,31 @@ def walk(kinematics: Kinematics, p: Array, t: float, begin: Array, steps: int) -
         begin: the coordinates of the first position.
         steps: how many positions to look at in either direction.
     """
-    ground = Footing(kinematics, p, t)
-    for first in _departures(ground, begin):
+    space = ConfigurationSpace(kinematics, p, t)
+    for first in _departures(space, begin):
         for sign in (1.0, -1.0):
-            yield from _walked(ground, first, sign, steps)
+            yield from _walked(space, first, sign, steps)
 
 
-def _walked(ground: Footing, begin: Array, sign: float, steps: int) -> Iterator[Array]:
-    q, direction = begin, np.zeros(len(ground.kinematics.system.speeds))
+def _walked(space: ConfigurationSpace, begin: Array, sign: float, steps: int) -> Iterator[Array]:
+    q, direction = begin, np.zeros(len(space.kinematics.system.speeds))
     for _ in range(steps):
-        J, K = ground.slopes(q)
+        J, K = space.slopes(q)
         if not np.isfinite(J).all():
             break
         yield J
         direction = _onward(J, direction, sign)
-        q = ground.moved(q, K @ direction)
+        q = space.moved(q, K @ direction)
         if not len(q):
             break
 
 
-def _departures(ground: Footing, begin: Array) -> list[Array]:
+def _departures(space: ConfigurationSpace, begin: Array) -> list[Array]:
     """Return the position, or some beside it on different branches, if more constraints are independent there."""
-    found, rank = [begin], _rank(ground.slopes(begin)[0])
+    found, rank = [begin], _rank(space.slopes(begin)[0])
     while True:
-        places = islice(ground.around(found[0], TRIES, SURE), DEPARTURES)
-        beside = [(q, ground.slopes(q)[0]) for q in places]
+        places = islice(space.around(found[0], TRIES, SURE), DEPARTURES)
+        beside = [(q, space.slopes(q)[0]) for q in places]
         movable = [(q, J, _rank(J)) for q, J in beside if _rank(J) < J.shape[1]]
         higher = max((other for _, _, other in movable), default=0)
         if higher <= rank:
@@ -92,7 +92,7 @@ def _dependence(J: Array) -> tuple[tuple[int, ...], ...]:
 
 
 @dataclass(frozen=True, eq=False)
-class Footing:
+class ConfigurationSpace:
     """Where positions are looked at.
 
     Attributes:

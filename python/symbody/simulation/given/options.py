@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 from symbody.errors import SimulationError
 from symbody.symbolic.given.arguments import described
 
-__all__ = ["KEPT", "Options", "check_options", "instants_of", "kept_by"]
+__all__ = ["KEPT", "Options", "check_options", "constraint_handling", "instants_of"]
 
 KEPT = ("projection", "baumgarte", "free")
 """The ways to keep constraints: back onto them after each step; by damping what is off; not at all."""
@@ -75,7 +75,7 @@ def _is_positive(value: object) -> bool:
         return False
 
 
-def kept_by(constraints: object, where: str = "simulate") -> str | tuple[float, float]:
+def constraint_handling(constraints: object, where: str = "simulate") -> str | tuple[float, float]:
     """Return how constraints are kept: a word, or the frequency and the damping ratio of Baumgarte's stabilisation.
 
     Raises:

@@ -27,11 +27,11 @@ class Reading:
     name: str
     rows: str
 
-    def one(self, asked: object, known: Sequence[Expr]) -> Expr:
+    def one(self, wanted: object, known: Sequence[Expr]) -> Expr:
         """Return the expression in the brackets.
 
         Args:
-            asked: what stands there.
+            wanted: what stands there.
             known: variables of this model, for an example.
 
         Raises:
@@ -41,25 +41,25 @@ class Reading:
         Traceback (most recent call last):
         symbody.errors.ArgumentError: motion[...]: 0 is an int; expected an expression; motion.t has the instants
         """
-        if isinstance(asked, Expr):
-            return asked
+        if isinstance(wanted, Expr):
+            return wanted
         example = f", such as {self.name}[{known[0]}]" if known else ""
         raise ArgumentError(
-            f"{self.name}[...]: {_found(asked)}; expected an expression{example}{self._instead_of_one(asked)}"
+            f"{self.name}[...]: {_found(wanted)}; expected an expression{example}{self._instead_of_one(wanted)}"
         )
 
-    def several(self, asked: object) -> list[Expr]:
+    def several(self, wanted: object) -> list[Expr]:
         """Return the expressions of a list.
 
         Raises:
             ArgumentError: it is no list, or holds something that is no expression and no number.
         """
         place = f"{self.name}.evaluate"
-        if isinstance(asked, Expr | str | Mapping) or not isinstance(asked, Iterable):
+        if isinstance(wanted, Expr | str | Mapping) or not isinstance(wanted, Iterable):
             raise ArgumentError(
-                f"{place}: {_found(asked)}; expected a list of expressions{self._instead_of_several(asked)}"
+                f"{place}: {_found(wanted)}; expected a list of expressions{self._instead_of_several(wanted)}"
             )
-        listed = list(asked)
+        listed = list(wanted)
         for item in listed:
             if isinstance(item, Point | Vector | Matrix):
                 raise ArgumentError(
@@ -75,32 +75,32 @@ class Reading:
         """
         raise ArgumentError(f"{self.name}: nothing to go through one by one; {self.rows}")
 
-    def _instead_of_one(self, asked: object) -> str:
+    def _instead_of_one(self, wanted: object) -> str:
         """Return the way to what was probably meant."""
-        if isinstance(asked, Number | slice):
+        if isinstance(wanted, Number | slice):
             return f"; {self.rows}"
-        if isinstance(asked, Point | Vector):
-            return f"; {self._components(asked)}"
-        if isinstance(asked, Matrix):
+        if isinstance(wanted, Point | Vector):
+            return f"; {self._components(wanted)}"
+        if isinstance(wanted, Matrix):
             return f"; its entries are expressions: {self.name}.evaluate([*matrix])"
-        if isinstance(asked, Iterable) and not isinstance(asked, str | Mapping):
+        if isinstance(wanted, Iterable) and not isinstance(wanted, str | Mapping):
             return f"; several at once: {self.name}.evaluate([...])"
         return ""
 
-    def _instead_of_several(self, asked: object) -> str:
-        if isinstance(asked, Point | Vector):
-            return f"; {self._components(asked)}"
-        if isinstance(asked, Mapping):
+    def _instead_of_several(self, wanted: object) -> str:
+        if isinstance(wanted, Point | Vector):
+            return f"; {self._components(wanted)}"
+        if isinstance(wanted, Mapping):
             return f", such as its values: {self.name}.evaluate([*expressions.values()])"
-        if isinstance(asked, Expr):
-            return f", such as {self.name}.evaluate([{brief(asked)}]); for one of them {self.name}[{brief(asked)}]"
+        if isinstance(wanted, Expr):
+            return f", such as {self.name}.evaluate([{brief(wanted)}]); for one of them {self.name}[{brief(wanted)}]"
         return ""
 
-    def _components(self, asked: Point | Vector) -> str:
-        what, name = ("coordinates", "point") if isinstance(asked, Point) else ("components", "vector")
+    def _components(self, wanted: Point | Vector) -> str:
+        what, name = ("coordinates", "point") if isinstance(wanted, Point) else ("components", "vector")
         return f"its {what} in a frame are expressions: {self.name}.evaluate({name}.projected(frame).{what})"
 
 
-def _found(asked: object) -> str:
+def _found(wanted: object) -> str:
     """Return what was found in words; expressions are called so."""
-    return f"{brief(asked)} is one expression" if isinstance(asked, Expr) else described(asked)
+    return f"{brief(wanted)} is one expression" if isinstance(wanted, Expr) else described(wanted)

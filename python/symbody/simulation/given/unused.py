@@ -1,4 +1,4 @@
-"""Values that nothing uses: of parameters that stand nowhere in a model, and in nothing that is asked of it."""
+"""Unused values: parameters that appear neither in a model nor in what is evaluated along its motions."""
 
 from __future__ import annotations
 
@@ -15,9 +15,9 @@ __all__ = ["notice_unused"]
 
 
 def notice_unused(
-    eqs: Equations, given: Iterable[Expr], asked: Sequence[Expr], where: str, *, stacklevel: int = 3
+    eqs: Equations, given: Iterable[Expr], wanted: Sequence[Expr], where: str, *, stacklevel: int = 3
 ) -> None:
-    """Name the parameters that have a value and stand nowhere: not in the model, and in nothing that is asked of it.
+    """Warn of parameters that have a value but appear neither in the model nor in what is evaluated.
 
     One dictionary of parameters serves all calls of a model: those which some call doesn't need, such as a mass that
     cancels, stand in its bodies, loads or frames, and are none of these.
@@ -25,11 +25,11 @@ def notice_unused(
     Args:
         eqs: the equations.
         given: the parameters that have values.
-        asked: other expressions: outputs, events, what stands for inputs.
+        wanted: other expressions: outputs, events, what stands for inputs.
         where: the function that the user called.
         stacklevel: how far above the user is.
     """
-    known = {*eqs.parameters, *eqs.system.leaves, *free_symbols(list(asked))}
+    known = {*eqs.parameters, *eqs.system.leaves, *free_symbols(list(wanted))}
     strange = {*given} - known
     unused = sorted(map(str, strange))
     if not unused:

@@ -28,7 +28,7 @@ __all__ = [
     "given_inputs",
     "parameter_values",
     "state_values",
-    "vanishing",
+    "zero_parameters",
 ]
 
 
@@ -79,7 +79,7 @@ def check_parameters(names: Sequence[Expr], given: Mapping[Any, ArrayLike], wher
         )
 
 
-def vanishing(parameters: object) -> tuple[Expr, ...]:
+def zero_parameters(parameters: object) -> tuple[Expr, ...]:
     """Return the parameters whose value, or one of them, is zero; what is no number is told by others."""
     if not isinstance(parameters, Mapping):
         return ()

@@ -75,7 +75,7 @@ def ida_outcome(
         )
     except SimulationError as error:
         if not isinstance(error.motion, IdaRun):
-            return _unbegun(state, float(instants[0]), str(error))
+            return _failed_start(state, float(instants[0]), str(error))
         run = error.motion
         failure = Failure("ida", float(run.t[-1]), str(error))
     if failure is None and not run.completed:
@@ -96,6 +96,6 @@ def ida_outcome(
     )
 
 
-def _unbegun(state: NDArray[np.float64], t: float, message: str) -> Outcome:
+def _failed_start(state: NDArray[np.float64], t: float, message: str) -> Outcome:
     failure, nothing = Failure("ida", t, message), Statistics(0, 0, 0, 0, is_stiff=False)
     return Outcome(state[np.newaxis], [], (t, list(state)), failure, nothing)

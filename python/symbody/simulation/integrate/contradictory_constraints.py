@@ -53,12 +53,14 @@ def without_contradictions(
     is_suspect = outcome.failure is not None and outcome.failure.kind in _SUSPECT
     if not model.constraints or not (noted or is_suspect):
         return outcome
-    times, states = _course(outcome, model, instants)
+    times, states = _instants_and_states(outcome, model, instants)
     span = float(instants[-1] - instants[0]) or 1.0
-    told = partial(_contradiction, model, parameters, span, are_speeds_noted=_holds_speeds(noted, model))
-    place = _first(lambda k: bool(told(float(times[k]), states[k])), len(times))
+    contradiction_at = partial(
+        _contradiction, model, parameters, span, are_speeds_noted=_holds_speeds(noted, model)
+    )
+    place = _first(lambda k: bool(contradiction_at(float(times[k]), states[k])), len(times))
     if place is None:
-        return replace(outcome, deficiencies=outcome.deficiencies - noted | {_followed(d) for d in noted})
+        return replace(outcome, deficiencies=outcome.deficiencies - noted | {_as_dependent(d) for d in noted})
     t = float(times[place])
     reached = max(1, min(place + 1, len(outcome.states)))
     return replace(
@@ -66,7 +68,7 @@ def without_contradictions(
         states=outcome.states[:reached],
         occurrences=[event for event in outcome.occurrences if event[1] <= t],
         end=(t, outcome.states[place].tolist() if place < len(outcome.states) else outcome.end[1]),
-        failure=Failure("contradiction", t, f"at t = {t:.9g} s: {told(t, states[place])}"),
+        failure=Failure("contradiction", t, f"at t = {t:.9g} s: {contradiction_at(t, states[place])}"),
         deficiencies=outcome.deficiencies - of_model,
     )
 
@@ -167,7 +169,7 @@ def _is_off(y: Array, rate: Array, factor: float, allowed: float) -> bool:
     return bool(left > INCONSISTENT * np.abs(y) @ np.abs(rate) and left * factor > allowed)
 
 
-def _course(outcome: Outcome, model: Model, instants: Array) -> tuple[Array, Array]:
+def _instants_and_states(outcome: Outcome, model: Model, instants: Array) -> tuple[Array, Array]:
     """Return the instants and states of a motion, its end included."""
     size, reached = len(model.state), len(outcome.states)
     times, states = instants[:reached], outcome.states[:, :size]
@@ -186,6 +188,6 @@ def _first(is_contradictory: Callable[[int], bool], count: int) -> int | None:
     return next(place for place in gap if is_contradictory(place))
 
 
-def _followed(deficiency: Deficiency) -> Deficiency:
+def _as_dependent(deficiency: Deficiency) -> Deficiency:
     rows = {*deficiency.dependent, *(row for row, _ in deficiency.contradictions)}
     return replace(deficiency, dependent=tuple(sorted(rows)), contradictions=())

@@ -40,10 +40,10 @@ def diagnosis(motion: Integrated) -> str:
         return f"{when}: {_out_of_domain(model, parameters, t, state)}"
     near = _BY_CONSTRAINTS.get(failure.kind, 0.0)
     dependent = _dependent(model, parameters, t, state, near) if near else ""
-    return f"{when}: {_told(failure, dependent or _possible_cause(failure.kind, motion.task))}"
+    return f"{when}: {_failure_and_cause(failure, dependent or _possible_cause(failure.kind, motion.task))}"
 
 
-def _told(failure: Failure, cause: str) -> str:
+def _failure_and_cause(failure: Failure, cause: str) -> str:
     if failure.kind in _BY_CONSTRAINTS:
         return f"{failure.message}; {cause}"
     return f"the method gave up ({failure.message}); {cause}"
@@ -77,13 +77,13 @@ def _possible_cause(kind: str, task: Task) -> str:
 
 def _of_ida(failure: Failure, outcome: Outcome, model: Model, parameters: Array) -> str:
     """Return what IDA says, and which constraints are dependent at the end of its last step."""
-    told = failure.message.removeprefix("simulate: ")
+    message = failure.message.removeprefix("simulate: ")
     t, state = outcome.end
     known = outcome.trail[np.isfinite(outcome.trail).all(axis=1)]
     if len(known):
         t, *state = known[-1]
     dependent = _dependent(model, parameters, t, np.array(state)[: len(model.state)], _BY_CONSTRAINTS["ida"])
-    return f"{told.partition('; expected')[0]}; {dependent}" if dependent else told
+    return f"{message.partition('; expected')[0]}; {dependent}" if dependent else message
 
 
 _BY_CONSTRAINTS = {"projection": NEAR, "stalled": NEAR, "step_collapse": NEAR, "singular": 0.3, "ida": 0.1}

@@ -132,7 +132,7 @@ def integrate_ida(
     times = np.asarray(instants, float)
     problem = IdaProblem(dae, values, watched, keep_going, float(times[-1] - times[0]))
     start = start_of(dae, values, np.asarray(state, float), float(times[0]))
-    return _Integration(problem, tuple(events), times, start).by(sundae, rtol, atol, max_step)
+    return _Integration(problem, tuple(events), times, start).run(sundae, rtol, atol, max_step)
 
 
 def _sundae() -> ModuleType:
@@ -180,7 +180,7 @@ class _Integration:
     happened: list[IdaOccurrence] = field(default_factory=list)
     statistics: IdaStatistics = field(default_factory=lambda: IdaStatistics(0, 0))
 
-    def by(self, sundae: ModuleType, rtol: float, atol: float, max_step: float) -> IdaRun:
+    def run(self, sundae: ModuleType, rtol: float, atol: float, max_step: float) -> IdaRun:
         """Let IDA integrate."""
         solver = self._solver(sundae, rtol, atol, max_step)
         solver.init_step(self.start.t, self.start.unknowns, self.start.rates)

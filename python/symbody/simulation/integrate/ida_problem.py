@@ -105,7 +105,7 @@ class IdaProblem:
             del self.trail[1::2]
 
     def _poll(self, time: float) -> None:
-        if self.keep_going is not None and not self._asked(time):
+        if self.keep_going is not None and not self._may_go_on(time):
             self.stop = "stopped"
         elif self.calls % (_POLL * _PATIENCE) == 0:
             if time - self.since < _STALL * self.span:
@@ -115,7 +115,7 @@ class IdaProblem:
         if self.stop:
             raise StoppedError
 
-    def _asked(self, time: float) -> bool:
+    def _may_go_on(self, time: float) -> bool:
         with redirect_stdout(self.stdout):  # while IDA runs, it is a buffer for what IDA says
             return self.keep_going is None or self.keep_going(time)
 

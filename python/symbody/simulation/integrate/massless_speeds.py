@@ -47,7 +47,7 @@ def unbalanced_speeds(model: Model, parameters: Mapping[Expr, float], t: float, 
         return ""
     f, terms = _loads(model, p, t, state)
     unbalanced = [w for w in free[0] if abs(w @ f) > INCONSISTENT * np.abs(w) @ terms]
-    return _told(model, parameters, unbalanced[0]) if unbalanced else ""
+    return _explanation(model, parameters, unbalanced[0]) if unbalanced else ""
 
 
 def _massless(M: Array, phi_q: Array) -> list[Array]:
@@ -70,7 +70,7 @@ def _loads(model: Model, p: Array, t: float, state: Array) -> tuple[Array, Array
     return values[: len(f)], values[len(f) :]
 
 
-def _told(model: Model, parameters: Mapping[Expr, float], w: Array) -> str:
+def _explanation(model: Model, parameters: Mapping[Expr, float], w: Array) -> str:
     names = [str(model.speeds[place]) for place in np.flatnonzero(w)]
     masses = free_symbols(model.equations.mass_matrix.entries)
     zeros = [f"{name} = 0" for name in model.parameters if name in masses and parameters[name] == 0]

@@ -15,7 +15,7 @@ from symbody.simulation.model.model import Model
 from symbody.symbolic import Expr
 from symbody.symbolic._core import Dynamics
 
-from .asked import parameters_in
+from .observed import parameters_in
 
 __all__ = ["Problem"]
 

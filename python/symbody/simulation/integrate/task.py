@@ -15,8 +15,8 @@ from symbody.simulation.given.options import Options
 from symbody.simulation.model.model import DAMPING, Model, without_stabilization
 from symbody.symbolic import Expr
 
-from .asked import parameters_in
-from .baumgarte_choice import chosen_damping
+from .baumgarte_damping import chosen_damping
+from .observed import parameters_in
 from .outcome import Outcome
 
 __all__ = ["Columns", "Integrate", "KeepGoing", "Method", "Task"]
@@ -87,14 +87,14 @@ class Task:
         return self.method.prepare(self)
 
     @property
-    def asked(self) -> list[Expr]:
+    def observed(self) -> list[Expr]:
         """What is evaluated along the motions beside their states: outputs and events."""
         return [*self.outputs.values(), *(event.expression for event in self.events)]
 
     @property
     def parameters(self) -> tuple[Expr, ...]:
         """The symbols that need values: those of the model, then those of outputs and events."""
-        return (*self.model.parameters, *parameters_in(self.asked))
+        return (*self.model.parameters, *parameters_in(self.observed))
 
     @property
     def is_projected(self) -> bool:
@@ -108,7 +108,7 @@ class Task:
         return TRAIL if self.model.constraints and not stays else 0
 
     @cached_property
-    def plain(self) -> Model:
+    def unstabilized(self) -> Model:
         """What moves, without Baumgarte's stabilisation."""
         return without_stabilization(self.model)
 
@@ -123,8 +123,8 @@ class Task:
             return {}
         damping = self.constraints
         if isinstance(damping, str):
-            values = np.array([parameters[name] for name in self.plain.parameters])
-            damping = chosen_damping(self.plain, values, state, self.instants)
+            values = np.array([parameters[name] for name in self.unstabilized.parameters])
+            damping = chosen_damping(self.unstabilized, values, state, self.instants)
         return dict(zip(DAMPING, damping, strict=True))
 
     def values(

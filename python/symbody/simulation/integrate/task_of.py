@@ -9,14 +9,14 @@ from numpy.typing import ArrayLike
 from symbody.dynamics import Equations
 from symbody.simulation.given.event import Event
 from symbody.simulation.given.given_bodies import notice_impossible_bodies
-from symbody.simulation.given.options import Options, check_options, instants_of, kept_by
+from symbody.simulation.given.options import Options, check_options, constraint_handling, instants_of
 from symbody.simulation.given.unused import notice_unused
-from symbody.simulation.given.values import given_inputs, state_values, vanishing
+from symbody.simulation.given.values import given_inputs, state_values, zero_parameters
 from symbody.simulation.model.model import model_of
 from symbody.symbolic import Expr, ExprLike
 
-from .asked import asked_outputs, check_known_along, watched_events
 from .methods import METHODS, method_name
+from .observed import check_observed, given_events, given_outputs
 from .task import Task
 
 __all__ = ["notice_odd_values", "task_of"]
@@ -65,22 +65,22 @@ def task_of(
     """
     instants, name = instants_of(t, where), method_name(method, where)
     check_options(rtol, atol, max_step, where)
-    kept = kept_by(constraints, where)
-    asked, watched = asked_outputs(outputs, where), watched_events(events, where)
+    kept = constraint_handling(constraints, where)
+    named_outputs, watched = given_outputs(outputs, where), given_events(events, where)
     formulas = given_inputs(eqs, inputs, where=where)
     is_damped = bool(eqs.constraints) and kept not in {"projection", "free"}
     task = Task(
-        model=model_of(eqs, formulas, is_stabilized=is_damped, zeros=vanishing(parameters)),
+        model=model_of(eqs, formulas, is_stabilized=is_damped, zeros=zero_parameters(parameters)),
         instants=instants,
         options=Options(name, rtol, atol, max_step),
         method=METHODS[name],
         constraints=kept,
-        outputs=asked,
+        outputs=named_outputs,
         events=watched,
         guess=state_values(eqs.system, guess, where=where, argument="guess"),
         keeps_states=keeps_states,
     )
-    check_known_along(task.model, asked, watched, where)
+    check_observed(task.model, named_outputs, watched, where)
     return task
 
 
@@ -93,6 +93,6 @@ def notice_odd_values(task: Task, parameters: Mapping[Expr, ArrayLike], where: s
         where: the function that the user called.
     """
     equations = task.model.equations
-    asked = [*task.asked, *dict(task.model.inputs).values()]
-    notice_unused(equations, parameters, asked, where, stacklevel=4)
+    observed = [*task.observed, *dict(task.model.inputs).values()]
+    notice_unused(equations, parameters, observed, where, stacklevel=4)
     notice_impossible_bodies(equations.system, parameters, where)

@@ -15,10 +15,10 @@ from symbody.simulation.motion.motion import Motion
 from symbody.symbolic import Expr, ExprLike
 from symbody.symbolic.given.arguments import described
 
-from .kinematic_analysis import Course, course
+from .kinematic_analysis import Trajectory, kinematic_analysis
 from .prescription import prescription_of
 
-__all__ = ["DrivenMotion", "followed_motion", "prescribed_motion"]
+__all__ = ["DrivenMotion", "prescribed_motion", "simulated_motion"]
 
 Array = NDArray[np.float64]
 Parameters = Mapping[Expr, ArrayLike]
@@ -33,13 +33,13 @@ class DrivenMotion:
     Attributes:
         driving: the coordinates or quasi-velocities in which it is driven.
         instants: when.
-        course: where it is.
+        trajectory: where it is.
         parameters: the values of parameters.
     """
 
     driving: tuple[Expr, ...]
     instants: Array
-    course: Course
+    trajectory: Trajectory
     parameters: Mapping[Expr, float]
 
 
@@ -72,11 +72,11 @@ def prescribed_motion(
     values = _values({*needed, *prescription.parameters}, parameters)
     near = state_values(kinematics.system, guess, where=_WHERE, argument="guess", has_speeds=False)
     p = np.array([values[name] for name in kinematics.parameters])
-    along = course(kinematics, p, prescription.compiled(values), instants, near, _WHERE)
+    along = kinematic_analysis(kinematics, p, prescription.compiled(values), instants, near, _WHERE)
     return DrivenMotion(prescription.coordinates, instants, along, values)
 
 
-def followed_motion(
+def simulated_motion(
     kinematics: Kinematics, motion: Motion, needed: Collection[Expr], parameters: Parameters
 ) -> DrivenMotion:
     """Return a motion that was simulated; parameters may be others, but for those in the constraints.
@@ -95,7 +95,7 @@ def followed_motion(
             )
     q, n = len(system.coordinates), len(system.speeds)
     rows = motion.evaluate([*system.coordinates, *system.speeds, *system.accelerations]).T
-    along = Course(rows[:, :q], rows[:, q : q + n], rows[:, q + n :])
+    along = Trajectory(rows[:, :q], rows[:, q : q + n], rows[:, q + n :])
     return DrivenMotion(system.driving, motion.t, along, values)
 
 

@@ -17,7 +17,7 @@ from symbody.simulation.constraint.least_norm import least_norm_many
 from symbody.simulation.given.given_input import Given, with_given
 from symbody.symbolic import Expr, Matrix, free_symbols, jacobian, number, substitute, t, time_derivative
 
-from .kinematic_analysis import Course
+from .kinematic_analysis import Trajectory
 
 __all__ = ["DrivingLoads", "driving_loads"]
 
@@ -108,13 +108,15 @@ class DrivingLoads:
                 "loads that are, such as a force or its amplitude"
             )
 
-    def solved(self, instants: Array, course: Course, values: Mapping[Expr, float]) -> tuple[Array, Array]:
+    def solved(
+        self, instants: Array, trajectory: Trajectory, values: Mapping[Expr, float]
+    ) -> tuple[Array, Array]:
         """Return loads and multipliers, a row for each instant; the least multipliers of dependent constraints.
 
         Raises:
             SimulationError: some loads aren't determined, or the equations don't balance or aren't finite.
         """
-        state = np.hstack([course.coordinates, course.speeds, course.accelerations]).T
+        state = np.hstack([trajectory.coordinates, trajectory.speeds, trajectory.accelerations]).T
         p = np.array([values[name] for name in self.parameters]).reshape(-1, 1)
         r, B, sizes = self.function(instants, state, p)
         r, B, sizes = r.T, np.moveaxis(B, -1, 0), sizes.T

@@ -26,7 +26,7 @@ from symbody.symbolic.given.arguments import counted, described
 from symbody.symbolic.given.namesake import namesake_note
 from symbody.symbolic.numeric.deficiency import reporting
 
-from .driven_motion import followed_motion, prescribed_motion
+from .driven_motion import prescribed_motion, simulated_motion
 from .driving_load import driving_loads
 
 __all__ = ["InverseDynamics", "inverse_dynamics"]
@@ -178,7 +178,7 @@ def inverse_dynamics(
     with reporting(_WHERE):
         if isinstance(motion, Motion):
             _check_left_out(t=t, guess=guess)
-            driven = followed_motion(kinematics, motion, needed, numbers)
+            driven = simulated_motion(kinematics, motion, needed, numbers)
         else:
             driven = prescribed_motion(kinematics, motion, t, needed, numbers, guess)
     formulas = (
@@ -187,13 +187,13 @@ def inverse_dynamics(
     notice_unused(eqs, numbers, [*given.values(), *formulas], _WHERE)
     equations = driving_loads(eqs, kinematics.given, () if loads else driven.driving, loads, _WHERE)
     with reporting(_WHERE):
-        forces, multipliers = equations.solved(driven.instants, driven.course, driven.parameters)
+        forces, multipliers = equations.solved(driven.instants, driven.trajectory, driven.parameters)
     return InverseDynamics(
         eqs.system,
         driven.instants,
-        driven.course.coordinates,
-        driven.course.speeds,
-        driven.course.accelerations,
+        driven.trajectory.coordinates,
+        driven.trajectory.speeds,
+        driven.trajectory.accelerations,
         dict(zip(equations.names, forces.T, strict=True)),
         multipliers,
         {name: value for name, value in driven.parameters.items() if name not in loads},

@@ -18,7 +18,7 @@ from symbody.symbolic import Expr
 
 from .prescription import Path
 
-__all__ = ["Course", "course"]
+__all__ = ["Trajectory", "kinematic_analysis"]
 
 Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]
@@ -31,7 +31,7 @@ _OFF = 1e-8
 
 
 @dataclass(frozen=True, eq=False)
-class Course:
+class Trajectory:
     """Where a mechanism is along its motion; a row for each instant."""
 
     coordinates: Array
@@ -39,9 +39,9 @@ class Course:
     accelerations: Array
 
 
-def course(
+def kinematic_analysis(
     kinematics: Kinematics, p: Array, path: Path, instants: Array, guess: Mapping[Expr, float], where: str
-) -> Course:
+) -> Trajectory:
     """Return what the constraints and the prescription together demand.
 
     ``phi(q, t) = 0`` by Newton's method from where the last instant and its rates lead; then
@@ -57,7 +57,7 @@ def course(
     driven.check_determined(instants, velocities)
     driven.check_satisfied(instants, velocities, "speeds")
     driven.check_satisfied(instants, accelerations, "accelerations")
-    return Course(q, velocities.x, accelerations.x)
+    return Trajectory(q, velocities.x, accelerations.x)
 
 
 @dataclass(frozen=True, eq=False)
@@ -143,7 +143,7 @@ class _Driven:
         rows[:, self.places] = path[0].T
         if self.kinematics.constraints and self.is_free.any():
             for k in range(1, len(instants)):
-                rows[k] = self.followed(rows[k - 1], float(instants[k - 1]), float(instants[k]))
+                rows[k] = self.advanced(rows[k - 1], float(instants[k - 1]), float(instants[k]))
         elif self.kinematics.constraints:
             self.check(rows, instants)
         return rows
@@ -154,13 +154,13 @@ class _Driven:
             prescribed = dict(zip(self.kinematics.system.coordinates, map(float, q), strict=True))
             positions(self.kinematics, self.p, float(time), prescribed, {}, where=self.where)
 
-    def followed(self, q: Array, start: float, end: float) -> Array:
+    def advanced(self, q: Array, start: float, end: float) -> Array:
         """Return the coordinates at the end of a step, by as many smaller ones as it takes."""
         time, step = start, end - start
         least = (end - start) / 2**_HALVINGS
         while time < end:
             next_time = end if time + 1.01 * step >= end else time + step
-            found = self.stepped(q, time, next_time)
+            found = self.step_result(q, time, next_time)
             if found is not None:
                 q, time, step = found, next_time, 2 * step
             elif step / 2 < least:
@@ -169,7 +169,7 @@ class _Driven:
                 step /= 2
         return q
 
-    def stepped(self, q: Array, start: float, end: float) -> Array | None:
+    def step_result(self, q: Array, start: float, end: float) -> Array | None:
         """Return the coordinates at the end, if they are where their rates lead to."""
         h, m = end - start, len(self.kinematics.constraints)
         velocities, accelerations = self.levels(np.array([start]), q[None])

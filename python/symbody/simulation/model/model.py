@@ -20,7 +20,7 @@ from symbody.symbolic import Expr, ExprLike, cost, derivation, free_symbols, num
 from symbody.symbolic import jacobian as jacobian_of
 from symbody.symbolic.numeric.deficiency import noting, report
 
-from .least_change import LeastChange, least_change
+from .constraint_correction import ConstraintCorrection, constraint_correction
 
 __all__ = ["DAMPING", "Model", "model_of", "without_stabilization"]
 
@@ -252,18 +252,20 @@ class Model:
     @cached_property
     def correction_codes(self) -> tuple[PreparedCode, PreparedCode]:
         """The machine code of the corrections."""
-        change = self._least_change(self.solution.method)
+        change = self._correction(self.solution.method)
         if self.shortcut is None:
             return self.code(change.coordinates), self.code(change.speeds)
-        brief = self._least_change(self.shortcut.method)
+        brief = self._correction(self.shortcut.method)
         return (
             self.code(change.coordinates, shortcut=Shortcut(brief.coordinates, brief.conditions)),
             self.code(change.speeds, shortcut=Shortcut(brief.speeds, brief.conditions)),
         )
 
-    def _least_change(self, method: str) -> LeastChange:
-        change = least_change(self.equations, method)
-        return LeastChange(*map(self.with_inputs, (change.coordinates, change.speeds, change.conditions)))
+    def _correction(self, method: str) -> ConstraintCorrection:
+        change = constraint_correction(self.equations, method)
+        return ConstraintCorrection(
+            *map(self.with_inputs, (change.coordinates, change.speeds, change.conditions))
+        )
 
     @cached_property
     def jacobian_code(self) -> tuple[PreparedCode, list[tuple[int, int]]]:

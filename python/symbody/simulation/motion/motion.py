@@ -56,7 +56,7 @@ class Motion:
         statistics: what the integration took.
         completed: whether it came to its end, the last instant or a terminal event.
         message: why it ended.
-        asked: expressions to evaluate, by name.
+        output_expressions: expressions to evaluate, by name.
     """
 
     model: Model = field(repr=False)
@@ -68,7 +68,7 @@ class Motion:
     statistics: Statistics
     completed: bool
     message: str
-    asked: Mapping[str, Expr] = field(default_factory=dict)
+    output_expressions: Mapping[str, Expr] = field(default_factory=dict)
 
     def __repr__(self) -> str:
         names = ", ".join(map(str, self.model.coordinates))
@@ -135,7 +135,9 @@ class Motion:
     @cached_property
     def outputs(self) -> dict[str, Array]:
         """The values of what was asked for, by name."""
-        return dict(zip(self.asked, self.evaluate(list(self.asked.values())), strict=True))
+        return dict(
+            zip(self.output_expressions, self.evaluate(list(self.output_expressions.values())), strict=True)
+        )
 
     @cached_property
     def accelerations(self) -> Array:

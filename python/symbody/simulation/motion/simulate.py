@@ -14,8 +14,8 @@ from symbody.dynamics import Equations
 from symbody.errors import ModelNotice, SimulationError
 from symbody.simulation.given.event import Event
 from symbody.simulation.given.values import parameter_values
-from symbody.simulation.integrate.begin import begin
 from symbody.simulation.integrate.diagnosis import diagnosis
+from symbody.simulation.integrate.initial_state import initial_state
 from symbody.simulation.integrate.integrated import Integrated, run_motions
 from symbody.simulation.integrate.notices import findings_of, notices_of_motion
 from symbody.simulation.integrate.outcome import with_deficiencies
@@ -111,7 +111,7 @@ def simulate(
     given = {name: float(value) for name, value in (parameters or {}).items()}
     notice_odd_values(task, given)
     with preparation_bar(is_shown=progress), noting() as met:
-        state = begin(task, given, initial)
+        state = initial_state(task, given, initial)
         _ = task.integrate  # compiled now: Ctrl-C interrupts, as there is no motion yet to keep
     motion = _run_one(task, given, state, is_shown=progress)
     return _report(replace(motion, outcome=with_deficiencies(motion.outcome, met)))

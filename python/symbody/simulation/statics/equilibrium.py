@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from symbody.dynamics import Equations
 from symbody.errors import ModelNotice, SimulationError
-from symbody.simulation.constraint.consistent import beginnings, positions
+from symbody.simulation.constraint.consistent import positions, starting_points
 from symbody.simulation.constraint.kinematics import kinematics_of
 from symbody.simulation.given.unused import notice_unused
 from symbody.simulation.given.values import given_inputs, parameter_values, state_values
@@ -20,7 +20,7 @@ from symbody.symbolic import Expr, ExprLike
 from symbody.symbolic.numeric.deficiency import reporting
 
 from .balance import Balance
-from .place_at_rest import Place
+from .rest_position import RestPosition
 from .statics import statics_of
 
 __all__ = ["Equilibrium", "equilibrium"]
@@ -141,7 +141,7 @@ def _place(
     fixed: Mapping[Expr, ArrayLike] | None,
     t: float,
     inputs: Mapping[Expr, ExprLike] | None,
-) -> Place:
+) -> RestPosition:
     """Return the place at which the system stays at rest."""
     given = given_inputs(eqs, inputs, where=_WHERE)
     kinematics = kinematics_of(eqs, given)
@@ -156,10 +156,10 @@ def _place(
     q = positions(kinematics, of_constraints, t, held, near, where=_WHERE)
     solution = _solved(problem, q)
     _check_single(problem, solution)
-    return Place(problem, kinematics, of_constraints, *solution)
+    return RestPosition(problem, kinematics, of_constraints, *solution)
 
 
-def _result(place: Place) -> Equilibrium:
+def _result(place: RestPosition) -> Equilibrium:
     """Return what was found by its names."""
     problem, q, forces = place.problem, place.q, place.least_forces
     m, n = len(problem.equations.constraints), len(problem.equations.speeds)
@@ -185,7 +185,7 @@ def _solved(problem: Balance, start: Array) -> tuple[Array, Array]:
         SimulationError: none was found.
     """
     best, least = (start, np.zeros(problem.count)), np.inf
-    for beginning in beginnings(start, problem.is_free):
+    for beginning in starting_points(start, problem.is_free):
         found = problem.solved(beginning)
         error = problem.error(*found)
         if error <= BALANCED:

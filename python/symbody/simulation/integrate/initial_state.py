@@ -15,14 +15,14 @@ from symbody.symbolic import Expr
 
 from .task import Task
 
-__all__ = ["begin"]
+__all__ = ["initial_state"]
 
 
-def begin(
+def initial_state(
     task: Task, parameters: Mapping[Expr, float], initial: Mapping[Expr, float] | None
 ) -> NDArray[np.float64]:
     """Return what is given, and zero, a guess or what the constraints demand for the rest; no work is done yet."""
-    model, t = task.plain, float(task.instants[0])
+    model, t = task.unstabilized, float(task.instants[0])
     given = {**task.guess, **state_values(model.system, initial, where="simulate")}
     if model.constraints or model.system.has_quasi_velocities:
         kinematics = kinematics_of(model.equations, dict(model.inputs))

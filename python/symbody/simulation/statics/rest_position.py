@@ -16,13 +16,13 @@ from symbody.symbolic import Matrix
 
 from .balance import Balance
 
-__all__ = ["Place"]
+__all__ = ["RestPosition"]
 
 Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, eq=False)
-class Place:
+class RestPosition:
     """An equilibrium.
 
     Forces in directions that depend on each other, ``[phi_q^T K^T] f = 0``, are not determined by the balance.

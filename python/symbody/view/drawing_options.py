@@ -1,4 +1,4 @@
-"""Wishes: what a user asks a page to show beside bodies and the skeleton of the model."""
+"""DrawingOptions: what a user asks a page to show beside bodies and the skeleton of the model."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ EXAMPLES = {
 
 
 @dataclass(frozen=True)
-class Wishes:
+class DrawingOptions:
     """What a user asks for.
 
     Raises:

@@ -12,10 +12,10 @@ from symbody.symbolic import Expr, ExprLike, free_symbols
 from symbody.symbolic.given.arguments import described, expression
 from symbody.symbolic.given.namesake import namesake_note
 
-__all__ = ["asked_outputs", "check_known_along", "parameters_in", "watched_events"]
+__all__ = ["check_observed", "given_events", "given_outputs", "parameters_in"]
 
 
-def asked_outputs(outputs: Mapping[str, ExprLike] | None, where: str = "simulate") -> dict[str, Expr]:
+def given_outputs(outputs: Mapping[str, ExprLike] | None, where: str = "simulate") -> dict[str, Expr]:
     """Return the expressions of outputs, by name.
 
     Raises:
@@ -30,7 +30,7 @@ def asked_outputs(outputs: Mapping[str, ExprLike] | None, where: str = "simulate
     return {name: expression(value, f"{where}, outputs, {name}") for name, value in given.items()}
 
 
-def watched_events(events: Sequence[Event] | None, where: str = "simulate") -> tuple[Event, ...]:
+def given_events(events: Sequence[Event] | None, where: str = "simulate") -> tuple[Event, ...]:
     """Return the events.
 
     Raises:
@@ -58,7 +58,7 @@ def parameters_in(expressions: Sequence[Expr]) -> tuple[Expr, ...]:
     return tuple(sorted(found, key=lambda symbol: symbol.name))
 
 
-def check_known_along(
+def check_observed(
     model: Model, outputs: Mapping[str, Expr], events: Sequence[Event], where: str = "simulate"
 ) -> None:
     """See that inputs, outputs and events hold nothing but what a motion of the model knows.

@@ -12,7 +12,7 @@ from symbody.multibody import System
 from symbody.symbolic import Expr
 
 
-class Motion(Protocol):
+class DrawableMotion(Protocol):
     """A motion: the instants, and the value of any expression of the model at each."""
 
     @property

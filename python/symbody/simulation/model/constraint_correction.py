@@ -8,11 +8,11 @@ from dataclasses import dataclass
 from symbody.dynamics import Equations
 from symbody.symbolic import Expr, derivation, number, saddle_point_solve, substitute
 
-__all__ = ["LeastChange", "least_change"]
+__all__ = ["ConstraintCorrection", "constraint_correction"]
 
 
 @dataclass(frozen=True)
-class LeastChange:
+class ConstraintCorrection:
     """What is added to a state.
 
     Attributes:
@@ -26,7 +26,7 @@ class LeastChange:
     conditions: tuple[Expr, ...]
 
 
-def least_change(eqs: Equations, method: str) -> LeastChange:
+def constraint_correction(eqs: Equations, method: str) -> ConstraintCorrection:
     """Return the least changes of coordinates and of speeds that lead onto the constraints, to first order.
 
     ``M d = phi_q^T mu, phi_q d = -phi`` [Eich 1993]: least in kinetic energy, so that lengths and angles weigh what
@@ -43,7 +43,7 @@ def least_change(eqs: Equations, method: str) -> LeastChange:
             saddle_point_solve(M, J, nothing, [-value for value in left], method)
             for left in (eqs.constraints, eqs.system.rate(eqs.constraints))
         )
-        return LeastChange(_moved(eqs, change.x), speeds.x, change.conditions)
+        return ConstraintCorrection(_moved(eqs, change.x), speeds.x, change.conditions)
 
 
 def _moved(eqs: Equations, change: Sequence[Expr]) -> tuple[Expr, ...]:

@@ -16,34 +16,34 @@ def _path() -> str:
 
 
 @dataclass(frozen=True)
-class StopSign:
+class StopFlag:
     """Stands for a call whose tasks may be told to stop: a file that isn't there until then.
 
     Ctrl-C alone doesn't do: a process that begins, or is between two tasks, may lose its signal, and takes the next
     task. The file goes when the process that put it up ends, after those that it waits for.
 
-    >>> sign = StopSign()
-    >>> sign.is_up()
+    >>> sign = StopFlag()
+    >>> sign.is_set()
     False
-    >>> sign.put_up()
-    >>> sign.is_up()
+    >>> sign.set()
+    >>> sign.is_set()
     True
     """
 
     path: str = field(default_factory=_path)
     process: int = field(default_factory=os.getpid)
 
-    def put_up(self) -> None:
+    def set(self) -> None:
         """Tell the tasks to stop; where no file can be made, signals are all that they get."""
         with suppress(OSError):
             Path(self.path).touch()
             Finalize(None, _take_down, (self.path,), exitpriority=-100)  # below 0: after children were joined
 
-    def is_up(self) -> bool:
+    def is_set(self) -> bool:
         """Return whether the tasks stop."""
         return Path(self.path).exists()
 
-    def is_from_here(self) -> bool:
+    def is_of_this_process(self) -> bool:
         """Return whether this is the process that made it."""
         return self.process == os.getpid()
 
