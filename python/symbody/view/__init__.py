@@ -1,4 +1,4 @@
-"""What a motion looks like: plots over time, and animations as pages."""
+"""Drawings of motions: plots over time, and animations as pages."""
 
 from symbody.view.animation import animate
 from symbody.view.drawable_motion import DrawableMotion

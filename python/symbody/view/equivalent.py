@@ -1,4 +1,4 @@
-"""The solid that a mass and an inertia stand for."""
+"""The homogeneous solid that is equivalent to a mass and an inertia."""
 
 from __future__ import annotations
 
@@ -10,25 +10,25 @@ from numpy.typing import NDArray
 Array = NDArray[np.float64]
 
 SAME = 1e-6
-"""Principal moments are taken as equal if they differ by less, relative to the largest."""
+"""The largest relative difference of principal moments that count as equal."""
 
 
 FLAT = 0.4
-"""The thickness of a thin disc at most, relative to its radius."""
+"""The largest thickness of a thin disc, relative to its radius."""
 
 
 def equivalent_shape(mass: float, inertia: Array, link: Array | None, least: float) -> dict[str, Any]:
     """Return the homogeneous solid with this mass and inertia, as a part of the page.
 
-    With principal moments A, B, C a box has the sides ``a^2 = 6 (B + C - A)/m``; where A = B, a cylinder has
-    ``r^2 = 2 C/m`` and ``h^2 = 12 (A - C/2)/m`` [Goldstein 2002, sec. 5]. A body that has one moment only moves in a
-    plane: a rod along its link, ``l^2 = 12 C/m``, or a disc.
+    With principal moments A, B, C a box has the sides ``a^2 = 6 (B + C - A)/m``; where A = B, a cylinder has ``r^2 =
+    2 C/m`` and ``h^2 = 12 (A - C/2)/m`` [Goldstein 2002, sec. 5]. A body with only one moment moves in a plane: it is
+    a rod along its link, ``l^2 = 12 C/m``, or a disc.
 
     Args:
-        mass: the mass; a particle is a ball, and what has inertia without mass (a flywheel) a disc.
-        inertia: the tensor about the centre of mass.
+        mass: the mass. A particle is a ball; a body with inertia but no mass, such as a flywheel, is a disc.
+        inertia: the inertia tensor about the centre of mass, shape (3, 3).
         link: the direction from the joint to the centre of mass, or of the longest arm, if there is one.
-        least: the least length that can be seen.
+        least: the smallest visible length.
     """
     moments, axes = np.linalg.eigh(inertia)
     if mass <= 0 < moments[-1]:
@@ -68,7 +68,7 @@ def _cylinder(mass: float, across: float, along: float, axis: Array, least: floa
 
 
 def _thickness(radius: float, least: float) -> float:
-    """Return how thick a disc is drawn whose own thickness can't be seen: a small one is still a disc."""
+    """Return the drawn thickness of a disc that is too thin to be seen; it is still that of a disc."""
     return min(least, FLAT * radius)
 
 
@@ -78,7 +78,7 @@ def _rod(axis: Array, length: float, radius: float) -> dict[str, Any]:
 
 
 def _box(sides: Array, axes: Array) -> dict[str, Any]:
-    """Return a box whose axes are the columns, made right-handed."""
+    """Return a box whose axes are the columns of a matrix, made right-handed."""
     x, y = axes[:, 0], axes[:, 1]
     rotation = np.column_stack([x, y, np.cross(x, y)])
     return {"kind": "box", "size": sides.tolist(), "at": [0.0] * 3, "rotation": rotation.tolist()}

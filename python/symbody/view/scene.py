@@ -1,4 +1,4 @@
-"""Scenes: what is drawn of a motion, in numbers."""
+"""Scenes: the data of a page, from a motion."""
 
 from __future__ import annotations
 
@@ -28,17 +28,22 @@ Array = NDArray[np.float64]
 Part = dict[str, Any]
 
 THICKNESS = 0.04
-"""Of the thinnest bodies, in radii of the picture; rods and threads are thinner."""
+"""The thickness of the thinnest bodies, in radii of the picture; rods and threads are thinner."""
 
 LOOKS = 200
-"""Instants that decide where to look from."""
+"""The most instants that determine the camera."""
 
 
 def scene(motion: DrawableMotion, options: DrawingOptions, title: str) -> dict[str, Any]:
-    """Return the scene of a motion as the page reads it.
+    """Return the scene of a motion in the form that the page reads.
+
+    Args:
+        motion: the motion.
+        options: what else to show.
+        title: the title.
 
     Raises:
-        ViewError: there is nothing to draw, a value isn't finite, or a shape is given for a body of no part.
+        ViewError: there is nothing to draw, a value is not finite, or a shape belongs to no body of the system.
     """
     bodies = motion.system.bodies
     _check_shapes(options.shapes, bodies)
@@ -92,7 +97,7 @@ def _check_shapes(shapes: Mapping[Body, object], bodies: Sequence[Body]) -> None
 
 
 def _up(motion: DrawableMotion) -> Array:
-    """Return the direction against gravity, or z."""
+    """Return the direction opposite to gravity, or z without gravity."""
     gravity = motion.system.gravity
     if gravity is None:
         return np.array([0.0, 0, 1])
@@ -102,7 +107,7 @@ def _up(motion: DrawableMotion) -> Array:
 
 
 def _shift(motion: DrawableMotion, follow: Body | None, tracks: Array, up: Array) -> Array:
-    """Return how far the camera goes with a body: horizontally, from where it is at first."""
+    """Return the displacement of the camera that follows a body: horizontal, zero at the first instant."""
     if follow is None:
         return np.zeros((len(motion.t), 3))
     if follow not in motion.system.bodies:
@@ -115,7 +120,7 @@ def _shift(motion: DrawableMotion, follow: Body | None, tracks: Array, up: Array
     return np.asarray(way - (way @ up)[:, None] * up)
 
 
-# --- what a user asks for ---
+# --- given shapes, points and lines ---
 
 
 def _given(
@@ -172,7 +177,7 @@ def _equivalent(motion: DrawableMotion, body: Body, pose: int, bones: Skeleton, 
 
 
 def _is_glass(k: int, parts: Sequence[list[Part]], poses: Array, own: Sequence[int], bones: Skeleton) -> bool:
-    """Return whether a solid hides smaller bodies or joints, or doesn't reach its own: it can't be the body's shape."""
+    """Return whether a solid hides smaller bodies or joints, or does not reach its own: it can't be the real shape."""
     part, pose = parts[k][0], poses[own[k]]
     sizes = [float(np.linalg.norm(np.ptp(corners(shapes[0]), axis=0))) for shapes in parts]
     smaller = [poses[own[j], :3] for j, size in enumerate(sizes) if size < 0.999 * sizes[k]]
@@ -185,7 +190,7 @@ def _is_glass(k: int, parts: Sequence[list[Part]], poses: Array, own: Sequence[i
 
 
 def _apart(places: Sequence[Array], centre: Array) -> list[Array]:
-    """Return the places that aren't at the centre."""
+    """Return the places that are not at the centre."""
     distances = [float(np.linalg.norm(place - centre)) for place in places]
     return [
         place for place, d in zip(places, distances, strict=True) if d > 1e-6 * max(distances, default=0.0)
@@ -196,11 +201,11 @@ def _seen(pose: Array, places: Sequence[Array]) -> Array:
     return np.array([seen_from(pose[None], place)[0] for place in places]).reshape(-1, 3)
 
 
-# --- how large it is ---
+# --- size ---
 
 
 def _core(tracks: Array, own: Sequence[int], bones: Skeleton, requested: Array, shift: Array) -> Array:
-    """Return the places of centres of mass, points and ends of rods, at all instants, as the camera sees them."""
+    """Return the places of centres of mass, points and ends of rods, at all instants, relative to the camera."""
     found = [tracks[:, :, :3], requested, *(path[None] for _, path in bones.points)]
     found += [np.array(line) for line in bones.lines]
     found += [carried(tracks[rod["pose"]], np.array([rod["from"], rod["to"]])) for rod in bones.rods]
@@ -208,7 +213,7 @@ def _core(tracks: Array, own: Sequence[int], bones: Skeleton, requested: Array, 
 
 
 def _seen_along(places: Array, shift: Array) -> Array:
-    """Return places as a camera sees them that goes on its way; what stays behind is not looked at."""
+    """Return places relative to a moving camera; what it leaves behind is ignored."""
     if shift.any():
         places = places[np.ptp(places, axis=1).any(axis=1)]
     return (places - shift).reshape(-1, 3)
@@ -220,7 +225,7 @@ def _radius(places: Array) -> float:
 
 
 def _reach(motion: DrawableMotion, tracks: Array, given: Sequence[list[Part]], shift: Array) -> Array:
-    """Return centres of mass, moved to all sides by how far the solids reach, or by their radii of gyration."""
+    """Return centres of mass, displaced in all directions by the size of the solids, or by their radii of gyration."""
     bodies = motion.system.bodies
     table = constants(motion, [x for body in bodies for x in (body.mass, *body.moments)]).reshape(-1, 4)
     with np.errstate(divide="ignore", invalid="ignore"):
@@ -233,7 +238,7 @@ def _reach(motion: DrawableMotion, tracks: Array, given: Sequence[list[Part]], s
 
 
 def _corners(tracks: Array, parts: Sequence[list[Part]], shift: Array) -> Array:
-    """Return the corners of the boxes around all solids, at a number of instants."""
+    """Return the corners of the boxes around all solids, at some instants."""
     step = -(-tracks.shape[1] // LOOKS)
     found = [carried(tracks[part["pose"], ::step], corners(part)) for shapes in parts for part in shapes]
     return (np.concatenate(found) - shift[::step]).reshape(-1, 3)

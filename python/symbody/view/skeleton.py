@@ -1,4 +1,4 @@
-"""Skeletons: what a model says of its mechanism beside its bodies, as rods, points and threads."""
+"""Skeletons: the mechanism of a model beside its bodies, as rods, points and threads."""
 
 from __future__ import annotations
 
@@ -21,12 +21,12 @@ Array = NDArray[np.float64]
 COLORS = ("#1f77b4", "#ff7f0e", "#2ca02c", "#d62728", "#9467bd", "#8c564b", "#e377c2", "#17becf", "#bcbd22")
 GREY = "#888888"
 BEYOND = 0.1
-"""By how much a guide reaches beyond the motion, relative to it."""
+"""How far a guide extends beyond the motion, relative to the length of the motion."""
 
 
 @dataclass(frozen=True)
 class Skeleton:
-    """The rods of a page, points by name and path, lines by their ends' paths, and the threads that they show."""
+    """The rods of a page, points by name and path, lines by the paths of their ends, and the threads that they show."""
 
     rods: list[dict[str, Any]]
     points: list[tuple[str, Array]]
@@ -34,11 +34,11 @@ class Skeleton:
     threads: list[Thread]
 
     def without(self, bodies: Container[int]) -> Skeleton:
-        """Return the skeleton without the rods of some bodies: what they look like is known."""
+        """Return the skeleton without the rods of bodies whose shapes are given."""
         return replace(self, rods=[rod for rod in self.rods if rod["body"] not in bodies])
 
     def longest_arm(self, pose: int) -> Array | None:
-        """Return the way from the origin of a frame to the farthest end of its rods, if it has any."""
+        """Return the vector from the origin of a frame to the farthest end of its rods, if it has any."""
         ends = [np.array(rod["to"]) for rod in self.rods if rod["pose"] == pose and not rod.get("thin")]
         return max(ends, key=lambda end: float(np.linalg.norm(end)), default=None)
 
@@ -47,12 +47,12 @@ def skeleton(motion: DrawableMotion, table: FrameTable, tracks: Array) -> Skelet
     """Return the skeleton of a model in motion.
 
     Rods are the constant distances in the chains of frames (links), the lines along which frames slide (guides), and
-    the ways from a centre of mass to the points where forces act and to the natural coordinates of its body (arms).
+    the lines from a centre of mass to the points where forces act and to the natural coordinates of its body (arms).
 
     Args:
-        motion: what is shown.
+        motion: the motion.
         table: the frames of the page; those of the rods are added.
-        tracks: the poses of the bodies.
+        tracks: the poses of the bodies, shape (bodies, N, 7).
     """
     named, places, fixed, size = _confirmed(motion, tracks)
     found = threads(motion.system, named)
@@ -72,7 +72,7 @@ def skeleton(motion: DrawableMotion, table: FrameTable, tracks: Array) -> Skelet
 def _confirmed(
     motion: DrawableMotion, tracks: Array
 ) -> tuple[list[Point], list[Array], list[Attachment], float]:
-    """Return the natural coordinates that move with a body: points, paths, and where; and the size of the picture."""
+    """Return the natural coordinates that move with a body: points, paths, and places; and the size of the picture."""
     named = natural_points(motion.system)
     places = paths(motion, named)
     every = np.concatenate([tracks[:, :, :3].reshape(-1, 3), places.reshape(-1, 3), np.zeros((1, 3))])
@@ -85,7 +85,7 @@ def _confirmed(
 def _points(
     named: Sequence[Point], places: Sequence[Array], fixed: Sequence[Attachment], size: float
 ) -> list[tuple[str, Array]]:
-    """Return the points that aren't the centre of mass of their body."""
+    """Return the points that are not the centre of mass of their body."""
     return [
         (point.name, path)
         for point, path, each in zip(named, places, fixed, strict=True)
@@ -101,7 +101,7 @@ def _is_drawn(
     path: Array,
     size: float,
 ) -> bool:
-    """Return whether a thread joins a body, or a point, with another one or with a place that stays."""
+    """Return whether a thread joins a body or a point with another one, or with a fixed place."""
     if end is not None and start.body == end.body:
         return False
     stays = np.ptp(path, axis=0).max() < RIGID * size
@@ -109,7 +109,7 @@ def _is_drawn(
 
 
 def _points_of_action(motion: DrawableMotion, tracks: Array, size: float) -> list[Attachment]:
-    """Return the points where forces act, if they stay where they are on their bodies."""
+    """Return the points where forces act that are fixed on their bodies."""
     bodies = list(motion.system.bodies)
     actions = [a for load in motion.system.loads for a in load.actions if a.body in bodies]
     found = []
@@ -153,7 +153,7 @@ def _arms(
 
 
 def _rod(pose: int, start: Array, end: Array, body: int) -> dict[str, Any]:
-    """Return a rod in the colour of a body, or in grey if it belongs to none (-1)."""
+    """Return a rod in the colour of a body, or in grey if the index is -1."""
     color = COLORS[body % len(COLORS)] if body >= 0 else GREY
     ends = {"from": start.tolist(), "to": end.tolist()}
     return {"kind": "rod", "pose": pose, **ends, "body": body, "color": color}

@@ -1,4 +1,4 @@
-"""A sign that the tasks of a call stop, seen in all processes of this machine."""
+"""A flag that stops the tasks of a call, visible in all processes of this machine."""
 
 from __future__ import annotations
 
@@ -17,10 +17,10 @@ def _path() -> str:
 
 @dataclass(frozen=True)
 class StopFlag:
-    """Stands for a call whose tasks may be told to stop: a file that isn't there until then.
+    """A flag that tells the tasks of a call to stop: a file that does not exist until then.
 
-    Ctrl-C alone doesn't do: a process that begins, or is between two tasks, may lose its signal, and takes the next
-    task. The file goes when the process that put it up ends, after those that it waits for.
+    The signal of Ctrl-C is not enough: a process that starts, or is between two tasks, may lose it and take the next
+    task. The file is removed when the process that set the flag ends, after its children.
 
     >>> sign = StopFlag()
     >>> sign.is_set()
@@ -34,19 +34,19 @@ class StopFlag:
     process: int = field(default_factory=os.getpid)
 
     def set(self) -> None:
-        """Tell the tasks to stop; where no file can be made, signals are all that they get."""
+        """Tell the tasks to stop. If no file can be made, they only get the signal."""
         with suppress(OSError):
             Path(self.path).touch()
-            Finalize(None, _take_down, (self.path,), exitpriority=-100)  # below 0: after children were joined
+            Finalize(None, _remove, (self.path,), exitpriority=-100)  # below 0: after children were joined
 
     def is_set(self) -> bool:
-        """Return whether the tasks stop."""
+        """Return whether the tasks should stop."""
         return Path(self.path).exists()
 
     def is_of_this_process(self) -> bool:
-        """Return whether this is the process that made it."""
+        """Return whether this process made the flag."""
         return self.process == os.getpid()
 
 
-def _take_down(path: str) -> None:
+def _remove(path: str) -> None:
     Path(path).unlink(missing_ok=True)

@@ -1,4 +1,4 @@
-"""Reading results: expressions in the brackets of a motion and in the list of `evaluate`; the rest is explained."""
+"""How results are read: expressions in ``result[...]`` and ``result.evaluate([...])``; anything else is an error."""
 
 from __future__ import annotations
 
@@ -17,11 +17,11 @@ __all__ = ["Reading"]
 
 @dataclass(frozen=True)
 class Reading:
-    """How the messages of a result speak of it.
+    """The wording of messages about one kind of result.
 
     Attributes:
-        name: what a user calls it, such as ``motion``.
-        rows: how to get at one instant, or at one case, and at several.
+        name: the name of the result in messages, such as ``motion``.
+        rows: a sentence on how to read one instant or one case, and several.
     """
 
     name: str
@@ -31,11 +31,11 @@ class Reading:
         """Return the expression in the brackets.
 
         Args:
-            wanted: what stands there.
-            known: variables of this model, for an example.
+            wanted: the argument in the brackets.
+            known: variables of the model, for an example.
 
         Raises:
-            ArgumentError: it is no expression. Numbers are none here: they look like the index of a row.
+            ArgumentError: the argument is not an expression. Numbers are refused: they look like the index of a row.
 
         >>> Reading("motion", "motion.t has the instants").one(0, [])
         Traceback (most recent call last):
@@ -52,7 +52,7 @@ class Reading:
         """Return the expressions of a list.
 
         Raises:
-            ArgumentError: it is no list, or holds something that is no expression and no number.
+            ArgumentError: the argument is not a list, or holds something other than expressions and numbers.
         """
         place = f"{self.name}.evaluate"
         if isinstance(wanted, Expr | str | Mapping) or not isinstance(wanted, Iterable):
@@ -68,7 +68,7 @@ class Reading:
         return [expression(item, place) for item in listed]
 
     def refuse_iteration(self) -> NoReturn:
-        """Raise the error of a loop over a result.
+        """Refuse to iterate over a result.
 
         Raises:
             ArgumentError: always.
@@ -76,7 +76,7 @@ class Reading:
         raise ArgumentError(f"{self.name}: nothing to go through one by one; {self.rows}")
 
     def _instead_of_one(self, wanted: object) -> str:
-        """Return the way to what was probably meant."""
+        """Return a hint at what was probably meant."""
         if isinstance(wanted, Number | slice):
             return f"; {self.rows}"
         if isinstance(wanted, Point | Vector):
@@ -102,5 +102,5 @@ class Reading:
 
 
 def _found(wanted: object) -> str:
-    """Return what was found in words; expressions are called so."""
+    """Describe the argument; an expression is called one."""
     return f"{brief(wanted)} is one expression" if isinstance(wanted, Expr) else described(wanted)

@@ -19,15 +19,15 @@ def notice_unused(
 ) -> None:
     """Warn of parameters that have a value but appear neither in the model nor in what is evaluated.
 
-    One dictionary of parameters serves all calls of a model: those which some call doesn't need, such as a mass that
-    cancels, stand in its bodies, loads or frames, and are none of these.
+    One dictionary of parameters may serve all calls for a model. A parameter that this call does not need, such as a
+    mass that cancels, still appears in the bodies, loads or frames: there is no warning of it.
 
     Args:
-        eqs: the equations.
+        eqs: the equations of motion.
         given: the parameters that have values.
-        wanted: other expressions: outputs, events, what stands for inputs.
-        where: the function that the user called.
-        stacklevel: how far above the user is.
+        wanted: the other expressions: outputs, events, and the expressions given for inputs.
+        where: the function that the user called, for messages.
+        stacklevel: how many frames above this function the user's call is.
     """
     known = {*eqs.parameters, *eqs.system.leaves, *free_symbols(list(wanted))}
     strange = {*given} - known

@@ -1,4 +1,4 @@
-"""Motions by IDA, in the terms that all methods share."""
+"""Integration by IDA, with the interface that all methods share."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ __all__ = ["ida_outcome", "prepare"]
 
 
 def prepare(task: Task) -> Integrate:
-    """Return what integrates motions of a task, one after another."""
+    """Return the function that integrates the motions of a task, one after another."""
     return partial(_integrate, task)
 
 
@@ -57,7 +57,17 @@ def ida_outcome(
     events: Sequence[Event] = (),
     keep_going: Callable[[float], bool] | None = None,
 ) -> Outcome:
-    """Return how an integration by IDA went, in the terms of the native integrator."""
+    """Integrate one motion by IDA, and return the outcome in the form of the native integrator.
+
+    Args:
+        model: the model.
+        state: coordinates and speeds at the first instant, shape (n,).
+        parameters: the values of the parameters.
+        instants: the instants of the results, shape (N,), in s.
+        options: the method by name and its tolerances.
+        events: the events to watch.
+        keep_going: called from time to time with the time reached; False ends the motion.
+    """
     failure = None
     try:
         run = integrate_ida(
@@ -82,7 +92,7 @@ def ida_outcome(
         failure = Failure("interrupted", float(run.t[-1]), run.message)
     reached = int(np.isin(run.t, instants).sum())
     values = np.array([parameters[name] for name in model.parameters])
-    # IDA doesn't tell its steps; each takes two evaluations or so.
+    # IDA does not report its steps; each takes about two evaluations.
     steps = run.statistics.evaluations // 2
     imbalance = imbalance_of(model, values, instants[:reached], run.states[:reached], options, steps)
     return Outcome(

@@ -1,4 +1,4 @@
-"""Why a motion ended before its time: what the integrator saw, and what in the model may be the cause."""
+"""Why a motion ended early: what the integrator found, and the likely cause in the model."""
 
 from __future__ import annotations
 
@@ -50,7 +50,7 @@ def _failure_and_cause(failure: Failure, cause: str) -> str:
 
 
 def _possible_cause(kind: str, task: Task) -> str:
-    """Return what may be the cause of a failure where constraints are not, and the way out."""
+    """Return the likely cause of a failure that the constraints did not cause, and the way out."""
     stiff = "; for stiff equations use method='bdf'" if task.method.is_explicit else ""
     if kind == "projection":
         return (
@@ -76,7 +76,7 @@ def _possible_cause(kind: str, task: Task) -> str:
 
 
 def _of_ida(failure: Failure, outcome: Outcome, model: Model, parameters: Array) -> str:
-    """Return what IDA says, and which constraints are dependent at the end of its last step."""
+    """Return the message of IDA, and which constraints are dependent at the end of its last step."""
     message = failure.message.removeprefix("simulate: ")
     t, state = outcome.end
     known = outcome.trail[np.isfinite(outcome.trail).all(axis=1)]
@@ -87,9 +87,9 @@ def _of_ida(failure: Failure, outcome: Outcome, model: Model, parameters: Array)
 
 
 _BY_CONSTRAINTS = {"projection": NEAR, "stalled": NEAR, "step_collapse": NEAR, "singular": 0.3, "ida": 0.1}
-"""The kinds of failure that constraints cause where they become dependent, and how near to that the state may be.
+"""The kinds of failure that dependent constraints cause, and how close to singular the state may be.
 
-Where a method finds no step past a singular position, its state is a step before it."""
+A method that finds no step past a singular position stops one step before it."""
 
 
 def _dependent(model: Model, parameters: Array, t: float, state: Array, near: float) -> str:
@@ -117,7 +117,7 @@ def _out_of_domain(model: Model, parameters: Array, t: float, state: Array) -> s
 
 
 def _not_finite(model: Model, parameters: Array, t: float, state: Array) -> str:
-    """Return which rates are no finite numbers at a state."""
+    """Return which rates are not finite at a state."""
     values = model.rates_code.evaluate(
         parameters, np.concatenate([[t], state, np.zeros(model.width - len(model.state))])
     )

@@ -1,4 +1,4 @@
-"""The native integrator: compiled equations in, states out; no Python in its loop."""
+"""The native integrator: it calls compiled equations, with no Python in its loop."""
 
 from __future__ import annotations
 
@@ -19,10 +19,10 @@ __all__ = ["prepare", "run", "run_many"]
 
 
 def prepare(task: Task, *, needs_jacobian: bool = False) -> Integrate:
-    """Return what integrates motions of a task; its functions are derived and compiled now.
+    """Return the function that integrates the motions of a task; derive and compile what it calls.
 
     Args:
-        task: what to integrate.
+        task: the task.
         needs_jacobian: whether the method is implicit.
     """
     problem = Problem.of(
@@ -72,7 +72,16 @@ def run(
     options: Options,
     keep_going: Callable[[float], bool] | None = None,
 ) -> Outcome:
-    """Integrate from a state at the first instant through all of them, with the constants of the parameters."""
+    """Integrate one motion through all instants.
+
+    Args:
+        problem: the compiled functions.
+        state: the vector at the first instant, shape (width,).
+        constants: what the functions need of the parameters; see `Problem.constants`.
+        instants: the instants of the results, shape (N,), in s.
+        options: the method by name and its tolerances.
+        keep_going: called from time to time with the part of the time that is done; False ends the motion.
+    """
     states = np.empty((len(instants), problem.width))
     given = problem.native.integrate(
         options.method,
@@ -96,9 +105,19 @@ def run_many(
     threads: int = 1,
     keep_going: Callable[[float], bool] | None = None,
 ) -> list[Outcome | None]:
-    """Integrate many motions, a row of states and of parameters for each, in threads outside the interpreter.
+    """Integrate many motions in threads outside the interpreter.
 
-    What was not begun when `keep_going` said no is None.
+    Args:
+        problem: the compiled functions.
+        parameters: the values of the parameters, one row for each of the k motions.
+        states: the vectors at the first instant, shape (k, width).
+        instants: the instants of the results, shape (N,), in s.
+        options: the method by name and its tolerances.
+        threads: how many motions to integrate at a time.
+        keep_going: called from time to time with the number of finished motions; False ends all of them.
+
+    Returns:
+        An outcome for each motion; None for those that were not started.
     """
     results = np.full((len(states), len(instants), problem.width), np.nan)
     different, places = np.unique(parameters, axis=0, return_inverse=True)
@@ -124,7 +143,7 @@ def run_many(
 def _prepared(
     problem: Problem, parameters: NDArray[np.float64]
 ) -> tuple[NDArray[np.float64], set[Deficiency]]:
-    """Return the constants, and the linear systems of parameters alone that have no unique solution."""
+    """Return the constants, and the linear systems that depend on parameters alone and have no unique solution."""
     with noting() as found:
         constants = problem.constants(parameters)
     return constants, found

@@ -1,4 +1,4 @@
-"""What a user asks to be evaluated along a motion: outputs and events, of what the model knows."""
+"""The expressions that are evaluated along a motion beside its state: outputs and events."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ def given_outputs(outputs: Mapping[str, ExprLike] | None, where: str = "simulate
     """Return the expressions of outputs, by name.
 
     Raises:
-        ArgumentError: no dictionary of names and expressions.
+        ArgumentError: the outputs are not a dictionary of names and expressions.
     """
     given: object = {} if outputs is None else outputs
     if not isinstance(given, Mapping) or any(not isinstance(name, str) for name in given):
@@ -34,7 +34,7 @@ def given_events(events: Sequence[Event] | None, where: str = "simulate") -> tup
     """Return the events.
 
     Raises:
-        SimulationError: no list of events.
+        SimulationError: the events are not a list of events.
     """
     given: object = () if events is None else events
     if isinstance(given, Event):
@@ -51,7 +51,7 @@ def given_events(events: Sequence[Event] | None, where: str = "simulate") -> tup
 
 
 def parameters_in(expressions: Sequence[Expr]) -> tuple[Expr, ...]:
-    """Return the parameters that expressions hold, by name."""
+    """Return the parameters in expressions, sorted by name."""
     found = (
         leaf for leaf in free_symbols(list(expressions)) if leaf.kind == "symbol" and not leaf.depends_on_time
     )
@@ -61,11 +61,11 @@ def parameters_in(expressions: Sequence[Expr]) -> tuple[Expr, ...]:
 def check_observed(
     model: Model, outputs: Mapping[str, Expr], events: Sequence[Event], where: str = "simulate"
 ) -> None:
-    """See that inputs, outputs and events hold nothing but what a motion of the model knows.
+    """Check that inputs, outputs and events contain only variables that have values along a motion of the model.
 
     Raises:
         ModelError: an input brings accelerations into the equations of motion.
-        SimulationError: one holds something else; it is named.
+        SimulationError: an output or event contains another variable, which the message names.
     """
     check_explicit(model.equations, model.inputs, where)
     wanted = {f"the output {name!r}": value for name, value in outputs.items()}

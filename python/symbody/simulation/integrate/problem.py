@@ -1,4 +1,4 @@
-"""What the native integrator needs of a model: compiled functions by their addresses."""
+"""The interface to the native integrator: compiled functions, by their addresses."""
 
 from __future__ import annotations
 
@@ -26,14 +26,14 @@ class Problem:
 
     Attributes:
         width: the length of the integrated vector.
-        controlled: how many of its entries count for the error.
+        controlled: the number of its entries that enter the error estimate.
         rates: the rates of the vector.
-        jacobian: their derivatives that aren't zero, with rows and columns; for implicit methods.
-        corrections: the ways back onto the constraints, of coordinates and of speeds; none without projection.
-        energies: the kinetic and the potential energy; none where their sum isn't constant.
-        events: functions whose zeros are events, and the events.
-        trail: how many states at the ends of steps are kept at most, of each motion; of longer ones every second or
-            fourth state, and so on.
+        jacobian: their nonzero derivatives, with rows and columns; for implicit methods.
+        corrections: the corrections of coordinates and of speeds onto the constraints; None without projection.
+        energies: the kinetic and the potential energy; None where their sum is not constant.
+        events: the functions whose zeros are events, and the events.
+        trail: the most states at the ends of steps that are kept for each motion; of longer motions, every second or
+            fourth state is kept, and so on.
     """
 
     width: int
@@ -55,7 +55,15 @@ class Problem:
         events: Sequence[Event] = (),
         trail: int = 0,
     ) -> Problem:
-        """Return what integrates a model; each function is derived here, and compiled when its address is asked for."""
+        """Return the problem of a model. Its functions are derived here, and compiled when `native` is read.
+
+        Args:
+            model: the model.
+            is_projected: whether states are projected onto the constraints after each step.
+            needs_jacobian: whether the method is implicit.
+            events: the events to watch.
+            trail: the most states at the ends of steps that are kept.
+        """
         watched = model.along_motion([event.expression for event in events])
         others = [name for name in parameters_in(watched) if name not in (*model.parameters, *model.damping)]
         code = model.code(watched, others) if events else None
@@ -72,7 +80,7 @@ class Problem:
 
     @property
     def codes(self) -> list[PreparedCode]:
-        """All functions, in the order in which their constants stand."""
+        """All functions, in the order of their constants."""
         jacobian = [] if self.jacobian is None else [self.jacobian[0]]
         events = [] if self.events is None else [self.events[0]]
         energies = [] if self.energies is None else [self.energies]
@@ -80,11 +88,11 @@ class Problem:
 
     @property
     def parameters(self) -> tuple[Expr, ...]:
-        """What needs values: the parameters of the rates, then those that stand in events alone."""
+        """The symbols that need values: the parameters of the rates, then those that only events contain."""
         return self.codes[-1].parameters
 
     def constants(self, parameters: NDArray[np.float64]) -> NDArray[np.float64]:
-        """Return what the functions need of the parameters, one after another."""
+        """Return the constants of all functions for given parameters, one after another."""
         return np.concatenate([code.prepare(parameters[: len(code.parameters)]) for code in self.codes])
 
     @cached_property

@@ -1,4 +1,4 @@
-"""Driving loads: what the equations of motion demand where the motion is known."""
+"""Driving loads: the solution of the equations of motion for loads, where the motion is known."""
 
 from __future__ import annotations
 
@@ -24,9 +24,9 @@ __all__ = ["DrivingLoads", "driving_loads"]
 Array = NDArray[np.float64]
 
 _UNBALANCED = 1e-7
-"""The part of its terms that an equation of motion may be off where it counts as balanced."""
+"""The relative residual up to which an equation of motion counts as balanced."""
 _FAINT = 1e-4
-"""The part of the largest terms that counts, where an equation has no terms but rounding errors."""
+"""The ratio to the largest terms that counts, where all terms of an equation are rounding errors."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -35,9 +35,9 @@ class DrivingLoads:
 
     Attributes:
         equations: the equations of motion.
-        given: what stands in the place of functions of time that are given from outside.
+        given: the expressions that replace input functions of time.
         along: the coordinates or quasi-velocities along which generalised forces are solved for.
-        loads: symbols or functions of time in the equations that are solved for.
+        loads: symbols or functions of time in the equations, which are solved for.
         where: the function that the user called, for messages.
     """
 
@@ -49,7 +49,7 @@ class DrivingLoads:
 
     @property
     def names(self) -> tuple[Expr, ...]:
-        """What is solved for, but the multipliers."""
+        """The unknowns, except the multipliers."""
         return self.along + self.loads
 
     @cached_property
@@ -59,14 +59,14 @@ class DrivingLoads:
 
     @cached_property
     def parameters(self) -> tuple[Expr, ...]:
-        """The symbols that need values, by name."""
+        """The symbols that need values, sorted by name."""
         leaves = free_symbols(self.residuals) - {*self.loads}
         found = {leaf for leaf in leaves if leaf.kind == "symbol" and not leaf.depends_on_time}
         return tuple(sorted(found, key=lambda symbol: symbol.name))
 
     @cached_property
     def function(self) -> CompiledFunction:
-        """The function of t, (q, u, u') and p that returns r, B, and the sizes of the terms of r.
+        """The function of t, (q, u, u') and p that returns r, B, and the magnitudes of the terms of r.
 
         Raises:
             ModelError: the equations aren't linear in the loads.
@@ -86,7 +86,7 @@ class DrivingLoads:
         return lambdify(variables, [list(rest), B, [magnitude(each) for each in rest]])
 
     def _directions(self) -> Matrix:
-        """Return ``-K^T``, with K the derivatives by the speeds of the rates along which forces are."""
+        """Return ``-K^T``: K has the derivatives, with respect to the speeds, of the rates along which forces act."""
         eqs = self.equations
         rates = [eqs.kinematics.get(time_derivative(name), name) for name in self.along]
         return -jacobian(list(with_given(eqs.system, self.given, rates)), list(eqs.speeds)).T
@@ -111,10 +111,10 @@ class DrivingLoads:
     def solved(
         self, instants: Array, trajectory: Trajectory, values: Mapping[Expr, float]
     ) -> tuple[Array, Array]:
-        """Return loads and multipliers, a row for each instant; the least multipliers of dependent constraints.
+        """Return loads and multipliers, one row for each instant; the least multipliers if constraints are dependent.
 
         Raises:
-            SimulationError: some loads aren't determined, or the equations don't balance or aren't finite.
+            SimulationError: loads are not determined, or the equations are not balanced or not finite.
         """
         state = np.hstack([trajectory.coordinates, trajectory.speeds, trajectory.accelerations]).T
         p = np.array([values[name] for name in self.parameters]).reshape(-1, 1)
@@ -170,5 +170,13 @@ class DrivingLoads:
 def driving_loads(
     eqs: Equations, given: Given, along: tuple[Expr, ...], loads: tuple[Expr, ...], where: str
 ) -> DrivingLoads:
-    """Return the equations for loads; the last ones are kept, with what they compiled."""
+    """Return the equations for loads. They are cached, with their compiled code.
+
+    Args:
+        eqs: the equations of motion.
+        given: the expressions that replace input functions of time.
+        along: the coordinates or quasi-velocities along which generalised forces are solved for.
+        loads: the symbols or functions of time that are solved for.
+        where: the function that the user called, for messages.
+    """
     return DrivingLoads(eqs, given, along, loads, where)

@@ -1,4 +1,7 @@
-"""The least changes of a state that lead onto the constraints."""
+"""The correction of constraint violations: the least changes of a state that lead back onto the constraints.
+
+`symbody.simulation.integrate.baumgarte_damping` is the other way: it damps violations instead of removing them.
+"""
 
 from __future__ import annotations
 
@@ -13,12 +16,12 @@ __all__ = ["ConstraintCorrection", "constraint_correction"]
 
 @dataclass(frozen=True)
 class ConstraintCorrection:
-    """What is added to a state.
+    """The changes of a state.
 
     Attributes:
-        coordinates: to its coordinates.
-        speeds: to its speeds.
-        conditions: what has to be positive, as numbers, for these to be accurate.
+        coordinates: the changes of the coordinates.
+        speeds: the changes of the speeds.
+        conditions: expressions that must be positive for the changes to be accurate.
     """
 
     coordinates: tuple[Expr, ...]
@@ -27,14 +30,14 @@ class ConstraintCorrection:
 
 
 def constraint_correction(eqs: Equations, method: str) -> ConstraintCorrection:
-    """Return the least changes of coordinates and of speeds that lead onto the constraints, to first order.
+    """Return the least changes of coordinates and speeds that satisfy the constraints, to first order.
 
-    ``M d = phi_q^T mu, phi_q d = -phi`` [Eich 1993]: least in kinetic energy, so that lengths and angles weigh what
-    they should. The coordinates follow by the kinematics.
+    ``M d = phi_q^T mu, phi_q d = -phi`` [Eich 1993]. The kinetic energy measures the changes, so that lengths and
+    angles have the right weights. The kinematics turn the changes of speeds into those of coordinates.
 
     Args:
         eqs: the equations of motion.
-        method: how the system is solved, as `forward_dynamics` has it: "schur_complement", "null_space", "pivoted".
+        method: how the linear system is solved, as in `forward_dynamics`: "schur_complement", "null_space", "pivoted".
     """
     M, J = eqs.mass_matrix, eqs.constraint_jacobian
     nothing = [number(0)] * M.rows
@@ -47,7 +50,7 @@ def constraint_correction(eqs: Equations, method: str) -> ConstraintCorrection:
 
 
 def _moved(eqs: Equations, change: Sequence[Expr]) -> tuple[Expr, ...]:
-    """Return what speeds make of the coordinates in a unit of time, beyond what happens at rest."""
+    """Return the change of the coordinates in a unit of time by speeds alone, without the drift at zero speeds."""
     kinematics = tuple(eqs.kinematics.values())
     at_rest = substitute(kinematics, dict.fromkeys(eqs.speeds, number(0)))
     moved = substitute(kinematics, dict(zip(eqs.speeds, change, strict=True)))
