@@ -49,7 +49,7 @@ DEFICIENT = (
     "linear system 1 of the function is of deficient rank at some points: equation number 2 follows from the others "
     "there; its solution of least norm was taken"
 )
-STIFF = "stability, not accuracy, bounds the steps: the equations are stiff; method='bdf' may be faster"
+STIFF = "stability, not accuracy, limits the step size: the equations are stiff; method='bdf' may be faster"
 
 
 def driven(force: Any) -> Equations:

@@ -92,7 +92,7 @@ def _page_file(path: str | os.PathLike[str]) -> Path:
     file = file_of(path)
     if file.suffix.lower() not in {".html", ".htm"}:
         raise ViewError(
-            f"animate: {file} ends in {file.suffix!r}, and what is written is a page in HTML; expected a name such as "
+            f"animate: {file} ends in {file.suffix!r}, but the page is written in HTML; expected a name such as "
             f"{file.stem}.html"
         )
     return file

@@ -221,7 +221,7 @@ def _checked(expression: object) -> Expr:
 
 def _strange(what: object) -> ViewError:
     return ViewError(
-        f"plot: {what!r} is no panel; expected an expression such as a coordinate, a list of expressions, or a "
+        f"plot: {what!r} is not a panel; expected an expression such as a coordinate, a list of expressions, or a "
         "dictionary of expressions by name"
     )
 

@@ -25,7 +25,7 @@ def values(motion: DrawableMotion, expressions: Sequence[Expr]) -> Array:
     """
     if len(motion.t) == 0:
         raise ViewError(
-            "view: the motion has no instants, so there is nothing to draw; expected one at least"
+            "view: the motion has no instants, so there is nothing to draw; expected at least one"
         )
     if not expressions:
         return np.empty((0, len(motion.t)))

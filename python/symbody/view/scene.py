@@ -91,7 +91,7 @@ def _check_shapes(shapes: Mapping[Body, object], bodies: Sequence[Body]) -> None
     for body in shapes:
         if body not in bodies:
             raise ViewError(
-                f"view: there is a shape for {brief(body)}, which is no body of the system; "
+                f"view: there is a shape for {brief(body)}, which is not a body of the system; "
                 f"expected one of {brief(', '.join(map(str, bodies)))}"
             )
 
@@ -112,7 +112,7 @@ def _shift(motion: DrawableMotion, follow: Body | None, tracks: Array, up: Array
         return np.zeros((len(motion.t), 3))
     if follow not in motion.system.bodies:
         raise ViewError(
-            f"animate: {brief(follow)} to follow is no body of the system; "
+            f"animate: {brief(follow)} to follow is not a body of the system; "
             f"expected one of {brief(', '.join(map(str, motion.system.bodies)))}"
         )
     path = tracks[motion.system.bodies.index(follow), :, :3]

@@ -22,7 +22,7 @@ def file_of(path: str | os.PathLike[str], example: str = "motion.html") -> Path:
     try:
         return Path(path)
     except TypeError:
-        raise PictureError(f"view: {path!r} is no path; expected one, such as {example!r}") from None
+        raise PictureError(f"view: {path!r} is not a path; expected one, such as {example!r}") from None
 
 
 def write_whole(path: str | os.PathLike[str], write: Callable[[Path], object]) -> Path:

@@ -68,7 +68,7 @@ def cases_of(parameters: Values | None, initial: Values | None, cases: Values | 
         kind = "parameters" if _variable(name, "cases").kind == "symbol" else "initial"
         if name in given[kind]:
             raise ParameterError(
-                f"{PLACE}: {name} stands in {kind} and in cases; leave it out of one of them"
+                f"{PLACE}: {name} is given in {kind} and in cases; leave it out of one of them"
             )
         given[kind][name] = values
     columns = {
@@ -98,7 +98,7 @@ def _rows(given: object, kind: str) -> dict[Any, Any]:
         if set(one) != set(names):
             different = ", ".join(sorted(map(str, set(one) ^ set(names))))
             raise ParameterError(
-                f"{PLACE}, {kind}: the dictionaries of the cases 0 and {case} differ by {different}; expected the same "
+                f"{PLACE}, {kind}: the dictionaries of cases 0 and {case} differ by {different}; expected the same "
                 "variables in all of them"
             )
     return {name: [one[name] for one in given] for name in names}
@@ -108,7 +108,7 @@ def _variable(name: object, kind: str) -> Expr:
     if isinstance(name, Expr) and name.is_variable:
         return name
     raise ArgumentError(
-        f"{PLACE}, {kind}: {described(name)}; expected a symbol or a function of time, and its values behind it"
+        f"{PLACE}, {kind}: {described(name)}; expected a symbol or a function of time as a key"
     )
 
 

@@ -55,16 +55,16 @@ class ResultsFile:
                 raise
             reason = getattr(error, "strerror", None) or error
             raise ResultsError(
-                f"simulate_many: {self.path} can't be read as a file of results ({reason}); it was left as it is. "
-                "Give another path, or remove the file"
+                f"simulate_many: {self.path} can't be read as a results file ({reason}); the file was not "
+                "changed. Give another path, or remove the file"
             ) from error
 
     def _check_problem(self, found: Mapping[str, str]) -> None:
         other = [part for part, text in self.problem.items() if found.get(part) != text]
         if other:
             raise ResultsError(
-                f"simulate_many: {self.path} holds results of another problem: {_listed(other)} differ; it was left as "
-                "it is. Give another path, or remove the file to compute anew"
+                f"simulate_many: {self.path} contains results of another problem: {_listed(other)} differ; the file "
+                "was not changed. Give another path, or remove the file to start again"
             )
 
     def check_writable(self) -> None:

@@ -164,7 +164,7 @@ def _run(parcel: Parcel[Task], cases: Cases, sign: StopFlag) -> Results:
 def _lost(error: BaseException) -> SimulationError:
     return SimulationError(
         f"simulate_many: tasks of the executor failed ({type(error).__name__}: {error}); expected an executor whose "
-        "workers can import symbody, and stay alive"
+        "workers can import symbody and keep running"
     )
 
 

@@ -342,7 +342,7 @@ def _unsatisfied(kinematics: Kinematics, p: Array, t: float, q: Array, fixed: Ma
     if named and len(named) == len(system.coordinates):
         return (
             f"the given coordinates, {_values(named, fixed)}, don't satisfy the constraints at t = {t:g} s: "
-            f"{found}; give some of them as guess instead, and they are solved for"
+            f"{found}; give some of them as a guess instead, so that they are solved for"
         )
     nearest = _values(
         [name for name in system.coordinates if name not in fixed],
@@ -361,19 +361,19 @@ def _impossible(
     system = kinematics.system
     rates = [time_derivative(system.coordinates[place]) for place in places]
     conditions = [
-        *(f"keep constraint {k + 1}, {shortened(phi)} = 0," for k, phi in enumerate(system.constraints)),
+        *(f"satisfy constraint {k + 1}, {shortened(phi)} = 0," for k, phi in enumerate(system.constraints)),
         *(f"give {rate} = {fixed[rate]:.6g}" for rate in rates),
     ]
     worst = conditions[int(np.argmax(np.where(np.isfinite(error), error, np.inf)))]
     named = [name for name in dict.fromkeys((*system.speeds, *rates)) if name in fixed]
     if not named:
         return (
-            f"{_WHERE}: no speeds {worst} at t = {t:g} s and this position: the constraints change with time, and the "
+            f"{_WHERE}: no speeds {worst} at t = {t:g} s in this position: the constraints change with time, and the "
             "system can't follow; give other coordinates"
         )
     return (
-        f"{_WHERE}: no speeds with {_values(named, fixed)} {worst} at t = {t:g} s and this position; give some of them "
-        "as guess instead, and they are solved for"
+        f"{_WHERE}: no speeds with {_values(named, fixed)} {worst} at t = {t:g} s in this position; give some of them "
+        "as a guess instead, so that they are solved for"
     )
 
 

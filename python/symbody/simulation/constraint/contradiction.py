@@ -47,8 +47,8 @@ def contradiction_between(constraints: Sequence[Expr], rows: Iterable[int]) -> s
     """Return which constraints contradict each other, and the way out."""
     names = named_constraints(constraints, rows)
     if len(names) == 1:
-        return f"constraint {names[0]} can't be satisfied there, whatever moves; correct it"
+        return f"constraint {names[0]} can't be satisfied there by any motion; correct it"
     return (
-        f"constraints {listed(names)} contradict each other: they ask for different motions of the same coordinates; "
-        "correct them, or leave out what should follow from the others"
+        f"constraints {listed(names)} contradict each other: they require different motions of the same coordinates; "
+        "correct them, or leave out those that should follow from the others"
     )

@@ -97,8 +97,8 @@ class Kinematics:
         )
         if unknown:
             raise ModelError(
-                f"{where}: the constraints hold the functions of time {', '.join(unknown)}, which are neither "
-                f"coordinates nor speeds; give them by time, as inputs={{{unknown[0]}: sin(t)}}"
+                f"{where}: the constraints contain the functions of time {', '.join(unknown)}, which are neither "
+                f"coordinates nor speeds; give them as inputs={{{unknown[0]}: sin(t)}}"
             )
 
 

@@ -65,8 +65,8 @@ def _check_zeros(model: Model, parameters: Mapping[Expr, float], where: str) -> 
     ]
     named = " and ".join(f"{name} = 0" for name in zeros)
     raise ConstraintError(
-        f"{where}: with {named} fewer constraints are independent, and the equations were derived for other values; "
-        f"leave out of the system what follows from the others then: {', '.join(without)}"
+        f"{where}: with {named} fewer constraints are independent than in the equations, which were derived for "
+        f"other values; leave out of the system the constraints that then follow from the others: {', '.join(without)}"
     )
 
 
@@ -96,8 +96,8 @@ def _check_special_dimensions(
         raise ConstraintError(
             f"{where}: the constraints let {', '.join(map(str, special))} be other than zero at this position, but at "
             f"almost no other one: constraints {', '.join(places)} depend on each other here. If they do so "
-            f"wherever the mechanism moves, by its special dimensions, it is overconstrained: leave out "
-            f"{found.count} of them{found.choices}; if they don't, begin at another position"
+            f"wherever the mechanism moves, because of its special dimensions, it is overconstrained: leave out "
+            f"{found.count} of them{found.choices}; if not, start at another position"
         )
 
 

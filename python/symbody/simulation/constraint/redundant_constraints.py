@@ -69,7 +69,7 @@ class Redundancy:
         amount = "one" if self.count == 1 else str(self.count)
         return (
             f"the mechanism is overconstrained: constraints {names} depend on each other wherever it moves, {amount} "
-            f"of them too many; leave out {amount}{self.choices}"
+            f"of them redundant; leave out {amount}{self.choices}"
         )
 
     @property
@@ -86,7 +86,8 @@ class Redundancy:
             if bad
             else ""
         )
-        return f", best {_either(good)}{warning} (least ratio of singular values of those that stay, without {numbers})"
+        ratios = f"least ratio of singular values of the remaining constraints, without {numbers}"
+        return f", best {_either(good)}{warning} ({ratios})"
 
 
 def _either(rows: Sequence[int]) -> str:

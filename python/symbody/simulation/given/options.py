@@ -89,7 +89,7 @@ def constraint_handling(constraints: object, where: str = "simulate") -> str | t
             return float(omega), float(zeta)
         raise SimulationError(
             f"{where}: constraints=({omega!r}, {zeta!r}); expected two positive numbers, omega in rad/s and zeta: "
-            "what is off would grow otherwise"
+            "violations would grow otherwise"
         )
     raise SimulationError(
         f"{where}: constraints={described(constraints)}; expected 'projection', 'baumgarte', 'free', or (omega, zeta) "

@@ -73,7 +73,7 @@ class Reading:
         Raises:
             ArgumentError: always.
         """
-        raise ArgumentError(f"{self.name}: nothing to go through one by one; {self.rows}")
+        raise ArgumentError(f"{self.name}: a result can't be iterated over; {self.rows}")
 
     def _instead_of_one(self, wanted: object) -> str:
         """Return a hint at what was probably meant."""
@@ -84,7 +84,7 @@ class Reading:
         if isinstance(wanted, Matrix):
             return f"; its entries are expressions: {self.name}.evaluate([*matrix])"
         if isinstance(wanted, Iterable) and not isinstance(wanted, str | Mapping):
-            return f"; several at once: {self.name}.evaluate([...])"
+            return f"; for several expressions: {self.name}.evaluate([...])"
         return ""
 
     def _instead_of_several(self, wanted: object) -> str:

@@ -72,7 +72,7 @@ def check_parameters(names: Sequence[Expr], given: Mapping[Any, ArrayLike], wher
     check_known(given, (*names, *more), f"{where}, parameters", "a parameter of these equations")
     missing = [name for name in names if name not in given]
     if missing:
-        unused = f"; {_listed(more)}, which you gave, stands nowhere in the equations" if more else ""
+        unused = f"; the equations don't contain {_listed(more)}, which you gave" if more else ""
         raise ParameterError(
             f"{where}: no value for {_listed(missing)}; give parameters={{{_examples(missing)}}}"
             f"{namesake_note(missing, given) or unused}"
@@ -153,16 +153,16 @@ def given_inputs(
     for function in given:
         if not _is_function(function) or function.name not in names:
             raise ModelError(
-                f"{where}, inputs: {_found(function)} is no function of time that the equations hold beside "
-                f"coordinates and speeds; expected {_listed(names) or 'none: leave inputs out'}"
+                f"{where}, inputs: {_found(function)} is not a function of time that the equations contain "
+                f"besides coordinates and speeds; expected {_listed(names) or 'none: leave inputs out'}"
                 f"{namesake_note(eqs.inputs, [function], _EXPECTED)}"
             )
     known = {function.name for function in (*given, *besides)}
     missing = [name for name in names if name not in known]
     if missing:
         raise ModelError(
-            f"{where}: the equations hold the functions of time {_listed(missing)}, which are neither coordinates nor "
-            f"speeds; give them by time and state, as inputs={{{missing[0]}: sin(t)}}, or add what is unknown to the "
+            f"{where}: the equations contain the functions of time {_listed(missing)}, which are neither coordinates "
+            f"nor speeds; give them as inputs={{{missing[0]}: sin(t)}}, or add those that are unknown to the "
             "coordinates of the System"
         )
     formulas = {function: _input(eqs, function, value, where) for function, value in given.items()}
@@ -193,7 +193,7 @@ def _input(eqs: Equations, function: Expr, value: Any, where: str) -> Expr:
     strange = {leaf for leaf in formula.free_symbols if leaf.depends_on_time} - known
     if strange:
         raise ModelError(
-            f"{place}: {_listed(sorted(map(str, strange)))} is no part of the state; expected an expression of time, "
+            f"{place}: {_listed(sorted(map(str, strange)))} is not part of the state; expected an expression of time, "
             "coordinates, speeds and parameters"
         )
     return formula

@@ -44,8 +44,8 @@ def start_of(dae: DifferentialAlgebraicEquations, parameters: Array, state: Arra
     if not finite.all():
         strange = ", ".join(name for name, is_finite in zip(equations, finite, strict=True) if not is_finite)
         raise SimulationError(
-            f"simulate: at the start, t = {time:g} s, not finite: {strange}; check the initial state and the "
-            "parameters: a function may be out of its domain there, or a length zero"
+            f"simulate: at the start, t = {time:g} s, these are not finite: {strange}; check the initial state and the "
+            "parameters: a function may be out of its domain there, or a length may be zero"
         )
     solution = _solved(A, -b, _equations(dae), time)
     unknowns, rates = np.zeros(width), np.zeros(width)
@@ -73,7 +73,7 @@ def _solved(A: Array, right: Array, equations: Sequence[str], time: float) -> Ar
     if left[worst] > _UNSOLVED * size.max():
         raise SimulationError(
             f"simulate: at the start, t = {time:g} s, no accelerations satisfy {equations[worst]}; expected a mass for "
-            "every motion, and constraints that can hold together"
+            "every motion, and compatible constraints"
         )
     return solution
 

@@ -54,16 +54,16 @@ def _possible_cause(kind: str, task: Task) -> str:
     stiff = "; for stiff equations use method='bdf'" if task.method.is_explicit else ""
     if kind == "projection":
         return (
-            "the constraints can't be satisfied beyond, or the position is singular; look at the motion up to there; "
-            "smaller tolerances may pass it, or constraints='baumgarte'"
+            "the constraints can't be satisfied beyond this position, or it is singular; look at the motion up to "
+            "there; smaller tolerances or constraints='baumgarte' may pass it"
         )
     if kind == "stalled":
         return (
-            "a force may jump back and forth, such as dry friction by sign(v): smooth it, as tanh(v/v0), or end the "
-            f"motion by an event{stiff}"
+            "a force may jump back and forth, such as dry friction by sign(v): smooth it, for example by "
+            f"tanh(v/v0), or end the motion by an event{stiff}"
         )
     if kind == "step_collapse":
-        held = "the constraints may let it go no farther, " if task.model.constraints else ""
+        held = "the constraints may allow no further motion, " if task.model.constraints else ""
         return (
             f"{held}the motion may go to infinity there, or a force jumps: smooth it, or end the motion by an "
             f"event{stiff}"
@@ -96,10 +96,10 @@ def _dependent(model: Model, parameters: Array, t: float, state: Array, near: fl
     """Return which constraints are dependent at a state, and what to do about it."""
     found = described_dependence(dependent_constraints(model, parameters, t, state, near))
     return found and (
-        f"{found}: a singular position, or near one, from which several motions may go on; method='dop853' or 'tsit5' "
-        "with constraints='projection' passes most; or begin with another state, change the dimensions, or end the "
-        "motion by an event before it; constraints that depend on each other wherever the mechanism moves should be "
-        "left out"
+        f"{found}: the motion is at or near a singular position, from which several motions may continue; "
+        "method='dop853' or 'tsit5' with constraints='projection' passes most such positions; or start from another "
+        "state, change the dimensions, or end the motion by an event before it; leave out constraints that depend on "
+        "each other wherever the mechanism moves"
     )
 
 
@@ -107,12 +107,12 @@ def _out_of_domain(model: Model, parameters: Array, t: float, state: Array) -> s
     names = _not_finite(model, parameters, t, state)
     if names:
         return (
-            f"{names} not finite there; look for a division by zero, a root or logarithm of what became negative, or "
+            f"{names} not finite there; look for a division by zero, a root or logarithm of a negative value, or "
             "parameters that make no sense"
         )
     return (
-        "a rate of the state is not finite a step ahead, however short the step; look for a function that leaves its "
-        "domain"
+        "a rate of the state is not finite after the next step, however short that is; look for a function that "
+        "leaves its domain"
     )
 
 
@@ -149,6 +149,6 @@ def _singular(model: Model, parameters: Array, t: float, state: Array) -> str:
     names = [str(u) for u, weight in zip(model.speeds, weights, strict=True) if weight > 0.1 * weights.max()]
     together = names[0] if len(names) == 1 else f"a combination of {', '.join(names)}"
     return (
-        f"the mass matrix is singular: {together} moves no mass; give it some, or leave that coordinate out; or it's a "
-        "singular position, as Euler angles have, and floating_frame() has not"
+        f"the mass matrix is singular: {together} moves no mass; give it some, or leave that coordinate out; or the "
+        "position is singular, which happens with Euler angles but not with floating_frame()"
     )

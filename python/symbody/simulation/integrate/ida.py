@@ -314,10 +314,9 @@ _HINTS = {
 
 def _failure(ending: _Ending, dae: DifferentialAlgebraicEquations, *, is_first: bool) -> str:
     said = " ".join(ending.reason.split()).rstrip(".")
-    what = "steps became too short to get anywhere" if ending.kind == "stalled" else f"IDA gave up ({said})"
+    what = "the steps became too short" if ending.kind == "stalled" else f"IDA gave up ({said})"
     expected = (
-        "an initial state that satisfies the constraints and their rates, and constraints none of which depends on "
-        "others"
+        "an initial state that satisfies the constraints and their rates, and independent constraints"
         if is_first and dae.model.constraints
         else "a motion that is smooth and finite there: look for a singular position, constraints that depend on each "
         "other, a force that jumps, or a function that leaves its domain"

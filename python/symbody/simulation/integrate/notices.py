@@ -140,36 +140,37 @@ ROWS: dict[str, _Row] = {
     "deficient": _Row(_deficiencies, "{subject}"),
     "start": _Row(
         _singular_start,
-        "the motion begins at a singular position, from which several motions may go on: {subject}, and beside it they "
-        "don't; begin at another position of the motion that is meant, or look whether this is the one",
+        "the motion starts at a singular position, from which several motions may continue: {subject}, but not at "
+        "neighbouring positions; start at another position of the intended motion, or check that this is the "
+        "intended one",
     ),
     "violation": _Row(
         _violations,
-        "the motion has left its constraints: at its end {subject} is off by {size:.1g} of the size of its terms; "
-        "use smaller tolerances or another way to keep them (constraints=...), and leave out those that follow from "
-        "others",
+        "the motion has left its constraints: at its end {subject} is off by {size:.1g} of the magnitude of its "
+        "terms; use smaller tolerances or another way to enforce them (constraints=...), and leave out those that "
+        "follow from others",
     ),
     "imbalance": _Row(
         _imbalance,
-        "the balance of energy, work included, is off by {size:.1g} of the largest energy that moves, more than the "
-        "tolerances explain, from t = {t:.6g} s on or a little before; {subject}, and look for a force that jumps or a "
-        "singular position there",
+        "the energy balance, including work, is off by {size:.1g} of the largest energy that varies, more than the "
+        "tolerances explain, from t = {t:.6g} s on or slightly earlier; {subject}, and look for a force that jumps "
+        "or a singular position there",
     ),
     "passage": _Row(
         _passages,
         "the motion passes singular positions ({size:.0f}, the first at about t = {t:.4g} s), where the constraints "
-        "depend on each other and other branches begin; it may have changed its branch there: only method='dop853' or "
-        "'tsit5' with constraints='projection' make sure that it does not",
+        "depend on each other and branches meet; it may have changed its branch there: only method='dop853' or "
+        "'tsit5' with constraints='projection' prevent this",
     ),
     "uncertain": _Row(
         _uncertainty,
         "at t = {t:.6g} s the motion is so close to a singular position of its constraints that rounding errors decide "
-        "on which branch it goes on; compare it with a motion at another tolerance or max_step, or one that begins a "
-        "little beside it",
+        "on which branch it continues; compare it with a motion with another tolerance or max_step, or from a "
+        "slightly different initial state",
     ),
     "stiff": _Row(
         _stiffness,
-        "stability, not accuracy, bounds the steps: the equations are stiff; method='bdf' may be faster",
+        "stability, not accuracy, limits the step size: the equations are stiff; method='bdf' may be faster",
     ),
 }
 """How each kind of finding is made and worded, in the order in which findings are reported."""

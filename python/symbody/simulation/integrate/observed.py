@@ -46,7 +46,9 @@ def given_events(events: Sequence[Event] | None, where: str = "simulate") -> tup
     listed = tuple(given)
     for event in listed:
         if not isinstance(event, Event):
-            raise SimulationError(f"{where}: events hold {event!r}; expected Event(expression), from symbody")
+            raise SimulationError(
+                f"{where}: events contain {event!r}; expected Event(expression), from symbody"
+            )
     return listed
 
 
@@ -77,7 +79,7 @@ def check_observed(
         } - known
         if strange:
             raise SimulationError(
-                f"{where}: {name} holds {', '.join(sorted(map(str, strange)))}; expected an expression of time, "
+                f"{where}: {name} contains {', '.join(sorted(map(str, strange)))}; expected an expression of time, "
                 "coordinates, speeds, accelerations, multipliers and parameters"
                 f"{namesake_note(strange, known, ('asked for', 'of the motion'))}"
             )

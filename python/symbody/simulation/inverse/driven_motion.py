@@ -90,8 +90,8 @@ def simulated_motion(
         own = motion.parameters.get(name, values[name])
         if values[name] != own:
             raise ConstraintError(
-                f"{_WHERE}, parameters: {name} = {values[name]:g} stands in the constraints or the kinematics, and "
-                f"the motion has {name} = {own:g}; simulate it with the same"
+                f"{_WHERE}, parameters: {name} = {values[name]:g} is in the constraints or the kinematics, but the "
+                f"motion has {name} = {own:g}; simulate it with the same value"
             )
     q, n = len(system.coordinates), len(system.speeds)
     rows = motion.evaluate([*system.coordinates, *system.speeds, *system.accelerations]).T

@@ -97,8 +97,8 @@ class DrivingLoads:
         rates = [rate for rate in rates if rate.name in {name.name for name in self.loads}]
         if rates:
             raise ModelError(
-                f"{self.where}, unknowns: the equations of motion hold the rate {rates[0]}; expected loads whose rates "
-                "don't matter"
+                f"{self.where}, unknowns: the equations of motion contain the rate {rates[0]}; expected loads that "
+                "enter without their rates"
             )
         names = {leaf.name for leaf in free_symbols([entry for row in slopes for entry in row])}
         curved = [str(name) for name in self.loads if name.name in names]
@@ -134,7 +134,7 @@ class DrivingLoads:
             row = int(np.argmax(is_strange[k]))
             raise SimulationError(
                 f"{self.where}: at t = {instants[k]:g} s {self._equation(row)} isn't finite; a function may be out of "
-                "its domain there, or a length zero"
+                "its domain there, or a length may be zero"
             )
 
     def _check_balanced(self, instants: Array, left: Array, sizes: Array) -> None:
@@ -145,7 +145,7 @@ class DrivingLoads:
             row = int(np.argmax(np.where(is_off[k], np.abs(left[k]), 0)))
             raise SimulationError(
                 f"{self.where}: at t = {instants[k]:g} s no {', '.join(map(str, self.names))} balance "
-                f"{self._equation(row)}: {left[k, row]:.3g} are left; expected loads that work on every degree of "
+                f"{self._equation(row)}: {left[k, row]:.3g} is left; expected loads that act on every degree of "
                 "freedom of the motion"
             )
 
@@ -158,8 +158,8 @@ class DrivingLoads:
             what = f"the force{'' if is_one else 's'} along " if self.along else ""
             raise SimulationError(
                 f"{self.where}: at t = {instants[k]:g} s {what}{', '.join(map(str, names))} "
-                f"{'is' if is_one else 'are'} not determined: other values move the system alike; give as many "
-                "unknowns=[...] as the motion has degrees of freedom, and none where it is at its dead centre"
+                f"{'is' if is_one else 'are'} not determined: other values cause the same motion; give as many "
+                "unknowns=[...] as the motion has degrees of freedom, and none that is at a dead centre"
             )
 
     def _equation(self, row: int) -> str:

@@ -249,7 +249,7 @@ def _check_unknowns(eqs: Equations, kinematics: Kinematics, motion: object, load
         if name.name in moving:
             raise ModelError(
                 f"{_WHERE}, unknowns: {name} stands in the prescribed motion, the constraints or the kinematics; "
-                "expected what stands in loads alone"
+                "expected unknowns that only loads contain"
             )
 
 

@@ -209,7 +209,7 @@ class _Driven:
             k = int(np.argmax(is_strange.any(axis=0)))
             raise SimulationError(
                 f"{self.where}, motion: {self.prescribed[int(np.argmax(is_strange[:, k]))]}, or a rate of it, isn't "
-                f"finite at t = {instants[k]:g} s; prescribe what has two finite rates"
+                f"finite at t = {instants[k]:g} s; prescribe a motion with finite first and second derivatives"
             )
 
     def check_determined(self, instants: Array, velocities: _Level) -> None:
@@ -224,7 +224,7 @@ class _Driven:
         raise SimulationError(
             f"{self.where}: at t = {instants[k]:g} s the {what} determined by the constraints and the prescribed "
             f"{', '.join(map(str, self.prescribed))}; prescribe as many coordinates as the system has degrees of "
-            "freedom, others where the position is singular"
+            "freedom, or other ones if the position is singular"
         )
 
     def check_satisfied(self, instants: Array, level: _Level, what: str) -> None:
@@ -248,6 +248,6 @@ class _Driven:
         names = self.kinematics.system.coordinates
         place = ", ".join(f"{name} = {value:.6g}" for name, value in zip(names[:12], q, strict=False))
         return (
-            f"{self.where}: the constraints don't let the prescribed motion go on from t = {time:.6g} s, where "
+            f"{self.where}: the constraints don't allow the prescribed motion beyond t = {time:.6g} s, where "
             f"{place}; it may be a dead centre, or beyond reach: prescribe another motion, or other coordinates"
         )

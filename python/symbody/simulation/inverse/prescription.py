@@ -99,8 +99,8 @@ def prescription_of(
     listed: object = motion
     if not isinstance(listed, Mapping) or not listed:
         raise ArgumentError(
-            f"{where}, motion: {described(motion)}; expected {{coordinate: expression of time}}, or a motion that was "
-            "simulated"
+            f"{where}, motion: {described(motion)}; expected {{coordinate: expression of time}}, or a simulated "
+            "motion"
         )
     check_known(motion, system.coordinates, f"{where}, motion", "a coordinate of this system")
     formulas: dict[Expr, Expr] = {}
@@ -135,8 +135,8 @@ def _spline(name: Expr, column: Array, instants: Array, where: str) -> BSpline:
         )
     if len(column) < 6 or not np.isfinite(column).all():
         raise SimulationError(
-            f"{where}, motion: {name} has {counted(len(column), 'sample')}; expected six finite ones at least, "
-            "for a spline whose second rate is smooth"
+            f"{where}, motion: {name} has {counted(len(column), 'sample')}; expected at least six finite ones, "
+            "for a spline with a smooth second derivative"
         )
     from scipy.interpolate import make_interp_spline  # noqa: PLC0415 - slow to load, and rarely needed
 

@@ -73,13 +73,13 @@ def _way_out(names: Sequence[Expr], system: System) -> str:
     if rates:
         verb = "is" if len(rates) == 1 else "are"
         return (
-            f"{_shown(rates)} {verb} of too high an order: read the accelerations, and differentiate their values, "
-            "as by numpy.gradient"
+            f"{_shown(rates)} {verb} of too high an order: evaluate the accelerations and differentiate their "
+            "values, for example with numpy.gradient"
         )
     verb, what = ("is", "it") if len(names) == 1 else ("are", "them")
     return (
-        f"{_shown(names)} {verb} no coordinate or speed of this system: use those, or add {what} to the system before "
-        "simulating"
+        f"{_shown(names)} {verb} neither a coordinate nor a speed of this system: use those, or add {what} to the "
+        "system before simulating"
     )
 
 

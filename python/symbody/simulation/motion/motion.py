@@ -173,7 +173,7 @@ class Motion:
         count = len(self.t)
         if not hasattr(instant, "__index__") or not -count <= instant < count:
             raise ArgumentError(
-                f"motion.state_at: {described(instant)}; expected the number of one of the {count} instants, from 0"
+                f"motion.state_at: {described(instant)}; expected the index of one of the {count} instants, from 0"
             )
         return dict(zip(self.model.state, map(float, self.states[instant]), strict=True))
 
@@ -199,8 +199,9 @@ class Motion:
         )
         if driven:
             raise ModelError(
-                f"motion: frames move by {', '.join(driven)}, a prescribed motion whose drive does work that the "
-                "equations don't hold: the energy isn't constant; prescribe it by a constraint to have its work counted"
+                f"motion: frames move by {', '.join(driven)}, a prescribed motion, and the equations don't contain "
+                "the work of its drive: the energy isn't constant; prescribe it by a constraint, whose work is "
+                "counted"
             )
         total: Array = self.evaluate(energies).sum(axis=0) - self.work
         return total

@@ -79,8 +79,8 @@ class Equilibrium:
 def _decays(eigenvalues: NDArray[np.complex128]) -> bool:
     if np.isnan(eigenvalues).any():
         raise SimulationError(
-            f"{_WHERE}: the position is singular, and nothing is known of small motions about it; expected a position "
-            "at which the constraints are independent: look at one beside it, or simulate"
+            f"{_WHERE}: the position is singular, so that small motions about it are not known; expected a position "
+            "at which the constraints are independent: try a position nearby, or simulate"
         )
     size = np.abs(eigenvalues).max(initial=0.0)
     return bool((eigenvalues.real <= 1e-8 * size).all())
@@ -229,8 +229,8 @@ def _many(problem: Balance, q: Array, direction: Array) -> str:
     freest = int(np.argmax(size))
     together = f"{moved[0]} can" if len(moved) == 1 else f"{', '.join(map(str, moved))} can together"
     return (
-        f"{_WHERE}: infinitely many: {together} be changed without a force; fix a coordinate, as "
-        f"fixed={{{names[freest]}: {q[freest]:.6g}}}"
+        f"{_WHERE}: the equilibrium is not isolated: {together} be changed without a force; fix a coordinate, "
+        f"such as fixed={{{names[freest]}: {q[freest]:.6g}}}"
     )
 
 
@@ -247,6 +247,6 @@ def _unbalanced(problem: Balance, q: Array, forces: Array) -> str:
     place = ", ".join(f"{name} = {value:.6g}" for name, value in zip(eqs.coordinates[:12], q, strict=False))
     return (
         f"{_WHERE}: none was found; nearest, at {place}: {names[worst]} is off by {F[worst]:.3g}; expected loads that "
-        "can balance: give a guess nearer to the equilibrium, or hold coordinates that no load holds, as "
-        f"fixed={{{eqs.coordinates[0]}: ...}}"
+        "can balance: give a guess nearer to the equilibrium, or hold coordinates that no load holds, "
+        f"such as fixed={{{eqs.coordinates[0]}: ...}}"
     )

@@ -80,8 +80,8 @@ class RestPosition:
             what = "the constraints" if self.is_singular else "the constraints and what is held"
             whose = "eigenvalues" if self.is_singular else "held_eigenvalues"
             yield (
-                f"the position is singular: {what} depend on each other here, and at positions beside it they don't, "
-                f"so that no linear equations describe the small motions about it: {whose} are NaN"
+                f"the position is singular: {what} depend on each other here, but not at neighbouring positions, so "
+                f"that no linear equations describe the small motions about it: {whose} are NaN"
             )
 
     @cached_property
@@ -121,7 +121,7 @@ class RestPosition:
             return f"{names[0]} is not determined here: it moves nothing at this position"
         return (
             f"{listed(names)} are not determined here, as they act in directions that depend on each other at this "
-            "position: other values of them balance as well"
+            "position: other values balance as well"
         )
 
 
