@@ -132,11 +132,15 @@ def simulate_many(
     with Interruption() as interruption:
         reason = run.run_missing(*workforce, interruption, progress=progress)
     runs = Runs(task, all_cases, results)
-    for notice in filter(None, (_failure_notice(runs), _gap_notice(runs, reason, path), run.fault)):
-        warnings.warn(ModelNotice(PREFIX + notice.removeprefix(PREFIX)), stacklevel=2)
-    for notice in notices_of_batch(results.findings.tolist(), PLACE):
-        warnings.warn(ModelNotice(notice), stacklevel=2)
+    _warn(runs, _failure_notice(runs), _gap_notice(runs, reason, path), run.fault)
     return runs
+
+
+def _warn(runs: Runs, *notices: str) -> None:
+    """Warn of what is not empty, and of what the cases have found."""
+    texts = [PREFIX + notice.removeprefix(PREFIX) for notice in notices if notice]
+    for text in (*texts, *notices_of_batch(runs.findings, PLACE)):
+        warnings.warn(ModelNotice(text), stacklevel=3)
 
 
 def _checked(executor: object, threads: object, path: object) -> tuple[Executor | None, int]:
