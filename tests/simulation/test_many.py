@@ -47,8 +47,7 @@ from symbody.simulation.batch.many import simulate_many
 from symbody.simulation.batch.runs import Runs
 from symbody.simulation.given.event import Event
 from symbody.simulation.given.options import Options
-from symbody.simulation.integrate.native import run
-from symbody.simulation.integrate.problem import Problem
+from symbody.simulation.integrate.native import problem_of, run
 from symbody.simulation.model.model import model_of
 from symbody.simulation.motion.simulate import simulate
 from symbody.symbolic.given.arguments import described
@@ -103,7 +102,7 @@ def test_states_begin_where_they_are_told_to() -> None:
 
 def test_each_case_is_what_it_is_alone() -> None:
     model = model_of(PENDULUM)
-    problem = Problem.of(model, is_projected=True)
+    problem = problem_of(model, is_projected=True)
     for case in range(6):
         given = REFERENCE.cases.parameters_of(case)
         alone = run(

@@ -2,20 +2,23 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Sequence
 from functools import partial
 
 import numpy as np
 from numpy.typing import NDArray
 
+from symbody.simulation.given.event import Event
 from symbody.simulation.given.options import Options
+from symbody.simulation.model.model import Model
 from symbody.symbolic.numeric.deficiency import Deficiency, deficiencies_of, noting
 
+from .observed import parameters_in
 from .outcome import Failure, Outcome, Statistics, with_deficiencies
 from .problem import Problem
 from .task import Columns, Integrate, KeepGoing, Task
 
-__all__ = ["prepare", "run", "run_many"]
+__all__ = ["prepare", "problem_of", "run", "run_many"]
 
 
 def prepare(task: Task, *, needs_jacobian: bool = False) -> Integrate:
@@ -25,7 +28,7 @@ def prepare(task: Task, *, needs_jacobian: bool = False) -> Integrate:
         task: the task.
         needs_jacobian: whether the method is implicit.
     """
-    problem = Problem.of(
+    problem = problem_of(
         task.model,
         is_projected=task.is_projected,
         needs_jacobian=needs_jacobian,
@@ -34,6 +37,38 @@ def prepare(task: Task, *, needs_jacobian: bool = False) -> Integrate:
     )
     problem.native  # noqa: B018 - compiled now
     return partial(_integrate, problem, task.instants, task.options)
+
+
+def problem_of(
+    model: Model,
+    *,
+    is_projected: bool,
+    needs_jacobian: bool = False,
+    events: Sequence[Event] = (),
+    trail: int = 0,
+) -> Problem:
+    """Return the compiled functions of a model. They are derived here, and compiled when their addresses are read.
+
+    Args:
+        model: the model.
+        is_projected: whether states are projected onto the constraints after each step.
+        needs_jacobian: whether the method is implicit.
+        events: the events to watch.
+        trail: the most states at the ends of steps that are kept.
+    """
+    watched = model.along_motion([event.expression for event in events])
+    others = [name for name in parameters_in(watched) if name not in (*model.parameters, *model.damping)]
+    code = model.code(watched, others) if events else None
+    return Problem(
+        width=model.width,
+        controlled=len(model.state),
+        rates=model.rates_code,
+        jacobian=model.jacobian_code if needs_jacobian else None,
+        corrections=model.correction_codes if is_projected and model.constraints else None,
+        energies=model.energies_code,
+        events=None if code is None else (code, tuple(events)),
+        trail=trail,
+    )
 
 
 def _integrate(

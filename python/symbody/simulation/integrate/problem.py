@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -11,11 +10,8 @@ from numpy.typing import NDArray
 
 from symbody.codegen import PreparedCode
 from symbody.simulation.given.event import Event
-from symbody.simulation.model.model import Model
 from symbody.symbolic import Expr
 from symbody.symbolic._core import Dynamics
-
-from .observed import parameters_in
 
 __all__ = ["Problem"]
 
@@ -44,39 +40,6 @@ class Problem:
     energies: PreparedCode | None = None
     events: tuple[PreparedCode, tuple[Event, ...]] | None = None
     trail: int = 0
-
-    @classmethod
-    def of(
-        cls,
-        model: Model,
-        *,
-        is_projected: bool,
-        needs_jacobian: bool = False,
-        events: Sequence[Event] = (),
-        trail: int = 0,
-    ) -> Problem:
-        """Return the problem of a model. Its functions are derived here, and compiled when `native` is read.
-
-        Args:
-            model: the model.
-            is_projected: whether states are projected onto the constraints after each step.
-            needs_jacobian: whether the method is implicit.
-            events: the events to watch.
-            trail: the most states at the ends of steps that are kept.
-        """
-        watched = model.along_motion([event.expression for event in events])
-        others = [name for name in parameters_in(watched) if name not in (*model.parameters, *model.damping)]
-        code = model.code(watched, others) if events else None
-        return cls(
-            width=model.width,
-            controlled=len(model.state),
-            rates=model.rates_code,
-            jacobian=model.jacobian_code if needs_jacobian else None,
-            corrections=model.correction_codes if is_projected and model.constraints else None,
-            energies=model.energies_code,
-            events=None if code is None else (code, tuple(events)),
-            trail=trail,
-        )
 
     @property
     def codes(self) -> list[PreparedCode]:
