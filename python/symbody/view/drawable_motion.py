@@ -13,7 +13,10 @@ from symbody.symbolic import Expr
 
 
 class DrawableMotion(Protocol):
-    """A motion: its N instants, and the values of any expression of the model at these."""
+    """A motion: its N instants, and the values of any expression of the model at these.
+
+    The result of `symbody.simulate` is one; so is any object with these members.
+    """
 
     @property
     def t(self) -> NDArray[np.float64]:

@@ -51,6 +51,15 @@ def equivalent_shape(mass: float, inertia: Array, link: Array | None, least: flo
 
 
 def _planar(mass: float, moment: float, normal: Array, link: Array | None, least: float) -> dict[str, Any]:
+    """Return the rod or the disc of a body that moves in a plane.
+
+    Args:
+        mass: the mass.
+        moment: the only moment of inertia.
+        normal: its axis, shape (3,).
+        link: the direction of the link, if there is one.
+        least: the smallest visible length.
+    """
     in_plane = None if link is None else link - (link @ normal) * normal
     if in_plane is None or np.linalg.norm(in_plane) < SAME:
         radius = (2 * moment / mass) ** 0.5
@@ -62,6 +71,15 @@ def _planar(mass: float, moment: float, normal: Array, link: Array | None, least
 
 
 def _cylinder(mass: float, across: float, along: float, axis: Array, least: float) -> dict[str, Any]:
+    """Return the cylinder with two equal principal moments.
+
+    Args:
+        mass: the mass.
+        across: the two equal principal moments.
+        along: the moment about the axis.
+        axis: the axis, shape (3,).
+        least: the smallest visible length.
+    """
     height = float(np.sqrt(max(12 * (across - along / 2) / mass, 0)))
     radius = max(least / 2, (2 * max(along, 0) / mass) ** 0.5)
     return _rod(axis, max(height, _thickness(radius, least)), radius)

@@ -99,6 +99,11 @@ def save(figure: Figure, path: str | os.PathLike[str]) -> Path:
     Raises:
         PictureError: the file can't be written.
         ViewError: the suffix is not a format.
+
+    >>> import tempfile
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     save(Figure(), Path(folder) / "empty.svg").name
+    'empty.svg'
     """
     file = file_of(path, "motion.png")
     kind = file.suffix.removeprefix(".").lower()

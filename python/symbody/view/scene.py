@@ -170,6 +170,15 @@ def _bodies(bodies: Sequence[Body], own: Sequence[int], parts: Sequence[list[Par
 
 
 def _equivalent(motion: DrawableMotion, body: Body, pose: int, bones: Skeleton, least: float) -> Part:
+    """Return the solid of a body without a given shape.
+
+    Args:
+        motion: the motion.
+        body: the body.
+        pose: the index of its frame.
+        bones: the skeleton.
+        least: the smallest visible length.
+    """
     mass, *rest = constants(motion, [body.mass, *body.inertia_entries, *joint(body).coordinates])
     to_centre = -np.array(rest[9:])
     link = to_centre if np.linalg.norm(to_centre) > 0 else bones.longest_arm(pose)
@@ -177,7 +186,15 @@ def _equivalent(motion: DrawableMotion, body: Body, pose: int, bones: Skeleton, 
 
 
 def _is_glass(k: int, parts: Sequence[list[Part]], poses: Array, own: Sequence[int], bones: Skeleton) -> bool:
-    """Return whether a solid hides smaller bodies or joints, or does not reach its own: it can't be the real shape."""
+    """Return whether a solid hides smaller bodies or joints, or does not reach its own: it can't be the real shape.
+
+    Args:
+        k: the index of the body.
+        parts: the parts of all bodies.
+        poses: the poses of the frames at one instant, shape (frames, 7).
+        own: the indices of the bodies' frames.
+        bones: the skeleton.
+    """
     part, pose = parts[k][0], poses[own[k]]
     sizes = [float(np.linalg.norm(np.ptp(corners(shapes[0]), axis=0))) for shapes in parts]
     smaller = [poses[own[j], :3] for j, size in enumerate(sizes) if size < 0.999 * sizes[k]]
@@ -205,7 +222,15 @@ def _seen(pose: Array, places: Sequence[Array]) -> Array:
 
 
 def _core(tracks: Array, own: Sequence[int], bones: Skeleton, requested: Array, shift: Array) -> Array:
-    """Return the places of centres of mass, points and ends of rods, at all instants, relative to the camera."""
+    """Return the places of centres of mass, points and ends of rods, at all instants, relative to the camera.
+
+    Args:
+        tracks: the poses of the frames, shape (frames, N, 7).
+        own: the indices of the bodies' frames.
+        bones: the skeleton.
+        requested: the paths of points that the user wants to see.
+        shift: the displacement of the camera, shape (N, 3).
+    """
     found = [tracks[:, :, :3], requested, *(path[None] for _, path in bones.points)]
     found += [np.array(line) for line in bones.lines]
     found += [carried(tracks[rod["pose"]], np.array([rod["from"], rod["to"]])) for rod in bones.rods]

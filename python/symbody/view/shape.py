@@ -16,7 +16,11 @@ CENTRE: Place = (0, 0, 0)
 
 
 class Shape(ABC):
-    """A solid, fixed in the frame of the body at its centre of mass, or in another frame."""
+    """A solid, fixed in the frame of the body at its centre of mass, or in another frame.
+
+    >>> isinstance(Box(2, 1, 1), Shape)
+    True
+    """
 
     frame: Frame | None
     """The frame of its coordinates; None stands for that of the body."""
@@ -81,7 +85,11 @@ class Ellipsoid(Shape):
 @final
 @dataclass(frozen=True)
 class Cylinder(Shape):
-    """A cylinder, given by its radius and the centres of its ends: a wheel, a rod, a rope drum."""
+    """A cylinder, given by its radius and the centres of its ends: a wheel, a rod, a rope drum.
+
+    >>> Cylinder(0.3, (0, -0.1, 0), (0, 0.1, 0)).part([0.3, 0, -0.1, 0, 0, 0.1, 0])["radius"]
+    0.3
+    """
 
     radius: Scalar
     start: Place
@@ -100,7 +108,11 @@ class Cylinder(Shape):
 @final
 @dataclass(frozen=True)
 class Plate(Shape):
-    """A plate parallel to the x-y plane, given by its corners in order, its thickness, and its middle plane's z."""
+    """A plate parallel to the x-y plane, given by its corners in order, its thickness, and its middle plane's z.
+
+    >>> len(Plate(((0, 0), (1, 0), (0, 1)), 0.1).lengths)
+    8
+    """
 
     corners: tuple[tuple[Scalar, Scalar], ...]
     thickness: Scalar

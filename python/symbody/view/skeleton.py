@@ -101,7 +101,16 @@ def _is_drawn(
     path: Array,
     size: float,
 ) -> bool:
-    """Return whether a thread joins a body or a point with another one, or with a fixed place."""
+    """Return whether a thread joins a body or a point with another one, or with a fixed place.
+
+    Args:
+        start: the attachment of its start.
+        end: the attachment of its end; None if it moves with no body.
+        thread: the thread.
+        named: the natural points of the model.
+        path: the path of its end, shape (N, 3).
+        size: the size of the picture.
+    """
     if end is not None and start.body == end.body:
         return False
     stays = np.ptp(path, axis=0).max() < RIGID * size

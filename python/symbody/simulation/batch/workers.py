@@ -124,6 +124,16 @@ def _submitted(
     most: int,
     sign: StopFlag,
 ) -> dict[Future[Results], NDArray[np.intp]]:
+    """Submit cases as tasks, and return the indices of the cases of each.
+
+    Args:
+        parcel: what the cases share.
+        cases: all of them.
+        indices: those to run.
+        executor: the executor.
+        most: the most cases of a task.
+        sign: the flag that stops the tasks.
+    """
     size = min(most, -(-len(indices) // TASKS))
     parts = [indices[start : start + size] for start in range(0, len(indices), size)]
     try:

@@ -325,6 +325,15 @@ def _given_rates(kinematics: Kinematics, given: Mapping[Expr, float]) -> tuple[l
 
 
 def _unsatisfied(kinematics: Kinematics, p: Array, t: float, q: Array, fixed: Mapping[Expr, float]) -> str:
+    """Return which constraints are violated where the search ended, and the way out.
+
+    Args:
+        kinematics: the constraints.
+        p: the values of their parameters.
+        t: the time, in s.
+        q: the nearest coordinates that were found, shape (n_q,).
+        fixed: the values of fixed coordinates.
+    """
     phi, phi_q, sizes = kinematics.position(t, q, p)
     system = kinematics.system
     against = (
@@ -358,6 +367,15 @@ def _unsatisfied(kinematics: Kinematics, p: Array, t: float, q: Array, fixed: Ma
 def _impossible(
     kinematics: Kinematics, t: float, error: Array, places: Sequence[int], fixed: Mapping[Expr, float]
 ) -> str:
+    """Return which equation no speeds satisfy, and the way out.
+
+    Args:
+        kinematics: the constraints.
+        t: the time, in s.
+        error: the relative residuals of the equations for speeds.
+        places: the indices of coordinates whose rates are fixed.
+        fixed: the values of fixed speeds and rates.
+    """
     system = kinematics.system
     rates = [time_derivative(system.coordinates[place]) for place in places]
     conditions = [

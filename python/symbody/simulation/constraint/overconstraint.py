@@ -78,6 +78,15 @@ def _without(matrix: Matrix, row: int) -> Matrix:
 def _check_special_dimensions(
     model: Model, phi_q: Array, kernel: Array, parameters: Mapping[Expr, float], where: str
 ) -> None:
+    """Check that speeds which the constraints allow here are not zero at almost every position.
+
+    Args:
+        model: the model.
+        phi_q: the Jacobian of the constraints with respect to the speeds, shape (m, n).
+        kernel: a basis of the speeds that they allow, as columns, shape (n, f).
+        parameters: the values of the parameters.
+        where: the function that the user called, for messages.
+    """
     moves = np.abs(kernel).max(axis=1) > _SHARE
     special = [
         speed

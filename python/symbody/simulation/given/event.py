@@ -59,6 +59,13 @@ class Occurrence:
         event: the event.
         t: the instant, in s.
         state: the coordinates and speeds at that instant.
+
+    >>> from symbody import Body, System, functions_of_time, newton_euler, simulate, time_derivative, translate
+    >>> x = functions_of_time("x")
+    >>> body = newton_euler(System([Body(translate(x, 0, 0), 1)], coordinates=[x]))
+    >>> motion = simulate(body, {}, {time_derivative(x): 2}, t=(0, 1), events=[Event(x - 1)])
+    >>> [round(occurrence.t, 9) for occurrence in motion.events]
+    [0.5]
     """
 
     event: Event

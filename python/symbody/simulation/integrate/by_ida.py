@@ -31,6 +31,15 @@ def prepare(task: Task) -> Integrate:
 def _integrate(
     task: Task, parameters: Columns, states: NDArray[np.float64], _threads: int, keep_going: KeepGoing
 ) -> Iterator[Outcome | None]:
+    """Integrate motions one after another, and yield their outcomes; None for those that were not started.
+
+    Args:
+        task: the task.
+        parameters: values by name, one for each of the k motions.
+        states: the initial states, shape (k, model.width).
+        _threads: not used: IDA runs one motion at a time.
+        keep_going: called from time to time with the number of finished motions; False ends all of them.
+    """
     first, span, size = float(task.instants[0]), float(np.ptp(task.instants)), len(task.model.state)
     for case, state in enumerate(states):
 

@@ -83,7 +83,16 @@ def _contradiction(
     *,
     are_speeds_noted: bool,
 ) -> str:
-    """Return which equations contradict each other at a state, and why; the empty text if none do."""
+    """Return which equations contradict each other at a state, and why; the empty text if none do.
+
+    Args:
+        model: the model.
+        parameters: the values of its parameters.
+        span: the duration of the motion, in s.
+        t: the time, in s.
+        state: coordinates and speeds, shape (n_q + n,).
+        are_speeds_noted: whether the linear solver reported equations of speeds.
+    """
     kinematics = kinematics_of(model.equations, dict(model.inputs))
     p = np.array([parameters[name] for name in kinematics.parameters])
     rows = contradictory_rows(kinematics, p, t, state, span)
@@ -128,7 +137,15 @@ def contradictory_rows(
 
 
 def _lasting_combinations(kinematics: Kinematics, p: Array, t: float, q: Array, A: Array) -> list[Array]:
-    """Return the combinations of constraints whose gradients cancel at a position and at its neighbours."""
+    """Return the combinations of constraints whose gradients cancel at a position and at its neighbours.
+
+    Args:
+        kinematics: the constraints.
+        p: the values of their parameters.
+        t: the time, in s.
+        q: the coordinates, shape (n_q,).
+        A: the Jacobian of the constraints with respect to the speeds, shape (m, n).
+    """
     cancelling = len(cancelling_combinations(A))
     if not cancelling:
         return []
@@ -139,7 +156,15 @@ def _lasting_combinations(kinematics: Kinematics, p: Array, t: float, q: Array, 
 
 
 def _second_derivative(kinematics: Kinematics, p: Array, t: float, q: Array, w: Array) -> Array:
-    """Return ``(phi_q w)_q w``: the part of c that is quadratic in the speeds."""
+    """Return ``(phi_q w)_q w``: the part of c that is quadratic in the speeds.
+
+    Args:
+        kinematics: the constraints.
+        p: the values of their parameters.
+        t: the time, in s.
+        q: the coordinates, shape (n_q,).
+        w: speeds that the constraints allow, shape (n,).
+    """
     with np.errstate(all="ignore"):
         forth, back, none = (
             kinematics.acceleration(t, np.concatenate([q, u]), p)[: len(kinematics.constraints)]

@@ -93,7 +93,15 @@ A method that finds no step past a singular position stops one step before it.""
 
 
 def _dependent(model: Model, parameters: Array, t: float, state: Array, near: float) -> str:
-    """Return which constraints are dependent at a state, and what to do about it."""
+    """Return which constraints are dependent at a state, and what to do about it.
+
+    Args:
+        model: the model.
+        parameters: the values of its parameters, then those of Baumgarte's stabilisation if it is used.
+        t: the time, in s.
+        state: coordinates and speeds, shape (n_q + n,).
+        near: the ratio of singular values below which constraints are nearly dependent.
+    """
     found = described_dependence(dependent_constraints(model, parameters, t, state, near))
     return found and (
         f"{found}: the motion is at or near a singular position, from which several motions may continue; "

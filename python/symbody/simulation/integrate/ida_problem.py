@@ -120,9 +120,29 @@ class IdaProblem:
             return self.keep_going is None or self.keep_going(time)
 
     def jacobian(self, time: float, y: Array, rates: Array, _: Array, cj: float, out: Array) -> None:
+        """Evaluate ``dF/dy + cj dF/dy'`` as a full matrix.
+
+        Args:
+            time: the time, in s.
+            y: the unknowns.
+            rates: their rates.
+            _: the residuals, which are not used.
+            cj: the derivative of a rate with respect to its unknown.
+            out: the matrix to fill.
+        """
         out[self.rows, self.columns] = self.slopes(time, y, rates, cj)
 
     def sparse_jacobian(self, time: float, y: Array, rates: Array, _: Array, cj: float, out: Array) -> None:
+        """Evaluate the nonzero entries of ``dF/dy + cj dF/dy'``.
+
+        Args:
+            time: the time, in s.
+            y: the unknowns.
+            rates: their rates.
+            _: the residuals, which are not used.
+            cj: the derivative of a rate with respect to its unknown.
+            out: the sparse matrix to fill.
+        """
         out[:] = self.slopes(time, y, rates, cj)
 
     @property

@@ -80,7 +80,17 @@ def _integrate(
     threads: int,
     keep_going: KeepGoing,
 ) -> Iterable[Outcome | None]:
-    """Integrate one motion, or many in threads outside the interpreter."""
+    """Integrate one motion, or many in threads outside the interpreter.
+
+    Args:
+        problem: the compiled functions.
+        instants: the instants of the results, shape (N,), in s.
+        options: the method by name and its tolerances.
+        parameters: values by name, one for each of the k motions.
+        states: the initial states, shape (k, width).
+        threads: how many motions to integrate at a time.
+        keep_going: called from time to time with the number of finished motions; False ends all of them.
+    """
     rows = np.empty((len(states), len(problem.parameters)))
     for place, name in enumerate(problem.parameters):
         rows[:, place] = parameters[name]

@@ -59,6 +59,13 @@ class InverseDynamics:
             dependent.
         parameters: the values of the parameters.
         inputs: the expressions that replaced input functions of time.
+
+    >>> from symbody import Body, System, functions_of_time, newton_euler, symbols, t, translate
+    >>> x, m = functions_of_time("x"), symbols("m")
+    >>> cart = newton_euler(System([Body(translate(x, 0, 0), m)], coordinates=[x]))
+    >>> result = inverse_dynamics(cart, {x: 3 * t**2}, {m: 2}, t=[0.0, 0.5, 1.0])
+    >>> result[m * x.diff(t, 2) / 2]
+    array([6., 6., 6.])
     """
 
     system: System

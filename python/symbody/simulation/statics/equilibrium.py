@@ -48,6 +48,14 @@ class Equilibrium:
 
     Forces that the position does not determine, such as those of dependent constraints, are the least ones. A notice
     names them, unless they belong to constraints that are redundant everywhere.
+
+    >>> from symbody import Body, Force, System, functions_of_time, ground, newton_euler, symbols, translate
+    >>> x, (m, k, F) = functions_of_time("x"), symbols("m k F")
+    >>> cart = Body(translate(x, 0, 0), m)
+    >>> spring = Force(ground, F - k * x, 0, 0, at=cart.center_of_mass, on=cart)
+    >>> found = equilibrium(newton_euler(System([cart], [spring], coordinates=[x])), {m: 1, k: 4, F: 2})
+    >>> found.coordinates, found.is_stable
+    ({x: 0.5}, True)
     """
 
     coordinates: dict[Expr, float]
