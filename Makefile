@@ -74,6 +74,8 @@ lint-python: $(STAMPS)/build $(STAMPS)/develop
 	$(BIN)/mypy
 	$(BIN)/python -m mypy.stubtest symbody.symbolic._core
 	$(BIN)/lint-imports --no-cache
+	$(call say,Sizes: a report$(,) no lint)
+	@$(BIN)/python scripts/sizes.py
 
 format: $(STAMPS)/develop  ## put the sources into the project's format, and README.md into that of an index
 	cargo fmt --all

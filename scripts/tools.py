@@ -246,12 +246,12 @@ def set_up(target: str, *, may_install: bool = True, is_ci: bool = False) -> Non
     lacking = [tool for tool in lacking if not is_at_hand(tool)]
     needed = [tool for tool in lacking if tool.way_out or (is_ci and target != "build")]
     if needed:
-        raise SetupError("\n".join(map(told, needed)))
+        raise SetupError("\n".join(map(description, needed)))
     if lacking and target != "build":
         print(f"Missing here, and left out: {listed(lacking)}")
 
 
-def told(tool: Tool) -> str:
+def description(tool: Tool) -> str:
     """Say what is missing, what for, and the way out."""
     old = output(tool.commands[0]) if tool.oldest else None
     state = f"is too old ({old.strip()})" if old else "is missing"

@@ -60,14 +60,14 @@ def test_the_doctor_finds_what_is_there(capsys: pytest.CaptureFixture[str]) -> N
 
 
 def test_each_dependency_extra_and_program_is_looked_for() -> None:
-    names = set(lines_of(doctor.findings()))
+    names = set(lines_of(doctor.checks()))
     assert {line.partition(">=")[0] for line in PROJECT["dependencies"]} <= names
     assert {*TOOLS, "scikit-sundae", "jupyterlab", "expressions", "machine code"} <= names
 
 
 def test_missing_programs_are_no_fault(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     monkeypatch.setenv("PATH", str(tmp_path))
-    found = doctor.findings()
+    found = doctor.checks()
     assert lines_of(found)["gfortran"] == (
         "  gfortran       missing      the GNU Fortran compiler: on Debian and Ubuntu: apt-get install gfortran"
     )
@@ -85,7 +85,7 @@ def test_programs_that_fail(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> 
     (tmp_path / "omc").write_bytes(b"\x7fELF no program")
     (tmp_path / "omc").chmod(0o755)
     monkeypatch.setenv("PATH", str(tmp_path))
-    states = {one.name: one.state for one in doctor.findings()}
+    states = {one.name: one.state for one in doctor.checks()}
     assert [states[name] for name in ("cc", "gfortran", "julia", "omc")] == [
         "fails",
         "12.2.0",
@@ -117,7 +117,7 @@ def test_packages_that_symbody_needs(
 
 def test_extras_that_are_missing_are_no_fault(monkeypatch: pytest.MonkeyPatch) -> None:
     versions(monkeypatch, {"dask": None})
-    found = doctor.findings()
+    found = doctor.checks()
     assert lines_of(found)["dask"] == (
         "  dask           missing      runs simulate_many on the workers of a cluster: "
         'pip install "symbody[dask]"'
@@ -148,7 +148,7 @@ def broken(monkeypatch: pytest.MonkeyPatch, module: str, error: Exception) -> di
         return true_import(name)
 
     monkeypatch.setattr(doctor, "import_module", import_module)
-    return lines_of(doctor.findings())
+    return lines_of(doctor.checks())
 
 
 @pytest.mark.parametrize(
@@ -182,11 +182,11 @@ def test_an_extra_that_cannot_be_loaded_is_no_fault(monkeypatch: pytest.MonkeyPa
     assert broken(monkeypatch, "sympy", OSError("no gmp"))["sympy"].startswith(
         '  sympy          fails        to_sympy and from_sympy: OSError: no gmp; pip install --force-reinstall "sympy>='
     )
-    assert not any(one.is_fault for one in doctor.findings())
+    assert not any(one.is_fault for one in doctor.checks())
 
 
 def test_each_package_that_is_here_can_be_loaded() -> None:
-    states = {one.name: one.state for one in doctor.findings() if one.group in ("Packages", "Extras")}
+    states = {one.name: one.state for one in doctor.checks() if one.group in ("Packages", "Extras")}
     assert "fails" not in states.values()
     assert set(doctor.MODULES) <= set(states)
 

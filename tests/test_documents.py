@@ -15,7 +15,9 @@ HEADING = re.compile(r"^#+ +(.+?) *$", re.MULTILINE)
 CODE_SPAN = re.compile(r"`[^`\n]+`")
 PRINTED = re.compile(r"^print\(.*\)  # (.*)$", re.MULTILINE)
 SOURCE = re.compile(r"(?:[\w.-]+/)*[\w-]+\.(?:py|rs|toml|lark|ipynb|json)")
-OF_THE_SOURCES = [ROOT / name for name in ("ARCHITECTURE.md", "CONTRIBUTING.md", "docs/extending.md", "docs/values.md")]
+OF_THE_SOURCES = [
+    ROOT / name for name in ("ARCHITECTURE.md", "CONTRIBUTING.md", "docs/extending.md", "docs/values.md")
+]
 """Documents that lead through the sources: each file that they name is there."""
 MAKE = re.compile(r"\bmake ([a-z][a-z-]*)")
 

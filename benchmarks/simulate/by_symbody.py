@@ -11,9 +11,8 @@ from symbody import simulate
 from symbody.simulation.given.options import Options
 from symbody.simulation.integrate.by_ida import ida_outcome
 from symbody.simulation.integrate.methods import METHODS
-from symbody.simulation.integrate.native import run
+from symbody.simulation.integrate.native import problem_of, run
 from symbody.simulation.integrate.outcome import Outcome
-from symbody.simulation.integrate.problem import Problem as Compiled
 
 from .contender import Contender, decades
 from .problem import Array, Problem, instants
@@ -44,7 +43,7 @@ def _native(problem: Problem, method: str) -> Callable[[float, float], Array]:
     """Return the integration; constraints are kept by projection after each step, as `simulate` does."""
     model = problem.model
     needs_jacobian = not METHODS[method].is_explicit
-    compiled = Compiled.of(model, is_projected=True, needs_jacobian=needs_jacobian)
+    compiled = problem_of(model, is_projected=True, needs_jacobian=needs_jacobian)
     constants = compiled.constants(problem.values)
     start = np.concatenate([problem.start, np.zeros(model.width - len(model.state))])
 

@@ -13,8 +13,7 @@ import numpy as np
 
 from symbody import simulate, simulate_many
 from symbody.simulation.given.options import Options
-from symbody.simulation.integrate.native import run_many
-from symbody.simulation.integrate.problem import Problem as Compiled
+from symbody.simulation.integrate.native import problem_of, run_many
 
 from . import by_jax, by_scipy
 from .problem import Array, Problem
@@ -184,7 +183,7 @@ def _simulate_many(problem: Problem, method: str, threads: int, states: Array, t
 
 def _native(problem: Problem) -> Many:
     """Return the integration alone, with one set of parameters."""
-    compiled = Compiled.of(problem.model, is_projected=True)
+    compiled = problem_of(problem.model, is_projected=True)
 
     def many(states: Array, tolerance: float) -> Array:
         options = Options("dop853", tolerance, tolerance)

@@ -1,7 +1,7 @@
-"""symbody: the equations of motion of multibody systems, derived in symbols, checked, and run.
+"""symbody: symbolic equations of motion of multibody systems, derived, checked, and solved numerically.
 
-The public names, layer by layer; ``import symbody as sb`` or import them from here. The layers that turn equations into
-code and numbers are loaded when one of their names is first used: with SciPy and LLVM, they take longer than the rest.
+This module has the public names of all layers: ``import symbody as sb``. The layers that turn equations into code and
+numbers are loaded when one of their names is first used, because SciPy and LLVM take long to load.
 """
 
 from __future__ import annotations
@@ -257,7 +257,7 @@ __all__ = [
 ]
 
 _LATER = ("codegen", "simulation", "view")
-"""The layers that are loaded with the first use of theirs, the lower first."""
+"""The layers that are loaded when one of their names is first used, the lower ones first."""
 
 
 def _what_is_redundant(system: System) -> str:
@@ -270,7 +270,7 @@ register_adviser(_what_is_redundant)
 if not TYPE_CHECKING:  # for type checkers, a module with this function has every name
 
     def __getattr__(name: str) -> object:
-        """Load the layer that a public name is in, when it is first used [PEP 562]."""
+        """Load the layer of a public name when it is first used [PEP 562]."""
         if name in _LATER:
             return import_module(f"symbody.{name}")
         if name == "__version__":

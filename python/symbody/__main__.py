@@ -1,4 +1,4 @@
-"""The command line: ``python -m symbody`` says what it can do."""
+"""The command line: ``python -m symbody`` lists its commands."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ command is unknown.
 
 
 def main(words: Sequence[str] | None = None) -> int:
-    """Run a command, and return the exit status."""
+    """Run a command and return the exit status."""
     parser = _parser()
     command = parser.parse_args(words).command
     if command == "version":
@@ -47,9 +47,9 @@ def _parser() -> argparse.ArgumentParser:
 
 
 def _doctor() -> int:
-    from symbody.doctor import findings, report  # noqa: PLC0415 - it loads the compiler of machine code
+    from symbody.doctor import checks, report  # noqa: PLC0415 - it loads the compiler of machine code
 
-    found = findings()
+    found = checks()
     print(report(found))
     return int(any(one.is_fault for one in found))
 

@@ -1,4 +1,4 @@
-"""What this installation has, what is missing, and how to get it: the report of ``python -m symbody doctor``."""
+"""The report of ``python -m symbody doctor``: what this installation has, what is missing, and how to get it."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from symbody.codegen.toolchain import TOOLS
 from symbody.symbolic import cos, sin, symbols
 from symbody.symbolic.given.arguments import brief
 
-__all__ = ["EXTRAS", "Finding", "findings", "report"]
+__all__ = ["EXTRAS", "Check", "checks", "report"]
 
 EXTRAS = {
     "sympy": "to_sympy and from_sympy",
@@ -27,7 +27,7 @@ EXTRAS = {
     "sundials": "the methods ida, ida2 and ida3 of simulate",
     "notebook": "Jupyter, which shows expressions, frames and equations as formulas",
 }
-"""What each extra is for; ``all`` is all of them."""
+"""The purpose of each extra; ``all`` is all of them."""
 
 MODULES = {
     "llvmlite": "llvmlite.binding",
@@ -36,22 +36,22 @@ MODULES = {
     "dask": "dask.distributed",
     "scikit-sundae": "sksundae.ida",
 }
-"""What symbody loads of packages, where that isn't the module of their name: the parts with libraries in them."""
+"""The module of a package that symbody loads, where it has another name: the part with libraries in it."""
 
 PATIENCE = 20.0
-"""s that a program may take to report its version."""
+"""The time in which a program must report its version, in s."""
 
 
 @dataclass(frozen=True)
-class Finding:
-    """One thing that was looked for.
+class Check:
+    """The result of one check.
 
     Attributes:
-        group: the heading that it is listed under.
-        name: what was looked for.
+        group: the heading under which it is listed.
+        name: the name of what was checked.
         state: its version, ``ok``, or what is wrong.
-        note: what it is for, or how to get it.
-        is_fault: whether symbody doesn't work without it.
+        note: its purpose, or how to get it.
+        is_fault: whether symbody does not work without it.
     """
 
     group: str
@@ -64,13 +64,13 @@ class Finding:
         return f"  {self.name:<14} {self.state:<12} {self.note}".rstrip()
 
 
-def findings() -> list[Finding]:
-    """Look for packages, extras and programs, and try expressions and machine code."""
+def checks() -> list[Check]:
+    """Check packages, extras and programs, and try expressions and machine code."""
     return [*_packages(), *_extras(), *_programs(), *_trials()]
 
 
-def report(found: Iterable[Finding]) -> str:
-    """Return what was found, group by group, with a conclusion."""
+def report(found: Iterable[Check]) -> str:
+    """Return the results of checks, group by group, with a conclusion."""
     listed = list(found)
     machine = f"Python {platform.python_version()}, {platform.system()} {platform.machine()}"
     lines = [f"symbody {metadata.version('symbody')}, {machine}"]
@@ -81,43 +81,43 @@ def report(found: Iterable[Finding]) -> str:
     return "\n".join([*lines, "", f"{conclusion}."])
 
 
-def _packages() -> Iterator[Finding]:
+def _packages() -> Iterator[Check]:
     for requirement in _requirements(""):
         state, advice = _state(requirement, f'pip install "{_text(requirement)}"')
-        yield Finding("Packages", requirement.name, state, advice, is_fault=bool(advice))
+        yield Check("Packages", requirement.name, state, advice, is_fault=bool(advice))
 
 
-def _extras() -> Iterator[Finding]:
+def _extras() -> Iterator[Check]:
     for extra, purpose in EXTRAS.items():
         for requirement in _requirements(extra):
             state, advice = _state(requirement, f'pip install "symbody[{extra}]"')
-            yield Finding("Extras", requirement.name, state, f"{purpose}: {advice}" if advice else purpose)
+            yield Check("Extras", requirement.name, state, f"{purpose}: {advice}" if advice else purpose)
 
 
-def _programs() -> Iterator[Finding]:
+def _programs() -> Iterator[Check]:
     group = "Programs that compile and check generated code"
     for name, description in TOOLS.items():
         what, _, way_out = description.partition("; ")
         if shutil.which(name):
-            yield Finding(group, name, _program_version(name), what)
+            yield Check(group, name, _program_version(name), what)
         else:
-            yield Finding(group, name, "missing", f"{what}: {way_out}")
+            yield Check(group, name, "missing", f"{what}: {way_out}")
 
 
-def _trials() -> Iterator[Finding]:
+def _trials() -> Iterator[Check]:
     x = symbols("x")
     is_right = sin(x) ** 2 + cos(x) ** 2 == 1
-    yield Finding("Trials", "expressions", "ok" if is_right else "wrong", is_fault=not is_right)
+    yield Check("Trials", "expressions", "ok" if is_right else "wrong", is_fault=not is_right)
     try:
         is_right = abs(float(lambdify([x], sin(x), compile=True)(0.5)) - 0.479425538604203) < 1e-15
-        yield Finding("Trials", "machine code", "ok" if is_right else "wrong", is_fault=not is_right)
-    except Exception as error:  # whatever it is, it is the finding
+        yield Check("Trials", "machine code", "ok" if is_right else "wrong", is_fault=not is_right)
+    except Exception as error:  # whatever it is, it is reported
         note = brief(f"{type(error).__name__}: {error}")
-        yield Finding("Trials", "machine code", "fails", note, is_fault=True)
+        yield Check("Trials", "machine code", "fails", note, is_fault=True)
 
 
 def _requirements(extra: str) -> Iterator[Requirement]:
-    """Return what the package requires, or what one of its extras adds."""
+    """Yield the requirements of the package, or those that an extra adds."""
     for text in metadata.requires("symbody") or ():
         requirement = Requirement(text)
         by_extra = requirement.marker is not None and not requirement.marker.evaluate({"extra": ""})
@@ -128,11 +128,11 @@ def _requirements(extra: str) -> Iterator[Requirement]:
 
 
 def _state(requirement: Requirement, way: str) -> tuple[str, str]:
-    """Return the version of a package or what is wrong with it, and what to do about that.
+    """Return the version of a package, or what is wrong with it, and what to do about that.
 
     Args:
         requirement: the package.
-        way: how to get it, or a newer one.
+        way: how to get the package, or a newer version.
     """
     try:
         version = metadata.version(requirement.name)
@@ -149,10 +149,10 @@ def _state(requirement: Requirement, way: str) -> tuple[str, str]:
 
 
 def _failure(requirement: Requirement) -> str:
-    """Return what goes wrong where a package is loaded; nothing if it can be."""
+    """Return why a package can't be loaded; the empty text if it can."""
     try:
         import_module(MODULES.get(requirement.name, requirement.name))
-    except Exception as error:  # whatever it is, it is the finding
+    except Exception as error:  # whatever it is, it is reported
         return brief(f"{type(error).__name__}: {error}")
     return ""
 
@@ -162,7 +162,7 @@ def _text(requirement: Requirement) -> str:
 
 
 def _program_version(name: str) -> str:
-    """Return the version that a program reports, or that it reports none."""
+    """Return the version that a program reports, or ``fails`` if it reports none."""
     try:
         done = subprocess.run(
             [name, "--version"], capture_output=True, text=True, check=False, timeout=PATIENCE

@@ -1,7 +1,7 @@
-"""The one hierarchy of errors.
+"""The hierarchy of errors.
 
-Every message says where, what was found, what was expected and the way out, in the user's own names;
-``tests/test_errors.py`` holds each of them verbatim.
+Every message says where the mistake is, what was found, what was expected, and a way out, in the names of the user;
+``tests/test_errors.py`` contains each of them verbatim.
 """
 
 import inspect
@@ -9,15 +9,15 @@ import warnings
 
 
 class SymbodyError(Exception):
-    """The root: whoever catches it catches every mistake that symbody reports."""
+    """The base class: catching it catches every mistake that symbody reports."""
 
 
 class ExpressionError(SymbodyError, ValueError):
-    """An expression was asked for something that it can't do."""
+    """An operation that an expression does not allow."""
 
 
 class ArgumentError(ExpressionError, TypeError):
-    """Something that is no expression, number or list of them, where one is needed."""
+    """An argument of the wrong type, where an expression, a number or a list of them is needed."""
 
 
 class DivisionByZeroError(SymbodyError, ZeroDivisionError):
@@ -29,7 +29,7 @@ class ParseError(SymbodyError, ValueError):
 
 
 class FrameError(SymbodyError, ValueError):
-    """A frame, a point or a vector that makes no geometrical sense."""
+    """A frame, a point or a vector without geometrical meaning."""
 
 
 class BodyError(SymbodyError, ValueError):
@@ -45,7 +45,7 @@ class ModelError(SymbodyError, ValueError):
 
 
 class ConstraintError(ModelError):
-    """Constraints that no motion can satisfy, or that say the same thing twice."""
+    """Constraints that no motion can satisfy, or that are redundant."""
 
 
 class ParameterError(SymbodyError, ValueError):
@@ -61,10 +61,10 @@ class CodegenError(SymbodyError, OSError):
 
 
 class SimulationError(SymbodyError, RuntimeError):
-    """A motion that can't be computed, or not to its end.
+    """A motion that can't be computed, or not completely.
 
     Attributes:
-        motion: what was computed, where there is something.
+        motion: what was computed, if anything.
     """
 
     def __init__(self, message: str, motion: object = None) -> None:
@@ -73,7 +73,7 @@ class SimulationError(SymbodyError, RuntimeError):
 
 
 class ResultsError(SymbodyError, OSError):
-    """A file of results that can't be read or written, or that holds those of another problem."""
+    """A results file that can't be read or written, or that contains results of another problem."""
 
 
 class ViewError(SymbodyError, ValueError):
@@ -85,15 +85,15 @@ class PictureError(SymbodyError, OSError):
 
 
 class ModelNotice(UserWarning):
-    """Something was left out of a result, on purpose, and the user should know."""
+    """A warning of something that the user should know, such as a part that was left out of a result on purpose."""
 
 
 _OURS = ("symbody", "functools", "contextlib")
-"""Modules whose lines are no user's: the package, and what calls its properties and context managers."""
+"""Modules whose lines are not the user's: the package, and the modules that call its properties and contexts."""
 
 
 def notify(message: str) -> None:
-    """Warn with a `ModelNotice` at the line outside of symbody that led here."""
+    """Warn with a `ModelNotice` at the user's line, the innermost one outside of symbody."""
     frame, level = inspect.currentframe(), 1
     while frame is not None and frame.f_globals.get("__name__", "").partition(".")[0] in _OURS:
         frame, level = frame.f_back, level + 1

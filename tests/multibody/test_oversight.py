@@ -118,8 +118,8 @@ def test_what_is_listed_as_an_input_is_meant() -> None:
     with pytest.raises(ModelError) as caught:
         simulate(equations, {m: 1.0, l: 0.5, g: 9.81}, t=(0, 1))
     assert str(caught.value) == (
-        "simulate: the equations hold the functions of time phi, which are neither coordinates nor speeds; give them "
-        "by time and state, as inputs={phi: sin(t)}, or add what is unknown to the coordinates of the System"
+        "simulate: the equations contain the functions of time phi, which are neither coordinates nor speeds; give "
+        "them as inputs={phi: sin(t)}, or add those that are unknown to the coordinates of the System"
     )
 
 

@@ -34,8 +34,8 @@ from tests.simulation.test_notices import told
 x, y, z = functions_of_time("x y z")
 m, a, b, g = symbols("m a b g")
 WAY_OUT = (
-    "contradict each other: they ask for different motions of the same coordinates; correct them, or leave out what "
-    "should follow from the others"
+    "contradict each other: they require different motions of the same coordinates; correct them, or leave out "
+    "those that should follow from the others"
 )
 
 

@@ -169,11 +169,11 @@ def test_inputs_push():
     found = equilibrium(eqs, {m: 1, k: 2}, t=0.5, inputs={f: 6 * cos(t)})
     assert np.isclose(found.coordinates[x], 3 * np.cos(0.5))
     with pytest.raises(
-        ModelError, match="equilibrium: the equations hold the functions of time f, which are neither"
+        ModelError, match="equilibrium: the equations contain the functions of time f, which are neither"
     ):
         equilibrium(eqs, {m: 1, k: 2})
     with pytest.raises(
-        ModelError, match=r"equilibrium, inputs: x is no function of time that .*; expected f"
+        ModelError, match=r"equilibrium, inputs: x is not a function of time that .*; expected f"
     ):
         equilibrium(eqs, {m: 1, k: 2}, inputs={f: 1, x: 2})
 
@@ -185,7 +185,7 @@ def test_inputs_push():
             slider_crank,
             {},
             {},
-            r"infinitely many: phi, beta can together be changed without a force; .* fixed=\{phi: 0\}",
+            r"the equilibrium is not isolated: phi, beta can together be changed without a force; .* fixed=\{phi: 0\}",
         ),
         (
             slider_crank,
@@ -193,7 +193,12 @@ def test_inputs_push():
             {},
             r"none was found; nearest, at phi = .*: the equation of motion of",
         ),
-        (hanging_box, {}, {"fixed": {"e3": 0.0}}, "infinitely many: phi can be changed without a force"),
+        (
+            hanging_box,
+            {},
+            {"fixed": {"e3": 0.0}},
+            "the equilibrium is not isolated: phi can be changed without a force",
+        ),
     ],
 )
 def test_what_has_none_or_many_is_told(make, parameters, more, message):
@@ -241,7 +246,7 @@ def test_forces_that_the_position_does_not_determine_are_the_least_ones_and_are_
     with pytest.warns(
         ModelNotice,
         match=r"equilibrium: lambda2 of constraint 2 \(.* = 0\) and the force that holds a are not determined here, as "
-        "they act in directions that depend on each other at this position: other values of them balance as well; the "
+        "they act in directions that depend on each other at this position: other values balance as well; the "
         "least ones are given",
     ):
         found = equilibrium(
@@ -263,12 +268,12 @@ def test_a_singular_position_has_no_eigenvalues() -> None:
     assert "lambda1 of constraint 1" in first
     assert "is not determined here: it moves nothing at this position; the least ones are given" in first
     assert second == (
-        "equilibrium: the position is singular: the constraints depend on each other here, and at positions beside it "
-        "they don't, so that no linear equations describe the small motions about it: eigenvalues are NaN"
+        "equilibrium: the position is singular: the constraints depend on each other here, but not at neighbouring "
+        "positions, so that no linear equations describe the small motions about it: eigenvalues are NaN"
     )
     assert np.isnan(found.eigenvalues).all()
     with pytest.raises(
-        SimulationError, match=r"the position is singular, and nothing is known of small motions"
+        SimulationError, match=r"the position is singular, so that small motions about it are not known"
     ):
         _ = found.is_stable
     assert found.held_eigenvalues.size == 0

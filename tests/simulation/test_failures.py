@@ -64,8 +64,8 @@ MISTAKES = {
         {m: 1, x: 0},
         {m: 1, x: 1},
         SimulationError,
-        r"at t = 0 s: x'', the power are not finite there; look for a division by zero, a root or logarithm of what "
-        r"became negative, or parameters that make no sense",
+        r"at t = 0 s: x'', the power are not finite there; look for a division by zero, a root or logarithm of a "
+        r"negative value, or parameters that make no sense",
         0.0,
     ),
     # From rest, x'^2/2 = 2/3 (1 - (x - 1)^(3/2)): the time to x = 1 is an integral of Euler's.
@@ -74,8 +74,8 @@ MISTAKES = {
         {m: 1, x: 2},
         {m: 1, x: 40},
         SimulationError,
-        r"at t = 1\.49366\d* s: a rate of the state is not finite a step ahead, however short the step; look for a "
-        r"function that leaves its domain",
+        r"at t = 1\.49366\d* s: a rate of the state is not finite after the next step, however short that is; look for "
+        r"a function that leaves its domain",
         2 / 3 * beta(2 / 3, 1 / 2) / np.sqrt(4 / 3),
     ),
     # It is at 1/(1 - t)^2.
@@ -95,7 +95,7 @@ MISTAKES = {
         {m: 1, x: 1},
         SimulationError,
         r"at t = 0 s: the mass matrix is singular: x' moves no mass; give it some, or leave that coordinate out; or "
-        r"it's a singular position, as Euler angles have, and floating_frame\(\) has not",
+        r"the position is singular, which happens with Euler angles but not with floating_frame\(\)",
         0.0,
     ),
     "constraints that can't be met": Mistake(
@@ -158,16 +158,10 @@ def test_one_of_many_ends_with_the_same_word_and_the_other_goes_on(name: str) ->
 
 def test_many_motions_without_a_compiler_of_machine_code() -> None:
     program = (
-        "import sys\n"
-        "sys.modules['llvmlite'] = None\n"
-        "from symbody import Body, System, functions_of_time, newton_euler, simulate_many, translate\n"
-        "from symbody.errors import CodegenError\n"
-        "x = functions_of_time('x')\n"
-        "eqs = newton_euler(System([Body(translate(x, 0, 0), 1)], coordinates=[x]))\n"
-        "try:\n"
-        "    simulate_many(eqs, {}, {x: [1, 2]}, t=(0, 1))\n"
-        "except CodegenError as error:\n"
-        "    print(error)\n"
+        "import sys\nsys.modules['llvmlite'] = None\nfrom symbody import Body, System, functions_of_time, "
+        "newton_euler, simulate_many, translate\nfrom symbody.errors import CodegenError\nx = "
+        "functions_of_time('x')\neqs = newton_euler(System([Body(translate(x, 0, 0), 1)], coordinates=[x]))\ntry:\n "
+        "   simulate_many(eqs, {}, {x: [1, 2]}, t=(0, 1))\nexcept CodegenError as error:\n    print(error)\n"
     )
     done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, check=True)
     assert done.stdout == (

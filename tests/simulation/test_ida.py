@@ -312,7 +312,7 @@ def test_starts_that_make_no_sense() -> None:
     x, m = functions_of_time("x"), symbols("m")
     instants = np.array([0, 1.0])
     with pytest.raises(
-        SimulationError, match="at the start, t = 0 s, not finite: the equation of motion of x;"
+        SimulationError, match="at the start, t = 0 s, these are not finite: the equation of motion of x;"
     ):
         integrate_ida(particle(log(x)), {m: 1.0}, np.array([-1.0, 0]), instants)
     with pytest.raises(

@@ -47,8 +47,7 @@ from symbody.simulation.batch.many import simulate_many
 from symbody.simulation.batch.runs import Runs
 from symbody.simulation.given.event import Event
 from symbody.simulation.given.options import Options
-from symbody.simulation.integrate.native import run
-from symbody.simulation.integrate.problem import Problem
+from symbody.simulation.integrate.native import problem_of, run
 from symbody.simulation.model.model import model_of
 from symbody.simulation.motion.simulate import simulate
 from symbody.symbolic.given.arguments import described
@@ -103,7 +102,7 @@ def test_states_begin_where_they_are_told_to() -> None:
 
 def test_each_case_is_what_it_is_alone() -> None:
     model = model_of(PENDULUM)
-    problem = Problem.of(model, is_projected=True)
+    problem = problem_of(model, is_projected=True)
     for case in range(6):
         given = REFERENCE.cases.parameters_of(case)
         alone = run(
@@ -233,7 +232,7 @@ def test_what_workers_lose_is_listed_and_the_rest_kept() -> None:
     (notice,) = notices
     assert str(notice.message) == (
         "simulate_many: 2 of 6 motions were not run (tasks of the executor failed (MemoryError: worker lost); expected "
-        "an executor whose workers can import symbody, and stay alive); they are in .not_run, and their values are "
+        "an executor whose workers can import symbody and keep running); they are in .not_run, and their values are "
         "NaN; give a path to keep results for another call"
     )
     assert runs.not_run == [1, 4]
@@ -411,7 +410,7 @@ def test_results_of_another_problem_are_left_alone(
     six(path=file)
     content = file.read_bytes()
     with pytest.raises(
-        ResultsError, match=f"holds results of another problem: {parts}; it was left as it is"
+        ResultsError, match=f"contains results of another problem: {parts}; the file was not changed"
     ):
         six(path=file, **change)
     assert file.read_bytes() == content
@@ -440,7 +439,7 @@ def test_another_model_and_other_instants_are_other_problems(tmp_path: Path) -> 
 def test_other_files_are_left_alone(content: bytes, tmp_path: Path) -> None:
     file = tmp_path / "runs.npz"
     file.write_bytes(content)
-    with pytest.raises(ResultsError, match="can't be read as a file of results"):
+    with pytest.raises(ResultsError, match="can't be read as a results file"):
         six(path=file)
     assert file.read_bytes() == content
     np.savez(file, a=[1.0])
@@ -571,7 +570,7 @@ def test_dictionaries_that_differ() -> None:
     with pytest.raises(ParameterError) as told:
         simulate_many(PENDULUM, [{m: 1, l: 1, g: 1}, {m: 1, l: 1}, {m: 1, q1: 1}])
     assert str(told.value) == (
-        "simulate_many, parameters: the dictionaries of the cases 0 and 1 differ by g; expected the same variables in "
+        "simulate_many, parameters: the dictionaries of cases 0 and 1 differ by g; expected the same variables in "
         "all of them"
     )
 
@@ -595,7 +594,7 @@ def test_a_guess_that_is_no_dictionary(guess: Any) -> None:
 
 def test_a_name_given_twice() -> None:
     with pytest.raises(
-        ParameterError, match="l stands in parameters and in cases; leave it out of one of them"
+        ParameterError, match="l is given in parameters and in cases; leave it out of one of them"
     ):
         simulate_many(PENDULUM, {m: 1, g: 1, l: 1}, cases=CASES)
 
@@ -627,7 +626,7 @@ def test_grids() -> None:
         (
             {m: 1, g: 1, symbols("k"): 2},
             {},
-            "simulate_many: no value for l; .*; k, which you gave, stands nowhere in the equations",
+            "simulate_many: no value for l; .*; the equations don't contain k, which you gave",
         ),
         (
             {m: 1, g: 1, l: 1, q1: 2},
@@ -842,8 +841,8 @@ def test_failures_are_told_in_the_names_of_the_model() -> None:
     ):
         runs = simulate_many(eqs, {m: 1}, {x: [5.0, 0.0]}, t=(0, 1))
     assert runs.failures[0].message == (
-        "at t = 0 s: x'', the power are not finite there; look for a division by zero, a root or logarithm of what "
-        "became negative, or parameters that make no sense"
+        "at t = 0 s: x'', the power are not finite there; look for a division by zero, a root or logarithm of a "
+        "negative value, or parameters that make no sense"
     )
 
 

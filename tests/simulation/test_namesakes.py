@@ -128,7 +128,7 @@ MISTAKES: list[tuple[type[Exception], Callable[[], object], str]] = [
             (Routine("f", "", ("p",), (Result("y", "", (positive,), ()),)),),
         ),
         (
-            "the result y of f contains m, and is no function of its arguments p; substitute a value, or make it a "
+            "the result y of f contains m, and is not a function of its arguments p; substitute a value, or make it a "
             "parameter or an input; the m in the result is symbols('m', positive=True), the m among the arguments is "
             "symbols('m', real=False): symbols with different "
             "assumptions are different symbols; use the same one in both places"
@@ -147,7 +147,7 @@ MISTAKES: list[tuple[type[Exception], Callable[[], object], str]] = [
         ModelError,
         lambda: simulate(newton_euler(forced()), RIGHT, {x: 1}, t=(0, 1), inputs={symbols("F"): 1}),  # type: ignore[dict-item]
         (
-            "simulate, inputs: F is no function of time that the equations hold beside coordinates and speeds; "
+            "simulate, inputs: F is not a function of time that the equations contain besides coordinates and speeds; "
             "expected F; the F expected is functions_of_time('F'), the F given is symbols('F'): a symbol is not a "
             "function of time; use the same one in both places"
         ),
@@ -156,10 +156,10 @@ MISTAKES: list[tuple[type[Exception], Callable[[], object], str]] = [
         SimulationError,
         lambda: simulate(pendulum(), RIGHT, {x: 1}, t=(0, 1))[functions_of_time("l")],
         (
-            "motion: no values of l; this motion has values of time, the coordinates x, the speeds x', accelerations, "
-            "multipliers and parameters; l is no coordinate or speed of this system: use those, or add it to the "
-            "system before simulating; the l asked for is functions_of_time('l'), the l of the motion "
-            "is symbols('l'): a symbol is not a function of time; use the same one in both places"
+            "motion: no values of l; this motion has values of time, the coordinates x, the speeds x', "
+            "accelerations, multipliers and parameters; l is neither a coordinate nor a speed of this system: use "
+            "those, or add it to the system before simulating; the l asked for is functions_of_time('l'), the l of "
+            "the motion is symbols('l'): a symbol is not a function of time; use the same one in both places"
         ),
     ),
 ]  # fmt: skip
@@ -220,7 +220,7 @@ def test_what_is_meant_is_not_noticed() -> None:
         assert (positive * l).diff(l) == positive
         assert (x * plain_x).diff(plain_x) == x
         assert l.subs({real: 2}) == l
-    with pytest.warns(ModelNotice, match="simulate: the parameter x stands nowhere in this model"):
+    with pytest.warns(ModelNotice, match="simulate: the parameter x appears nowhere in this model"):
         simulate(pendulum(), {**RIGHT, plain_x: 2}, {x: 1}, t=(0, 0.1))
 
 

@@ -33,10 +33,9 @@ from symbody.simulation.constraint.consistent import consistent_state
 from symbody.simulation.constraint.redundant_constraints import redundant_constraints
 from symbody.simulation.given.options import Options
 from symbody.simulation.integrate.integrated import Integrated
-from symbody.simulation.integrate.native import run
+from symbody.simulation.integrate.native import problem_of, run
 from symbody.simulation.integrate.notices import Finding, findings_of, notices_of_batch, notices_of_motion
 from symbody.simulation.integrate.outcome import Outcome, Statistics
-from symbody.simulation.integrate.problem import Problem
 from symbody.simulation.inverse.inverse_dynamics import inverse_dynamics
 from symbody.simulation.model.model import model_of
 from symbody.simulation.statics.equilibrium import equilibrium
@@ -49,7 +48,7 @@ DEFICIENT = (
     "linear system 1 of the function is of deficient rank at some points: equation number 2 follows from the others "
     "there; its solution of least norm was taken"
 )
-STIFF = "stability, not accuracy, bounds the steps: the equations are stiff; method='bdf' may be faster"
+STIFF = "stability, not accuracy, limits the step size: the equations are stiff; method='bdf' may be faster"
 
 
 def driven(force: Any) -> Equations:
@@ -139,7 +138,7 @@ def test_stiff_cases_are_counted() -> None:
 
 def test_two_simulations_at_once_keep_their_deficiencies() -> None:
     """Many times, on two threads that begin together, with one model between them."""
-    barrier, problem = Barrier(2), Problem.of(model_of(BY_STATE), is_projected=False)
+    barrier, problem = Barrier(2), problem_of(model_of(BY_STATE), is_projected=False)
     assert [str(name) for name in problem.parameters] == ["A", "k", "m"]
     state, instants = np.array([1.0, *[0.0] * (problem.width - 1)]), np.linspace(0, 1, 3)
 

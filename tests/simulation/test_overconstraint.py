@@ -65,11 +65,11 @@ def test_special_dimensions_are_told(constraints: str) -> None:
     with pytest.raises(ConstraintError) as told:
         simulate(parallel_cranks(drops=0), VALUES, START, t=(0, 1), guess=GUESS, constraints=constraints)
     assert str(told.value) == (
-        "simulate: the constraints let a', b', c', x', y' be other than zero at this position, but at almost no other "
-        "one: constraints 1, 2, 3, 4, 5, 6 depend on each other here. If they do so wherever the mechanism moves, by "
-        "its special dimensions, it is overconstrained: leave out 1 of them, best 2, 3, 4 or 6 (least ratio of "
-        "singular values of those that stay, without 1: 0.064, 2: 0.099, 3: 0.16, 4: 0.16, 5: 0.064, 6: 0.099); if "
-        "they don't, begin at another position"
+        "simulate: the constraints let a', b', c', x', y' be other than zero at this position, but at almost no "
+        "other one: constraints 1, 2, 3, 4, 5, 6 depend on each other here. If they do so wherever the mechanism "
+        "moves, because of its special dimensions, it is overconstrained: leave out 1 of them, best 2, 3, 4 or 6 "
+        "(least ratio of singular values of the remaining constraints, without 1: 0.064, 2: 0.099, 3: 0.16, 4: "
+        "0.16, 5: 0.064, 6: 0.099); if not, start at another position"
     )
 
 
@@ -99,8 +99,8 @@ def test_a_parameter_that_takes_a_constraint_away(constraints, method) -> None:
     with pytest.raises(ConstraintError) as told:
         simulate(clutch(), {m: 1, g: 1, d: 0.0}, {a: 0.0}, **settings)
     assert str(told.value) == (
-        "simulate: with d = 0 fewer constraints are independent, and the equations were derived for other values; "
-        "leave out of the system what follows from the others then: d*(a - b)"
+        "simulate: with d = 0 fewer constraints are independent than in the equations, which were derived for "
+        "other values; leave out of the system the constraints that then follow from the others: d*(a - b)"
     )
 
 
@@ -169,7 +169,7 @@ def test_an_overconstrained_mechanism_is_told_what_to_leave_out() -> None:
     assert "5 independent constraints on 5 coordinates leave no motion" in text
     assert "With parameters that are all 1, the mechanism is overconstrained: constraints 1 (" in text
     assert (
-        "depend on each other wherever it moves, one of them too many; leave out one, best 4; not 1, 2, 3 or 5"
+        "depend on each other wherever it moves, one of them redundant; leave out one, best 4; not 1, 2, 3 or 5"
         in text
     )
     assert "without which the others are nearly dependent at some positions" in text
@@ -219,7 +219,7 @@ def test_two_too_many() -> None:
     )
     found = redundant_constraints(slider, {})
     assert (found.count, found.rows, dict(found.ratios)) == (2, (0, 1, 2), {0: 1.0, 1: 1.0, 2: 1.0})
-    assert "2 of them too many; leave out 2, best 1, 2 or 3" in str(found)
+    assert "2 of them redundant; leave out 2, best 1, 2 or 3" in str(found)
     independent = System([Body(translate(x, y, 0), m)], coordinates=[x, y], constraints=[y])
     assert (
         str(redundant_constraints(independent)) == "the constraints are independent where the mechanism moves"
@@ -264,7 +264,7 @@ def test_the_error_without_a_motion_says_so_as_well() -> None:
     with pytest.raises(ConstraintError) as error:
         newton_euler(flat_cranks(3))
     text = str(error.value)
-    assert "one of them too many; leave out one, best 2 or 4; not 1 or 3, without which the others" in text
+    assert "one of them redundant; leave out one, best 2 or 4; not 1 or 3, without which the others" in text
 
 
 def test_choices_are_those_apart_from_singular_positions() -> None:

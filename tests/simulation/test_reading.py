@@ -72,11 +72,11 @@ STRANGE: list[tuple[object, str]] = [
     (MASS, f"{MASS!r} is a Body; expected an expression, such as {{name}}[x]"),
     (
         [x],
-        "[x] is a list; expected an expression, such as {name}[x]; several at once: {name}.evaluate([...])",
+        "[x] is a list; expected an expression, such as {name}[x]; for several expressions: {name}.evaluate([...])",
     ),
     (
         (x, k),
-        "(x, k) is a tuple; expected an expression, such as {name}[x]; several at once: {name}.evaluate([...])",
+        "(x, k) is a tuple; expected an expression, such as {name}[x]; for several expressions: {name}.evaluate([...])",
     ),
     (
         Matrix([[x, k]]),
@@ -209,6 +209,6 @@ def test_runs_name_what_has_no_values(read: Callable[[object], object]) -> None:
 @pytest.mark.parametrize(("instant", "what"), [(3, "3 is an int"), (-4, "-4 is an int"), (x, "x is an Expr")])
 def test_states_at_instants_that_there_are_not(instant: Any, what: str) -> None:
     assert told(lambda: MOTION.state_at(instant)) == (
-        f"motion.state_at: {what}; expected the number of one of the 3 instants, from 0"
+        f"motion.state_at: {what}; expected the index of one of the 3 instants, from 0"
     )
     assert MOTION.state_at(-3) == {x: 1.0, time_derivative(x): 0.0}

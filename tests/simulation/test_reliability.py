@@ -181,8 +181,16 @@ def test_folders_that_are_closed(
 @pytest.mark.parametrize(
     ("write", "error", "expected"),
     [
-        (lambda: MOTION.plot(path=3), PictureError, "view: 3 is no path; expected one, such as 'motion.png'"),
-        (lambda: MOTION.animate(3), PictureError, "view: 3 is no path; expected one, such as 'motion.html'"),
+        (
+            lambda: MOTION.plot(path=3),
+            PictureError,
+            "view: 3 is not a path; expected one, such as 'motion.png'",
+        ),
+        (
+            lambda: MOTION.animate(3),
+            PictureError,
+            "view: 3 is not a path; expected one, such as 'motion.html'",
+        ),
         (
             lambda: generate(PENDULUM, "c", 3),
             CodegenError,
@@ -233,8 +241,8 @@ def test_results_that_were_cut_or_changed(tmp_path: Path) -> None:
     ):
         file.write_bytes(content)
         assert told_of(file) == (
-            f"simulate_many: {file} can't be read as a file of results ({reason}); it was left as it is. Give another "
-            "path, or remove the file"
+            f"simulate_many: {file} can't be read as a results file ({reason}); the file was not changed. Give "
+            "another path, or remove the file"
         )
         assert file.read_bytes() == content
 
@@ -372,16 +380,11 @@ def test_machines_without_a_compiler_of_machine_code(method: str) -> None:
     if method == "ida":
         pytest.importorskip("sksundae")
     program = (
-        "import sys\n"
-        "sys.modules['llvmlite'] = None\n"
-        "from symbody import Body, System, functions_of_time, newton_euler, simulate, translate\n"
-        "from symbody.errors import CodegenError\n"
-        "x = functions_of_time('x')\n"
-        "eqs = newton_euler(System([Body(translate(x, 0, 0), 1)], coordinates=[x]))\n"
-        "try:\n"
-        f"    simulate(eqs, {{}}, {{x: 1}}, t=(0, 1), method={method!r})\n"
-        "except CodegenError as error:\n"
-        "    print(error)\n"
+        "import sys\nsys.modules['llvmlite'] = None\nfrom symbody import Body, System, functions_of_time, "
+        "newton_euler, simulate, translate\nfrom symbody.errors import CodegenError\nx = "
+        "functions_of_time('x')\neqs = newton_euler(System([Body(translate(x, 0, 0), 1)], coordinates=[x]))\ntry:\n "
+        f"   simulate(eqs, {{}}, {{x: 1}}, t=(0, 1), method={method!r})\nexcept CodegenError as error:\n    "
+        "print(error)\n"
     )
     done = subprocess.run(
         [sys.executable, "-c", program], capture_output=True, text=True, check=True, cwd=ROOT

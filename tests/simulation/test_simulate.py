@@ -350,7 +350,7 @@ class TestEndsBeforeTheEnd:
         message, motion = self.failed(oscillator(k / x), {m: 1, k: 4}, {x: 0})
         assert message == (
             "simulate: at t = 0 s: x'', the power are not finite there; look for a division by zero, a root or "
-            "logarithm of what became negative, or parameters that make no sense; what was computed is the error's "
+            "logarithm of a negative value, or parameters that make no sense; what was computed is the error's "
             "motion"
         )
         assert len(motion) == 1
@@ -383,7 +383,7 @@ class TestEndsBeforeTheEnd:
         (
             lambda: simulate(DOUBLE, {m: 1, l: 1, k: 1}, START),
             ParameterError,
-            "simulate: no value for g; give parameters={g: ...}; k, which you gave, stands nowhere in the equations",
+            "simulate: no value for g; give parameters={g: ...}; the equations don't contain k, which you gave",
         ),
         (
             lambda: simulate(DOUBLE, VALUES, START, outputs={"moment": k * q1}),
@@ -399,7 +399,7 @@ class TestEndsBeforeTheEnd:
             lambda: simulate(DOUBLE, VALUES, START, events=[Event(q1 - y, name="meeting")]),
             SimulationError,
             (
-                "simulate: the event meeting holds y; expected an expression of time, coordinates, speeds, "
+                "simulate: the event meeting contains y; expected an expression of time, coordinates, speeds, "
                 "accelerations, multipliers and parameters"
             ),
         ),
@@ -478,8 +478,8 @@ class TestEndsBeforeTheEnd:
             lambda: simulate(oscillator(u), {m: 1}, {x: 1}, inputs={u: time_derivative(x, 2)}),
             ModelError,
             (
-                "simulate, inputs, u: x'' is no part of the state; expected an expression of time, coordinates, speeds "
-                "and parameters"
+                "simulate, inputs, u: x'' is not part of the state; expected an expression of time, coordinates, "
+                "speeds and parameters"
             ),
         ),
         (
@@ -513,23 +513,23 @@ class TestEndsBeforeTheEnd:
             lambda: simulate(oscillator(u), {m: 1}, {x: 1}),
             ModelError,
             (
-                "simulate: the equations hold the functions of time u, which are neither coordinates nor "
-                "speeds; give them by time and state, as inputs={u: sin(t)}, or add what is unknown to the coordinates "
-                "of the System"
+                "simulate: the equations contain the functions of time u, which are neither coordinates nor "
+                "speeds; give them as inputs={u: sin(t)}, or add those that are unknown to the "
+                "coordinates of the System"
             ),
         ),
         (
             lambda: simulate(DOUBLE, VALUES, START, inputs={x: sin(t)}),
             ModelError,
             (
-                "simulate, inputs: x is no function of time that the equations hold beside coordinates and speeds; "
-                "expected none: leave inputs out"
+                "simulate, inputs: x is not a function of time that the equations contain besides coordinates and "
+                "speeds; expected none: leave inputs out"
             ),
         ),
         (
             lambda: simulate(DOUBLE, VALUES, START, events=[q1]),
             SimulationError,
-            "simulate: events hold q1; expected Event(expression), from symbody",
+            "simulate: events contain q1; expected Event(expression), from symbody",
         ),
         (
             lambda: Event("q1"),
@@ -540,7 +540,7 @@ class TestEndsBeforeTheEnd:
             lambda: simulate(CIRCLE, VALUES, {x: 0.7, y: 0}, constraints=(-5, 1)),
             SimulationError,
             (
-                "simulate: constraints=(-5, 1); expected two positive numbers, omega in rad/s and zeta: what is off "
+                "simulate: constraints=(-5, 1); expected two positive numbers, omega in rad/s and zeta: violations "
                 "would grow otherwise"
             ),
         ),
@@ -554,8 +554,8 @@ class TestEndsBeforeTheEnd:
             SimulationError,
             (
                 "motion: no values of y; this motion has values of time, the coordinates q1 and q2, the speeds q1' and "
-                "q2', accelerations, multipliers and parameters; y is no coordinate or speed of this system: use "
-                "those, or add it to the system before simulating"
+                "q2', accelerations, multipliers and parameters; y is neither a coordinate nor a speed of this "
+                "system: use those, or add it to the system before simulating"
             ),
         ),
         (
@@ -587,5 +587,8 @@ def test_prescribed_motions_have_no_balance(driven):
     if not driven:
         assert motion.energy_drift < 1e-9
         return
-    with pytest.raises(ModelError, match="frames move by t, a prescribed motion whose drive does work"):
+    with pytest.raises(
+        ModelError,
+        match="frames move by t, a prescribed motion, and the equations don't contain the work of its drive",
+    ):
         _ = motion.energy_drift

@@ -170,7 +170,7 @@ def test_what_can_not_pass_names_the_position_and_the_constraints() -> None:
 def test_ida_names_them_as_well(method: str, rtol: float) -> None:
     found, _ = mechanism("one")
     _, said = moved(found, -1.0, method=method, rtol=rtol)
-    assert re.match(r"simulate: at t = \S+ s (steps became too short|IDA gave up)", said[0])
+    assert re.match(r"simulate: at t = \S+ s (the steps became too short|IDA gave up)", said[0])
     assert re.search(r"; constraints? 1 \(cos\(theta0\)\*\(L \+ d\*cos\(phi1\)\) - d -", said[0])
     assert "(ratio of singular values" in said[0]
     assert "look for" not in said[0]

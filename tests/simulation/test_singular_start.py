@@ -35,8 +35,8 @@ m, l, g = symbols("m l g")
 a, b, c, d, x, y = functions_of_time("a b c d x y")
 VALUES = {m: 1.0, l: 1.0, g: 9.81}
 STARTS = (
-    "the motion begins at a singular position, from which several motions may go on: {}, and beside it they don't; "
-    "begin at another position of the motion that is meant, or look whether this is the one"
+    "the motion starts at a singular position, from which several motions may continue: {}, but not at neighbouring "
+    "positions; start at another position of the intended motion, or check that this is the intended one"
 )
 
 
@@ -71,7 +71,7 @@ def test_constraints_that_depend_on_each_other_at_the_start_are_named() -> None:
     equations = three_cranks()
     first, *_ = said(equations, VALUES, parallel(np.pi / 2))
     assert first.startswith(
-        "simulate: the motion begins at a singular position, from which several motions may go on: "
+        "simulate: the motion starts at a singular position, from which several motions may continue: "
     )
     assert "constraints 2 (" in first
     assert " and 3 (" in first
@@ -85,7 +85,7 @@ def test_a_parallelogram_that_begins_flat_passes_with_a_notice() -> None:
     speeds = {time_derivative(q): 1.0 for q in theta}
     flat = dict.fromkeys(theta, 0.0) | dict.fromkeys(phi, 0.0) | speeds
     assert any(
-        "the motion begins at a singular position" in text
+        "the motion starts at a singular position" in text
         for text in said(found.equations, found.parameters, flat)
     )
 
@@ -108,5 +108,5 @@ def test_a_batch_counts_them() -> None:
     texts = [str(each.message) for each in caught if "singular position, from" in str(each.message)]
     assert len(texts) == 1
     assert texts[0].startswith(
-        "simulate_many: in 2 of 4 cases, first case 1: the motion begins at a singular position"
+        "simulate_many: in 2 of 4 cases, first case 1: the motion starts at a singular position"
     )

@@ -35,7 +35,7 @@ def test_values_stand_in_the_order_of_the_names():
         ({}, r"simulate: no value for m, g; give parameters=\{m: ..., g: ...\}"),
         (
             {m: 1, length: 1},
-            "simulate: no value for g; give parameters={g: ...}; l_1, which you gave, stands nowhere in the equations",
+            "simulate: no value for g; give parameters={g: ...}; the equations don't contain l_1, which you gave",
         ),
         (
             {m: 1, "g": 1},
@@ -52,9 +52,7 @@ def test_bad_values_are_named(given, message):
 
 def test_a_name_that_is_nearly_right_is_offered():
     mass_1, mass_2 = symbols("mass_1 mass_2")
-    with pytest.raises(
-        ParameterError, match=r"no value for mass_1; .*; mass_2, which you gave, stands nowhere"
-    ):
+    with pytest.raises(ParameterError, match=r"no value for mass_1; .*; the equations don't contain mass_2"):
         parameter_values([mass_1], {mass_2: 1})
     with pytest.raises(ParameterError, match=r"'mass_3', a str, is not .*; did you mean mass_2 or mass_1\?"):
         parameter_values([mass_1, mass_2], {"mass_3": 1})
@@ -97,9 +95,10 @@ def test_what_a_motion_has_no_values_of_is_said_in_plain_words() -> None:
     third, foreign = time_derivative(time_derivative(time_derivative(x))), functions_of_time("u v")
     assert unknown_variables("motion", [third], system) == (
         "motion: no values of x'''; this motion has values of time, the coordinates x, the speeds x', accelerations, "
-        "multipliers and parameters; x''' is of too high an order: read the accelerations, and differentiate their "
-        "values, as by numpy.gradient"
+        "multipliers and parameters; x''' is of too high an order: evaluate the accelerations and differentiate "
+        "their values, for example with numpy.gradient"
     )
     assert unknown_variables("motion", foreign, system).endswith(
-        "; u and v are no coordinate or speed of this system: use those, or add them to the system before simulating"
+        "; u and v are neither a coordinate nor a speed of this system: use those, or add them to the system before "
+        "simulating"
     )

@@ -130,7 +130,7 @@ def test_what_cannot_be_drawn(tmp_path: Path) -> None:
     motion = tumbling()
     stranger = Body(translate(functions_of_time("s"), 0, 0), 1, name="stranger")
     with pytest.raises(
-        ViewError, match="a shape for stranger, which is no body of the system; expected one of box"
+        ViewError, match="a shape for stranger, which is not a body of the system; expected one of box"
     ):
         animate(motion, tmp_path / "p.html", shapes={stranger: Box(1, 1, 1)})
     with pytest.raises(ViewError, match="no instants, so there is nothing to draw"):
@@ -150,7 +150,7 @@ def test_a_page_has_the_name_of_a_page(name: str, tmp_path: Path) -> None:
         animate(swinging(1.0), tmp_path / name)
     ending, stem = Path(name).suffix, Path(name).stem
     assert str(caught.value) == (
-        f"animate: {tmp_path / name} ends in {ending!r}, and what is written is a page in HTML; expected a name such "
+        f"animate: {tmp_path / name} ends in {ending!r}, but the page is written in HTML; expected a name such "
         f"as {stem}.html"
     )
     assert list(tmp_path.iterdir()) == []
@@ -234,7 +234,9 @@ def test_the_camera_goes_with_a_body(tmp_path: Path) -> None:
     assert sizes[0][0] > 2, "x goes to 2"
     assert sizes[1][0] < 0.5, "the box is 0.3 long"
     assert abs(sizes[0][2] - sizes[1][2]) < 0.1, "heights are seen as they are"
-    with pytest.raises(ViewError, match="stranger to follow is no body of the system; expected one of box"):
+    with pytest.raises(
+        ViewError, match="stranger to follow is not a body of the system; expected one of box"
+    ):
         animate(motion, tmp_path / "p.html", follow=Body(translate(x, 0, 0), 1, name="stranger"))
 
 

@@ -119,9 +119,9 @@ def test_files_and_mistakes(tmp_path: Path) -> None:
     assert (tmp_path / "all.svg").read_text().startswith("<?xml")
     with pytest.raises(ViewError, match="plot: a panel is empty"):
         plot(motion, [])
-    with pytest.raises(ViewError, match="plot: 'q1' is no panel; expected an expression such as"):
+    with pytest.raises(ViewError, match="plot: 'q1' is not a panel; expected an expression such as"):
         plot(motion, "q1")
-    with pytest.raises(ViewError, match="plot: 3 is no panel"):
+    with pytest.raises(ViewError, match="plot: 3 is not a panel"):
         plot(motion, {"a": q1, "b": 3})
     with pytest.raises(ViewError, match="ends in 'doc'; expected a format such as"):
         plot(motion, path=tmp_path / "all.doc")

@@ -1,4 +1,4 @@
-"""Numbers: from equations of motion to motions, one or many, and to states of rest."""
+"""Numerical results from equations of motion: motions, one or many, equilibria, and inverse dynamics."""
 
 from symbody.simulation.batch.grid import grid
 from symbody.simulation.batch.many import simulate_many

@@ -1,4 +1,4 @@
-"""Animations: a motion as one page that needs nothing else."""
+"""Animations: a motion as one self-contained page."""
 
 from __future__ import annotations
 
@@ -18,18 +18,18 @@ from symbody.errors import ViewError
 from symbody.geometry import Frame, Point
 from symbody.multibody import Body, Load, System
 from symbody.symbolic import Expr
-from symbody.view.motion import Motion
+from symbody.view.drawable_motion import DrawableMotion
+from symbody.view.drawing_options import DrawingOptions
 from symbody.view.scene import scene
 from symbody.view.shape import Shape
 from symbody.view.whole_file import file_of, write_whole
-from symbody.view.wishes import Wishes
 
 MOST = 1500
-"""Instants of a page: a minute at 25 a second; the page goes smoothly from one to the next."""
+"""The most instants of a page: a minute at 25 per second; the page interpolates between them."""
 
 
 def animate(
-    motion: Motion,
+    motion: DrawableMotion,
     path: str | os.PathLike[str],
     *,
     title: str = "",
@@ -42,44 +42,57 @@ def animate(
     reactions: bool = False,
     follow: Body | None = None,
 ) -> Path:
-    """Write a motion as a page for any browser: one file, without a network.
+    """Write a motion as a page for any browser: one file, which needs no network.
 
-    Bodies without a shape are shown as the homogeneous box, cylinder, ball or rod of their mass and inertia, as glass
-    if they hide a joint or another body. Rods are the constant distances of their chains of frames, and lead to the
-    points where forces act; threads are the constant distances that constraints keep between natural coordinates.
+    A body without a given shape is drawn as the homogeneous box, cylinder, ball or rod of its mass and inertia; it is
+    transparent if it hides a joint or another body. Rods show the constant distances in the chains of frames and lead
+    to the points where forces act. Threads show the constant distances that constraints keep between natural
+    coordinates.
 
     Args:
-        motion: what is shown.
-        path: the file, such as ``"plate.html"``; its folder is made if there is none.
-        title: the headline; the name of the system by default.
-        shapes: what bodies look like: one shape or several for each, in place of its solid and its rods.
-        frames: those whose axes are shown.
-        points: points that are shown with their names.
-        traces: points that leave their paths.
+        motion: the motion.
+        path: the file, such as ``"plate.html"``; its folder is made if necessary.
+        title: the title; by default the name of the system.
+        shapes: the shapes of bodies, one or several for each, instead of its solid and its rods.
+        frames: frames whose axes are drawn.
+        points: points that are drawn with their names.
+        traces: points whose paths are drawn.
         lines: pairs of points that are joined by a line, such as the ends of a thread.
-        forces: whether the forces and torques of the system are shown as arrows; or those that are, which may hold
-            multipliers and accelerations, such as the force in a joint. A torque has two heads.
-        reactions: whether the forces of threads are shown.
-        follow: a body with which the camera goes, such as a vehicle.
+        forces: whether the forces and torques of the system are drawn as arrows; or a list of those to draw, which may
+            contain multipliers and accelerations, such as the force in a joint. A torque has two heads.
+        reactions: whether the forces of threads are drawn.
+        follow: a body that the camera follows, such as a vehicle.
 
     Raises:
-        ViewError: there is nothing to draw, a value isn't finite, what is asked for is of another kind, or the file's
-            name isn't that of a page.
+        ViewError: there is nothing to draw, a value is not finite, an argument has the wrong kind, or the file name
+            does not end in .html or .htm.
         PictureError: the file can't be written.
+
+    >>> import tempfile
+    >>> import symbody as sb
+    >>> x, (m, k) = sb.functions_of_time("x"), sb.symbols("m k")
+    >>> cart = sb.Body(sb.translate(x, 0, 0), m)
+    >>> spring = sb.Force(sb.ground, -k * x, 0, 0, at=cart.center_of_mass, on=cart)
+    >>> oscillator = sb.newton_euler(sb.System([cart], [spring], coordinates=[x]))
+    >>> motion = sb.simulate(oscillator, {m: 1, k: 4}, {x: 0.1}, t=(0, 1))
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     page_file = animate(motion, Path(folder) / "oscillator.html", traces=[cart.center_of_mass])
+    ...     page_file.name, page_file.stat().st_size > 100_000
+    ('oscillator.html', True)
     """
     file = _page_file(path)
     loads = (motion.system.loads if forces else ()) if isinstance(forces, bool) else forces
-    wishes = Wishes(shapes or {}, frames, points, traces, lines, loads, reactions, follow)
-    text = page(scene(thinned(motion), wishes, title or motion.system.name or "symbody"))
+    options = DrawingOptions(shapes or {}, frames, points, traces, lines, loads, reactions, follow)
+    text = page(scene(thinned(motion), options, title or motion.system.name or "symbody"))
     return write_whole(file, lambda temporary: temporary.write_text(text, encoding="utf-8", newline="\n"))
 
 
 def _page_file(path: str | os.PathLike[str]) -> Path:
-    """Return the file of a page, which browsers know by its ending."""
+    """Return the path of the page; its suffix must be one of HTML."""
     file = file_of(path)
     if file.suffix.lower() not in {".html", ".htm"}:
         raise ViewError(
-            f"animate: {file} ends in {file.suffix!r}, and what is written is a page in HTML; expected a name such as "
+            f"animate: {file} ends in {file.suffix!r}, but the page is written in HTML; expected a name such as "
             f"{file.stem}.html"
         )
     return file
@@ -106,8 +119,8 @@ def _read(name: str) -> str:
     return files(__package__).joinpath("page", name).read_text(encoding="utf-8")
 
 
-def thinned(motion: Motion) -> Motion:
-    """Return a motion of no more instants than a page shows, as evenly spread as they can be."""
+def thinned(motion: DrawableMotion) -> DrawableMotion:
+    """Return a motion with no more instants than a page shows, as evenly spaced as possible."""
     if len(motion.t) <= MOST:
         return motion
     wanted = np.linspace(motion.t[0], motion.t[-1], MOST)
@@ -119,7 +132,7 @@ def thinned(motion: Motion) -> Motion:
 class _Thinned:
     """Some instants of a motion."""
 
-    motion: Motion
+    motion: DrawableMotion
     kept: NDArray[np.intp]
 
     @property

@@ -1,4 +1,4 @@
-"""Arrows: forces and torques, drawn as long as they are large."""
+"""Arrows of forces and torques: their lengths are proportional to the magnitudes."""
 
 from __future__ import annotations
 
@@ -12,13 +12,13 @@ from numpy.typing import NDArray
 from symbody.geometry import Point, Vector
 from symbody.multibody import Load
 from symbody.view.attachment import Thread
-from symbody.view.motion import Motion
+from symbody.view.drawable_motion import DrawableMotion
 from symbody.view.pose import arrows, paths, rounded
 
 Array = NDArray[np.float64]
 
 LONGEST = 0.45
-"""Length of the longest arrow of its kind, in radii of the picture."""
+"""The length of the longest arrow of each kind, in radii of the picture."""
 
 
 @dataclass(frozen=True)
@@ -46,12 +46,14 @@ def load_arrows(loads: Iterable[Load]) -> list[Arrow]:
 
 
 def reaction_arrows(threads: Iterable[Thread]) -> list[Arrow]:
-    """Return the arrows of the forces by which threads act."""
+    """Return the arrows of the forces of threads."""
     return [Arrow("", "reaction", thread.start, thread.force) for thread in threads]
 
 
-def arrow_entries(motion: Motion, given: Sequence[Arrow], radius: float) -> tuple[dict[str, Any], Array]:
-    """Return the entries of the page, which are the arrows and how large the largest of each kind is; and the tips."""
+def arrow_entries(
+    motion: DrawableMotion, given: Sequence[Arrow], radius: float
+) -> tuple[dict[str, Any], Array]:
+    """Return the entries of the page, which are the arrows and the largest magnitude of each kind; and the tips."""
     places = paths(motion, [arrow.at for arrow in given])
     vectors = arrows(motion, [arrow.vector for arrow in given])
     sizes = np.linalg.norm(vectors, axis=2).max(axis=1, initial=0)

@@ -1,7 +1,7 @@
-"""Attachments: the points of a model that move with its bodies, and the threads between them.
+"""Attachments: points of a model that move with its bodies, and threads between them.
 
-Relative coordinates place points by frames. Natural coordinates [de Jalon & Bayo 1994] are the places of points
-themselves: ``xA, yA, zA``. What their names suggest is drawn only if the motion confirms it.
+With relative coordinates, frames place points. Natural coordinates [de Jalon & Bayo 1994] are themselves the places of
+points: ``xA, yA, zA``. What their names suggest is drawn only if the motion confirms it.
 """
 
 from __future__ import annotations
@@ -21,12 +21,12 @@ from symbody.view.pose import seen_from
 Array = NDArray[np.float64]
 
 RIGID = 1e-3
-"""A point moves with a body if it stays, seen from there, within this part of the size of the picture."""
+"""The largest displacement of a point relative to a body on which it is fixed, relative to the size of the picture."""
 
 
 @dataclass(frozen=True)
 class Thread:
-    """A constant distance that a constraint keeps, and the force by which it acts at its start."""
+    """A constant distance that a constraint keeps, and its force at the start."""
 
     start: Point
     end: Point
@@ -43,7 +43,7 @@ class Attachment:
 
 
 def natural_points(system: System) -> list[Point]:
-    """Return the points whose places are coordinates, as their names say: ``x1, y1`` is the point 1.
+    """Return the points whose places are coordinates, from their names: ``x1, y1`` is the point 1.
 
     >>> from symbody import Body, functions_of_time, translate
     >>> x, y = functions_of_time("xA yA")
@@ -64,7 +64,7 @@ def natural_points(system: System) -> list[Point]:
 
 
 def threads(system: System, points: Sequence[Point]) -> list[Thread]:
-    """Return what the constraints of the form ``|P - P0|^2 = l^2`` keep at a distance, for P among some points."""
+    """Return the threads by constraints of the form ``|P - P0|^2 = l^2``, with P among the given points."""
     found: list[Thread] = []
     for constraint, multiplier in zip(system.constraints, system.multipliers, strict=True):
         for point in points:
@@ -75,7 +75,7 @@ def threads(system: System, points: Sequence[Point]) -> list[Thread]:
 
 
 def _thread(constraint: Expr, multiplier: Expr, point: Point) -> Thread | None:
-    """Return the thread of ``k/2 (|P - P0|^2 - l^2) = 0``: its gradient is ``k (P - P0)``, its second one k."""
+    """Return the thread of ``k/2 (|P - P0|^2 - l^2) = 0``: the gradient is ``k (P - P0)``, the second derivative k."""
     place = point.coordinates
     leaves = constraint.free_symbols
     free = [axis for axis in range(3) if not place[axis].is_zero]
@@ -97,11 +97,11 @@ def _thread(constraint: Expr, multiplier: Expr, point: Point) -> Thread | None:
 
 
 def attachment(tracks: Array | Sequence[Array], path: Array, size: float) -> Attachment | None:
-    """Return to which body a point is fixed along a motion, the nearest one if there are several.
+    """Return the attachment of a point to a body along a motion: to the nearest one if there are several.
 
     Args:
-        tracks: the poses of the bodies.
-        path: the places of the point, instants by 3.
+        tracks: the poses of the bodies, shape (bodies, N, 7).
+        path: the places of the point, shape (N, 3).
         size: the size of the picture.
     """
     found = []

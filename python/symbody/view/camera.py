@@ -1,4 +1,4 @@
-"""Where to look from."""
+"""The camera: its direction, and what it must show."""
 
 from __future__ import annotations
 
@@ -13,17 +13,17 @@ from symbody.view.pose import rounded
 Array = NDArray[np.float64]
 
 FLAT = 0.02
-"""A motion is flat if its thickness is less than this part of its extent."""
+"""A motion is flat if the ratio of its thickness to its extent is smaller."""
 
 DIRECTIONS = 100
 
 AXES = 0.25
-"""How far the letters at the axes of ground are from its origin, in radii of the picture; `viewer.js` draws them."""
+"""The distance of the axis labels of ground from its origin, in radii of the picture; `viewer.js` draws them."""
 
 
 @dataclass(frozen=True)
 class View:
-    """The ball that holds the whole motion, the direction up, and the direction from the ball to the camera."""
+    """The ball that contains the whole motion, the upward direction, and the direction from the ball to the camera."""
 
     center: Array
     radius: float
@@ -32,10 +32,10 @@ class View:
     floor: float
     """The height of the lowest point, along ``up``."""
     extremes: Array
-    """The outermost points in many directions: the picture must hold them."""
+    """The outermost points in many directions, which the picture must contain."""
 
     def holding(self, places: Array) -> View:
-        """Return the same view from as far as it takes to hold more points."""
+        """Return the same view at a distance that shows more points."""
         return replace(self, extremes=_extremes(np.concatenate([self.extremes, places])))
 
     def holding_axes(self) -> View:
@@ -58,10 +58,10 @@ class View:
 
 
 def view_of(places: Array, core: Array, up: Array) -> View:
-    """Return a view of points (a row each) in which the upwards direction is up.
+    """Return a view of points, shape (k, 3), with the given upward direction.
 
-    Flat motions, whose core (centres, points, links) lies in a plane, are seen nearly from the front, others from a
-    corner above.
+    Flat motions, whose core (centres, points, links) lies in a plane, are seen nearly from the front, others from above
+    a corner.
     """
     low, high = places.min(axis=0), places.max(axis=0)
     center = (low + high) / 2
@@ -73,7 +73,7 @@ def view_of(places: Array, core: Array, up: Array) -> View:
 
 
 def _extremes(places: Array) -> Array:
-    """Return the outermost points in directions that are spread evenly over the sphere (a spiral)."""
+    """Return the outermost points in directions that are evenly spread over the sphere (a spiral)."""
     k = np.arange(DIRECTIONS) + 0.5
     height, angle = 1 - 2 * k / DIRECTIONS, k * np.pi * (1 + 5**0.5)
     ring = np.sqrt(1 - height**2)
@@ -83,7 +83,7 @@ def _extremes(places: Array) -> Array:
 
 
 def _direction(normal: Array | None, up: Array) -> Array:
-    """Look along the normal of a flat motion, from a little above; or horizontally along no axis."""
+    """Return the normal of a flat motion, from slightly above; or a horizontal direction along no axis."""
     side = _front(up)
     if normal is not None and abs(normal @ up) < 0.9:
         across = normal - (normal @ up) * up
@@ -95,7 +95,7 @@ def _direction(normal: Array | None, up: Array) -> Array:
 
 
 def _front(up: Array) -> Array:
-    """Return the side that is drawn towards the reader: z where y is up, minus y where z is up."""
+    """Return the direction towards the reader in drawings: z if y is up, minus y if z is up."""
     axis = int(np.argmax(np.abs(up)))
     front = np.array([[0.0, 0, 1], [0, 0, 1], [0, -1, 0]][axis])
     across = front - (front @ up) * up

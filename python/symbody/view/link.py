@@ -1,4 +1,4 @@
-"""Links: the rigid distances in the chain of frames from one joint to the next."""
+"""Links: rigid distances in the chain of frames from one joint to the next."""
 
 from __future__ import annotations
 
@@ -13,16 +13,16 @@ from symbody.multibody import Body
 
 @dataclass(frozen=True)
 class Link:
-    """A distance that is constant in a frame: from its origin to the place of the next frame of the chain."""
+    """A constant distance in a frame: from its origin to that of the next frame of the chain."""
 
     frame: Frame
     to: Triple
 
 
 def links(bodies: Sequence[Body]) -> dict[Link, int]:
-    """Return the links of the chains that carry bodies, each with the number of the body that moves with it.
+    """Return the links of the chains that carry bodies, each with the index of the body that moves with it.
 
-    A link with which several bodies move belongs to the first of them; one that stays, or moves alone, to none (-1).
+    A link that moves with several bodies belongs to the first of them; one that moves with none has the index -1.
 
     >>> from symbody import rotate, symbols, functions_of_time, translate
     >>> bar = Body(rotate("Z", functions_of_time("q")) * translate(symbols("l"), 0, 0), 1)
@@ -45,7 +45,7 @@ def links(bodies: Sequence[Body]) -> dict[Link, int]:
 
 
 def _last_moving(frame: Frame) -> Frame:
-    """Return the frame behind the last motion of a chain that isn't constant: the root, if there is none."""
+    """Return the frame after the last motion of a chain that is not constant: the root if there is none."""
     while frame.parent is not None and frame.motion is not None and frame.motion.is_constant:
         frame = frame.parent
     return frame
@@ -53,7 +53,7 @@ def _last_moving(frame: Frame) -> Frame:
 
 @dataclass(frozen=True)
 class Guide:
-    """A straight line along which a frame slides, given in the frame before it."""
+    """A straight line along which a frame slides, in its parent frame."""
 
     frame: Frame
     displacement: Triple
@@ -79,5 +79,5 @@ def guides(bodies: Iterable[Body]) -> list[Guide]:
 
 
 def joint(body: Body) -> Point:
-    """Return the place where the last moving part of a body's chain ends, by its coordinates in the body's frame."""
+    """Return the place of the last moving joint in the chain of a body, with coordinates in the body's frame."""
     return origin(_last_moving(body.frame)).projected(body.frame)

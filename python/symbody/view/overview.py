@@ -1,4 +1,4 @@
-"""Overviews: the coordinates and speeds of a system, those of one kind together."""
+"""Overviews: the coordinates and speeds of a system, grouped by kind."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from symbody.symbolic import Expr, number, pi, substitute, time_derivative
 from symbody.view.attachment import natural_points
 
 MOST = 8
-"""Curves that a panel shows at most: more are spread over several."""
+"""The most curves of a panel; more are spread over several panels."""
 
 KINDS = {
     "angle": "rad",
@@ -26,25 +26,25 @@ KINDS = {
     "rate": "",
     "speed": "",
 }
-"""The kinds, and their units by that of time: of angles and lengths in SI; of what nobody knows, none."""
+"""The units of each kind, given that of time: SI units for angles and lengths, none for unknown kinds."""
 
 RATES = {"angle": "angular velocity", "length": "velocity", "component": "rate", "coordinate": "rate"}
 
 
 @dataclass(frozen=True)
 class Group:
-    """Some coordinates or speeds of a kind."""
+    """Some coordinates or speeds of one kind."""
 
     kind: str
     expressions: tuple[Expr, ...]
 
     def unit(self, time: str) -> str:
-        """Return the unit, given that of time; empty where the kind has none, or where nobody knows."""
+        """Return the unit, given that of time; the empty text if the kind has none or is not known."""
         return KINDS[self.kind].format(time) if time else ""
 
 
 def overview(system: System) -> tuple[list[Group], list[Group]]:
-    """Return the coordinates of a system and its speeds, in groups of one kind.
+    """Return the coordinates and the speeds of a system, in groups of one kind.
 
     >>> from symbody import Body, functions_of_time, rotate, translate
     >>> x, phi, psi = q = functions_of_time("x phi psi")
@@ -61,18 +61,18 @@ def overview(system: System) -> tuple[list[Group], list[Group]]:
 
 
 def _groups(kinds: Mapping[Expr, str]) -> list[Group]:
-    """Return the expressions by kind, no more of them together than a panel shows."""
+    """Return the expressions by kind, in groups that fit into a panel."""
     groups = []
     for kind in dict.fromkeys(kinds.values()):
         members = [each for each, its in kinds.items() if its == kind]
         panels = -(-len(members) // MOST)
-        width = min(MOST, 3 * -(-len(members) // (3 * panels)))  # threes are the places of points
+        width = min(MOST, 3 * -(-len(members) // (3 * panels)))  # three coordinates place a point
         groups += [Group(kind, tuple(members[k : k + width])) for k in range(0, len(members), width)]
     return groups
 
 
 def _kinds(system: System) -> dict[Expr, str]:
-    """Return what the frames of the bodies say of coordinates and speeds, and the names of natural coordinates."""
+    """Return the kinds of coordinates and speeds, from the frames of bodies and the names of natural coordinates."""
     found: dict[Expr, str] = {}
     motions = [m for body in system.bodies for m in body.frame.motions]
     twists = [m.twist for m in motions if isinstance(m, Floating)]
@@ -91,12 +91,12 @@ def _kinds(system: System) -> dict[Expr, str]:
 
 
 def _multiples(expressions: Sequence[Expr]) -> list[Expr]:
-    """Return the functions of time that some expressions hold times a number."""
+    """Return the functions of time that appear in expressions multiplied by a number."""
     return [leaf for x in expressions for leaf in _moving(x) if x.diff(leaf).kind == "number"]
 
 
 def _angles(motion: FrameMotion) -> list[Expr]:
-    """Return the functions of time of which a full turn changes nothing."""
+    """Return the functions of time for which a full turn changes nothing."""
     if isinstance(motion, Rotation):
         return _multiples(motion.variables)
     if isinstance(motion, Translation):

@@ -1,4 +1,4 @@
-"""Plots: outputs of a motion over time."""
+"""Plots: expressions along a motion over time."""
 
 from __future__ import annotations
 
@@ -15,47 +15,47 @@ from matplotlib.figure import Figure
 
 from symbody.errors import ViewError
 from symbody.symbolic import Expr
-from symbody.view.motion import Motion
+from symbody.view.drawable_motion import DrawableMotion
 from symbody.view.overview import Group, overview
 from symbody.view.pose import values
 from symbody.view.whole_file import file_of, write_whole
 
 Panel: TypeAlias = Expr | Sequence[Expr] | Mapping[str, Expr]
-"""What one pair of axes shows: an expression, several, or several by the names to show."""
+"""What a panel shows: an expression, several, or several by name."""
 
 Units: TypeAlias = Mapping[Expr | str, str]
 
 LONG = 24
-"""Letters of the longest name that stands beside an axis; longer ones stand above the panel."""
+"""The longest name, in letters, that stands beside an axis; longer ones stand above the panel."""
 
 WIDE = 4
-"""Panels from which there are two in a row."""
+"""The number of panels from which there are two per row."""
 
 
 def plot(
-    motion: Motion,
+    motion: DrawableMotion,
     *panels: Panel,
     units: Units | None = None,
     time: str = "s",
     title: str = "",
     path: str | os.PathLike[str] | None = None,
 ) -> Figure:
-    """Return a figure of outputs over time, a panel for each argument.
+    """Return a figure of expressions over time, one panel for each argument.
 
-    Without one, it shows all coordinates and speeds: lengths, angles and others in panels of their own, in SI units.
+    Without arguments, it shows all coordinates and speeds, in SI units: lengths, angles and others in separate panels.
 
     Args:
-        motion: what is shown.
+        motion: the motion.
         panels: an expression, a list of expressions that share a panel, or a dictionary of them by name.
-        units: the unit of an expression, or of the name of a curve; those of a panel that agree stand at its axis.
-            Panels of angles, lengths or their rates alone are in SI units unless others are given.
-        time: the unit of time; the empty text if there is none.
-        title: the headline.
-        path: a file to write as well; its ending says the format, such as ``.png``, ``.svg`` or ``.pdf``. Its
-            folder is made if there is none.
+        units: the unit of an expression or of the name of a curve. The axis shows the unit if all curves of a panel
+            share it. By default, panels of angles, lengths or their rates are in SI units.
+        time: the unit of time; the empty text for none.
+        title: the title.
+        path: a file to write as well; its suffix is the format, such as ``.png``, ``.svg`` or ``.pdf``. Its folder is
+            made if necessary.
 
     Raises:
-        ViewError: there is nothing to draw, a panel is no expression, or a value isn't finite.
+        ViewError: there is nothing to draw, a panel is not an expression, or a value is not finite.
         PictureError: the file can't be written.
 
     >>> import numpy as np
@@ -70,7 +70,7 @@ def plot(
     """
     groups = overview(motion.system)
     columns = (
-        _asked(panels, units or {}, _kinds(groups, time)) if panels else _overview(groups, units or {}, time)
+        _panels(panels, units or {}, _kinds(groups, time)) if panels else _overview(groups, units or {}, time)
     )
     rows = max(map(len, columns))
     figure = Figure(figsize=(6.5 * len(columns) + 1, 2.4 * rows + 0.8), layout="constrained")
@@ -90,11 +90,20 @@ def plot(
 
 
 def save(figure: Figure, path: str | os.PathLike[str]) -> Path:
-    """Write a figure to a file, whole or not at all; the ending says the format.
+    """Write a figure to a file, as a whole or not at all; the suffix is the format.
+
+    Args:
+        figure: the figure.
+        path: the file.
 
     Raises:
         PictureError: the file can't be written.
-        ViewError: the ending is of no format.
+        ViewError: the suffix is not a format.
+
+    >>> import tempfile
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     save(Figure(), Path(folder) / "empty.svg").name
+    'empty.svg'
     """
     file = file_of(path, "motion.png")
     kind = file.suffix.removeprefix(".").lower()
@@ -103,16 +112,14 @@ def save(figure: Figure, path: str | os.PathLike[str]) -> Path:
         raise ViewError(
             f"plot: {file} ends in {kind!r}; expected a format such as {', '.join(sorted(known))}"
         )
-    content = (
-        BytesIO()
-    )  # a full disk is told by what writes the bytes; in the middle of a format it has other names
+    content = BytesIO()  # the writer reports a full disk; the formats have other names for it
     figure.savefig(content, format=kind, dpi=150)
     return write_whole(file, lambda temporary: temporary.write_bytes(content.getvalue()))
 
 
 @dataclass(frozen=True)
 class _Curves:
-    """What a pair of axes shows: expressions by the names that stand in the figure, their units, and what they are."""
+    """A panel: expressions by their names in the figure, their units, and their kind."""
 
     curves: Mapping[str, Expr]
     units: Sequence[str]
@@ -120,12 +127,12 @@ class _Curves:
 
     @property
     def unit(self) -> str:
-        """The unit that all curves share, if there is one."""
+        """The unit that all curves share; the empty text if there is none."""
         return self.units[0] if len(set(self.units)) == 1 else ""
 
 
 LINKING = {"about", "along", "at", "in", "of", "on", "the"}
-"""Words with which the name of an axis doesn't end, or begin."""
+"""Words with which the name of an axis does not end, or begin."""
 
 Groups: TypeAlias = tuple[list[Group], list[Group]]
 
@@ -140,10 +147,10 @@ def _kinds(groups: Groups, time: str) -> dict[Expr, tuple[str, str]]:
     }
 
 
-def _asked(
+def _panels(
     panels: Sequence[Panel], units: Units, kinds: Mapping[Expr, tuple[str, str]]
 ) -> list[list[_Curves]]:
-    """Return the panels of a user by columns; coordinates and speeds of one kind have its unit unless one is given."""
+    """Return the given panels by columns. Coordinates and speeds have the unit of their kind unless one is given."""
     found = []
     for curves in map(_curves, panels):
         shared = {kinds.get(expression, ("", "")) for expression in curves.values()}
@@ -155,7 +162,7 @@ def _asked(
 
 
 def _common_words(names: Iterable[str]) -> str:
-    """Return the words that all names begin with, or else end with.
+    """Return the words with which all names begin, or else end.
 
     >>> _common_words(["kinetic energy", "potential energy"]), _common_words(["tension A", "tension B"])
     ('energy', 'tension')
@@ -172,7 +179,7 @@ def _common_words(names: Iterable[str]) -> str:
 
 
 def _distinction(name: str, common: str) -> str:
-    """Return what the name of a curve says beyond the name of its axis.
+    """Return the part of a curve's name that is not in the name of its axis.
 
     >>> _distinction("tension A", "tension"), _distinction("speed of the rod", "speed"), _distinction("q1", "angle")
     ('A', 'rod', 'q1')
@@ -193,7 +200,7 @@ def _panel(curves: Mapping[str, Expr], units: Units, kind: str = "", unit: str =
 
 
 def _overview(groups: Groups, units: Units, time: str) -> list[list[_Curves]]:
-    """Return the coordinates in a column, those of one kind together, and the speeds in another one."""
+    """Return the coordinates in one column, grouped by kind, and the speeds in another one."""
     return [
         [_panel(_curves(group.expressions), units, group.kind, group.unit(time)) for group in part]
         for part in groups
@@ -201,7 +208,7 @@ def _overview(groups: Groups, units: Units, time: str) -> list[list[_Curves]]:
 
 
 def _curves(panel: object) -> dict[str, Expr]:
-    """Return the curves of a panel by the names that stand in the figure."""
+    """Return the curves of a panel by their names in the figure."""
     if isinstance(panel, Expr):
         return {_symbol(panel): panel}
     if isinstance(panel, Mapping):
@@ -219,19 +226,19 @@ def _checked(expression: object) -> Expr:
 
 def _strange(what: object) -> ViewError:
     return ViewError(
-        f"plot: {what!r} is no panel; expected an expression such as a coordinate, a list of expressions, or a "
+        f"plot: {what!r} is not a panel; expected an expression such as a coordinate, a list of expressions, or a "
         "dictionary of expressions by name"
     )
 
 
 def _symbol(expression: Expr) -> str:
-    """Return an expression in mathematical type if that is short, and as matplotlib can set it."""
+    """Return an expression in mathematical type if it is short and matplotlib can typeset it."""
     text = str(expression)
     latex = expression.latex()
     return f"${latex}$" if len(text) <= 40 and not {"begin", "text"} & set(latex.split("\\")) else text[:60]
 
 
-def _draw(axes: Axes, motion: Motion, panel: _Curves) -> None:
+def _draw(axes: Axes, motion: DrawableMotion, panel: _Curves) -> None:
     rows = values(motion, list(panel.curves.values()))
     for name, unit, row in zip(panel.curves, panel.units, rows, strict=True):
         short = _distinction(name, panel.kind)

@@ -12,20 +12,20 @@ from symbody.errors import ViewError
 from symbody.geometry import Frame, Point, Vector
 from symbody.symbolic import Expr
 from symbody.symbolic.given.arguments import brief
-from symbody.view.motion import Motion
+from symbody.view.drawable_motion import DrawableMotion
 
 Array = NDArray[np.float64]
 
 
-def values(motion: Motion, expressions: Sequence[Expr]) -> Array:
-    """Return the values of expressions along a motion, a row for each.
+def values(motion: DrawableMotion, expressions: Sequence[Expr]) -> Array:
+    """Return the values of expressions along a motion, shape (expressions, N).
 
     Raises:
-        ViewError: the motion has no instants, or a value isn't finite.
+        ViewError: the motion has no instants, or a value is not finite.
     """
     if len(motion.t) == 0:
         raise ViewError(
-            "view: the motion has no instants, so there is nothing to draw; expected one at least"
+            "view: the motion has no instants, so there is nothing to draw; expected at least one"
         )
     if not expressions:
         return np.empty((0, len(motion.t)))
@@ -40,10 +40,10 @@ def values(motion: Motion, expressions: Sequence[Expr]) -> Array:
     return rows
 
 
-def poses(motion: Motion, frames: Sequence[Frame]) -> Array:
-    """Return origins and unit quaternions (x, y, z, w) of frames seen from the root: frames by instants by 7.
+def poses(motion: DrawableMotion, frames: Sequence[Frame]) -> Array:
+    """Return origins and unit quaternions (x, y, z, w) of frames in the root frame, shape (frames, N, 7).
 
-    Matrices that are no rotations, as natural coordinates within the drift of their constraints, give the nearest one.
+    Matrices that are not rotations, as with natural coordinates that drift, are replaced by the nearest rotations.
     """
     entries: list[Expr] = []
     for frame in frames:
@@ -55,7 +55,7 @@ def poses(motion: Motion, frames: Sequence[Frame]) -> Array:
 
 
 def _quaternions(matrices: Array) -> Array:
-    """Return the quaternions of the nearest rotations, with signs that don't jump."""
+    """Return the quaternions of the nearest rotations, with continuous signs."""
     u, _, vt = np.linalg.svd(matrices)
     u[:, :, 2] *= np.linalg.det(u @ vt)[:, None]
     quaternions = Rotation.from_matrix(u @ vt).as_quat()
@@ -64,34 +64,34 @@ def _quaternions(matrices: Array) -> Array:
     return np.asarray(quaternions * signs[:, None])
 
 
-def paths(motion: Motion, points: Sequence[Point]) -> Array:
-    """Return the places of points seen from the root: points by instants by 3."""
+def paths(motion: DrawableMotion, points: Sequence[Point]) -> Array:
+    """Return the places of points in the root frame, shape (points, N, 3)."""
     entries = [x for point in points for x in point.projected(point.frame.ancestor).coordinates]
     return values(motion, entries).reshape(len(points), 3, len(motion.t)).transpose(0, 2, 1)
 
 
-def arrows(motion: Motion, vectors: Sequence[Vector]) -> Array:
-    """Return the components of vectors seen from the root: vectors by instants by 3."""
+def arrows(motion: DrawableMotion, vectors: Sequence[Vector]) -> Array:
+    """Return the components of vectors in the root frame, shape (vectors, N, 3)."""
     entries = [x for vector in vectors for x in vector.projected(vector.frame.ancestor).components]
     return values(motion, entries).reshape(len(vectors), 3, len(motion.t)).transpose(0, 2, 1)
 
 
-def constants(motion: Motion, expressions: Sequence[Expr]) -> Array:
+def constants(motion: DrawableMotion, expressions: Sequence[Expr]) -> Array:
     """Return the values of expressions of parameters."""
     return values(motion, expressions)[:, 0]
 
 
 def carried(track: Array, places: Array) -> Array:
-    """Return the paths of points that are fixed in a frame, given its poses: points by instants by 3."""
+    """Return the paths of points that are fixed in a frame, given its poses: shape (points, N, 3)."""
     turn = Rotation.from_quat(track[:, 3:])
     return np.array([track[:, :3] + turn.apply(place) for place in places]).reshape(-1, len(track), 3)
 
 
 def seen_from(track: Array, path: Array) -> Array:
-    """Return the path of a point as a frame sees it, given the poses of that frame: instants by 3."""
+    """Return the path of a point in a moving frame, given the poses of that frame: shape (N, 3)."""
     return np.asarray(Rotation.from_quat(track[:, 3:]).inv().apply(path - track[:, :3]))
 
 
 def rounded(track: Array) -> list[float]:
-    """Return a track as numbers of seven digits: more than a screen shows."""
+    """Return a track as numbers with seven digits, more than a screen shows."""
     return [float(f"{x:.7g}") for x in track.ravel()]

@@ -1,4 +1,4 @@
-"""Scenes: what is drawn of a motion, in numbers."""
+"""Scenes: the data of a page, from a motion."""
 
 from __future__ import annotations
 
@@ -14,46 +14,51 @@ from symbody.multibody import Body
 from symbody.symbolic.given.arguments import brief
 from symbody.view.arrow import arrow_entries, load_arrows, reaction_arrows
 from symbody.view.camera import view_of
+from symbody.view.drawable_motion import DrawableMotion
+from symbody.view.drawing_options import DrawingOptions
 from symbody.view.equivalent import equivalent_shape
 from symbody.view.link import joint
-from symbody.view.motion import Motion
 from symbody.view.pose import arrows, carried, constants, paths, poses, rounded, seen_from
 from symbody.view.shape import Shape
 from symbody.view.skeleton import COLORS, Skeleton, skeleton
 from symbody.view.solid import corners, falls_short_of, hides
 from symbody.view.table import FrameTable
-from symbody.view.wishes import Wishes
 
 Array = NDArray[np.float64]
 Part = dict[str, Any]
 
 THICKNESS = 0.04
-"""Of the thinnest bodies, in radii of the picture; rods and threads are thinner."""
+"""The thickness of the thinnest bodies, in radii of the picture; rods and threads are thinner."""
 
 LOOKS = 200
-"""Instants that decide where to look from."""
+"""The most instants that determine the camera."""
 
 
-def scene(motion: Motion, wishes: Wishes, title: str) -> dict[str, Any]:
-    """Return the scene of a motion as the page reads it.
+def scene(motion: DrawableMotion, options: DrawingOptions, title: str) -> dict[str, Any]:
+    """Return the scene of a motion in the form that the page reads.
+
+    Args:
+        motion: the motion.
+        options: what else to show.
+        title: the title.
 
     Raises:
-        ViewError: there is nothing to draw, a value isn't finite, or a shape is given for a body of no part.
+        ViewError: there is nothing to draw, a value is not finite, or a shape belongs to no body of the system.
     """
     bodies = motion.system.bodies
-    _check_shapes(wishes.shapes, bodies)
+    _check_shapes(options.shapes, bodies)
     table = FrameTable()
     own = [table.place(body.frame) for body in bodies]
     of_bodies = poses(motion, table.frames)
     bones = skeleton(motion, table, of_bodies[own])
-    given = [_given(motion, table, body, wishes.shapes.get(body)) for body in bodies]
+    given = [_given(motion, table, body, options.shapes.get(body)) for body in bodies]
     bones = bones.without({k for k, shapes in enumerate(given) if shapes})
-    axes = [{"name": frame.name, "pose": table.place(frame)} for frame in (ground, *wishes.frames)]
+    axes = [{"name": frame.name, "pose": table.place(frame)} for frame in (ground, *options.frames)]
     tracks = np.concatenate([of_bodies, poses(motion, table.frames[len(of_bodies) :])])
-    asked = _asked(motion, wishes)
+    requested = _requested_paths(motion, options)
     up = _up(motion)
-    shift = _shift(motion, wishes.follow, tracks[own], up)
-    core = _core(tracks, own, bones, asked, shift)
+    shift = _shift(motion, options.follow, tracks[own], up)
+    core = _core(tracks, own, bones, requested, shift)
     least = THICKNESS * _radius(np.concatenate([core, _reach(motion, tracks[own], given, shift)]))
     parts = [
         shapes or [_equivalent(motion, body, own[k], bones, least)]
@@ -62,18 +67,21 @@ def scene(motion: Motion, wishes: Wishes, title: str) -> dict[str, Any]:
     for k in (k for k, shapes in enumerate(given) if not shapes):
         parts[k][0]["glass"] = _is_glass(k, parts, tracks[:, 0], own, bones)
     view = view_of(np.concatenate([core, _corners(tracks, parts, shift)]), core, up)
-    drawn = [*load_arrows(wishes.forces), *(reaction_arrows(bones.threads) if wishes.reactions else [])]
+    drawn = [
+        *load_arrows(options.forces),
+        *(reaction_arrows(bones.threads) if options.reactions else []),
+    ]
     shown, tips = arrow_entries(motion, drawn, view.radius)
     return {
         "title": title,
         "view": view.holding((tips - shift).reshape(-1, 3)).holding_axes().entry,
-        "follow": rounded(shift) if wishes.follow else [],
+        "follow": rounded(shift) if options.follow else [],
         "thickness": least,
         "times": motion.t.tolist(),
         "bodies": _bodies(bodies, own, parts),
         "links": bones.rods,
         "axes": axes,
-        **_lines_and_points(wishes, asked, bones),
+        **_lines_and_points(options, requested, bones),
         **shown,
         "poses": [rounded(track) for track in tracks],
     }
@@ -83,13 +91,13 @@ def _check_shapes(shapes: Mapping[Body, object], bodies: Sequence[Body]) -> None
     for body in shapes:
         if body not in bodies:
             raise ViewError(
-                f"view: there is a shape for {brief(body)}, which is no body of the system; "
+                f"view: there is a shape for {brief(body)}, which is not a body of the system; "
                 f"expected one of {brief(', '.join(map(str, bodies)))}"
             )
 
 
-def _up(motion: Motion) -> Array:
-    """Return the direction against gravity, or z."""
+def _up(motion: DrawableMotion) -> Array:
+    """Return the direction opposite to gravity, or z without gravity."""
     gravity = motion.system.gravity
     if gravity is None:
         return np.array([0.0, 0, 1])
@@ -98,25 +106,25 @@ def _up(motion: Motion) -> Array:
     return np.asarray(-down / size) if size else np.array([0.0, 0, 1])
 
 
-def _shift(motion: Motion, followed: Body | None, tracks: Array, up: Array) -> Array:
-    """Return how far the camera goes with a body: horizontally, from where it is at first."""
-    if followed is None:
+def _shift(motion: DrawableMotion, follow: Body | None, tracks: Array, up: Array) -> Array:
+    """Return the displacement of the camera that follows a body: horizontal, zero at the first instant."""
+    if follow is None:
         return np.zeros((len(motion.t), 3))
-    if followed not in motion.system.bodies:
+    if follow not in motion.system.bodies:
         raise ViewError(
-            f"animate: {brief(followed)} to follow is no body of the system; "
+            f"animate: {brief(follow)} to follow is not a body of the system; "
             f"expected one of {brief(', '.join(map(str, motion.system.bodies)))}"
         )
-    path = tracks[motion.system.bodies.index(followed), :, :3]
+    path = tracks[motion.system.bodies.index(follow), :, :3]
     way = path - path[0]
     return np.asarray(way - (way @ up)[:, None] * up)
 
 
-# --- what a user asks for ---
+# --- given shapes, points and lines ---
 
 
 def _given(
-    motion: Motion, table: FrameTable, body: Body, shapes: Shape | Sequence[Shape] | None
+    motion: DrawableMotion, table: FrameTable, body: Body, shapes: Shape | Sequence[Shape] | None
 ) -> list[Part]:
     if shapes is None:
         return []
@@ -127,17 +135,17 @@ def _given(
     return parts
 
 
-def _asked(motion: Motion, wishes: Wishes) -> Array:
+def _requested_paths(motion: DrawableMotion, options: DrawingOptions) -> Array:
     """Return the paths of points, traces and both ends of lines, in this order."""
-    ends = (end for line in wishes.lines for end in line)
-    return paths(motion, [*wishes.points, *wishes.traces, *ends])
+    ends = (end for line in options.lines for end in line)
+    return paths(motion, [*options.points, *options.traces, *ends])
 
 
-def _lines_and_points(wishes: Wishes, asked: Array, bones: Skeleton) -> dict[str, Any]:
-    n, k = len(wishes.points), len(wishes.traces)
-    names = [point.name for point in (*wishes.points, *wishes.traces)]
-    points = [*zip(names, asked[: n + k], strict=True), *bones.points]
-    lines = [*zip(asked[n + k :: 2], asked[n + k + 1 :: 2], strict=True), *bones.lines]
+def _lines_and_points(options: DrawingOptions, requested: Array, bones: Skeleton) -> dict[str, Any]:
+    n, k = len(options.points), len(options.traces)
+    names = [point.name for point in (*options.points, *options.traces)]
+    points = [*zip(names, requested[: n + k], strict=True), *bones.points]
+    lines = [*zip(requested[n + k :: 2], requested[n + k + 1 :: 2], strict=True), *bones.lines]
     return {
         "points": [{"name": name, "path": rounded(path)} for name, path in points],
         "traces": list(range(n, n + k)),
@@ -161,7 +169,16 @@ def _bodies(bodies: Sequence[Body], own: Sequence[int], parts: Sequence[list[Par
     ]
 
 
-def _equivalent(motion: Motion, body: Body, pose: int, bones: Skeleton, least: float) -> Part:
+def _equivalent(motion: DrawableMotion, body: Body, pose: int, bones: Skeleton, least: float) -> Part:
+    """Return the solid of a body without a given shape.
+
+    Args:
+        motion: the motion.
+        body: the body.
+        pose: the index of its frame.
+        bones: the skeleton.
+        least: the smallest visible length.
+    """
     mass, *rest = constants(motion, [body.mass, *body.inertia_entries, *joint(body).coordinates])
     to_centre = -np.array(rest[9:])
     link = to_centre if np.linalg.norm(to_centre) > 0 else bones.longest_arm(pose)
@@ -169,7 +186,15 @@ def _equivalent(motion: Motion, body: Body, pose: int, bones: Skeleton, least: f
 
 
 def _is_glass(k: int, parts: Sequence[list[Part]], poses: Array, own: Sequence[int], bones: Skeleton) -> bool:
-    """Return whether a solid hides smaller bodies or joints, or doesn't reach its own: it can't be the body's shape."""
+    """Return whether a solid hides smaller bodies or joints, or does not reach its own: it can't be the real shape.
+
+    Args:
+        k: the index of the body.
+        parts: the parts of all bodies.
+        poses: the poses of the frames at one instant, shape (frames, 7).
+        own: the indices of the bodies' frames.
+        bones: the skeleton.
+    """
     part, pose = parts[k][0], poses[own[k]]
     sizes = [float(np.linalg.norm(np.ptp(corners(shapes[0]), axis=0))) for shapes in parts]
     smaller = [poses[own[j], :3] for j, size in enumerate(sizes) if size < 0.999 * sizes[k]]
@@ -182,7 +207,7 @@ def _is_glass(k: int, parts: Sequence[list[Part]], poses: Array, own: Sequence[i
 
 
 def _apart(places: Sequence[Array], centre: Array) -> list[Array]:
-    """Return the places that aren't at the centre."""
+    """Return the places that are not at the centre."""
     distances = [float(np.linalg.norm(place - centre)) for place in places]
     return [
         place for place, d in zip(places, distances, strict=True) if d > 1e-6 * max(distances, default=0.0)
@@ -193,19 +218,27 @@ def _seen(pose: Array, places: Sequence[Array]) -> Array:
     return np.array([seen_from(pose[None], place)[0] for place in places]).reshape(-1, 3)
 
 
-# --- how large it is ---
+# --- size ---
 
 
-def _core(tracks: Array, own: Sequence[int], bones: Skeleton, asked: Array, shift: Array) -> Array:
-    """Return the places of centres of mass, points and ends of rods, at all instants, as the camera sees them."""
-    found = [tracks[:, :, :3], asked, *(path[None] for _, path in bones.points)]
+def _core(tracks: Array, own: Sequence[int], bones: Skeleton, requested: Array, shift: Array) -> Array:
+    """Return the places of centres of mass, points and ends of rods, at all instants, relative to the camera.
+
+    Args:
+        tracks: the poses of the frames, shape (frames, N, 7).
+        own: the indices of the bodies' frames.
+        bones: the skeleton.
+        requested: the paths of points that the user wants to see.
+        shift: the displacement of the camera, shape (N, 3).
+    """
+    found = [tracks[:, :, :3], requested, *(path[None] for _, path in bones.points)]
     found += [np.array(line) for line in bones.lines]
     found += [carried(tracks[rod["pose"]], np.array([rod["from"], rod["to"]])) for rod in bones.rods]
     return np.concatenate([_seen_along(places, shift) for places in found])
 
 
 def _seen_along(places: Array, shift: Array) -> Array:
-    """Return places as a camera sees them that goes on its way; what stays behind is not looked at."""
+    """Return places relative to a moving camera; what it leaves behind is ignored."""
     if shift.any():
         places = places[np.ptp(places, axis=1).any(axis=1)]
     return (places - shift).reshape(-1, 3)
@@ -216,8 +249,8 @@ def _radius(places: Array) -> float:
     return float(np.linalg.norm(places - middle, axis=1).max()) or 1.0
 
 
-def _reach(motion: Motion, tracks: Array, given: Sequence[list[Part]], shift: Array) -> Array:
-    """Return centres of mass, moved to all sides by how far the solids reach, or by their radii of gyration."""
+def _reach(motion: DrawableMotion, tracks: Array, given: Sequence[list[Part]], shift: Array) -> Array:
+    """Return centres of mass, displaced in all directions by the size of the solids, or by their radii of gyration."""
     bodies = motion.system.bodies
     table = constants(motion, [x for body in bodies for x in (body.mass, *body.moments)]).reshape(-1, 4)
     with np.errstate(divide="ignore", invalid="ignore"):
@@ -230,7 +263,7 @@ def _reach(motion: Motion, tracks: Array, given: Sequence[list[Part]], shift: Ar
 
 
 def _corners(tracks: Array, parts: Sequence[list[Part]], shift: Array) -> Array:
-    """Return the corners of the boxes around all solids, at a number of instants."""
+    """Return the corners of the boxes around all solids, at some instants."""
     step = -(-tracks.shape[1] // LOOKS)
     found = [carried(tracks[part["pose"], ::step], corners(part)) for shapes in parts for part in shapes]
     return (np.concatenate(found) - shift[::step]).reshape(-1, 3)

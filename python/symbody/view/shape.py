@@ -1,4 +1,4 @@
-"""Shapes: what a body looks like, given by the user."""
+"""Shapes of bodies, given by the user."""
 
 from __future__ import annotations
 
@@ -16,25 +16,29 @@ CENTRE: Place = (0, 0, 0)
 
 
 class Shape(ABC):
-    """A solid, fixed in the frame of the body at its centre of mass, or in another frame."""
+    """A solid, fixed in the frame of the body at its centre of mass, or in another frame.
+
+    >>> isinstance(Box(2, 1, 1), Shape)
+    True
+    """
 
     frame: Frame | None
-    """The frame in which it is given; None stands for that of the body."""
+    """The frame of its coordinates; None stands for that of the body."""
 
     @property
     @abstractmethod
     def lengths(self) -> tuple[Expr, ...]:
-        """All its lengths, expressions of the parameters."""
+        """All lengths of the shape, expressions of the parameters."""
 
     @abstractmethod
     def part(self, lengths: Sequence[float]) -> dict[str, Any]:
-        """Return the entry of the page, given the values of the lengths."""
+        """Return the entry of the page for given values of the lengths."""
 
 
 @final
 @dataclass(frozen=True)
 class Box(Shape):
-    """A box by its sides along x, y and z, and its centre.
+    """A box, given by its sides along x, y and z, and its centre.
 
     >>> from symbody import symbols
     >>> Box(symbols("l"), 0.1, 0.1).part([2, 0.1, 0.1, 0, 0, 0])
@@ -58,7 +62,11 @@ class Box(Shape):
 @final
 @dataclass(frozen=True)
 class Ellipsoid(Shape):
-    """An ellipsoid by its half axes along x, y and z, and its centre."""
+    """An ellipsoid, given by its semi-axes along x, y and z, and its centre.
+
+    >>> Ellipsoid(2, 1, 1).part([2, 1, 1, 0, 0, 0])["kind"]
+    'ellipsoid'
+    """
 
     x: Scalar
     y: Scalar
@@ -77,7 +85,11 @@ class Ellipsoid(Shape):
 @final
 @dataclass(frozen=True)
 class Cylinder(Shape):
-    """A cylinder by its radius and the centres of its ends: a wheel, a rod, a rope drum."""
+    """A cylinder, given by its radius and the centres of its ends: a wheel, a rod, a rope drum.
+
+    >>> Cylinder(0.3, (0, -0.1, 0), (0, 0.1, 0)).part([0.3, 0, -0.1, 0, 0, 0.1, 0])["radius"]
+    0.3
+    """
 
     radius: Scalar
     start: Place
@@ -96,7 +108,11 @@ class Cylinder(Shape):
 @final
 @dataclass(frozen=True)
 class Plate(Shape):
-    """A plate parallel to the x-y plane by its corners, in order, its thickness, and the z of its middle plane."""
+    """A plate parallel to the x-y plane, given by its corners in order, its thickness, and its middle plane's z.
+
+    >>> len(Plate(((0, 0), (1, 0), (0, 1)), 0.1).lengths)
+    8
+    """
 
     corners: tuple[tuple[Scalar, Scalar], ...]
     thickness: Scalar

@@ -1,4 +1,4 @@
-"""Skeletons: what a model says of its mechanism beside its bodies, as rods, points and threads."""
+"""Skeletons: the mechanism of a model beside its bodies, as rods, points and threads."""
 
 from __future__ import annotations
 
@@ -11,8 +11,8 @@ from numpy.typing import NDArray
 
 from symbody.geometry import Point
 from symbody.view.attachment import RIGID, Attachment, Thread, attachment, natural_points, threads
+from symbody.view.drawable_motion import DrawableMotion
 from symbody.view.link import guides, links
-from symbody.view.motion import Motion
 from symbody.view.pose import constants, paths, values
 from symbody.view.table import FrameTable
 
@@ -21,12 +21,12 @@ Array = NDArray[np.float64]
 COLORS = ("#1f77b4", "#ff7f0e", "#2ca02c", "#d62728", "#9467bd", "#8c564b", "#e377c2", "#17becf", "#bcbd22")
 GREY = "#888888"
 BEYOND = 0.1
-"""By how much a guide reaches beyond the motion, relative to it."""
+"""How far a guide extends beyond the motion, relative to the length of the motion."""
 
 
 @dataclass(frozen=True)
 class Skeleton:
-    """The rods of a page, points by name and path, lines by their ends' paths, and the threads that they show."""
+    """The rods of a page, points by name and path, lines by the paths of their ends, and the threads that they show."""
 
     rods: list[dict[str, Any]]
     points: list[tuple[str, Array]]
@@ -34,25 +34,25 @@ class Skeleton:
     threads: list[Thread]
 
     def without(self, bodies: Container[int]) -> Skeleton:
-        """Return the skeleton without the rods of some bodies: what they look like is known."""
+        """Return the skeleton without the rods of bodies whose shapes are given."""
         return replace(self, rods=[rod for rod in self.rods if rod["body"] not in bodies])
 
     def longest_arm(self, pose: int) -> Array | None:
-        """Return the way from the origin of a frame to the farthest end of its rods, if it has any."""
+        """Return the vector from the origin of a frame to the farthest end of its rods, if it has any."""
         ends = [np.array(rod["to"]) for rod in self.rods if rod["pose"] == pose and not rod.get("thin")]
         return max(ends, key=lambda end: float(np.linalg.norm(end)), default=None)
 
 
-def skeleton(motion: Motion, table: FrameTable, tracks: Array) -> Skeleton:
+def skeleton(motion: DrawableMotion, table: FrameTable, tracks: Array) -> Skeleton:
     """Return the skeleton of a model in motion.
 
     Rods are the constant distances in the chains of frames (links), the lines along which frames slide (guides), and
-    the ways from a centre of mass to the points where forces act and to the natural coordinates of its body (arms).
+    the lines from a centre of mass to the points where forces act and to the natural coordinates of its body (arms).
 
     Args:
-        motion: what is shown.
+        motion: the motion.
         table: the frames of the page; those of the rods are added.
-        tracks: the poses of the bodies.
+        tracks: the poses of the bodies, shape (bodies, N, 7).
     """
     named, places, fixed, size = _confirmed(motion, tracks)
     found = threads(motion.system, named)
@@ -69,8 +69,10 @@ def skeleton(motion: Motion, table: FrameTable, tracks: Array) -> Skeleton:
     return Skeleton(rods, points, lines, shown)
 
 
-def _confirmed(motion: Motion, tracks: Array) -> tuple[list[Point], list[Array], list[Attachment], float]:
-    """Return the natural coordinates that move with a body: points, paths, and where; and the size of the picture."""
+def _confirmed(
+    motion: DrawableMotion, tracks: Array
+) -> tuple[list[Point], list[Array], list[Attachment], float]:
+    """Return the natural coordinates that move with a body: points, paths, and places; and the size of the picture."""
     named = natural_points(motion.system)
     places = paths(motion, named)
     every = np.concatenate([tracks[:, :, :3].reshape(-1, 3), places.reshape(-1, 3), np.zeros((1, 3))])
@@ -83,7 +85,7 @@ def _confirmed(motion: Motion, tracks: Array) -> tuple[list[Point], list[Array],
 def _points(
     named: Sequence[Point], places: Sequence[Array], fixed: Sequence[Attachment], size: float
 ) -> list[tuple[str, Array]]:
-    """Return the points that aren't the centre of mass of their body."""
+    """Return the points that are not the centre of mass of their body."""
     return [
         (point.name, path)
         for point, path, each in zip(named, places, fixed, strict=True)
@@ -99,15 +101,24 @@ def _is_drawn(
     path: Array,
     size: float,
 ) -> bool:
-    """Return whether a thread joins a body, or a point, with another one or with a place that stays."""
+    """Return whether a thread joins a body or a point with another one, or with a fixed place.
+
+    Args:
+        start: the attachment of its start.
+        end: the attachment of its end; None if it moves with no body.
+        thread: the thread.
+        named: the natural points of the model.
+        path: the path of its end, shape (N, 3).
+        size: the size of the picture.
+    """
     if end is not None and start.body == end.body:
         return False
     stays = np.ptp(path, axis=0).max() < RIGID * size
     return bool(stays) or end is not None or thread.end in named
 
 
-def _points_of_action(motion: Motion, tracks: Array, size: float) -> list[Attachment]:
-    """Return the points where forces act, if they stay where they are on their bodies."""
+def _points_of_action(motion: DrawableMotion, tracks: Array, size: float) -> list[Attachment]:
+    """Return the points where forces act that are fixed on their bodies."""
     bodies = list(motion.system.bodies)
     actions = [a for load in motion.system.loads for a in load.actions if a.body in bodies]
     found = []
@@ -120,7 +131,7 @@ def _points_of_action(motion: Motion, tracks: Array, size: float) -> list[Attach
     return found
 
 
-def _links(motion: Motion, table: FrameTable) -> list[dict[str, Any]]:
+def _links(motion: DrawableMotion, table: FrameTable) -> list[dict[str, Any]]:
     found = links(motion.system.bodies)
     ends = constants(motion, [x for link in found for x in link.to]).reshape(-1, 3)
     return [
@@ -129,7 +140,7 @@ def _links(motion: Motion, table: FrameTable) -> list[dict[str, Any]]:
     ]
 
 
-def _guides(motion: Motion, table: FrameTable) -> list[dict[str, Any]]:
+def _guides(motion: DrawableMotion, table: FrameTable) -> list[dict[str, Any]]:
     rods = []
     for guide in guides(motion.system.bodies):
         places = values(motion, guide.displacement).T
@@ -140,7 +151,7 @@ def _guides(motion: Motion, table: FrameTable) -> list[dict[str, Any]]:
 
 
 def _arms(
-    motion: Motion, table: FrameTable, arms: Sequence[Attachment], least: float
+    motion: DrawableMotion, table: FrameTable, arms: Sequence[Attachment], least: float
 ) -> list[dict[str, Any]]:
     bodies = motion.system.bodies
     return [
@@ -151,7 +162,7 @@ def _arms(
 
 
 def _rod(pose: int, start: Array, end: Array, body: int) -> dict[str, Any]:
-    """Return a rod in the colour of a body, or in grey if it belongs to none (-1)."""
+    """Return a rod in the colour of a body, or in grey if the index is -1."""
     color = COLORS[body % len(COLORS)] if body >= 0 else GREY
     ends = {"from": start.tolist(), "to": end.tolist()}
     return {"kind": "rod", "pose": pose, **ends, "body": body, "color": color}

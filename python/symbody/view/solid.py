@@ -1,4 +1,4 @@
-"""Solids: how far the parts of a page reach, and what they hide."""
+"""Solids: the extent of the parts of a page, and what they hide."""
 
 from __future__ import annotations
 
@@ -11,14 +11,14 @@ from numpy.typing import NDArray
 Array = NDArray[np.float64]
 
 INSIDE = 0.9
-"""A point is hidden by a solid if it is within this part of the solid's box."""
+"""A point is hidden if it is within the solid's box scaled by this factor."""
 
 OUTSIDE = 1.2
-"""A point stands out of a solid if it is beyond this multiple of the solid's box."""
+"""A point is outside if it is beyond the solid's box scaled by this factor."""
 
 
 def corners(part: dict[str, Any]) -> Array:
-    """Return the corners of the box around a part, a row each, in the part's frame.
+    """Return the corners of the box around a part, shape (8, 3), in the part's frame.
 
     >>> corners({"kind": "rod", "radius": 1, "from": [0, 0, 0], "to": [0, 0, 4]}).max(axis=0).tolist()
     [1.0, 1.0, 4.0]
@@ -28,23 +28,23 @@ def corners(part: dict[str, Any]) -> Array:
 
 
 def hides(part: dict[str, Any], places: Array) -> bool:
-    """Return whether one of some points, given in the part's frame, is well inside of it."""
+    """Return whether one of some points, given in the part's frame, is well inside the part."""
     return bool((_depths(part, places) < INSIDE).any())
 
 
 def falls_short_of(part: dict[str, Any], places: Array) -> bool:
-    """Return whether one of some points, given in the part's frame, is well outside of it."""
+    """Return whether one of some points, given in the part's frame, is well outside the part."""
     return bool((_depths(part, places) > OUTSIDE).any())
 
 
 def _depths(part: dict[str, Any], places: Array) -> Array:
-    """Return by how much the box around a part must be scaled to reach points."""
+    """Return the factors by which the box around a part must be scaled to reach points."""
     center, half, axes = _box(part)
     return np.asarray((np.abs((places - center) @ axes) / np.maximum(half, 1e-300)).max(axis=1, initial=0))
 
 
 def _box(part: dict[str, Any]) -> tuple[Array, Array, Array]:
-    """Return the middle, the half sides and the axes (columns) of the box around a part."""
+    """Return the centre, the half sides and the axes (columns) of the box around a part."""
     if part["kind"] == "rod":
         start, end = np.array(part["from"], dtype=float), np.array(part["to"], dtype=float)
         axes = np.linalg.svd((end - start)[None])[2].T

@@ -6,16 +6,16 @@ from symbody.geometry import Frame
 
 
 class FrameTable:
-    """The frames whose poses a page carries, each with its place in the list."""
+    """The frames whose poses a page contains, each with its index."""
 
     def __init__(self) -> None:
         self._places: dict[Frame, int] = {}
 
     @property
     def frames(self) -> list[Frame]:
-        """The frames, in the order in which they came."""
+        """The frames, in the order in which they were added."""
         return list(self._places)
 
     def place(self, frame: Frame) -> int:
-        """Return the place of a frame, which is added if it is new."""
+        """Return the index of a frame; a new frame is added."""
         return self._places.setdefault(frame, len(self._places))

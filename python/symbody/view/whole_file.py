@@ -1,4 +1,4 @@
-"""Files that are whole or not there."""
+"""Pictures and pages, written as a whole or not at all."""
 
 from __future__ import annotations
 
@@ -11,10 +11,10 @@ from symbody.files.replacement import replacement
 
 
 def file_of(path: str | os.PathLike[str], example: str = "motion.html") -> Path:
-    """Return the file of a path.
+    """Return the path of a picture.
 
     Raises:
-        PictureError: it is no path.
+        PictureError: the argument is not a path.
 
     >>> file_of("motion.html").suffix
     '.html'
@@ -22,14 +22,14 @@ def file_of(path: str | os.PathLike[str], example: str = "motion.html") -> Path:
     try:
         return Path(path)
     except TypeError:
-        raise PictureError(f"view: {path!r} is no path; expected one, such as {example!r}") from None
+        raise PictureError(f"view: {path!r} is not a path; expected one, such as {example!r}") from None
 
 
 def write_whole(path: str | os.PathLike[str], write: Callable[[Path], object]) -> Path:
-    """Write a file under a temporary name beside its place, and rename it when all is written.
+    """Write a file under a temporary name beside its place, and rename it when it is complete.
 
     Raises:
-        PictureError: the file can't be written; what was there before is still there.
+        PictureError: the file can't be written; its previous content is still there.
     """
     file = file_of(path)
     try:

@@ -1,1 +1,1 @@
-"""Many motions: `simulate_many`, who runs them, their results in memory and in files."""
+"""Many motions: `simulate_many`, the workers that run them, and their results in memory and in files."""

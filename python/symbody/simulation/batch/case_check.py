@@ -1,4 +1,4 @@
-"""Whether cases give a task what it needs; seen before anything is run."""
+"""Whether the cases have all the values that a task needs; checked before anything is run."""
 
 from __future__ import annotations
 
@@ -9,10 +9,10 @@ from .cases import PLACE, Cases
 
 
 def check_cases(task: Task, cases: Cases) -> None:
-    """See that parameters have values, and that initial values belong to something.
+    """Check that parameters have values, and that the keys of initial values are known.
 
     Raises:
-        ParameterError: a parameter without a value, or a value without a coordinate or speed.
+        ParameterError: a parameter has no value, or a key is neither a coordinate, a rate of one nor a speed.
     """
     check_parameters(task.parameters, cases.parameters, PLACE)
     check_state_names(task.model.system, cases.initial, f"{PLACE}, initial")

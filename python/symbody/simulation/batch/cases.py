@@ -15,20 +15,20 @@ from symbody.symbolic import Expr
 from symbody.symbolic.given.arguments import described
 
 Values: TypeAlias = Mapping[Expr, ArrayLike] | Sequence[Mapping[Expr, float]]
-"""Values by name: numbers and rows of numbers, or a dictionary of numbers for each motion."""
+"""Values by name: numbers and rows of numbers, or a list with one dictionary of numbers for each motion."""
 
 PLACE = "simulate_many"
-"""Whose arguments the messages speak of."""
+"""The function that messages name."""
 
 
 @dataclass(frozen=True, eq=False)
 class Cases:
-    """What tells the motions of a batch apart: for each name an array with a value for each motion.
+    """The numbers in which the motions of a batch differ: for each name, an array with one value per motion.
 
     Attributes:
         parameters: the values of parameters.
-        initial: the values of coordinates and speeds at the first instant, as far as they are given.
-        count: how many motions there are.
+        initial: the given values of coordinates and speeds at the first instant.
+        count: the number of motions, k.
     """
 
     parameters: dict[Expr, Column]
@@ -46,29 +46,29 @@ class Cases:
         return {name: float(values[case]) for name, values in self.parameters.items()}
 
     def initial_of(self, case: int) -> dict[Expr, float]:
-        """Return what is given of the initial state of one motion."""
+        """Return the given initial values of one motion."""
         return {name: float(values[case]) for name, values in self.initial.items()}
 
 
 def cases_of(parameters: Values | None, initial: Values | None, cases: Values | None = None) -> Cases:
-    """Return the cases of numbers, which hold for all, and of arrays, with a value for each.
+    """Return the cases. A number holds for all of them, an array has a value for each.
 
     Args:
         parameters: values of symbols.
         initial: values of coordinates, their rates and speeds.
-        cases: both together, such as a `grid`: symbols are parameters, functions of time belong to the state.
+        cases: both together, such as a `grid`: symbols are parameters, functions of time are initial values.
 
     Raises:
-        ParameterError: arrays of different lengths, an empty one, or a name that is given twice.
-        ArgumentError: no dictionary and no list of dictionaries, a key that is no variable, or a value that is no
-            number and no row of numbers.
+        ParameterError: arrays differ in length, one is empty, or a name is given twice.
+        ArgumentError: an argument is neither a dictionary nor a list of dictionaries, a key is not a variable, or a
+            value is neither a number nor a row of numbers.
     """
     given = {"parameters": _rows(parameters, "parameters"), "initial": _rows(initial, "initial")}
     for name, values in _rows(cases, "cases").items():
         kind = "parameters" if _variable(name, "cases").kind == "symbol" else "initial"
         if name in given[kind]:
             raise ParameterError(
-                f"{PLACE}: {name} stands in {kind} and in cases; leave it out of one of them"
+                f"{PLACE}: {name} is given in {kind} and in cases; leave it out of one of them"
             )
         given[kind][name] = values
     columns = {
@@ -83,7 +83,7 @@ def cases_of(parameters: Values | None, initial: Values | None, cases: Values | 
 
 
 def _rows(given: object, kind: str) -> dict[Any, Any]:
-    """Return values by name: of a list of dictionaries, a row for each name."""
+    """Return values by name; a list of dictionaries gives a row for each name."""
     if given is None:
         return {}
     if isinstance(given, Mapping):
@@ -98,7 +98,7 @@ def _rows(given: object, kind: str) -> dict[Any, Any]:
         if set(one) != set(names):
             different = ", ".join(sorted(map(str, set(one) ^ set(names))))
             raise ParameterError(
-                f"{PLACE}, {kind}: the dictionaries of the cases 0 and {case} differ by {different}; expected the same "
+                f"{PLACE}, {kind}: the dictionaries of cases 0 and {case} differ by {different}; expected the same "
                 "variables in all of them"
             )
     return {name: [one[name] for one in given] for name in names}
@@ -108,7 +108,7 @@ def _variable(name: object, kind: str) -> Expr:
     if isinstance(name, Expr) and name.is_variable:
         return name
     raise ArgumentError(
-        f"{PLACE}, {kind}: {described(name)}; expected a symbol or a function of time, and its values behind it"
+        f"{PLACE}, {kind}: {described(name)}; expected a symbol or a function of time as a key"
     )
 
 
@@ -127,7 +127,7 @@ def _column(name: Expr, values: ArrayLike, kind: str) -> Column:
 
 
 def _count(columns: Sequence[tuple[Expr, Column]]) -> int:
-    """Return how many cases there are: the length of all arrays."""
+    """Return the number of cases: the length of all arrays."""
     lengths = [(name, len(column)) for name, column in columns if column.ndim == 1]
     if len({length for _, length in lengths}) > 1:
         found = ", ".join(f"{name} has {length}" for name, length in lengths)

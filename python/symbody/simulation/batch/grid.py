@@ -14,17 +14,17 @@ from symbody.symbolic.given.arguments import described
 
 
 def grid(axes: Mapping[Expr, ArrayLike]) -> dict[Expr, NDArray[np.float64]]:
-    """Return all combinations of values: the Cartesian product, as a row of values for each name.
+    """Return all combinations of values: the Cartesian product, as an array of shape (k,) for each name.
 
-    The last name changes fastest, so results of shape (cases, ...) can be brought into the shape of the grid by
+    The last name changes fastest, so results of shape (k, ...) have the shape of the grid after
     ``result.reshape(n1, n2, ..., -1)``.
 
     Args:
-        axes: for each parameter, coordinate or speed its values; a number is one value.
+        axes: the values of each parameter, coordinate or speed; a number is one value.
 
     Raises:
         ParameterError: there are no names, or a name has no values.
-        ArgumentError: a name that is no variable, or values that are no numbers.
+        ArgumentError: a key is not a variable, or values are not numbers.
 
     >>> from symbody import functions_of_time, symbols
     >>> m, theta = symbols("m"), functions_of_time("theta")

@@ -1,4 +1,4 @@
-"""Many motions of one model: over parameters and initial states, on all cores or on many machines."""
+"""Many motions of one model, over parameters and initial states: on all cores or on many machines."""
 
 from __future__ import annotations
 
@@ -35,12 +35,12 @@ from .runs import Runs
 from .workers import Part, by_executor, cores, in_threads
 
 SAVE_EVERY = 10.0
-"""s between two saves, so that an accident costs no more work than that."""
+"""The time between two saves, in s: an accident costs no more work than that."""
 
 PREFIX = f"{PLACE}: "
 
 SAVE_PAUSE = 20.0
-"""The pause between saves at least, in units of the time that one takes."""
+"""The shortest pause between saves, in units of the time that a save takes."""
 
 
 def simulate_many(
@@ -65,39 +65,39 @@ def simulate_many(
     progress: bool | None = None,
     keep_states: bool = True,
 ) -> Runs:
-    """Return many motions of a system, one for each of the values of parameters and initial states.
+    """Return many motions of a system, one for each set of parameters and initial values.
 
-    Values are numbers, which hold for all motions, or rows of numbers with one for each; all rows are equally long. A
-    list of dictionaries, one for each motion, is the same as a dictionary of rows.
-    A motion that fails doesn't hold up the others: it is among the failures of the runs, with its parameters. Ctrl-C
-    keeps what is done.
+    A value is a number, which holds for all motions, or a row of numbers with one for each; all rows have the same
+    length. A list of dictionaries, one for each motion, is the same as a dictionary of rows. A motion that fails does
+    not stop the others: it is listed in the failures of the runs, with its parameters. After Ctrl-C, the finished
+    motions are returned.
 
     Args:
         eqs: the equations of motion.
-        parameters: values of the parameters.
-        initial: values of coordinates, their rates or speeds at the first instant.
-        t: the first and the last instant (1001 instants, evenly spaced), or the instants themselves, in s.
-        cases: values of parameters and of the initial state together, such as a `grid` of all combinations.
-        inputs: expressions for the functions of time that are given from outside.
-        method: how to integrate; see `simulate`.
-        rtol: the error of a step relative to the state.
-        atol: the error of a step where the state is small.
+        parameters: the values of the parameters.
+        initial: the values of coordinates, their rates or speeds at the first instant.
+        t: the first and the last instant (1001 evenly spaced instants), or all instants, in s.
+        cases: values of parameters and initial values together, such as a `grid` of all combinations.
+        inputs: expressions of time, state and parameters for the input functions of time.
+        method: the method of integration; see `simulate`.
+        rtol: the tolerance of the error of a step, relative to the state.
+        atol: the absolute tolerance of the error of a step.
         outputs: expressions to evaluate at all instants, by name.
-        events: what to look for; a terminal event ends the motion of its case.
-        constraints: how constraints are kept; see `simulate`.
+        events: the events to watch; a terminal one ends the motion of its case.
+        constraints: how constraints are enforced; see `simulate`.
         guess: where to look for initial states that satisfy the constraints.
         max_step: the longest step, in s.
-        executor: whose workers run the motions: any of `concurrent.futures`, or dask's ``client.get_executor()``.
-            Without one, native threads of this process do.
-        threads: how many of these; by default one for each core.
-        path: a file ``.npz`` for the results, written now and then; where it exists, only what is missing is run.
-        progress: whether to show a bar; by default where messages go to a terminal.
+        executor: an executor whose workers run the motions: one of `concurrent.futures`, or dask's
+            ``client.get_executor()``. By default, native threads of this process run them.
+        threads: the number of these threads; by default one for each core.
+        path: a file ``.npz`` for the results, which is updated regularly. If it exists, only missing cases are run.
+        progress: whether to show a progress bar; by default if messages go to a terminal.
         keep_states: whether the states are results, or only the outputs, which need less memory.
 
     Raises:
-        ParameterError: values are missing, have no use, or differ in number.
+        ParameterError: a value is missing, has an unknown key, or rows differ in length.
         ResultsError: the file can't be written, or holds the results of another problem.
-        SimulationError: an option that isn't known, or an executor that runs nothing.
+        SimulationError: an option is unknown, or the executor runs nothing.
 
     >>> from symbody import Body, Point, System, Vector, functions_of_time, ground, lagrange_equations, rotate, symbols
     >>> theta, (m, l, g) = functions_of_time("theta"), symbols("m l g")
@@ -127,16 +127,20 @@ def simulate_many(
     check_cases(task, all_cases)
     notice_odd_values(task, all_cases.parameters, PLACE)
     file = None if path is None else ResultsFile(Path(path), problem_digest(task, all_cases))
-    results = _begun(file, empty_results(task, all_cases.count))
-    run = _Run(task, all_cases, results, file)
+    results = _results_so_far(file, empty_results(task, all_cases.count))
+    run = _Batch(task, all_cases, results, file)
     with Interruption() as interruption:
-        reason = run.to_the_end(*workforce, interruption, progress=progress)
+        reason = run.run_missing(*workforce, interruption, progress=progress)
     runs = Runs(task, all_cases, results)
-    for notice in filter(None, (_failure_notice(runs), _gap_notice(runs, reason, path), run.fault)):
-        warnings.warn(ModelNotice(PREFIX + notice.removeprefix(PREFIX)), stacklevel=2)
-    for notice in notices_of_batch(results.findings.tolist(), PLACE):
-        warnings.warn(ModelNotice(notice), stacklevel=2)
+    _warn(runs, _failure_notice(runs), _gap_notice(runs, reason, path), run.fault)
     return runs
+
+
+def _warn(runs: Runs, *notices: str) -> None:
+    """Warn of what is not empty, and of what the cases have found."""
+    texts = [PREFIX + notice.removeprefix(PREFIX) for notice in notices if notice]
+    for text in (*texts, *notices_of_batch(runs.findings, PLACE)):
+        warnings.warn(ModelNotice(text), stacklevel=3)
 
 
 def _checked(executor: object, threads: object, path: object) -> tuple[Executor | None, int]:
@@ -152,8 +156,8 @@ def _checked(executor: object, threads: object, path: object) -> tuple[Executor 
     return executor, threads
 
 
-def _begun(file: ResultsFile | None, empty: Results) -> Results:
-    """Return the results to go on with; see first that they can be kept."""
+def _results_so_far(file: ResultsFile | None, empty: Results) -> Results:
+    """Return the results of the file, or empty ones; check first that the file can be written."""
     if file is None:
         return empty
     file.check_writable()
@@ -161,23 +165,23 @@ def _begun(file: ResultsFile | None, empty: Results) -> Results:
 
 
 @dataclass(eq=False)
-class _Run:
-    """A batch on its way."""
+class _Batch:
+    """A batch in progress."""
 
     task: Task
     cases: Cases
     results: Results
     file: ResultsFile | None
     fault: str = ""
-    """What the file said when it was written last."""
+    """Why the last save failed, if it did."""
     _saved: float = field(default_factory=monotonic)
     _pause: float = field(default_factory=lambda: SAVE_EVERY)
     _has_news: bool = False
 
-    def to_the_end(
+    def run_missing(
         self, executor: Executor | None, threads: int, interruption: Interruption, *, progress: bool | None
     ) -> str:
-        """Run what is missing; return why some of it was not run."""
+        """Run the missing cases; return why some of them were not run."""
         missing, count = self.results.missing, len(self.results.status)
         finished = count - len(missing)
         with progress_bar("simulate", count, is_shown=progress) as show:
@@ -196,7 +200,7 @@ class _Run:
         return "interrupted" if interruption.is_asked_for else reason
 
     def _take(self, parts: Iterator[Part]) -> str:
-        """Put all parts in their places; keep what is there when no more can come."""
+        """Store all parts; if the executor fails, keep those that are there."""
         try:
             for chosen, part in parts:
                 self.results.put(chosen, part)
@@ -216,7 +220,7 @@ class _Run:
             self._save(self.file)
 
     def _save(self, file: ResultsFile) -> None:
-        """Write the file; if that can't be done, go on: the results are still in memory."""
+        """Write the file. If that fails, continue: the results are still in memory."""
         begin = monotonic()
         try:
             file.write(self.results)
@@ -228,7 +232,7 @@ class _Run:
 
 
 def _failure_notice(runs: Runs) -> str:
-    """Return how many cases failed, and which was the first."""
+    """Return how many cases failed, and the first of them."""
     if not runs.failures:
         return ""
     first = runs.failures[0]
@@ -242,7 +246,7 @@ def _failure_notice(runs: Runs) -> str:
 
 
 def _gap_notice(runs: Runs, reason: str, path: object) -> str:
-    """Return how many cases have not been run, and what to do about it."""
+    """Return how many cases were not run, and what to do about it."""
     if not runs.not_run:
         return ""
     advice = (

@@ -1,4 +1,4 @@
-"""Parcels: what all tasks of a batch share, made once in each process that they reach."""
+"""Parcels: what all tasks of a batch share, prepared once in each process."""
 
 from __future__ import annotations
 
@@ -12,16 +12,16 @@ from typing import Any, Generic, TypeVar
 Content = TypeVar("Content")
 
 OPEN = 4
-"""Contents that a process keeps: a worker that serves several batches in turn compiles none of them twice."""
+"""The contents that this process keeps: a worker that serves several batches in turn compiles none of them twice."""
 
 _opened: dict[str, Any] = {}
 
 
 class Parcel(Generic[Content]):
-    """Something that is costly to make ready, such as a model to compile, on its way to other processes.
+    """Something that is costly to prepare, such as a model to compile, on its way to other processes.
 
-    In the process of its sender it is the thing itself; elsewhere the first task that comes unpacks it, and later
-    ones find it there with all that it has made ready.
+    In the process of the sender it is the object itself. Elsewhere the first task unpacks it, and later tasks find it
+    with all that was prepared.
     """
 
     def __init__(self, content: Content) -> None:
@@ -37,7 +37,7 @@ class Parcel(Generic[Content]):
 
     @contextmanager
     def open_here(self) -> Iterator[None]:
-        """Let tasks of this process, and of those that it forks, find what is ready here."""
+        """Let tasks of this process, and of its forks, use what is prepared here."""
         name, _ = self._packed
         _opened[name] = self
         try:

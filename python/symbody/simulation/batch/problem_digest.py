@@ -1,4 +1,4 @@
-"""What a task computes, as a short text for each part: equal texts, equal results."""
+"""Digests of a problem: equal digests mean equal results."""
 
 from __future__ import annotations
 
@@ -15,10 +15,10 @@ from .results_file import digest
 
 
 def problem_digest(task: Task, cases: Cases) -> dict[str, str]:
-    """Return the digest of each part of a problem, by the words for it.
+    """Return the digest of each part of a problem, by the name of the part.
 
-    Expressions count by name or by their values at a random point, which are the same on all machines and however
-    they are written.
+    Expressions enter by name or by their values at a random point: these are the same on all machines, and for all
+    ways of writing an expression.
     """
     model = task.model
     equations = [*model.equations.residuals, *model.constraints, *model.kinematics]

@@ -1,4 +1,4 @@
-"""Results: what the motions of a batch have given so far, as arrays."""
+"""The results of the motions of a batch so far, as arrays."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ Array = NDArray[np.float64]
 
 
 class Status(IntEnum):
-    """What became of a case."""
+    """How a case ended."""
 
     NOT_RUN = 0
     COMPLETED = 1
@@ -29,15 +29,15 @@ class Results:
     """The results of k cases at N instants; what was not computed is NaN.
 
     Attributes:
-        status: what became of each case, a `Status`.
-        reached: how many of the instants each case reached.
-        t_reached: the time up to which each case is known; NaN where it never began.
-        messages: why a case ended before its time; the empty text if it didn't.
-        counts: a row a case: steps, rejected steps, evaluations, Jacobians, stiff.
-        findings: for each case what its user should know.
-        outputs: one array for each name, a row a case.
-        states: a state for each case and instant; without instants if states are not kept.
-        occurrences: for each case the events: which, when, and the state there.
+        status: how each case ended, a `Status`, shape (k,).
+        reached: how many of the instants each case reached, shape (k,).
+        t_reached: the last known instant of each case, NaN if it was not started, shape (k,).
+        messages: why each case ended early; the empty text if it did not.
+        counts: steps, rejected steps, evaluations, Jacobians, and whether the case is stiff, shape (k, 5).
+        findings: what a user should know of each case.
+        outputs: the values of the outputs, shape (k, outputs, N).
+        states: the states, shape (k, N, n); shape (k, 0, n) if they are not kept.
+        occurrences: the events of each case: which one, the instant, and the state there.
     """
 
     status: NDArray[np.int8]
@@ -52,7 +52,15 @@ class Results:
 
     @classmethod
     def empty(cls, cases: int, instants: int, kept: int, state: int, outputs: int) -> Results:
-        """Return results of cases that have not been run; ``kept`` instants have room for their states."""
+        """Return the results of cases that were not run.
+
+        Args:
+            cases: the number of cases, k.
+            instants: the number of instants, N.
+            kept: the number of instants whose states are kept: N or 0.
+            state: the length of a state, n.
+            outputs: the number of outputs.
+        """
         return cls(
             np.zeros(cases, dtype=np.int8),
             np.zeros(cases, dtype=np.int64),
@@ -67,16 +75,16 @@ class Results:
 
     @property
     def missing(self) -> NDArray[np.intp]:
-        """The cases that have not been run."""
+        """The cases that were not run."""
         return np.flatnonzero(self.status == Status.NOT_RUN)
 
     def put(self, cases: NDArray[np.intp], part: Results) -> None:
-        """Put in what some of the cases gave."""
+        """Store the results of some cases."""
         for name in _COLUMNS:
             getattr(self, name)[cases] = getattr(part, name)
 
     def arrays(self) -> dict[str, NDArray[Any]]:
-        """Return all as arrays of numbers and texts, for a file."""
+        """Return all results as arrays of numbers and texts, for a file."""
         case, events = _flat(self.occurrences)
         found_in, findings = _flat(self.findings)
         size = self.states.shape[2]
@@ -100,7 +108,7 @@ class Results:
 
     @classmethod
     def of_arrays(cls, arrays: Mapping[str, NDArray[Any]]) -> Results:
-        """Return the results of `arrays`."""
+        """Return the results that `arrays` describes."""
         cases = len(arrays["status"])
         occurrences, findings = _nothings(cases), _nothings(cases)
         for case, event, t, state in _rows(arrays, "event", "case", "number", "t", "state"):
@@ -130,7 +138,7 @@ def _rows(arrays: Mapping[str, NDArray[Any]], what: str, *names: str) -> Iterabl
 
 
 COUNTS = 5
-"""Numbers of the statistics of a case: steps, rejected, evaluations, Jacobians, stiff."""
+"""The number of statistics of a case: steps, rejected, evaluations, Jacobians, stiff."""
 
 _COLUMNS = (
     "reached",

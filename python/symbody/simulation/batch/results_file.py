@@ -1,4 +1,4 @@
-"""Files of results: whole or not there, and of one problem only."""
+"""Files of results: each holds one problem, and is written as a whole or not at all."""
 
 from __future__ import annotations
 
@@ -19,26 +19,26 @@ from symbody.files.replacement import replacement
 from .results import Results
 
 FORMAT = "symbody results 2"
-"""What a file of results begins with; the number goes up when the meaning of its arrays changes."""
+"""The first entry of a results file; the number increases when the meaning of the arrays changes."""
 
 
 @dataclass(frozen=True)
 class ResultsFile:
-    """A file ``.npz`` that holds the results of one problem, finished or not.
+    """A file ``.npz`` with the results of one problem, finished or not.
 
     Attributes:
-        path: where it is.
-        problem: the digest of each part of the problem, by the words for it; see `digest`.
+        path: the path of the file.
+        problem: the digest of each part of the problem, by the name of the part; see `digest`.
     """
 
     path: Path
     problem: Mapping[str, str]
 
     def read(self) -> Results | None:
-        """Return the results that are there, or nothing if there is no file.
+        """Return the results in the file; None if there is no file.
 
         Raises:
-            ResultsError: the file can't be read, is no file of results, or one of another problem.
+            ResultsError: the file can't be read, is not a results file, or belongs to another problem.
         """
         if not self.path.exists():
             return None
@@ -55,20 +55,20 @@ class ResultsFile:
                 raise
             reason = getattr(error, "strerror", None) or error
             raise ResultsError(
-                f"simulate_many: {self.path} can't be read as a file of results ({reason}); it was left as it is. "
-                "Give another path, or remove the file"
+                f"simulate_many: {self.path} can't be read as a results file ({reason}); the file was not "
+                "changed. Give another path, or remove the file"
             ) from error
 
     def _check_problem(self, found: Mapping[str, str]) -> None:
         other = [part for part, text in self.problem.items() if found.get(part) != text]
         if other:
             raise ResultsError(
-                f"simulate_many: {self.path} holds results of another problem: {_listed(other)} differ; it was left as "
-                "it is. Give another path, or remove the file to compute anew"
+                f"simulate_many: {self.path} contains results of another problem: {_listed(other)} differ; the file "
+                "was not changed. Give another path, or remove the file to start again"
             )
 
     def check_writable(self) -> None:
-        """See, before anything is computed, that the file can be written.
+        """Check, before anything is computed, that the file can be written.
 
         Raises:
             ResultsError: it can't.
@@ -84,10 +84,10 @@ class ResultsFile:
             raise self._unwritable(error) from error
 
     def write(self, results: Results) -> None:
-        """Write all results under a temporary name beside the file, and rename it when all is on the disk.
+        """Write all results to a temporary file beside this one, and rename it when it is complete.
 
         Raises:
-            ResultsError: the file can't be written; what was there before is still there.
+            ResultsError: the file can't be written; its previous content is still there.
         """
         try:
             with replacement(self.path) as temporary, temporary.open("wb") as file:
@@ -110,7 +110,7 @@ class ResultsFile:
 
 
 def digest(things: Iterable[str | bytes]) -> str:
-    """Return a text that two sequences share if and only if they are the same, on all machines.
+    """Return a text that is the same for two sequences if and only if they are equal, on all machines.
 
     >>> digest(["m", b"1"]) == digest(["m", b"1"]), digest(["m", "1"]) == digest(["m1"])
     (True, False)
@@ -124,5 +124,5 @@ def digest(things: Iterable[str | bytes]) -> str:
 
 
 def _listed(parts: list[str]) -> str:
-    """Return words as a sentence lists them."""
+    """Return words joined as in a sentence."""
     return " and ".join(filter(None, [", ".join(parts[:-1]), parts[-1]]))

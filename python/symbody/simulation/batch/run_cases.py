@@ -1,4 +1,4 @@
-"""Some cases of a task: where they begin, what their integration gave, and why some of them failed."""
+"""Runs some cases of a task: their initial states, the results of their integration, and why some of them failed."""
 
 from __future__ import annotations
 
@@ -8,8 +8,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from symbody.errors import SymbodyError
-from symbody.simulation.integrate.begin import begin
 from symbody.simulation.integrate.diagnosis import diagnosis
+from symbody.simulation.integrate.initial_state import initial_state
 from symbody.simulation.integrate.integrated import Integrated, run_motions
 from symbody.simulation.integrate.notices import deficiency_findings, findings_of
 from symbody.simulation.integrate.outcome import with_deficiencies
@@ -24,18 +24,25 @@ __all__ = ["empty_results", "run_cases"]
 Array = NDArray[np.float64]
 
 LOOK = 32
-"""Initial states between two looks for Ctrl-C."""
+"""The number of initial states between two checks for Ctrl-C."""
 
 
 def empty_results(task: Task, cases: int) -> Results:
-    """Return results without values."""
+    """Return results of cases that were not run."""
     instants = len(task.instants)
     kept = instants if task.keeps_states else 0
     return Results.empty(cases, instants, kept, task.model.width, len(task.outputs))
 
 
 def run_cases(task: Task, cases: Cases, threads: int = 1, keep_going: KeepGoing = lambda _: True) -> Results:
-    """Run some cases, in native threads; one that can't begin, or ends early, says why."""
+    """Run some cases in native threads; the results of a case that fails say why.
+
+    Args:
+        task: what the cases share.
+        cases: the cases.
+        threads: how many run at a time.
+        keep_going: called from time to time with the number of finished cases; False ends all of them.
+    """
     results = empty_results(task, cases.count)
     begun, states = _starts(task, cases, results, keep_going)
     motions = run_motions(task, cases.some(begun).parameters, states, threads, keep_going)
@@ -48,14 +55,14 @@ def run_cases(task: Task, cases: Cases, threads: int = 1, keep_going: KeepGoing 
 def _starts(
     task: Task, cases: Cases, results: Results, keep_going: KeepGoing
 ) -> tuple[NDArray[np.intp], Array]:
-    """Return the cases that can begin, and their states; the others fail."""
+    """Return the cases that can start, and their initial states; record why the others fail."""
     states = _free_starts(task, cases)
     for looked, case in enumerate(np.flatnonzero(~np.isfinite(states).all(axis=1)).tolist()):
         if looked % LOOK == 0 and not keep_going(0):
             break
         with noting() as found:
             try:
-                states[case] = begin(task, cases.parameters_of(case), cases.initial_of(case))
+                states[case] = initial_state(task, cases.parameters_of(case), cases.initial_of(case))
             except SymbodyError as error:
                 results.status[case], results.messages[case] = Status.FAILED, str(error)
         results.findings[case] = deficiency_findings(found, task.model)
@@ -64,7 +71,7 @@ def _starts(
 
 
 def _free_starts(task: Task, cases: Cases) -> Array:
-    """Return where motions begin that nothing restrains, a row each: NaN where `begin` has to solve for something."""
+    """Return the initial states of unconstrained motions, one row each; NaN where `initial_state` solves for them."""
     model = task.model
     if model.constraints or model.system.has_quasi_velocities:
         return np.full((cases.count, model.width), np.nan)
@@ -75,7 +82,7 @@ def _free_starts(task: Task, cases: Cases) -> Array:
 
 
 def _record(results: Results, case: int, motion: Integrated) -> None:
-    """Put in what the integration gave for one case."""
+    """Store the result of the integration of one case."""
     task, outcome = motion.task, motion.outcome
     failure, size, reached = outcome.failure, len(task.model.state), len(outcome.states)
     if failure is not None and failure.kind == "interrupted":
@@ -101,13 +108,13 @@ def _record(results: Results, case: int, motion: Integrated) -> None:
     if task.keeps_states:
         results.states[case, :reached, : outcome.states.shape[1]] = outcome.states
     met = _put_outputs(results, case, motion) if task.outputs else motion
-    with noting():  # what the motion met is among the findings
+    with noting():  # what the motion met is already in its findings
         findings = findings_of(met)
     results.findings[case] = tuple(dict.fromkeys((*results.findings[case], *findings)))
 
 
 def _put_outputs(results: Results, case: int, motion: Integrated) -> Integrated:
-    """Put in the outputs of one case; return the motion with the linear systems that they met."""
+    """Store the outputs of one case; return the motion with the deficient linear systems that they met."""
     task, states = motion.task, motion.outcome.states
     reached, size = len(states), len(task.model.state)
     with noting() as found:

@@ -16,8 +16,7 @@ from symbody.multibody import System
 from symbody.simulation.given.reading import Reading
 from symbody.simulation.integrate.integrated import Integrated
 from symbody.simulation.integrate.notices import Finding, deficiency_findings, notices_of_batch
-from symbody.simulation.integrate.outcome import Failure as IntegratorFailure
-from symbody.simulation.integrate.outcome import Outcome, Statistics
+from symbody.simulation.integrate.outcome import Failure, Outcome, Statistics
 from symbody.simulation.integrate.task import Task
 from symbody.simulation.model.named_constraint import shortened
 from symbody.simulation.model.unknown import explain_unknown
@@ -40,15 +39,15 @@ _READING = Reading(
 
 
 @dataclass(frozen=True)
-class Failure:
-    """A motion that ended before its time, and not by an event.
+class FailedCase:
+    """A motion that ended early, and not by an event.
 
     Attributes:
-        index: which case it is.
+        index: the number of the case.
         parameters: its parameters.
-        initial: what was given of its initial state.
+        initial: its given initial values.
         message: why it ended.
-        t_reached: the instant up to which it is known; NaN if it never began.
+        t_reached: the last known instant, in s; NaN if it was not started.
     """
 
     index: int
@@ -60,9 +59,19 @@ class Failure:
 
 @dataclass(frozen=True, eq=False)
 class Runs:
-    """Many motions of one model at the same instants: what `simulate_many` returns.
+    """Many motions of one model at the same instants, as `simulate_many` returns them.
 
-    Where a motion ended before the last instant, its values are NaN from there on.
+    Where a motion ended before the last instant, its values are NaN from there on. In the shapes below, k is the number
+    of cases, N that of instants, n that of state variables.
+
+    >>> import symbody as sb
+    >>> x, (m, k) = sb.functions_of_time("x"), sb.symbols("m k")
+    >>> cart = sb.Body(sb.translate(x, 0, 0), m)
+    >>> spring = sb.Force(sb.ground, -k * x, 0, 0, at=cart.center_of_mass, on=cart)
+    >>> oscillator = sb.newton_euler(sb.System([cart], [spring], coordinates=[x]))
+    >>> runs = sb.simulate_many(oscillator, {m: 1, k: [1, 4]}, {x: 0.1}, t=(0, 1))
+    >>> runs[x].shape, runs.states.shape, runs.failures
+    ((2, 1001), (2, 1001, 2), [])
     """
 
     task: Task
@@ -70,32 +79,32 @@ class Runs:
     results: Results
 
     def __len__(self) -> int:
-        """Return how many cases there are."""
+        """Return the number of cases."""
         return self.cases.count
 
     @property
     def t(self) -> Array:
-        """The instants, N of them."""
+        """The instants, shape (N,), in s."""
         return self.task.instants
 
     @property
     def system(self) -> System:
-        """What moves."""
+        """The system that moves."""
         return self.task.model.system
 
     @property
     def parameters(self) -> dict[Expr, Array]:
-        """The parameters, a value for each case."""
+        """The parameters, shape (k,) each."""
         return self.cases.parameters
 
     @property
     def initial(self) -> dict[Expr, Array]:
-        """What was given of the initial states, a value for each case."""
+        """The given initial values, shape (k,) each."""
         return self.cases.initial
 
     @property
     def states(self) -> Array:
-        """The states, k cases x N instants x n; their order is that of ``runs.task.model.state``."""
+        """The states, shape (k, N, n), in the order of ``runs.task.model.state``."""
         if not self.task.keeps_states:
             raise ArgumentError(
                 "runs: the states of these motions were not kept, only the outputs; give simulate_many "
@@ -105,37 +114,37 @@ class Runs:
 
     @cached_property
     def outputs(self) -> dict[str, Array]:
-        """The outputs by name, k cases x N instants."""
+        """The outputs by name, shape (k, N) each."""
         return {name: self.results.outputs[:, i] for i, name in enumerate(self.task.outputs)}
 
     def __iter__(self) -> NoReturn:
-        """Raise an error: Python would ask for ``runs[0]``, ``runs[1]`` and so on."""
+        """Refuse to iterate: Python would ask for ``runs[0]``, ``runs[1]`` and so on."""
         _READING.refuse_iteration()
 
     def __getitem__(self, expression: Expr) -> Array:
-        """Return the values of an expression, k cases x N instants.
+        """Return the values of an expression, shape (k, N).
 
         Raises:
-            ArgumentError: it is no expression, or the states that it needs were not kept.
-            SimulationError: an expression of which the model knows nothing.
-            ParameterError: a parameter that stands in none of the equations, and has no value.
+            ArgumentError: the argument is not an expression, or it needs states that were not kept.
+            SimulationError: the expression contains a variable that the model does not know.
+            ParameterError: a parameter that is not in the equations has no value.
         """
         asked = _READING.one(expression, self.task.model.state)
         values: Array = self._values([asked], f"runs[{shortened(asked)}]")[0]
         return values
 
     def evaluate(self, expressions: Sequence[ExprLike]) -> Array:
-        """Return the values of several expressions, as many x k cases x N instants.
+        """Return the values of several expressions, shape (expressions, k, N).
 
         Raises:
-            ArgumentError: no list of expressions, or the states that they need were not kept.
-            SimulationError: an expression of which the model knows nothing.
-            ParameterError: a parameter that stands in none of the equations, and has no value.
+            ArgumentError: the argument is not a list of expressions, or it needs states that were not kept.
+            SimulationError: an expression contains a variable that the model does not know.
+            ParameterError: a parameter that is not in the equations has no value.
         """
         return self._values(_READING.several(expressions), "runs.evaluate")
 
     def _values(self, wanted: Sequence[Expr], place: str) -> Array:
-        """Return the values of expressions; those of outputs are there already."""
+        """Return the values of expressions; those of outputs are already known."""
         values = np.full((len(wanted), len(self), len(self.t)), np.nan)
         outputs = {output: name for name, output in self.task.outputs.items()}
         others = [row for row, expression in enumerate(wanted) if expression not in outputs]
@@ -149,7 +158,7 @@ class Runs:
         return values
 
     def _explained(self, wanted: list[Expr]) -> tuple[Array, list[tuple[Finding, ...]]]:
-        """Return the same as `_by_states`; what the model knows nothing of is named."""
+        """Return the values of `_by_states`, or raise an error that names the unknown variables."""
         try:
             return self._by_states(wanted)
         except ParameterError:
@@ -170,10 +179,10 @@ class Runs:
         return values, findings
 
     def motion(self, index: int) -> Motion:
-        """Return the motion of one case: to plot, to animate, to look at its energy.
+        """Return the motion of one case, for plots, animations and its energy.
 
         Args:
-            index: which case it is; negative ones count from the last.
+            index: the number of the case, from 0; negative ones count from the last.
 
         Raises:
             ArgumentError: there is no such case, it has no motion, or the states were not kept.
@@ -197,7 +206,7 @@ class Runs:
         return {**parameters, **self.task.damping_of(parameters, self.results.states[case, 0])}
 
     def outcome(self, index: int) -> Outcome | None:
-        """Return how the integration of one case went, at the instants it reached; None where it never began."""
+        """Return the outcome of the integration of one case; None if it was not started."""
         results, reached = self.results, int(self.results.reached[index])
         if reached == 0 or not self.task.keeps_states:
             return None
@@ -212,20 +221,20 @@ class Runs:
             states,
             occurrences,
             end,
-            IntegratorFailure("failed", t_reached, str(results.messages[index])) if failed else None,
+            Failure("failed", t_reached, str(results.messages[index])) if failed else None,
             Statistics(steps, rejected, evaluations, jacobians, bool(is_stiff)),
         )
 
     @cached_property
     def completed(self) -> NDArray[np.bool_]:
-        """Which cases ran to their end: the last instant, or an event that ends the motion."""
+        """Whether each case reached the last instant or a terminal event, shape (k,)."""
         return np.isin(self.results.status, (Status.COMPLETED, Status.ENDED_BY_EVENT))
 
     @cached_property
-    def failures(self) -> list[Failure]:
-        """The cases that ended before their time."""
+    def failures(self) -> list[FailedCase]:
+        """The cases that failed."""
         return [
-            Failure(
+            FailedCase(
                 i,
                 self.cases.parameters_of(i),
                 self.cases.initial_of(i),
@@ -237,12 +246,12 @@ class Runs:
 
     @cached_property
     def findings(self) -> list[tuple[Finding, ...]]:
-        """What a user should know of each case, such as that it is stiff; nothing of most."""
+        """What a user should know of each case, such as that it is stiff; empty for most cases."""
         return list(self.results.findings)
 
     @property
     def not_run(self) -> list[int]:
-        """The cases that have not been run, as the batch was interrupted."""
+        """The cases that were not run because the batch was interrupted."""
         return [int(case) for case in self.results.missing]
 
     def __repr__(self) -> str:

@@ -1,4 +1,4 @@
-"""Who runs the cases of a batch: native threads of this process, or the workers of an executor."""
+"""The workers of a batch: native threads of this process, or the workers of an executor."""
 
 from __future__ import annotations
 
@@ -19,26 +19,26 @@ from .cases import Cases
 from .parcel import Parcel
 from .results import Results
 from .run_cases import empty_results, run_cases
-from .stop_sign import StopSign
+from .stop_flag import StopFlag
 
 Part = tuple[NDArray[np.intp], Results]
-"""Some cases, and what they gave."""
+"""The indices of some cases, and their results."""
 
 MEMORY = 64 * 2**20
-"""Bytes of states that are under way at once in this process, or in a task."""
+"""The bytes of states that are computed at a time in this process, or in a task."""
 
 TASKS = 200
-"""Tasks into which a batch is cut: many for workers of unequal speed, few to be sent."""
+"""The number of tasks in a batch: many, for workers of unequal speed, but few to send."""
 
 LOOK = 0.1
-"""s between two looks for Ctrl-C."""
+"""The time between two checks for Ctrl-C, in s."""
 
-_interrupted: set[StopSign] = set()
-"""The calls whose tasks stop in this process alone, as Ctrl-C came to it."""
+_interrupted: set[StopFlag] = set()
+"""The calls whose tasks stop in this process only, because it received Ctrl-C."""
 
 
 def cores() -> int:
-    """Return how many processors this process may use."""
+    """Return the number of processors that this process may use."""
     return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 
 
@@ -56,9 +56,9 @@ def in_threads(
         task: what the cases share.
         cases: all of them.
         indices: those to run.
-        threads: how many run at once.
-        keep_going: told some times a second how many are done; False stops.
-        span: s that a part should take at most; a part takes no fewer cases than there are threads.
+        threads: how many run at a time.
+        keep_going: called some times a second with the number of finished cases; False ends all of them.
+        span: the longest time for a part, in s; a part has at least as many cases as there are threads.
     """
     most = max(threads, _fitting(task))
     size, done = most if span == inf else min(most, 4 * threads), 0
@@ -71,7 +71,7 @@ def in_threads(
 
 
 def _later(keep_going: Callable[[float], bool], past: int) -> Callable[[float], bool]:
-    """Return what counts on from what is done already."""
+    """Return a `keep_going` that adds the number of cases that are done already."""
     return lambda done: keep_going(past + done)
 
 
@@ -82,12 +82,19 @@ def by_executor(
     executor: Executor,
     keep_going: Callable[[float], bool],
 ) -> Iterator[Part]:
-    """Run cases as tasks of an executor, and give back parts in the order in which they are done.
+    """Run cases as tasks of an executor, and yield parts in the order in which they are finished.
+
+    Args:
+        task: what the cases share.
+        cases: all of them.
+        indices: those to run.
+        executor: the executor.
+        keep_going: called some times a second with the number of finished cases; False ends all of them.
 
     Raises:
         SimulationError: tasks were lost: the executor is broken, or a worker can't run the model.
     """
-    parcel, done, lost, sign = Parcel(task), 0, None, StopSign()
+    parcel, done, lost, sign = Parcel(task), 0, None, StopFlag()
     with parcel.open_here():
         waiting = _submitted(parcel, cases, indices, executor, _fitting(task), sign)
         try:
@@ -103,7 +110,7 @@ def by_executor(
                         yield chosen, part
         finally:
             if waiting:
-                sign.put_up()
+                sign.set()
                 _withdraw(waiting, executor)
     if lost is not None and keep_going(done):
         raise _lost(lost) from lost
@@ -115,8 +122,18 @@ def _submitted(
     indices: NDArray[np.intp],
     executor: Executor,
     most: int,
-    sign: StopSign,
+    sign: StopFlag,
 ) -> dict[Future[Results], NDArray[np.intp]]:
+    """Submit cases as tasks, and return the indices of the cases of each.
+
+    Args:
+        parcel: what the cases share.
+        cases: all of them.
+        indices: those to run.
+        executor: the executor.
+        most: the most cases of a task.
+        sign: the flag that stops the tasks.
+    """
     size = min(most, -(-len(indices) // TASKS))
     parts = [indices[start : start + size] for start in range(0, len(indices), size)]
     try:
@@ -126,28 +143,28 @@ def _submitted(
 
 
 def _withdraw(waiting: Iterable[Future[Results]], executor: Executor) -> None:
-    """Cancel tasks, but not those of a pool of processes, which see the sign and end as they begin.
+    """Cancel tasks, except those of a process pool: these see the flag and end when they start.
 
-    Where a worker is lost after tasks were cancelled, such a pool stumbles over them and never ends its other workers
-    (Python 3.11, its issue 107219).
+    If a worker dies after tasks were cancelled, such a pool fails on them and never ends its other workers (Python
+    3.11, its issue 107219).
     """
     if not isinstance(executor, ProcessPoolExecutor):
         for future in waiting:
             future.cancel()
 
 
-def _run(parcel: Parcel[Task], cases: Cases, sign: StopSign) -> Results:
-    """Run some cases where a worker is, until its call is over, or Ctrl-C comes to the worker.
+def _run(parcel: Parcel[Task], cases: Cases, sign: StopFlag) -> Results:
+    """Run some cases in a worker, until the call is over or the worker receives Ctrl-C.
 
-    A terminal sends Ctrl-C to all processes that it started: a pool ends then without a wait for long motions.
+    A terminal sends Ctrl-C to all processes that it started: so a pool ends without waiting for long motions.
     """
-    if sign in _interrupted or sign.is_up():
+    if sign in _interrupted or sign.is_set():
         return empty_results(parcel.content, cases.count)
-    if sign.is_from_here():
-        return run_cases(parcel.content, cases, 1, lambda _: not sign.is_up())
+    if sign.is_of_this_process():
+        return run_cases(parcel.content, cases, 1, lambda _: not sign.is_set())
     with Interruption() as interruption:
         results = run_cases(
-            parcel.content, cases, 1, lambda _: not (interruption.is_asked_for or sign.is_up())
+            parcel.content, cases, 1, lambda _: not (interruption.is_asked_for or sign.is_set())
         )
     if interruption.is_asked_for:
         _interrupted.add(sign)
@@ -157,10 +174,10 @@ def _run(parcel: Parcel[Task], cases: Cases, sign: StopSign) -> Results:
 def _lost(error: BaseException) -> SimulationError:
     return SimulationError(
         f"simulate_many: tasks of the executor failed ({type(error).__name__}: {error}); expected an executor whose "
-        "workers can import symbody, and stay alive"
+        "workers can import symbody and keep running"
     )
 
 
 def _fitting(task: Task) -> int:
-    """Return how many cases fit into the memory that states under way may take."""
+    """Return how many cases fit into the memory for states."""
     return max(1, MEMORY // (8 * (len(task.instants) + task.trail) * task.model.width))

@@ -1,1 +1,1 @@
-"""Positions and velocities that satisfy constraints, and where constraints depend on each other."""
+"""Positions and velocities that satisfy constraints, and the places where constraints are dependent."""

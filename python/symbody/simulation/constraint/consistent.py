@@ -1,4 +1,4 @@
-"""Consistent states: positions and velocities that satisfy the constraints, as close as can be to what is given."""
+"""Consistent states: positions and velocities that satisfy the constraints, as close as possible to given values."""
 
 from __future__ import annotations
 
@@ -28,11 +28,11 @@ Flags = NDArray[np.bool_]
 
 _WHERE = "consistent_state"
 EXACT = 1e-10
-"""The part of its terms that a constraint may be off where it counts as satisfied."""
+"""The relative violation up to which a constraint counts as satisfied."""
 ROUNDED = 1e-6
-"""The part that given values may be off, as numbers of seven digits are: all values are polished then."""
+"""The relative violation, as of numbers with seven digits, up to which given values are corrected as well."""
 POLISHED = 1e-3
-"""The part of the largest speed by which polishing changes one at most."""
+"""The largest correction of given speeds, relative to the largest speed."""
 
 
 def consistent_state(
@@ -44,26 +44,27 @@ def consistent_state(
     t: float = 0.0,
     inputs: Mapping[Expr, ExprLike] | None = None,
 ) -> dict[Expr, float]:
-    """Return a state that satisfies the constraints, with what is given, and the least change for the rest.
+    """Return a state that has the given values and satisfies the constraints; the other values change least.
 
-    ``min |q - q0|^2`` with ``phi(q, t) = 0``, then ``min |u - u0|^2`` with ``phi_q u + phi_t = 0``, over what isn't
-    given [Nikravesh 1988, sec. 5.2; Eich-Soellner & Fuehrer 1998, sec. 5.4]. Constraints that depend on each other
-    do no harm. Given values that are off by rounding, a millionth of the terms, are polished.
+    ``min |q - q0|^2`` with ``phi(q, t) = 0``, then ``min |u - u0|^2`` with ``phi_q u + phi_t = 0``, over the values
+    that are not given [Nikravesh 1988, sec. 5.2; Eich-Soellner & Fuehrer 1998, sec. 5.4]. Constraints may be
+    dependent. Given values that violate the constraints by rounding, a millionth of the terms, are corrected.
 
     Args:
-        eqs: equations of motion.
-        parameters: the values of the symbols in the constraints; others may stand there as well.
+        eqs: the equations of motion.
+        parameters: the values of the symbols in the constraints; others are allowed.
         initial: the values of coordinates, rates of coordinates and speeds that are fixed.
-        guess: where the others should be near, q0 and u0; zero by default, and no rotation for floating frames.
+        guess: the values near which the others should be, q0 and u0. By default, they are zero, and floating frames are
+            not rotated.
         t: the time, in s.
-        inputs: functions of time that are given from outside, by time.
+        inputs: expressions of time for the input functions of time.
 
     Returns:
         All coordinates, then all speeds.
 
     Raises:
-        ConstraintError: nothing satisfies the constraints with these values, or no way there was found.
-        ParameterError: a value is missing, isn't finite, or belongs to nothing.
+        ConstraintError: no state with these values satisfies the constraints, or none was found.
+        ParameterError: a value is missing, has an unknown key, or is not finite.
 
     >>> from symbody import Body, System, functions_of_time, newton_euler, symbols, time_derivative, translate
     >>> x, y = functions_of_time("x y")
@@ -87,7 +88,15 @@ def found_state(
     guess: Mapping[Expr, ArrayLike] | None,
     t: float,
 ) -> dict[Expr, float]:
-    """Return what `consistent_state` returns, without a look at unused parameters: `simulate` takes its own."""
+    """Return the state of `consistent_state`, without notices of unused parameters, which `simulate` gives itself.
+
+    Args:
+        kinematics: the constraints and the kinematics.
+        parameters: the values of the parameters.
+        initial: the values that are fixed.
+        guess: the values near which the others should be.
+        t: the time, in s.
+    """
     kinematics.check_inputs(_WHERE)
     p = parameter_values(kinematics.parameters, parameters, where=_WHERE)
     fixed = state_values(kinematics.system, initial, where=_WHERE)
@@ -100,7 +109,7 @@ def found_state(
 
 @dataclass(frozen=True, eq=False)
 class Positions:
-    """The equations ``phi(q, t) = 0`` for some of the coordinates, in the size of their terms."""
+    """The equations ``phi(q, t) = 0`` for some of the coordinates, relative to the magnitudes of their terms."""
 
     kinematics: Kinematics
     p: Array
@@ -109,26 +118,26 @@ class Positions:
 
     @classmethod
     def at(cls, kinematics: Kinematics, p: Array, t: float, q: Array) -> Positions:
-        """Return the equations, scaled where the search begins."""
+        """Return the equations, scaled at the position where the search starts."""
         with np.errstate(all="ignore"):
             _, phi_q, sizes = kinematics.position(t, q, p)
         return cls(kinematics, p, t, term_sizes(q, phi_q, sizes))
 
     def linearization(self, q: Array, is_free: Flags) -> tuple[Array, Array]:
-        """Return the scaled constraints and their derivatives by the free coordinates."""
+        """Return the scaled constraints and their derivatives with respect to the free coordinates."""
         with np.errstate(all="ignore"):
             phi, phi_q, _ = self.kinematics.position(self.t, q, self.p)
             return phi / self.scale, phi_q[:, is_free] / self.scale[:, None]
 
     def error(self, q: Array) -> float:
-        """Return the largest violation in the size of its terms; infinite where something isn't finite."""
+        """Return the largest relative violation; infinity if a constraint is not finite."""
         with np.errstate(all="ignore"):
             phi, phi_q, sizes = self.kinematics.position(self.t, q, self.p)
         error = float(np.max(np.abs(phi) / term_sizes(q, phi_q, sizes)))
         return error if np.isfinite(error) else np.inf
 
     def solved(self, q: Array, is_free: Flags, most: int = 200) -> Array:
-        """Return where Gauss-Newton steps of the free coordinates lead, so many of them at most."""
+        """Return the position after Gauss-Newton steps of the free coordinates, at most as many as given."""
         found = q.copy()
 
         def of_free(free: Array) -> tuple[Array, Array]:
@@ -147,10 +156,18 @@ def positions(
     guess: Mapping[Expr, float],
     where: str = _WHERE,
 ) -> Array:
-    """Return the coordinates: what is fixed, and the least change of the rest from its guess.
+    """Return the coordinates, shape (n_q,): the fixed values, and the least change of the others from their guess.
+
+    Args:
+        kinematics: the constraints.
+        p: the values of their parameters.
+        t: the time, in s.
+        fixed: the values of fixed coordinates.
+        guess: the values near which the others should be.
+        where: the function that the user called, for messages.
 
     Raises:
-        ConstraintError: none were found that satisfy the constraints.
+        ConstraintError: no position was found that satisfies the constraints.
     """
     coordinates = kinematics.system.coordinates
     neutral = neutral_position(kinematics.system)
@@ -159,7 +176,7 @@ def positions(
     if not kinematics.constraints:
         return start
     best, least = start, np.inf
-    for beginning in beginnings(start, is_free):
+    for beginning in starting_points(start, is_free):
         problem = Positions.at(kinematics, p, t, beginning)
         found = problem.solved(beginning, is_free)
         if problem.error(found) <= EXACT:
@@ -173,8 +190,8 @@ def positions(
     raise ConstraintError(f"{where}: {_unsatisfied(kinematics, p, t, best, fixed)}")
 
 
-def beginnings(start: Array, is_free: Flags) -> Iterator[Array]:
-    """Return the start, then places around it, farther and farther: where it is singular, they aren't."""
+def starting_points(start: Array, is_free: Flags) -> Iterator[Array]:
+    """Yield the start, then points around it at growing distances: if the start is singular, they are not."""
     yield start
     if not is_free.any():
         return
@@ -185,15 +202,15 @@ def beginnings(start: Array, is_free: Flags) -> Iterator[Array]:
 
 
 def term_sizes(q: Array, phi_q: Array, sizes: Array) -> Array:
-    """Return the sizes of the terms of the constraints, and no less than what a thousandth of the coordinates makes."""
+    """Return the magnitudes of the terms of the constraints, at least those by a thousandth of the coordinates."""
     scale = np.maximum(sizes, 1e-3 * np.abs(phi_q) @ np.maximum(np.abs(q), 1))
     return np.where(np.isfinite(scale) & (scale > 0), scale, 1.0)
 
 
 def _nearest(problem: Positions, start: Array, found: Array, is_free: Flags) -> Array:
-    """Return the solution nearest to the start, downhill from the one that was found.
+    """Return the solution nearest to the start, by descent from a solution that was found.
 
-    Each step goes along the projection of what leads back to the start, and then back onto the constraints.
+    Each step projects the difference to the start onto the tangent space, and then returns to the constraints.
     """
     share = 1.0
     for _ in range(_APPROACHES):
@@ -228,12 +245,20 @@ def velocities(
     fixed: Mapping[Expr, float],
     guess: Mapping[Expr, float],
 ) -> Array:
-    """Return the speeds: what is fixed, and the least change of the rest from its guess.
+    """Return the speeds, shape (n,): the fixed values, and the least change of the others from their guess.
 
-    Rates of coordinates that are no speeds, ``q' = K u + k``, are conditions like those of the constraints.
+    Fixed rates of coordinates that are not speeds, ``q' = K u + k``, are conditions like those of the constraints.
+
+    Args:
+        kinematics: the constraints and the kinematics.
+        p: the values of their parameters.
+        t: the time, in s.
+        q: the coordinates.
+        fixed: the values of fixed speeds and rates.
+        guess: the values near which the others should be.
 
     Raises:
-        ConstraintError: no speeds satisfy the constraints with these values.
+        ConstraintError: no speeds with these values satisfy the constraints.
     """
     speeds, m = kinematics.system.speeds, len(kinematics.constraints)
     A, b = kinematics.velocity(t, q, p)
@@ -248,21 +273,21 @@ def velocities(
     error = _relative(A, b, u, least)
     if (error > EXACT).any() and (error <= ROUNDED).all():
         change = least_norm(A, b - A @ u)[0]
-        # Where a gradient vanishes, its direction is a rounding error, and speeds that are nearly right are kept.
+        # Where a gradient vanishes, its direction is a rounding error: speeds that are nearly right are not changed.
         if np.abs(change).max() <= POLISHED * np.abs(u).max():
             u = u + change
         error = _relative(A, b, u, least)
     if not (error <= ROUNDED).all():
         against = contradictory_rows_of(A[:m], b[:m], np.abs(b[:m])) if np.isfinite(A).all() else ()
         if against:
-            told = contradiction_between(kinematics.system.constraints, against)
-            raise ConstraintError(f"{_WHERE}: at t = {t:g} s {told}")
+            contradiction = contradiction_between(kinematics.system.constraints, against)
+            raise ConstraintError(f"{_WHERE}: at t = {t:g} s {contradiction}")
         raise ConstraintError(_impossible(kinematics, t, error, places, fixed))
     return u
 
 
 def _usual_sizes(kinematics: Kinematics, p: Array, t: float, q: Array) -> Array:
-    """Return how large gradients of the constraints usually are, also where they vanish: terms over coordinates."""
+    """Return the usual magnitudes of the constraints' gradients, even where these vanish: terms over coordinates."""
     with np.errstate(all="ignore"):
         _, _, sizes = kinematics.position(t, q, p)
     usual: Array = np.where(np.isfinite(sizes), sizes, 0.0) / max(1.0, float(np.abs(q).max()))
@@ -270,13 +295,13 @@ def _usual_sizes(kinematics: Kinematics, p: Array, t: float, q: Array) -> Array:
 
 
 def _relative(A: Array, b: Array, u: Array, least: Array) -> Array:
-    """Return how far equations are from being satisfied, in the size of their terms.
+    """Return the residuals of equations relative to the magnitudes of their terms.
 
     Args:
         A: the left sides.
         b: the right sides.
         u: the speeds.
-        least: what the sum of a row counts as at least.
+        least: a lower bound for the sum of each row.
     """
     size = np.maximum(np.abs(A).sum(axis=1), least) * np.abs(u).max(initial=0.0) + np.abs(b)
     error: Array = np.abs(A @ u - b) / np.where(size > 0, size, 1)
@@ -284,7 +309,7 @@ def _relative(A: Array, b: Array, u: Array, least: Array) -> Array:
 
 
 def _guessed(kinematics: Kinematics, K: Array, k: Array, guess: Mapping[Expr, float]) -> Array:
-    """Return the speeds that are nearest to zero with what is guessed of them and of the coordinates' rates."""
+    """Return the speeds of least norm with the guessed values of speeds and of rates of coordinates."""
     u = np.array([guess.get(speed, 0.0) for speed in kinematics.system.speeds])
     places, values = _given_rates(kinematics, guess)
     shift: Array = least_norm(K[places], np.array(values) - k[places] - K[places] @ u)[0]
@@ -292,7 +317,7 @@ def _guessed(kinematics: Kinematics, K: Array, k: Array, guess: Mapping[Expr, fl
 
 
 def _given_rates(kinematics: Kinematics, given: Mapping[Expr, float]) -> tuple[list[int], list[float]]:
-    """Return the places of coordinates whose rates are given and no speeds, and these rates."""
+    """Return the indices of the coordinates whose rates are given but are not speeds, and these rates."""
     speeds = kinematics.system.speeds
     rates = [time_derivative(q) for q in kinematics.system.coordinates]
     places = [place for place, rate in enumerate(rates) if rate in given and rate not in speeds]
@@ -300,6 +325,15 @@ def _given_rates(kinematics: Kinematics, given: Mapping[Expr, float]) -> tuple[l
 
 
 def _unsatisfied(kinematics: Kinematics, p: Array, t: float, q: Array, fixed: Mapping[Expr, float]) -> str:
+    """Return which constraints are violated where the search ended, and the way out.
+
+    Args:
+        kinematics: the constraints.
+        p: the values of their parameters.
+        t: the time, in s.
+        q: the nearest coordinates that were found, shape (n_q,).
+        fixed: the values of fixed coordinates.
+    """
     phi, phi_q, sizes = kinematics.position(t, q, p)
     system = kinematics.system
     against = (
@@ -317,7 +351,7 @@ def _unsatisfied(kinematics: Kinematics, p: Array, t: float, q: Array, fixed: Ma
     if named and len(named) == len(system.coordinates):
         return (
             f"the given coordinates, {_values(named, fixed)}, don't satisfy the constraints at t = {t:g} s: "
-            f"{found}; give some of them as guess instead, and they are solved for"
+            f"{found}; give some of them as a guess instead, so that they are solved for"
         )
     nearest = _values(
         [name for name in system.coordinates if name not in fixed],
@@ -333,22 +367,31 @@ def _unsatisfied(kinematics: Kinematics, p: Array, t: float, q: Array, fixed: Ma
 def _impossible(
     kinematics: Kinematics, t: float, error: Array, places: Sequence[int], fixed: Mapping[Expr, float]
 ) -> str:
+    """Return which equation no speeds satisfy, and the way out.
+
+    Args:
+        kinematics: the constraints.
+        t: the time, in s.
+        error: the relative residuals of the equations for speeds.
+        places: the indices of coordinates whose rates are fixed.
+        fixed: the values of fixed speeds and rates.
+    """
     system = kinematics.system
     rates = [time_derivative(system.coordinates[place]) for place in places]
     conditions = [
-        *(f"keep constraint {k + 1}, {shortened(phi)} = 0," for k, phi in enumerate(system.constraints)),
+        *(f"satisfy constraint {k + 1}, {shortened(phi)} = 0," for k, phi in enumerate(system.constraints)),
         *(f"give {rate} = {fixed[rate]:.6g}" for rate in rates),
     ]
     worst = conditions[int(np.argmax(np.where(np.isfinite(error), error, np.inf)))]
     named = [name for name in dict.fromkeys((*system.speeds, *rates)) if name in fixed]
     if not named:
         return (
-            f"{_WHERE}: no speeds {worst} at t = {t:g} s and this position: the constraints change with time, and the "
+            f"{_WHERE}: no speeds {worst} at t = {t:g} s in this position: the constraints change with time, and the "
             "system can't follow; give other coordinates"
         )
     return (
-        f"{_WHERE}: no speeds with {_values(named, fixed)} {worst} at t = {t:g} s and this position; give some of them "
-        "as guess instead, and they are solved for"
+        f"{_WHERE}: no speeds with {_values(named, fixed)} {worst} at t = {t:g} s in this position; give some of them "
+        "as a guess instead, so that they are solved for"
     )
 
 

@@ -1,4 +1,4 @@
-"""The mass matrix and the derivatives of the constraints along a motion, as numbers."""
+"""The mass matrix and the Jacobian of the constraints along a motion, as numbers."""
 
 from __future__ import annotations
 
@@ -13,13 +13,13 @@ Array = NDArray[np.float64]
 
 
 def masses_and_slopes(model: Model, parameters: Array, t: ArrayLike, states: Array) -> tuple[Array, Array]:
-    """Return ``M``, k x n x n, and ``phi_q``, k x m x n, by the speeds, at k states; whatever isn't finite stays so.
+    """Return ``M``, (k, n, n), and ``phi_q``, (k, m, n), with respect to the speeds, at k states; not always finite.
 
     Args:
-        model: what moves.
-        parameters: the values of its parameters, and behind them those of the stabilisation, if there is one.
+        model: the model.
+        parameters: the values of its parameters, then those of Baumgarte's stabilisation if it is used.
         t: the time in s, or one for each state.
-        states: coordinates and speeds, a row for each.
+        states: coordinates and speeds, shape (k, n_q + n).
     """
     n, m, names = len(model.speeds), len(model.constraints), (*model.parameters, *model.damping)
     entries = (*model.equations.mass_matrix.entries, *model.equations.constraint_jacobian.entries)

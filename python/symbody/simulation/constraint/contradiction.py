@@ -1,4 +1,4 @@
-"""Linear equations that contradict each other: combinations that vanish on the left, and not on the right."""
+"""Contradictory linear equations: combinations whose left sides cancel, but not the right sides."""
 
 from __future__ import annotations
 
@@ -17,25 +17,25 @@ __all__ = ["INCONSISTENT", "cancelling_combinations", "contradiction_between", "
 Array = NDArray[np.float64]
 
 CANCELLED = 1e-9
-"""The part of the left sides that may be left of a combination that cancels."""
+"""The relative size below which a combination of left sides counts as zero."""
 INCONSISTENT = 1e-6
-"""The part of its terms by which a combination fails: numbers of seven digits are off as much."""
+"""The relative residual above which a combination fails; numbers with seven digits are off by as much."""
 
 
 def cancelling_combinations(A: Array) -> list[Array]:
-    """Return the combinations of rows that cancel; rows may have different units."""
+    """Return the combinations of rows that cancel. The rows may have different units."""
     scale = np.abs(A).max(axis=1, initial=0.0, keepdims=True)
     scale = np.where(scale > 0, scale, 1.0)
     return [combination / scale[:, 0] for combination in vanishing_combinations(A / scale, CANCELLED)]
 
 
 def contradictory_rows_of(A: Array, b: Array, terms: Array) -> tuple[int, ...]:
-    """Return the rows of ``A x = b`` a combination of which says ``0 = r``, where r is more than rounding.
+    """Return the rows of ``A x = b`` that combine to ``0 = r`` with an r larger than rounding.
 
     Args:
         A: the left sides.
         b: the right sides.
-        terms: the sizes of their terms.
+        terms: the magnitudes of the terms.
     """
     for y in cancelling_combinations(A):
         if abs(y @ b) > INCONSISTENT * np.abs(y) @ terms:
@@ -47,8 +47,8 @@ def contradiction_between(constraints: Sequence[Expr], rows: Iterable[int]) -> s
     """Return which constraints contradict each other, and the way out."""
     names = named_constraints(constraints, rows)
     if len(names) == 1:
-        return f"constraint {names[0]} can't be satisfied there, whatever moves; correct it"
+        return f"constraint {names[0]} can't be satisfied there by any motion; correct it"
     return (
-        f"constraints {listed(names)} contradict each other: they ask for different motions of the same coordinates; "
-        "correct them, or leave out what should follow from the others"
+        f"constraints {listed(names)} contradict each other: they require different motions of the same coordinates; "
+        "correct them, or leave out those that should follow from the others"
     )

@@ -1,4 +1,4 @@
-"""Constraints that are dependent, or nearly so, at a state: which, and how nearly."""
+"""Constraints that are dependent, or nearly so, at a state: which ones, and how nearly."""
 
 from __future__ import annotations
 
@@ -27,23 +27,23 @@ __all__ = [
 Array = NDArray[np.float64]
 
 NEAR = 1e-3
-"""Singular values of the scaled Jacobian below this part of the largest belong to nearly dependent constraints."""
+"""The ratio to the largest singular value of the scaled Jacobian below which constraints are nearly dependent."""
 LEAST = 0.5
-"""What counts as the largest singular value where all gradients are shorter than at places nearby: all may vanish."""
+"""A lower bound for the largest singular value, relative to positions nearby: all gradients may vanish at once."""
 PLACES = 4
-"""Places nearby at which gradients are looked at: at a singular position, one may vanish."""
+"""The number of positions nearby at which gradients are evaluated: at a singular position, one may vanish."""
 _NAMED = 4
 
 
 @dataclass(frozen=True)
 class DependentConstraints:
-    """Constraints a combination of whose gradients nearly vanishes.
+    """Constraints with a combination of gradients that nearly vanishes.
 
     Attributes:
-        rows: their numbers, from 0.
-        names: what to call them.
-        ratio: what is left of the combination, relative to the largest that one of its size may be: the ratio of
-            singular values, as there are no others in it; relative to gradients nearby, where all of them vanish.
+        rows: their indices, from 0.
+        names: their names in messages.
+        ratio: the size of the combination relative to the largest one with the same coefficients, which is the ratio of
+            singular values; relative to gradients nearby, if all of them vanish.
         is_everywhere: whether they are dependent at almost every position, as redundant constraints are.
     """
 
@@ -58,15 +58,15 @@ def dependent_constraints(
 ) -> tuple[DependentConstraints, ...]:
     """Return the groups of constraints that are dependent at a state, or nearly so, the most dependent one first.
 
-    ``s_k(D phi_q L^-T)`` with ``M = L L^T``: the metric is that in which states are put back onto the constraints. D
-    divides each gradient by the largest length that it has here and at some places nearby, so that it doesn't matter in
-    which units constraints are written.
+    They have small singular values of ``D phi_q L^-T`` with ``M = L L^T``: the metric of the projection onto the
+    constraints. D divides each gradient by its largest length here and at some positions nearby, so that the units of
+    constraints do not matter.
 
     Args:
-        model: what moves.
-        parameters: the values of its parameters, and behind them those of the stabilisation, if there is one.
+        model: the model.
+        parameters: the values of its parameters, then those of Baumgarte's stabilisation if it is used.
         t: the time, in s.
-        state: coordinates and speeds.
+        state: coordinates and speeds, shape (n_q + n,).
         near: the ratio of singular values below which constraints count as nearly dependent.
     """
     if not model.constraints:
@@ -97,7 +97,7 @@ def scaled_jacobian(model: Model, parameters: Array, t: float, state: ArrayLike)
 
 
 def nearby(eqs: Equations, coordinates: Array) -> Array:
-    """Return ways to places nearby, a column each: about a radian for angles, half of the coordinates for lengths."""
+    """Return displacements to positions nearby, one per column: a radian for angles, half the value for lengths."""
     are_angles = np.array([_is_angle(eqs, q) for q in eqs.coordinates])
     sizes = np.abs(coordinates)
     lengths = np.maximum(sizes, 0.1 * sizes[~are_angles].max(initial=0.0)) / 2
@@ -107,14 +107,14 @@ def nearby(eqs: Equations, coordinates: Array) -> Array:
 
 
 def _is_angle(eqs: Equations, coordinate: Expr) -> bool:
-    """Whether two turns of a coordinate change no constraint."""
+    """Return whether two turns of a coordinate change no constraint."""
     turned = {coordinate: coordinate + 4 * pi}
     holding = [phi for phi in eqs.constraints if coordinate in phi.free_symbols]
     return bool(holding) and substitute(holding, turned) == tuple(holding)
 
 
 def _factor(M: Array) -> Array:
-    """Return L; where some motions move no mass, a length for each speed, no smaller than those of the others."""
+    """Return L; if some motions move no mass, a length for each speed, not smaller than those of the others."""
     try:
         return np.asarray(np.linalg.cholesky(M), np.float64)
     except np.linalg.LinAlgError:
@@ -131,7 +131,7 @@ def _group(model: Model, J: Array, combination: Array, largest: float) -> Depend
 
 
 def _are_dependent(model: Model, rows: Sequence[int]) -> bool:
-    """Whether constraints are dependent at almost every position."""
+    """Return whether constraints are dependent at almost every position."""
     if model.independent_constraints == len(model.constraints):
         return False
     gradients = model.equations.constraint_jacobian.tolist()
@@ -139,7 +139,7 @@ def _are_dependent(model: Model, rows: Sequence[int]) -> bool:
 
 
 def named_dependence(groups: Sequence[DependentConstraints]) -> str:
-    """Return what is dependent there, but for what is so everywhere, without figures."""
+    """Return which constraints are dependent here but not everywhere, without figures."""
     special = [group for group in groups if not group.is_everywhere]
     shown = "; ".join(_named(group) for group in special[:_NAMED])
     return f"{shown}; and {len(special) - _NAMED} more groups" if len(special) > _NAMED else shown
@@ -152,7 +152,7 @@ def _named(group: DependentConstraints) -> str:
 
 
 def described_dependence(groups: Sequence[DependentConstraints]) -> str:
-    """Return what is dependent there, and how nearly; the empty text for nothing but what is so everywhere."""
+    """Return which constraints are dependent here but not everywhere, and how nearly; the empty text if none are."""
     special = [group for group in groups if not group.is_everywhere]
     if not special:
         return ""

@@ -1,4 +1,4 @@
-"""Nonlinear equations by damped Gauss-Newton steps, which know no rank: Levenberg and Marquardt's method."""
+"""Nonlinear equations of any rank: damped Gauss-Newton steps, that is, the Levenberg-Marquardt method."""
 
 from __future__ import annotations
 
@@ -11,27 +11,27 @@ __all__ = ["Linearization", "gauss_newton"]
 
 Array = NDArray[np.float64]
 Linearization = Callable[[Array], tuple[Array, Array]]
-"""Returns values and their Jacobian; they may be infinite or not a number."""
+"""Returns values and their Jacobian, which need not be finite."""
 
 _STEPS = 200
 _LARGEST_DAMPING = 1e12
 _ROUNDING = 4e-16
-"""A value that is zero but for rounding."""
+"""A value that counts as zero."""
 _NEARLY = 1e-11
-"""A value at which a step that hardly helps is the last one: rounding errors are in its way."""
+"""A value below which a step that hardly improves it is the last one: rounding errors dominate."""
 
 
 def gauss_newton(linearization: Linearization, start: Array, most: int = _STEPS) -> Array:
-    """Return where equations hold as well as can be reached from a start.
+    """Return the point near a start that satisfies the equations as well as possible.
 
-    Steps of least norm, ``min |F + J d|^2 + mu |d|^2`` with ``mu`` proportional to ``|F|^2``: they converge
-    quadratically near solutions, also where equations depend on each other or solutions aren't isolated [Yamashita &
-    Fukushima 2001; Fan & Yuan 2005]. A step that improves nothing is damped more [More 1978].
+    Steps of least norm, ``min |F + J d|^2 + mu |d|^2`` with ``mu`` proportional to ``|F|^2``, converge quadratically
+    near solutions, even if equations are dependent or solutions are not isolated [Yamashita & Fukushima 2001; Fan &
+    Yuan 2005]. A step without improvement is repeated with more damping [More 1978].
 
     Args:
         linearization: the values and their Jacobian, scaled such that 1 is a large value.
-        start: where to begin.
-        most: how many steps are taken at most.
+        start: the start, shape (n,).
+        most: the largest number of steps.
     """
     x, damping = np.array(start, dtype=np.float64), 1e-2
     F, J = linearization(x)
@@ -56,7 +56,7 @@ def gauss_newton(linearization: Linearization, start: Array, most: int = _STEPS)
 
 
 def _damped_step(F: Array, J: Array, mu: float) -> Array:
-    """Return ``d = -J^T (J J^T + mu 1)^-1 F``, by the singular values that aren't rounding errors."""
+    """Return ``d = -J^T (J J^T + mu 1)^-1 F``, without singular values that are rounding errors."""
     U, s, Vt = np.linalg.svd(J, full_matrices=False)
     kept = s > 1e-13 * s.max(initial=0.0)
     s, U, Vt = s[kept], U[:, kept], Vt[kept]

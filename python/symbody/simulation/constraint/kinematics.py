@@ -1,4 +1,4 @@
-"""Positions, velocities and accelerations that constraints allow: their functions of numbers."""
+"""Positions, velocities and accelerations of constrained systems: functions of numbers."""
 
 from __future__ import annotations
 
@@ -28,8 +28,8 @@ class Kinematics:
     """The constraints of a system and the rates of its coordinates, compiled for numbers.
 
     Attributes:
-        system: what moves.
-        given: what stands in the place of functions of time that are given from outside.
+        system: the system.
+        given: the expressions that replace input functions of time.
     """
 
     system: System
@@ -47,18 +47,18 @@ class Kinematics:
 
     @cached_property
     def parameters(self) -> tuple[Expr, ...]:
-        """The symbols that need values, by name."""
+        """The symbols that need values, sorted by name."""
         found = {leaf for leaf in self.leaves if leaf.kind == "symbol" and not leaf.depends_on_time}
         return tuple(sorted(found, key=lambda symbol: symbol.name))
 
     @cached_property
     def leaves(self) -> frozenset[Expr]:
-        """What stands in constraints and kinematics."""
+        """The variables in constraints and kinematics."""
         return free_symbols((*self.constraints, *self._velocities))
 
     @cached_property
     def position(self) -> CompiledFunction:
-        """The function of t, q and p that returns phi, ``dphi/dq``, and the sizes of the terms of phi."""
+        """The function of t, q and p that returns phi, ``dphi/dq``, and the magnitudes of the terms of phi."""
         phi, q = list(self.constraints), list(self.system.coordinates)
         return lambdify(self._arguments(q), [phi, jacobian(phi, q), [magnitude(each) for each in phi]])
 
@@ -85,10 +85,10 @@ class Kinematics:
         return with_given(self.system, self.given, tuple(expressions))
 
     def check_inputs(self, where: str) -> None:
-        """Raise an error for functions of time that have no values.
+        """Check that all functions of time in the constraints have values.
 
         Raises:
-            ModelError: with their names.
+            ModelError: some of them do not.
         """
         system = self.system
         known = {leaf.name for leaf in (*system.coordinates, *system.speeds)}
@@ -97,13 +97,13 @@ class Kinematics:
         )
         if unknown:
             raise ModelError(
-                f"{where}: the constraints hold the functions of time {', '.join(unknown)}, which are neither "
-                f"coordinates nor speeds; give them by time, as inputs={{{unknown[0]}: sin(t)}}"
+                f"{where}: the constraints contain the functions of time {', '.join(unknown)}, which are neither "
+                f"coordinates nor speeds; give them as inputs={{{unknown[0]}: sin(t)}}"
             )
 
 
 def magnitude(expression: Expr) -> Expr:
-    """Return the sum of the absolute values of an expression's terms: what its rounding errors are in proportion to."""
+    """Return the sum of the absolute values of an expression's terms; rounding errors are proportional to it."""
     terms, left = [], [(expression, number(1))]
     while left:
         part, factor = left.pop()
@@ -119,20 +119,20 @@ def magnitude(expression: Expr) -> Expr:
 
 
 def quaternions(system: System) -> tuple[tuple[Expr, ...], ...]:
-    """Return the Euler parameters of floating frames, four each, that hold coordinates."""
+    """Return the Euler parameters of floating frames, four each, that are coordinates."""
     frames = all_frames(system.bodies, system.loads, system.gravity)
     found = [frame.motion.quaternion for frame in frames if isinstance(frame.motion, Floating)]
     return tuple(four for four in dict.fromkeys(found) if not {*four}.isdisjoint(system.coordinates))
 
 
 def neutral_position(system: System) -> Array:
-    """Return the coordinates where nobody says more: zero, and no rotation of floating frames, e0 = 1."""
+    """Return the default coordinates: zero, and e0 = 1 for floating frames, which means no rotation."""
     ones = {four[0] for four in quaternions(system)}
     return np.array([1.0 if q in ones else 0.0 for q in system.coordinates])
 
 
 def kinematics_of(eqs: Equations, inputs: Mapping[Expr, ExprLike] | None = None) -> Kinematics:
-    """Return the kinematics of a system with given inputs; the last ones are kept, with what they compiled."""
+    """Return the kinematics of a system with given inputs. They are cached, with their compiled code."""
     return _kinematics(
         eqs.system, tuple(sorted(((f, number(e)) for f, e in (inputs or {}).items()), key=_by_name))
     )

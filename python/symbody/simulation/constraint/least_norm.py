@@ -1,4 +1,4 @@
-"""Linear equations of any rank: the least of their best solutions, and what they leave open."""
+"""Linear equations of any rank: the least-squares solution of least norm, and the null space."""
 
 from __future__ import annotations
 
@@ -10,13 +10,13 @@ __all__ = ["least_norm", "least_norm_many"]
 Array = NDArray[np.float64]
 
 RANK = 1e-10
-"""The part of the largest singular value below which one counts as zero."""
+"""The ratio to the largest singular value below which one counts as zero."""
 
 
 def least_norm(A: Array, b: Array) -> tuple[Array, Array]:
-    """Return the shortest x of those with the least ``|A x - b|``, and a basis of what ``A`` takes to zero.
+    """Return the shortest x with the least ``|A x - b|``, shape (n,), and a basis of the null space of A as columns.
 
-    Rows are scaled by their largest entries before the rank is decided: they may have different units.
+    Rows are scaled by their largest entries before the rank is determined: they may have different units.
     """
     rows, columns = A.shape
     if rows == 0 or columns == 0:
@@ -29,11 +29,11 @@ def least_norm(A: Array, b: Array) -> tuple[Array, Array]:
 
 
 def least_norm_many(A: Array, b: Array) -> tuple[Array, Array]:
-    """Return the least solutions of many linear systems, and how far each unknown is determined: 1 if it is.
+    """Return the least-norm solutions of many linear systems, and how far each unknown is determined, 1 if it is.
 
     Args:
-        A: the matrices, N x rows x columns.
-        b: the right sides, N x rows.
+        A: the matrices, shape (N, rows, columns).
+        b: the right sides, shape (N, rows).
     """
     count, rows, columns = A.shape
     if columns == 0 or rows == 0:
@@ -49,7 +49,7 @@ def least_norm_many(A: Array, b: Array) -> tuple[Array, Array]:
 
 
 def _row_sizes(A: Array) -> Array:
-    """Return the largest entry of each row, as a column; that of all, for rows which are zero but for rounding."""
+    """Return the largest entry of each row as a column; for rows that are zero but for rounding, that of all rows."""
     rows = np.abs(A).max(axis=-1, keepdims=True)
     largest = rows.max(axis=-2, keepdims=True)
     sizes: Array = np.where(rows > RANK * largest, rows, np.where(largest > 0, largest, 1.0))

@@ -1,8 +1,8 @@
-"""Constraints that depend on each other along the motion, and for almost all other positions or parameters don't.
+"""Constraints that are dependent along the motion, but independent at almost all other positions or parameters.
 
 Three parallel cranks move a coupler because their lengths agree; six independent equations for six coordinates would
-let nothing move. Expressions know what holds at almost every position, so there these coordinates stand still. In the
-same way ``k (x - y) = 0`` makes the accelerations of x and y one expression, and k = 0 doesn't part them again.
+allow no motion. Expressions know what holds at almost every position, and there these coordinates stand still. In the
+same way ``k (x - y) = 0`` makes the accelerations of x and y one expression, which stays one if k = 0.
 """
 
 from __future__ import annotations
@@ -27,22 +27,22 @@ __all__ = ["check_rank"]
 Array = NDArray[np.float64]
 
 OTHERS = 4
-"""Other positions at which constraints are looked at."""
+"""The number of other positions at which constraints are evaluated."""
 _SHARE = 1e-6
-"""The part of a direction, or of a combination of constraints, that is no rounding error."""
+"""The size of a direction, or of a combination of constraints, above which it is not a rounding error."""
 
 
 def check_rank(model: Model, phi_q: Array, parameters: Mapping[Expr, float], where: str = "simulate") -> None:
-    """See that what the constraints let move at a position, they let move at almost every other one.
+    """Check that the motions that the constraints allow at a position are allowed at almost every position.
 
     Args:
-        model: what moves.
-        phi_q: the derivatives of the constraints by the speeds, at a position.
+        model: the model.
+        phi_q: the Jacobian of the constraints with respect to the speeds, at a position, shape (m, n).
         parameters: the values of the parameters.
-        where: the function that the user called.
+        where: the function that the user called, for messages.
 
     Raises:
-        ConstraintError: they don't, or a parameter that is zero takes a constraint away.
+        ConstraintError: they are not, or a parameter with the value zero removes a constraint.
     """
     kernel = least_norm(phi_q, np.zeros(len(phi_q)))[1]
     if kernel.shape[1] == len(model.speeds) - model.independent_constraints:
@@ -65,8 +65,8 @@ def _check_zeros(model: Model, parameters: Mapping[Expr, float], where: str) -> 
     ]
     named = " and ".join(f"{name} = 0" for name in zeros)
     raise ConstraintError(
-        f"{where}: with {named} fewer constraints are independent, and the equations were derived for other values; "
-        f"leave out of the system what follows from the others then: {', '.join(without)}"
+        f"{where}: with {named} fewer constraints are independent than in the equations, which were derived for "
+        f"other values; leave out of the system the constraints that then follow from the others: {', '.join(without)}"
     )
 
 
@@ -78,6 +78,15 @@ def _without(matrix: Matrix, row: int) -> Matrix:
 def _check_special_dimensions(
     model: Model, phi_q: Array, kernel: Array, parameters: Mapping[Expr, float], where: str
 ) -> None:
+    """Check that speeds which the constraints allow here are not zero at almost every position.
+
+    Args:
+        model: the model.
+        phi_q: the Jacobian of the constraints with respect to the speeds, shape (m, n).
+        kernel: a basis of the speeds that they allow, as columns, shape (n, f).
+        parameters: the values of the parameters.
+        where: the function that the user called, for messages.
+    """
     moves = np.abs(kernel).max(axis=1) > _SHARE
     special = [
         speed
@@ -96,13 +105,13 @@ def _check_special_dimensions(
         raise ConstraintError(
             f"{where}: the constraints let {', '.join(map(str, special))} be other than zero at this position, but at "
             f"almost no other one: constraints {', '.join(places)} depend on each other here. If they do so "
-            f"wherever the mechanism moves, by its special dimensions, it is overconstrained: leave out "
-            f"{found.count} of them{found.choices}; if they don't, begin at another position"
+            f"wherever the mechanism moves, because of its special dimensions, it is overconstrained: leave out "
+            f"{found.count} of them{found.choices}; if not, start at another position"
         )
 
 
 def _is_so_anywhere(model: Model, rank: int, parameters: Mapping[Expr, float]) -> bool:
-    """Whether no more constraints are independent at other positions, with these values of the parameters."""
+    """Return whether no more constraints are independent at other positions, with these values of the parameters."""
     kinematics = kinematics_of(model.equations, dict(model.inputs))
     p = np.array([parameters[name] for name in kinematics.parameters])
     m, count = len(model.constraints), len(model.coordinates)
@@ -121,7 +130,7 @@ def _values(model: Model, rows: Sequence[int], parameters: Mapping[Expr, float])
 
 
 def _is_locked(model: Model, speed: Expr) -> bool:
-    """Whether the constraints make a speed zero at almost every position: it's a combination of their rates."""
+    """Return whether the constraints make a speed zero at almost every position, as a combination of their rates."""
     phi_q = model.equations.constraint_jacobian
     row = [int(other == speed) for other in model.speeds]
     return Matrix([*phi_q.tolist(), row]).rank() == model.independent_constraints

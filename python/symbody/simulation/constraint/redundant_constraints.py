@@ -1,8 +1,9 @@
-"""Redundant constraints of overconstrained mechanisms: which, how many, and which had better be left out.
+"""Redundant constraints of overconstrained mechanisms: which ones, how many, and which to leave out.
 
-A mechanism such as Bricard's moves by its special dimensions, although it has as many constraints as coordinates. Where
-it moves, a combination of their gradients vanishes, and any of those that take part follows from the others. Which one
-is left out is no matter of taste: what stays may be nearly dependent at some positions.
+A mechanism such as Bricard's moves because of its special dimensions, although it has as many constraints as
+coordinates. Where it moves, a combination of their gradients vanishes, and each constraint in it follows from the
+others. The choice of the one to leave out matters: the remaining constraints may be nearly dependent at some
+positions.
 """
 
 from __future__ import annotations
@@ -30,26 +31,29 @@ __all__ = ["Redundancy", "advice", "redundancy", "redundant_constraints"]
 Array = NDArray[np.float64]
 
 NEAR = 5e-2
-"""The ratio of singular values below which constraints that stay count as nearly dependent."""
+"""The ratio of singular values below which the remaining constraints are nearly dependent."""
 SINGULAR = 5e-2
-"""The part of the largest ratio along the walk below which a position counts as next to a singular one."""
+"""The ratio to its largest value along the walk below which a position is next to a singular one."""
 STEPS = 80
-"""Positions that are looked at in either direction."""
+"""The number of positions in either direction."""
 MOST = 12
-"""Redundant constraints up to which each choice is tried."""
+"""The largest number of redundant constraints for which each choice is tried."""
 _SHOWN = 40
 
 
 @dataclass(frozen=True)
 class Redundancy:
-    """What is redundant in the constraints of a mechanism.
+    """The redundant constraints of a mechanism.
 
     Attributes:
         constraints: all constraints.
-        count: how many are one too many.
-        rows: those that take part in what depends on each other.
-        ratios: for each of these, the least ratio of singular values of the constraints that stay without it, over the
-            positions that were looked at; with more than one too many, without the best others.
+        count: how many of them are redundant.
+        rows: the indices of those that are dependent.
+        ratios: for each of these, the least ratio of singular values without it, over all positions of the walk; if
+            several are redundant, the best others are left out as well.
+
+    >>> print(Redundancy((), 0, (), {}))
+    the constraints are independent where the mechanism moves
     """
 
     constraints: tuple[Expr, ...]
@@ -65,12 +69,12 @@ class Redundancy:
         amount = "one" if self.count == 1 else str(self.count)
         return (
             f"the mechanism is overconstrained: constraints {names} depend on each other wherever it moves, {amount} "
-            f"of them too many; leave out {amount}{self.choices}"
+            f"of them redundant; leave out {amount}{self.choices}"
         )
 
     @property
     def choices(self) -> str:
-        """What had better be left out, and what not, with the numbers; the empty text if that wasn't tried."""
+        """Which constraints to leave out, and which not, with the ratios; the empty text if that was not tried."""
         if not self.ratios:
             return ""
         best = max(self.ratios.values())
@@ -82,7 +86,8 @@ class Redundancy:
             if bad
             else ""
         )
-        return f", best {_either(good)}{warning} (least ratio of singular values of those that stay, without {numbers})"
+        ratios = f"least ratio of singular values of the remaining constraints, without {numbers}"
+        return f", best {_either(good)}{warning} ({ratios})"
 
 
 def _either(rows: Sequence[int]) -> str:
@@ -102,19 +107,19 @@ def redundant_constraints(
     """Return which constraints of an overconstrained mechanism are redundant, and what to leave out.
 
     ``y^T phi_q = 0`` at all positions that the mechanism reaches from the first one. The rows of ``phi_q`` are scaled
-    to the length 1 before singular values are taken.
+    to the length 1 before the singular values are computed.
 
     Args:
         system: the mechanism.
-        parameters: the values of the symbols in the constraints; others may be there.
-        initial: the values of coordinates that are given.
-        guess: where the others should be near.
+        parameters: the values of the symbols in the constraints; others are allowed.
+        initial: the given values of coordinates.
+        guess: the values near which the others should be.
         t: the time, in s.
-        inputs: functions of time that are given from outside, by time.
+        inputs: expressions of time for the input functions of time.
 
     Raises:
         ConstraintError: no position satisfies the constraints.
-        ParameterError: a value is missing, isn't finite, or belongs to nothing.
+        ParameterError: a value is missing, has an unknown key, or is not finite.
 
     >>> from symbody import Body, System, functions_of_time, symbols, translate
     >>> (x, y), m = functions_of_time("x y"), symbols("m")
@@ -136,10 +141,10 @@ def redundant_constraints(
 
 
 def advice(system: System) -> str:
-    """Return what is redundant if all parameters are 1; the empty text if nothing is, or no position is found."""
+    """Return what is redundant if all parameters are 1; the empty text if nothing is, or if no position is found."""
     kinematics = Kinematics(system)
     try:
-        with noting():  # nobody asked for this evaluation
+        with noting():  # the user did not ask for this evaluation
             found = redundant_constraints(system, dict.fromkeys(kinematics.parameters, 1.0))
     except (SymbodyError, np.linalg.LinAlgError):
         return ""
@@ -147,7 +152,7 @@ def advice(system: System) -> str:
 
 
 def redundancy(constraints: tuple[Expr, ...], gradients: Sequence[Array]) -> Redundancy:
-    """Return what is redundant, by the derivatives of the constraints at some positions, scaled to the length 1."""
+    """Return what is redundant, from Jacobians at some positions, with rows scaled to the length 1."""
     combinations = [vanishing_combinations(J, CANCELLED) for J in gradients]
     count = min((len(found) for found in combinations), default=0)
     regular = [(J, found) for J, found in zip(gradients, combinations, strict=True) if len(found) == count]
@@ -158,7 +163,7 @@ def redundancy(constraints: tuple[Expr, ...], gradients: Sequence[Array]) -> Red
 
 
 def _ratio_without(places: Sequence[Array], row: int, rows: Sequence[int], count: int) -> float:
-    """Return the least ratio of singular values without a row, and without the others that are best left out."""
+    """Return the least ratio of singular values without a row, and without the best choice of the others."""
     removed = [row]
     while len(removed) < count:
         removed.append(
@@ -168,19 +173,19 @@ def _ratio_without(places: Sequence[Array], row: int, rows: Sequence[int], count
 
 
 def _apart_from_singular(places: Sequence[Array], count: int) -> list[Array]:
-    """Return those of the places that aren't next to singular ones, where no choice keeps the others independent."""
+    """Return the positions that are not next to singular ones, where every choice leaves dependent constraints."""
     own = np.array([_ratio(J, count) for J in places])
     return [J for J, ratio in zip(places, own, strict=True) if ratio >= SINGULAR * own.max(initial=0.0)]
 
 
 def _least(places: Sequence[Array], removed: Sequence[int], count: int) -> float:
-    """Return the least ratio over all positions; of the singular values that should stay with so many too many."""
+    """Return the least ratio of singular values over all positions, without the removed rows."""
     left = count - len(removed)
     return min(_ratio(np.delete(J, list(removed), axis=0), left) for J in places)
 
 
 def _ratio(J: Array, count: int) -> float:
-    """Return the ratio of singular values, without those of so many rows that are too many."""
+    """Return the ratio of singular values, without as many of the smallest as there are redundant rows."""
     rank = len(J) - count
     s = np.linalg.svd(J, compute_uv=False)
     return float(s[rank - 1] / s[0]) if rank else 1.0

@@ -1,4 +1,4 @@
-"""Singular positions that a motion passes: where its constraints become dependent between two steps."""
+"""Singular positions that a motion passes: its constraints become dependent between two steps."""
 
 from __future__ import annotations
 
@@ -17,32 +17,32 @@ __all__ = ["singular_passages"]
 Array = NDArray[np.float64]
 
 SINGULAR, REGULAR = 0.02, 0.06
-"""The parts of its largest value along the motion below which the least singular value is taken for zero, and above
-which it is not."""
+"""The ratios to its largest value along the motion below which the least singular value is zero, and above which it is
+not."""
 PARTS, MARGIN = 2, 2.0
-"""Parts into which steps are cut to find out where the least singular value may vanish, and how many intervals away the
-straight line through two values may meet zero where one interval was expected."""
+"""The number of parts of a step in the search for zeros of the least singular value, and by how many intervals the zero
+of a line through two values may be off."""
 ROUNDS, FINER = 2, 16
-"""How often the intervals beside a minimum are cut again, and into how many parts."""
+"""How often the intervals beside a minimum are divided again, and into how many parts."""
 SHORT = 1e-9
-"""The part of the time below which steps aren't told apart."""
+"""The part of the duration below which two steps count as one."""
 AT_ONCE = 2**12
-"""Matrices that are looked at at once: more would take much memory."""
+"""The number of matrices that are processed at once, which bounds the memory."""
 
 
 def singular_passages(model: Model, parameters: Mapping[Expr, float], trail: Array) -> Array:
-    """Return the instants, in s, at which the constraints of a motion are dependent, or as good as that.
+    """Return the instants, in s, at which the constraints of a motion are dependent, or nearly so.
 
-    There the smallest singular value of ``D phi_q L^-T`` has a minimum next to zero. ``L L^T`` is the mean of the mass
-    matrix along the motion: a metric that changes makes no constraints dependent. D brings each row to the length of
-    its largest entry, relative to the largest that this entry is anywhere: rows vanish where all of their entries do.
-    Between steps the coordinates are interpolated by cubic polynomials through their values and rates. A motion that
-    stays at such positions for a while passes once.
+    There the smallest singular value of ``D phi_q L^-T`` has a minimum next to zero. ``L L^T`` is the mean of the
+    mass matrix along the motion, since a metric that varies makes no constraints dependent. D scales each row to the
+    length of its largest entry, relative to the largest value of that entry along the motion: rows vanish only where
+    all of their entries do. Between steps the coordinates are interpolated by cubic polynomials with their values and
+    rates. A motion that stays at such positions for a while counts as one passage.
 
     Args:
-        model: what moves.
-        parameters: the values of its parameters, and those of the stabilisation, if there is one.
-        trail: the motion: rows of the instant, coordinates and speeds at the ends of its steps.
+        model: the model.
+        parameters: the values of its parameters, including those of Baumgarte's stabilisation.
+        trail: the instant, the coordinates and the speeds at the ends of steps, one row for each.
     """
     if len(trail) < 2 or not model.constraints or not model.independent_constraints:
         return np.empty(0)
@@ -72,15 +72,15 @@ def singular_passages(model: Model, parameters: Mapping[Expr, float], trail: Arr
     places = 1 + np.flatnonzero(_may_vanish(t, found) | (found[1:-1] < SINGULAR))
     at, least = _minima(smallest, t[places - 1], t[places + 1])
     is_passed = least < SINGULAR * largest
-    # Minima with nothing regular between them are of one passage: a motion may stay there.
+    # Minima without regular positions between them belong to one passage: a motion may stay there.
     regular = np.searchsorted(t[found > REGULAR], at[is_passed])
     return at[is_passed][np.unique(regular, return_index=True)[1]]
 
 
 def _thinned(trail: Array) -> Array:
-    """Return the ends of steps in their order, one of those in each of `SHORT` equal parts of the time.
+    """Return the ends of steps in order, at most one in each of `SHORT` equal parts of the time.
 
-    Where a method finds no way on, thousands of its steps lie at one instant.
+    Where a method cannot continue, thousands of its steps lie at one instant.
     """
     t = trail[:, 0]
     begin, span = t.min(initial=np.inf), np.ptp(t) if len(t) else 0.0
@@ -91,19 +91,19 @@ def _thinned(trail: Array) -> Array:
 def _may_vanish(t: Array, ratio: Array) -> NDArray[np.bool_]:
     """Return whether a ratio may vanish next to its minima, for each instant but the first and the last.
 
-    It falls and rises in proportion to the distance from where it vanishes: in the interval on one side, if the line
-    through the values on the other side meets zero there.
+    The ratio is proportional to the distance from its zero. So the zero is in the interval on one side if the line
+    through the values on the other side vanishes there.
     """
     h, change = np.diff(t), np.diff(ratio)
     here, fall, rise = ratio[1:-1], -change[:-1], change[1:]
     later, earlier = here * h[:-1] <= MARGIN * fall * h[1:], here * h[1:] <= MARGIN * rise * h[:-1]
-    # Compared with NaN nothing is least.
+    # No comparison with NaN is true.
     is_passed: NDArray[np.bool_] = (fall >= 0) & (rise > 0) & (later | earlier)
     return is_passed
 
 
 def _minima(value: Callable[[Array], Array], begin: Array, end: Array) -> tuple[Array, Array]:
-    """Return where a value is least within intervals, and how small it is there."""
+    """Return the instants at which a value is least within intervals, and the least values."""
     t, least, rows = begin, np.full(len(begin), np.inf), np.arange(len(begin))
     for _ in range(ROUNDS if len(begin) else 0):
         times = _cut(begin, end, FINER)
@@ -115,12 +115,12 @@ def _minima(value: Callable[[Array], Array], begin: Array, end: Array) -> tuple[
 
 
 def _cut(begin: Array, end: Array, parts: int) -> Array:
-    """Return instants that part intervals evenly, their ends included, a row for each."""
+    """Return instants that divide intervals evenly, including their ends, one row for each interval."""
     return begin[:, None] + (end - begin)[:, None] * np.linspace(0, 1, parts + 1)
 
 
 def _finite(model: Model, parameters: Array, trail: Array) -> tuple[Array, Array, Array]:
-    """Return instants, states and rates of the coordinates at the ends of steps, where all of them are finite."""
+    """Return instants, states and rates of the coordinates at the ends of steps where all of them are finite."""
     t, states = trail[:, 0], trail[:, 1 : 1 + len(model.state)]
     function = model.function(model.kinematics, (*model.parameters, *model.damping))
     with np.errstate(all="ignore"):
@@ -130,8 +130,8 @@ def _finite(model: Model, parameters: Array, trail: Array) -> tuple[Array, Array
 
 
 def _way(t: Array, states: Array, rates: Array) -> Callable[[Array], Array]:
-    """Return the states between the ends of steps: coordinates by Hermite's polynomials, speeds as they were last."""
-    from scipy.interpolate import CubicHermiteSpline  # noqa: PLC0415 - slow to load, and few motions are looked at
+    """Return the states between steps: Hermite polynomials for the coordinates, the last values for the speeds."""
+    from scipy.interpolate import CubicHermiteSpline  # noqa: PLC0415 - slow to load, and rarely needed
 
     q = rates.shape[1]
     coordinates = CubicHermiteSpline(t, states[:, :q], rates)
@@ -144,10 +144,10 @@ def _way(t: Array, states: Array, rates: Array) -> Callable[[Array], Array]:
 
 
 def _scaling(parts: Iterable[tuple[Array, Array]]) -> Callable[[Array], Array] | None:
-    """Return what scales derivatives of the constraints, k x m x n; nothing without a mean mass matrix.
+    """Return the scaling of Jacobians of the constraints, (k, m, n); None without a mean mass matrix.
 
     Args:
-        parts: mass matrices and derivatives of the constraints along the motion.
+        parts: mass matrices and Jacobians of the constraints along the motion.
     """
     total, largest = 0.0, 0.0
     for M, slopes in parts:
@@ -170,7 +170,7 @@ def _scaling(parts: Iterable[tuple[Array, Array]]) -> Callable[[Array], Array] |
 
 
 def _smallest(slopes: Array, rank: int) -> Array:
-    """Return the smallest singular value of the independent constraints, NaN if not finite."""
+    """Return the smallest singular value of the independent constraints, NaN if a Jacobian is not finite."""
     is_fit = np.isfinite(slopes).all(axis=(1, 2))
     smallest = np.full(len(slopes), np.nan)
     smallest[is_fit] = np.linalg.svd(slopes[is_fit], compute_uv=False)[:, rank - 1]

@@ -1,7 +1,8 @@
-"""Whether a mechanism is at a singular position: its constraints depend on each other there, and beside it they don't.
+"""Singular positions: constraints are dependent there, but not at neighbouring positions.
 
-Mechanisms that move by their special dimensions have constraints that depend on each other at all their positions; none
-of these is singular. So the rank at a position is compared with that at others which the mechanism reaches from it.
+The constraints of mechanisms that move because of their special dimensions are dependent at all positions; none of
+these is singular. Therefore the rank at a position is compared with the ranks at others that the mechanism reaches
+from it.
 """
 
 from __future__ import annotations
@@ -15,26 +16,26 @@ from symbody.symbolic import Expr
 
 from .kinematics import Kinematics
 from .vanishing_combinations import vanishing_combinations
-from .walk import CANCELLED, Footing, scaled
+from .walk import CANCELLED, ConfigurationSpace, scaled
 
 __all__ = ["SINGULAR", "dependent_rows", "equilibrated", "is_singular", "may_be_singular"]
 
 Array = NDArray[np.float64]
 
 SINGULAR = 1e-6
-"""The part of the largest singular value below which one counts as zero: positions are right to no more digits."""
+"""The ratio to the largest singular value below which one counts as zero: positions are not more accurate."""
 LOOK = 1e-4
-"""The same where it is worth a second look."""
+"""The ratio below which a position is examined further."""
 DIRECTIONS = 6
-"""Directions in which positions beside one are looked at."""
+"""The number of directions to neighbouring positions."""
 ROUNDED = 1e-9
-"""The part of the longest column below which one counts as zero."""
+"""The ratio to the longest column below which a column counts as zero."""
 
 
 def equilibrated(matrices: Array) -> Array:
-    """Return matrices of one thing at several places, whose rows and columns have the length 1 where they are longest.
+    """Scale matrices of one kind at several positions: rows and columns have the length 1 where they are longest.
 
-    So it doesn't matter in which units rows and columns are, and those that vanish at one place are small there.
+    The result does not depend on units, and rows or columns that vanish at one position are small there.
     """
     rows = np.linalg.norm(matrices, axis=2).max(axis=0)
     by_row = matrices / np.where(rows > 0, rows, 1.0)[:, None]
@@ -44,7 +45,7 @@ def equilibrated(matrices: Array) -> Array:
 
 
 def dependent_rows(matrices: Array) -> list[Array]:
-    """Return the combinations of rows of the first matrix that vanish, in the scale of all.
+    """Return the combinations of rows of the first matrix that vanish, relative to all matrices.
 
     >>> matrices = np.array([[[1.0, 0], [2, 0], [0, 0]], [[1.0, 1], [0, 1], [0, 1]]])
     >>> [np.flatnonzero(combination).tolist() for combination in dependent_rows(matrices)]
@@ -57,14 +58,14 @@ def dependent_rows(matrices: Array) -> list[Array]:
 
 
 def may_be_singular(kinematics: Kinematics, p: Array, t: float, q: Array, independent: int) -> bool:
-    """Whether fewer constraints are independent at a position than at almost every one, or nearly so: a quick look.
+    """Return whether constraints are dependent at a position, or nearly so: a quick test before `is_singular`.
 
     Args:
         kinematics: the constraints.
         p: the values of their parameters.
         t: the time, in s.
         q: the coordinates.
-        independent: how many constraints are independent at almost every position.
+        independent: the number of constraints that are independent at almost every position.
     """
     with np.errstate(all="ignore"):
         _, phi_q, sizes = kinematics.position(t, q, p)
@@ -78,24 +79,24 @@ def may_be_singular(kinematics: Kinematics, p: Array, t: float, q: Array, indepe
 
 
 def is_singular(kinematics: Kinematics, p: Array, t: float, q: Array, held: Sequence[Expr] = ()) -> bool:
-    """Whether constraints depend on each other at a position, and less so at others that the mechanism reaches.
+    """Return whether constraints are dependent at a position, but not at others that the mechanism reaches.
 
-    So is a position from which nothing can move to another one, although the constraints let speeds be other than zero.
+    A position from which no other one can be reached is singular, too, if the constraints allow nonzero speeds there.
 
     Args:
         kinematics: the constraints.
         p: the values of their parameters.
         t: the time, in s.
         q: the coordinates.
-        held: coordinates that stay where they are.
+        held: the coordinates that are held.
     """
-    footing = Footing(kinematics, p, t, held)
-    here = footing.slopes(q)[0]
+    space = ConfigurationSpace(kinematics, p, t, held)
+    here = space.slopes(q)[0]
     if not np.isfinite(here).all():
         return False
     is_alone = True
-    for beside in footing.around(q, DIRECTIONS):
-        J = footing.slopes(beside)[0]
+    for beside in space.around(q, DIRECTIONS):
+        J = space.slopes(beside)[0]
         if np.isfinite(J).all():
             ranks = np.sum(
                 np.linalg.svd(equilibrated(np.array([here, J])), compute_uv=False) > SINGULAR, axis=1

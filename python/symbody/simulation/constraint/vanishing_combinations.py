@@ -10,18 +10,18 @@ __all__ = ["vanishing_combinations"]
 Array = NDArray[np.float64]
 
 SHARE = 1e-3
-"""The part of the largest share in a combination below which a row doesn't take part."""
+"""The ratio to the largest coefficient of a combination below which a row does not belong to it."""
 
 
 def vanishing_combinations(A: Array, near: float) -> list[Array]:
-    """Return combinations of rows that nearly vanish, each of as few rows as elimination finds.
+    """Return combinations of rows that nearly vanish, each with as few rows as elimination finds.
 
-    The left singular vectors of small singular values span them. Each is given a row of its own, a late one rather than
-    an early one, in which the others have no share: dependences that have nothing to do with each other come apart.
+    The left singular vectors of small singular values span them. In each combination one row, rather a late one, has no
+    share in the others, so that independent dependences are separated.
 
     Args:
-        A: the matrix, whose rows are in comparable units.
-        near: the part of the largest singular value below which one is small.
+        A: the matrix; its rows are in comparable units.
+        near: the ratio to the largest singular value below which one is small.
 
     >>> [combination.round(3).tolist() for combination in vanishing_combinations(np.array([[1.0], [2.0]]), 1e-9)]
     [[-0.894, 0.447]]

@@ -1,4 +1,4 @@
-"""Walks along a mechanism: positions that it reaches from another, and the derivatives of its constraints there."""
+"""Walks through the configuration space of a mechanism, with the Jacobian of its constraints at each position."""
 
 from __future__ import annotations
 
@@ -17,62 +17,62 @@ from .gauss_newton import gauss_newton
 from .kinematics import Kinematics
 from .vanishing_combinations import vanishing_combinations
 
-__all__ = ["CANCELLED", "Footing", "free_directions", "scaled", "walk"]
+__all__ = ["CANCELLED", "ConfigurationSpace", "free_directions", "scaled", "walk"]
 
 Array = NDArray[np.float64]
 
 CANCELLED = 1e-7
-"""The part of the gradients that may be left of a combination that cancels, at positions right to ten digits."""
+"""The relative size of a combination of gradients that counts as zero, at positions accurate to ten digits."""
 SURE = 1e-3
-"""The same where positions are right to half as many digits, as solutions next to singular positions are."""
+"""The same at positions with half as many accurate digits, as solutions next to singular positions are."""
 BACK = 40
-"""Steps of Gauss and Newton that lead back onto the constraints, at most; each one halves what is off, or more."""
+"""The most Gauss-Newton steps that lead back onto the constraints; each of them halves the violation, or better."""
 STEP = 0.05
-"""How far positions are apart, in rad or in parts of the lengths."""
+"""The distance between positions, in rad or relative to the lengths."""
 AWAY = 0.2
-"""How far positions beside one are away from it, in the same units."""
+"""The distance of neighbouring positions, in the same units."""
 TRIES, DEPARTURES = 48, 12
-"""In how many directions positions are looked for to walk from, and how many are enough."""
+"""The number of directions in which a walk may start, and the number of successful ones that is enough."""
 
 
 def walk(kinematics: Kinematics, p: Array, t: float, begin: Array, steps: int) -> Iterator[Array]:
-    """Yield the derivatives of the constraints by the speeds where a mechanism gets to, both ways.
+    """Yield the Jacobian of the constraints with respect to the speeds at positions that a mechanism reaches.
 
-    The first position itself comes first in either direction. If it is singular, walks begin beside it instead, where
-    most constraints are independent: one for each set of constraints that depend on each other there.
+    The walk goes from the first position in both directions. If that is singular, walks start at neighbouring positions
+    instead, where most constraints are independent: one walk for each set of dependent constraints.
 
     Args:
         kinematics: the constraints.
         p: the values of their parameters.
         t: the time, in s.
         begin: the coordinates of the first position.
-        steps: how many positions to look at in either direction.
+        steps: the number of positions in either direction.
     """
-    ground = Footing(kinematics, p, t)
-    for first in _departures(ground, begin):
+    space = ConfigurationSpace(kinematics, p, t)
+    for first in _departures(space, begin):
         for sign in (1.0, -1.0):
-            yield from _walked(ground, first, sign, steps)
+            yield from _walked(space, first, sign, steps)
 
 
-def _walked(ground: Footing, begin: Array, sign: float, steps: int) -> Iterator[Array]:
-    q, direction = begin, np.zeros(len(ground.kinematics.system.speeds))
+def _walked(space: ConfigurationSpace, begin: Array, sign: float, steps: int) -> Iterator[Array]:
+    q, direction = begin, np.zeros(len(space.kinematics.system.speeds))
     for _ in range(steps):
-        J, K = ground.slopes(q)
+        J, K = space.slopes(q)
         if not np.isfinite(J).all():
             break
         yield J
         direction = _onward(J, direction, sign)
-        q = ground.moved(q, K @ direction)
+        q = space.moved(q, K @ direction)
         if not len(q):
             break
 
 
-def _departures(ground: Footing, begin: Array) -> list[Array]:
-    """Return the position, or some beside it on different branches, if more constraints are independent there."""
-    found, rank = [begin], _rank(ground.slopes(begin)[0])
+def _departures(space: ConfigurationSpace, begin: Array) -> list[Array]:
+    """Return the position, or neighbours on different branches if more constraints are independent there."""
+    found, rank = [begin], _rank(space.slopes(begin)[0])
     while True:
-        places = islice(ground.around(found[0], TRIES, SURE), DEPARTURES)
-        beside = [(q, ground.slopes(q)[0]) for q in places]
+        places = islice(space.around(found[0], TRIES, SURE), DEPARTURES)
+        beside = [(q, space.slopes(q)[0]) for q in places]
         movable = [(q, J, _rank(J)) for q, J in beside if _rank(J) < J.shape[1]]
         higher = max((other for _, _, other in movable), default=0)
         if higher <= rank:
@@ -82,24 +82,24 @@ def _departures(ground: Footing, begin: Array) -> list[Array]:
 
 
 def _rank(J: Array) -> int:
-    """Return how many constraints are independent for sure."""
+    """Return how many constraints are certainly independent."""
     return J.shape[1] - len(free_directions(J, SURE)) if np.isfinite(J).all() else 0
 
 
 def _dependence(J: Array) -> tuple[tuple[int, ...], ...]:
-    """Return which constraints depend on each other, by groups."""
+    """Return which constraints are dependent, by groups."""
     return tuple(tuple(np.flatnonzero(y).tolist()) for y in vanishing_combinations(scaled(J), CANCELLED))
 
 
 @dataclass(frozen=True, eq=False)
-class Footing:
-    """Where positions are looked at.
+class ConfigurationSpace:
+    """The positions that satisfy the constraints at an instant.
 
     Attributes:
         kinematics: the constraints.
         p: the values of their parameters.
         t: the time, in s.
-        held: coordinates that stay where they are.
+        held: the coordinates that are held.
     """
 
     kinematics: Kinematics
@@ -112,14 +112,14 @@ class Footing:
         return np.array([q not in self.held for q in self.kinematics.system.coordinates])
 
     def slopes(self, q: Array) -> tuple[Array, Array]:
-        """Return the derivatives by the speeds of constraints and coordinates that are held, and of all coordinates."""
+        """Return the Jacobian of constraints and held coordinates, and that of all coordinates, for the speeds."""
         m = len(self.kinematics.constraints)
         with np.errstate(all="ignore"):
             A, _ = self.kinematics.velocity(self.t, q, self.p)
         return np.vstack([A[:m], A[m:][~self._is_free]]), A[m:]
 
     def moved(self, q: Array, rates: Array) -> Array:
-        """Return the position a step onward, put back onto the constraints; nothing where none is found."""
+        """Return the position after a step, put back onto the constraints; an empty array if there is none."""
         if not rates.any():
             return np.zeros(0)
         onward = q + STEP * max(1.0, float(np.abs(q).max())) * rates / np.abs(rates).max()
@@ -128,10 +128,10 @@ class Footing:
         return found if problem.error(found) < CANCELLED * 1e-2 else np.zeros(0)
 
     def around(self, q: Array, count: int, near: float = CANCELLED) -> Iterator[Array]:
-        """Yield positions a step away, in the neighbourhood of some directions that constraints allow to first order.
+        """Yield positions at a distance, near directions that the constraints allow to first order.
 
-        Where several motions go on, most of these directions are of none of them: ``phi = 0`` is solved together with
-        ``|q - q0| = r``, so that the search does not end where it began.
+        At a singular position, most of these directions belong to no motion. So ``phi = 0`` is solved together with
+        ``|q - q0| = r``, and the search cannot end where it started.
         """
         J, K = self.slopes(q)
         if not np.isfinite(J).all():
@@ -144,7 +144,7 @@ class Footing:
                 yield found
 
     def _at_distance(self, q: Array, rates: Array) -> Array:
-        """Return a position `AWAY` from another one, near a direction; nothing where none is found."""
+        """Return a position at the distance `AWAY`, near a direction; an empty array if there is none."""
         r = AWAY * max(1.0, float(np.abs(q).max()))
         if not rates.any():
             return np.zeros(0)
@@ -165,25 +165,25 @@ class Footing:
 
 
 def scaled(J: Array, near: float = CANCELLED) -> Array:
-    """Return the rows, each divided by its length, unless that is this part of the longest one or less."""
+    """Divide each row by its length, unless that is at most the given part of the longest one."""
     lengths = np.linalg.norm(J, axis=1, keepdims=True)
     scaled: Array = J / np.where(lengths > near * lengths.max(initial=0.0), lengths, 1.0)
     return scaled
 
 
 def free_directions(J: Array, near: float = CANCELLED) -> Array:
-    """Return directions of the speeds that the constraints allow, orthonormal, a row each.
+    """Return an orthonormal basis of the speeds that the constraints allow, one row for each.
 
     Args:
         J: the derivatives of the constraints by the speeds.
-        near: the part of the largest singular value up to which one counts as zero.
+        near: the ratio to the largest singular value up to which one counts as zero.
     """
     _, s, Vt = np.linalg.svd(scaled(J, near))
     return Vt[int(np.sum(s > near * s.max(initial=0.0))) :]
 
 
 def _onward(J: Array, before: Array, sign: float) -> Array:
-    """Return a direction that the constraints allow: the one nearest to the direction before."""
+    """Return the direction that the constraints allow and that is nearest to the previous one."""
     free = free_directions(J)
     if not len(free):
         return np.zeros(J.shape[1])

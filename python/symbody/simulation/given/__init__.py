@@ -1,1 +1,1 @@
-"""What a user gives: values, inputs, instants, tolerances, events; each is looked at before anything runs."""
+"""What a user gives: values, inputs, instants, tolerances and events. Each is checked before anything runs."""

@@ -1,4 +1,4 @@
-"""Numbers that a user gives for one variable."""
+"""The numbers given for one variable."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from symbody.symbolic.given.arguments import described
 __all__ = ["Column", "column_of"]
 
 Column = NDArray[np.float64]
-"""A number, or a row of numbers with one for each motion."""
+"""A number, or a row of numbers with one for each motion: an array of shape () or (k,)."""
 
 
 def column_of(name: Expr, values: ArrayLike, place: str) -> Column:

@@ -1,4 +1,4 @@
-"""Events: what happens where an expression passes zero."""
+"""Events: the instants at which an expression crosses zero."""
 
 from __future__ import annotations
 
@@ -14,16 +14,22 @@ __all__ = ["Event", "Occurrence"]
 
 @dataclass(frozen=True)
 class Event:
-    """A condition that a simulation looks for.
+    """A condition that a simulation watches.
 
     Attributes:
-        expression: what passes zero: of time, coordinates, speeds, accelerations, multipliers and parameters.
-        direction: 1 where it rises through zero, -1 where it falls, 0 for both.
-        terminal: whether the motion ends there.
-        name: what to call it; by default the expression's text.
+        expression: the expression whose zeros are events. It may hold time, coordinates, speeds, accelerations,
+            multipliers and parameters.
+        direction: 1 for rising zeros, -1 for falling ones, 0 for both.
+        terminal: whether the event ends the motion.
+        name: the name in messages; by default the text of the expression.
 
     Raises:
-        SimulationError: another direction, or no expression.
+        SimulationError: the direction is not -1, 0 or 1, or the expression is not an expression.
+
+    >>> from symbody import functions_of_time
+    >>> z = functions_of_time("z")
+    >>> print(Event(z, direction=-1, terminal=True, name="landing"))
+    landing
     """
 
     expression: Expr
@@ -47,12 +53,19 @@ class Event:
 
 @dataclass(frozen=True)
 class Occurrence:
-    """An event that happened.
+    """An event that occurred.
 
     Attributes:
-        event: which.
-        t: when, in s.
-        state: the coordinates and speeds there.
+        event: the event.
+        t: the instant, in s.
+        state: the coordinates and speeds at that instant.
+
+    >>> from symbody import Body, System, functions_of_time, newton_euler, simulate, time_derivative, translate
+    >>> x = functions_of_time("x")
+    >>> body = newton_euler(System([Body(translate(x, 0, 0), 1)], coordinates=[x]))
+    >>> motion = simulate(body, {}, {time_derivative(x): 2}, t=(0, 1), events=[Event(x - 1)])
+    >>> [round(occurrence.t, 9) for occurrence in motion.events]
+    [0.5]
     """
 
     event: Event

@@ -1,4 +1,4 @@
-"""Bodies whose masses and inertias come with the values of parameters: whether there are such bodies."""
+"""Checks of masses and inertias that depend on parameters: whether a body with the given values can exist."""
 
 from __future__ import annotations
 
@@ -19,18 +19,19 @@ __all__ = ["notice_impossible_bodies"]
 Array = NDArray[np.float64]
 
 LOOKS = 8
-"""Cases with a negative mass or moment in which the bodies that are joined are added up."""
+"""How many of the cases with a negative mass or moment are checked for bodies that are joined."""
 
 
 def notice_impossible_bodies(system: System, given: Mapping[Expr, ArrayLike], where: str) -> None:
-    """Give a notice of each body that no body is, with the values of parameters; what numbers alone say is known.
+    """Give a notice of each body whose mass and inertia are impossible with the values of the parameters.
 
-    Of bodies with the same mass and inertia the first one is named.
+    Bodies whose mass and inertia are numbers were checked when they were made. Of several bodies with the same mass
+    and inertia, only the first one is named.
 
     Args:
         system: the bodies.
-        given: the values of parameters, a number or a value for each case.
-        where: the function that the user called.
+        given: the values of the parameters: a number, or one value for each case.
+        where: the function that the user called, for messages.
     """
     is_one = all(isinstance(value, float) for value in given.values())
     found = _remembered(system, tuple(given.items())) if is_one else _found(system, given)
@@ -40,12 +41,12 @@ def notice_impossible_bodies(system: System, given: Mapping[Expr, ArrayLike], wh
 
 @lru_cache(maxsize=512)
 def _remembered(system: System, given: tuple[tuple[Expr, float], ...]) -> list[str]:
-    """Return the same for one motion: loops simulate one system again and again."""
+    """Return the notices for one motion; they are cached, since loops simulate one system again and again."""
     return _found(system, dict(given))
 
 
 def _found(system: System, given: Mapping[Expr, ArrayLike]) -> list[str]:
-    """Return what to say of bodies."""
+    """Return the notices of all bodies."""
     found: list[str] = []
     by_value: dict[tuple[Expr, ...], tuple[Array, Array]] = {}
     for group in joined_bodies(system.bodies):
@@ -70,13 +71,13 @@ def _found(system: System, given: Mapping[Expr, ArrayLike]) -> list[str]:
 
 @lru_cache(maxsize=512)
 def _function(entries: tuple[Expr, ...]) -> tuple[tuple[Expr, ...], CompiledFunction]:
-    """Return the symbols in the mass and the tensor of inertia of a body, and their function."""
+    """Return the symbols in the mass and the inertia tensor of a body, and the function of these symbols."""
     names = tuple(sorted(free_symbols(list(entries)), key=str))
     return names, lambdify(list(names), list(entries), compile=False)
 
 
 def _numbers(entries: tuple[Expr, ...], given: Mapping[Expr, ArrayLike]) -> tuple[Array, Array]:
-    """Return the mass and the tensor of inertia, for each case or for all."""
+    """Return the mass and the inertia tensor, for each case or for all: arrays of shapes (k,) and (k, 3, 3)."""
     names, function = _function(entries)
     values = np.asarray(function(*(given[name] for name in names)), float).reshape(10, -1)
     return values[0], values[1:].T.reshape(-1, 3, 3)

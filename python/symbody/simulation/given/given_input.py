@@ -1,4 +1,4 @@
-"""Given inputs: what stands in the place of functions of time, so that expressions hold the state alone."""
+"""Given inputs: expressions are substituted for functions of time, so that only the state is left."""
 
 from __future__ import annotations
 
@@ -13,14 +13,14 @@ from symbody.symbolic import Expr, free_symbols, substitute
 __all__ = ["Given", "check_explicit", "check_no_circle", "with_given"]
 
 Given: TypeAlias = tuple[tuple[Expr, Expr], ...]
-"""Functions of time, and what stands in their place."""
+"""Functions of time, each with the expression that is substituted for it."""
 
 
 def with_given(system: System, given: Given, expressions: Sequence[Expr]) -> tuple[Expr, ...]:
-    """Return expressions with what is given for inputs, and the rates of coordinates by the speeds.
+    """Substitute the given inputs in expressions, and the rates of coordinates as functions of the speeds.
 
-    Either may bring in the other: the kinematics of a moving frame hold the velocities that are given for it, and what
-    is given may hold rates of coordinates. One that depends on itself is left where it is.
+    Each may bring in the other: the kinematics of a moving frame contain the velocities that are given for it, and an
+    input may contain rates of coordinates. An input that depends on itself is left unchanged.
     """
     values = system.by_speeds(expressions)
     for _ in given:
@@ -31,10 +31,10 @@ def with_given(system: System, given: Given, expressions: Sequence[Expr]) -> tup
 
 
 def check_no_circle(system: System, given: Mapping[Expr, Expr], where: str) -> None:
-    """See that no input depends on itself, by rates of coordinates whose kinematics hold it.
+    """Check that no input depends on itself through the rates of coordinates.
 
     Raises:
-        ModelError: one does.
+        ModelError: an input depends on itself.
     """
     for function, formula in given.items():
         (value,) = with_given(system, tuple(given.items()), [formula])
@@ -47,10 +47,10 @@ def check_no_circle(system: System, given: Mapping[Expr, Expr], where: str) -> N
 
 
 def check_explicit(eqs: Equations, given: Given, where: str) -> None:
-    """See that inputs bring no accelerations into the equations of motion, of which the mass matrix knows nothing.
+    """Check that inputs bring no accelerations into the equations of motion: the mass matrix would not contain them.
 
     Raises:
-        ModelError: the equations hold a rate of an input that is given by coordinates or speeds.
+        ModelError: the equations contain a rate of an input that is given in terms of coordinates or speeds.
     """
     for leaf in eqs.inputs:
         (value,) = with_given(eqs.system, given, [leaf])

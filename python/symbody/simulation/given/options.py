@@ -1,4 +1,4 @@
-"""What a user says of when and how to integrate."""
+"""Options of the integration: instants, tolerances, and how constraints are enforced."""
 
 from __future__ import annotations
 
@@ -12,20 +12,20 @@ from numpy.typing import ArrayLike, NDArray
 from symbody.errors import SimulationError
 from symbody.symbolic.given.arguments import described
 
-__all__ = ["KEPT", "Options", "check_options", "instants_of", "kept_by"]
+__all__ = ["KEPT", "Options", "check_options", "constraint_handling", "instants_of"]
 
 KEPT = ("projection", "baumgarte", "free")
-"""The ways to keep constraints: back onto them after each step; by damping what is off; not at all."""
+"""How constraints are enforced: by projection after each step, by Baumgarte's stabilisation, or not at all."""
 
 
 @dataclass(frozen=True)
 class Options:
-    """How to integrate.
+    """How to integrate a motion.
 
     Attributes:
         method: the name of the method.
-        rtol: the error of a step relative to the state.
-        atol: the error of a step where the state is small.
+        rtol: the tolerance of the error of a step, relative to the state.
+        atol: the absolute tolerance of the error of a step.
         max_step: the longest step, in s.
     """
 
@@ -36,10 +36,10 @@ class Options:
 
 
 def instants_of(given: ArrayLike, where: str = "simulate") -> NDArray[np.float64]:
-    """Return the instants of a simulation: a pair means 1001 of them, evenly spaced.
+    """Return the instants of a simulation. A pair stands for 1001 evenly spaced instants.
 
     Raises:
-        SimulationError: they aren't finite numbers that increase.
+        SimulationError: the instants are not finite, or do not increase.
     """
     try:
         instants = np.array(given, dtype=np.float64)
@@ -57,10 +57,10 @@ def instants_of(given: ArrayLike, where: str = "simulate") -> NDArray[np.float64
 
 
 def check_options(rtol: object, atol: object, max_step: object, where: str = "simulate") -> None:
-    """See that tolerances and the longest step are positive numbers.
+    """Check that the tolerances and the longest step are positive numbers.
 
     Raises:
-        SimulationError: one isn't.
+        SimulationError: one of them is not.
     """
     for name, value in {"rtol": rtol, "atol": atol, "max_step": max_step}.items():
         if not _is_positive(value) or (value == inf and name != "max_step"):
@@ -68,18 +68,18 @@ def check_options(rtol: object, atol: object, max_step: object, where: str = "si
 
 
 def _is_positive(value: object) -> bool:
-    """Whether something is a positive number that a double can hold."""
+    """Return whether a value is a positive number that a double can represent."""
     try:
         return not isinstance(value, bool) and isinstance(value, Real) and float(value) > 0
     except OverflowError:
         return False
 
 
-def kept_by(constraints: object, where: str = "simulate") -> str | tuple[float, float]:
-    """Return how constraints are kept: a word, or the frequency and the damping ratio of Baumgarte's stabilisation.
+def constraint_handling(constraints: object, where: str = "simulate") -> str | tuple[float, float]:
+    """Return how constraints are enforced: a word, or the frequency and the damping ratio of Baumgarte's method.
 
     Raises:
-        SimulationError: neither.
+        SimulationError: the argument is neither.
     """
     if isinstance(constraints, str) and constraints in KEPT:
         return constraints
@@ -89,7 +89,7 @@ def kept_by(constraints: object, where: str = "simulate") -> str | tuple[float, 
             return float(omega), float(zeta)
         raise SimulationError(
             f"{where}: constraints=({omega!r}, {zeta!r}); expected two positive numbers, omega in rad/s and zeta: "
-            "what is off would grow otherwise"
+            "violations would grow otherwise"
         )
     raise SimulationError(
         f"{where}: constraints={described(constraints)}; expected 'projection', 'baumgarte', 'free', or (omega, zeta) "

@@ -1,4 +1,4 @@
-"""Reading results: expressions in the brackets of a motion and in the list of `evaluate`; the rest is explained."""
+"""How results are read: expressions in ``result[...]`` and ``result.evaluate([...])``; anything else is an error."""
 
 from __future__ import annotations
 
@@ -17,49 +17,49 @@ __all__ = ["Reading"]
 
 @dataclass(frozen=True)
 class Reading:
-    """How the messages of a result speak of it.
+    """The wording of messages about one kind of result.
 
     Attributes:
-        name: what a user calls it, such as ``motion``.
-        rows: how to get at one instant, or at one case, and at several.
+        name: the name of the result in messages, such as ``motion``.
+        rows: a sentence on how to read one instant or one case, and several.
     """
 
     name: str
     rows: str
 
-    def one(self, asked: object, known: Sequence[Expr]) -> Expr:
+    def one(self, wanted: object, known: Sequence[Expr]) -> Expr:
         """Return the expression in the brackets.
 
         Args:
-            asked: what stands there.
-            known: variables of this model, for an example.
+            wanted: the argument in the brackets.
+            known: variables of the model, for an example.
 
         Raises:
-            ArgumentError: it is no expression. Numbers are none here: they look like the index of a row.
+            ArgumentError: the argument is not an expression. Numbers are refused: they look like the index of a row.
 
         >>> Reading("motion", "motion.t has the instants").one(0, [])
         Traceback (most recent call last):
         symbody.errors.ArgumentError: motion[...]: 0 is an int; expected an expression; motion.t has the instants
         """
-        if isinstance(asked, Expr):
-            return asked
+        if isinstance(wanted, Expr):
+            return wanted
         example = f", such as {self.name}[{known[0]}]" if known else ""
         raise ArgumentError(
-            f"{self.name}[...]: {_found(asked)}; expected an expression{example}{self._instead_of_one(asked)}"
+            f"{self.name}[...]: {_found(wanted)}; expected an expression{example}{self._instead_of_one(wanted)}"
         )
 
-    def several(self, asked: object) -> list[Expr]:
+    def several(self, wanted: object) -> list[Expr]:
         """Return the expressions of a list.
 
         Raises:
-            ArgumentError: it is no list, or holds something that is no expression and no number.
+            ArgumentError: the argument is not a list, or holds something other than expressions and numbers.
         """
         place = f"{self.name}.evaluate"
-        if isinstance(asked, Expr | str | Mapping) or not isinstance(asked, Iterable):
+        if isinstance(wanted, Expr | str | Mapping) or not isinstance(wanted, Iterable):
             raise ArgumentError(
-                f"{place}: {_found(asked)}; expected a list of expressions{self._instead_of_several(asked)}"
+                f"{place}: {_found(wanted)}; expected a list of expressions{self._instead_of_several(wanted)}"
             )
-        listed = list(asked)
+        listed = list(wanted)
         for item in listed:
             if isinstance(item, Point | Vector | Matrix):
                 raise ArgumentError(
@@ -68,39 +68,39 @@ class Reading:
         return [expression(item, place) for item in listed]
 
     def refuse_iteration(self) -> NoReturn:
-        """Raise the error of a loop over a result.
+        """Refuse to iterate over a result.
 
         Raises:
             ArgumentError: always.
         """
-        raise ArgumentError(f"{self.name}: nothing to go through one by one; {self.rows}")
+        raise ArgumentError(f"{self.name}: a result can't be iterated over; {self.rows}")
 
-    def _instead_of_one(self, asked: object) -> str:
-        """Return the way to what was probably meant."""
-        if isinstance(asked, Number | slice):
+    def _instead_of_one(self, wanted: object) -> str:
+        """Return a hint at what was probably meant."""
+        if isinstance(wanted, Number | slice):
             return f"; {self.rows}"
-        if isinstance(asked, Point | Vector):
-            return f"; {self._components(asked)}"
-        if isinstance(asked, Matrix):
+        if isinstance(wanted, Point | Vector):
+            return f"; {self._components(wanted)}"
+        if isinstance(wanted, Matrix):
             return f"; its entries are expressions: {self.name}.evaluate([*matrix])"
-        if isinstance(asked, Iterable) and not isinstance(asked, str | Mapping):
-            return f"; several at once: {self.name}.evaluate([...])"
+        if isinstance(wanted, Iterable) and not isinstance(wanted, str | Mapping):
+            return f"; for several expressions: {self.name}.evaluate([...])"
         return ""
 
-    def _instead_of_several(self, asked: object) -> str:
-        if isinstance(asked, Point | Vector):
-            return f"; {self._components(asked)}"
-        if isinstance(asked, Mapping):
+    def _instead_of_several(self, wanted: object) -> str:
+        if isinstance(wanted, Point | Vector):
+            return f"; {self._components(wanted)}"
+        if isinstance(wanted, Mapping):
             return f", such as its values: {self.name}.evaluate([*expressions.values()])"
-        if isinstance(asked, Expr):
-            return f", such as {self.name}.evaluate([{brief(asked)}]); for one of them {self.name}[{brief(asked)}]"
+        if isinstance(wanted, Expr):
+            return f", such as {self.name}.evaluate([{brief(wanted)}]); for one of them {self.name}[{brief(wanted)}]"
         return ""
 
-    def _components(self, asked: Point | Vector) -> str:
-        what, name = ("coordinates", "point") if isinstance(asked, Point) else ("components", "vector")
+    def _components(self, wanted: Point | Vector) -> str:
+        what, name = ("coordinates", "point") if isinstance(wanted, Point) else ("components", "vector")
         return f"its {what} in a frame are expressions: {self.name}.evaluate({name}.projected(frame).{what})"
 
 
-def _found(asked: object) -> str:
-    """Return what was found in words; expressions are called so."""
-    return f"{brief(asked)} is one expression" if isinstance(asked, Expr) else described(asked)
+def _found(wanted: object) -> str:
+    """Describe the argument; an expression is called one."""
+    return f"{brief(wanted)} is one expression" if isinstance(wanted, Expr) else described(wanted)

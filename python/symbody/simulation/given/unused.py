@@ -1,4 +1,4 @@
-"""Values that nothing uses: of parameters that stand nowhere in a model, and in nothing that is asked of it."""
+"""Unused values: parameters that appear neither in a model nor in what is evaluated along its motions."""
 
 from __future__ import annotations
 
@@ -15,21 +15,21 @@ __all__ = ["notice_unused"]
 
 
 def notice_unused(
-    eqs: Equations, given: Iterable[Expr], asked: Sequence[Expr], where: str, *, stacklevel: int = 3
+    eqs: Equations, given: Iterable[Expr], wanted: Sequence[Expr], where: str, *, stacklevel: int = 3
 ) -> None:
-    """Name the parameters that have a value and stand nowhere: not in the model, and in nothing that is asked of it.
+    """Warn of parameters that have a value but appear neither in the model nor in what is evaluated.
 
-    One dictionary of parameters serves all calls of a model: those which some call doesn't need, such as a mass that
-    cancels, stand in its bodies, loads or frames, and are none of these.
+    One dictionary of parameters may serve all calls for a model. A parameter that this call does not need, such as a
+    mass that cancels, still appears in the bodies, loads or frames: there is no warning of it.
 
     Args:
-        eqs: the equations.
+        eqs: the equations of motion.
         given: the parameters that have values.
-        asked: other expressions: outputs, events, what stands for inputs.
-        where: the function that the user called.
-        stacklevel: how far above the user is.
+        wanted: the other expressions: outputs, events, and the expressions given for inputs.
+        where: the function that the user called, for messages.
+        stacklevel: how many frames above this function the user's call is.
     """
-    known = {*eqs.parameters, *eqs.system.leaves, *free_symbols(list(asked))}
+    known = {*eqs.parameters, *eqs.system.leaves, *free_symbols(list(wanted))}
     strange = {*given} - known
     unused = sorted(map(str, strange))
     if not unused:
@@ -38,11 +38,11 @@ def notice_unused(
     different = namesake_note(strange, known, ("without a use", "of the model"))
     others = [name for name in unused if name not in names]
     near = sorted({match for name in others for match in get_close_matches(name, names, n=2, cutoff=0.6)})
-    what, stands = ("parameter", "stands") if len(unused) == 1 else ("parameters", "stand")
+    what, stands = ("parameter", "appears") if len(unused) == 1 else ("parameters", "appear")
     meant = f"; did you mean {' or '.join(near)}?" if near else ""
     warnings.warn(
         f"{where}: the {what} {', '.join(unused)} {stands} nowhere in this model, nor in outputs, events and inputs: "
-        f"the value has no effect{meant}{different}",
+        f"its value has no effect{meant}{different}",
         ModelNotice,
         stacklevel=stacklevel,
     )

@@ -1,4 +1,4 @@
-"""The numbers that a user gives for parameters and for a state: all that is needed, and nothing else."""
+"""The values given for parameters and for a state: complete, known by name, and finite."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ __all__ = [
     "given_inputs",
     "parameter_values",
     "state_values",
-    "vanishing",
+    "zero_parameters",
 ]
 
 
@@ -38,7 +38,7 @@ def parameter_values(
     *,
     where: str = "simulate",
 ) -> NDArray[np.float64]:
-    """Return the values of parameters, in their order; more may be given, for other uses of the same model.
+    """Return the values of parameters, in the order of their names. Other parameters may have values, too.
 
     Args:
         names: the parameters that need values.
@@ -46,8 +46,8 @@ def parameter_values(
         where: the function that the user called, for messages.
 
     Raises:
-        ParameterError: a parameter without a value, a value of what is no symbol, or one that isn't finite.
-        ArgumentError: the parameters are no mapping, or a value is no number.
+        ParameterError: a parameter has no value, a key is not a symbol, or a value is not finite.
+        ArgumentError: the parameters are not a mapping, or a value is not a number.
 
     >>> from symbody import symbols
     >>> m, g = symbols("m g")
@@ -61,10 +61,10 @@ def parameter_values(
 
 
 def check_parameters(names: Sequence[Expr], given: Mapping[Any, ArrayLike], where: str = "simulate") -> None:
-    """See that all parameters have values, and that these are of symbols.
+    """Check that all parameters have values, and that only symbols have values.
 
     Raises:
-        ParameterError: a parameter without a value, or a value of what is no symbol.
+        ParameterError: a parameter has no value, or a key is not a symbol.
     """
     more = tuple(
         name for name in given if isinstance(name, Expr) and name.kind == "symbol" and name not in names
@@ -72,15 +72,15 @@ def check_parameters(names: Sequence[Expr], given: Mapping[Any, ArrayLike], wher
     check_known(given, (*names, *more), f"{where}, parameters", "a parameter of these equations")
     missing = [name for name in names if name not in given]
     if missing:
-        unused = f"; {_listed(more)}, which you gave, stands nowhere in the equations" if more else ""
+        unused = f"; the equations don't contain {_listed(more)}, which you gave" if more else ""
         raise ParameterError(
             f"{where}: no value for {_listed(missing)}; give parameters={{{_examples(missing)}}}"
             f"{namesake_note(missing, given) or unused}"
         )
 
 
-def vanishing(parameters: object) -> tuple[Expr, ...]:
-    """Return the parameters whose value, or one of them, is zero; what is no number is told by others."""
+def zero_parameters(parameters: object) -> tuple[Expr, ...]:
+    """Return the parameters with a value of zero, in one case at least. Values that are not numbers are ignored."""
     if not isinstance(parameters, Mapping):
         return ()
     return tuple(name for name, value in parameters.items() if _has_zero(value))
@@ -98,18 +98,18 @@ def state_values(
     argument: str = "initial",
     has_speeds: bool = True,
 ) -> dict[Expr, float]:
-    """Return what a user gives of a state: values of coordinates, of their rates, and of speeds.
+    """Return the given values of coordinates, rates of coordinates, and speeds.
 
     Args:
-        system: whose state.
-        given: the values; what isn't named is free.
+        system: the system.
+        given: the values; a variable that is not named is free.
         where: the function that the user called, for messages.
         argument: the name of the argument, for messages.
-        has_speeds: whether rates and speeds may be given, or coordinates alone.
+        has_speeds: whether rates and speeds may be given, or only coordinates.
 
     Raises:
-        ParameterError: something that is no coordinate, rate of one, or speed; or a value that isn't finite.
-        ArgumentError: it is no mapping, or a value is no number.
+        ParameterError: a key is not a coordinate, a rate of one or a speed; or a value is not finite.
+        ArgumentError: the argument is not a mapping, or a value is not a number.
     """
     values, place = _mapping(given, where, argument), f"{where}, {argument}"
     if has_speeds:
@@ -120,10 +120,10 @@ def state_values(
 
 
 def check_state_names(system: System, given: Iterable[object], place: str) -> None:
-    """See that all names are of coordinates, their rates or speeds.
+    """Check that all keys are coordinates, rates of coordinates or speeds.
 
     Raises:
-        ParameterError: one isn't.
+        ParameterError: a key is none of these.
     """
     check_known(given, system.state_names, place, "a coordinate, a rate of one or a speed of this system")
 
@@ -135,17 +135,17 @@ def given_inputs(
     where: str = "simulate",
     besides: Collection[Expr] = (),
 ) -> dict[Expr, Expr]:
-    """Return what stands in the place of the functions of time that are given from outside.
+    """Return the expressions that replace the input functions of time.
 
     Args:
-        eqs: the equations that hold them.
+        eqs: the equations that contain the inputs.
         inputs: expressions of time, state and parameters.
         where: the function that the user called, for messages.
-        besides: functions of time that need no expression, since they are solved for.
+        besides: functions of time that need no expression, because they are solved for.
 
     Raises:
-        ModelError: one is missing, or something is given that is none.
-        ArgumentError: the inputs are no mapping, or what is given is no expression.
+        ModelError: an input has no expression, or a key is not an input of the equations.
+        ArgumentError: the inputs are not a mapping, or a value is not an expression.
     """
     check_equations(eqs, where)
     given = _mapping(inputs, where, "inputs")
@@ -153,16 +153,16 @@ def given_inputs(
     for function in given:
         if not _is_function(function) or function.name not in names:
             raise ModelError(
-                f"{where}, inputs: {_found(function)} is no function of time that the equations hold beside "
-                f"coordinates and speeds; expected {_listed(names) or 'none: leave inputs out'}"
+                f"{where}, inputs: {_found(function)} is not a function of time that the equations contain "
+                f"besides coordinates and speeds; expected {_listed(names) or 'none: leave inputs out'}"
                 f"{namesake_note(eqs.inputs, [function], _EXPECTED)}"
             )
     known = {function.name for function in (*given, *besides)}
     missing = [name for name in names if name not in known]
     if missing:
         raise ModelError(
-            f"{where}: the equations hold the functions of time {_listed(missing)}, which are neither coordinates nor "
-            f"speeds; give them by time and state, as inputs={{{missing[0]}: sin(t)}}, or add what is unknown to the "
+            f"{where}: the equations contain the functions of time {_listed(missing)}, which are neither coordinates "
+            f"nor speeds; give them as inputs={{{missing[0]}: sin(t)}}, or add those that are unknown to the "
             "coordinates of the System"
         )
     formulas = {function: _input(eqs, function, value, where) for function, value in given.items()}
@@ -171,10 +171,10 @@ def given_inputs(
 
 
 def check_equations(eqs: object, where: str) -> None:
-    """See that a user gives equations of motion.
+    """Check that the user passed equations of motion.
 
     Raises:
-        ArgumentError: it is something else.
+        ArgumentError: the argument is something else.
     """
     if not isinstance(eqs, Equations):
         raise ArgumentError(
@@ -193,7 +193,7 @@ def _input(eqs: Equations, function: Expr, value: Any, where: str) -> Expr:
     strange = {leaf for leaf in formula.free_symbols if leaf.depends_on_time} - known
     if strange:
         raise ModelError(
-            f"{place}: {_listed(sorted(map(str, strange)))} is no part of the state; expected an expression of time, "
+            f"{place}: {_listed(sorted(map(str, strange)))} is not part of the state; expected an expression of time, "
             "coordinates, speeds and parameters"
         )
     return formula
@@ -203,8 +203,8 @@ def finite_number(name: Expr, value: ArrayLike, place: str) -> float:
     """Return one finite number.
 
     Raises:
-        ParameterError: several numbers, or one that isn't finite.
-        ArgumentError: no number.
+        ParameterError: there are several numbers, or the number is not finite.
+        ArgumentError: the value is not a number.
     """
     column = column_of(name, value, place)
     if column.ndim:
@@ -218,10 +218,10 @@ def finite_number(name: Expr, value: ArrayLike, place: str) -> float:
 
 
 def check_known(given: Iterable[object], known: Sequence[Expr], place: str, expected: str) -> None:
-    """Raise an error that says what was meant.
+    """Check that all keys are known, and suggest what was meant.
 
     Raises:
-        ParameterError: something that isn't known.
+        ParameterError: a key is not known.
     """
     for name in given:
         if not isinstance(name, Expr) or name not in known:
@@ -230,7 +230,7 @@ def check_known(given: Iterable[object], known: Sequence[Expr], place: str, expe
 
 
 _EXPECTED = ("expected", "given")
-"""What two variables of one name are, to `namesake_note`."""
+"""How `namesake_note` distinguishes two variables of one name."""
 
 
 def _mapping(given: object, where: str, argument: str) -> Mapping[Any, ArrayLike]:
@@ -244,7 +244,7 @@ def _mapping(given: object, where: str, argument: str) -> Mapping[Any, ArrayLike
 
 
 def _is_function(thing: object) -> bool:
-    """Whether something is a function of time, itself and no rate."""
+    """Return whether something is a function of time, not a rate of one."""
     return isinstance(thing, Expr) and thing.kind == "time_function" and thing.order == 0
 
 
@@ -253,7 +253,7 @@ def _found(name: object) -> str:
 
 
 def _near(name: object, known: Sequence[Expr]) -> str:
-    """Return what may have been meant: the known name itself for a text, those nearly the same, or all."""
+    """Return a suggestion: the variable for a text with its name, similar names, or all of them."""
     names = [str(each) for each in known]
     near = get_close_matches(str(name), names, n=3, cutoff=0.6)
     if not names:

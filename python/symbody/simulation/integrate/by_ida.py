@@ -1,4 +1,4 @@
-"""Motions by IDA, in the terms that all methods share."""
+"""Integration by IDA, with the interface that all methods share."""
 
 from __future__ import annotations
 
@@ -24,13 +24,22 @@ __all__ = ["ida_outcome", "prepare"]
 
 
 def prepare(task: Task) -> Integrate:
-    """Return what integrates motions of a task, one after another."""
+    """Return the function that integrates the motions of a task, one after another."""
     return partial(_integrate, task)
 
 
 def _integrate(
     task: Task, parameters: Columns, states: NDArray[np.float64], _threads: int, keep_going: KeepGoing
 ) -> Iterator[Outcome | None]:
+    """Integrate motions one after another, and yield their outcomes; None for those that were not started.
+
+    Args:
+        task: the task.
+        parameters: values by name, one for each of the k motions.
+        states: the initial states, shape (k, model.width).
+        _threads: not used: IDA runs one motion at a time.
+        keep_going: called from time to time with the number of finished motions; False ends all of them.
+    """
     first, span, size = float(task.instants[0]), float(np.ptp(task.instants)), len(task.model.state)
     for case, state in enumerate(states):
 
@@ -57,7 +66,17 @@ def ida_outcome(
     events: Sequence[Event] = (),
     keep_going: Callable[[float], bool] | None = None,
 ) -> Outcome:
-    """Return how an integration by IDA went, in the terms of the native integrator."""
+    """Integrate one motion by IDA, and return the outcome in the form of the native integrator.
+
+    Args:
+        model: the model.
+        state: coordinates and speeds at the first instant, shape (n,).
+        parameters: the values of the parameters.
+        instants: the instants of the results, shape (N,), in s.
+        options: the method by name and its tolerances.
+        events: the events to watch.
+        keep_going: called from time to time with the time reached; False ends the motion.
+    """
     failure = None
     try:
         run = integrate_ida(
@@ -75,14 +94,14 @@ def ida_outcome(
         )
     except SimulationError as error:
         if not isinstance(error.motion, IdaRun):
-            return _unbegun(state, float(instants[0]), str(error))
+            return _failed_start(state, float(instants[0]), str(error))
         run = error.motion
         failure = Failure("ida", float(run.t[-1]), str(error))
     if failure is None and not run.completed:
         failure = Failure("interrupted", float(run.t[-1]), run.message)
     reached = int(np.isin(run.t, instants).sum())
     values = np.array([parameters[name] for name in model.parameters])
-    # IDA doesn't tell its steps; each takes two evaluations or so.
+    # IDA does not report its steps; each takes about two evaluations.
     steps = run.statistics.evaluations // 2
     imbalance = imbalance_of(model, values, instants[:reached], run.states[:reached], options, steps)
     return Outcome(
@@ -96,6 +115,6 @@ def ida_outcome(
     )
 
 
-def _unbegun(state: NDArray[np.float64], t: float, message: str) -> Outcome:
+def _failed_start(state: NDArray[np.float64], t: float, message: str) -> Outcome:
     failure, nothing = Failure("ida", t, message), Statistics(0, 0, 0, 0, is_stiff=False)
     return Outcome(state[np.newaxis], [], (t, list(state)), failure, nothing)

@@ -1,10 +1,11 @@
-"""Constraints that contradict each other along a motion: no motion satisfies them, whatever was integrated.
+"""Constraints that contradict each other along a motion: whatever was integrated, no motion satisfies them.
 
-A combination y of constraints whose gradients cancel, ``y^T phi_q = 0``, says something of time alone: ``y^T phi``,
-``y^T phi_t`` and ``y^T c`` have to vanish, where ``phi'' = phi_q u' + c``. So it is where they cancel beside the
-position, too: for all w with ``phi_q w = 0``, ``y^T (phi_q w)_q w`` vanishes. At a singular position it doesn't, and
-``y^T c = 0`` says there which speeds are those of a motion. The linear solver notes right sides that contradict, also
-at states that were tried and given up; here the states that a motion went through decide.
+Let y be a combination of constraints whose gradients cancel, ``y^T phi_q = 0``. Then ``y^T phi``, ``y^T phi_t`` and
+``y^T c``, with ``phi'' = phi_q u' + c``, depend on time alone and must vanish. This holds only if the gradients also
+cancel at neighbouring positions, that is, if ``y^T (phi_q w)_q w`` vanishes for all w with ``phi_q w = 0``. At a
+singular position it does not: there ``y^T c = 0`` is a condition for the speeds. The linear solver also reports
+contradictory right-hand sides at states that were tried and rejected; this file checks the states of the motion
+itself.
 """
 
 from __future__ import annotations
@@ -36,29 +37,31 @@ __all__ = ["contradictory_rows", "without_contradictions"]
 Array = NDArray[np.float64]
 
 LOOKS = 64
-"""States of a motion that are looked at first."""
+"""The number of states of a motion that are checked first."""
 _SUSPECT = {"projection", "stalled", "step_collapse", "library", "ida"}
 
 
 def without_contradictions(
     outcome: Outcome, model: Model, parameters: Mapping[Expr, float], instants: Array
 ) -> Outcome:
-    """Return an outcome that fails where equations contradict each other, if they do along the motion.
+    """Return an outcome that fails if equations contradict each other along the motion.
 
-    Constraints may do so, and the equations of speeds that move no mass. Where they don't, what the
-    linear solver noted of them belongs to states that were given up: there equations follow from each other.
+    These may be constraints, or the equations of speeds that move no mass. If no state of the motion has a
+    contradiction, those that the linear solver reported belong to rejected states, where the equations are dependent.
     """
     of_model = {d for d in outcome.deficiencies if d.equations == len(model.equation_names)}
     noted = {d for d in of_model if d.contradictions}
     is_suspect = outcome.failure is not None and outcome.failure.kind in _SUSPECT
     if not model.constraints or not (noted or is_suspect):
         return outcome
-    times, states = _course(outcome, model, instants)
+    times, states = _instants_and_states(outcome, model, instants)
     span = float(instants[-1] - instants[0]) or 1.0
-    told = partial(_contradiction, model, parameters, span, are_speeds_noted=_holds_speeds(noted, model))
-    place = _first(lambda k: bool(told(float(times[k]), states[k])), len(times))
+    contradiction_at = partial(
+        _contradiction, model, parameters, span, are_speeds_noted=_holds_speeds(noted, model)
+    )
+    place = _first(lambda k: bool(contradiction_at(float(times[k]), states[k])), len(times))
     if place is None:
-        return replace(outcome, deficiencies=outcome.deficiencies - noted | {_followed(d) for d in noted})
+        return replace(outcome, deficiencies=outcome.deficiencies - noted | {_as_dependent(d) for d in noted})
     t = float(times[place])
     reached = max(1, min(place + 1, len(outcome.states)))
     return replace(
@@ -66,7 +69,7 @@ def without_contradictions(
         states=outcome.states[:reached],
         occurrences=[event for event in outcome.occurrences if event[1] <= t],
         end=(t, outcome.states[place].tolist() if place < len(outcome.states) else outcome.end[1]),
-        failure=Failure("contradiction", t, f"at t = {t:.9g} s: {told(t, states[place])}"),
+        failure=Failure("contradiction", t, f"at t = {t:.9g} s: {contradiction_at(t, states[place])}"),
         deficiencies=outcome.deficiencies - of_model,
     )
 
@@ -80,7 +83,16 @@ def _contradiction(
     *,
     are_speeds_noted: bool,
 ) -> str:
-    """Return which equations contradict each other at a state, and why; the empty text if none do."""
+    """Return which equations contradict each other at a state, and why; the empty text if none do.
+
+    Args:
+        model: the model.
+        parameters: the values of its parameters.
+        span: the duration of the motion, in s.
+        t: the time, in s.
+        state: coordinates and speeds, shape (n_q + n,).
+        are_speeds_noted: whether the linear solver reported equations of speeds.
+    """
     kinematics = kinematics_of(model.equations, dict(model.inputs))
     p = np.array([parameters[name] for name in kinematics.parameters])
     rows = contradictory_rows(kinematics, p, t, state, span)
@@ -90,7 +102,7 @@ def _contradiction(
 
 
 def _holds_speeds(noted: Iterable[Deficiency], model: Model) -> bool:
-    """Whether equations of speeds, which come before the constraints, are among those that may contradict others."""
+    """Return whether equations of speeds, which precede the constraints, are among the contradictory ones."""
     n = len(model.speeds) if len(model.equation_names) > len(model.constraints) else 0
     return any(min((row, *others)) < n for d in noted for row, others in d.contradictions)
 
@@ -98,14 +110,14 @@ def _holds_speeds(noted: Iterable[Deficiency], model: Model) -> bool:
 def contradictory_rows(
     kinematics: Kinematics, p: Array, t: float, state: ArrayLike, span: float
 ) -> tuple[int, ...]:
-    """Return the rows of constraints that contradict each other at a state; none, if they can hold together.
+    """Return the rows of constraints that contradict each other at a state; none if they are compatible.
 
     Args:
         kinematics: the constraints.
         p: the values of their parameters.
         t: the time, in s.
         state: coordinates and speeds.
-        span: how long the motion takes, in s: what rates leave open counts by what it makes of positions.
+        span: the duration of the motion, in s; it weighs violations of rates by the violation of positions they cause.
     """
     m = len(kinematics.constraints)
     q, u = _polished(kinematics, p, t, np.asarray(state, float))
@@ -125,7 +137,15 @@ def contradictory_rows(
 
 
 def _lasting_combinations(kinematics: Kinematics, p: Array, t: float, q: Array, A: Array) -> list[Array]:
-    """Return the combinations of constraints whose gradients cancel at a position, and at those beside it, too."""
+    """Return the combinations of constraints whose gradients cancel at a position and at its neighbours.
+
+    Args:
+        kinematics: the constraints.
+        p: the values of their parameters.
+        t: the time, in s.
+        q: the coordinates, shape (n_q,).
+        A: the Jacobian of the constraints with respect to the speeds, shape (m, n).
+    """
     cancelling = len(cancelling_combinations(A))
     if not cancelling:
         return []
@@ -136,7 +156,15 @@ def _lasting_combinations(kinematics: Kinematics, p: Array, t: float, q: Array, 
 
 
 def _second_derivative(kinematics: Kinematics, p: Array, t: float, q: Array, w: Array) -> Array:
-    """Return ``(phi_q w)_q w``: the part of c that is of second degree in the speeds."""
+    """Return ``(phi_q w)_q w``: the part of c that is quadratic in the speeds.
+
+    Args:
+        kinematics: the constraints.
+        p: the values of their parameters.
+        t: the time, in s.
+        q: the coordinates, shape (n_q,).
+        w: speeds that the constraints allow, shape (n,).
+    """
     with np.errstate(all="ignore"):
         forth, back, none = (
             kinematics.acceleration(t, np.concatenate([q, u]), p)[: len(kinematics.constraints)]
@@ -147,7 +175,7 @@ def _second_derivative(kinematics: Kinematics, p: Array, t: float, q: Array, w: 
 
 
 def _polished(kinematics: Kinematics, p: Array, t: float, state: Array) -> tuple[Array, Array]:
-    """Return coordinates and speeds that satisfy the constraints, as nearly as can be: c is right there alone."""
+    """Return coordinates and speeds that satisfy the constraints as well as possible; only there is c correct."""
     n, m = len(kinematics.system.coordinates), len(kinematics.constraints)
     problem = Positions.at(kinematics, p, t, state[:n])
     q = problem.solved(state[:n], np.ones(n, dtype=bool))
@@ -162,13 +190,13 @@ def _polished(kinematics: Kinematics, p: Array, t: float, state: Array) -> tuple
 
 
 def _is_off(y: Array, rate: Array, factor: float, allowed: float) -> bool:
-    """Whether a combination of rates is more than rounding, and makes a violation of positions in the end."""
+    """Return whether a combination of rates exceeds rounding, and causes a violation of positions in the end."""
     left = abs(y @ rate)
     return bool(left > INCONSISTENT * np.abs(y) @ np.abs(rate) and left * factor > allowed)
 
 
-def _course(outcome: Outcome, model: Model, instants: Array) -> tuple[Array, Array]:
-    """Return the instants and states of a motion, its end included."""
+def _instants_and_states(outcome: Outcome, model: Model, instants: Array) -> tuple[Array, Array]:
+    """Return the instants and states of a motion, including its end."""
     size, reached = len(model.state), len(outcome.states)
     times, states = instants[:reached], outcome.states[:, :size]
     if outcome.end[0] <= times[-1]:
@@ -177,7 +205,7 @@ def _course(outcome: Outcome, model: Model, instants: Array) -> tuple[Array, Arr
 
 
 def _first(is_contradictory: Callable[[int], bool], count: int) -> int | None:
-    """Return the place of the first state where equations contradict each other: of some, then of the gap before."""
+    """Return the index of the first contradictory state: some states are checked, then the gap before the first hit."""
     looks = np.unique(np.linspace(0, count - 1, min(LOOKS, count)).astype(int)).tolist()
     found = next((k for k, place in enumerate(looks) if is_contradictory(place)), None)
     if found is None:
@@ -186,6 +214,6 @@ def _first(is_contradictory: Callable[[int], bool], count: int) -> int | None:
     return next(place for place in gap if is_contradictory(place))
 
 
-def _followed(deficiency: Deficiency) -> Deficiency:
+def _as_dependent(deficiency: Deficiency) -> Deficiency:
     rows = {*deficiency.dependent, *(row for row, _ in deficiency.contradictions)}
     return replace(deficiency, dependent=tuple(sorted(rows)), contradictions=())

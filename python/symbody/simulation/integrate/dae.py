@@ -1,4 +1,4 @@
-"""Equations of motion as differential-algebraic equations, in three forms that differ by their index."""
+"""Equations of motion as differential-algebraic equations, in three forms of different index."""
 
 from __future__ import annotations
 
@@ -18,23 +18,23 @@ from symbody.symbolic import Expr, derivation, free_symbols, jacobian, number, s
 __all__ = ["FORMS", "DifferentialAlgebraicEquations", "dae_of"]
 
 FORMS = ("stabilized", "2", "3")
-"""The index-2 form of Gear, Gupta and Leimkuhler; constraints of velocities alone; constraints of positions alone."""
+"""The index-2 form of Gear, Gupta and Leimkuhler; constraints on velocities only; constraints on positions only."""
 
 
 @dataclass(frozen=True, eq=False)
 class DifferentialAlgebraicEquations:
-    """The equations ``F(t, y, y') = 0`` of a model, with the unknowns ``y = (q, u, lambda)``, and mu behind them.
+    """The equations ``F(t, y, y') = 0`` of a model, with the unknowns ``y = (q, u, lambda)`` or ``(q, u, lambda, mu)``.
 
-    ``q' = K u``, ``M u' = forcing + phi_q^T lambda``, and what the form demands of the constraints:
+    They are ``q' = K u``, ``M u' = forcing + phi_q^T lambda``, and the constraints in one of three forms:
 
     - "3": ``phi = 0``; the index is 3, nothing drifts, and errors of lambda grow as 1/h^2 [Brenan, Campbell &
       Petzold 1996, sec. 6.2];
     - "2": ``phi' = 0``; the index is 2, and phi itself drifts;
-    - "stabilized": both, by ``q' = K u + phi_q^T mu`` with multipliers mu that are zero along the exact motion [Gear,
+    - "stabilized": both, with ``q' = K u + phi_q^T mu`` and multipliers mu that vanish along the exact motion [Gear,
       Gupta & Leimkuhler 1985]; the index is 2, and nothing drifts.
 
     Attributes:
-        model: what moves.
+        model: the model.
         form: one of FORMS.
     """
 
@@ -50,12 +50,12 @@ class DifferentialAlgebraicEquations:
 
     @cached_property
     def unknowns(self) -> tuple[Expr, ...]:
-        """The unknowns y: the state, the multipliers, and those of the kinematics where the form has them."""
+        """The unknowns y: the state, the multipliers, and the kinematic multipliers mu if the form has them."""
         return (*self.model.state, *self.model.multipliers, *self._kinematic_multipliers)
 
     @cached_property
     def rates(self) -> tuple[Expr, ...]:
-        """The rates of the state, as variables of their own: ``q'`` isn't u before the equations hold."""
+        """The rates of the state, as separate variables: ``q'`` equals u only once the equations hold."""
         return (*_named("dae_rate", len(self.model.coordinates)), *self.model.accelerations)
 
     @cached_property
@@ -64,17 +64,17 @@ class DifferentialAlgebraicEquations:
 
     @property
     def parameters(self) -> tuple[Expr, ...]:
-        """The symbols that need values; inputs may hold the time, which doesn't."""
+        """The symbols that need values. Inputs may contain the time, which is not one of them."""
         return tuple(symbol for symbol in self.model.parameters if not symbol.depends_on_time)
 
     @property
     def differential(self) -> int:
-        """How many unknowns have rates: the state, which comes first."""
+        """The number of unknowns with rates: the state, which comes first."""
         return len(self.model.state)
 
     @cached_property
     def residuals(self) -> tuple[Expr, ...]:
-        """The residuals F, one an unknown: kinematics, dynamics, constraints of velocities, of positions."""
+        """The residuals F, one for each unknown: kinematics, dynamics, constraints on velocities and on positions."""
         model, system = self.model, self.model.system
         phi = model.constraints if self.form != "2" else ()
         velocities = system.rate(model.constraints) if model.constraints and self.form != "3" else ()
@@ -89,7 +89,7 @@ class DifferentialAlgebraicEquations:
 
     @property
     def _corrections(self) -> tuple[Expr, ...]:
-        """Return ``phi_q^T mu``, by the derivatives by the coordinates."""
+        """Return ``phi_q^T mu``, with the derivatives with respect to the coordinates."""
         coordinates, mu = self.model.coordinates, self._kinematic_multipliers
         if not mu:
             return (number(0),) * len(coordinates)
@@ -110,7 +110,7 @@ class DifferentialAlgebraicEquations:
 
     @cached_property
     def slopes(self) -> tuple[tuple[Expr, ...], NDArray[np.intp]]:
-        """The derivatives ``dF/dy + cj dF/dy'`` that aren't zero, and their rows and columns, column by column."""
+        """The nonzero derivatives ``dF/dy + cj dF/dy'``, and their rows and columns, column by column."""
         by_unknowns = jacobian(list(self.residuals), list(self.unknowns))
         by_rates = jacobian(list(self.residuals), list(self.rates))
         entries, places = [], []
@@ -133,8 +133,8 @@ class DifferentialAlgebraicEquations:
     def start(self) -> CompiledFunction:
         """The function of time, state and parameters that returns the rates of coordinates, A and b.
 
-        ``A (u', lambda) + b = 0`` says ``M u' = forcing + phi_q^T lambda`` and ``phi'' = 0``. It is called once, and
-        therefore not compiled, as the forward dynamics would be.
+        ``A (u', lambda) + b = 0`` stands for ``M u' = forcing + phi_q^T lambda`` and ``phi'' = 0``. The function is
+        called only once, so it is not compiled.
         """
         model, eqs = self.model, self.model.equations
         unknown = [*model.accelerations, *model.multipliers]
@@ -163,13 +163,13 @@ def _named(stem: str, how_many: int) -> tuple[Expr, ...]:
 
 
 _CJ = symbols("dae_cj")
-"""The derivative of a rate by its unknown in the formula of backward differences, of the order of 1/h."""
+"""The derivative of a rate with respect to its unknown in the backward difference formula, of the order of 1/h."""
 
 _made: WeakKeyDictionary[Model, dict[str, DifferentialAlgebraicEquations]] = WeakKeyDictionary()
 
 
 def dae_of(model: Model, form: str) -> DifferentialAlgebraicEquations:
-    """Return the differential-algebraic equations of a model, the same for the same: what it compiled is used again."""
+    """Return the differential-algebraic equations of a model. They are cached, with their compiled code."""
     forms = _made.setdefault(model, {})
     if form not in forms:
         forms[form] = DifferentialAlgebraicEquations(model, form)

@@ -1,4 +1,4 @@
-"""A consistent start of differential-algebraic equations: the rates and multipliers that a state demands."""
+"""A consistent start of differential-algebraic equations: the rates and multipliers that belong to a state."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True, eq=False)
 class Start:
-    """The unknowns and their rates at the first instant; mu and the rates of multipliers are taken as zero."""
+    """The unknowns and their rates at the first instant; mu and the rates of multipliers are set to zero."""
 
     t: float
     unknowns: Array
@@ -27,10 +27,10 @@ class Start:
 
 
 def start_of(dae: DifferentialAlgebraicEquations, parameters: Array, state: Array, time: float) -> Start:
-    """Return what the state demands: speeds, accelerations, and multipliers.
+    """Return the start with a given state: speeds, accelerations, and multipliers.
 
     Raises:
-        SimulationError: it isn't of the right length, or something isn't finite there.
+        SimulationError: the state has the wrong length, or something is not finite there.
     """
     n, m, width = dae.differential, len(dae.model.multipliers), len(dae.unknowns)
     if state.shape != (n,):
@@ -44,8 +44,8 @@ def start_of(dae: DifferentialAlgebraicEquations, parameters: Array, state: Arra
     if not finite.all():
         strange = ", ".join(name for name, is_finite in zip(equations, finite, strict=True) if not is_finite)
         raise SimulationError(
-            f"simulate: at the start, t = {time:g} s, not finite: {strange}; check the initial state and the "
-            "parameters: a function may be out of its domain there, or a length zero"
+            f"simulate: at the start, t = {time:g} s, these are not finite: {strange}; check the initial state and the "
+            "parameters: a function may be out of its domain there, or a length may be zero"
         )
     solution = _solved(A, -b, _equations(dae), time)
     unknowns, rates = np.zeros(width), np.zeros(width)
@@ -63,7 +63,7 @@ def _equations(dae: DifferentialAlgebraicEquations) -> list[str]:
 
 
 def _solved(A: Array, right: Array, equations: Sequence[str], time: float) -> Array:
-    """Return the least solution, which isn't the only one where constraints depend on each other."""
+    """Return the least-norm solution; it is not the only one if constraints are dependent."""
     scale = np.abs(A).max(axis=1)
     scale[scale == 0] = 1
     solution: Array = np.linalg.lstsq(A / scale[:, None], right / scale, rcond=None)[0]
@@ -73,10 +73,10 @@ def _solved(A: Array, right: Array, equations: Sequence[str], time: float) -> Ar
     if left[worst] > _UNSOLVED * size.max():
         raise SimulationError(
             f"simulate: at the start, t = {time:g} s, no accelerations satisfy {equations[worst]}; expected a mass for "
-            "every motion, and constraints that can hold together"
+            "every motion, and compatible constraints"
         )
     return solution
 
 
 _UNSOLVED = 1e-6
-"""The part of the largest terms by which an equation may fail."""
+"""The largest residual of an equation relative to its largest terms."""

@@ -1,4 +1,4 @@
-"""Why a motion ended before its time: what the integrator saw, and what in the model may be the cause."""
+"""Why a motion ended early: what the integrator found, and the likely cause in the model."""
 
 from __future__ import annotations
 
@@ -40,30 +40,30 @@ def diagnosis(motion: Integrated) -> str:
         return f"{when}: {_out_of_domain(model, parameters, t, state)}"
     near = _BY_CONSTRAINTS.get(failure.kind, 0.0)
     dependent = _dependent(model, parameters, t, state, near) if near else ""
-    return f"{when}: {_told(failure, dependent or _possible_cause(failure.kind, motion.task))}"
+    return f"{when}: {_failure_and_cause(failure, dependent or _possible_cause(failure.kind, motion.task))}"
 
 
-def _told(failure: Failure, cause: str) -> str:
+def _failure_and_cause(failure: Failure, cause: str) -> str:
     if failure.kind in _BY_CONSTRAINTS:
         return f"{failure.message}; {cause}"
     return f"the method gave up ({failure.message}); {cause}"
 
 
 def _possible_cause(kind: str, task: Task) -> str:
-    """Return what may be the cause of a failure where constraints are not, and the way out."""
+    """Return the likely cause of a failure that the constraints did not cause, and the way out."""
     stiff = "; for stiff equations use method='bdf'" if task.method.is_explicit else ""
     if kind == "projection":
         return (
-            "the constraints can't be satisfied beyond, or the position is singular; look at the motion up to there; "
-            "smaller tolerances may pass it, or constraints='baumgarte'"
+            "the constraints can't be satisfied beyond this position, or it is singular; look at the motion up to "
+            "there; smaller tolerances or constraints='baumgarte' may pass it"
         )
     if kind == "stalled":
         return (
-            "a force may jump back and forth, such as dry friction by sign(v): smooth it, as tanh(v/v0), or end the "
-            f"motion by an event{stiff}"
+            "a force may jump back and forth, such as dry friction by sign(v): smooth it, for example by "
+            f"tanh(v/v0), or end the motion by an event{stiff}"
         )
     if kind == "step_collapse":
-        held = "the constraints may let it go no farther, " if task.model.constraints else ""
+        held = "the constraints may allow no further motion, " if task.model.constraints else ""
         return (
             f"{held}the motion may go to infinity there, or a force jumps: smooth it, or end the motion by an "
             f"event{stiff}"
@@ -76,30 +76,38 @@ def _possible_cause(kind: str, task: Task) -> str:
 
 
 def _of_ida(failure: Failure, outcome: Outcome, model: Model, parameters: Array) -> str:
-    """Return what IDA says, and which constraints are dependent at the end of its last step."""
-    told = failure.message.removeprefix("simulate: ")
+    """Return the message of IDA, and which constraints are dependent at the end of its last step."""
+    message = failure.message.removeprefix("simulate: ")
     t, state = outcome.end
     known = outcome.trail[np.isfinite(outcome.trail).all(axis=1)]
     if len(known):
         t, *state = known[-1]
     dependent = _dependent(model, parameters, t, np.array(state)[: len(model.state)], _BY_CONSTRAINTS["ida"])
-    return f"{told.partition('; expected')[0]}; {dependent}" if dependent else told
+    return f"{message.partition('; expected')[0]}; {dependent}" if dependent else message
 
 
 _BY_CONSTRAINTS = {"projection": NEAR, "stalled": NEAR, "step_collapse": NEAR, "singular": 0.3, "ida": 0.1}
-"""The kinds of failure that constraints cause where they become dependent, and how near to that the state may be.
+"""The kinds of failure that dependent constraints cause, and how close to singular the state may be.
 
-Where a method finds no step past a singular position, its state is a step before it."""
+A method that finds no step past a singular position stops one step before it."""
 
 
 def _dependent(model: Model, parameters: Array, t: float, state: Array, near: float) -> str:
-    """Return which constraints are dependent at a state, and what to do about it."""
+    """Return which constraints are dependent at a state, and what to do about it.
+
+    Args:
+        model: the model.
+        parameters: the values of its parameters, then those of Baumgarte's stabilisation if it is used.
+        t: the time, in s.
+        state: coordinates and speeds, shape (n_q + n,).
+        near: the ratio of singular values below which constraints are nearly dependent.
+    """
     found = described_dependence(dependent_constraints(model, parameters, t, state, near))
     return found and (
-        f"{found}: a singular position, or near one, from which several motions may go on; method='dop853' or 'tsit5' "
-        "with constraints='projection' passes most; or begin with another state, change the dimensions, or end the "
-        "motion by an event before it; constraints that depend on each other wherever the mechanism moves should be "
-        "left out"
+        f"{found}: the motion is at or near a singular position, from which several motions may continue; "
+        "method='dop853' or 'tsit5' with constraints='projection' passes most such positions; or start from another "
+        "state, change the dimensions, or end the motion by an event before it; leave out constraints that depend on "
+        "each other wherever the mechanism moves"
     )
 
 
@@ -107,17 +115,17 @@ def _out_of_domain(model: Model, parameters: Array, t: float, state: Array) -> s
     names = _not_finite(model, parameters, t, state)
     if names:
         return (
-            f"{names} not finite there; look for a division by zero, a root or logarithm of what became negative, or "
+            f"{names} not finite there; look for a division by zero, a root or logarithm of a negative value, or "
             "parameters that make no sense"
         )
     return (
-        "a rate of the state is not finite a step ahead, however short the step; look for a function that leaves its "
-        "domain"
+        "a rate of the state is not finite after the next step, however short that is; look for a function that "
+        "leaves its domain"
     )
 
 
 def _not_finite(model: Model, parameters: Array, t: float, state: Array) -> str:
-    """Return which rates are no finite numbers at a state."""
+    """Return which rates are not finite at a state."""
     values = model.rates_code.evaluate(
         parameters, np.concatenate([[t], state, np.zeros(model.width - len(model.state))])
     )
@@ -149,6 +157,6 @@ def _singular(model: Model, parameters: Array, t: float, state: Array) -> str:
     names = [str(u) for u, weight in zip(model.speeds, weights, strict=True) if weight > 0.1 * weights.max()]
     together = names[0] if len(names) == 1 else f"a combination of {', '.join(names)}"
     return (
-        f"the mass matrix is singular: {together} moves no mass; give it some, or leave that coordinate out; or it's a "
-        "singular position, as Euler angles have, and floating_frame() has not"
+        f"the mass matrix is singular: {together} moves no mass; give it some, or leave that coordinate out; or the "
+        "position is singular, which happens with Euler angles but not with floating_frame()"
     )

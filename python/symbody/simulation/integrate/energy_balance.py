@@ -1,4 +1,4 @@
-"""The balance of energy along a motion whose states are known, by the measure of the native integrator."""
+"""The energy balance along a motion with known states, by the same measure as in the native integrator."""
 
 from __future__ import annotations
 
@@ -13,31 +13,31 @@ __all__ = ["imbalance_of"]
 Array = NDArray[np.float64]
 
 EACH, AT_ALL = 1.0, 3.0
-"""How many times what an error of one tolerance explains is explained in each step, and besides: regular motions lose a
-quarter of that in each step, or less."""
+"""The expected energy error of each step, and in addition, in units of that caused by an error of one tolerance.
+Regular motions lose a quarter of this in each step, or less."""
 LOST, LOOSE = 0.1, 200.0
-"""The part of the largest energy that moves whose loss nothing explains; for loose tolerances, how many of these it is:
-regular motions of 100 s lose a sixth at 1e-3."""
+"""The part of the largest varying energy whose loss nothing explains; for loose tolerances, in units of the tolerance.
+Regular motions of 100 s lose a sixth of it at 1e-3."""
 ROUNDING = 1e-11
-"""The part of energies that rounding takes."""
+"""The relative rounding error of energies."""
 PLACES = 9
-"""Instants at which errors of one tolerance are looked at."""
+"""The number of instants at which the effect of an error of one tolerance is evaluated."""
 
 
 def imbalance_of(
     model: Model, parameters: Array, t: Array, states: Array, options: Options, steps: int
 ) -> tuple[float, float] | None:
-    """Return since when, and by which part of the largest energy that moves, the energy isn't what it was.
+    """Return since when the energy has been off, and by which part of the largest varying energy.
 
-    None where errors of one tolerance explain what is off, or where the energy isn't constant.
+    Return None where errors of one tolerance explain the difference, or where the energy is not constant.
 
     Args:
-        model: what moves, without loads that do work.
+        model: the model, without loads that do work.
         parameters: the values of its parameters.
-        t: the instants, N of them, in s.
-        states: coordinates and speeds, a row for each.
+        t: the instants, shape (N,), in s.
+        states: coordinates and speeds, shape (N, n).
         options: the tolerances.
-        steps: how many steps it took.
+        steps: the number of steps that were taken.
     """
     code = model.energies_code
     if code is None or model.power is not None:
@@ -50,7 +50,7 @@ def imbalance_of(
     some = np.linspace(0, len(t) - 1, PLACES).astype(int)
 
     def spread(tolerances: Array) -> float:
-        """Return the most that errors in each entry of the state change the energy, at some instants."""
+        """Return the largest change of the energy by errors in each entry of the state, at some instants."""
         here = np.repeat(states[some], states.shape[1], axis=0)
         errors = np.tile(np.eye(states.shape[1]), (PLACES, 1)) * np.repeat(
             tolerances, states.shape[1], axis=0
@@ -72,7 +72,7 @@ def imbalance_of(
 
 
 def _of_steps(model: Model, tolerances: Array, step: float) -> Array:
-    """Return errors of a step at index 3, where nobody looks at speeds: they err by the coordinates over its length."""
+    """Return the errors of one step at index 3: untested speeds err by the coordinates over the step length."""
     errors, q = tolerances.copy(), len(model.coordinates)
     errors[:, q:] = np.maximum(errors[:, q:], errors[:, :q].max(axis=1, keepdims=True) / step)
     return errors

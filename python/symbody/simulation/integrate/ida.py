@@ -28,14 +28,14 @@ from .ida_problem import Evaluated, IdaProblem, KeepGoing, StoppedError
 __all__ = ["IDA_FORMS", "IdaOccurrence", "IdaRun", "IdaStatistics", "integrate_ida"]
 
 IDA_FORMS = {"ida": "stabilized", "ida2": "2", "ida3": "3"}
-"""The methods of `simulate` that are run here, and their forms of the equations."""
+"""The methods of `simulate` that IDA runs, and their forms of the equations."""
 
 Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True)
 class IdaStatistics:
-    """What an integration took: evaluations of residuals and of their derivatives."""
+    """The cost of an integration: evaluations of residuals and of their derivatives."""
 
     evaluations: int
     jacobians: int
@@ -43,7 +43,7 @@ class IdaStatistics:
 
 @dataclass(frozen=True, eq=False)
 class IdaOccurrence:
-    """An event that happened: which of those given, when in s, and the state there."""
+    """An event that occurred: its index among the given events, the instant in s, and the state there."""
 
     event: int
     t: float
@@ -52,18 +52,18 @@ class IdaOccurrence:
 
 @dataclass(frozen=True, eq=False)
 class IdaRun:
-    """A motion, a row for each instant that was reached; behind the instants, the end if it lies between two.
+    """A motion at the N instants that were reached; if it ended between two of them, its end is the last row.
 
     Attributes:
-        t: the instants, in s.
-        states: coordinates and speeds.
-        multipliers: the multipliers of the constraints, as integrated.
+        t: the instants, shape (N,), in s.
+        states: coordinates and speeds, shape (N, n).
+        multipliers: the multipliers of the constraints, as integrated, shape (N, m).
         accelerations: the rates of the speeds, as integrated.
-        trail: rows of the instant and the state at the ends of steps, but for the last corrections.
-        events: what happened, in order.
-        statistics: what it took.
-        completed: whether the last instant or a terminal event was reached.
-        message: why it ended.
+        trail: one row for each step: the instant and the state at its end, before the last corrections.
+        events: the events that occurred, in order.
+        statistics: the cost of the integration.
+        completed: whether the motion reached the last instant or a terminal event.
+        message: why the motion ended.
     """
 
     t: Array
@@ -93,28 +93,28 @@ def integrate_ida(
 ) -> IdaRun:
     """Integrate ``F(t, y, y') = 0`` by backward differences of variable order and step [Hindmarsh et al. 2005].
 
-    Algebraic variables, and the speeds of index 3, are left out of the test of errors: where the step changes they
-    err by the error of the state over h, over h^2 for the multipliers of index 3, although the state is right
-    [Petzold & Loetstedt 1986; Hairer & Wanner 1996, sec. VII.3]; tested, they would make the step collapse.
+    Algebraic variables, and speeds at index 3, are excluded from the error test. Where the step size changes, their
+    error is that of the state over h, or over h^2 for multipliers at index 3, although the state is accurate
+    [Petzold & Loetstedt 1986; Hairer & Wanner 1996, sec. VII.3]: the test would make the step size collapse.
 
     Args:
         eqs: the equations of motion.
         parameters: values of all parameters.
-        state: coordinates, then speeds, at the first instant; consistent with the constraints.
-        instants: where the motion is wanted, increasing, in s.
-        index: the form of the equations, one of `symbody.simulation.dae.FORMS`.
-        rtol: the error of a step relative to the state.
-        atol: the error of a step where the state is small.
-        inputs: what to put in the place of functions of time that are given from outside.
-        events: what to look for.
-        keep_going: asked now and then, with the time; the motion ends where it says no.
+        state: coordinates, then speeds, at the first instant, shape (n,); consistent with the constraints.
+        instants: the instants of the results, shape (N,), increasing, in s.
+        index: the form of the equations, one of `symbody.simulation.integrate.dae.FORMS`.
+        rtol: the tolerance of the error of a step, relative to the state.
+        atol: the absolute tolerance of the error of a step.
+        inputs: the expressions that replace input functions of time.
+        events: the events to watch.
+        keep_going: called from time to time with the time reached; False ends the motion.
         max_step: the longest step, in s.
 
     Raises:
-        CodegenError: scikit-sundae isn't installed.
-        ParameterError: a parameter without a value.
-        SimulationError: IDA can't go on; the run up to there is the error's `motion`.
-        ModelError: the equations hold functions of time that aren't given.
+        CodegenError: scikit-sundae is not installed.
+        ParameterError: a parameter has no value.
+        SimulationError: IDA cannot continue; the run up to there is the error's `motion`.
+        ModelError: an input of the equations has no expression.
 
     >>> import numpy as np
     >>> from symbody import Body, System, functions_of_time, newton_euler, symbols, translate
@@ -132,7 +132,7 @@ def integrate_ida(
     times = np.asarray(instants, float)
     problem = IdaProblem(dae, values, watched, keep_going, float(times[-1] - times[0]))
     start = start_of(dae, values, np.asarray(state, float), float(times[0]))
-    return _Integration(problem, tuple(events), times, start).by(sundae, rtol, atol, max_step)
+    return _Integration(problem, tuple(events), times, start).run(sundae, rtol, atol, max_step)
 
 
 def _sundae() -> ModuleType:
@@ -170,7 +170,7 @@ def _watched(
 
 @dataclass(eq=False)
 class _Integration:
-    """A motion that grows."""
+    """An integration in progress."""
 
     problem: IdaProblem
     events: Sequence[Event]
@@ -180,8 +180,8 @@ class _Integration:
     happened: list[IdaOccurrence] = field(default_factory=list)
     statistics: IdaStatistics = field(default_factory=lambda: IdaStatistics(0, 0))
 
-    def by(self, sundae: ModuleType, rtol: float, atol: float, max_step: float) -> IdaRun:
-        """Let IDA integrate."""
+    def run(self, sundae: ModuleType, rtol: float, atol: float, max_step: float) -> IdaRun:
+        """Run IDA through all instants."""
         solver = self._solver(sundae, rtol, atol, max_step)
         solver.init_step(self.start.t, self.start.unknowns, self.start.rates)
         self._keep(self.start.t, self.start.unknowns, self.start.rates)
@@ -193,7 +193,7 @@ class _Integration:
 
     def _solver(self, sundae: ModuleType, rtol: float, atol: float, max_step: float) -> Any:
         problem, n, width = self.problem, self.problem.dae.differential, len(self.start.unknowns)
-        with warnings.catch_warnings():  # it says that our Jacobian takes the place of its own
+        with warnings.catch_warnings():  # of a custom Jacobian that replaces IDA's own
             warnings.filterwarnings("ignore", message="Custom sparse Jacobian")
             return sundae.IDA(
                 problem.residuals,
@@ -208,7 +208,7 @@ class _Integration:
             )
 
     def _tolerances(self, atol: float) -> Array:
-        """Return infinity for what is left out of the test of errors."""
+        """Return the absolute tolerances: infinity for what is excluded from the error test."""
         dae, tolerances = self.problem.dae, np.full(len(self.start.unknowns), inf)
         tolerances[: len(dae.model.coordinates) if dae.form == "3" else dae.differential] = atol
         return tolerances
@@ -225,9 +225,9 @@ class _Integration:
         return {"eventsfn": _as_function(self.problem.events, self.events), "num_events": len(self.events)}
 
     def _first_step(self, rtol: float, atol: float) -> float:
-        """Return the step after which the coordinates curve by their tolerance.
+        """Return the first step: the coordinates deviate from straight lines by their tolerance.
 
-        IDA's own guess, a step after which they *move* by their tolerance, is lost in the rounding of phi at index 3.
+        IDA's own choice, which moves the coordinates by their tolerance, is lost in the rounding of phi at index 3.
         """
         n = len(self.problem.dae.model.coordinates)
         bound = atol + rtol * float(np.abs(self.start.unknowns[:n]).max())
@@ -236,11 +236,11 @@ class _Integration:
         return longest if curving == 0 else min(longest, float(np.sqrt(2 * bound / curving)))
 
     def _reach(self, solver: Any, instant: float) -> _Ending | None:
-        """Go on to an instant; return how the motion ended before."""
+        """Integrate to an instant; return how the motion ended if it did before."""
         while True:
             said = io.StringIO()
             try:
-                # IDA's wrapper prints what went wrong; it goes into the error instead.
+                # IDA's wrapper prints its errors; they are captured for the message.
                 with redirect_stdout(said):
                     result = solver.step(instant, method="normal", tstop=self.instants[-1])
             except StoppedError:
@@ -259,7 +259,7 @@ class _Integration:
         self.rows.append((time, unknowns, rates))
 
     def _note(self, result: Any) -> bool:
-        """Note the events where IDA stopped; return whether one of them ends the motion."""
+        """Record the events at which IDA stopped; return whether one of them is terminal."""
         time, state = float(result.t), result.y[: self.problem.dae.differential]
         places = [int(k) for k in np.flatnonzero(result.i_events[-1])]
         terminal = [k for k in places if self.events[k].terminal]
@@ -295,7 +295,7 @@ class _Integration:
 
 @dataclass(frozen=True)
 class _Ending:
-    """Why a motion ended, when, and what IDA said."""
+    """Why a motion ended, when, and the message of IDA."""
 
     kind: str
     t: float
@@ -303,7 +303,7 @@ class _Ending:
 
 
 _ROOT, _MANY, _SPARSE = 2, 2**31 - 1, 150
-"""What IDA returns where it found events; steps between instants; unknowns from which a sparse solver is faster."""
+"""IDA's status at an event; the steps allowed between instants; the unknowns above which a sparse solver is faster."""
 
 _HINTS = {
     "3": "index 3 is the most delicate form: use method='ida', or larger tolerances",
@@ -314,10 +314,9 @@ _HINTS = {
 
 def _failure(ending: _Ending, dae: DifferentialAlgebraicEquations, *, is_first: bool) -> str:
     said = " ".join(ending.reason.split()).rstrip(".")
-    what = "steps became too short to get anywhere" if ending.kind == "stalled" else f"IDA gave up ({said})"
+    what = "the steps became too short" if ending.kind == "stalled" else f"IDA gave up ({said})"
     expected = (
-        "an initial state that satisfies the constraints and their rates, and constraints none of which depends on "
-        "others"
+        "an initial state that satisfies the constraints and their rates, and independent constraints"
         if is_first and dae.model.constraints
         else "a motion that is smooth and finite there: look for a singular position, constraints that depend on each "
         "other, a force that jumps, or a function that leaves its domain"
@@ -326,7 +325,7 @@ def _failure(ending: _Ending, dae: DifferentialAlgebraicEquations, *, is_first: 
 
 
 def _as_function(method: Callable[..., None], events: Sequence[Event]) -> Callable[..., None]:
-    """Return a function with the attributes that IDA's wrapper reads; a method can't have any."""
+    """Return a function with the attributes that IDA's wrapper reads; a method cannot have attributes."""
 
     def function(time: float, y: Array, rates: Array, out: Array) -> None:
         method(time, y, rates, out)

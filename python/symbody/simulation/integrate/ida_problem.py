@@ -1,4 +1,4 @@
-"""What IDA calls: residuals, their derivatives and events, all in machine code."""
+"""The functions that IDA calls: residuals, their derivatives and events, all in machine code."""
 
 from __future__ import annotations
 
@@ -53,20 +53,20 @@ class Evaluated:
 
 
 class StoppedError(Exception):
-    """Ends IDA from within: the user wants it, or nothing moves any more."""
+    """Ends IDA from a callback: the user interrupted it, or it no longer advances."""
 
 
 _POLL = 200
-"""Residuals between two questions whether to go on: some milliseconds."""
+"""The number of residuals between two calls of `keep_going`: some milliseconds."""
 _TRAIL = 2**16
-"""States that are kept of the way of a motion; of a longer one every second."""
+"""The most states of a trail; of a longer motion, every second one is kept."""
 _PATIENCE, _STALL = 100, 1e-6
-"""The part of the span which the residuals of as many questions must get ahead, at the least."""
+"""The part of the duration by which the integration must advance between as many calls."""
 
 
 @dataclass(eq=False)
 class IdaProblem:
-    """What IDA calls."""
+    """The functions that IDA calls, with their parameters."""
 
     dae: DifferentialAlgebraicEquations
     parameters: Array
@@ -97,7 +97,7 @@ class IdaProblem:
         out[:] = self.residual(time, y, rates)
 
     def _note(self, time: float, y: Array) -> None:
-        """Keep the last state that was tried at an instant; steps that are taken again begin earlier."""
+        """Keep the last state that was tried at an instant; repeated steps begin earlier."""
         while self.trail and self.trail[-1][0] >= time:
             self.trail.pop()
         self.trail.append((time, y[: self.dae.differential].copy()))
@@ -105,7 +105,7 @@ class IdaProblem:
             del self.trail[1::2]
 
     def _poll(self, time: float) -> None:
-        if self.keep_going is not None and not self._asked(time):
+        if self.keep_going is not None and not self._may_go_on(time):
             self.stop = "stopped"
         elif self.calls % (_POLL * _PATIENCE) == 0:
             if time - self.since < _STALL * self.span:
@@ -115,19 +115,39 @@ class IdaProblem:
         if self.stop:
             raise StoppedError
 
-    def _asked(self, time: float) -> bool:
-        with redirect_stdout(self.stdout):  # while IDA runs, it is a buffer for what IDA says
+    def _may_go_on(self, time: float) -> bool:
+        with redirect_stdout(self.stdout):  # while IDA runs, stdout is a buffer for its messages
             return self.keep_going is None or self.keep_going(time)
 
     def jacobian(self, time: float, y: Array, rates: Array, _: Array, cj: float, out: Array) -> None:
+        """Evaluate ``dF/dy + cj dF/dy'`` as a full matrix.
+
+        Args:
+            time: the time, in s.
+            y: the unknowns.
+            rates: their rates.
+            _: the residuals, which are not used.
+            cj: the derivative of a rate with respect to its unknown.
+            out: the matrix to fill.
+        """
         out[self.rows, self.columns] = self.slopes(time, y, rates, cj)
 
     def sparse_jacobian(self, time: float, y: Array, rates: Array, _: Array, cj: float, out: Array) -> None:
+        """Evaluate the nonzero entries of ``dF/dy + cj dF/dy'``.
+
+        Args:
+            time: the time, in s.
+            y: the unknowns.
+            rates: their rates.
+            _: the residuals, which are not used.
+            cj: the derivative of a rate with respect to its unknown.
+            out: the sparse matrix to fill.
+        """
         out[:] = self.slopes(time, y, rates, cj)
 
     @property
     def pattern(self) -> Any:
-        """The places of what isn't zero in the Jacobian, column by column as the values are."""
+        """The sparsity pattern of the Jacobian, column by column like its values."""
         from scipy.sparse import csc_matrix  # noqa: PLC0415 - slow to load, and other methods need none
 
         n = len(self.dae.unknowns)

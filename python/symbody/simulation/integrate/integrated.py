@@ -1,4 +1,4 @@
-"""Motions as they were integrated, by the method of their task."""
+"""Motions as integrated, by the method of their task."""
 
 from __future__ import annotations
 
@@ -22,12 +22,12 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True, eq=False)
 class Integrated:
-    """A motion as it was integrated.
+    """A motion as integrated.
 
     Attributes:
-        task: what was integrated, and how.
-        parameters: the values of the parameters, those of the stabilisation included.
-        outcome: how that went.
+        task: the task.
+        parameters: the values of the parameters, including those of Baumgarte's stabilisation.
+        outcome: the outcome of the integration.
     """
 
     task: Task
@@ -38,14 +38,14 @@ class Integrated:
 def run_motions(
     task: Task, parameters: Columns, states: Array, threads: int, keep_going: KeepGoing
 ) -> Iterator[Integrated | None]:
-    """Integrate motions, and give them in their order; None for those that were not begun.
+    """Integrate motions and yield them in order; None for those that were not started.
 
     Args:
-        task: what to integrate.
-        parameters: values by name, one for each motion.
-        states: where the motions begin, a row for each.
+        task: the task.
+        parameters: values by name, one for each of the k motions.
+        states: the initial states, shape (k, model.width).
         threads: how many motions to integrate at a time.
-        keep_going: asked now and then, with the number of motions that are done.
+        keep_going: called from time to time with the number of finished motions; False ends all of them.
     """
     columns = _with_damping(task, parameters, states)
     outcomes = task.integrate(columns, states, threads, keep_going) if len(states) else ()
@@ -58,7 +58,7 @@ def run_motions(
 
 
 def _with_damping(task: Task, parameters: Columns, states: Array) -> Columns:
-    """Return the parameters with those of Baumgarte's stabilisation, where there is one."""
+    """Return the parameters, with those of Baumgarte's stabilisation if it is used."""
     if not task.model.is_stabilized:
         return parameters
     chosen = [task.damping_of(_values_of(parameters, case), state) for case, state in enumerate(states)]

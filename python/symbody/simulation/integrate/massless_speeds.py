@@ -1,6 +1,6 @@
-"""Speeds that move no mass and that no constraint determines, although forces act along them: nothing balances these.
+"""Speeds that move no mass and that no constraint determines, although a force acts along them.
 
-Where ``M w = 0`` and ``phi_q w = 0``, all that ``M u' = f + phi_q^T lambda`` says along w is ``w^T f = 0``.
+Where ``M w = 0`` and ``phi_q w = 0``, the equation ``M u' = f + phi_q^T lambda`` along w reduces to ``w^T f = 0``.
 """
 
 from __future__ import annotations
@@ -23,18 +23,18 @@ Array = NDArray[np.float64]
 
 
 def unbalanced_speeds(model: Model, parameters: Mapping[Expr, float], t: float, state: Array) -> str:
-    """Return which speeds of a state move no mass and are determined by nothing, while forces act along them.
+    """Return which speeds move no mass and are not determined by constraints, although forces act along them.
 
-    At a singular position alone they may be: only what is so beside it as well counts.
+    At an isolated singular position this is allowed: only what holds at neighbouring positions as well counts.
 
     Args:
-        model: what moves.
-        parameters: the values of its parameters, and those of the stabilisation, if there is one.
+        model: the model.
+        parameters: the values of its parameters, including those of Baumgarte's stabilisation.
         t: the time, in s.
         state: coordinates and speeds.
 
     Returns:
-        A sentence; the empty text where there are none.
+        A sentence; the empty text if there are none.
     """
     p = np.array([parameters[name] for name in (*model.parameters, *model.damping)])
     shifts = nearby(model.equations, state[: len(model.coordinates)])
@@ -47,13 +47,13 @@ def unbalanced_speeds(model: Model, parameters: Mapping[Expr, float], t: float, 
         return ""
     f, terms = _loads(model, p, t, state)
     unbalanced = [w for w in free[0] if abs(w @ f) > INCONSISTENT * np.abs(w) @ terms]
-    return _told(model, parameters, unbalanced[0]) if unbalanced else ""
+    return _explanation(model, parameters, unbalanced[0]) if unbalanced else ""
 
 
 def _massless(M: Array, phi_q: Array) -> list[Array]:
-    """Return the combinations of speeds that move no mass and that the constraints let be other than zero.
+    """Return the combinations of speeds that move no mass and that the constraints leave free.
 
-    Each speed counts in units of the one that takes the energy of a unit, so that a small mass is none that is zero.
+    Each speed is scaled to unit kinetic energy, so that a small mass does not count as zero.
     """
     sizes = np.sqrt(np.maximum(np.diag(M), 0.0))
     units = 1 / np.where(sizes > 0, sizes, 1.0)
@@ -62,7 +62,7 @@ def _massless(M: Array, phi_q: Array) -> list[Array]:
 
 
 def _loads(model: Model, p: Array, t: float, state: Array) -> tuple[Array, Array]:
-    """Return the generalised forces, and the sizes of their terms."""
+    """Return the generalised forces, and the magnitudes of their terms."""
     f = model.equations.forcing
     function = model.function([*f, *map(magnitude, f)], (*model.parameters, *model.damping))
     with np.errstate(all="ignore"):
@@ -70,7 +70,7 @@ def _loads(model: Model, p: Array, t: float, state: Array) -> tuple[Array, Array
     return values[: len(f)], values[len(f) :]
 
 
-def _told(model: Model, parameters: Mapping[Expr, float], w: Array) -> str:
+def _explanation(model: Model, parameters: Mapping[Expr, float], w: Array) -> str:
     names = [str(model.speeds[place]) for place in np.flatnonzero(w)]
     masses = free_symbols(model.equations.mass_matrix.entries)
     zeros = [f"{name} = 0" for name in model.parameters if name in masses and parameters[name] == 0]

@@ -1,4 +1,4 @@
-"""The methods of integration, a row for each."""
+"""The methods of integration, one row for each."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from .task import Method
 __all__ = ["DEFAULT", "METHODS", "method_name"]
 
 DEFAULT = "dop853"
-"""What "auto" stands for."""
+"""The method that "auto" selects."""
 
 _EXPLICIT = Method(native.prepare, is_explicit=True)
 _IMPLICIT = Method(partial(native.prepare, needs_jacobian=True))
@@ -27,7 +27,7 @@ METHODS = {
     "ida2": Method(by_ida.prepare),
     "ida3": Method(by_ida.prepare),
 }
-"""By name, who integrates."""
+"""The methods by name."""
 
 
 def method_name(given: object, where: str) -> str:

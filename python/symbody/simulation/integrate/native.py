@@ -1,31 +1,34 @@
-"""The native integrator: compiled equations in, states out; no Python in its loop."""
+"""The native integrator: it calls compiled equations, with no Python in its loop."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Sequence
 from functools import partial
 
 import numpy as np
 from numpy.typing import NDArray
 
+from symbody.simulation.given.event import Event
 from symbody.simulation.given.options import Options
+from symbody.simulation.model.model import Model
 from symbody.symbolic.numeric.deficiency import Deficiency, deficiencies_of, noting
 
+from .observed import parameters_in
 from .outcome import Failure, Outcome, Statistics, with_deficiencies
 from .problem import Problem
 from .task import Columns, Integrate, KeepGoing, Task
 
-__all__ = ["prepare", "run", "run_many"]
+__all__ = ["prepare", "problem_of", "run", "run_many"]
 
 
 def prepare(task: Task, *, needs_jacobian: bool = False) -> Integrate:
-    """Return what integrates motions of a task; its functions are derived and compiled now.
+    """Return the function that integrates the motions of a task; derive and compile what it calls.
 
     Args:
-        task: what to integrate.
+        task: the task.
         needs_jacobian: whether the method is implicit.
     """
-    problem = Problem.of(
+    problem = problem_of(
         task.model,
         is_projected=task.is_projected,
         needs_jacobian=needs_jacobian,
@@ -34,6 +37,38 @@ def prepare(task: Task, *, needs_jacobian: bool = False) -> Integrate:
     )
     problem.native  # noqa: B018 - compiled now
     return partial(_integrate, problem, task.instants, task.options)
+
+
+def problem_of(
+    model: Model,
+    *,
+    is_projected: bool,
+    needs_jacobian: bool = False,
+    events: Sequence[Event] = (),
+    trail: int = 0,
+) -> Problem:
+    """Return the compiled functions of a model. They are derived here, and compiled when their addresses are read.
+
+    Args:
+        model: the model.
+        is_projected: whether states are projected onto the constraints after each step.
+        needs_jacobian: whether the method is implicit.
+        events: the events to watch.
+        trail: the most states at the ends of steps that are kept.
+    """
+    watched = model.along_motion([event.expression for event in events])
+    others = [name for name in parameters_in(watched) if name not in (*model.parameters, *model.damping)]
+    code = model.code(watched, others) if events else None
+    return Problem(
+        width=model.width,
+        controlled=len(model.state),
+        rates=model.rates_code,
+        jacobian=model.jacobian_code if needs_jacobian else None,
+        corrections=model.correction_codes if is_projected and model.constraints else None,
+        energies=model.energies_code,
+        events=None if code is None else (code, tuple(events)),
+        trail=trail,
+    )
 
 
 def _integrate(
@@ -45,7 +80,17 @@ def _integrate(
     threads: int,
     keep_going: KeepGoing,
 ) -> Iterable[Outcome | None]:
-    """Integrate one motion, or many in threads outside the interpreter."""
+    """Integrate one motion, or many in threads outside the interpreter.
+
+    Args:
+        problem: the compiled functions.
+        instants: the instants of the results, shape (N,), in s.
+        options: the method by name and its tolerances.
+        parameters: values by name, one for each of the k motions.
+        states: the initial states, shape (k, width).
+        threads: how many motions to integrate at a time.
+        keep_going: called from time to time with the number of finished motions; False ends all of them.
+    """
     rows = np.empty((len(states), len(problem.parameters)))
     for place, name in enumerate(problem.parameters):
         rows[:, place] = parameters[name]
@@ -72,7 +117,16 @@ def run(
     options: Options,
     keep_going: Callable[[float], bool] | None = None,
 ) -> Outcome:
-    """Integrate from a state at the first instant through all of them, with the constants of the parameters."""
+    """Integrate one motion through all instants.
+
+    Args:
+        problem: the compiled functions.
+        state: the vector at the first instant, shape (width,).
+        constants: what the functions need of the parameters; see `Problem.constants`.
+        instants: the instants of the results, shape (N,), in s.
+        options: the method by name and its tolerances.
+        keep_going: called from time to time with the part of the time that is done; False ends the motion.
+    """
     states = np.empty((len(instants), problem.width))
     given = problem.native.integrate(
         options.method,
@@ -96,9 +150,19 @@ def run_many(
     threads: int = 1,
     keep_going: Callable[[float], bool] | None = None,
 ) -> list[Outcome | None]:
-    """Integrate many motions, a row of states and of parameters for each, in threads outside the interpreter.
+    """Integrate many motions in threads outside the interpreter.
 
-    What was not begun when `keep_going` said no is None.
+    Args:
+        problem: the compiled functions.
+        parameters: the values of the parameters, one row for each of the k motions.
+        states: the vectors at the first instant, shape (k, width).
+        instants: the instants of the results, shape (N,), in s.
+        options: the method by name and its tolerances.
+        threads: how many motions to integrate at a time.
+        keep_going: called from time to time with the number of finished motions; False ends all of them.
+
+    Returns:
+        An outcome for each motion; None for those that were not started.
     """
     results = np.full((len(states), len(instants), problem.width), np.nan)
     different, places = np.unique(parameters, axis=0, return_inverse=True)
@@ -124,7 +188,7 @@ def run_many(
 def _prepared(
     problem: Problem, parameters: NDArray[np.float64]
 ) -> tuple[NDArray[np.float64], set[Deficiency]]:
-    """Return the constants, and the linear systems of parameters alone that have no unique solution."""
+    """Return the constants, and the linear systems that depend on parameters alone and have no unique solution."""
     with noting() as found:
         constants = problem.constants(parameters)
     return constants, found

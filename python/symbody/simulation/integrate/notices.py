@@ -1,4 +1,4 @@
-"""Notices: what a user should know of a motion that was integrated, or of the cases of a batch."""
+"""Notices: what a user should know of an integrated motion, or of the cases of a batch."""
 
 from __future__ import annotations
 
@@ -29,18 +29,18 @@ __all__ = [
 
 
 LEFT = 1e-3
-"""The part of its terms by which a constraint is off where a motion has left it: free motions drift by less."""
+"""The relative violation above which a motion has left a constraint: unconstrained drift is smaller."""
 
 
 @dataclass(frozen=True, order=True)
 class Finding:
-    """Something that the user of a motion should know.
+    """A fact that the user of a motion should know.
 
     Attributes:
-        kind: a name of `ROWS`.
-        subject: what it is about, in the user's names; cases with the same subject are reported together.
-        size: how bad it is, where that is a number: of many cases the worst one is reported.
-        t: since when, in s, where that is known.
+        kind: a key of `ROWS`.
+        subject: its subject, in the user's names; cases with the same subject are reported together.
+        size: its severity, if that is a number: of many cases, the worst one is reported.
+        t: the instant since when it holds, in s, if it is known.
     """
 
     kind: str
@@ -55,7 +55,7 @@ class _Row:
 
     Attributes:
         find: returns the findings of this kind in a motion.
-        sentence: what to say, with ``{subject}``, ``{size}`` and ``{t}``.
+        sentence: the message, with ``{subject}``, ``{size}`` and ``{t}``.
     """
 
     find: Callable[[Integrated], Iterable[Finding]]
@@ -73,7 +73,7 @@ def _deficiencies(motion: Integrated) -> Iterable[Finding]:
 
 def _imbalance(motion: Integrated) -> Iterable[Finding]:
     found, failure = motion.outcome.imbalance, motion.outcome.failure
-    # A motion that fails by leaving all bounds takes its energy with it.
+    # A motion that diverges takes its energy with it.
     is_failed = failure is not None and failure.kind != "interrupted"
     return (
         []
@@ -83,7 +83,7 @@ def _imbalance(motion: Integrated) -> Iterable[Finding]:
 
 
 def _better_way(motion: Integrated) -> str:
-    """Return what may keep the balance of energy, where a motion has lost it."""
+    """Return what may improve the energy balance of a motion."""
     task = motion.task
     if task.method.is_explicit and not task.trail:
         return "use smaller tolerances or a smaller max_step, or begin at another position"
@@ -92,7 +92,7 @@ def _better_way(motion: Integrated) -> str:
 
 
 def _singular_start(motion: Integrated) -> Iterable[Finding]:
-    """Return which constraints depend on each other where a motion begins, if they don't do so beside it."""
+    """Return which constraints are dependent at the initial position, but not at neighbouring positions."""
     model = motion.task.model
     state = motion.outcome.states[0][: len(model.state)]
     if not model.constraints:
@@ -108,7 +108,7 @@ def _singular_start(motion: Integrated) -> Iterable[Finding]:
 
 
 def _passages(motion: Integrated) -> Iterable[Finding]:
-    """Return that singular positions were passed, where nothing says on which branch the motion went on."""
+    """Return the singular positions that were passed, if the method does not keep the motion on its branch."""
     passed = singular_passages(motion.task.model, motion.parameters, motion.outcome.trail)
     return [Finding("passage", size=float(len(passed)), t=float(passed[0]))] if len(passed) else []
 
@@ -119,7 +119,7 @@ def _uncertainty(motion: Integrated) -> Iterable[Finding]:
 
 
 def _violations(motion: Integrated) -> Iterable[Finding]:
-    """Return the constraint that is off most where a motion has left its constraints, at its end."""
+    """Return the constraint with the largest violation, if a motion has left its constraints at its end."""
     model, outcome = motion.task.model, motion.outcome
     if not model.constraints or outcome.failure is not None:
         return []
@@ -140,39 +140,40 @@ ROWS: dict[str, _Row] = {
     "deficient": _Row(_deficiencies, "{subject}"),
     "start": _Row(
         _singular_start,
-        "the motion begins at a singular position, from which several motions may go on: {subject}, and beside it they "
-        "don't; begin at another position of the motion that is meant, or look whether this is the one",
+        "the motion starts at a singular position, from which several motions may continue: {subject}, but not at "
+        "neighbouring positions; start at another position of the intended motion, or check that this is the "
+        "intended one",
     ),
     "violation": _Row(
         _violations,
-        "the motion has left its constraints: at its end {subject} is off by {size:.1g} of the size of its terms; "
-        "use smaller tolerances or another way to keep them (constraints=...), and leave out those that follow from "
-        "others",
+        "the motion has left its constraints: at its end {subject} is off by {size:.1g} of the magnitude of its "
+        "terms; use smaller tolerances or another way to enforce them (constraints=...), and leave out those that "
+        "follow from others",
     ),
     "imbalance": _Row(
         _imbalance,
-        "the balance of energy, work included, is off by {size:.1g} of the largest energy that moves, more than the "
-        "tolerances explain, from t = {t:.6g} s on or a little before; {subject}, and look for a force that jumps or a "
-        "singular position there",
+        "the energy balance, including work, is off by {size:.1g} of the largest energy that varies, more than the "
+        "tolerances explain, from t = {t:.6g} s on or slightly earlier; {subject}, and look for a force that jumps "
+        "or a singular position there",
     ),
     "passage": _Row(
         _passages,
         "the motion passes singular positions ({size:.0f}, the first at about t = {t:.4g} s), where the constraints "
-        "depend on each other and other branches begin; it may have changed its branch there: only method='dop853' or "
-        "'tsit5' with constraints='projection' make sure that it does not",
+        "depend on each other and branches meet; it may have changed its branch there: only method='dop853' or "
+        "'tsit5' with constraints='projection' prevent this",
     ),
     "uncertain": _Row(
         _uncertainty,
         "at t = {t:.6g} s the motion is so close to a singular position of its constraints that rounding errors decide "
-        "on which branch it goes on; compare it with a motion at another tolerance or max_step, or one that begins a "
-        "little beside it",
+        "on which branch it continues; compare it with a motion with another tolerance or max_step, or from a "
+        "slightly different initial state",
     ),
     "stiff": _Row(
         _stiffness,
-        "stability, not accuracy, bounds the steps: the equations are stiff; method='bdf' may be faster",
+        "stability, not accuracy, limits the step size: the equations are stiff; method='bdf' may be faster",
     ),
 }
-"""By kind, how a finding is made and what is said of it, in the order in which findings are reported."""
+"""How each kind of finding is made and worded, in the order in which findings are reported."""
 
 
 def deficiency_findings(deficiencies: Iterable[Deficiency], model: Model) -> tuple[Finding, ...]:
@@ -182,20 +183,20 @@ def deficiency_findings(deficiencies: Iterable[Deficiency], model: Model) -> tup
 
 
 def findings_of(motion: Integrated) -> tuple[Finding, ...]:
-    """Return what there is to say of a motion."""
+    """Return all findings about a motion."""
     return tuple(finding for row in ROWS.values() for finding in row.find(motion))
 
 
 def notices_of_motion(findings: Iterable[Finding], where: str = "simulate") -> list[str]:
-    """Return a text for each finding of one motion."""
+    """Return a message for each finding of one motion."""
     return [f"{where}: {_sentence(finding)}" for finding in findings]
 
 
 def notices_of_batch(findings: Sequence[Iterable[Finding]], where: str) -> list[str]:
-    """Return a text for each kind and subject of findings, with the number of cases in which it was found.
+    """Return a message for each kind and subject of findings, with the number of cases that have it.
 
     Args:
-        findings: those of each case.
+        findings: the findings of each case.
         where: the function that the user called.
     """
     grouped: dict[tuple[str, str], dict[int, Finding]] = {}
@@ -208,7 +209,7 @@ def notices_of_batch(findings: Sequence[Iterable[Finding]], where: str) -> list[
 
 
 def _counted(cases: Mapping[int, Finding], count: int) -> str:
-    """Return what was found in some cases; its size is that of the worst case."""
+    """Return the message for some cases; its size is that of the worst case."""
     first = min(cases)
     worst = max(cases, key=lambda case: (cases[case].size > -1, cases[case].size))
     named = f"first case {first}" if worst == first else f"first case {first}, worst case {worst}"

@@ -1,4 +1,4 @@
-"""How an integration went, in the terms that all methods share."""
+"""The outcome of an integration, in the same form for all methods."""
 
 from __future__ import annotations
 
@@ -15,9 +15,9 @@ __all__ = ["Failure", "Outcome", "Statistics", "with_deficiencies"]
 
 @dataclass(frozen=True)
 class Statistics:
-    """What an integration took: steps, steps tried again, evaluations; and whether the equations look stiff.
+    """The cost of an integration: steps, rejected steps, evaluations; and whether the equations seem stiff.
 
-    IDA doesn't tell its steps: they are zero.
+    IDA does not report its steps: they are zero.
     """
 
     steps: int
@@ -29,7 +29,7 @@ class Statistics:
 
 @dataclass(frozen=True)
 class Failure:
-    """Why a motion ended early: a word for the kind, the instant up to which it is known, and a sentence."""
+    """Why a motion ended early: a word for the kind, the last known instant, and a sentence."""
 
     kind: str
     t: float
@@ -38,20 +38,20 @@ class Failure:
 
 @dataclass(frozen=True, eq=False)
 class Outcome:
-    """How an integration went.
+    """The outcome of an integration.
 
     Attributes:
-        states: the states at the instants that were reached, a row for each.
-        occurrences: the number of an event, when it happened, and the state there.
-        end: where the motion ended.
-        failure: why it ended early, other than by an event.
-        statistics: what it took.
+        states: the states at the N instants that were reached, shape (N, width).
+        occurrences: for each event, its index, the instant, and the state there.
+        end: the instant and the state at which the motion ended.
+        failure: why it ended early, unless an event ended it.
+        statistics: the cost of the integration.
         deficiencies: the linear systems without a unique solution that it met.
-        imbalance: since when, and by which part of the largest energy that moves, the balance of energy was off; None
-            where the errors of the steps explain what is off, or nobody knows the energy.
-        trail: rows of the instant and the state at the ends of steps; empty where the integrator itself keeps a motion
-            on the branch of its constraints.
-        uncertain: when the integrator first took a step although it could not make sure of that.
+        imbalance: since when the energy balance was off, and by which part of the largest varying energy; None where
+            the errors of the steps explain the difference, or the energy is not known.
+        trail: the instant and the state at the ends of steps, one row for each; empty if the integrator itself keeps
+            the motion on its branch of the constraints.
+        uncertain: the instant of the first step for which the integrator could not ensure that.
     """
 
     states: NDArray[np.float64]
@@ -66,6 +66,6 @@ class Outcome:
 
 
 def with_deficiencies(outcome: Outcome, found: Iterable[Deficiency]) -> Outcome:
-    """Return an outcome that met further linear systems without a unique solution; most meet none."""
+    """Add further linear systems without a unique solution to an outcome."""
     more = frozenset(found)
     return replace(outcome, deficiencies=outcome.deficiencies | more) if more else outcome

@@ -1,8 +1,7 @@
-"""What the native integrator needs of a model: compiled functions by their addresses."""
+"""The interface to the native integrator: compiled functions, by their addresses."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -11,11 +10,8 @@ from numpy.typing import NDArray
 
 from symbody.codegen import PreparedCode
 from symbody.simulation.given.event import Event
-from symbody.simulation.model.model import Model
 from symbody.symbolic import Expr
 from symbody.symbolic._core import Dynamics
-
-from .asked import parameters_in
 
 __all__ = ["Problem"]
 
@@ -26,14 +22,14 @@ class Problem:
 
     Attributes:
         width: the length of the integrated vector.
-        controlled: how many of its entries count for the error.
+        controlled: the number of its entries that enter the error estimate.
         rates: the rates of the vector.
-        jacobian: their derivatives that aren't zero, with rows and columns; for implicit methods.
-        corrections: the ways back onto the constraints, of coordinates and of speeds; none without projection.
-        energies: the kinetic and the potential energy; none where their sum isn't constant.
-        events: functions whose zeros are events, and the events.
-        trail: how many states at the ends of steps are kept at most, of each motion; of longer ones every second or
-            fourth state, and so on.
+        jacobian: their nonzero derivatives, with rows and columns; for implicit methods.
+        corrections: the corrections of coordinates and of speeds onto the constraints; None without projection.
+        energies: the kinetic and the potential energy; None where their sum is not constant.
+        events: the functions whose zeros are events, and the events.
+        trail: the most states at the ends of steps that are kept for each motion; of longer motions, every second or
+            fourth state is kept, and so on.
     """
 
     width: int
@@ -45,34 +41,9 @@ class Problem:
     events: tuple[PreparedCode, tuple[Event, ...]] | None = None
     trail: int = 0
 
-    @classmethod
-    def of(
-        cls,
-        model: Model,
-        *,
-        is_projected: bool,
-        needs_jacobian: bool = False,
-        events: Sequence[Event] = (),
-        trail: int = 0,
-    ) -> Problem:
-        """Return what integrates a model; each function is derived here, and compiled when its address is asked for."""
-        watched = model.along_motion([event.expression for event in events])
-        others = [name for name in parameters_in(watched) if name not in (*model.parameters, *model.damping)]
-        code = model.code(watched, others) if events else None
-        return cls(
-            width=model.width,
-            controlled=len(model.state),
-            rates=model.rates_code,
-            jacobian=model.jacobian_code if needs_jacobian else None,
-            corrections=model.correction_codes if is_projected and model.constraints else None,
-            energies=model.energies_code,
-            events=None if code is None else (code, tuple(events)),
-            trail=trail,
-        )
-
     @property
     def codes(self) -> list[PreparedCode]:
-        """All functions, in the order in which their constants stand."""
+        """All functions, in the order of their constants."""
         jacobian = [] if self.jacobian is None else [self.jacobian[0]]
         events = [] if self.events is None else [self.events[0]]
         energies = [] if self.energies is None else [self.energies]
@@ -80,11 +51,11 @@ class Problem:
 
     @property
     def parameters(self) -> tuple[Expr, ...]:
-        """What needs values: the parameters of the rates, then those that stand in events alone."""
+        """The symbols that need values: the parameters of the rates, then those that only events contain."""
         return self.codes[-1].parameters
 
     def constants(self, parameters: NDArray[np.float64]) -> NDArray[np.float64]:
-        """Return what the functions need of the parameters, one after another."""
+        """Return the constants of all functions for given parameters, one after another."""
         return np.concatenate([code.prepare(parameters[: len(code.parameters)]) for code in self.codes])
 
     @cached_property

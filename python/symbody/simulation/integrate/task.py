@@ -1,4 +1,4 @@
-"""A task: motions that differ in nothing but their numbers, and the method that integrates them."""
+"""A task: the method and the model of motions that differ only in their numbers."""
 
 from __future__ import annotations
 
@@ -15,8 +15,8 @@ from symbody.simulation.given.options import Options
 from symbody.simulation.model.model import DAMPING, Model, without_stabilization
 from symbody.symbolic import Expr
 
-from .asked import parameters_in
-from .baumgarte_choice import chosen_damping
+from .baumgarte_damping import chosen_damping
+from .observed import parameters_in
 from .outcome import Outcome
 
 __all__ = ["Columns", "Integrate", "KeepGoing", "Method", "Task"]
@@ -24,17 +24,17 @@ __all__ = ["Columns", "Integrate", "KeepGoing", "Method", "Task"]
 Array = NDArray[np.float64]
 
 Columns = Mapping[Expr, Array]
-"""Values of parameters by name, one for each motion."""
+"""Values of parameters by name, one for each motion: arrays of shape (k,)."""
 
 KeepGoing = Callable[[float], bool]
-"""Asked now and then whether to go on, with the number of motions that are done: of one alone, the part of its time."""
+"""Called from time to time with the number of finished motions, or the part of one motion; False ends them."""
 
 Integrate = Callable[[Columns, Array, int, KeepGoing], Iterable[Outcome | None]]
-"""Takes the parameters and the first states of motions, the number of threads, and whom to ask whether to go on; gives
-how the integration of each motion went, None where it was not begun."""
+"""Integrates motions. Its arguments are the parameters, the initial states, the number of threads, and `KeepGoing`; it
+yields the outcome of each motion, None for those that were not started."""
 
 TRAIL = 2**14
-"""States at the ends of steps that are kept, where somebody looks at them."""
+"""The most states at the ends of steps that are kept, if they are needed."""
 
 
 @dataclass(frozen=True)
@@ -42,9 +42,9 @@ class Method:
     """A method of integration.
 
     Attributes:
-        prepare: derives and compiles what the method needs of a task, and returns what integrates its motions.
-        is_explicit: whether it is an explicit method: stiff equations make its steps short, and with projection they
-            stay on the branch of the constraints.
+        prepare: derives and compiles what the method needs, and returns the function that integrates the motions.
+        is_explicit: whether the method is explicit: stiff equations then limit its steps, and with projection it keeps
+            a motion on its branch of the constraints.
     """
 
     prepare: Callable[[Task], Integrate]
@@ -53,17 +53,17 @@ class Method:
 
 @dataclass(frozen=True, eq=False)
 class Task:
-    """What to integrate, how, and what to read out of the motions: made once, for one motion or many.
+    """What to integrate, how, and what to evaluate along the motions; made once, for one motion or many.
 
     Attributes:
-        model: what moves.
-        instants: when its states are asked for.
+        model: the model.
+        instants: the instants of the results, shape (N,), in s.
         options: the method by name, its tolerances and its longest step.
         method: the method.
-        constraints: how constraints are kept; see `simulate`.
+        constraints: how constraints are enforced; see `simulate`.
         outputs: expressions to evaluate at all instants, by name.
-        events: what to look for.
-        guess: where to look for the initial states of constrained systems.
+        events: the events to watch.
+        guess: where to look for initial states that satisfy the constraints.
         keeps_states: whether the states of many motions are results, or only the outputs.
     """
 
@@ -78,59 +78,66 @@ class Task:
     keeps_states: bool = True
 
     def __getstate__(self) -> dict[str, Any]:
-        """Leave behind what is compiled, which is of this process."""
+        """Drop what is compiled: it belongs to this process."""
         return {name: value for name, value in self.__dict__.items() if name in self.__dataclass_fields__}
 
     @cached_property
     def integrate(self) -> Integrate:
-        """What integrates its motions; derived and compiled when it is first asked for."""
+        """The function that integrates the motions; derived and compiled on first use."""
         return self.method.prepare(self)
 
     @property
-    def asked(self) -> list[Expr]:
-        """What is evaluated along the motions beside their states: outputs and events."""
+    def observed(self) -> list[Expr]:
+        """The expressions that are evaluated along the motions beside their states: outputs and events."""
         return [*self.outputs.values(), *(event.expression for event in self.events)]
 
     @property
     def parameters(self) -> tuple[Expr, ...]:
         """The symbols that need values: those of the model, then those of outputs and events."""
-        return (*self.model.parameters, *parameters_in(self.asked))
+        return (*self.model.parameters, *parameters_in(self.observed))
 
     @property
     def is_projected(self) -> bool:
-        """Whether states are put back onto the constraints after each step."""
+        """Whether states are projected onto the constraints after each step."""
         return self.constraints == "projection"
 
     @property
     def trail(self) -> int:
-        """How many states at the ends of steps are kept of a motion, at most; none where steps stay on the branch."""
+        """The most states at the ends of steps that are kept of a motion; 0 if steps stay on the branch."""
         stays = self.is_projected and self.method.is_explicit
         return TRAIL if self.model.constraints and not stays else 0
 
     @cached_property
-    def plain(self) -> Model:
-        """What moves, without Baumgarte's stabilisation."""
+    def unstabilized(self) -> Model:
+        """The model without Baumgarte's stabilisation."""
         return without_stabilization(self.model)
 
     def damping_of(self, parameters: Mapping[Expr, float], state: Array) -> dict[Expr, float]:
-        """Return the frequency and the damping ratio with which violations of constraints die out, if they do.
+        """Return the parameters of Baumgarte's stabilisation, omega and zeta; empty without it.
 
         Args:
-            parameters: those of a motion.
-            state: where it begins.
+            parameters: the parameters of a motion.
+            state: its initial state.
         """
         if not self.model.is_stabilized:
             return {}
         damping = self.constraints
         if isinstance(damping, str):
-            values = np.array([parameters[name] for name in self.plain.parameters])
-            damping = chosen_damping(self.plain, values, state, self.instants)
+            values = np.array([parameters[name] for name in self.unstabilized.parameters])
+            damping = chosen_damping(self.unstabilized, values, state, self.instants)
         return dict(zip(DAMPING, damping, strict=True))
 
     def values(
         self, expressions: list[Expr], states: Array, instants: Array, parameters: Mapping[Expr, float]
     ) -> Array:
-        """Return the values of expressions along a motion, a row for each."""
+        """Return the values of expressions along a motion, shape (expressions, N).
+
+        Args:
+            expressions: the expressions.
+            states: coordinates, then speeds, shape (N, n).
+            instants: the instants, shape (N,), in s.
+            parameters: the values of the parameters.
+        """
         if not expressions:
             return np.empty((0, len(instants)))
         function = self.model.function(expressions, tuple(parameters))

@@ -1,4 +1,4 @@
-"""A task, of what a user asks for; whatever can't be done is named before anything is run."""
+"""A task from the arguments of a user; all errors are raised before anything is run."""
 
 from __future__ import annotations
 
@@ -9,14 +9,14 @@ from numpy.typing import ArrayLike
 from symbody.dynamics import Equations
 from symbody.simulation.given.event import Event
 from symbody.simulation.given.given_bodies import notice_impossible_bodies
-from symbody.simulation.given.options import Options, check_options, instants_of, kept_by
+from symbody.simulation.given.options import Options, check_options, constraint_handling, instants_of
 from symbody.simulation.given.unused import notice_unused
-from symbody.simulation.given.values import given_inputs, state_values, vanishing
+from symbody.simulation.given.values import given_inputs, state_values, zero_parameters
 from symbody.simulation.model.model import model_of
 from symbody.symbolic import Expr, ExprLike
 
-from .asked import asked_outputs, check_known_along, watched_events
 from .methods import METHODS, method_name
+from .observed import check_observed, given_events, given_outputs
 from .task import Task
 
 __all__ = ["notice_odd_values", "task_of"]
@@ -39,60 +39,60 @@ def task_of(
     keeps_states: bool = True,
     where: str = "simulate",
 ) -> Task:
-    """Return a task; the arguments are those of `simulate`.
+    """Return a task. The arguments are those of `simulate`.
 
     Args:
         eqs: the equations of motion.
-        parameters: the values of parameters: those that vanish decide how the accelerations are found.
+        parameters: the values of the parameters; zeros influence how the accelerations are solved for.
         t: the instants, or the first and the last of 1001.
-        inputs: what stands in the place of functions of time that are given from outside.
+        inputs: the expressions that replace input functions of time.
         method: the method by name.
         rtol: the relative tolerance.
         atol: the absolute tolerance.
-        outputs: what to evaluate, by name.
-        events: what to look for.
-        constraints: how constraints are kept.
+        outputs: expressions to evaluate, by name.
+        events: the events to watch.
+        constraints: how constraints are enforced.
         guess: where to look for initial states.
         max_step: the longest step, in s.
         keeps_states: whether the states of many motions are results.
-        where: the function that the user called.
+        where: the function that the user called, for messages.
 
     Raises:
-        ArgumentError: something of another type than asked for.
-        ModelError: functions of time that nobody gives, or that aren't needed.
-        ParameterError: a guess of what is no coordinate or speed.
-        SimulationError: an option that isn't known; an output or event of what no motion knows.
+        ArgumentError: an argument has the wrong type.
+        ModelError: an input has no expression, or an expression is given for something that is not an input.
+        ParameterError: a key of the guess is neither a coordinate nor a speed.
+        SimulationError: an option is unknown, or an output or event contains a variable without values.
     """
     instants, name = instants_of(t, where), method_name(method, where)
     check_options(rtol, atol, max_step, where)
-    kept = kept_by(constraints, where)
-    asked, watched = asked_outputs(outputs, where), watched_events(events, where)
+    kept = constraint_handling(constraints, where)
+    named_outputs, watched = given_outputs(outputs, where), given_events(events, where)
     formulas = given_inputs(eqs, inputs, where=where)
     is_damped = bool(eqs.constraints) and kept not in {"projection", "free"}
     task = Task(
-        model=model_of(eqs, formulas, is_stabilized=is_damped, zeros=vanishing(parameters)),
+        model=model_of(eqs, formulas, is_stabilized=is_damped, zeros=zero_parameters(parameters)),
         instants=instants,
         options=Options(name, rtol, atol, max_step),
         method=METHODS[name],
         constraints=kept,
-        outputs=asked,
+        outputs=named_outputs,
         events=watched,
         guess=state_values(eqs.system, guess, where=where, argument="guess"),
         keeps_states=keeps_states,
     )
-    check_known_along(task.model, asked, watched, where)
+    check_observed(task.model, named_outputs, watched, where)
     return task
 
 
 def notice_odd_values(task: Task, parameters: Mapping[Expr, ArrayLike], where: str = "simulate") -> None:
-    """Give notices of parameters that nothing uses, and of masses and inertias that no body has.
+    """Warn of parameters without a use, and of impossible masses and inertias.
 
     Args:
-        task: what they are for.
-        parameters: their values.
-        where: the function that the user called.
+        task: the task.
+        parameters: the values of the parameters.
+        where: the function that the user called, for messages.
     """
     equations = task.model.equations
-    asked = [*task.asked, *dict(task.model.inputs).values()]
-    notice_unused(equations, parameters, asked, where, stacklevel=4)
+    observed = [*task.observed, *dict(task.model.inputs).values()]
+    notice_unused(equations, parameters, observed, where, stacklevel=4)
     notice_impossible_bodies(equations.system, parameters, where)

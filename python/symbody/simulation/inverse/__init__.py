@@ -1,1 +1,1 @@
-"""Inverse dynamics: the forces that make a system move as it is said to."""
+"""Inverse dynamics: the loads that make a system follow a prescribed motion."""

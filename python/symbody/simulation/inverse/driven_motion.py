@@ -1,4 +1,4 @@
-"""Driven motions: what a user prescribes, or has simulated, at the instants where loads are wanted."""
+"""Driven motions, prescribed or simulated, at the instants at which loads are wanted."""
 
 from __future__ import annotations
 
@@ -15,10 +15,10 @@ from symbody.simulation.motion.motion import Motion
 from symbody.symbolic import Expr, ExprLike
 from symbody.symbolic.given.arguments import described
 
-from .kinematic_analysis import Course, course
+from .kinematic_analysis import Trajectory, kinematic_analysis
 from .prescription import prescription_of
 
-__all__ = ["DrivenMotion", "followed_motion", "prescribed_motion"]
+__all__ = ["DrivenMotion", "prescribed_motion", "simulated_motion"]
 
 Array = NDArray[np.float64]
 Parameters = Mapping[Expr, ArrayLike]
@@ -28,18 +28,18 @@ _WHERE = "inverse_dynamics"
 
 @dataclass(frozen=True, eq=False)
 class DrivenMotion:
-    """A motion for which loads are wanted.
+    """A motion for which loads are computed.
 
     Attributes:
-        driving: the coordinates or quasi-velocities in which it is driven.
-        instants: when.
-        course: where it is.
-        parameters: the values of parameters.
+        driving: the coordinates or quasi-velocities that are driven.
+        instants: the instants, shape (N,), in s.
+        trajectory: the coordinates, speeds and accelerations.
+        parameters: the values of the parameters.
     """
 
     driving: tuple[Expr, ...]
     instants: Array
-    course: Course
+    trajectory: Trajectory
     parameters: Mapping[Expr, float]
 
 
@@ -51,51 +51,51 @@ def prescribed_motion(
     parameters: Parameters,
     guess: Mapping[Expr, ArrayLike] | None,
 ) -> DrivenMotion:
-    """Return the motion that a prescription and the constraints make.
+    """Return the motion that a prescription and the constraints determine.
 
     Args:
         kinematics: the constraints.
-        motion: coordinates by time.
+        motion: the prescribed coordinates as functions of time.
         t: the first and the last instant, or all.
-        needed: what must have a value, beside what stands in the prescription.
-        parameters: the values.
+        needed: the symbols that need values, in addition to those in the prescription.
+        parameters: the values of symbols.
         guess: coordinates near the first position.
 
     Raises:
-        SimulationError: instants that don't increase, samples of another number, a motion that isn't determined.
-        ConstraintError: the constraints don't allow the motion.
-        ModelError: something is prescribed that can't be.
-        ParameterError: a value is missing or isn't finite.
+        SimulationError: instants do not increase, samples have another length, or the motion is not determined.
+        ConstraintError: the constraints do not allow the motion.
+        ModelError: a prescription contains something other than time and parameters.
+        ParameterError: a value is missing or not finite.
     """
     instants = _instants(t)
     prescription = prescription_of(kinematics.system, motion, instants, _WHERE)
     values = _values({*needed, *prescription.parameters}, parameters)
     near = state_values(kinematics.system, guess, where=_WHERE, argument="guess", has_speeds=False)
     p = np.array([values[name] for name in kinematics.parameters])
-    along = course(kinematics, p, prescription.compiled(values), instants, near, _WHERE)
+    along = kinematic_analysis(kinematics, p, prescription.compiled(values), instants, near, _WHERE)
     return DrivenMotion(prescription.coordinates, instants, along, values)
 
 
-def followed_motion(
+def simulated_motion(
     kinematics: Kinematics, motion: Motion, needed: Collection[Expr], parameters: Parameters
 ) -> DrivenMotion:
-    """Return a motion that was simulated; parameters may be others, but for those in the constraints.
+    """Return a simulated motion. Parameters may have other values, except those in the constraints.
 
     Raises:
-        ConstraintError: a parameter in the constraints is another one.
-        ParameterError: a value is missing or isn't finite.
+        ConstraintError: a parameter in the constraints has another value.
+        ParameterError: a value is missing or not finite.
     """
     values, system = _values(needed, {**motion.parameters, **parameters}), kinematics.system
     for name in kinematics.parameters:
         own = motion.parameters.get(name, values[name])
         if values[name] != own:
             raise ConstraintError(
-                f"{_WHERE}, parameters: {name} = {values[name]:g} stands in the constraints or the kinematics, and "
-                f"the motion has {name} = {own:g}; simulate it with the same"
+                f"{_WHERE}, parameters: {name} = {values[name]:g} is in the constraints or the kinematics, but the "
+                f"motion has {name} = {own:g}; simulate it with the same value"
             )
     q, n = len(system.coordinates), len(system.speeds)
     rows = motion.evaluate([*system.coordinates, *system.speeds, *system.accelerations]).T
-    along = Course(rows[:, :q], rows[:, q : q + n], rows[:, q + n :])
+    along = Trajectory(rows[:, :q], rows[:, q : q + n], rows[:, q + n :])
     return DrivenMotion(system.driving, motion.t, along, values)
 
 
@@ -113,7 +113,7 @@ def _instants(given: ArrayLike | None) -> Array:
 
 
 def _values(needed: Collection[Expr], parameters: Parameters) -> dict[Expr, float]:
-    """Return the values of all symbols that are given, after a look for those which are needed."""
+    """Return the values of all given symbols; check that those that are needed have values."""
     names = sorted(needed, key=lambda symbol: symbol.name)
     parameter_values(names, parameters, where=_WHERE)
     return {name: float(np.asarray(value)) for name, value in parameters.items()}

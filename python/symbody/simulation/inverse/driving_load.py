@@ -1,4 +1,4 @@
-"""Driving loads: what the equations of motion demand where the motion is known."""
+"""Driving loads: the solution of the equations of motion for loads, where the motion is known."""
 
 from __future__ import annotations
 
@@ -17,16 +17,16 @@ from symbody.simulation.constraint.least_norm import least_norm_many
 from symbody.simulation.given.given_input import Given, with_given
 from symbody.symbolic import Expr, Matrix, free_symbols, jacobian, number, substitute, t, time_derivative
 
-from .kinematic_analysis import Course
+from .kinematic_analysis import Trajectory
 
 __all__ = ["DrivingLoads", "driving_loads"]
 
 Array = NDArray[np.float64]
 
 _UNBALANCED = 1e-7
-"""The part of its terms that an equation of motion may be off where it counts as balanced."""
+"""The relative residual up to which an equation of motion counts as balanced."""
 _FAINT = 1e-4
-"""The part of the largest terms that counts, where an equation has no terms but rounding errors."""
+"""The ratio to the largest terms that counts, where all terms of an equation are rounding errors."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -35,9 +35,9 @@ class DrivingLoads:
 
     Attributes:
         equations: the equations of motion.
-        given: what stands in the place of functions of time that are given from outside.
+        given: the expressions that replace input functions of time.
         along: the coordinates or quasi-velocities along which generalised forces are solved for.
-        loads: symbols or functions of time in the equations that are solved for.
+        loads: symbols or functions of time in the equations, which are solved for.
         where: the function that the user called, for messages.
     """
 
@@ -49,7 +49,7 @@ class DrivingLoads:
 
     @property
     def names(self) -> tuple[Expr, ...]:
-        """What is solved for, but the multipliers."""
+        """The unknowns, except the multipliers."""
         return self.along + self.loads
 
     @cached_property
@@ -59,14 +59,14 @@ class DrivingLoads:
 
     @cached_property
     def parameters(self) -> tuple[Expr, ...]:
-        """The symbols that need values, by name."""
+        """The symbols that need values, sorted by name."""
         leaves = free_symbols(self.residuals) - {*self.loads}
         found = {leaf for leaf in leaves if leaf.kind == "symbol" and not leaf.depends_on_time}
         return tuple(sorted(found, key=lambda symbol: symbol.name))
 
     @cached_property
     def function(self) -> CompiledFunction:
-        """The function of t, (q, u, u') and p that returns r, B, and the sizes of the terms of r.
+        """The function of t, (q, u, u') and p that returns r, B, and the magnitudes of the terms of r.
 
         Raises:
             ModelError: the equations aren't linear in the loads.
@@ -86,7 +86,7 @@ class DrivingLoads:
         return lambdify(variables, [list(rest), B, [magnitude(each) for each in rest]])
 
     def _directions(self) -> Matrix:
-        """Return ``-K^T``, with K the derivatives by the speeds of the rates along which forces are."""
+        """Return ``-K^T``: K has the derivatives, with respect to the speeds, of the rates along which forces act."""
         eqs = self.equations
         rates = [eqs.kinematics.get(time_derivative(name), name) for name in self.along]
         return -jacobian(list(with_given(eqs.system, self.given, rates)), list(eqs.speeds)).T
@@ -97,8 +97,8 @@ class DrivingLoads:
         rates = [rate for rate in rates if rate.name in {name.name for name in self.loads}]
         if rates:
             raise ModelError(
-                f"{self.where}, unknowns: the equations of motion hold the rate {rates[0]}; expected loads whose rates "
-                "don't matter"
+                f"{self.where}, unknowns: the equations of motion contain the rate {rates[0]}; expected loads that "
+                "enter without their rates"
             )
         names = {leaf.name for leaf in free_symbols([entry for row in slopes for entry in row])}
         curved = [str(name) for name in self.loads if name.name in names]
@@ -108,13 +108,15 @@ class DrivingLoads:
                 "loads that are, such as a force or its amplitude"
             )
 
-    def solved(self, instants: Array, course: Course, values: Mapping[Expr, float]) -> tuple[Array, Array]:
-        """Return loads and multipliers, a row for each instant; the least multipliers of dependent constraints.
+    def solved(
+        self, instants: Array, trajectory: Trajectory, values: Mapping[Expr, float]
+    ) -> tuple[Array, Array]:
+        """Return loads and multipliers, one row for each instant; the least multipliers if constraints are dependent.
 
         Raises:
-            SimulationError: some loads aren't determined, or the equations don't balance or aren't finite.
+            SimulationError: loads are not determined, or the equations are not balanced or not finite.
         """
-        state = np.hstack([course.coordinates, course.speeds, course.accelerations]).T
+        state = np.hstack([trajectory.coordinates, trajectory.speeds, trajectory.accelerations]).T
         p = np.array([values[name] for name in self.parameters]).reshape(-1, 1)
         r, B, sizes = self.function(instants, state, p)
         r, B, sizes = r.T, np.moveaxis(B, -1, 0), sizes.T
@@ -132,7 +134,7 @@ class DrivingLoads:
             row = int(np.argmax(is_strange[k]))
             raise SimulationError(
                 f"{self.where}: at t = {instants[k]:g} s {self._equation(row)} isn't finite; a function may be out of "
-                "its domain there, or a length zero"
+                "its domain there, or a length may be zero"
             )
 
     def _check_balanced(self, instants: Array, left: Array, sizes: Array) -> None:
@@ -143,7 +145,7 @@ class DrivingLoads:
             row = int(np.argmax(np.where(is_off[k], np.abs(left[k]), 0)))
             raise SimulationError(
                 f"{self.where}: at t = {instants[k]:g} s no {', '.join(map(str, self.names))} balance "
-                f"{self._equation(row)}: {left[k, row]:.3g} are left; expected loads that work on every degree of "
+                f"{self._equation(row)}: {left[k, row]:.3g} is left; expected loads that act on every degree of "
                 "freedom of the motion"
             )
 
@@ -156,8 +158,8 @@ class DrivingLoads:
             what = f"the force{'' if is_one else 's'} along " if self.along else ""
             raise SimulationError(
                 f"{self.where}: at t = {instants[k]:g} s {what}{', '.join(map(str, names))} "
-                f"{'is' if is_one else 'are'} not determined: other values move the system alike; give as many "
-                "unknowns=[...] as the motion has degrees of freedom, and none where it is at its dead centre"
+                f"{'is' if is_one else 'are'} not determined: other values cause the same motion; give as many "
+                "unknowns=[...] as the motion has degrees of freedom, and none that is at a dead centre"
             )
 
     def _equation(self, row: int) -> str:
@@ -168,5 +170,13 @@ class DrivingLoads:
 def driving_loads(
     eqs: Equations, given: Given, along: tuple[Expr, ...], loads: tuple[Expr, ...], where: str
 ) -> DrivingLoads:
-    """Return the equations for loads; the last ones are kept, with what they compiled."""
+    """Return the equations for loads. They are cached, with their compiled code.
+
+    Args:
+        eqs: the equations of motion.
+        given: the expressions that replace input functions of time.
+        along: the coordinates or quasi-velocities along which generalised forces are solved for.
+        loads: the symbols or functions of time that are solved for.
+        where: the function that the user called, for messages.
+    """
     return DrivingLoads(eqs, given, along, loads, where)

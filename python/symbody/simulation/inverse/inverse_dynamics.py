@@ -26,7 +26,7 @@ from symbody.symbolic.given.arguments import counted, described
 from symbody.symbolic.given.namesake import namesake_note
 from symbody.symbolic.numeric.deficiency import reporting
 
-from .driven_motion import followed_motion, prescribed_motion
+from .driven_motion import prescribed_motion, simulated_motion
 from .driving_load import driving_loads
 
 __all__ = ["InverseDynamics", "inverse_dynamics"]
@@ -43,22 +43,29 @@ _READING = Reading(
 
 @dataclass(frozen=True, eq=False)
 class InverseDynamics:
-    """A prescribed motion and the loads that it takes; ``result[expression]`` has the values of any expression.
+    """A prescribed motion and its loads; ``result[expression]`` has the values of any expression.
 
-    Expressions may hold time, coordinates, speeds, accelerations, multipliers, parameters, and loads that were
-    solved for: reaction forces, power, and what else is made of these.
+    Expressions may contain time, coordinates, speeds, accelerations, multipliers, parameters, and the loads that were
+    solved for: for example reaction forces or powers.
 
     Attributes:
-        system: what moves.
-        t: the instants, N of them, in s.
-        coordinates: where it is, a row for each instant.
-        speeds: the speeds u, likewise.
-        accelerations: their rates.
-        forces: the loads that were solved for, an array of N for each; forces along coordinates by the coordinates.
-        multipliers: the multipliers of the constraints, a row for each instant; where constraints depend on each
-            other, the least ones of those that are possible.
+        system: the system.
+        t: the instants, shape (N,), in s.
+        coordinates: the coordinates, one row for each instant.
+        speeds: the speeds u, one row for each instant.
+        accelerations: their rates, one row for each instant.
+        forces: the loads that were solved for, shape (N,) each; the keys of generalised forces are coordinates.
+        multipliers: the multipliers of the constraints, one row for each instant; the least ones if constraints are
+            dependent.
         parameters: the values of the parameters.
-        inputs: what stood in the place of functions of time that are given from outside.
+        inputs: the expressions that replaced input functions of time.
+
+    >>> from symbody import Body, System, functions_of_time, newton_euler, symbols, t, translate
+    >>> x, m = functions_of_time("x"), symbols("m")
+    >>> cart = newton_euler(System([Body(translate(x, 0, 0), m)], coordinates=[x]))
+    >>> result = inverse_dynamics(cart, {x: 3 * t**2}, {m: 2}, t=[0.0, 0.5, 1.0])
+    >>> result[m * x.diff(t, 2) / 2]
+    array([6., 6., 6.])
     """
 
     system: System
@@ -76,29 +83,29 @@ class InverseDynamics:
         return f"InverseDynamics of {names}: {counted(len(self.t), 'instant')} from {self.t[0]:g} to {self.t[-1]:g} s"
 
     def __len__(self) -> int:
-        """Return how many instants there are."""
+        """Return the number of instants."""
         return len(self.t)
 
     def __iter__(self) -> NoReturn:
-        """Raise an error: Python would ask for ``result[0]``, ``result[1]`` and so on."""
+        """Refuse to iterate: Python would ask for ``result[0]``, ``result[1]`` and so on."""
         _READING.refuse_iteration()
 
     def __getitem__(self, expression: Expr) -> Array:
-        """Return the values of an expression, one for each instant.
+        """Return the values of an expression, shape (N,).
 
         Raises:
-            ArgumentError: it is no expression; numbers are none here.
-            SimulationError: an expression of something that isn't known here.
+            ArgumentError: the argument is not an expression, or is a number.
+            SimulationError: the expression contains a variable without values.
         """
         values: Array = self.evaluate([_READING.one(expression, self.system.coordinates)])[0]
         return values
 
     def evaluate(self, expressions: Sequence[ExprLike]) -> Array:
-        """Return the values of several expressions, a row for each.
+        """Return the values of several expressions, one row for each: shape (expressions, N).
 
         Raises:
-            ArgumentError: no list of expressions.
-            SimulationError: an expression of something that isn't known here.
+            ArgumentError: the argument is not a list of expressions.
+            SimulationError: an expression contains a variable without values.
         """
         system = self.system
         asked = _READING.several(expressions)
@@ -140,27 +147,26 @@ def inverse_dynamics(
 ) -> InverseDynamics:
     """Return the loads that make a system follow a prescribed motion.
 
-    The coordinates that aren't prescribed follow from the constraints, at the level of positions, velocities and
-    accelerations; then ``M u' - forcing - phi_q^T lambda - K^T f = 0`` is linear in the forces f along the prescribed
-    coordinates, or in loads that are named, and in lambda [Nikravesh 1988, sec. 5.5].
+    The coordinates that are not prescribed follow from the constraints, with their velocities and accelerations. Then
+    ``M u' - forcing - phi_q^T lambda - K^T f = 0`` is linear in lambda and in the forces f along the prescribed
+    coordinates, or in the loads given as unknowns [Nikravesh 1988, sec. 5.5].
 
     Args:
-        eqs: equations of motion.
-        motion: for each prescribed coordinate an expression of time and parameters, a number, or a row of samples,
-            one for each instant; or a motion that was simulated, whose parameters and inputs hold unless others are
-            given.
-        parameters: the values of all symbols; those of the unknown ones don't count.
-        t: the first and the last instant (1001 instants, evenly spaced), or the instants themselves, in s.
-        unknowns: the symbols or functions of time in the loads that are solved for; by default a generalised force
-            along each prescribed coordinate, or each speed of a simulated motion, beside the loads that there are.
-        inputs: functions of time that are given from outside, by time and state.
-        guess: coordinates near the first position, where they aren't prescribed.
+        eqs: the equations of motion.
+        motion: for each prescribed coordinate an expression of time and parameters, a number, or a row of samples, one
+            for each instant. Or a simulated motion: its parameters and inputs are used unless others are given.
+        parameters: the values of all symbols, except the unknowns.
+        t: the first and the last instant (1001 evenly spaced instants), or all instants, in s.
+        unknowns: the symbols or functions of time in the loads that are solved for. By default, a generalised force
+            along each prescribed coordinate, or each speed of a simulated motion, acts in addition to the loads.
+        inputs: expressions of time and state for the input functions of time.
+        guess: coordinates near the first position, if they are not prescribed.
 
     Raises:
-        SimulationError: the motion or the loads aren't determined, or no values of them balance the equations.
-        ConstraintError: the constraints don't allow the motion.
-        ModelError: something is prescribed or unknown that can't be.
-        ParameterError: a value is missing, isn't finite, or belongs to nothing.
+        SimulationError: the motion or the loads are not determined, or no loads balance the equations.
+        ConstraintError: the constraints do not allow the motion.
+        ModelError: a prescription or an unknown is not allowed.
+        ParameterError: a value is missing, has an unknown key, or is not finite.
 
     >>> from symbody import Body, System, functions_of_time, newton_euler, symbols, translate
     >>> from symbody import t as time
@@ -178,7 +184,7 @@ def inverse_dynamics(
     with reporting(_WHERE):
         if isinstance(motion, Motion):
             _check_left_out(t=t, guess=guess)
-            driven = followed_motion(kinematics, motion, needed, numbers)
+            driven = simulated_motion(kinematics, motion, needed, numbers)
         else:
             driven = prescribed_motion(kinematics, motion, t, needed, numbers, guess)
     formulas = (
@@ -187,13 +193,13 @@ def inverse_dynamics(
     notice_unused(eqs, numbers, [*given.values(), *formulas], _WHERE)
     equations = driving_loads(eqs, kinematics.given, () if loads else driven.driving, loads, _WHERE)
     with reporting(_WHERE):
-        forces, multipliers = equations.solved(driven.instants, driven.course, driven.parameters)
+        forces, multipliers = equations.solved(driven.instants, driven.trajectory, driven.parameters)
     return InverseDynamics(
         eqs.system,
         driven.instants,
-        driven.course.coordinates,
-        driven.course.speeds,
-        driven.course.accelerations,
+        driven.trajectory.coordinates,
+        driven.trajectory.speeds,
+        driven.trajectory.accelerations,
         dict(zip(equations.names, forces.T, strict=True)),
         multipliers,
         {name: value for name, value in driven.parameters.items() if name not in loads},
@@ -215,7 +221,7 @@ def _listed(unknowns: Sequence[Expr] | None) -> tuple[Expr, ...]:
 def _inputs(
     eqs: Equations, motion: object, inputs: Mapping[Expr, ExprLike] | None, loads: Sequence[Expr]
 ) -> dict[Expr, Expr]:
-    """Return what stands for functions of time: what is given, or what a simulated motion was given."""
+    """Return the inputs: those that are given, or those of a simulated motion."""
     functions = [name for name in loads if name.kind == "time_function"]
     given = inputs
     if isinstance(motion, Motion) and (inputs is None or isinstance(inputs, Mapping)):
@@ -224,7 +230,7 @@ def _inputs(
 
 
 def _parameters(eqs: Equations, kinematics: Kinematics) -> set[Expr]:
-    """Return the symbols in the equations of motion and in what is given for inputs."""
+    """Return the symbols in the equations of motion and in the inputs."""
     leaves = {
         *eqs.parameters,
         *kinematics.parameters,
@@ -234,7 +240,7 @@ def _parameters(eqs: Equations, kinematics: Kinematics) -> set[Expr]:
 
 
 def _check_unknowns(eqs: Equations, kinematics: Kinematics, motion: object, loads: Sequence[Expr]) -> None:
-    """Raise an error for unknowns that stand nowhere, or where they change the motion."""
+    """Check that unknowns are in the equations, and do not influence the motion."""
     functions = [leaf for leaf in eqs.inputs if not leaf.order and leaf not in dict(kinematics.given)]
     known = [*sorted(_parameters(eqs, kinematics), key=str), *functions]
     formulas = (
@@ -250,7 +256,7 @@ def _check_unknowns(eqs: Equations, kinematics: Kinematics, motion: object, load
         if name.name in moving:
             raise ModelError(
                 f"{_WHERE}, unknowns: {name} stands in the prescribed motion, the constraints or the kinematics; "
-                "expected what stands in loads alone"
+                "expected unknowns that only loads contain"
             )
 
 
@@ -263,7 +269,7 @@ def _without(parameters: Mapping[Expr, ArrayLike] | None, loads: Sequence[Expr])
 
 
 def _check_left_out(**arguments: object) -> None:
-    """Raise an error for what a simulated motion has by itself."""
+    """Check that arguments which a simulated motion replaces are not given."""
     given = [name for name, value in arguments.items() if value is not None]
     if given:
         raise ArgumentError(

@@ -1,4 +1,4 @@
-"""Kinematic analysis: positions, velocities and accelerations of a mechanism that is driven [Haug 1989, ch. 3]."""
+"""Kinematic analysis: positions, velocities and accelerations of a driven mechanism [Haug 1989, ch. 3]."""
 
 from __future__ import annotations
 
@@ -18,38 +18,46 @@ from symbody.symbolic import Expr
 
 from .prescription import Path
 
-__all__ = ["Course", "course"]
+__all__ = ["Trajectory", "kinematic_analysis"]
 
 Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]
 
 _FAR = 0.1
-"""The part of a step that its prediction may be off."""
+"""The largest error of a predicted position, relative to the step."""
 _HALVINGS = 16
 _OFF = 1e-8
-"""The part of its terms that an equation may be off where it counts as satisfied."""
+"""The relative residual up to which an equation counts as satisfied."""
 
 
 @dataclass(frozen=True, eq=False)
-class Course:
-    """Where a mechanism is along its motion; a row for each instant."""
+class Trajectory:
+    """The coordinates, speeds and accelerations along a motion, one row for each of the N instants."""
 
     coordinates: Array
     speeds: Array
     accelerations: Array
 
 
-def course(
+def kinematic_analysis(
     kinematics: Kinematics, p: Array, path: Path, instants: Array, guess: Mapping[Expr, float], where: str
-) -> Course:
-    """Return what the constraints and the prescription together demand.
+) -> Trajectory:
+    """Return the motion that the constraints and the prescription determine.
 
-    ``phi(q, t) = 0`` by Newton's method from where the last instant and its rates lead; then
+    ``phi(q, t) = 0`` is solved by Newton's method, from a prediction by the rates at the previous instant. Then
     ``(phi', q') = A u + b`` and ``(phi'', q'') = A u' + c`` are linear.
 
+    Args:
+        kinematics: the constraints.
+        p: the values of their parameters.
+        path: the prescribed coordinates as functions of time.
+        instants: the instants, shape (N,), in s.
+        guess: coordinates near the first position.
+        where: the function that the user called, for messages.
+
     Raises:
-        ConstraintError: the constraints don't allow the motion.
-        SimulationError: they leave some of it open, or the prescription isn't finite.
+        ConstraintError: the constraints do not allow the motion.
+        SimulationError: the motion is not determined, or the prescription is not finite.
     """
     driven = _Driven(kinematics, p, path, where)
     q = driven.positions(instants, guess)
@@ -57,18 +65,18 @@ def course(
     driven.check_determined(instants, velocities)
     driven.check_satisfied(instants, velocities, "speeds")
     driven.check_satisfied(instants, accelerations, "accelerations")
-    return Course(q, velocities.x, accelerations.x)
+    return Trajectory(q, velocities.x, accelerations.x)
 
 
 @dataclass(frozen=True, eq=False)
 class _Level:
-    """What is demanded of velocities, or of accelerations: ``A x + b = d`` at each instant, in x = u, or u'.
+    """The equations for velocities, or for accelerations: ``A x + b = d`` at each instant, with x = u or x = u'.
 
     Attributes:
-        A: the Jacobians of the constraints' and the coordinates' rates, N x (m + n_q) x n.
-        b: these rates where x is zero.
-        d: the rates of constraints, zero, and of the prescribed coordinates.
-        rows: the equations: where these rates stand in A.
+        A: the Jacobians of the rates of constraints and coordinates, shape (N, m + n_q, n).
+        b: these rates at x = 0, shape (N, m + n_q).
+        d: the required rates: zero for constraints, prescribed for coordinates.
+        rows: the rows of A that belong to these equations.
     """
 
     A: Array
@@ -82,12 +90,12 @@ class _Level:
 
     @property
     def x(self) -> Array:
-        """The speeds or accelerations, the least of them where some are open."""
+        """The speeds or accelerations, of least norm if they are not determined."""
         return self._solution[0]
 
     @property
     def is_open(self) -> Flags:
-        """Which of them the equations don't determine."""
+        """Which of them the equations do not determine."""
         is_open: Flags = self._solution[1] < 1 - 1e-6
         return is_open
 
@@ -99,7 +107,7 @@ class _Level:
 
     @property
     def is_off(self) -> Flags:
-        """Which equations aren't satisfied."""
+        """Which equations are not satisfied."""
         A, b = self.A[:, self.rows], self.b[:, self.rows]
         sizes = np.abs(A).sum(axis=2) * np.abs(self.x).max(axis=1, initial=0.0)[:, None]
         left = np.abs(self.rates[:, self.rows] - self.d)
@@ -123,18 +131,18 @@ class _Driven:
 
     @property
     def places(self) -> list[int]:
-        """The places of the prescribed coordinates."""
+        """The indices of the prescribed coordinates."""
         return [self.kinematics.system.coordinates.index(name) for name in self.prescribed]
 
     @property
     def is_free(self) -> Flags:
-        """Which coordinates aren't prescribed."""
+        """Which coordinates are not prescribed."""
         free = np.ones(len(self.kinematics.system.coordinates), dtype=bool)
         free[self.places] = False
         return free
 
     def positions(self, instants: Array, guess: Mapping[Expr, float]) -> Array:
-        """Return the coordinates, a row for each instant."""
+        """Return the coordinates, one row for each instant."""
         path = self.path.at(instants)
         self._check_finite(instants, path)
         first = dict(zip(self.prescribed, map(float, path[0, :, 0]), strict=True))
@@ -143,24 +151,24 @@ class _Driven:
         rows[:, self.places] = path[0].T
         if self.kinematics.constraints and self.is_free.any():
             for k in range(1, len(instants)):
-                rows[k] = self.followed(rows[k - 1], float(instants[k - 1]), float(instants[k]))
+                rows[k] = self.advanced(rows[k - 1], float(instants[k - 1]), float(instants[k]))
         elif self.kinematics.constraints:
             self.check(rows, instants)
         return rows
 
     def check(self, rows: Array, instants: Array) -> None:
-        """Raise an error where prescribed coordinates, which are all, don't satisfy the constraints."""
+        """Check that the constraints are satisfied if all coordinates are prescribed."""
         for q, time in zip(rows, instants, strict=True):
             prescribed = dict(zip(self.kinematics.system.coordinates, map(float, q), strict=True))
             positions(self.kinematics, self.p, float(time), prescribed, {}, where=self.where)
 
-    def followed(self, q: Array, start: float, end: float) -> Array:
-        """Return the coordinates at the end of a step, by as many smaller ones as it takes."""
+    def advanced(self, q: Array, start: float, end: float) -> Array:
+        """Return the coordinates at the end of an interval, with as many steps as needed."""
         time, step = start, end - start
         least = (end - start) / 2**_HALVINGS
         while time < end:
             next_time = end if time + 1.01 * step >= end else time + step
-            found = self.stepped(q, time, next_time)
+            found = self.step_result(q, time, next_time)
             if found is not None:
                 q, time, step = found, next_time, 2 * step
             elif step / 2 < least:
@@ -169,8 +177,8 @@ class _Driven:
                 step /= 2
         return q
 
-    def stepped(self, q: Array, start: float, end: float) -> Array | None:
-        """Return the coordinates at the end, if they are where their rates lead to."""
+    def step_result(self, q: Array, start: float, end: float) -> Array | None:
+        """Return the coordinates after one step; None if they are not near the prediction by their rates."""
         h, m = end - start, len(self.kinematics.constraints)
         velocities, accelerations = self.levels(np.array([start]), q[None])
         predicted = q + h * velocities.rates[0, m:] + h * h / 2 * accelerations.rates[0, m:]
@@ -184,7 +192,7 @@ class _Driven:
         return found if is_near and problem.error(found) <= EXACT else None
 
     def levels(self, instants: Array, q: Array) -> tuple[_Level, _Level]:
-        """Return what is demanded of velocities and of accelerations, at positions for each instant."""
+        """Return the equations for velocities and for accelerations, at positions for each instant."""
         m, p = len(self.kinematics.constraints), self.p[:, None]
         rows = [*range(m), *(m + place for place in self.places)]
         _, first, second = self.path.at(instants)
@@ -201,11 +209,11 @@ class _Driven:
             k = int(np.argmax(is_strange.any(axis=0)))
             raise SimulationError(
                 f"{self.where}, motion: {self.prescribed[int(np.argmax(is_strange[:, k]))]}, or a rate of it, isn't "
-                f"finite at t = {instants[k]:g} s; prescribe what has two finite rates"
+                f"finite at t = {instants[k]:g} s; prescribe a motion with finite first and second derivatives"
             )
 
     def check_determined(self, instants: Array, velocities: _Level) -> None:
-        """Raise an error where some speeds are open."""
+        """Check that the speeds are determined."""
         is_open = velocities.is_open
         if not is_open.any():
             return
@@ -216,11 +224,11 @@ class _Driven:
         raise SimulationError(
             f"{self.where}: at t = {instants[k]:g} s the {what} determined by the constraints and the prescribed "
             f"{', '.join(map(str, self.prescribed))}; prescribe as many coordinates as the system has degrees of "
-            "freedom, others where the position is singular"
+            "freedom, or other ones if the position is singular"
         )
 
     def check_satisfied(self, instants: Array, level: _Level, what: str) -> None:
-        """Raise an error where the equations contradict each other."""
+        """Check that the equations do not contradict each other."""
         is_off = level.is_off
         if not is_off.any():
             return
@@ -240,6 +248,6 @@ class _Driven:
         names = self.kinematics.system.coordinates
         place = ", ".join(f"{name} = {value:.6g}" for name, value in zip(names[:12], q, strict=False))
         return (
-            f"{self.where}: the constraints don't let the prescribed motion go on from t = {time:.6g} s, where "
+            f"{self.where}: the constraints don't allow the prescribed motion beyond t = {time:.6g} s, where "
             f"{place}; it may be a dead centre, or beyond reach: prescribe another motion, or other coordinates"
         )

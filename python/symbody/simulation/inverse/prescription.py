@@ -1,4 +1,4 @@
-"""Prescribed motions: coordinates by time, as expressions or as samples, with their first and second rates."""
+"""Prescribed motions: coordinates as expressions of time or as samples, with first and second derivatives."""
 
 from __future__ import annotations
 
@@ -27,11 +27,11 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True, eq=False)
 class Prescription:
-    """Coordinates by time.
+    """Coordinates as functions of time.
 
     Attributes:
-        formulas: those that are given by expressions of time and parameters.
-        samples: those that are given by splines through samples.
+        formulas: the coordinates given by expressions of time and parameters.
+        samples: the coordinates given by splines through samples.
     """
 
     formulas: Mapping[Expr, Expr]
@@ -49,7 +49,7 @@ class Prescription:
         return tuple(sorted((leaf for leaf in leaves if leaf != t), key=lambda leaf: leaf.name))
 
     def compiled(self, parameters: Mapping[Expr, float]) -> Path:
-        """Return the functions of time for values of parameters."""
+        """Return the functions of time for given values of the parameters."""
         formulas = list(self.formulas.values())
         first = [time_derivative(formula) for formula in formulas]
         second = [time_derivative(formula) for formula in first]
@@ -59,14 +59,14 @@ class Prescription:
 
 @dataclass(frozen=True, eq=False)
 class Path:
-    """A prescription for values of its parameters."""
+    """A prescription with values of its parameters."""
 
     prescription: Prescription
     function: CompiledFunction
     p: Array
 
     def at(self, time: ArrayLike) -> Array:
-        """Return values, rates and second rates: 3 blocks of a row for each coordinate, in their order."""
+        """Return values, first and second derivatives of the c coordinates at N instants, shape (3, c, N)."""
         instants = np.asarray(time, dtype=np.float64)
         k = len(self.prescription.formulas)
         values = np.empty((3, len(self.prescription.coordinates), *instants.shape))
@@ -81,26 +81,26 @@ class Path:
 def prescription_of(
     system: System, motion: Mapping[Expr, ExprLike | ArrayLike], instants: Array, where: str
 ) -> Prescription:
-    """Return what a user prescribes.
+    """Return the prescription that a user gives.
 
     Args:
-        system: whose coordinates.
-        motion: for each coordinate an expression of time, a number, or a row of samples, one for each instant,
-            through which a spline of degree 5 is laid.
-        instants: when the samples are taken.
+        system: the system.
+        motion: for each coordinate an expression of time, a number, or a row of samples, one for each instant, which a
+            spline of degree 5 interpolates.
+        instants: the instants of the samples.
         where: the function that the user called, for messages.
 
     Raises:
-        ArgumentError: no dictionary, or an empty one.
-        ParameterError: something that is no coordinate.
-        ModelError: an expression of something else than time and parameters.
-        SimulationError: a row of samples of another length.
+        ArgumentError: the motion is not a dictionary, or is empty.
+        ParameterError: a key is not a coordinate.
+        ModelError: an expression contains something other than time and parameters.
+        SimulationError: a row of samples has another length.
     """
     listed: object = motion
     if not isinstance(listed, Mapping) or not listed:
         raise ArgumentError(
-            f"{where}, motion: {described(motion)}; expected {{coordinate: expression of time}}, or a motion that was "
-            "simulated"
+            f"{where}, motion: {described(motion)}; expected {{coordinate: expression of time}}, or a simulated "
+            "motion"
         )
     check_known(motion, system.coordinates, f"{where}, motion", "a coordinate of this system")
     formulas: dict[Expr, Expr] = {}
@@ -135,9 +135,9 @@ def _spline(name: Expr, column: Array, instants: Array, where: str) -> BSpline:
         )
     if len(column) < 6 or not np.isfinite(column).all():
         raise SimulationError(
-            f"{where}, motion: {name} has {counted(len(column), 'sample')}; expected six finite ones at least, "
-            "for a spline whose second rate is smooth"
+            f"{where}, motion: {name} has {counted(len(column), 'sample')}; expected at least six finite ones, "
+            "for a spline with a smooth second derivative"
         )
-    from scipy.interpolate import make_interp_spline  # noqa: PLC0415 - slow to load, and few prescribe samples
+    from scipy.interpolate import make_interp_spline  # noqa: PLC0415 - slow to load, and rarely needed
 
     return make_interp_spline(instants, column, k=5)

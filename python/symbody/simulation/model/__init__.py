@@ -1,1 +1,1 @@
-"""What motions of a system share: its functions of time and state, derived and compiled once."""
+"""What all motions of a system share: its functions of time and state, derived and compiled once."""

@@ -20,34 +20,34 @@ from symbody.symbolic import Expr, ExprLike, cost, derivation, free_symbols, num
 from symbody.symbolic import jacobian as jacobian_of
 from symbody.symbolic.numeric.deficiency import noting, report
 
-from .least_change import LeastChange, least_change
+from .constraint_correction import ConstraintCorrection, constraint_correction
 
 __all__ = ["DAMPING", "Model", "model_of", "without_stabilization"]
 
 DAMPING = symbols("baumgarte_omega baumgarte_zeta")
-"""The parameters of Baumgarte's stabilisation, whose values are chosen when a simulation begins."""
+"""The parameters of Baumgarte's stabilisation; their values are chosen when a motion begins."""
 
 Inputs = Mapping[Expr, ExprLike]
 
 _MOST_FREEDOM = 20
-"""Independent speeds up to which a shortcut is derived: its mass matrix is full."""
+"""The largest number of independent speeds for which a shortcut is derived: its mass matrix is full."""
 
 _LONGEST, _SHORTER = 5000, 0.9
-"""Operations of a shortcut at most, and how many there are for each of the other way."""
+"""The most operations of a shortcut, and the most relative to the general solution."""
 
 
 @dataclass(frozen=True, eq=False)
 class Model:
-    """The functions of a system that its simulations share; each is derived and compiled when it is first needed.
+    """The functions that all simulations of a system share. Each is derived and compiled on first use.
 
-    The state is ``(q, u)``, coordinates and speeds, and behind them the work of loads and moving constraints, where
-    there is some: ``dE/dt`` is its rate, so that the balance of energy can be checked along any motion.
+    The state is ``(q, u)``, coordinates and speeds. Where loads or moving constraints do work, it is followed by that
+    work, whose rate is ``dE/dt``: so the balance of energy can be checked along any motion.
 
     Attributes:
         equations: the equations of motion.
-        inputs: what is put in the place of functions of time that are given from outside.
-        is_stabilized: whether the constraints are kept by Baumgarte's stabilisation.
-        method: how the accelerations are found, as `forward_dynamics` takes it.
+        inputs: the expressions that replace input functions of time.
+        is_stabilized: whether Baumgarte's stabilisation enforces the constraints.
+        method: how the accelerations are solved for, as in `forward_dynamics`.
     """
 
     equations: Equations
@@ -58,7 +58,7 @@ class Model:
 
     @property
     def system(self) -> System:
-        """What moves."""
+        """The system that moves."""
         return self.equations.system
 
     @property
@@ -73,7 +73,7 @@ class Model:
 
     @property
     def state(self) -> tuple[Expr, ...]:
-        """The coordinates and the speeds, without the work."""
+        """The coordinates and the speeds, without the work; their number is n."""
         return self.coordinates + self.speeds
 
     @property
@@ -88,36 +88,36 @@ class Model:
 
     @property
     def constraints(self) -> tuple[Expr, ...]:
-        """The constraints, expressions that are zero."""
+        """The constraints phi, expressions that are zero."""
         return self.equations.constraints
 
     @cached_property
     def independent_constraints(self) -> int:
-        """How many constraints are independent at almost every position."""
+        """The number of constraints that are independent at almost every position."""
         return self.equations.constraint_jacobian.rank()
 
     @cached_property
     def parameters(self) -> tuple[Expr, ...]:
-        """The symbols that need values, by name: those of the equations and of the inputs."""
+        """The symbols that need values, sorted by name: those of the equations and of the inputs."""
         given = free_symbols([value for _, value in self.inputs])
         found = {*self.equations.parameters, *(leaf for leaf in given if _is_parameter(leaf))}
         return tuple(sorted(found, key=lambda symbol: symbol.name))
 
     @property
     def damping(self) -> tuple[Expr, ...]:
-        """The frequency and the damping ratio of Baumgarte's stabilisation, where there is one."""
+        """The frequency and the damping ratio of Baumgarte's stabilisation; empty without it."""
         return DAMPING if self.is_stabilized else ()
 
     @cached_property
     def solution(self) -> ForwardDynamics:
-        """The accelerations and multipliers by time, state and parameters."""
+        """The accelerations and multipliers as functions of time, state and parameters."""
         return self._solved(self.method)
 
     @cached_property
     def shortcut(self) -> ForwardDynamics | None:
-        """The same by independent speeds, where that is shorter and short; accurate where its conditions are positive.
+        """The same by independent speeds, if that code is short enough; accurate where its conditions are positive.
 
-        A system that is solved at run time takes no time to compile, so that what replaces it has to be short.
+        A linear system that is solved at run time takes no time to compile, so its replacement must be short.
         """
         if self.solution.method != "schur_complement" or self._freedom > _MOST_FREEDOM:
             return None
@@ -144,17 +144,17 @@ class Model:
 
     @cached_property
     def equation_names(self) -> list[str]:
-        """What to call the rows of the linear system that is solved at run time."""
+        """The names of the rows of the linear system that is solved at run time."""
         return list(self.solution.equation_names)
 
     @cached_property
     def kinematics(self) -> tuple[Expr, ...]:
-        """The rates of the coordinates by the speeds."""
+        """The rates of the coordinates as functions of the speeds."""
         return tuple(self.equations.kinematics.values())
 
     @cached_property
     def power(self) -> Expr | None:
-        """The power of loads and moving constraints, by accelerations and multipliers; None where nothing does work."""
+        """The power of loads and moving constraints, with accelerations and multipliers; None if nothing does work."""
         with derivation():
             total = sum(map(action_power, self.system.actions), start=number(0))
         if self.constraints:
@@ -185,20 +185,20 @@ class Model:
 
     @cached_property
     def potential_energy(self) -> Expr | None:
-        """The potential energy of weight; None without gravity, or where nobody knows the height."""
+        """The gravitational potential energy; None without gravity, or where the height is not known."""
         gravity = self.system.gravity
         if gravity is None or self.system.root.carrier is not None:
             return None
         return self.with_inputs([gravitational_energy(self.system.bodies, gravity)])[0]
 
     def with_inputs(self, expressions: Sequence[Expr]) -> tuple[Expr, ...]:
-        """Return the expressions with what is given for the inputs, and rates of coordinates by the speeds."""
+        """Substitute the inputs in expressions, and the rates of coordinates as functions of the speeds."""
         return with_given(self.system, self.inputs, expressions)
 
     def along_motion(self, expressions: Sequence[Expr]) -> tuple[Expr, ...]:
-        """Return the expressions with the accelerations and multipliers that the equations of motion give.
+        """Substitute the accelerations and multipliers that the equations of motion give.
 
-        Higher rates are the derivatives of these along the motion: each substitution lowers their order.
+        Higher rates are derivatives of these along the motion; each substitution lowers their order by one.
         """
         values = self.with_inputs(expressions)
         for _ in range(self._rates_above_state(values)):
@@ -206,7 +206,7 @@ class Model:
         return values
 
     def _rates_above_state(self, expressions: Sequence[Expr]) -> int:
-        """Return of which order the highest rates are: 1 for accelerations and multipliers, 0 without any."""
+        """Return the order of the highest rates: 1 for accelerations and multipliers, 0 without any."""
         first = {unknown.name: unknown.order for unknown in (*self.accelerations, *self.multipliers)}
         functions = (leaf for leaf in free_symbols(list(expressions)) if leaf.kind == "time_function")
         return max((leaf.order - first[leaf.name] + 1 for leaf in functions if leaf.name in first), default=0)
@@ -220,13 +220,13 @@ class Model:
 
     @cached_property
     def integrated(self) -> tuple[Expr, ...]:
-        """The variables of compiled code: time, the state, and the work, of which nothing depends."""
+        """The variables of compiled code: time, the state, and the work, on which nothing depends."""
         return (t, *self.state, *([_WORK] if self.power is not None else []))
 
     def code(
         self, expressions: Sequence[Expr], more: Sequence[Expr] = (), shortcut: Shortcut | None = None
     ) -> PreparedCode:
-        """Return the machine code of expressions of time and state, and of more parameters than the equations have."""
+        """Return the machine code of expressions of time and state; it may take more parameters than the equations."""
         parameters = (*self.parameters, *self.damping, *more)
         return PreparedCode(parameters, self.integrated, tuple(expressions), shortcut)
 
@@ -239,9 +239,9 @@ class Model:
 
     @cached_property
     def energies_code(self) -> PreparedCode | None:
-        """The machine code of the kinetic and the potential energy; None where their sum less the work isn't constant.
+        """The machine code of the kinetic and the potential energy; None where their sum less the work varies.
 
-        Nobody knows the work of prescribed motions, nor the height of what is carried by a moving frame.
+        The work of prescribed motions is not known, nor the height of a system that a moving frame carries.
         """
         is_carried = self.potential_energy is None and self.system.gravity is not None
         energies = [self.kinetic_energy, self.potential_energy or number(0)]
@@ -252,29 +252,31 @@ class Model:
     @cached_property
     def correction_codes(self) -> tuple[PreparedCode, PreparedCode]:
         """The machine code of the corrections."""
-        change = self._least_change(self.solution.method)
+        change = self._correction(self.solution.method)
         if self.shortcut is None:
             return self.code(change.coordinates), self.code(change.speeds)
-        brief = self._least_change(self.shortcut.method)
+        brief = self._correction(self.shortcut.method)
         return (
             self.code(change.coordinates, shortcut=Shortcut(brief.coordinates, brief.conditions)),
             self.code(change.speeds, shortcut=Shortcut(brief.speeds, brief.conditions)),
         )
 
-    def _least_change(self, method: str) -> LeastChange:
-        change = least_change(self.equations, method)
-        return LeastChange(*map(self.with_inputs, (change.coordinates, change.speeds, change.conditions)))
+    def _correction(self, method: str) -> ConstraintCorrection:
+        change = constraint_correction(self.equations, method)
+        return ConstraintCorrection(
+            *map(self.with_inputs, (change.coordinates, change.speeds, change.conditions))
+        )
 
     @cached_property
     def jacobian_code(self) -> tuple[PreparedCode, list[tuple[int, int]]]:
-        """The machine code of the derivatives of the rates that aren't zero, and their rows and columns."""
+        """The machine code of the nonzero derivatives of the rates, and their rows and columns."""
         slopes = jacobian_of(list(self.rates), list(self.state))
         rows, columns = slopes.shape
         places = [(i, j) for i in range(rows) for j in range(columns) if not slopes[i, j].is_zero]
         return self.code([slopes[place] for place in places]), places
 
     def unknowns_in(self, expressions: Sequence[Expr]) -> tuple[Expr, ...]:
-        """Return the accelerations and multipliers that expressions hold; none if they hold further rates."""
+        """Return the accelerations and multipliers in expressions; none if these contain higher rates."""
         found = free_symbols(self.with_inputs(expressions))
         unknowns = (*self.accelerations, *self.multipliers)
         if any(leaf.depends_on_time for leaf in found - {*self.integrated, *unknowns}):
@@ -287,9 +289,10 @@ class Model:
         """Return a function of time, state and parameters that evaluates expressions along motions.
 
         Args:
-            expressions: what it evaluates.
-            parameters: the last of its arguments.
-            known: accelerations and multipliers whose values it takes before these, instead of solving for them.
+            expressions: the expressions.
+            parameters: the parameters, which are its last arguments.
+            known: accelerations and multipliers whose values are arguments before these, so that it does not solve
+                for them.
         """
         key = (tuple(expressions), parameters, known)
         if key not in self._functions:
@@ -301,11 +304,11 @@ class Model:
 
 @dataclass(frozen=True, eq=False)
 class AlongMotion:
-    """A function along motions, which reports deficient systems in the words of a model.
+    """A function along motions that reports deficient linear systems in the words of a model.
 
     Attributes:
-        function: what it evaluates.
-        equation_names: what to call the equations of the model.
+        function: the compiled function.
+        equation_names: the names of the model's equations.
     """
 
     function: CompiledFunction
@@ -320,7 +323,7 @@ class AlongMotion:
 
 
 _WORK = symbols("work_of_loads")
-"""Stands for the work in the list of variables."""
+"""The variable of the work in compiled code."""
 
 
 def _is_parameter(leaf: Expr) -> bool:
@@ -341,14 +344,14 @@ def model_of(
     is_stabilized: bool = False,
     zeros: Collection[Expr] = (),
 ) -> Model:
-    """Return the model of equations with given inputs, the same for the same: what it compiled is used again.
+    """Return the model of equations with given inputs. It is cached, with its compiled code.
 
     Args:
         eqs: the equations of motion.
-        inputs: what to put in the place of functions of time that are given from outside.
-        is_stabilized: whether the constraints are kept by Baumgarte's stabilisation.
-        zeros: parameters whose value is zero. Where they leave coordinates without mass, which constraints may move
-            none the less, the mass matrix isn't eliminated.
+        inputs: the expressions that replace input functions of time.
+        is_stabilized: whether Baumgarte's stabilisation enforces the constraints.
+        zeros: parameters whose value is zero. If they leave coordinates without mass, which only constraints may
+            determine, the mass matrix is not eliminated.
     """
     given = tuple(
         sorted(((key, number(value)) for key, value in (inputs or {}).items()), key=lambda pair: str(pair[0]))

@@ -1,4 +1,4 @@
-"""What constraints are called in messages: their number, and the beginning of their text."""
+"""How messages name constraints: by number, with the beginning of their text."""
 
 from __future__ import annotations
 

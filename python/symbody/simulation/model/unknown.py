@@ -1,4 +1,4 @@
-"""What to say of variables that a motion has no values of."""
+"""Errors for variables that have no values along a motion."""
 
 from __future__ import annotations
 
@@ -18,17 +18,17 @@ _LISTED = 8
 
 
 def explain_unknown(place: str, wanted: Sequence[Expr], model: Model, parameters: Iterable[Expr]) -> None:
-    """Raise an error that names what has no value along a motion; do nothing if all has one.
+    """Raise an error that names the variables without values along a motion; do nothing if all have values.
 
     Args:
-        place: where it was asked for.
+        place: the call that failed, for the message.
         wanted: the expressions.
-        model: what moves.
+        model: the model.
         parameters: the parameters that have values.
 
     Raises:
-        ParameterError: a parameter without a value.
-        SimulationError: another variable without one.
+        ParameterError: a parameter has no value.
+        SimulationError: another variable has no values.
     """
     known = {*model.integrated, *model.accelerations, *model.multipliers, *model.damping, *parameters}
     strange = [leaf for leaf in free_symbols(wanted) if not free_symbols(model.along_motion([leaf])) <= known]
@@ -45,13 +45,13 @@ def explain_unknown(place: str, wanted: Sequence[Expr], model: Model, parameters
 
 
 def unknown_variables(place: str, unknown: Iterable[Expr], system: System, more: str = "") -> str:
-    """Return which variables have no values along a motion, which ones have, and the way out.
+    """Return which variables have no values along a motion, which ones have, and a way out.
 
     Args:
-        place: where they were asked for.
+        place: the call that failed.
         unknown: the variables.
-        system: what moves.
-        more: what else has values.
+        system: the system.
+        more: other variables that have values.
 
     >>> from symbody import Body, functions_of_time, symbols, translate
     >>> (x, y), m = functions_of_time("x y"), symbols("m")
@@ -73,13 +73,13 @@ def _way_out(names: Sequence[Expr], system: System) -> str:
     if rates:
         verb = "is" if len(rates) == 1 else "are"
         return (
-            f"{_shown(rates)} {verb} of too high an order: read the accelerations, and differentiate their values, "
-            "as by numpy.gradient"
+            f"{_shown(rates)} {verb} of too high an order: evaluate the accelerations and differentiate their "
+            "values, for example with numpy.gradient"
         )
     verb, what = ("is", "it") if len(names) == 1 else ("are", "them")
     return (
-        f"{_shown(names)} {verb} no coordinate or speed of this system: use those, or add {what} to the system before "
-        "simulating"
+        f"{_shown(names)} {verb} neither a coordinate nor a speed of this system: use those, or add {what} to the "
+        "system before simulating"
     )
 
 

@@ -1,1 +1,1 @@
-"""One motion: `simulate`, and what is read, plotted and animated of it."""
+"""One motion: `simulate`, and how its result is read, plotted and animated."""

@@ -1,4 +1,4 @@
-"""Who draws motions: the layer above, which is loaded when the first motion is drawn."""
+"""The functions that draw motions. The layer above has them; it is loaded when the first motion is drawn."""
 
 from __future__ import annotations
 
@@ -9,10 +9,10 @@ from typing import Any
 __all__ = ["DRAWN_BY", "drawer"]
 
 DRAWN_BY = "symbody.view"
-"""A name and no import: motions are computed without what draws them, and don't know how that is done."""
+"""A module name, not an import: motions are computed without the view, and do not depend on it."""
 
 
 def drawer(name: str) -> Callable[..., Any]:
-    """Return the function that draws: `plot` or `animate`."""
+    """Return the function of the view: `plot` or `animate`."""
     function: Callable[..., Any] = getattr(import_module(DRAWN_BY), name)
     return function

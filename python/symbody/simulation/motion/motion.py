@@ -42,21 +42,32 @@ _READING = Reading(
 class Motion:
     """A motion: the state at each instant, and the value of any expression of the model along it.
 
-    ``motion[expression]`` takes expressions of time, coordinates, speeds, accelerations, multipliers and parameters,
-    and derivatives of these by time.
+    ``motion[expression]`` accepts expressions of time, coordinates, speeds, accelerations, multipliers and parameters,
+    and their time derivatives.
 
     Attributes:
-        model: what moves.
+        model: the model that was integrated.
         parameters: the values of the parameters.
-        t: the instants, N of them; behind the asked ones the end, where the motion ended between two.
-        states: coordinates, then speeds, a row for each instant.
-        work: the work of loads and moving constraints since the first instant, in J; zero where there is none, NaN
-            where it wasn't integrated.
-        events: what happened, in order of time.
-        statistics: what the integration took.
-        completed: whether it came to its end, the last instant or a terminal event.
-        message: why it ended.
-        asked: expressions to evaluate, by name.
+        t: the instants, shape (N,). If the motion ended between two of them, its end is the last one.
+        states: coordinates, then speeds, shape (N, n).
+        work: the work of loads and moving constraints since the first instant, in J, shape (N,); zero if nothing does
+            work, NaN if the method does not integrate it.
+        events: the events that occurred, in order of time.
+        statistics: the cost of the integration.
+        completed: whether the motion reached the last instant or a terminal event.
+        message: why the motion ended.
+        output_expressions: the expressions of `outputs`, by name.
+
+    >>> import symbody as sb
+    >>> x, (m, k) = sb.functions_of_time("x"), sb.symbols("m k")
+    >>> cart = sb.Body(sb.translate(x, 0, 0), m)
+    >>> spring = sb.Force(sb.ground, -k * x, 0, 0, at=cart.center_of_mass, on=cart)
+    >>> oscillator = sb.newton_euler(sb.System([cart], [spring], coordinates=[x]))
+    >>> motion = sb.simulate(oscillator, {m: 1, k: 4}, {x: 0.1}, t=(0, 1))
+    >>> motion.t.shape, motion.states.shape
+    ((1001,), (1001, 2))
+    >>> round(float(motion[x][-1] / 0.1 - np.cos(2)), 9) + 0.0
+    0.0
     """
 
     model: Model = field(repr=False)
@@ -68,7 +79,7 @@ class Motion:
     statistics: Statistics
     completed: bool
     message: str
-    asked: Mapping[str, Expr] = field(default_factory=dict)
+    output_expressions: Mapping[str, Expr] = field(default_factory=dict)
 
     def __repr__(self) -> str:
         names = ", ".join(map(str, self.model.coordinates))
@@ -81,20 +92,20 @@ class Motion:
 
     @property
     def system(self) -> System:
-        """What moves."""
+        """The system that moves."""
         return self.model.system
 
     def __iter__(self) -> NoReturn:
-        """Raise an error: Python would ask for ``motion[0]``, ``motion[1]`` and so on."""
+        """Refuse to iterate: Python would ask for ``motion[0]``, ``motion[1]`` and so on."""
         _READING.refuse_iteration()
 
     def __getitem__(self, expression: Expr) -> Array:
-        """Return the values of an expression, one for each instant.
+        """Return the values of an expression, shape (N,).
 
         Raises:
-            ArgumentError: it is no expression; numbers are none here.
-            SimulationError: an expression of which the model knows nothing.
-            ParameterError: a parameter that stands in none of the equations, and has no value.
+            ArgumentError: the argument is not an expression, or is a number.
+            SimulationError: the expression contains a variable that the model does not know.
+            ParameterError: a parameter that is not in the equations has no value.
         """
         expression = _READING.one(expression, self.model.state)
         if expression in self.model.state:
@@ -103,12 +114,12 @@ class Motion:
         return values
 
     def evaluate(self, expressions: Sequence[ExprLike]) -> Array:
-        """Return the values of several expressions, a row for each.
+        """Return the values of several expressions, one row for each: shape (expressions, N).
 
         Raises:
-            ArgumentError: no list of expressions.
-            SimulationError: an expression of which the model knows nothing.
-            ParameterError: a parameter that stands in none of the equations, and has no value.
+            ArgumentError: the argument is not a list of expressions.
+            SimulationError: an expression contains a variable that the model does not know.
+            ParameterError: a parameter that is not in the equations has no value.
         """
         wanted = _READING.several(expressions)
         if not wanted:
@@ -117,7 +128,7 @@ class Motion:
         return self._values(wanted, known, [self._solved_for(name) for name in known])
 
     def _values(self, wanted: Sequence[Expr], known: tuple[Expr, ...], columns: Sequence[Array]) -> Array:
-        """Return the values of expressions, given those of accelerations and multipliers in them."""
+        """Return the values of expressions, given the values of accelerations and multipliers in them."""
         try:
             function = self.model.function(wanted, tuple(self.parameters), known)
         except SymbodyError as failure:
@@ -127,32 +138,34 @@ class Motion:
         return np.stack([np.broadcast_to(row, self.t.shape) for row in values])
 
     def _solved_for(self, unknown: Expr) -> Array:
-        """Return the values of an acceleration or a multiplier; all of them are found at the first one."""
+        """Return the values of an acceleration or a multiplier; the first call computes all of them."""
         if unknown in self.model.accelerations:
             return self.accelerations[:, self.model.accelerations.index(unknown)]
         return self.multipliers[:, self.model.multipliers.index(unknown)]
 
     @cached_property
     def outputs(self) -> dict[str, Array]:
-        """The values of what was asked for, by name."""
-        return dict(zip(self.asked, self.evaluate(list(self.asked.values())), strict=True))
+        """The values of the outputs, by name; each has the shape (N,)."""
+        return dict(
+            zip(self.output_expressions, self.evaluate(list(self.output_expressions.values())), strict=True)
+        )
 
     @cached_property
     def accelerations(self) -> Array:
-        """The rates of the speeds, a row for each instant."""
+        """The rates of the speeds, one row for each instant."""
         return accelerations_along(self.model, self.parameters, self.t, self.states)
 
     @cached_property
     def multipliers(self) -> Array:
-        """The multipliers of the constraints, a row for each instant: ``M u' = forcing + phi_q^T lambda``."""
+        """The multipliers of the constraints, one row for each instant: ``M u' = forcing + phi_q^T lambda``."""
         model = self.model
         return self._values(model.multipliers, (), ()).T if model.multipliers else np.empty((len(self.t), 0))
 
     def state_at(self, instant: int = -1) -> dict[Expr, float]:
-        """Return the coordinates and speeds at the instant of a number: what another simulation can begin with.
+        """Return the coordinates and speeds at one instant, as an initial state for another simulation.
 
         Args:
-            instant: which one, from 0; negative ones count from the last.
+            instant: the index of the instant, from 0; negative ones count from the last.
 
         Raises:
             ArgumentError: there is no such instant.
@@ -160,17 +173,17 @@ class Motion:
         count = len(self.t)
         if not hasattr(instant, "__index__") or not -count <= instant < count:
             raise ArgumentError(
-                f"motion.state_at: {described(instant)}; expected the number of one of the {count} instants, from 0"
+                f"motion.state_at: {described(instant)}; expected the index of one of the {count} instants, from 0"
             )
         return dict(zip(self.model.state, map(float, self.states[instant]), strict=True))
 
     @cached_property
     def energy(self) -> Array:
-        """The mechanical energy less the work of loads and of moving constraints: constant, but for errors.
+        """The mechanical energy less the work of loads and moving constraints: constant but for errors. Shape (N,).
 
         Raises:
-            ModelError: motions that are prescribed in frames do work that nobody knows.
-            ParameterError: a mass or an inertia that stands in none of the equations has no value.
+            ModelError: prescribed motions of frames do work that the equations do not contain.
+            ParameterError: a mass or an inertia that is not in the equations has no value.
         """
         model = self.model
         if np.isnan(self.work).any():
@@ -186,17 +199,18 @@ class Motion:
         )
         if driven:
             raise ModelError(
-                f"motion: frames move by {', '.join(driven)}, a prescribed motion whose drive does work that the "
-                "equations don't hold: the energy isn't constant; prescribe it by a constraint to have its work counted"
+                f"motion: frames move by {', '.join(driven)}, a prescribed motion, and the equations don't contain "
+                "the work of its drive: the energy isn't constant; prescribe it by a constraint, whose work is "
+                "counted"
             )
         total: Array = self.evaluate(energies).sum(axis=0) - self.work
         return total
 
     @cached_property
     def energy_drift(self) -> float:
-        """The largest change of the energy's balance, relative to the largest energy that moves.
+        """The largest change of the energy balance, relative to the largest energy that varies.
 
-        ``max |E - W - E0| / max(T, |V - V0|, |W|)`` with the kinetic and the potential energy and the work.
+        ``max |E - W - E0| / max(T, |V - V0|, |W|)``: T is the kinetic energy, V the potential energy, W the work.
         """
         kinetic = self.evaluate([self.model.kinetic_energy])[0]
         potential = self.energy + self.work - kinetic
@@ -207,12 +221,12 @@ class Motion:
 
     @cached_property
     def constraint_drift(self) -> float:
-        """The largest value of a constraint."""
+        """The largest violation of a constraint."""
         return self._largest(self.model.constraints)
 
     @cached_property
     def constraint_rate_drift(self) -> float:
-        """The largest rate of a constraint."""
+        """The largest rate of change of a constraint."""
         return self._largest(self.model.system.rate(self.model.constraints))
 
     def _largest(self, expressions: Sequence[Expr]) -> float:
@@ -226,14 +240,19 @@ class Motion:
         title: str = "",
         path: str | os.PathLike[str] | None = None,
     ) -> Figure:
-        """Return a figure over time, a panel for each argument; without one, of coordinates and speeds.
+        """Return a figure over time, with one panel for each argument; by default, of coordinates and speeds.
 
-        See `symbody.view.plot`, also for the errors.
+        Args:
+            panels: what to plot; see `symbody.view.plot`, also for the errors.
+            units: the units of expressions or of panels, for the labels.
+            time: the unit of time, for the label.
+            title: the title of the figure.
+            path: a file to save the figure in.
         """
         figure: Figure = drawer("plot")(self, *panels, units=units, time=time, title=title, path=path)
         return figure
 
     def animate(self, path: str | os.PathLike[str], **options: Any) -> Path:
-        """Write the motion as a page that shows it in a browser; see `symbody.view.animate` for the options."""
+        """Write the motion as a page for a browser; see `symbody.view.animate` for the options."""
         page: Path = drawer("animate")(self, path, **options)
         return page

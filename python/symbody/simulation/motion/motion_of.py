@@ -1,4 +1,4 @@
-"""A motion, of what the integrator gave."""
+"""A motion from the outcome of an integration."""
 
 from __future__ import annotations
 
@@ -13,10 +13,10 @@ __all__ = ["motion_of"]
 
 
 def motion_of(integrated: Integrated, message: str) -> Motion:
-    """Return the states at the instants that were reached, and at the end where it lies behind them.
+    """Return the motion, at the instants that it reached; its end is added if it lies after them.
 
     Args:
-        integrated: the motion as it was integrated.
+        integrated: the integrated motion.
         message: why it ended, unless an event ended it.
     """
     task, outcome = integrated.task, integrated.outcome

@@ -17,13 +17,13 @@ Array = NDArray[np.float64]
 
 
 def accelerations_along(model: Model, parameters: Mapping[Expr, float], t: Array, states: Array) -> Array:
-    """Return the rates of the speeds, a row for each instant.
+    """Return the rates of the speeds, one row for each instant.
 
     Args:
-        model: what moves.
+        model: the model.
         parameters: the values of its parameters, by name.
-        t: the instants.
-        states: coordinates, then speeds, a row for each instant.
+        t: the instants, shape (N,).
+        states: coordinates, then speeds, shape (N, n).
     """
     code, first = model.rates_code, len(model.coordinates)
     rows = np.zeros((len(t), len(model.integrated)))

@@ -14,8 +14,8 @@ from symbody.dynamics import Equations
 from symbody.errors import ModelNotice, SimulationError
 from symbody.simulation.given.event import Event
 from symbody.simulation.given.values import parameter_values
-from symbody.simulation.integrate.begin import begin
 from symbody.simulation.integrate.diagnosis import diagnosis
+from symbody.simulation.integrate.initial_state import initial_state
 from symbody.simulation.integrate.integrated import Integrated, run_motions
 from symbody.simulation.integrate.notices import findings_of, notices_of_motion
 from symbody.simulation.integrate.outcome import with_deficiencies
@@ -53,35 +53,36 @@ def simulate(
 ) -> Motion:
     """Return the motion of a system from an initial state: ``M u' = forcing + phi_q^T lambda, phi = 0``.
 
-    The equations are compiled, and integrated by compiled code. Ctrl-C returns what was computed.
+    Compiled code evaluates and integrates the equations. After Ctrl-C, the motion up to there is returned.
 
     Args:
         eqs: the equations of motion.
-        parameters: values of the parameters, also of those that stand in events and outputs alone. Others of the model
-            may be there; one that stands nowhere in it is named in a notice.
-        initial: values of coordinates, their rates or speeds at the first instant. What isn't named is free: zero
-            without constraints, and changed as little as the constraints demand with them.
-        t: the first and the last instant (1001 instants, evenly spaced), or the instants themselves, in s.
-        inputs: expressions of time, state and parameters for the functions of time that are given from outside.
+        parameters: values of the parameters, including those that only events and outputs contain. Parameters that
+            appear nowhere in the model cause a notice.
+        initial: values of coordinates, rates of coordinates or speeds at the first instant. Variables that are not
+            named are zero, or what the constraints demand: they change as little as possible.
+        t: the first and the last instant (1001 evenly spaced instants), or all instants, in s.
+        inputs: expressions of time, state and parameters for the input functions of time.
         method: "auto" and "dop853", the explicit Runge-Kutta method of order 8 [Hairer, Norsett & Wanner 1993];
-            "tsit5", order 5; for stiff equations "bdf", "esdirk34", "tr_bdf2"; for constraints without reduction of
-            the index "ida" (stabilised index 2), "ida2", "ida3", by SUNDIALS.
-        rtol: the error of a step relative to the state.
-        atol: the error of a step where the state is small.
+            "tsit5", of order 5; "bdf", "esdirk34" and "tr_bdf2" for stiff equations; "ida" (stabilised index 2),
+            "ida2" and "ida3" for constraints without index reduction, by SUNDIALS.
+        rtol: the tolerance of the error of a step, relative to the state.
+        atol: the absolute tolerance of the error of a step.
         outputs: expressions to evaluate at all instants, by name.
-        events: what to look for; a terminal one ends the motion.
-        constraints: "projection", back onto the constraints and their rates after each step [Eich 1993]; "baumgarte" or
-            its (omega, zeta), damping of what is off; "free", neither. IDA's methods keep them by themselves.
-        guess: where to look for an initial state that satisfies the constraints, for what isn't given.
+        events: the events to watch; a terminal one ends the motion.
+        constraints: how constraints are enforced. "projection" projects onto the constraints and their rates after
+            each step [Eich 1993]; "baumgarte" or its (omega, zeta) damps violations; "free" does neither. The methods
+            of IDA enforce constraints by themselves.
+        guess: where to look for an initial state that satisfies the constraints, for variables that are not given.
         max_step: the longest step, in s.
-        progress: whether to show bars, of derivation and compilation after two seconds, and of the integration; by
-            default where messages go to a terminal.
+        progress: whether to show progress bars: of the derivation and compilation after two seconds, and of the
+            integration. By default, they are shown if messages go to a terminal.
 
     Raises:
-        ParameterError: a value is missing, belongs to nothing, or isn't finite.
-        ConstraintError: no state with what is given satisfies the constraints.
-        ModelError: functions of time that nobody gives, or that aren't needed.
-        SimulationError: the motion can't go on; what was computed is the error's `motion`.
+        ParameterError: a value is missing, has an unknown key, or is not finite.
+        ConstraintError: no state with the given values satisfies the constraints.
+        ModelError: an input has no expression, or an expression is given for something that is not an input.
+        SimulationError: the motion cannot continue; the error's `motion` holds what was computed.
 
     >>> from symbody import Body, Point, System, Vector, functions_of_time, ground, lagrange_equations, rotate, symbols
     >>> theta, (m, l, g) = functions_of_time("theta"), symbols("m l g")
@@ -111,7 +112,7 @@ def simulate(
     given = {name: float(value) for name, value in (parameters or {}).items()}
     notice_odd_values(task, given)
     with preparation_bar(is_shown=progress), noting() as met:
-        state = begin(task, given, initial)
+        state = initial_state(task, given, initial)
         _ = task.integrate  # compiled now: Ctrl-C interrupts, as there is no motion yet to keep
     motion = _run_one(task, given, state, is_shown=progress)
     return _report(replace(motion, outcome=with_deficiencies(motion.outcome, met)))
@@ -120,7 +121,7 @@ def simulate(
 def _run_one(
     task: Task, parameters: Mapping[Expr, float], state: Array, *, is_shown: bool | None
 ) -> Integrated:
-    """Integrate one motion; Ctrl-C ends it between two steps."""
+    """Integrate one motion. Ctrl-C ends it between two steps."""
     columns = {name: np.array([value]) for name, value in parameters.items()}
     span = float(np.ptp(task.instants))
     with Interruption() as interruption, progress_bar("simulate", span, is_shown=is_shown) as show:
@@ -137,7 +138,7 @@ def _run_one(
 
 
 def _report(motion: Integrated) -> Motion:
-    """Return the motion, with notices of what its user should know; raise an error that holds it if it failed."""
+    """Return the motion, and warn of what its user should know; if it failed, raise an error that holds it."""
     failure = motion.outcome.failure
     with noting():  # what the motion met is among the findings
         findings = findings_of(motion)

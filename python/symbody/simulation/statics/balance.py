@@ -1,4 +1,4 @@
-"""The balance of forces at rest as equations for coordinates, multipliers, and forces that hold coordinates."""
+"""The balance of forces at rest: equations for coordinates, multipliers, and forces that hold coordinates."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True, eq=False)
 class Balance:
-    """The conditions for the free coordinates, the multipliers, and the forces that hold fixed coordinates."""
+    """The equations for the free coordinates, the multipliers, and the forces that hold fixed coordinates."""
 
     statics: Statics
     t: float
@@ -42,16 +42,16 @@ class Balance:
 
     @property
     def order(self) -> list[Expr]:
-        """The coordinates that are fixed, in the order of the forces that hold them."""
+        """The fixed coordinates, in the order of the forces that hold them."""
         return [q for q in self.equations.coordinates if q in self.held]
 
     @property
     def count(self) -> int:
-        """The number of multipliers, of constraints and of what holds."""
+        """The number of forces: multipliers and holding forces."""
         return len(self.equations.constraints) + len(self.held)
 
     def values(self, q: Array, forces: Array) -> tuple[Array, Array, Array]:
-        """Return the conditions, their derivatives by all coordinates and forces, and the sizes of their terms."""
+        """Return the conditions, their derivatives by all coordinates and forces, and the magnitudes of their terms."""
         m, is_held = len(self.equations.constraints), ~self.is_free
         holding = np.zeros(len(q))
         holding[is_held] = forces[m:]
@@ -60,7 +60,7 @@ class Balance:
         return F, slopes[:, np.concatenate([np.ones(len(q) + m, dtype=bool), is_held])], sizes
 
     def scale(self, q: Array, forces: Array) -> Array:
-        """Return the sizes of the terms, and no less than what a thousandth of the coordinates makes."""
+        """Return the magnitudes of the terms, at least those by a thousandth of the coordinates."""
         _, slopes, sizes = self.values(q, forces)
         n, width = len(self.equations.speeds), len(q)
         scale = np.maximum(sizes, 1e-3 * np.abs(slopes[:, :width]) @ np.maximum(np.abs(q), 1))
@@ -69,7 +69,7 @@ class Balance:
         return np.where(scale > 0, scale, 1.0)
 
     def error(self, q: Array, forces: Array) -> float:
-        """Return the largest condition in the size of its terms; infinite where something isn't finite."""
+        """Return the largest relative residual; infinity if a condition is not finite."""
         F, _, _ = self.values(q, forces)
         error = float(np.abs(F / self.scale(q, forces)).max())
         return error if np.isfinite(error) else np.inf
@@ -83,7 +83,7 @@ class Balance:
         return least_norm(slopes[:n, len(q) :], -F[:n])[0]
 
     def solved(self, q: Array) -> tuple[Array, Array]:
-        """Return where Gauss-Newton steps lead; forces count in the size of the equations of motion."""
+        """Return the result of Gauss-Newton steps; forces are scaled by the terms of the equations of motion."""
         is_free, forces = self.is_free, self.first_forces(q)
         scale = self.scale(q, forces)
         unit = scale[: len(self.equations.speeds)].max()
@@ -100,7 +100,7 @@ class Balance:
         return whole, unit * z[is_free.sum() :]
 
     def neutral(self, q: Array, forces: Array) -> Array:
-        """Return directions of the coordinates in which the conditions don't change to first order, one a column."""
+        """Return directions of the coordinates that change no condition to first order, one per column."""
         _, slopes, _ = self.values(q, forces)
         width, scale = len(q), self.scale(q, forces)
         unit = scale[: len(self.equations.speeds)].max()
@@ -116,14 +116,14 @@ class Balance:
         return kept
 
     def directions(self, q: Array) -> Array:
-        """Return the directions of the multipliers' and the holding forces, one a row, here and at places nearby."""
+        """Return the directions of multipliers and holding forces, one per row, here and at neighbouring positions."""
         n, none = len(self.equations.speeds), np.zeros(self.count)
         places = np.vstack([q, q + nearby(self.equations, q).T])
         slopes = [self.values(place, none)[1][:n, len(q) :].T for place in places]
         return np.array([rows for k, rows in enumerate(slopes) if not k or np.isfinite(rows).all()])
 
     def least_forces(self, q: Array, forces: Array, combinations: Sequence[Array]) -> Array:
-        """Return the least forces of those that balance, where combinations of forces do nothing."""
+        """Return the least forces in balance, if combinations of forces have no effect."""
         if not combinations:
             return forces
         n = len(self.equations.speeds)
@@ -137,8 +137,8 @@ class Balance:
 
         Args:
             q: the equilibrium.
-            forces: the multipliers, and what holds coordinates there.
-            is_held: whether these stay where they are; else they are free, and the forces on them stay as they are.
+            forces: the multipliers and the holding forces there.
+            is_held: whether the fixed coordinates stay fixed; if not, they are free, and the holding forces constant.
         """
         m, n = len(self.equations.constraints), len(self.equations.speeds)
         M, C, K = self.statics.small_motion(self.t, q, forces[:m], self.p)
@@ -150,8 +150,8 @@ class Balance:
 
 
 _FAINT = 1e-6
-"""The part of the largest forces that counts, where an equation has no terms but rounding errors."""
+"""The ratio to the largest forces that counts, where all terms of an equation are rounding errors."""
 _ROUNDED = 1e-7
-"""The part of its terms that a condition may be off, where directions of forces that nearly agree are left out."""
+"""The relative residual of a condition that is allowed when directions of forces that nearly agree are left out."""
 _NOTHING = 1e-12
-"""A force or moment that counts where there are no others."""
+"""The force or moment that counts if there are no others."""

@@ -1,4 +1,4 @@
-"""Equilibria: where a system stays at rest, and the forces that hold it there."""
+"""Equilibria: positions in which a system stays at rest, and the forces that hold it there."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from symbody.dynamics import Equations
 from symbody.errors import ModelNotice, SimulationError
-from symbody.simulation.constraint.consistent import beginnings, positions
+from symbody.simulation.constraint.consistent import positions, starting_points
 from symbody.simulation.constraint.kinematics import kinematics_of
 from symbody.simulation.given.unused import notice_unused
 from symbody.simulation.given.values import given_inputs, parameter_values, state_values
@@ -20,7 +20,7 @@ from symbody.symbolic import Expr, ExprLike
 from symbody.symbolic.numeric.deficiency import reporting
 
 from .balance import Balance
-from .place_at_rest import Place
+from .rest_position import RestPosition
 from .statics import statics_of
 
 __all__ = ["Equilibrium", "equilibrium"]
@@ -28,7 +28,7 @@ __all__ = ["Equilibrium", "equilibrium"]
 Array = NDArray[np.float64]
 
 BALANCED = 1e-9
-"""The part of its terms that a condition may be off where it counts as satisfied."""
+"""The relative residual up to which a condition counts as satisfied."""
 _WHERE = "equilibrium"
 
 
@@ -37,18 +37,25 @@ class Equilibrium:
     """A system at rest.
 
     Attributes:
-        coordinates: where it is.
+        coordinates: the position.
         multipliers: the multipliers of the constraints.
-        holding: the forces along the coordinates that were fixed, which hold them.
+        holding: the forces that hold the fixed coordinates.
         residual: the largest force or moment that is left in the equations of motion.
-        eigenvalues: the s of the small motions ``x exp(s t)`` about it, in 1/s, the fastest growing first. Nothing is
-            held: the holding forces act on as constant forces along the coordinates that were fixed. NaN at a singular
-            position, where motions are not small motions of a linear system.
-        held_eigenvalues: those of the motions in which the fixed coordinates stay where they are; the same ones where
-            nothing is fixed.
+        eigenvalues: the s of the small motions ``x exp(s t)``, in 1/s, the fastest growing first. No coordinate is
+            held: the holding forces are constant forces along the fixed coordinates. NaN at a singular position,
+            where small motions are not those of a linear system.
+        held_eigenvalues: those of the motions in which the fixed coordinates stay fixed; the same if none is fixed.
 
-    Forces that the position does not determine, such as those of constraints that depend on each other, are the least
-    ones; a notice names them, unless they are of constraints that are redundant everywhere.
+    Forces that the position does not determine, such as those of dependent constraints, are the least ones. A notice
+    names them, unless they belong to constraints that are redundant everywhere.
+
+    >>> from symbody import Body, Force, System, functions_of_time, ground, newton_euler, symbols, translate
+    >>> x, (m, k, F) = functions_of_time("x"), symbols("m k F")
+    >>> cart = Body(translate(x, 0, 0), m)
+    >>> spring = Force(ground, F - k * x, 0, 0, at=cart.center_of_mass, on=cart)
+    >>> found = equilibrium(newton_euler(System([cart], [spring], coordinates=[x])), {m: 1, k: 4, F: 2})
+    >>> found.coordinates, found.is_stable
+    ({x: 0.5}, True)
     """
 
     coordinates: dict[Expr, float]
@@ -60,19 +67,19 @@ class Equilibrium:
 
     @property
     def is_stable(self) -> bool:
-        """Whether no small motion of the free system grows: none of the eigenvalues has a positive real part.
+        """Whether no small motion of the free system grows: no eigenvalue has a positive real part.
 
         Raises:
-            SimulationError: the position is singular, where eigenvalues say nothing.
+            SimulationError: the position is singular, so that the eigenvalues are unknown.
         """
         return _decays(self.eigenvalues)
 
     @property
     def is_stable_held(self) -> bool:
-        """Whether no small motion grows while the fixed coordinates stay where they are.
+        """Whether no small motion grows while the fixed coordinates stay fixed.
 
         Raises:
-            SimulationError: the position is singular, where eigenvalues say nothing.
+            SimulationError: the position is singular, so that the eigenvalues are unknown.
         """
         return _decays(self.held_eigenvalues)
 
@@ -80,8 +87,8 @@ class Equilibrium:
 def _decays(eigenvalues: NDArray[np.complex128]) -> bool:
     if np.isnan(eigenvalues).any():
         raise SimulationError(
-            f"{_WHERE}: the position is singular, and nothing is known of small motions about it; expected a position "
-            "at which the constraints are independent: look at one beside it, or simulate"
+            f"{_WHERE}: the position is singular, so that small motions about it are not known; expected a position "
+            "at which the constraints are independent: try a position nearby, or simulate"
         )
     size = np.abs(eigenvalues).max(initial=0.0)
     return bool((eigenvalues.real <= 1e-8 * size).all())
@@ -96,27 +103,26 @@ def equilibrium(
     t: float = 0.0,
     inputs: Mapping[Expr, ExprLike] | None = None,
 ) -> Equilibrium:
-    """Return a position in which the system stays at rest, near a guess.
+    """Return a position near a guess in which the system stays at rest.
 
     ``-forcing - phi_q^T lambda = 0`` and ``phi = 0`` at zero speeds and accelerations, by damped Gauss-Newton steps
-    with derivatives from the graph. Which of several equilibria is found depends on the guess; it may be unstable.
+    with exact derivatives. The guess decides which of several equilibria is found; it may be unstable.
 
-    Where coordinates are fixed, the system by itself stays at rest there only if the forces that hold them are zero, or
-    act on as constant forces along these coordinates: so the eigenvalues are meant. Those of the system that is held
-    have a name of their own.
+    If coordinates are fixed, the system stays at rest by itself only if the holding forces are zero or act on it as
+    constant forces. The attribute `eigenvalues` is meant in this sense, `held_eigenvalues` with coordinates held.
 
     Args:
-        eqs: equations of motion.
+        eqs: the equations of motion.
         parameters: the values of all symbols.
-        guess: coordinates near the equilibrium; zero by default, and no rotation for floating frames.
-        fixed: coordinates that are held, and where; the result has the forces which that takes.
-        t: the time that stands in loads and constraints, in s.
-        inputs: functions of time that are given from outside, by time and coordinates.
+        guess: coordinates near the equilibrium. By default, they are zero, and floating frames are not rotated.
+        fixed: the values of coordinates that are held; the result has the forces that hold them.
+        t: the time in loads and constraints, in s.
+        inputs: expressions of time and coordinates for the input functions of time.
 
     Raises:
-        SimulationError: no equilibrium was found, or it isn't a single one.
-        ConstraintError: nothing satisfies the constraints.
-        ParameterError: a value is missing, isn't finite, or belongs to nothing.
+        SimulationError: no equilibrium was found, or it is not isolated.
+        ConstraintError: no position satisfies the constraints.
+        ParameterError: a value is missing, has an unknown key, or is not finite.
 
     >>> from symbody import Body, System, Vector, functions_of_time, ground, newton_euler, rotate, symbols, translate
     >>> theta, (m, l, g) = functions_of_time("theta"), symbols("m l g")
@@ -141,8 +147,17 @@ def _place(
     fixed: Mapping[Expr, ArrayLike] | None,
     t: float,
     inputs: Mapping[Expr, ExprLike] | None,
-) -> Place:
-    """Return the place at which the system stays at rest."""
+) -> RestPosition:
+    """Return the position at which the system stays at rest.
+
+    Args:
+        eqs: the equations of motion.
+        parameters: the values of all symbols.
+        guess: coordinates near the equilibrium.
+        fixed: the values of coordinates that are held.
+        t: the time, in s.
+        inputs: the expressions that replace input functions of time.
+    """
     given = given_inputs(eqs, inputs, where=_WHERE)
     kinematics = kinematics_of(eqs, given)
     statics = statics_of(eqs, kinematics.given)
@@ -156,11 +171,11 @@ def _place(
     q = positions(kinematics, of_constraints, t, held, near, where=_WHERE)
     solution = _solved(problem, q)
     _check_single(problem, solution)
-    return Place(problem, kinematics, of_constraints, *solution)
+    return RestPosition(problem, kinematics, of_constraints, *solution)
 
 
-def _result(place: Place) -> Equilibrium:
-    """Return what was found by its names."""
+def _result(place: RestPosition) -> Equilibrium:
+    """Return the result by the names of the model."""
     problem, q, forces = place.problem, place.q, place.least_forces
     m, n = len(problem.equations.constraints), len(problem.equations.speeds)
     F, _, _ = problem.values(q, forces)
@@ -179,13 +194,13 @@ def _named(names: Sequence[Expr], values: Array) -> dict[Expr, float]:
 
 
 def _solved(problem: Balance, start: Array) -> tuple[Array, Array]:
-    """Return an equilibrium from the start, or from places around it.
+    """Return an equilibrium, found from the start or from points around it.
 
     Raises:
         SimulationError: none was found.
     """
     best, least = (start, np.zeros(problem.count)), np.inf
-    for beginning in beginnings(start, problem.is_free):
+    for beginning in starting_points(start, problem.is_free):
         found = problem.solved(beginning)
         error = problem.error(*found)
         if error <= BALANCED:
@@ -196,13 +211,13 @@ def _solved(problem: Balance, start: Array) -> tuple[Array, Array]:
 
 
 def _check_single(problem: Balance, solution: tuple[Array, Array]) -> None:
-    """Raise an error where other equilibria lie next to one.
+    """Check that an equilibrium is isolated.
 
-    A direction in which nothing changes to first order may be one of a degenerate, single equilibrium, as at the
-    load under which a column buckles: so a step along it is taken, and the equilibrium next to that is looked for.
+    A direction in which nothing changes to first order may belong to a degenerate but isolated equilibrium, as at the
+    buckling load of a column. So a step is taken along it, and the nearest equilibrium is searched from there.
 
     Raises:
-        SimulationError: there is another one.
+        SimulationError: there is another one nearby.
     """
     q, forces = solution
     for direction in problem.neutral(q, forces).T:
@@ -222,8 +237,8 @@ def _many(problem: Balance, q: Array, direction: Array) -> str:
     freest = int(np.argmax(size))
     together = f"{moved[0]} can" if len(moved) == 1 else f"{', '.join(map(str, moved))} can together"
     return (
-        f"{_WHERE}: infinitely many: {together} be changed without a force; fix a coordinate, as "
-        f"fixed={{{names[freest]}: {q[freest]:.6g}}}"
+        f"{_WHERE}: the equilibrium is not isolated: {together} be changed without a force; fix a coordinate, "
+        f"such as fixed={{{names[freest]}: {q[freest]:.6g}}}"
     )
 
 
@@ -240,6 +255,6 @@ def _unbalanced(problem: Balance, q: Array, forces: Array) -> str:
     place = ", ".join(f"{name} = {value:.6g}" for name, value in zip(eqs.coordinates[:12], q, strict=False))
     return (
         f"{_WHERE}: none was found; nearest, at {place}: {names[worst]} is off by {F[worst]:.3g}; expected loads that "
-        "can balance: give a guess nearer to the equilibrium, or hold coordinates that no load holds, as "
-        f"fixed={{{eqs.coordinates[0]}: ...}}"
+        "can balance: give a guess nearer to the equilibrium, or hold coordinates that no load holds, "
+        f"such as fixed={{{eqs.coordinates[0]}: ...}}"
     )

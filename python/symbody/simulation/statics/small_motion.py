@@ -1,4 +1,4 @@
-"""Small motions about an equilibrium: whether one of them grows."""
+"""Small motions about an equilibrium: the eigenvalues of linear equations of motion."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ class SmallMotion:
     Attributes:
         inertia: M.
         damping: C, with gyroscopic terms.
-        stiffness: S, of loads, weight and the multipliers' forces.
+        stiffness: S, of loads, weight and multipliers.
     """
 
     inertia: Array
@@ -29,10 +29,10 @@ class SmallMotion:
     def eigenvalues(self) -> NDArray[np.complex128]:
         """Return the s of the motions ``x exp(s t)``, in 1/s, the fastest growing first.
 
-        Conservative systems have the squares of frequencies as the eigenvalues of a symmetric pencil: these are
-        found without the loss of digits that a double zero has in the general one.
+        For conservative systems the squares of s are the eigenvalues of a symmetric pencil. This avoids the loss of
+        digits that a double eigenvalue zero has in the general problem.
         """
-        from scipy.linalg import eig, eigh  # noqa: PLC0415 - slow to load, and simulations need none
+        from scipy.linalg import eig, eigh  # noqa: PLC0415 - slow to load, and not needed by simulations
 
         if self.is_conservative:
             try:
@@ -49,13 +49,13 @@ class SmallMotion:
 
     @property
     def is_conservative(self) -> bool:
-        """Whether nothing damps or turns, and the stiffness is symmetric."""
+        """Whether there is no damping and no gyroscopic term, and the stiffness is symmetric."""
         S, size = self.stiffness, np.abs(self.stiffness).max(initial=0.0)
         return not self.damping.any() and bool(np.abs(S - S.T).max(initial=0.0) <= 1e-9 * size)
 
 
 def _without_rounding(squares: Array) -> Array:
-    """Return the values with those that are zero but for rounding as zero."""
+    """Replace values that are zero but for rounding by zero."""
     size = np.abs(squares).max(initial=0.0)
     return np.where(np.abs(squares) <= 1e-11 * size, 0.0, squares)
 

@@ -1,4 +1,4 @@
-"""Equations of motion where nothing moves: residuals at zero speeds and accelerations, and their derivatives."""
+"""Equations of motion at rest: residuals at zero speeds and accelerations, and their derivatives."""
 
 from __future__ import annotations
 
@@ -16,11 +16,11 @@ __all__ = ["Statics", "statics_of"]
 
 @dataclass(frozen=True, eq=False)
 class Statics:
-    """The conditions of equilibrium ``-forcing - phi_q^T lambda - K^T h = 0`` and ``phi = 0``, compiled for numbers.
+    """The conditions of equilibrium ``-forcing - phi_q^T lambda - K^T h = 0`` and ``phi = 0``, compiled.
 
     Attributes:
         equations: the equations of motion.
-        given: what stands in the place of functions of time that are given from outside.
+        given: the expressions that replace input functions of time.
     """
 
     equations: Equations
@@ -28,26 +28,26 @@ class Statics:
 
     @cached_property
     def parameters(self) -> tuple[Expr, ...]:
-        """The symbols that need values, by name."""
+        """The symbols that need values, sorted by name."""
         leaves = {*self.equations.parameters, *free_symbols([value for _, value in self.given])}
         found = {leaf for leaf in leaves if leaf.kind == "symbol" and not leaf.depends_on_time}
         return tuple(sorted(found, key=lambda symbol: symbol.name))
 
     @cached_property
     def quaternions(self) -> tuple[tuple[Expr, ...], ...]:
-        """The Euler parameters of floating frames, whose norms are one."""
+        """The Euler parameters of floating frames, with norm one."""
         return quaternions(self.equations.system)
 
     @cached_property
     def holding(self) -> tuple[Expr, ...]:
-        """Stand-ins for forces h along the coordinates."""
+        """Symbols for the forces h along the coordinates."""
         return tuple(
             symbol(f"holding {k}") for k in range(len(self.equations.coordinates))
-        )  # as no user writes
+        )  # names that no user writes
 
     @cached_property
     def conditions(self) -> tuple[Expr, ...]:
-        """What is zero: the residuals at rest, the constraints, and one less the squares of Euler parameters."""
+        """Expressions that are zero: residuals at rest, constraints, and squared norms of Euler parameters less one."""
         at_rest = dict.fromkeys((*self.equations.accelerations, *self.equations.speeds), number(0))
         power = sum((h * rate for h, rate in zip(self.holding, self._rates, strict=True)), start=number(0))
         along = gradient(power, self.equations.speeds)
@@ -58,7 +58,7 @@ class Statics:
 
     @cached_property
     def function(self) -> CompiledFunction:
-        """The function of t, q, lambda, h and p that returns the conditions, their derivatives and sizes of terms."""
+        """The function of t, q, lambda, h and p that returns the conditions, their derivatives, and term magnitudes."""
         unknowns = [[*self.equations.coordinates], [*self.equations.multipliers], [*self.holding]]
         slopes = jacobian(list(self.conditions), [name for names in unknowns for name in names])
         sizes = [magnitude(condition) for condition in self.conditions]
@@ -94,5 +94,5 @@ class Statics:
 
 @lru_cache(maxsize=32)
 def statics_of(eqs: Equations, given: Given) -> Statics:
-    """Return the statics of equations with given inputs; the last ones are kept, with what they compiled."""
+    """Return the statics of equations with given inputs. They are cached, with their compiled code."""
     return Statics(eqs, given)

@@ -1,1 +1,1 @@
-"""What a user at a terminal sees of long work, and Ctrl-C."""
+"""Long computations at a terminal: progress bars and Ctrl-C."""

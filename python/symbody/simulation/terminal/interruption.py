@@ -1,4 +1,4 @@
-"""Ctrl-C as a question that is answered between two steps, so that what was computed is kept."""
+"""Ctrl-C as a request that is checked between two steps, so that what was computed is kept."""
 
 from __future__ import annotations
 
@@ -10,9 +10,9 @@ from typing import Any
 
 
 class Interruption(AbstractContextManager["Interruption"]):
-    """While this is open, the first Ctrl-C is noted in `is_asked_for`; a second one interrupts as usual.
+    """A context in which the first Ctrl-C only sets `is_asked_for`; a second one interrupts as usual.
 
-    Signals come to the main thread of a program alone; elsewhere nothing is noted, and nothing changed.
+    Only the main thread receives signals; in other threads this context does nothing.
     """
 
     def __init__(self) -> None:

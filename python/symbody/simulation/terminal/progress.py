@@ -1,4 +1,4 @@
-"""Progress of long work, as a bar in a terminal."""
+"""Progress bars in a terminal."""
 
 from __future__ import annotations
 
@@ -10,19 +10,19 @@ from threading import Timer
 from symbody.codegen.llvm.jit import watched
 
 PATIENCE = 2.0
-"""Seconds of derivation and compilation after which their bar is shown."""
+"""The duration of derivation and compilation after which their bar is shown, in s."""
 
 
 @contextmanager
 def progress_bar(
     what: str, total: float, *, is_shown: bool | None = None
 ) -> Iterator[Callable[[float], None]]:
-    """Show a bar while the block runs; yield what is told how much of the total is done.
+    """Show a bar while the block runs; yield a function that takes how much of the total is done.
 
     Args:
-        what: the words before the bar.
-        total: how much there is to do.
-        is_shown: whether to show it; by default where messages go to a terminal.
+        what: the text before the bar.
+        total: the total amount of work.
+        is_shown: whether to show the bar; by default if messages go to a terminal.
     """
     if not (sys.stderr.isatty() if is_shown is None else is_shown):
         yield lambda _: None
@@ -49,10 +49,10 @@ def progress_bar(
 
 @contextmanager
 def preparation_bar(*, is_shown: bool | None = None) -> Iterator[None]:
-    """Show that equations are derived and compiled while the block runs, if it takes longer than :data:`PATIENCE`.
+    """Show that equations are derived and compiled while the block runs, if that takes longer than :data:`PATIENCE`.
 
     Args:
-        is_shown: whether to show it; by default where messages go to a terminal.
+        is_shown: whether to show the bar; by default if messages go to a terminal.
     """
     if not (sys.stderr.isatty() if is_shown is None else is_shown):
         yield

@@ -1,4 +1,4 @@
-"""A place at which a system is at rest: which forces it determines, and what small motions about it say."""
+"""A position of rest: the forces that it determines, and the eigenvalues of small motions about it."""
 
 from __future__ import annotations
 
@@ -16,23 +16,23 @@ from symbody.symbolic import Matrix
 
 from .balance import Balance
 
-__all__ = ["Place"]
+__all__ = ["RestPosition"]
 
 Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, eq=False)
-class Place:
+class RestPosition:
     """An equilibrium.
 
-    Forces in directions that depend on each other, ``[phi_q^T K^T] f = 0``, are not determined by the balance.
+    The balance does not determine forces f in dependent directions, ``[phi_q^T K^T] f = 0``.
 
     Attributes:
         problem: the balance of forces.
         kinematics: the constraints.
         p: the values of their parameters.
         q: the coordinates.
-        forces: multipliers, and what holds coordinates, that balance.
+        forces: multipliers and holding forces in balance.
     """
 
     problem: Balance
@@ -43,22 +43,22 @@ class Place:
 
     @cached_property
     def idle(self) -> list[Array]:
-        """Combinations of forces that do nothing here."""
+        """The combinations of forces that have no effect here."""
         return dependent_rows(self.problem.directions(self.q)) if self.problem.count else []
 
     @cached_property
     def least_forces(self) -> Array:
-        """The least forces that balance."""
+        """The least forces in balance."""
         return self.problem.least_forces(self.q, self.forces, self.idle)
 
     @cached_property
     def is_singular(self) -> bool:
-        """Whether the constraints depend on each other here, and beside it they don't."""
+        """Whether the constraints are dependent here, but not at neighbouring positions."""
         return any(self._is_of_constraints(rows) for rows in self._undetermined) and self._is_singular(())
 
     @cached_property
     def is_singular_held(self) -> bool:
-        """The same with the coordinates that are held."""
+        """The same for the constraints and the fixed coordinates."""
         held = self.problem.order
         return self._is_singular(held) if held and self._undetermined else self.is_singular
 
@@ -67,26 +67,26 @@ class Place:
         return is_singular(self.kinematics, self.p, self.problem.t, self.q, names)
 
     def eigenvalues(self, *, is_held: bool) -> NDArray[np.complex128]:
-        """Return those of the small motions; NaN where the position is singular."""
+        """Return the eigenvalues of small motions; NaN if the position is singular."""
         found = self.problem.small_motion(self.q, self.least_forces, is_held=is_held).eigenvalues()
         is_unknown = self.is_singular_held if is_held else self.is_singular
         return np.full(max(1, len(found)), np.nan, complex) if is_unknown else found
 
     def notices(self) -> Iterator[str]:
-        """Yield what a user should know of forces and eigenvalues that have no meaning."""
+        """Yield what a user should know of undetermined forces and unknown eigenvalues."""
         if self._undetermined:
             yield f"{self._open_forces()}; the least ones are given"
         if self.is_singular or self.is_singular_held:
             what = "the constraints" if self.is_singular else "the constraints and what is held"
             whose = "eigenvalues" if self.is_singular else "held_eigenvalues"
             yield (
-                f"the position is singular: {what} depend on each other here, and at positions beside it they don't, "
-                f"so that no linear equations describe the small motions about it: {whose} are NaN"
+                f"the position is singular: {what} depend on each other here, but not at neighbouring positions, so "
+                f"that no linear equations describe the small motions about it: {whose} are NaN"
             )
 
     @cached_property
     def _undetermined(self) -> list[NDArray[np.intp]]:
-        """The groups of forces that are not determined, but for those of constraints that are redundant everywhere."""
+        """The groups of forces that are not determined, except those of constraints that are redundant everywhere."""
         groups = [np.flatnonzero(combination) for combination in self.idle]
         return [rows for rows in groups if not self._is_redundant(rows)]
 
@@ -94,7 +94,7 @@ class Place:
         return bool((rows < len(self.problem.equations.constraints)).all())
 
     def _is_redundant(self, rows: NDArray[np.intp]) -> bool:
-        """Whether forces are those of constraints that depend on each other at almost every position."""
+        """Return whether the forces belong to constraints that are dependent at almost every position."""
         if not self._is_of_constraints(rows):
             return False
         gradients = self.problem.equations.constraint_jacobian.tolist()
@@ -121,7 +121,7 @@ class Place:
             return f"{names[0]} is not determined here: it moves nothing at this position"
         return (
             f"{listed(names)} are not determined here, as they act in directions that depend on each other at this "
-            "position: other values of them balance as well"
+            "position: other values balance as well"
         )
 
 

@@ -1,4 +1,7 @@
-"""The frequency with which Baumgarte's stabilisation damps what is off the constraints, from the motion's own."""
+"""Baumgarte's stabilisation: the choice of the frequency with which it damps constraint violations.
+
+`symbody.dynamics.equations.baumgarte` adds the damping to the equations; this file chooses its parameters for a motion.
+"""
 
 from __future__ import annotations
 
@@ -10,16 +13,16 @@ from symbody.simulation.model.model import Model
 __all__ = ["chosen_damping"]
 
 FASTER = 10.0
-"""How much faster than the motion: slower lets violations grow, much faster makes the equations stiff."""
+"""The ratio to the fastest mode: a smaller one lets violations grow, a much larger one makes the equations stiff."""
 
 
 def chosen_damping(
     model: Model, parameters: NDArray[np.float64], state: NDArray[np.float64], instants: NDArray[np.float64]
 ) -> tuple[float, float]:
-    """Return omega and zeta for a model that isn't stabilised yet: critical, ten times as fast as its fastest mode.
+    """Return omega and zeta for a model without stabilisation: critical damping, ten times as fast as the fastest mode.
 
-    ``omega = 10 max(|eigenvalues of d(q', u')/d(q, u)|, 2 pi/T)`` for a motion of the duration T: the time scale by
-    which Baumgarte's parameters should be chosen [Baumgarte 1972; Flores et al. 2011].
+    ``omega = 10 max(|eigenvalues of d(q', u')/d(q, u)|, 2 pi/T)`` for a motion of the duration T. This is the time
+    scale that Baumgarte's parameters should have [Baumgarte 1972; Flores et al. 2011].
     """
     code, places = model.jacobian_code
     slopes = np.zeros((model.width, len(model.state)))

@@ -1,4 +1,4 @@
-"""Where a motion begins: the vector that is integrated, at the first instant."""
+"""The initial state of a motion, as a vector to be integrated."""
 
 from __future__ import annotations
 
@@ -15,14 +15,23 @@ from symbody.symbolic import Expr
 
 from .task import Task
 
-__all__ = ["begin"]
+__all__ = ["initial_state"]
 
 
-def begin(
+def initial_state(
     task: Task, parameters: Mapping[Expr, float], initial: Mapping[Expr, float] | None
 ) -> NDArray[np.float64]:
-    """Return what is given, and zero, a guess or what the constraints demand for the rest; no work is done yet."""
-    model, t = task.plain, float(task.instants[0])
+    """Return the initial state: given values, guesses, zeros, and what the constraints demand. The work is zero.
+
+    Args:
+        task: the task.
+        parameters: the values of the parameters.
+        initial: the given values of coordinates, rates of coordinates and speeds.
+
+    Returns:
+        Coordinates, speeds and the work, shape (model.width,).
+    """
+    model, t = task.unstabilized, float(task.instants[0])
     given = {**task.guess, **state_values(model.system, initial, where="simulate")}
     if model.constraints or model.system.has_quasi_velocities:
         kinematics = kinematics_of(model.equations, dict(model.inputs))

@@ -1,4 +1,4 @@
-"""Wishes: what a user asks a page to show beside bodies and the skeleton of the model."""
+"""Options of drawings: what a page shows beside bodies and the skeleton of the model."""
 
 from __future__ import annotations
 
@@ -18,11 +18,11 @@ EXAMPLES = {
 
 
 @dataclass(frozen=True)
-class Wishes:
-    """What a user asks for.
+class DrawingOptions:
+    """What a user wants to see, as in `animate`.
 
     Raises:
-        ViewError: something is of another kind.
+        ViewError: an argument has the wrong kind.
     """
 
     shapes: Mapping[Body, Shape | Sequence[Shape]] = field(default_factory=dict)

@@ -1,4 +1,4 @@
-"""What a motion must offer to be drawn."""
+"""The interface of motions that can be drawn."""
 
 from __future__ import annotations
 
@@ -12,23 +12,26 @@ from symbody.multibody import System
 from symbody.symbolic import Expr
 
 
-class Motion(Protocol):
-    """A motion: the instants, and the value of any expression of the model at each."""
+class DrawableMotion(Protocol):
+    """A motion: its N instants, and the values of any expression of the model at these.
+
+    The result of `symbody.simulate` is one; so is any object with these members.
+    """
 
     @property
     def t(self) -> NDArray[np.float64]:
-        """The instants, increasing."""
+        """The instants, increasing, shape (N,)."""
         ...
 
     @property
     def system(self) -> System:
-        """What moves."""
+        """The system that moves."""
         ...
 
     def __getitem__(self, expression: Expr) -> NDArray[np.float64]:
-        """Return the values of an expression, one for each instant."""
+        """Return the values of an expression, shape (N,)."""
         ...
 
     def evaluate(self, expressions: Sequence[Expr]) -> NDArray[np.float64]:
-        """Return the values of several expressions, a row for each."""
+        """Return the values of several expressions, one row for each: shape (expressions, N)."""
         ...

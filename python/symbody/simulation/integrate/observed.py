@@ -1,4 +1,4 @@
-"""What a user asks to be evaluated along a motion: outputs and events, of what the model knows."""
+"""The expressions that are evaluated along a motion beside its state: outputs and events."""
 
 from __future__ import annotations
 
@@ -12,14 +12,14 @@ from symbody.symbolic import Expr, ExprLike, free_symbols
 from symbody.symbolic.given.arguments import described, expression
 from symbody.symbolic.given.namesake import namesake_note
 
-__all__ = ["asked_outputs", "check_known_along", "parameters_in", "watched_events"]
+__all__ = ["check_observed", "given_events", "given_outputs", "parameters_in"]
 
 
-def asked_outputs(outputs: Mapping[str, ExprLike] | None, where: str = "simulate") -> dict[str, Expr]:
+def given_outputs(outputs: Mapping[str, ExprLike] | None, where: str = "simulate") -> dict[str, Expr]:
     """Return the expressions of outputs, by name.
 
     Raises:
-        ArgumentError: no dictionary of names and expressions.
+        ArgumentError: the outputs are not a dictionary of names and expressions.
     """
     given: object = {} if outputs is None else outputs
     if not isinstance(given, Mapping) or any(not isinstance(name, str) for name in given):
@@ -30,11 +30,11 @@ def asked_outputs(outputs: Mapping[str, ExprLike] | None, where: str = "simulate
     return {name: expression(value, f"{where}, outputs, {name}") for name, value in given.items()}
 
 
-def watched_events(events: Sequence[Event] | None, where: str = "simulate") -> tuple[Event, ...]:
+def given_events(events: Sequence[Event] | None, where: str = "simulate") -> tuple[Event, ...]:
     """Return the events.
 
     Raises:
-        SimulationError: no list of events.
+        SimulationError: the events are not a list of events.
     """
     given: object = () if events is None else events
     if isinstance(given, Event):
@@ -46,26 +46,28 @@ def watched_events(events: Sequence[Event] | None, where: str = "simulate") -> t
     listed = tuple(given)
     for event in listed:
         if not isinstance(event, Event):
-            raise SimulationError(f"{where}: events hold {event!r}; expected Event(expression), from symbody")
+            raise SimulationError(
+                f"{where}: events contain {event!r}; expected Event(expression), from symbody"
+            )
     return listed
 
 
 def parameters_in(expressions: Sequence[Expr]) -> tuple[Expr, ...]:
-    """Return the parameters that expressions hold, by name."""
+    """Return the parameters in expressions, sorted by name."""
     found = (
         leaf for leaf in free_symbols(list(expressions)) if leaf.kind == "symbol" and not leaf.depends_on_time
     )
     return tuple(sorted(found, key=lambda symbol: symbol.name))
 
 
-def check_known_along(
+def check_observed(
     model: Model, outputs: Mapping[str, Expr], events: Sequence[Event], where: str = "simulate"
 ) -> None:
-    """See that inputs, outputs and events hold nothing but what a motion of the model knows.
+    """Check that inputs, outputs and events contain only variables that have values along a motion of the model.
 
     Raises:
         ModelError: an input brings accelerations into the equations of motion.
-        SimulationError: one holds something else; it is named.
+        SimulationError: an output or event contains another variable, which the message names.
     """
     check_explicit(model.equations, model.inputs, where)
     wanted = {f"the output {name!r}": value for name, value in outputs.items()}
@@ -77,7 +79,7 @@ def check_known_along(
         } - known
         if strange:
             raise SimulationError(
-                f"{where}: {name} holds {', '.join(sorted(map(str, strange)))}; expected an expression of time, "
+                f"{where}: {name} contains {', '.join(sorted(map(str, strange)))}; expected an expression of time, "
                 "coordinates, speeds, accelerations, multipliers and parameters"
                 f"{namesake_note(strange, known, ('asked for', 'of the motion'))}"
             )

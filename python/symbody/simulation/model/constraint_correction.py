@@ -1,0 +1,57 @@
+"""The correction of constraint violations: the least changes of a state that lead back onto the constraints.
+
+`symbody.simulation.integrate.baumgarte_damping` is the other way: it damps violations instead of removing them.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from symbody.dynamics import Equations
+from symbody.symbolic import Expr, derivation, number, saddle_point_solve, substitute
+
+__all__ = ["ConstraintCorrection", "constraint_correction"]
+
+
+@dataclass(frozen=True)
+class ConstraintCorrection:
+    """The changes of a state.
+
+    Attributes:
+        coordinates: the changes of the coordinates.
+        speeds: the changes of the speeds.
+        conditions: expressions that must be positive for the changes to be accurate.
+    """
+
+    coordinates: tuple[Expr, ...]
+    speeds: tuple[Expr, ...]
+    conditions: tuple[Expr, ...]
+
+
+def constraint_correction(eqs: Equations, method: str) -> ConstraintCorrection:
+    """Return the least changes of coordinates and speeds that satisfy the constraints, to first order.
+
+    ``M d = phi_q^T mu, phi_q d = -phi`` [Eich 1993]. The kinetic energy measures the changes, so that lengths and
+    angles have the right weights. The kinematics turn the changes of speeds into those of coordinates.
+
+    Args:
+        eqs: the equations of motion.
+        method: how the linear system is solved, as in `forward_dynamics`: "schur_complement", "null_space", "pivoted".
+    """
+    M, J = eqs.mass_matrix, eqs.constraint_jacobian
+    nothing = [number(0)] * M.rows
+    with derivation(fresh=True):
+        change, speeds = (
+            saddle_point_solve(M, J, nothing, [-value for value in left], method)
+            for left in (eqs.constraints, eqs.system.rate(eqs.constraints))
+        )
+        return ConstraintCorrection(_moved(eqs, change.x), speeds.x, change.conditions)
+
+
+def _moved(eqs: Equations, change: Sequence[Expr]) -> tuple[Expr, ...]:
+    """Return the change of the coordinates in a unit of time by speeds alone, without the drift at zero speeds."""
+    kinematics = tuple(eqs.kinematics.values())
+    at_rest = substitute(kinematics, dict.fromkeys(eqs.speeds, number(0)))
+    moved = substitute(kinematics, dict(zip(eqs.speeds, change, strict=True)))
+    return tuple(rate - rest for rate, rest in zip(moved, at_rest, strict=True))
