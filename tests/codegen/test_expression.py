@@ -8,10 +8,10 @@ from typing import Any
 
 import pytest
 
-from symbody.codegen.expression import Tree, entry, expression_text, name, number, wrapped
-from symbody.codegen.fortran import LANGUAGE as FORTRAN
-from symbody.codegen.language import Language
-from symbody.codegen.python import LANGUAGE as PYTHON
+from symbody.codegen.layout.expression import Tree, entry, expression_text, name, number, wrapped
+from symbody.codegen.layout.language import Language
+from symbody.codegen.target.fortran import LANGUAGE as FORTRAN
+from symbody.codegen.target.python import LANGUAGE as PYTHON
 
 OPERATORS: dict[type[ast.AST], str] = {ast.Add: "add", ast.Sub: "sub", ast.Mult: "mul", ast.Div: "div"}
 

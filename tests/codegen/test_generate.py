@@ -20,8 +20,8 @@ from symbody import (
     translate,
 )
 from symbody.codegen import TARGETS, check, generate, source
-from symbody.codegen.names import Scope, identifier
-from symbody.codegen.write import write_all
+from symbody.codegen.layout.names import Scope, identifier
+from symbody.codegen.sources.write import write_all
 from symbody.errors import CodegenError, ModelNotice, ProgramError
 from symbody.symbolic import (
     Argument,

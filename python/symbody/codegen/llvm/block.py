@@ -14,7 +14,7 @@ from symbody.codegen.llvm.piece import Piece
 from symbody.codegen.llvm.run import segments
 from symbody.codegen.llvm.wave import wave_size, waves
 from symbody.codegen.llvm.writer import Writer
-from symbody.codegen.straight_line import Code, Instruction, operands
+from symbody.codegen.straight_line.code import Code, Instruction, operands
 
 __all__ = ["BlockWriter", "Frame", "Load"]
 

@@ -5,14 +5,14 @@ from __future__ import annotations
 from bisect import bisect_right
 from collections.abc import Iterable, Mapping, Sequence
 
-from symbody.codegen.block import Cut, cut
 from symbody.codegen.llvm.angles_first import angles_first
 from symbody.codegen.llvm.block import BlockWriter, Frame, Load
 from symbody.codegen.llvm.memory import Memory
 from symbody.codegen.llvm.piece import Piece
 from symbody.codegen.llvm.run import are_inlined
 from symbody.codegen.llvm.wave import wave_size
-from symbody.codegen.straight_line import Code, operands
+from symbody.codegen.straight_line.code import Code, operands
+from symbody.codegen.straight_line.cut import Cut, cut
 
 __all__ = ["Function"]
 

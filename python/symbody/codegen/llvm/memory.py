@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from symbody.codegen.straight_line import Code
+from symbody.codegen.straight_line.code import Code
 from symbody.symbolic.numeric.kernel import kernel_workspace
 
 __all__ = ["Memory"]

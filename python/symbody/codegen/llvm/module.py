@@ -9,7 +9,7 @@ from symbody.codegen.llvm.block import Load
 from symbody.codegen.llvm.function import Function
 from symbody.codegen.llvm.piece import Piece
 from symbody.codegen.llvm.writer import Writer
-from symbody.codegen.straight_line import Code, operands
+from symbody.codegen.straight_line.code import Code, operands
 
 __all__ = ["batch_modules", "scalar_modules", "shortcut_modules"]
 

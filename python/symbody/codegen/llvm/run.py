@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 from itertools import groupby
 from math import inf
 
-from symbody.codegen.straight_line import Code
+from symbody.codegen.straight_line.code import Code
 
 __all__ = ["are_inlined", "segments"]
 

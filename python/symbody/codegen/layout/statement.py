@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import TypeAlias
 
-from symbody.codegen.expression import Tree
+from symbody.codegen.layout.expression import Tree
 
 __all__ = ["Block", "Clear", "Factor", "Let", "Read", "Section", "Solve", "Statement", "Store"]
 

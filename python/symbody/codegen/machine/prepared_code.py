@@ -13,9 +13,9 @@ from numpy.typing import NDArray
 from symbody.codegen.llvm import jit
 from symbody.codegen.llvm.assembly import Assembly
 from symbody.codegen.llvm.module import scalar_modules, shortcut_modules
-from symbody.codegen.machine_code import POINTER
-from symbody.codegen.preparation import Preparation
-from symbody.codegen.straight_line import Code, Input, code_of, operands, with_operands
+from symbody.codegen.machine.machine_code import POINTER
+from symbody.codegen.straight_line.code import Code, Input, code_of, operands, with_operands
+from symbody.codegen.straight_line.preparation import Preparation
 from symbody.errors import ParameterError
 from symbody.symbolic import Argument, Expr
 

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from symbody.codegen import runtime
-from symbody.codegen.expression import wrapped
-from symbody.codegen.language import Language, functions, number_text
-from symbody.codegen.module import Array, Function, Module
-from symbody.codegen.printer import (
+from symbody.codegen.layout.expression import wrapped
+from symbody.codegen.layout.language import Language, functions, number_text
+from symbody.codegen.layout.module import Array, Function, Module
+from symbody.codegen.runtime.snippets import SNIPPETS
+from symbody.codegen.target.printer import (
     beside_arguments,
     block_lines,
     comment_block,
@@ -17,7 +17,7 @@ from symbody.codegen.printer import (
     head_of_function,
     mark,
 )
-from symbody.codegen.target import Target
+from symbody.codegen.target.target import Target
 
 __all__ = ["JULIA"]
 
@@ -74,7 +74,7 @@ def _source(module: Module) -> str:
     helpers = [text for name, text in _HELPERS.items() if name in module.operations]
     lines += ["", *helpers] if helpers else []
     if "factor" in module.operations:
-        lines += ["", runtime.SNIPPETS["julia"].strip()]
+        lines += ["", SNIPPETS["julia"].strip()]
     return "\n".join([*lines, "", "end"]) + "\n"
 
 

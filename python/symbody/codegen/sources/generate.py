@@ -10,19 +10,19 @@ from dataclasses import replace
 from itertools import islice
 from pathlib import Path
 
-from symbody.codegen.arrange import module_of
-from symbody.codegen.c import C
-from symbody.codegen.casadi import CASADI
-from symbody.codegen.fortran import FORTRAN
-from symbody.codegen.jax import JAX
-from symbody.codegen.julia import JULIA
-from symbody.codegen.matlab import MATLAB
-from symbody.codegen.modelica import MODELICA
-from symbody.codegen.printer import MARK
-from symbody.codegen.python import PYTHON
-from symbody.codegen.rust import RUST
-from symbody.codegen.target import Target
-from symbody.codegen.write import write_all
+from symbody.codegen.layout.arrange import module_of
+from symbody.codegen.sources.write import write_all
+from symbody.codegen.target.c import C
+from symbody.codegen.target.casadi import CASADI
+from symbody.codegen.target.fortran import FORTRAN
+from symbody.codegen.target.jax import JAX
+from symbody.codegen.target.julia import JULIA
+from symbody.codegen.target.matlab import MATLAB
+from symbody.codegen.target.modelica import MODELICA
+from symbody.codegen.target.printer import MARK
+from symbody.codegen.target.python import PYTHON
+from symbody.codegen.target.rust import RUST
+from symbody.codegen.target.target import Target
 from symbody.errors import CodegenError, ModelNotice
 from symbody.symbolic import STAGES, Program, free_symbols
 from symbody.symbolic.given.identifier import program_name

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 
-from symbody.codegen.language import Language
-from symbody.codegen.module import Module
+from symbody.codegen.layout.language import Language
+from symbody.codegen.layout.module import Module
 
 __all__ = ["Target"]
 
@@ -21,7 +21,7 @@ class Target:
         language: its syntax.
         files: the texts of a module's files, by file name.
         check: the commands that build and run the self-check in the folder of the files, of ``{name}``; in each,
-            the first word is a tool of :mod:`symbody.codegen.toolchain`, or ``python``.
+            the first word is a tool of :mod:`symbody.codegen.sources.toolchain`, or ``python``.
         tools: the tools that these commands call in turn.
         limit: the largest number of operations of a function, where compilers want small ones.
     """

@@ -6,12 +6,12 @@ from collections import Counter
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
 
-from symbody.codegen.block import Cut, cut
-from symbody.codegen.count import section_titles
-from symbody.codegen.expression import Tree, entry, name, number
-from symbody.codegen.names import Scope
-from symbody.codegen.statement import Block, Clear, Factor, Let, Read, Section, Solve, Statement, Store
-from symbody.codegen.straight_line import Code, Input, Instruction, operands
+from symbody.codegen.layout.expression import Tree, entry, name, number
+from symbody.codegen.layout.names import Scope
+from symbody.codegen.layout.statement import Block, Clear, Factor, Let, Read, Section, Solve, Statement, Store
+from symbody.codegen.straight_line.code import Code, Input, Instruction, operands
+from symbody.codegen.straight_line.count import section_titles
+from symbody.codegen.straight_line.cut import Cut, cut
 
 __all__ = ["Composition", "compose"]
 

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from symbody.codegen.expression import wrapped
-from symbody.codegen.language import Language, functions, number_text
-from symbody.codegen.module import Array, Function, Module
-from symbody.codegen.printer import block_lines, compared, head, head_of_function, mark
-from symbody.codegen.runtime import runtime_text
-from symbody.codegen.target import Target
+from symbody.codegen.layout.expression import wrapped
+from symbody.codegen.layout.language import Language, functions, number_text
+from symbody.codegen.layout.module import Array, Function, Module
+from symbody.codegen.runtime.linear_solve import kernel_text
+from symbody.codegen.target.printer import block_lines, compared, head, head_of_function, mark
+from symbody.codegen.target.target import Target
 
 __all__ = ["C"]
 
@@ -106,7 +106,7 @@ def _source(module: Module) -> str:
     helpers = [text for name, text in _HELPERS.items() if name in module.operations]
     lines += ["", *helpers] if helpers else []
     if "factor" in module.operations:
-        lines += ["", runtime_text("linear_solve.c").rstrip()]
+        lines += ["", kernel_text("linear_solve.c").rstrip()]
     for function in module.functions:
         lines += ["", *_function(module, function)]
     return "\n".join(lines) + "\n"

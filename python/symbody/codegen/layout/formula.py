@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from symbody.codegen.expression import Tree, expression_text, name, number
-from symbody.codegen.language import Language
-from symbody.codegen.straight_line import Code
+from symbody.codegen.layout.expression import Tree, expression_text, name, number
+from symbody.codegen.layout.language import Language
+from symbody.codegen.straight_line.code import Code
 
 __all__ = ["described"]
 

@@ -8,12 +8,19 @@ import sys
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from symbody.codegen import runtime
-from symbody.codegen.expression import wrapped
-from symbody.codegen.language import Language, functions, number_text
-from symbody.codegen.module import Array, Function, Module
-from symbody.codegen.printer import beside_arguments, block_lines, compared, head, head_of_function, mark
-from symbody.codegen.target import Target
+from symbody.codegen.layout.expression import wrapped
+from symbody.codegen.layout.language import Language, functions, number_text
+from symbody.codegen.layout.module import Array, Function, Module
+from symbody.codegen.runtime.snippets import SNIPPETS
+from symbody.codegen.target.printer import (
+    beside_arguments,
+    block_lines,
+    compared,
+    head,
+    head_of_function,
+    mark,
+)
+from symbody.codegen.target.target import Target
 
 __all__ = [
     "PYTHON",
@@ -106,7 +113,7 @@ NUMPY = Library(
     "along further axes; results are arrays that begin with the shape given here, numbers and the batch for all.",
     ("import numpy as np",),
     _ARRAY,
-    _SQUARE + "\n" + runtime.SNIPPETS["numpy"],
+    _SQUARE + "\n" + SNIPPETS["numpy"],
 )
 
 

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 
-from symbody.codegen.expression import wrapped
-from symbody.codegen.language import Language, functions, number_text
-from symbody.codegen.module import Array, Function, Module
-from symbody.codegen.printer import (
+from symbody.codegen.layout.expression import wrapped
+from symbody.codegen.layout.language import Language, functions, number_text
+from symbody.codegen.layout.module import Array, Function, Module
+from symbody.codegen.runtime.linear_solve import kernel_text
+from symbody.codegen.target.printer import (
     block_lines,
     comment_block,
     compared,
@@ -16,8 +17,7 @@ from symbody.codegen.printer import (
     in_rows,
     mark,
 )
-from symbody.codegen.runtime import runtime_text
-from symbody.codegen.target import Target
+from symbody.codegen.target.target import Target
 
 __all__ = ["FORTRAN"]
 
@@ -92,7 +92,7 @@ def _source(module: Module) -> str:
         lines += _indented(["", *_subroutine(function)])
     helpers = [text for name, text in _HELPERS.items() if name in module.operations]
     if "factor" in module.operations:
-        helpers.append(runtime_text("linear_solve.f90"))
+        helpers.append(kernel_text("linear_solve.f90"))
     for text in helpers:
         lines += _indented(["", *text.strip().splitlines()])
     return "\n".join([*lines, "", f"end module {module.name}"]) + "\n"

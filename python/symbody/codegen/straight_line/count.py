@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections import Counter
 
-from symbody.codegen.straight_line import Code
+from symbody.codegen.straight_line.code import Code
 from symbody.symbolic import STAGES
 
 __all__ = ["counts_by_stage", "section_titles"]

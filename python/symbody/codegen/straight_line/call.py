@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
-from symbody.codegen.straight_line import Code, Input, code_of, operands, with_operands
+from symbody.codegen.straight_line.code import Code, Input, code_of, operands, with_operands
 from symbody.symbolic import Argument, Program, Routine
 
 __all__ = ["Call", "call_in"]

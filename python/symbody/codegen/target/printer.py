@@ -9,10 +9,10 @@ from math import isfinite
 from textwrap import wrap
 from typing import TypeAlias
 
-from symbody.codegen.expression import expression_text, wrapped
-from symbody.codegen.language import Language
-from symbody.codegen.module import Array, Function, Module
-from symbody.codegen.statement import Block, Clear, Factor, Let, Read, Section, Solve, Statement, Store
+from symbody.codegen.layout.expression import expression_text, wrapped
+from symbody.codegen.layout.language import Language
+from symbody.codegen.layout.module import Array, Function, Module
+from symbody.codegen.layout.statement import Block, Clear, Factor, Let, Read, Section, Solve, Statement, Store
 
 __all__ = [
     "MARK",

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from symbody.codegen import runtime
-from symbody.codegen.expression import wrapped
-from symbody.codegen.language import Language, functions, number_text
-from symbody.codegen.module import Array, Function, Module
-from symbody.codegen.printer import (
+from symbody.codegen.layout.expression import wrapped
+from symbody.codegen.layout.language import Language, functions, number_text
+from symbody.codegen.layout.module import Array, Function, Module
+from symbody.codegen.runtime.snippets import SNIPPETS
+from symbody.codegen.target.printer import (
     beside_arguments,
     block_lines,
     comment_block,
@@ -17,7 +17,7 @@ from symbody.codegen.printer import (
     head_of_function,
     mark,
 )
-from symbody.codegen.target import Target
+from symbody.codegen.target.target import Target
 
 __all__ = ["MATLAB"]
 
@@ -129,7 +129,7 @@ def _file(module: Module, function: Function) -> str:
         lines += block_lines(block, LANGUAGE, function.shapes)
     helpers = list(dict.fromkeys(text for name, text in _HELPERS.items() if name in function.operations))
     if "factor" in function.operations:
-        helpers.append(runtime.SNIPPETS["matlab"])
+        helpers.append(SNIPPETS["matlab"])
     return "\n".join([*lines, "end", *(line for text in helpers for line in ["", text.strip()])]) + "\n"
 
 

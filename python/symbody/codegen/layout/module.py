@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from math import prod
 
-from symbody.codegen.compose import Composition
+from symbody.codegen.layout.compose import Composition
 
 __all__ = ["Array", "Function", "Module"]
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 
-from symbody.codegen.straight_line import (
+from symbody.codegen.straight_line.code import (
     Code,
     Input,
     Instruction,

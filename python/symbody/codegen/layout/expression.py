@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from typing import Any, TypeAlias
 
-from symbody.codegen.language import Language
+from symbody.codegen.layout.language import Language
 
 __all__ = ["Tree", "entry", "expression_text", "name", "number", "wrapped"]
 

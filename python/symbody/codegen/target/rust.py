@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from symbody.codegen.expression import wrapped
-from symbody.codegen.language import Language, functions, number_text
-from symbody.codegen.module import Array, Function, Module
-from symbody.codegen.printer import block_lines, comment_block, compared, head, head_of_function, mark
-from symbody.codegen.runtime import runtime_text
-from symbody.codegen.target import Target
+from symbody.codegen.layout.expression import wrapped
+from symbody.codegen.layout.language import Language, functions, number_text
+from symbody.codegen.layout.module import Array, Function, Module
+from symbody.codegen.runtime.linear_solve import kernel_text
+from symbody.codegen.target.printer import block_lines, comment_block, compared, head, head_of_function, mark
+from symbody.codegen.target.target import Target
 
 __all__ = ["RUST"]
 
@@ -85,7 +85,7 @@ def _source(module: Module) -> str:
         for line in text.rstrip().split("\n")
     ]
     if "factor" in module.operations:
-        lines += ["", runtime_text("linear_solve.rs").rstrip()]
+        lines += ["", kernel_text("linear_solve.rs").rstrip()]
     return "\n".join(lines) + "\n"
 
 

@@ -6,17 +6,17 @@ from collections.abc import Sequence
 from dataclasses import replace
 from math import isfinite
 
-from symbody.codegen.call import Call, call_in
-from symbody.codegen.compose import Composition, compose
-from symbody.codegen.count import counts_by_stage
-from symbody.codegen.describe import described
-from symbody.codegen.language import Language
-from symbody.codegen.module import Array, Function, Module
-from symbody.codegen.names import Scope, program_identifier
-from symbody.codegen.preparation import Preparation
-from symbody.codegen.runtime import factor_size
-from symbody.codegen.sample import Sample, sample_of
-from symbody.codegen.straight_line import Code, Input, code_of
+from symbody.codegen.layout.compose import Composition, compose
+from symbody.codegen.layout.formula import described
+from symbody.codegen.layout.language import Language
+from symbody.codegen.layout.module import Array, Function, Module
+from symbody.codegen.layout.names import Scope, program_identifier
+from symbody.codegen.runtime.linear_solve import factor_size
+from symbody.codegen.straight_line.call import Call, call_in
+from symbody.codegen.straight_line.code import Code, Input, code_of
+from symbody.codegen.straight_line.count import counts_by_stage
+from symbody.codegen.straight_line.preparation import Preparation
+from symbody.codegen.straight_line.sample import Sample, sample_of
 from symbody.errors import ProgramError
 from symbody.symbolic import Argument, Program, Routine, t
 from symbody.symbolic.given.identifier import identifier

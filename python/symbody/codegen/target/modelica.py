@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 
-from symbody.codegen import runtime
-from symbody.codegen.expression import wrapped
-from symbody.codegen.language import Language, functions, number_text
-from symbody.codegen.module import Array, Function, Module
-from symbody.codegen.printer import (
+from symbody.codegen.layout.expression import wrapped
+from symbody.codegen.layout.language import Language, functions, number_text
+from symbody.codegen.layout.module import Array, Function, Module
+from symbody.codegen.runtime.snippets import SNIPPETS
+from symbody.codegen.target.printer import (
     block_lines,
     comment_block,
     compared,
@@ -18,7 +18,7 @@ from symbody.codegen.printer import (
     mark,
     sentences,
 )
-from symbody.codegen.target import Target
+from symbody.codegen.target.target import Target
 
 __all__ = ["MODELICA"]
 
@@ -87,7 +87,7 @@ end if;
 
 
 def _systems() -> list[str]:
-    return runtime.SNIPPETS["modelica"].strip().splitlines()
+    return SNIPPETS["modelica"].strip().splitlines()
 
 
 def _quoted(text: str) -> str:

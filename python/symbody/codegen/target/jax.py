@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from symbody.codegen import runtime
-from symbody.codegen.module import Module
-from symbody.codegen.python import Library, check_text, module_text, python_language
-from symbody.codegen.target import Target
+from symbody.codegen.layout.module import Module
+from symbody.codegen.runtime.snippets import SNIPPETS
+from symbody.codegen.target.python import Library, check_text, module_text, python_language
+from symbody.codegen.target.target import Target
 
 __all__ = ["JAX"]
 
@@ -33,7 +33,7 @@ LIBRARY = Library(
     "state; jax.jit compiles them, jax.vmap maps them over states, jax.jacfwd and jax.grad differentiate them.",
     ("import jax", "import jax.numpy as jnp"),
     _ARRAY,
-    _SQUARE + "\n" + runtime.SNIPPETS["jax"],
+    _SQUARE + "\n" + SNIPPETS["jax"],
     called="jax.jit(model.{function})({arguments})",
 )
 
