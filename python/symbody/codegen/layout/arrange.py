@@ -185,7 +185,7 @@ class _Arrangement:
             scalars=frozenset(array.name for array in arguments if array.is_scalar),
             limit=self.limit,
         )
-        operations = frozenset(row[0] for row in code.instructions)
+        operations = frozenset(row.operation for row in code.instructions)
         working = self._working(composition)
         return Function(
             name, meaning, arguments, results, composition, counts_by_stage(code), operations, working, calls

@@ -3,15 +3,17 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
+from math import isqrt
 
-from symbody.codegen.layout.expression import Tree, entry, name, number
+from symbody.codegen.layout.expression import Application, Entry, Name, Number, Tree
 from symbody.codegen.layout.names import Scope
 from symbody.codegen.layout.statement import Block, Clear, Factor, Let, Read, Section, Solve, Statement, Store
-from symbody.codegen.straight_line.code import Code, Input, Instruction, operands
+from symbody.codegen.straight_line.code import Code, Input
 from symbody.codegen.straight_line.count import section_titles
 from symbody.codegen.straight_line.cut import Cut, cut
+from symbody.codegen.straight_line.instruction import LINEAR_SYSTEMS, Instruction, Operation
 
 __all__ = ["Composition", "compose"]
 
@@ -75,7 +77,7 @@ class _Composer:
         self.workspace = self.scope.claim("w")
         self.titles = section_titles(self.code)
         self.readers, self.results = _uses(self.code)
-        self._trees = {place: number(value) for place, value in enumerate(self.code.constants)}
+        self._trees = {place: Number(value) for place, value in enumerate(self.code.constants)}
         for place, read in enumerate(self.code.inputs, self.code.first_input):
             self._trees[place] = self._leaf(read)
         zeros = Counter(array for (array, _), place in self._results_in_order() if self._is_zero(place))
@@ -85,8 +87,8 @@ class _Composer:
     def _leaf(self, read: Input) -> Tree:
         """Return a local name for an input; one without a name stands where it is used."""
         if read.array in self.scalars:
-            return name(read.array)
-        return name(self.scope.claim(read.name)) if read.name else entry(read.array, read.index)
+            return Name(read.array)
+        return Name(self.scope.claim(read.name)) if read.name else Entry(read.array, read.index)
 
     def _results_in_order(self) -> Iterator[tuple[tuple[str, int], int]]:
         return zip(self.targets, self.code.results, strict=True)
@@ -126,40 +128,40 @@ class _Composer:
         return self.titles[stage].split(":")[0] + ", continued" if goes_on else self.titles[stage]
 
     def _instruction(self, place: int, row: Instruction) -> Iterator[Statement]:
-        if row[0] == "factor":
-            yield from self._factor(place, row)
-        elif row[0] == "solve":
-            yield from self._solve(place, row)
-        elif row[0] == "component":
-            self._trees[place] = entry(self._solutions[row[1]][0], row[2])
-            yield from self._stores(place)
-        else:
-            yield from self._value(place, row)
+        match row.operation:
+            case Operation.FACTOR:
+                yield from self._factor(place, row)
+            case Operation.SOLVE:
+                yield from self._solve(place, row)
+            case Operation.COMPONENT:
+                self._trees[place] = Entry(self._solutions[row.reads[0]][0], row.component)
+                yield from self._stores(place)
+            case _:
+                yield from self._value(place, row)
 
     def _factor(self, place: int, row: Instruction) -> Iterator[Statement]:
-        matrix = self._matrices[place] = (self.scope.claim("matrix"), row[1])
-        yield from self._filled(matrix[0], row[2:])
+        matrix = self._matrices[place] = (self.scope.claim("matrix"), isqrt(len(row.reads)))
+        yield from self._filled(matrix[0], row.reads)
         yield Factor(*matrix)
 
     def _solve(self, place: int, row: Instruction) -> Iterator[Statement]:
-        matrix, right = self._matrices[row[1]], row[2:]
+        matrix, right = self._matrices[row.reads[0]], row.reads[1:]
         solution = self._solutions[place] = (self.scope.claim("solution"), len(right))
         yield from self._filled(solution[0], right)
         yield Solve(matrix[0], *solution)
 
-    def _filled(self, array: str, places: Iterable[int]) -> Iterator[Statement]:
+    def _filled(self, array: str, places: Sequence[int]) -> Iterator[Statement]:
         """Yield the stores of a matrix or of a right side."""
-        listed = list(places)
-        cleared = sum(map(self._is_zero, listed)) > MOST_ZEROS
+        cleared = sum(map(self._is_zero, places)) > MOST_ZEROS
         if cleared:
-            yield Clear(array, len(listed))
-        for index, place in enumerate(listed):
+            yield Clear(array, len(places))
+        for index, place in enumerate(places):
             if not (cleared and self._is_zero(place)):
                 yield Store(array, index, self._trees[place])
 
     def _value(self, place: int, row: Instruction) -> Iterator[Statement]:
-        tree = (row[0], *(self._trees[operand] for operand in row[1:]))
-        size = 1 + sum(self._sizes.get(operand, 0) for operand in row[1:])
+        tree = Application(row.operation, tuple(self._trees[operand] for operand in row.reads))
+        size = 1 + sum(self._sizes.get(operand, 0) for operand in row.reads)
         results, readers = self.results.get(place, []), self.readers.get(place, [])
         if len(results) == 1 and not readers:
             yield Store(*self.targets[results[0]], tree)
@@ -167,8 +169,8 @@ class _Composer:
         if not results and self._stands_inside(place, readers) and size < LONGEST_EXPRESSION:
             self._trees[place], self._sizes[place] = tree, size
             return
-        self._trees[place] = name(self.scope.claim(self._name(tree)))
-        yield Let(self._trees[place][1], tree)
+        local = self._trees[place] = Name(self.scope.claim(self._name(tree)))
+        yield Let(local.identifier, tree)
         yield from self._stores(place)
 
     def _stands_inside(self, place: int, readers: Sequence[int]) -> bool:
@@ -178,15 +180,14 @@ class _Composer:
         own, reader = place - self.code.first_instruction, readers[0]
         return self.code.stages[own] == self.code.stages[reader] and place not in self.cut.slots
 
-    def _name(self, tree: Tree) -> str:
+    def _name(self, tree: Application) -> str:
         """Return a name that says what a value is, as ``sin_theta``; or a number."""
         words: list[str] = []
-        if all(part[0] == "name" for part in tree[1:]):
-            names = [part[1] for part in tree[1:]]
-            if len(names) == 1 and tree[0] != "neg":
-                words = [tree[0].lower(), *names]
-            elif tree[0] == "mul" and names[0] == names[1]:
-                words = [names[0], "squared"]
+        match tree:
+            case Application(operation, (Name(only),)) if operation is not Operation.NEG:
+                words = [operation.lower(), only]
+            case Application(Operation.MUL, (Name(left), Name(right))) if left == right:
+                words = [left, "squared"]
         text = "_".join(words)
         if text and len(text) <= LONGEST_NAME:
             return text
@@ -209,9 +210,7 @@ class _Composer:
         """Return the local names of the inputs that a block uses, and of values of earlier blocks."""
         start, end = (self.code.first_instruction + n for n in self.cut.starts[block : block + 2])
         rows = range(start, end)
-        used = {
-            p for row in rows for p in operands(self.code.instructions[row - self.code.first_instruction])
-        }
+        used = {p for row in rows for p in self.code.instructions[row - self.code.first_instruction].reads}
         if block == len(self.cut.starts) - 2:
             used |= {place for place in self.results if place < self.code.first_instruction}
         first = self.code.first_input
@@ -219,20 +218,27 @@ class _Composer:
         saved = sorted(place for place in used if place in self.cut.slots and place < start)
         return (
             *(read for place in inputs if (read := self._input(place)).name != read.array),
-            *(Read(self._trees[p][1], self.workspace, self.cut.slots[p]) for p in saved),
+            *(Read(self._local(p), self.workspace, self.cut.slots[p]) for p in saved),
         )
+
+    def _local(self, place: int) -> str:
+        """Return the local name of a value; what stands where it is used has that of its array."""
+        match self._trees[place]:
+            case Name(name) | Entry(name):
+                return name
+        raise AssertionError("a value that crosses parts has a name")
 
     def _input(self, place: int) -> Read:
         number_ = place - self.code.first_input
         read = self.code.inputs[number_]
-        return Read(self._trees[place][1], read.array, read.index, self.notes[number_])
+        return Read(self._local(place), read.array, read.index, self.notes[number_])
 
 
 def _cut(code: Code, limit: int | None) -> Cut:
     """Cut code; linear systems are kept in arrays of their own."""
     rows = enumerate(code.instructions, code.first_instruction)
-    held = {place for place, row in rows if row[0] in {"factor", "solve", "component"}}
-    return cut([operands(row) for row in code.instructions], code.first_instruction, limit, held)
+    held = {place for place, row in rows if row.operation in LINEAR_SYSTEMS}
+    return cut([row.reads for row in code.instructions], code.first_instruction, limit, held)
 
 
 def _uses(code: Code) -> tuple[dict[int, list[int]], dict[int, list[int]]]:
@@ -240,7 +246,7 @@ def _uses(code: Code) -> tuple[dict[int, list[int]], dict[int, list[int]]]:
     readers: dict[int, list[int]] = {}
     results: dict[int, list[int]] = {}
     for reader, row in enumerate(code.instructions):
-        for place in operands(row):
+        for place in row.reads:
             readers.setdefault(place, []).append(reader)
     for result, place in enumerate(code.results):
         results.setdefault(place, []).append(result)

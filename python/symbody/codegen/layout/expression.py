@@ -3,33 +3,54 @@
 from __future__ import annotations
 
 import re
-from typing import Any, TypeAlias
+from dataclasses import dataclass
+from typing import TypeAlias
 
 from symbody.codegen.layout.language import Language
+from symbody.codegen.straight_line.instruction import Operation
 
-__all__ = ["Tree", "entry", "expression_text", "name", "number", "wrapped"]
+__all__ = ["Application", "Entry", "Name", "Number", "Tree", "expression_text", "wrapped"]
 
-Tree: TypeAlias = tuple[Any, ...]
-"""An operation of the tape and its arguments; or a leaf: ``("name", identifier)``, ``("number", value)``,
-``("entry", array, index)``."""
+
+@dataclass(frozen=True, slots=True)
+class Name:
+    """A local name."""
+
+    identifier: str
+
+
+@dataclass(frozen=True, slots=True)
+class Number:
+    """A number."""
+
+    value: float
+
+
+@dataclass(frozen=True, slots=True)
+class Entry:
+    """An entry of an array, counted from zero."""
+
+    array: str
+    index: int
+
+
+@dataclass(frozen=True, slots=True)
+class Application:
+    """An operation, applied to its operands."""
+
+    operation: Operation
+    operands: tuple[Tree, ...]
+
+
+Tree: TypeAlias = Name | Number | Entry | Application
 
 _SUM, _PRODUCT, _ATOM = range(3)
-_INFIX = {"add": (" + ", _SUM), "sub": (" - ", _SUM), "mul": ("*", _PRODUCT), "div": ("/", _PRODUCT)}
-
-
-def name(identifier: str) -> Tree:
-    """Return the leaf of a name."""
-    return ("name", identifier)
-
-
-def number(value: float) -> Tree:
-    """Return the leaf of a number."""
-    return ("number", value)
-
-
-def entry(array: str, index: int) -> Tree:
-    """Return the leaf of an entry of an array, counted from zero."""
-    return ("entry", array, index)
+_INFIX = {
+    Operation.ADD: (" + ", _SUM),
+    Operation.SUB: (" - ", _SUM),
+    Operation.MUL: ("*", _PRODUCT),
+    Operation.DIV: ("/", _PRODUCT),
+}
 
 
 def expression_text(tree: Tree, language: Language) -> str:
@@ -39,25 +60,31 @@ def expression_text(tree: Tree, language: Language) -> str:
 
 def _text(tree: Tree, language: Language) -> tuple[str, int]:
     """Return a text and how tightly its outermost operation binds."""
-    kind = tree[0]
-    if kind == "name":
-        return tree[1], _ATOM
-    if kind == "number":
-        text = language.literal(tree[1])
-        return text, _PRODUCT if text.startswith("-") else _ATOM
-    if kind == "entry":
-        return language.entry_text(tree[1], tree[2]), _ATOM
-    operands = [_text(operand, language) for operand in tree[1:]]
-    if kind == "neg":
+    match tree:
+        case Name(identifier):
+            return identifier, _ATOM
+        case Number(value):
+            text = language.literal(value)
+            return text, _PRODUCT if text.startswith("-") else _ATOM
+        case Entry(array, index):
+            return language.entry_text(array, index), _ATOM
+        case Application(operation, operands):
+            return _application(operation, [_text(operand, language) for operand in operands], language)
+
+
+def _application(
+    operation: Operation, operands: list[tuple[str, int]], language: Language
+) -> tuple[str, int]:
+    if operation is Operation.NEG:
         text, binding = operands[0]
         return "-" + (_bracketed(text) if binding == _SUM or text.startswith("-") else text), _PRODUCT
-    if kind in _INFIX:
-        return _infix(kind, *operands)
-    return language.functions[kind].format(*(text for text, _ in operands)), _ATOM
+    if operation in _INFIX:
+        return _infix(operation, *operands)
+    return language.functions[operation].format(*(text for text, _ in operands)), _ATOM
 
 
-def _infix(kind: str, left: tuple[str, int], right: tuple[str, int]) -> tuple[str, int]:
-    sign, level = _INFIX[kind]
+def _infix(operation: Operation, left: tuple[str, int], right: tuple[str, int]) -> tuple[str, int]:
+    sign, level = _INFIX[operation]
     first = left[0] if left[1] >= level else _bracketed(left[0])
     second = right[0] if right[1] > level and not right[0].startswith("-") else _bracketed(right[0])
     return first + sign + second, level

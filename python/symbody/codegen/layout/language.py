@@ -5,12 +5,11 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 
+from symbody.codegen.straight_line.instruction import ARITHMETIC, LINEAR_SYSTEMS, Operation
+
 __all__ = ["FUNCTIONS", "Language", "functions", "number_text"]
 
-FUNCTIONS = (
-    "sqrt", "sin", "cos", "tan", "asin", "acos", "atan", "atan2", "sinh", "cosh", "tanh", "exp", "log",
-    "Abs", "sign", "Min", "Max", "Power", "select",
-)  # fmt: skip
+FUNCTIONS = tuple(operation for operation in Operation if operation not in ARITHMETIC | LINEAR_SYSTEMS)
 """The functions of the tape; each language has a text for each of them."""
 
 
@@ -41,7 +40,7 @@ class Language:
     comment: tuple[str, str]
     declare: str
     assign: str
-    functions: Mapping[str, str]
+    functions: Mapping[Operation, str]
     reserved: frozenset[str]
     literal: Callable[[float], str]
     reserved_programs: frozenset[str] | None = None
@@ -82,16 +81,19 @@ class Language:
         return f"{self.comment[0]} {text} {self.comment[1]}".rstrip()
 
 
-def functions(**other: str) -> dict[str, str]:
+_OPERANDS = {
+    Operation.SELECT: 3,
+    **dict.fromkeys((Operation.ATAN2, Operation.MIN, Operation.MAX, Operation.POWER), 2),
+}
+"""How many operands functions have that have more than one."""
+
+
+def functions(**other: str) -> dict[Operation, str]:
     """Return the texts of the functions: their own names, where no other text is given."""
     return {
-        function: other.get(function, f"{function}({', '.join(['{}'] * _arity(function))})")
+        function: other.get(function, f"{function}({', '.join(['{}'] * _OPERANDS.get(function, 1))})")
         for function in FUNCTIONS
     }
-
-
-def _arity(function: str) -> int:
-    return {"select": 3, "atan2": 2, "Min": 2, "Max": 2, "Power": 2}.get(function, 1)
 
 
 def number_text(value: float) -> str:

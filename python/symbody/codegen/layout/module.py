@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from math import prod
 
 from symbody.codegen.layout.compose import Composition
+from symbody.codegen.straight_line.instruction import Operation
 
 __all__ = ["Array", "Function", "Module"]
 
@@ -49,7 +50,7 @@ class Function:
         results: what it returns, in order.
         composition: its statements in blocks.
         counts: its operations in words, by stage.
-        operations: the names of the operations that occur in it.
+        operations: the operations that occur in it.
         working: the names and sizes of the working arrays: matrices, solutions, what later parts read.
         calls: the routines that it calls before all else, their results with the names that they have here.
     """
@@ -60,7 +61,7 @@ class Function:
     results: tuple[Array, ...]
     composition: Composition
     counts: Mapping[str, str]
-    operations: frozenset[str]
+    operations: frozenset[Operation]
     working: tuple[tuple[str, int], ...]
     calls: tuple[Function, ...] = ()
 
@@ -116,6 +117,6 @@ class Module:
         return (self.prepare, *self.routines) if self.prepare else self.routines
 
     @property
-    def operations(self) -> frozenset[str]:
-        """The names of the operations that occur in it."""
+    def operations(self) -> frozenset[Operation]:
+        """The operations that occur in it."""
         return frozenset().union(*(function.operations for function in self.functions))

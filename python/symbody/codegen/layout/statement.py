@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import TypeAlias
 
-from symbody.codegen.layout.expression import Tree
+from symbody.codegen.layout.expression import Application, Entry, Name, Tree
 
 __all__ = ["Block", "Clear", "Factor", "Let", "Read", "Section", "Solve", "Statement", "Store"]
 
@@ -110,8 +110,10 @@ class Block:
 
 
 def _names(tree: Tree) -> Iterator[str]:
-    if tree[0] in {"name", "entry"}:
-        yield tree[1]
-    elif tree[0] != "number":
-        for part in tree[1:]:
-            yield from _names(part)
+    """Yield the names of values and arrays in a tree."""
+    match tree:
+        case Name(name) | Entry(name):
+            yield name
+        case Application(_, operands):
+            for operand in operands:
+                yield from _names(operand)

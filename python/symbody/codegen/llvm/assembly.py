@@ -8,11 +8,9 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 
-from symbody.codegen.llvm.helper import CHECKED, CLEAR, SINCOS, Helper
-from symbody.codegen.llvm.piece import Piece
+from symbody.codegen.llvm.piece import CHECKED, CLEAR, SINCOS, Helper, Piece
 from symbody.codegen.llvm.sincos import checked_text, sincos_text
-from symbody.codegen.llvm.vector import vector_type
-from symbody.codegen.llvm.writer import Writer
+from symbody.codegen.llvm.writer import Writer, vector_type
 
 __all__ = ["Assembly", "Part", "assembled"]
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
@@ -14,7 +14,8 @@ from symbody.codegen.llvm import jit
 from symbody.codegen.llvm.assembly import Assembly
 from symbody.codegen.llvm.module import scalar_modules, shortcut_modules
 from symbody.codegen.machine.machine_code import POINTER
-from symbody.codegen.straight_line.code import Code, Input, code_of, operands, with_operands
+from symbody.codegen.straight_line.code import Code, Input, code_of
+from symbody.codegen.straight_line.instruction import renumbered
 from symbody.codegen.straight_line.preparation import Preparation
 from symbody.errors import ParameterError
 from symbody.symbolic import Argument, Expr
@@ -141,18 +142,11 @@ def _compiled(assembly: Callable[[int], Assembly], name: str) -> jit.Compiled:
 def _laid_out(code: Code, position: Callable[[Input], int], size: int) -> Code:
     """Return the code with as many inputs as an array has, each at its position."""
     first, shift = code.first_input, size - len(code.inputs)
-    inputs = tuple(Input("in", k, "") for k in range(size))
-
-    def moved(place: int) -> int:
-        if place < first:
-            return place
-        if place < code.first_instruction:
-            return first + position(code.inputs[place - first])
-        return place + shift
-
-    def rows(instructions: Sequence[Any]) -> tuple[Any, ...]:
-        return tuple(with_operands(row, [moved(place) for place in operands(row)]) for row in instructions)
-
+    after = range(code.first_instruction, code.first_instruction + len(code.instructions))
+    places = [*range(first), *(first + position(entry) for entry in code.inputs), *(k + shift for k in after)]
     return replace(
-        code, inputs=inputs, instructions=rows(code.instructions), results=tuple(map(moved, code.results))
+        code,
+        inputs=tuple(Input("in", k, "") for k in range(size)),
+        instructions=renumbered(code.instructions, places),
+        results=tuple(places[place] for place in code.results),
     )

@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
-from symbody.codegen.straight_line.code import Code, Input, code_of, operands, with_operands
+from symbody.codegen.straight_line.code import Code, Input, code_of
+from symbody.codegen.straight_line.instruction import renumbered
 from symbody.symbolic import Argument, Program, Routine
 
 __all__ = ["Call", "call_in"]
@@ -79,15 +80,11 @@ def _rest(arguments: Sequence[Argument], routine: Routine, earlier: Routine) -> 
 def _with_inputs(code: Code, inputs: Sequence[Input], results: Sequence[int | None]) -> Code:
     """Return the code with further inputs and results: for each a number of these inputs, or one of its own."""
     first, own = code.first_instruction, iter(code.results)
-
-    def moved(place: int) -> int:
-        return place if place < first else place + len(inputs)
-
+    after = range(first + len(inputs), first + len(inputs) + len(code.instructions))
+    places = [*range(first), *after]
     return replace(
         code,
         inputs=(*code.inputs, *inputs),
-        instructions=tuple(
-            with_operands(row, [moved(p) for p in operands(row)]) for row in code.instructions
-        ),
-        results=tuple(moved(next(own)) if number is None else first + number for number in results),
+        instructions=renumbered(code.instructions, places),
+        results=tuple(places[next(own)] if number is None else first + number for number in results),
     )

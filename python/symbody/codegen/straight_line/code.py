@@ -2,27 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from typing import Any, TypeAlias
+from functools import cached_property
+from itertools import compress
 
+from symbody.codegen.straight_line.instruction import Instruction, instructions_of, renumbered
 from symbody.symbolic import STAGES, Argument, Expr
 from symbody.symbolic.numeric.tape import Tape
 
-__all__ = [
-    "Code",
-    "Input",
-    "Instruction",
-    "arguments_of",
-    "code_of",
-    "code_of_tape",
-    "operands",
-    "pruned",
-    "with_operands",
-]
-
-Instruction: TypeAlias = tuple[Any, ...]
-"""As the tape's, but with all places in it: ``("factor", size, *places)``, ``("solve", place, *places)``."""
+__all__ = ["Code", "Input", "arguments_of", "code_of", "code_of_tape", "pruned"]
 
 
 @dataclass(frozen=True)
@@ -47,35 +36,15 @@ class Code:
     stages: tuple[int, ...]
     results: tuple[int, ...]
 
-    @property
+    @cached_property
     def first_input(self) -> int:
         """The place of the first input."""
         return len(self.constants)
 
-    @property
+    @cached_property
     def first_instruction(self) -> int:
         """The place of the first instruction's result."""
         return len(self.constants) + len(self.inputs)
-
-
-def operands(instruction: Instruction) -> tuple[int, ...]:
-    """Return the places that an instruction reads."""
-    match instruction[0]:
-        case "factor":
-            return instruction[2:]
-        case "component":
-            return instruction[1:2]
-    return instruction[1:]
-
-
-def with_operands(instruction: Instruction, places: Sequence[int]) -> Instruction:
-    """Return the same operation on other places."""
-    match instruction[0]:
-        case "factor":
-            return (*instruction[:2], *places)
-        case "component":
-            return ("component", *places, instruction[2])
-    return (instruction[0], *places)
 
 
 def arguments_of(arguments: Sequence[Argument]) -> tuple[Input, ...]:
@@ -91,60 +60,36 @@ def code_of(arguments: Sequence[Argument], expressions: Sequence[Expr]) -> Code:
 
 
 def code_of_tape(tape: Tape, inputs: Sequence[Input]) -> Code:
-    """Return what a tape holds, all in its instructions."""
-    systems = _Systems(tape)
-    return Code(
-        tuple(tape.constants),
-        tuple(inputs),
-        tuple(systems.spelled(row) for row in tape.instructions),
-        tuple(tape.instruction_stages),
-        tuple(tape.results),
-    )
-
-
-class _Systems:
-    """The lists of a tape that its instructions refer to by number."""
-
-    def __init__(self, tape: Tape) -> None:
-        self.matrices, self.solutions = tape.factorizations, tape.solves
-
-    def spelled(self, row: Instruction) -> Instruction:
-        if row[0] == "factor":
-            size, entries = self.matrices[row[1]]
-            return ("factor", size, *entries)
-        if row[0] == "solve":
-            matrix, right = self.solutions[row[1]]
-            return ("solve", matrix, *right)
-        return row
+    """Return what a tape holds."""
+    instructions, stages = tuple(instructions_of(tape)), tuple(tape.instruction_stages)
+    return Code(tuple(tape.constants), tuple(inputs), instructions, stages, tuple(tape.results))
 
 
 def pruned(code: Code) -> Code:
     """Leave out the constants, inputs and instructions that no result needs."""
     needed = _needed(code)
-    kept = {old: new for new, old in enumerate(place for place, used in enumerate(needed) if used)}
-
-    def part(values: Sequence[Any], first: int) -> Iterator[Any]:
-        return (value for place, value in enumerate(values, first) if needed[place])
-
+    places, kept = [], 0
+    for is_needed in needed:
+        places.append(kept)
+        kept += is_needed
+    instructions = compress(code.instructions, needed[code.first_instruction :])
     return replace(
         code,
-        constants=tuple(part(code.constants, 0)),
-        inputs=tuple(part(code.inputs, code.first_input)),
-        instructions=tuple(
-            with_operands(row, [kept[place] for place in operands(row)])
-            for row in part(code.instructions, code.first_instruction)
-        ),
-        stages=tuple(part(code.stages, code.first_instruction)),
-        results=tuple(kept[place] for place in code.results),
+        constants=tuple(compress(code.constants, needed)),
+        inputs=tuple(compress(code.inputs, needed[code.first_input :])),
+        instructions=renumbered(instructions, places),
+        stages=tuple(compress(code.stages, needed[code.first_instruction :])),
+        results=tuple(places[place] for place in code.results),
     )
 
 
 def _needed(code: Code) -> list[bool]:
+    """Return whether a result needs it, for each place."""
     needed = [False] * (code.first_instruction + len(code.instructions))
     for place in code.results:
         needed[place] = True
     for number in range(len(code.instructions) - 1, -1, -1):
         if needed[code.first_instruction + number]:
-            for place in operands(code.instructions[number]):
+            for place in code.instructions[number].reads:
                 needed[place] = True
     return needed

@@ -3,21 +3,23 @@
 from __future__ import annotations
 
 from collections import Counter
+from math import isqrt
 
 from symbody.codegen.straight_line.code import Code
+from symbody.codegen.straight_line.instruction import Operation
 from symbody.symbolic import STAGES
 
 __all__ = ["counts_by_stage", "section_titles"]
 
 _KINDS = {
-    "add": "addition",
-    "sub": "addition",
-    "neg": "addition",
-    "mul": "multiplication",
-    "div": "division",
-    "factor": "factorisation",
-    "solve": "linear system",
-    "component": "",
+    Operation.ADD: "addition",
+    Operation.SUB: "addition",
+    Operation.NEG: "addition",
+    Operation.MUL: "multiplication",
+    Operation.DIV: "division",
+    Operation.FACTOR: "factorisation",
+    Operation.SOLVE: "linear system",
+    Operation.COMPONENT: "",
 }
 _WORDS = ("addition", "multiplication", "division", "function", "factorisation", "linear system")
 
@@ -27,9 +29,10 @@ def counts_by_stage(code: Code) -> dict[str, str]:
     counts: dict[int, Counter[str]] = {}
     sizes: dict[int, Counter[str]] = {}
     for row, stage in zip(code.instructions, code.stages, strict=True):
-        counts.setdefault(stage, Counter())[_KINDS.get(row[0], "function")] += 1
-        if row[0] == "factor":
-            sizes.setdefault(stage, Counter())[f"{row[1]} x {row[1]}"] += 1
+        counts.setdefault(stage, Counter())[_KINDS.get(row.operation, "function")] += 1
+        if row.operation is Operation.FACTOR:
+            size = isqrt(len(row.reads))
+            sizes.setdefault(stage, Counter())[f"{size} x {size}"] += 1
     return {
         STAGES[stage]: _in_words(count, sizes.get(stage, Counter()))
         for stage, count in sorted(counts.items())

@@ -8,6 +8,7 @@ from symbody.codegen.layout.expression import wrapped
 from symbody.codegen.layout.language import Language, functions, number_text
 from symbody.codegen.layout.module import Array, Function, Module
 from symbody.codegen.runtime.linear_solve import kernel_text
+from symbody.codegen.straight_line.instruction import Operation
 from symbody.codegen.target.printer import block_lines, compared, head, head_of_function, mark
 from symbody.codegen.target.target import Target
 
@@ -54,9 +55,9 @@ LANGUAGE = Language(
 )
 
 _HELPERS = {
-    "sign": "static double sign_of(double x) { return (x > 0.0) - (x < 0.0); }",
-    "Min": "static double least(double a, double b) { return a < b || a != a ? a : b; }",
-    "Max": "static double greatest(double a, double b) { return a > b || a != a ? a : b; }",
+    Operation.SIGN: "static double sign_of(double x) { return (x > 0.0) - (x < 0.0); }",
+    Operation.MIN: "static double least(double a, double b) { return a < b || a != a ? a : b; }",
+    Operation.MAX: "static double greatest(double a, double b) { return a > b || a != a ? a : b; }",
 }
 
 
@@ -105,7 +106,7 @@ def _source(module: Module) -> str:
     lines = [*_comment([mark(module)]), f'#include "{module.name}.h"', "", "#include <math.h>"]
     helpers = [text for name, text in _HELPERS.items() if name in module.operations]
     lines += ["", *helpers] if helpers else []
-    if "factor" in module.operations:
+    if Operation.FACTOR in module.operations:
         lines += ["", kernel_text("linear_solve.c").rstrip()]
     for function in module.functions:
         lines += ["", *_function(module, function)]

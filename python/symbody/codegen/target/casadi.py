@@ -5,6 +5,7 @@ from __future__ import annotations
 from symbody.codegen.layout.expression import wrapped
 from symbody.codegen.layout.module import Function, Module
 from symbody.codegen.runtime.snippets import SNIPPETS
+from symbody.codegen.straight_line.instruction import Operation
 from symbody.codegen.target.python import Library, check_text, module_text, python_language
 from symbody.codegen.target.target import Target
 
@@ -52,7 +53,7 @@ _TITLE = (
 
 def _library(module: Module) -> Library:
     """Return CasADi's ways: scalar graphs, or matrix graphs where linear systems are solved at run time."""
-    kind = "MX" if "factor" in module.operations else "SX"
+    kind = "MX" if Operation.FACTOR in module.operations else "SX"
     systems = _SQUARE + "\n" + SNIPPETS["casadi"]
     array = _ARRAY.replace("{kind}", kind)
     return Library(LANGUAGE, _TITLE, ("import casadi as ca",), array, systems, passed="ca.vertcat(*{})")

@@ -8,6 +8,7 @@ from symbody.codegen.layout.expression import wrapped
 from symbody.codegen.layout.language import Language, functions, number_text
 from symbody.codegen.layout.module import Array, Function, Module
 from symbody.codegen.runtime.linear_solve import kernel_text
+from symbody.codegen.straight_line.instruction import Operation
 from symbody.codegen.target.printer import (
     block_lines,
     comment_block,
@@ -53,19 +54,19 @@ LANGUAGE = Language(
 )
 
 _HELPERS = {
-    "sign": """
+    Operation.SIGN: """
 pure real(dp) function sign_of(x)
     real(dp), intent(in) :: x
     sign_of = merge(1.0_dp, 0.0_dp, x > 0.0_dp) - merge(1.0_dp, 0.0_dp, x < 0.0_dp)
 end function sign_of
 """,
-    "Min": """
+    Operation.MIN: """
 pure real(dp) function least(a, b)
     real(dp), intent(in) :: a, b
     least = merge(a, b, a < b .or. a /= a)
 end function least
 """,
-    "Max": """
+    Operation.MAX: """
 pure real(dp) function greatest(a, b)
     real(dp), intent(in) :: a, b
     greatest = merge(a, b, a > b .or. a /= a)
@@ -91,7 +92,7 @@ def _source(module: Module) -> str:
     for function in module.functions:
         lines += _indented(["", *_subroutine(function)])
     helpers = [text for name, text in _HELPERS.items() if name in module.operations]
-    if "factor" in module.operations:
+    if Operation.FACTOR in module.operations:
         helpers.append(kernel_text("linear_solve.f90"))
     for text in helpers:
         lines += _indented(["", *text.strip().splitlines()])

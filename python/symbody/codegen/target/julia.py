@@ -8,6 +8,7 @@ from symbody.codegen.layout.expression import wrapped
 from symbody.codegen.layout.language import Language, functions, number_text
 from symbody.codegen.layout.module import Array, Function, Module
 from symbody.codegen.runtime.snippets import SNIPPETS
+from symbody.codegen.straight_line.instruction import Operation
 from symbody.codegen.target.printer import (
     beside_arguments,
     block_lines,
@@ -52,11 +53,11 @@ LANGUAGE = Language(
 
 # Outside of their domains these are no numbers, as in other languages, where Julia's own throw errors.
 _HELPERS = {
-    "sqrt": "real_sqrt(x) = x < 0 ? NaN*x : sqrt(x)",
-    "log": "real_log(x) = x < 0 ? NaN*x : log(x)",
-    "asin": "real_asin(x) = abs(x) > 1 ? NaN*x : asin(x)",
-    "acos": "real_acos(x) = abs(x) > 1 ? NaN*x : acos(x)",
-    "Power": "real_power(x, y) = x < 0 && !isinteger(y) ? NaN*x : x^y",
+    Operation.SQRT: "real_sqrt(x) = x < 0 ? NaN*x : sqrt(x)",
+    Operation.LOG: "real_log(x) = x < 0 ? NaN*x : log(x)",
+    Operation.ASIN: "real_asin(x) = abs(x) > 1 ? NaN*x : asin(x)",
+    Operation.ACOS: "real_acos(x) = abs(x) > 1 ? NaN*x : acos(x)",
+    Operation.POWER: "real_power(x, y) = x < 0 && !isinteger(y) ? NaN*x : x^y",
 }
 
 
@@ -73,7 +74,7 @@ def _source(module: Module) -> str:
         lines += ["", *_function(function)]
     helpers = [text for name, text in _HELPERS.items() if name in module.operations]
     lines += ["", *helpers] if helpers else []
-    if "factor" in module.operations:
+    if Operation.FACTOR in module.operations:
         lines += ["", SNIPPETS["julia"].strip()]
     return "\n".join([*lines, "", "end"]) + "\n"
 

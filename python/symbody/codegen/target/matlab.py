@@ -8,6 +8,7 @@ from symbody.codegen.layout.expression import wrapped
 from symbody.codegen.layout.language import Language, functions, number_text
 from symbody.codegen.layout.module import Array, Function, Module
 from symbody.codegen.runtime.snippets import SNIPPETS
+from symbody.codegen.straight_line.instruction import Operation
 from symbody.codegen.target.printer import (
     beside_arguments,
     block_lines,
@@ -62,7 +63,7 @@ LANGUAGE = Language(
 
 _HELPERS = {
     **dict.fromkeys((*_SOMETIMES_COMPLEX, "Power"), _REAL),
-    "select": """
+    Operation.SELECT: """
 function value = select(condition, positive, other)
     value = other;
     if condition > 0.0
@@ -70,7 +71,7 @@ function value = select(condition, positive, other)
     end
 end
 """,
-    "Min": """
+    Operation.MIN: """
 function value = least(a, b)
     value = b;
     if a < b || isnan(a)
@@ -78,7 +79,7 @@ function value = least(a, b)
     end
 end
 """,
-    "Max": """
+    Operation.MAX: """
 function value = greatest(a, b)
     value = b;
     if a > b || isnan(a)
@@ -128,7 +129,7 @@ def _file(module: Module, function: Function) -> str:
     for block in function.composition.blocks:
         lines += block_lines(block, LANGUAGE, function.shapes)
     helpers = list(dict.fromkeys(text for name, text in _HELPERS.items() if name in function.operations))
-    if "factor" in function.operations:
+    if Operation.FACTOR in function.operations:
         helpers.append(SNIPPETS["matlab"])
     return "\n".join([*lines, "end", *(line for text in helpers for line in ["", text.strip()])]) + "\n"
 

@@ -8,6 +8,7 @@ from symbody.codegen.layout.expression import wrapped
 from symbody.codegen.layout.language import Language, functions, number_text
 from symbody.codegen.layout.module import Array, Function, Module
 from symbody.codegen.runtime.snippets import SNIPPETS
+from symbody.codegen.straight_line.instruction import Operation
 from symbody.codegen.target.printer import (
     block_lines,
     comment_block,
@@ -58,7 +59,7 @@ def _files(module: Module) -> dict[str, str]:
     title = "Functions of the model; arguments are vectors, results are vectors, matrices and numbers."
     lines = [f'package {module.name} "{_quoted(_first_line(module))}"']
     lines += [f"  {line}" for line in comment_block(head(module, title, 1), "//")]
-    if "factor" in module.operations:
+    if Operation.FACTOR in module.operations:
         lines += ["", *(f"  {line}".rstrip() for line in _systems())]
     for function in module.functions:
         lines += ["", *(f"  {line}".rstrip() for line in _function(function))]

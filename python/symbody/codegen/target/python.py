@@ -12,6 +12,7 @@ from symbody.codegen.layout.expression import wrapped
 from symbody.codegen.layout.language import Language, functions, number_text
 from symbody.codegen.layout.module import Array, Function, Module
 from symbody.codegen.runtime.snippets import SNIPPETS
+from symbody.codegen.straight_line.instruction import Operation
 from symbody.codegen.target.printer import (
     beside_arguments,
     block_lines,
@@ -121,7 +122,7 @@ def module_text(module: Module, library: Library, after: Sequence[str] = ()) -> 
     """Return the module: head, imports, helpers, a function for each routine, and further lines."""
     lines = ['"""' + head(module, library.title, 0)[0], *head(module, library.title, 0)[1:], '"""', ""]
     lines += [*library.imports, "", *library.helpers.splitlines(), ""]
-    if "factor" in module.operations:
+    if Operation.FACTOR in module.operations:
         lines += [*library.systems.splitlines(), ""]
     for function in module.functions:
         lines += ["", *function_lines(function, library), ""]

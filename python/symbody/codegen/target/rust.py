@@ -8,6 +8,7 @@ from symbody.codegen.layout.expression import wrapped
 from symbody.codegen.layout.language import Language, functions, number_text
 from symbody.codegen.layout.module import Array, Function, Module
 from symbody.codegen.runtime.linear_solve import kernel_text
+from symbody.codegen.straight_line.instruction import Operation
 from symbody.codegen.target.printer import block_lines, comment_block, compared, head, head_of_function, mark
 from symbody.codegen.target.target import Target
 
@@ -50,7 +51,7 @@ LANGUAGE = Language(
 )
 
 _HELPERS = {
-    "sign": """
+    Operation.SIGN: """
 fn sign_of(x: f64) -> f64 {
     f64::from(i8::from(x > 0.0) - i8::from(x < 0.0))
 }
@@ -84,7 +85,7 @@ def _source(module: Module) -> str:
         if name in module.operations
         for line in text.rstrip().split("\n")
     ]
-    if "factor" in module.operations:
+    if Operation.FACTOR in module.operations:
         lines += ["", kernel_text("linear_solve.rs").rstrip()]
     return "\n".join(lines) + "\n"
 
