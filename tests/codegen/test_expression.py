@@ -8,16 +8,9 @@ from typing import Any
 
 import pytest
 
-from symbody.codegen.layout.expression import (
-    Application,
-    Entry,
-    Name,
-    Number,
-    Tree,
-    expression_text,
-    wrapped,
-)
 from symbody.codegen.layout.language import Language
+from symbody.codegen.layout.lines import expression_text, wrapped
+from symbody.codegen.layout.tree import Application, Entry, Name, Number, Tree
 from symbody.codegen.straight_line.instruction import Operation
 from symbody.codegen.target.fortran import LANGUAGE as FORTRAN
 from symbody.codegen.target.python import LANGUAGE as PYTHON

@@ -7,9 +7,9 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from math import isqrt
 
-from symbody.codegen.layout.expression import Application, Entry, Name, Number, Tree
 from symbody.codegen.layout.names import Scope
-from symbody.codegen.layout.statement import Block, Clear, Factor, Let, Read, Section, Solve, Statement, Store
+from symbody.codegen.layout.statement import Clear, Factor, Let, Part, Read, Section, Solve, Statement, Store
+from symbody.codegen.layout.tree import Application, Entry, Name, Number, Tree
 from symbody.codegen.straight_line.code import Code, Input
 from symbody.codegen.straight_line.count import section_titles
 from symbody.codegen.straight_line.cut import Cut, cut
@@ -29,9 +29,9 @@ LONGEST_NAME = 24
 
 @dataclass(frozen=True)
 class Composition:
-    """The blocks of a routine and the working arrays that they share, with their sizes."""
+    """The parts of a routine and the working arrays that they share, with their sizes."""
 
-    blocks: tuple[Block, ...]
+    parts: tuple[Part, ...]
     workspace: tuple[str, int]
     matrices: tuple[tuple[str, int], ...]
     solutions: tuple[tuple[str, int], ...]
@@ -54,7 +54,7 @@ def compose(
         notes: what each input is, where its name doesn't say it, otherwise empty.
         targets: the array and the index of each result.
         scalars: the arguments that are one number and no array.
-        limit: the largest number of operations of a block, if there is any.
+        limit: the largest number of operations of a part, if there is any.
     """
     return _Composer(code, scope, notes, targets, scalars, _cut(code, limit)).composition()
 
@@ -97,18 +97,18 @@ class _Composer:
         return place < self.code.first_input and repr(self.code.constants[place]) == "0.0"
 
     def composition(self) -> Composition:
-        parts = [list(self._statements(block)) for block in range(len(self.cut.starts) - 1)]
+        parts = [list(self._statements(part)) for part in range(len(self.cut.starts) - 1)]
         parts[0] = [*(Clear(array, size) for array, size in self.cleared.items()), *parts[0]]
         parts[-1] += self._results_without_work()
         return Composition(
-            tuple(Block(self._reads(k), tuple(part)) for k, part in enumerate(parts)),
+            tuple(Part(self._reads(k), tuple(part)) for k, part in enumerate(parts)),
             (self.workspace, self.cut.size),
             tuple(self._matrices.values()),
             tuple(self._solutions.values()),
         )
 
-    def _statements(self, block: int) -> Iterator[Statement]:
-        start, end = self.cut.starts[block : block + 2]
+    def _statements(self, part: int) -> Iterator[Statement]:
+        start, end = self.cut.starts[part : part + 2]
         stage = None
         for number_ in range(start, end):
             if self.code.stages[number_] != stage:
@@ -174,7 +174,7 @@ class _Composer:
         yield from self._stores(place)
 
     def _stands_inside(self, place: int, readers: Sequence[int]) -> bool:
-        """Whether the value can stand in the one expression that uses it: in the same block and stage."""
+        """Whether the value can stand in the one expression that uses it: in the same part and stage."""
         if len(readers) != 1:
             return False
         own, reader = place - self.code.first_instruction, readers[0]
@@ -206,12 +206,12 @@ class _Composer:
         ]
         return [Section("entries that need no computation"), *stores] if stores else []
 
-    def _reads(self, block: int) -> tuple[Read, ...]:
-        """Return the local names of the inputs that a block uses, and of values of earlier blocks."""
-        start, end = (self.code.first_instruction + n for n in self.cut.starts[block : block + 2])
+    def _reads(self, part: int) -> tuple[Read, ...]:
+        """Return the local names of the inputs that a part uses, and of values of earlier parts."""
+        start, end = (self.code.first_instruction + n for n in self.cut.starts[part : part + 2])
         rows = range(start, end)
         used = {p for row in rows for p in self.code.instructions[row - self.code.first_instruction].reads}
-        if block == len(self.cut.starts) - 2:
+        if part == len(self.cut.starts) - 2:
             used |= {place for place in self.results if place < self.code.first_instruction}
         first = self.code.first_input
         inputs = sorted(place for place in used if first <= place < self.code.first_instruction)

@@ -58,28 +58,6 @@ class Language:
     width: int = 100
     indent: str = "    "
 
-    def entry_text(self, array: str, index: int) -> str:
-        """Return an entry of an array, counted from zero here and from the first index there."""
-        return self.entry.format(array, index + self.first_index)
-
-    def place_text(self, array: str, index: int, shape: tuple[int, ...]) -> str:
-        """Return an entry of a result, where it is assigned; matrices are counted row by row."""
-        if not shape:
-            return self.scalar.format(array)
-        if len(shape) == 1 or not self.matrix:
-            return self.entry_text(array, index)
-        row, column = divmod(index, shape[1])
-        return self.matrix.format(array, row + self.first_index, column + self.first_index)
-
-    def clear_text(self, array: str, size: int, shape: tuple[int, ...]) -> str:
-        """Return the statement that makes all entries of an array zero."""
-        template = (self.clear_matrix if len(shape) == 2 else "") or self.clear
-        return template.format(array=array, size=size, sizes=", ".join(map(str, shape)))
-
-    def comment_text(self, text: str) -> str:
-        """Return a comment of one line."""
-        return f"{self.comment[0]} {text} {self.comment[1]}".rstrip()
-
 
 _OPERANDS = {
     Operation.SELECT: 3,

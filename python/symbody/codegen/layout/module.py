@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import cached_property
 from math import prod
 
 from symbody.codegen.layout.compose import Composition
@@ -28,12 +29,12 @@ class Array:
     entries: tuple[str, ...]
     shape: tuple[int, ...]
 
-    @property
+    @cached_property
     def size(self) -> int:
         """The number of entries."""
         return prod(self.shape)
 
-    @property
+    @cached_property
     def is_scalar(self) -> bool:
         """Whether it is one number and no array."""
         return not self.shape
@@ -48,7 +49,7 @@ class Function:
         meaning: what it computes.
         arguments: what it takes, in order.
         results: what it returns, in order.
-        composition: its statements in blocks.
+        composition: its statements in parts.
         counts: its operations in words, by stage.
         operations: the operations that occur in it.
         working: the names and sizes of the working arrays: matrices, solutions, what later parts read.
@@ -65,26 +66,26 @@ class Function:
     working: tuple[tuple[str, int], ...]
     calls: tuple[Function, ...] = ()
 
-    @property
+    @cached_property
     def received(self) -> tuple[tuple[str, int], ...]:
         """The names and sizes of the arrays that the results of calls are kept in."""
         return tuple((result.name, result.size) for call in self.calls for result in call.results)
 
-    @property
+    @cached_property
     def arrays(self) -> tuple[tuple[str, int], ...]:
         """The names and sizes of all arrays inside of it: those of calls, and the working arrays."""
         return (*self.received, *self.working)
 
-    @property
+    @cached_property
     def shapes(self) -> dict[str, tuple[int, ...]]:
         """The shapes of the results, by name."""
         return {result.name: result.shape for result in self.results}
 
-    @property
+    @cached_property
     def mentions(self) -> frozenset[str]:
         """The names of all arrays that occur in it."""
         passed = {array.name for call in self.calls for array in call.arguments}
-        return frozenset(passed).union(*(block.mentions for block in self.composition.blocks))
+        return frozenset(passed).union(*(part.mentions for part in self.composition.parts))
 
 
 @dataclass(frozen=True)
@@ -111,12 +112,12 @@ class Module:
     references: tuple[tuple[tuple[float, ...], ...], ...]
     target: str = ""
 
-    @property
+    @cached_property
     def functions(self) -> tuple[Function, ...]:
         """All functions, the preparation first."""
         return (self.prepare, *self.routines) if self.prepare else self.routines
 
-    @property
+    @cached_property
     def operations(self) -> frozenset[Operation]:
         """The operations that occur in it."""
         return frozenset().union(*(function.operations for function in self.functions))

@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
 from typing import TypeAlias
 
-from symbody.codegen.layout.expression import Application, Entry, Name, Tree
+from symbody.codegen.layout.tree import Tree, names_in
 
-__all__ = ["Block", "Clear", "Factor", "Let", "Read", "Section", "Solve", "Statement", "Store"]
+__all__ = ["Clear", "Factor", "Let", "Part", "Read", "Section", "Solve", "Statement", "Store"]
 
 
 @dataclass(frozen=True)
@@ -66,7 +65,7 @@ class Solve:
 
 @dataclass(frozen=True)
 class Section:
-    """Where the work of a stage begins, with its operations; or goes on, in a further block."""
+    """Where the work of a stage begins, with its operations; or goes on, in a further part."""
 
     title: str
 
@@ -75,7 +74,7 @@ Statement: TypeAlias = Let | Store | Clear | Factor | Solve | Section
 
 
 @dataclass(frozen=True)
-class Block:
+class Part:
     """A part of a routine: what it reads, what it does.
 
     Attributes:
@@ -90,30 +89,22 @@ class Block:
     def mentions(self) -> frozenset[str]:
         """All names of arrays and values that occur in it."""
         found = {read.array for read in self.reads}
+        values: list[Tree] = []
         for statement in self.statements:
             match statement:
                 case Let(_, value):
-                    found.update(_names(value))
+                    values.append(value)
                 case Store(array, _, value):
-                    found.update(_names(value), {array})
+                    found.add(array)
+                    values.append(value)
                 case Clear(array, _) | Factor(array, _):
                     found.add(array)
                 case Solve(matrix, solution, _):
                     found |= {matrix, solution}
-        return frozenset(found)
+        return frozenset(found | names_in(values))
 
     @property
     def locals(self) -> tuple[str, ...]:
         """The local names, in the order of their definition."""
         lets = (statement.name for statement in self.statements if isinstance(statement, Let))
         return (*(read.name for read in self.reads), *lets)
-
-
-def _names(tree: Tree) -> Iterator[str]:
-    """Yield the names of values and arrays in a tree."""
-    match tree:
-        case Name(name) | Entry(name):
-            yield name
-        case Application(_, operands):
-            for operand in operands:
-                yield from _names(operand)

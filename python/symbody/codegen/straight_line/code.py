@@ -61,8 +61,13 @@ def code_of(arguments: Sequence[Argument], expressions: Sequence[Expr]) -> Code:
 
 def code_of_tape(tape: Tape, inputs: Sequence[Input]) -> Code:
     """Return what a tape holds."""
-    instructions, stages = tuple(instructions_of(tape)), tuple(tape.instruction_stages)
-    return Code(tuple(tape.constants), tuple(inputs), instructions, stages, tuple(tape.results))
+    return Code(
+        tuple(tape.constants),
+        tuple(inputs),
+        instructions_of(tape),
+        tuple(tape.instruction_stages),
+        tuple(tape.results),
+    )
 
 
 def pruned(code: Code) -> Code:

@@ -27,9 +27,11 @@ _WORDS = ("addition", "multiplication", "division", "function", "factorisation",
 def counts_by_stage(code: Code) -> dict[str, str]:
     """Return the operations of each stage that has some, as ``2 additions, 1 function``."""
     counts: dict[int, Counter[str]] = {}
+    operations = Counter(zip(code.stages, (row.operation for row in code.instructions), strict=True))
+    for (stage, operation), number in operations.items():
+        counts.setdefault(stage, Counter())[_KINDS.get(operation, "function")] += number
     sizes: dict[int, Counter[str]] = {}
     for row, stage in zip(code.instructions, code.stages, strict=True):
-        counts.setdefault(stage, Counter())[_KINDS.get(row.operation, "function")] += 1
         if row.operation is Operation.FACTOR:
             size = isqrt(len(row.reads))
             sizes.setdefault(stage, Counter())[f"{size} x {size}"] += 1

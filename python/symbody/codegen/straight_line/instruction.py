@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Sequence
 from enum import StrEnum
 from typing import NamedTuple
 
@@ -73,20 +73,22 @@ class Instruction(NamedTuple):
     component: int = 0
 
 
-def instructions_of(tape: Tape) -> Iterator[Instruction]:
-    """Yield the instructions of a tape; what it keeps in lists beside them is in them."""
+def instructions_of(tape: Tape) -> tuple[Instruction, ...]:
+    """Return the instructions of a tape; what it keeps in lists beside them is in them."""
     matrices, solutions = tape.factorizations, tape.solves
+    instructions = []
     for name, *numbers in tape.instructions:
-        match operation := _BY_NAME[name]:
+        operation, reads, component = _BY_NAME[name], tuple(numbers), 0
+        match operation:
             case Operation.FACTOR:
-                yield Instruction(operation, tuple(matrices[numbers[0]][1]))
+                reads = tuple(matrices[numbers[0]][1])
             case Operation.SOLVE:
                 matrix, right = solutions[numbers[0]]
-                yield Instruction(operation, (matrix, *right))
+                reads = (matrix, *right)
             case Operation.COMPONENT:
-                yield Instruction(operation, (numbers[0],), numbers[1])
-            case _:
-                yield Instruction(operation, tuple(numbers))
+                reads, component = (numbers[0],), numbers[1]
+        instructions.append(Instruction(operation, reads, component))
+    return tuple(instructions)
 
 
 def renumbered(instructions: Iterable[Instruction], places: Sequence[int]) -> tuple[Instruction, ...]:

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from symbody.codegen.layout.expression import wrapped
 from symbody.codegen.layout.language import Language, functions, number_text
+from symbody.codegen.layout.lines import part_lines, wrapped
 from symbody.codegen.layout.module import Array, Function, Module
 from symbody.codegen.runtime.linear_solve import kernel_text
 from symbody.codegen.straight_line.instruction import Operation
-from symbody.codegen.target.printer import block_lines, compared, head, head_of_function, mark
+from symbody.codegen.target.printer import compared, head, head_of_function, mark
 from symbody.codegen.target.target import Target
 
 __all__ = ["C"]
@@ -114,32 +114,32 @@ def _source(module: Module) -> str:
 
 
 def _function(module: Module, function: Function) -> list[str]:
-    blocks = function.composition.blocks
+    parts = function.composition.parts
     arrays = [f"    double {name}[{size}];" for name, size in function.arrays]
     calls = [line for call in function.calls for line in wrapped(_call_of(module, call), LANGUAGE, "    ")]
     unused = [f"    (void){a.name};" for a in function.arguments if a.name not in function.mentions]
-    if len(blocks) == 1:
-        parts, body = [], block_lines(blocks[0], LANGUAGE, function.shapes)
+    if len(parts) == 1:
+        definitions, body = [], part_lines(parts[0], LANGUAGE, function.shapes)
     else:
-        parts = [line for k in range(len(blocks)) for line in [*_part(function, k), ""]]
-        body = [line for k in range(len(blocks)) for line in wrapped(_call(function, k), LANGUAGE, "    ")]
+        definitions = [line for k in range(len(parts)) for line in [*_part(function, k), ""]]
+        body = [line for k in range(len(parts)) for line in wrapped(_call(function, k), LANGUAGE, "    ")]
     title = wrapped(_signature(module, function), LANGUAGE, "")
-    return [*parts, *title, "{", *arrays, *calls, *body, *unused, "}"]
+    return [*definitions, *title, "{", *arrays, *calls, *body, *unused, "}"]
 
 
 def _part(function: Function, number: int) -> list[str]:
-    """Return one block as a function of the arrays that it uses."""
-    block = function.composition.blocks[number]
+    """Return one part as a function of the arrays that it uses."""
+    part = function.composition.parts[number]
     parameters = {a.name: _parameter(a, is_result=False) for a in function.arguments}
     parameters |= {a.name: _parameter(a, is_result=True) for a in function.results}
     parameters |= {name: f"double {name}[{size}]" for name, size in function.arrays}
-    listed = ", ".join(text for name, text in parameters.items() if name in block.mentions)
+    listed = ", ".join(text for name, text in parameters.items() if name in part.mentions)
     title = f"static void {function.name}_part{number + 1}({listed})"
-    return [*wrapped(title, LANGUAGE, ""), "{", *block_lines(block, LANGUAGE, function.shapes), "}"]
+    return [*wrapped(title, LANGUAGE, ""), "{", *part_lines(part, LANGUAGE, function.shapes), "}"]
 
 
 def _call(function: Function, number: int) -> str:
-    mentioned = function.composition.blocks[number].mentions
+    mentioned = function.composition.parts[number].mentions
     names = [array.name for array in (*function.arguments, *function.results)]
     names += [name for name, _ in function.arrays]
     return f"{function.name}_part{number + 1}({', '.join(name for name in names if name in mentioned)});"

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from symbody.codegen.layout.expression import wrapped
+from symbody.codegen.layout.lines import wrapped
 from symbody.codegen.layout.module import Function, Module
 from symbody.codegen.runtime.snippets import SNIPPETS
 from symbody.codegen.straight_line.instruction import Operation

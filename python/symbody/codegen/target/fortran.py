@@ -4,14 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 
-from symbody.codegen.layout.expression import wrapped
 from symbody.codegen.layout.language import Language, functions, number_text
+from symbody.codegen.layout.lines import part_lines, wrapped
 from symbody.codegen.layout.module import Array, Function, Module
 from symbody.codegen.runtime.linear_solve import kernel_text
 from symbody.codegen.straight_line.instruction import Operation
 from symbody.codegen.target.printer import (
-    block_lines,
-    comment_block,
+    comment_lines,
     compared,
     head,
     head_of_function,
@@ -85,7 +84,7 @@ def _files(module: Module) -> dict[str, str]:
 
 def _source(module: Module) -> str:
     title = "Subroutines of the model; results come last."
-    lines = [*comment_block(head(module, title, 1), "!"), f"module {module.name}"]
+    lines = [*comment_lines(head(module, title, 1), "!"), f"module {module.name}"]
     lines += ["    use, intrinsic :: iso_fortran_env, only: dp => real64", "    implicit none", "    private"]
     public = ", ".join(function.name for function in module.functions)
     lines += [*wrapped(f"public :: {public}", LANGUAGE, "    "), "", "contains"]
@@ -110,23 +109,23 @@ def _declared(array: Array, intent: str) -> str:
 
 def _subroutine(function: Function) -> list[str]:
     """Return a subroutine; if it is long, one that calls its parts, and these."""
-    comments = comment_block(head_of_function(function), "!")
+    comments = comment_lines(head_of_function(function), "!")
     declared = {a.name: _declared(a, "in") for a in function.arguments}
     declared |= {r.name: _declared(r, "out") for r in function.results}
     working = [f"real(dp) :: {name}({size})" for name, size in function.arrays]
     called = [line for call in function.calls for line in wrapped(_call_of(call), LANGUAGE, "")]
-    blocks = function.composition.blocks
-    if len(blocks) == 1:
+    parts = function.composition.parts
+    if len(parts) == 1:
         body = [
-            *_locals(blocks[0].locals),
+            *_locals(parts[0].locals),
             "",
             *called,
-            *block_lines(blocks[0], LANGUAGE, function.shapes, ""),
+            *part_lines(parts[0], LANGUAGE, function.shapes, ""),
         ]
         return [*comments, *_procedure(function.name, declared, [*working, *body])]
-    calls = [line for number in range(len(blocks)) for line in wrapped(_call(function, number), LANGUAGE, "")]
-    parts = [line for number in range(len(blocks)) for line in ["", *_part(function, number)]]
-    return [*comments, *_procedure(function.name, declared, [*working, "", *called, *calls]), *parts]
+    calls = [line for number in range(len(parts)) for line in wrapped(_call(function, number), LANGUAGE, "")]
+    definitions = [line for number in range(len(parts)) for line in ["", *_part(function, number)]]
+    return [*comments, *_procedure(function.name, declared, [*working, "", *called, *calls]), *definitions]
 
 
 def _procedure(name: str, declared: dict[str, str], body: Sequence[str]) -> list[str]:
@@ -140,20 +139,20 @@ def _locals(names: Sequence[str]) -> list[str]:
 
 
 def _part(function: Function, number: int) -> list[str]:
-    """Return one block as a subroutine of the arrays that it uses."""
-    block = function.composition.blocks[number]
+    """Return one part as a subroutine of the arrays that it uses."""
+    part = function.composition.parts[number]
     declared = {a.name: _declared(a, "in") for a in function.arguments}
     declared |= {r.name: _declared(r, "inout") for r in function.results}
     declared |= {name: f"real(dp), intent(inout) :: {name}({size})" for name, size in function.arrays}
-    used = {name: text for name, text in declared.items() if name in block.mentions}
-    body = [*_locals(block.locals), "", *block_lines(block, LANGUAGE, function.shapes, "")]
+    used = {name: text for name, text in declared.items() if name in part.mentions}
+    body = [*_locals(part.locals), "", *part_lines(part, LANGUAGE, function.shapes, "")]
     return _procedure(f"{function.name}_part{number + 1}", used, body)
 
 
 def _call(function: Function, number: int) -> str:
     names = [array.name for array in (*function.arguments, *function.results)]
     names += [name for name, _ in function.arrays]
-    mentioned = function.composition.blocks[number].mentions
+    mentioned = function.composition.parts[number].mentions
     return f"call {function.name}_part{number + 1}({', '.join(name for name in names if name in mentioned)})"
 
 
@@ -180,7 +179,7 @@ end subroutine compare
 
 def _check(module: Module) -> str:
     title = [mark(module), "", "Evaluates every routine at one state and compares with reference values."]
-    lines = [*comment_block(title, "!"), f"program {module.name}_check"]
+    lines = [*comment_lines(title, "!"), f"program {module.name}_check"]
     body = ["use, intrinsic :: iso_fortran_env, only: dp => real64", f"use {module.name}", "implicit none"]
     for array in module.arguments:
         if array.name in module.values:

@@ -4,15 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from symbody.codegen.layout.expression import wrapped
 from symbody.codegen.layout.language import Language, functions, number_text
+from symbody.codegen.layout.lines import part_lines, wrapped
 from symbody.codegen.layout.module import Array, Function, Module
 from symbody.codegen.runtime.snippets import SNIPPETS
 from symbody.codegen.straight_line.instruction import Operation
 from symbody.codegen.target.printer import (
     beside_arguments,
-    block_lines,
-    comment_block,
+    comment_lines,
     compared,
     head,
     head_of_function,
@@ -67,7 +66,7 @@ def _files(module: Module) -> dict[str, str]:
 
 def _source(module: Module) -> str:
     title = "Functions of the model, of vectors and numbers; they return arrays and numbers of the arguments' type."
-    lines = [*comment_block(head(module, title, 1), "#"), f"module {module.name}", ""]
+    lines = [*comment_lines(head(module, title, 1), "#"), f"module {module.name}", ""]
     exported = ", ".join(function.name for function in module.functions)
     lines += wrapped(f"export {exported}", LANGUAGE, "")
     for function in module.functions:
@@ -81,7 +80,7 @@ def _source(module: Module) -> str:
 
 def _function(function: Function) -> list[str]:
     """Return a function; if it is long, one that calls its parts, and these."""
-    blocks = function.composition.blocks
+    parts = function.composition.parts
     types = ", ".join(f"eltype({array.name})" for array in function.arguments)
     lines = ["    number = promote_type(Float64" + (f", {types})" if types else ")")]
     arrays = [(result.name, ", ".join(map(str, result.shape))) for result in function.results if result.shape]
@@ -89,15 +88,15 @@ def _function(function: Function) -> list[str]:
     lines += [f"    {name} = Array{{number}}(undef, {size})" for name, size in arrays]
     returned = ", ".join(result.name for result in function.results)
     lines += [line for call in function.calls for line in wrapped(_assignment(call), LANGUAGE, "    ")]
-    parts: list[str] = []
-    if len(blocks) == 1:
-        lines += block_lines(blocks[0], LANGUAGE, function.shapes)
+    definitions: list[str] = []
+    if len(parts) == 1:
+        lines += part_lines(parts[0], LANGUAGE, function.shapes)
     else:
-        lines += [line for k in range(len(blocks)) for line in wrapped(_call(function, k), LANGUAGE, "    ")]
-        parts = [line for k in range(len(blocks)) for line in ["", *_part(function, k)]]
+        lines += [line for k in range(len(parts)) for line in wrapped(_call(function, k), LANGUAGE, "    ")]
+        definitions = [line for k in range(len(parts)) for line in ["", *_part(function, k)]]
     title = f"function {function.name}({', '.join(array.name for array in function.arguments)})"
-    comments = comment_block(head_of_function(function), "#")
-    return [*comments, *wrapped(title, LANGUAGE, ""), *lines, f"    return {returned}", "end", *parts]
+    comments = comment_lines(head_of_function(function), "#")
+    return [*comments, *wrapped(title, LANGUAGE, ""), *lines, f"    return {returned}", "end", *definitions]
 
 
 def _passed(function: Function, number: int) -> str:
@@ -105,13 +104,13 @@ def _passed(function: Function, number: int) -> str:
     names = [array.name for array in function.arguments]
     names += [result.name for result in function.results if not result.is_scalar]
     names += [name for name, _ in function.arrays]
-    mentioned = function.composition.blocks[number].mentions
+    mentioned = function.composition.parts[number].mentions
     return ", ".join(name for name in names if name in mentioned)
 
 
 def _returned(function: Function, number: int) -> str:
     """Return the results that are numbers, which a part can't assign to where they are."""
-    mentioned = function.composition.blocks[number].mentions
+    mentioned = function.composition.parts[number].mentions
     return ", ".join(r.name for r in function.results if r.is_scalar and r.name in mentioned)
 
 
@@ -122,10 +121,10 @@ def _call(function: Function, number: int) -> str:
 
 
 def _part(function: Function, number: int) -> list[str]:
-    """Return one block as a function of the arrays that it uses."""
-    block = function.composition.blocks[number]
+    """Return one part as a function of the arrays that it uses."""
+    part = function.composition.parts[number]
     title = f"function {function.name}_part{number + 1}({_passed(function, number)})"
-    lines = [*wrapped(title, LANGUAGE, ""), *block_lines(block, LANGUAGE, function.shapes)]
+    lines = [*wrapped(title, LANGUAGE, ""), *part_lines(part, LANGUAGE, function.shapes)]
     return [*lines, f"    return {_returned(function, number)}".rstrip(), "end"]
 
 
@@ -145,7 +144,7 @@ end
 
 def _check(module: Module) -> str:
     title = [mark(module), "", "Evaluates every routine at one state and compares with reference values."]
-    lines = [*comment_block(title, "#"), f'include("{module.name}.jl")', *_COMPARE.rstrip().split("\n"), ""]
+    lines = [*comment_lines(title, "#"), f'include("{module.name}.jl")', *_COMPARE.rstrip().split("\n"), ""]
     lines += ["function main()"]
     package = f"{module.name}."
     for array in module.arguments:

@@ -4,15 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from symbody.codegen.layout.expression import wrapped
 from symbody.codegen.layout.language import Language, functions, number_text
+from symbody.codegen.layout.lines import part_lines, wrapped
 from symbody.codegen.layout.module import Array, Function, Module
 from symbody.codegen.runtime.snippets import SNIPPETS
 from symbody.codegen.straight_line.instruction import Operation
 from symbody.codegen.target.printer import (
     beside_arguments,
-    block_lines,
-    comment_block,
+    comment_lines,
     compared,
     head,
     head_of_function,
@@ -104,7 +103,7 @@ def _contents(module: Module) -> str:
     lines = [*head(module, title, 1), "", "Functions:", ""]
     for function in module.functions:
         lines += [f"  {line}" for line in wrapped(_signature(module, function), LANGUAGE, "")]
-    return "\n".join(comment_block(lines, "%")) + "\n"
+    return "\n".join(comment_lines(lines, "%")) + "\n"
 
 
 def _returned(function: Function) -> str:
@@ -120,14 +119,14 @@ def _signature(module: Module | None, function: Function) -> str:
 
 
 def _file(module: Module, function: Function) -> str:
-    lines = comment_block([mark(module), "", *head_of_function(function)], "%")
+    lines = comment_lines([mark(module), "", *head_of_function(function)], "%")
     lines += wrapped(f"function {_signature(None, function)}", LANGUAGE, "")
     arrays = [(result.name, _zeros(result)) for result in function.results if not result.is_scalar]
     arrays += [(name, f"zeros({size}, 1)") for name, size in function.working]
     lines += [f"    {name} = {zeros};" for name, zeros in arrays]
     lines += [line for c in function.calls for line in wrapped(f"{_signature(module, c)};", LANGUAGE, "    ")]
-    for block in function.composition.blocks:
-        lines += block_lines(block, LANGUAGE, function.shapes)
+    for part in function.composition.parts:
+        lines += part_lines(part, LANGUAGE, function.shapes)
     helpers = list(dict.fromkeys(text for name, text in _HELPERS.items() if name in function.operations))
     if Operation.FACTOR in function.operations:
         helpers.append(SNIPPETS["matlab"])
@@ -159,7 +158,7 @@ end
 
 def _check(module: Module) -> str:
     title = [mark(module), "", "Evaluates every routine at one state and compares with reference values."]
-    lines = [*comment_block(title, "%"), f"function {module.name}_check()"]
+    lines = [*comment_lines(title, "%"), f"function {module.name}_check()"]
     for name, values in module.values.items():
         lines += _wrapped_list(f"{name} = {_column(values)};")
     lines += [f"    fprintf('{module.name}: entries, largest relative error\\n');", "    same = true;"]

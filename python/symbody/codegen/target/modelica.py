@@ -4,14 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 
-from symbody.codegen.layout.expression import wrapped
 from symbody.codegen.layout.language import Language, functions, number_text
+from symbody.codegen.layout.lines import part_lines, wrapped
 from symbody.codegen.layout.module import Array, Function, Module
 from symbody.codegen.runtime.snippets import SNIPPETS
 from symbody.codegen.straight_line.instruction import Operation
 from symbody.codegen.target.printer import (
-    block_lines,
-    comment_block,
+    comment_lines,
     compared,
     head,
     head_of_function,
@@ -58,7 +57,7 @@ LANGUAGE = Language(
 def _files(module: Module) -> dict[str, str]:
     title = "Functions of the model; arguments are vectors, results are vectors, matrices and numbers."
     lines = [f'package {module.name} "{_quoted(_first_line(module))}"']
-    lines += [f"  {line}" for line in comment_block(head(module, title, 1), "//")]
+    lines += [f"  {line}" for line in comment_lines(head(module, title, 1), "//")]
     if Operation.FACTOR in module.operations:
         lines += ["", *(f"  {line}".rstrip() for line in _systems())]
     for function in module.functions:
@@ -108,7 +107,7 @@ def _function(function: Function) -> list[str]:
     title, *more = head_of_function(function) or [function.name]
     lines = [
         f'function {function.name} "{_quoted(title)}"',
-        *(f"  {line}" for line in comment_block(more, "//")),
+        *(f"  {line}" for line in comment_lines(more, "//")),
     ]
     lines += [_declaration("input ", array) for array in function.arguments]
     lines += [_declaration("output ", array) for array in function.results]
@@ -118,15 +117,15 @@ def _function(function: Function) -> list[str]:
     for call in function.calls:
         lines += wrapped(_call(call, [result.name for result in call.results]), LANGUAGE, "  ")
     shapes = {**function.shapes, **{name: (n, n) for name, n in function.composition.matrices}}
-    for block in function.composition.blocks:
-        lines += block_lines(block, LANGUAGE, shapes, "  ")
+    for part in function.composition.parts:
+        lines += part_lines(part, LANGUAGE, shapes, "  ")
     return [*lines, f"end {function.name};"]
 
 
 def _protected(function: Function) -> Iterable[str]:
     """Return the declarations of the local names, several a line, and of the matrices of linear systems."""
     made = function.composition
-    names = [name for block in made.blocks for name in block.locals]
+    names = [name for part in made.parts for name in part.locals]
     yield from (f"  Real {row};" for row in in_rows(names, 90))
     yield from (f"  Real {name}[{n}, {n}];" for name, n in made.matrices)
     yield from (f"  Real {name}[{n}];" for name, n in (*made.solutions, *function.received))

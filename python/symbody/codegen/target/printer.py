@@ -1,24 +1,19 @@
-"""Statements as lines of a language: what all targets share."""
+"""What all targets share: the mark of generated files, their heads, comments and tables."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import replace
 from importlib.metadata import version
 from math import isfinite
 from textwrap import wrap
-from typing import TypeAlias
 
-from symbody.codegen.layout.expression import expression_text, wrapped
-from symbody.codegen.layout.language import Language
 from symbody.codegen.layout.module import Array, Function, Module
-from symbody.codegen.layout.statement import Block, Clear, Factor, Let, Read, Section, Solve, Statement, Store
 
 __all__ = [
     "MARK",
     "beside_arguments",
-    "block_lines",
-    "comment_block",
+    "comment_lines",
     "head",
     "head_of_function",
     "in_rows",
@@ -26,8 +21,6 @@ __all__ = [
     "sentences",
     "table",
 ]
-
-Shapes: TypeAlias = Mapping[str, tuple[int, ...]]
 
 _WIDTH = 96
 
@@ -39,59 +32,6 @@ def mark(module: Module) -> str:
     """Return the line that tells a generated file, of which program it is and for which target."""
     target = f" ({module.target})" if module.target else ""
     return f"{module.name}{target}, {MARK} {version('symbody')}"
-
-
-def block_lines(block: Block, language: Language, shapes: Shapes, indent: str | None = None) -> list[str]:
-    """Return the lines of a block: what it reads, then its statements, a blank line before each section.
-
-    ``shapes`` are those of the results; their entries are assigned with one index, two, or none.
-    """
-    indent = language.indent if indent is None else indent
-    lines = [indent + line for line in _aligned(block.reads, language)]
-    before: Statement | None = None
-    for statement in block.statements:
-        text = statement_text(statement, language, shapes)
-        if isinstance(statement, Section) or (isinstance(statement, Clear) and before is None and text):
-            lines += ["", indent + text] if lines else [indent + text]
-        elif text:
-            lines += wrapped(text, language, indent)
-        before = statement
-    return lines
-
-
-def statement_text(statement: Statement, language: Language, shapes: Shapes) -> str:
-    """Return a statement as one line of any length."""
-    match statement:
-        case Section(title):
-            return language.comment_text(title)
-        case Let(name, value):
-            return language.declare.format(name=name, value=expression_text(value, language))
-        case Store(array, index, value):
-            place = language.place_text(array, index, shapes.get(array, (index,)))
-            return language.assign.format(place=place, value=expression_text(value, language))
-        case Clear(array, size):
-            return language.clear_text(array, size, shapes.get(array, (size,)))
-        case Factor(matrix, size):
-            return language.factor.format(n=size, work=matrix)
-        case Solve(matrix, solution, size):
-            return language.solve.format(n=size, work=matrix, x=solution)
-
-
-def _aligned(reads: Sequence[Read], language: Language) -> list[str]:
-    """Return the lines that name entries of arrays, with equal signs and notes under one another."""
-    width = max((len(read.name) for read in reads), default=0)
-    texts = [
-        language.declare.format(
-            name=read.name.ljust(width), value=language.entry_text(read.array, read.index)
-        )
-        for read in reads
-    ]
-    longest = max(map(len, texts), default=0)
-    noted = [
-        f"{text.ljust(longest)}  {language.comment_text(read.note)}" if read.note else text
-        for text, read in zip(texts, reads, strict=True)
-    ]
-    return [line if len(line) <= language.width else text for line, text in zip(noted, texts, strict=True)]
 
 
 def head(module: Module, title: str, first_index: int) -> list[str]:
@@ -184,6 +124,6 @@ def beside_arguments(module: Module, function: Function) -> Function:
     )
 
 
-def comment_block(lines: Iterable[str], sign: str) -> list[str]:
+def comment_lines(lines: Iterable[str], sign: str) -> list[str]:
     """Return lines as comments, each after the sign."""
     return [f"{sign} {line}".rstrip() for line in lines]

@@ -8,14 +8,13 @@ import sys
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from symbody.codegen.layout.expression import wrapped
 from symbody.codegen.layout.language import Language, functions, number_text
+from symbody.codegen.layout.lines import part_lines, wrapped
 from symbody.codegen.layout.module import Array, Function, Module
 from symbody.codegen.runtime.snippets import SNIPPETS
 from symbody.codegen.straight_line.instruction import Operation
 from symbody.codegen.target.printer import (
     beside_arguments,
-    block_lines,
     compared,
     head,
     head_of_function,
@@ -137,8 +136,8 @@ def function_lines(function: Function, library: Library) -> list[str]:
     lines += [f"    {name} = [0.0] * {size}" for name, size in _working(function)]
     for call in function.calls:
         lines += wrapped(_assignment(call, library), library.language, "    ")
-    for block in function.composition.blocks:
-        lines += block_lines(block, library.language, function.shapes)
+    for part in function.composition.parts:
+        lines += part_lines(part, library.language, function.shapes)
     returned = ", ".join(map(_returned, function.results))
     return [*lines, *wrapped(f"return {returned}", library.language, "    ")]
 

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from symbody.codegen.layout.expression import wrapped
 from symbody.codegen.layout.language import Language, functions, number_text
+from symbody.codegen.layout.lines import part_lines, wrapped
 from symbody.codegen.layout.module import Array, Function, Module
 from symbody.codegen.runtime.linear_solve import kernel_text
 from symbody.codegen.straight_line.instruction import Operation
-from symbody.codegen.target.printer import block_lines, comment_block, compared, head, head_of_function, mark
+from symbody.codegen.target.printer import comment_lines, compared, head, head_of_function, mark
 from symbody.codegen.target.target import Target
 
 __all__ = ["RUST"]
@@ -75,7 +75,7 @@ def _files(module: Module) -> dict[str, str]:
 
 def _source(module: Module) -> str:
     title = "Functions of the model; results come last. Matrices are arrays of rows."
-    lines = [*comment_block(head(module, title, 0), "//!"), ""]
+    lines = [*comment_lines(head(module, title, 0), "//!"), ""]
     lines += ["#![allow(non_snake_case, unused_parens, dead_code, clippy::all)]"]
     for function in module.functions:
         lines += ["", *_function(function)]
@@ -105,34 +105,34 @@ def _declared(function: Function) -> dict[str, str]:
 
 def _function(function: Function) -> list[str]:
     """Return a function; if it is long, one that calls its parts, and these."""
-    lines = comment_block(head_of_function(function), "///")
-    blocks = function.composition.blocks
+    lines = comment_lines(head_of_function(function), "///")
+    parts = function.composition.parts
     arrays = [f"    let mut {name} = [0.0; {size}];" for name, size in function.arrays]
     calls = [line for call in function.calls for line in wrapped(_called(call), LANGUAGE, "    ")]
     unused = [f"    let _ = {a.name};" for a in function.arguments if a.name not in function.mentions]
     title = f"pub fn {function.name}({', '.join(_declared(function).values())}) {{"
-    if len(blocks) == 1:
-        body, parts = block_lines(blocks[0], LANGUAGE, function.shapes), []
+    if len(parts) == 1:
+        body, definitions = part_lines(parts[0], LANGUAGE, function.shapes), []
     else:
-        body = [line for k in range(len(blocks)) for line in wrapped(_call(function, k), LANGUAGE, "    ")]
-        parts = [line for k in range(len(blocks)) for line in ["", *_part(function, k)]]
-    return [*lines, *wrapped(title, LANGUAGE, ""), *arrays, *calls, *body, *unused, "}", *parts]
+        body = [line for k in range(len(parts)) for line in wrapped(_call(function, k), LANGUAGE, "    ")]
+        definitions = [line for k in range(len(parts)) for line in ["", *_part(function, k)]]
+    return [*lines, *wrapped(title, LANGUAGE, ""), *arrays, *calls, *body, *unused, "}", *definitions]
 
 
 def _part(function: Function, number: int) -> list[str]:
-    """Return one block as a function of the arrays that it uses."""
-    block = function.composition.blocks[number]
+    """Return one part as a function of the arrays that it uses."""
+    part = function.composition.parts[number]
     declared = _declared(function)
     declared |= {name: f"{name}: &mut [f64; {size}]" for name, size in function.arrays}
-    used = ", ".join(text for name, text in declared.items() if name in block.mentions)
+    used = ", ".join(text for name, text in declared.items() if name in part.mentions)
     title = f"fn {function.name}_part{number + 1}({used}) {{"
-    return [*wrapped(title, LANGUAGE, ""), *block_lines(block, LANGUAGE, function.shapes), "}"]
+    return [*wrapped(title, LANGUAGE, ""), *part_lines(part, LANGUAGE, function.shapes), "}"]
 
 
 def _call(function: Function, number: int) -> str:
     names = {array.name: array.name for array in (*function.arguments, *function.results)}
     names |= {name: f"&mut {name}" for name, _ in function.arrays}
-    mentioned = function.composition.blocks[number].mentions
+    mentioned = function.composition.parts[number].mentions
     used = ", ".join(text for name, text in names.items() if name in mentioned)
     return f"{function.name}_part{number + 1}({used});"
 
@@ -160,7 +160,7 @@ fn compare(what: &str, value: &[f64], reference: &[f64]) -> bool {
 
 def _check(module: Module) -> str:
     title = [mark(module), "", "Evaluates every routine at one state and compares with reference values."]
-    lines = [*comment_block(title, "//!"), "", "#![allow(non_snake_case, clippy::all)]", ""]
+    lines = [*comment_lines(title, "//!"), "", "#![allow(non_snake_case, clippy::all)]", ""]
     lines += [f'#[path = "{module.name}.rs"]', f"mod {module.name};", "", "fn main() {"]
     for array in module.arguments:
         if array.name in module.values:
