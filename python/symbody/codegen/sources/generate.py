@@ -11,7 +11,6 @@ from itertools import islice
 from pathlib import Path
 
 from symbody.codegen.layout.arrange import module_of
-from symbody.codegen.sources.write import write_all
 from symbody.codegen.target.c import C
 from symbody.codegen.target.casadi import CASADI
 from symbody.codegen.target.fortran import FORTRAN
@@ -24,6 +23,7 @@ from symbody.codegen.target.python import PYTHON
 from symbody.codegen.target.rust import RUST
 from symbody.codegen.target.target import Target
 from symbody.errors import CodegenError, ModelNotice
+from symbody.files.replacement import write_texts
 from symbody.symbolic import STAGES, Program, free_symbols
 from symbody.symbolic.given.identifier import program_name
 from symbody.symbolic.numeric.program import Programmable, program_of
@@ -80,7 +80,7 @@ def generate(
             )
         for file, text in texts.items():
             _check_replaceable(folder / file, text)
-        write_all(folder, texts)
+        write_texts(folder, texts)
     except CodegenError:
         raise
     except OSError as error:

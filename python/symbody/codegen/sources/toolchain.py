@@ -14,6 +14,7 @@ from symbody.codegen.layout.arrange import module_name
 from symbody.codegen.sources.generate import source, target_of
 from symbody.codegen.target.target import Target
 from symbody.errors import CodegenError
+from symbody.files.replacement import write_texts
 from symbody.symbolic import Program
 from symbody.symbolic.numeric.program import Programmable, program_of
 
@@ -68,10 +69,7 @@ def check_files(target: Target, name: str, texts: Mapping[str, str]) -> str:
             f"check: the code for {target.title} needs {missing[0]}, which isn't on the PATH: {TOOLS[missing[0]]}"
         )
     with tempfile.TemporaryDirectory(prefix="symbody-") as folder:
-        for file, text in texts.items():
-            path = Path(folder) / file
-            path.parent.mkdir(parents=True, exist_ok=True)
-            path.write_text(text, encoding="utf-8", newline="\n")
+        write_texts(Path(folder), texts)
         return "".join(_run(command.format(name=name), folder, target) for command in target.check)
 
 
