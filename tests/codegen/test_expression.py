@@ -9,7 +9,7 @@ from typing import Any
 import pytest
 
 from symbody.codegen.layout.language import Language
-from symbody.codegen.layout.lines import expression_text, wrapped
+from symbody.codegen.layout.lines import expression_text, wrap_line
 from symbody.codegen.layout.tree import Application, Entry, Name, Number, Tree
 from symbody.codegen.straight_line.instruction import Operation
 from symbody.codegen.target.fortran import LANGUAGE as FORTRAN
@@ -76,7 +76,7 @@ def test_texts_read_back(seed: int) -> None:
 @pytest.mark.parametrize("seed", range(100))
 def test_lines_hold_the_same_text(seed: int, language: Language) -> None:
     line = f"value = {expression_text(random_tree(random.Random(seed), 9), language)}"
-    lines = wrapped(line, language, "    ")
+    lines = wrap_line(line, language, "    ")
     assert max(map(len, lines)) <= language.width + 1
     joined = "".join(row.removesuffix(language.continuation).strip() for row in lines)
     assert joined.replace(" ", "") == line.replace(" ", "")

@@ -7,7 +7,7 @@ from dataclasses import replace
 from math import isfinite
 
 from symbody.codegen.layout.compose import Composition, compose
-from symbody.codegen.layout.formula import described
+from symbody.codegen.layout.formula import formulas
 from symbody.codegen.layout.language import Language
 from symbody.codegen.layout.module import Array, Function, Module
 from symbody.codegen.layout.names import Scope, program_identifier
@@ -119,7 +119,7 @@ class _Arrangement:
             return None
         prepare = self.scope.claim("prepare")
         self.constants_name = self.scope.claim("c")
-        texts = described(code, self.language)
+        texts = formulas(code, self.language)
         direct = [self._parameter(code, place) for place in code.results]
         self.order = {k: position for position, k in enumerate(preparation.order)}
         self.constants = list(zip(direct, texts, strict=True))

@@ -8,13 +8,13 @@ from symbody.codegen.layout.tree import Application, Name, Number, Tree
 from symbody.codegen.straight_line.code import Code
 from symbody.codegen.straight_line.instruction import LINEAR_SYSTEMS
 
-__all__ = ["described"]
+__all__ = ["formulas"]
 
 LONGEST = 6
 """Operations of a formula that a comment can hold."""
 
 
-def described(code: Code, language: Language) -> list[str]:
+def formulas(code: Code, language: Language) -> list[str]:
     """Return a formula for each result, empty where it would be long."""
     trees: dict[int, tuple[Tree, int] | None] = {p: (Number(v), 0) for p, v in enumerate(code.constants)}
     trees |= {place: (Name(read.name), 0) for place, read in enumerate(code.inputs, code.first_input)}

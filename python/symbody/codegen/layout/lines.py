@@ -11,7 +11,7 @@ from symbody.codegen.layout.statement import Clear, Factor, Let, Part, Read, Sec
 from symbody.codegen.layout.tree import Application, Entry, Name, Number, Tree
 from symbody.codegen.straight_line.instruction import Operation
 
-__all__ = ["expression_text", "part_lines", "wrapped"]
+__all__ = ["expression_text", "part_lines", "wrap_line"]
 
 Shapes: TypeAlias = Mapping[str, tuple[int, ...]]
 
@@ -78,7 +78,7 @@ def part_lines(part: Part, language: Language, shapes: Shapes, indent: str | Non
         if isinstance(statement, Section) or (isinstance(statement, Clear) and before is None and text):
             lines += ["", indent + text] if lines else [indent + text]
         elif text:
-            lines += wrapped(text, language, indent)
+            lines += wrap_line(text, language, indent)
         before = statement
     return lines
 
@@ -147,7 +147,7 @@ def _comment_text(language: Language, text: str) -> str:
 _BREAKS = re.compile(r"[-+,?] | : |\*\*|[*/]|[(\[{]|[)\]}]|\"[^\"]*\"")
 
 
-def wrapped(line: str, language: Language, indent: str) -> list[str]:
+def wrap_line(line: str, language: Language, indent: str) -> list[str]:
     """Return a line as lines of the language's width, the later ones indented twice.
 
     A line ends after an operator or a comma, within as few brackets as possible: all languages read on there.

@@ -12,7 +12,7 @@ from symbody.codegen.llvm.piece import CHECKED, CLEAR, SINCOS, Helper, Piece
 from symbody.codegen.llvm.sincos import checked_text, sincos_text
 from symbody.codegen.llvm.writer import Writer, vector_type
 
-__all__ = ["Assembly", "Part", "assembled"]
+__all__ = ["Assembly", "Part", "assemble"]
 
 MOST_LINES = 8000
 """Lines of a module, as each is compiled in one go, up to half a second, for which Ctrl-C waits."""
@@ -68,7 +68,7 @@ class Assembly:
     parts: tuple[Part, ...] = ()
 
 
-def assembled(pieces: Sequence[Piece], entry: str) -> Assembly:
+def assemble(pieces: Sequence[Piece], entry: str) -> Assembly:
     """Return the modules of blocks and of what calls them.
 
     Args:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from symbody.codegen.llvm.assembly import Assembly, assembled
+from symbody.codegen.llvm.assembly import Assembly, assemble
 from symbody.codegen.llvm.blocks import Blocks, Store
 from symbody.codegen.llvm.piece import Piece
 from symbody.codegen.llvm.writer import Template, splat
@@ -43,7 +43,7 @@ def scalar_modules(code: Code, name: str, lanes: int) -> Assembly:
         name: the function's name.
         lanes: how many angles the processor takes at a time.
     """
-    return assembled(*_scalar(code, name, lanes))
+    return assemble(*_scalar(code, name, lanes))
 
 
 def shortcut_modules(shortcut: Code, outputs: int, code: Code, name: str, lanes: int) -> Assembly:
@@ -75,7 +75,7 @@ done:
   ret void
 }}
 """
-    return assembled([*brief.pieces(stores), *whole], entry)
+    return assemble([*brief.pieces(stores), *whole], entry)
 
 
 def _all_positive(conditions: int) -> str:
@@ -127,7 +127,7 @@ def batch_modules(code: Code, name: str, lanes: int, uniform: Sequence[bool]) ->
     body = Blocks(code, f"{name}_each", each, lanes, lanes, loads, slots)
     once = prologue.pieces([Store(place, _UNIFORM, slot) for place, slot in slots.items()])
     many = body.pieces([Store(place, _STATES_OF_OUTPUT, j) for j, place in enumerate(code.results)])
-    return assembled([*once, *many], _loop(name, prologue, body, lanes, len(slots)))
+    return assemble([*once, *many], _loop(name, prologue, body, lanes, len(slots)))
 
 
 def _shared(code: Code, before: Sequence[int], each: Sequence[int]) -> list[int]:
@@ -138,7 +138,15 @@ def _shared(code: Code, before: Sequence[int], each: Sequence[int]) -> list[int]
 
 
 def _loop(name: str, prologue: Blocks, body: Blocks, lanes: int, uniforms: int) -> str:
-    """Return the loop over the states; the last vector ends with the last state, and may overlap the one before."""
+    """Return the loop over the states; the last vector ends with the last state, and may overlap the one before.
+
+    Args:
+        name: the function's name.
+        prologue: what is computed once for all states.
+        body: what is computed for each vector of states.
+        lanes: states in a vector.
+        uniforms: how many values the prologue hands on to the body.
+    """
     return f"""\
 define void @{name}(ptr noalias %in, ptr noalias %out, i64 %start, i64 %last, i64 %stride) alignstack(64) {{
   %uniform = alloca double, i64 {max(uniforms, 1)}, align 64

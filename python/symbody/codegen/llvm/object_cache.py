@@ -17,7 +17,7 @@ from pathlib import Path
 
 from symbody.files.replacement import TEMPORARY, replacements
 
-__all__ = ["BOUND", "VARIABLE", "cached", "folder"]
+__all__ = ["BOUND", "VARIABLE", "folder", "kept_or_made"]
 
 VARIABLE = "SYMBODY_CACHE"
 """The environment variable with the folder, or "off"."""
@@ -34,7 +34,7 @@ _OWN = re.compile(rf"([0-9a-f]{{{2 * _DIGEST}}}|\.\w{{8}}){re.escape(_SUFFIX)}")
 """The names of files that are written here, or were once: a user may keep other things in the same folder."""
 
 
-def cached(identity: str, text: str, make: Callable[[], bytes]) -> bytes:
+def kept_or_made(identity: str, text: str, make: Callable[[], bytes]) -> bytes:
     """Return the machine code of a module from the folder, or make it and keep it there.
 
     Args:

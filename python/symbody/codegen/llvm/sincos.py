@@ -11,6 +11,7 @@ dynamics in vectors, and shows nowhere but in 1/sin and in atan2 on its branch c
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from functools import cache
 
 from symbody.codegen.llvm.writer import constants, vector_type
 
@@ -38,6 +39,7 @@ _COSINE = (
 """cos r = 1 - r^2/2 + r^4 (c1 + c2 r^2 + ...)"""
 
 
+@cache
 def sincos_text(lanes: int) -> str:
     """Return the functions of a module that take sine and cosine of so many angles.
 
@@ -64,6 +66,7 @@ def _types(lanes: int) -> tuple[str, str]:
     return V, f"{{ {V}, {V} }}"
 
 
+@cache
 def checked_text(lanes: int) -> str:
     """Return ``@checked_sincos_<lanes>``, which serves all angles by the functions of `sincos_text`."""
     V, both = _types(lanes)

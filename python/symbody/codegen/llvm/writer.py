@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import struct
 from collections.abc import Iterable, Sequence
+from functools import cache
 from typing import TypeAlias
 
 from symbody.codegen.llvm.piece import Helper
@@ -14,6 +15,7 @@ Template: TypeAlias = tuple[str, ...]
 """Instructions, one per line: ``{0}``, ``{1}``, ... are the values given, then the results of the lines before."""
 
 
+@cache
 def vector_type(lanes: int, element: str = "double") -> str:
     """Return the type of so many elements.
 

@@ -39,7 +39,24 @@ class _Shape:
 
 @dataclass(frozen=True)
 class CompiledFunction:
-    """A function of the arguments given to :func:`lambdify`, broadcasting over their trailing axes."""
+    """A function of the arguments given to :func:`lambdify`, which broadcasts over their trailing axes.
+
+    Attributes:
+        arguments: variables, or tuples of variables, as they were given.
+        expressions: all outputs, in one tuple.
+        shapes: how the results are cut from the outputs.
+        compile: whether all calls run in machine code, or none; by the number of points, if it is None.
+        threads: how many threads share the points of a call.
+        equation_names: what notices call the equations of linear systems.
+
+    >>> from symbody import lambdify, symbols
+    >>> x, y = symbols("x y")
+    >>> f = lambdify([x, y], x * y)
+    >>> f.expressions
+    (x*y,)
+    >>> f([1.0, 2.0], 3.0)
+    array([3., 6.])
+    """
 
     arguments: tuple[tuple[Expr, ...] | Expr, ...]
     expressions: tuple[Expr, ...]
@@ -66,7 +83,7 @@ class CompiledFunction:
         return _decoded, (counts, encode([*leaves, *self.expressions]), options)
 
     def __call__(self, *values: ArrayLike) -> Any:
-        """Evaluate. An argument that was a list takes an array with that many rows."""
+        """Evaluate the expressions; an argument that was a list takes an array with one row per variable."""
         inputs = self._columns(values)
         batch = _batch([column.shape for column in inputs])
         points = int(np.prod(batch))
@@ -174,10 +191,10 @@ def lambdify(
 ) -> CompiledFunction:
     """Return a fast function of the arguments that evaluates the expressions.
 
-    Calls at many points (2000, and 200 000 divided by the operations of the function) run in machine code, several
-    points at a time, and so do functions with linear systems. Other calls are evaluated: to compile the function takes
-    as long as some fifty of them or more. What runs a call doesn't depend on earlier ones, so equal calls have equal
-    results; the two ways agree to rounding. A loop of many calls at few points is faster with ``compile=True``.
+    Calls at many points (2000, plus 200 000 divided by the operations of the function) run in machine code, several
+    points at a time, and so do functions with linear systems. Other calls are evaluated without compilation, which
+    would take as long as fifty of them or more. Earlier calls make no difference, so equal calls have equal results;
+    the two ways agree to rounding. A loop of many calls at few points is faster with ``compile=True``.
     A linear system of deficient rank gets its solution of least norm, and a notice that names the equations that follow
     from others, or contradict them.
 

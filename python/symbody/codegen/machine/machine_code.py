@@ -22,7 +22,7 @@ from symbody.symbolic.numeric.tape import Tape
 __all__ = ["POINTER", "MachineCode"]
 
 _WORTH = 10_000_000
-"""Operations for which a thread is worth being woken: about half a millisecond's."""
+"""Operations that are worth waking a thread for: about half a millisecond."""
 POINTER, _INTEGER = ctypes.c_void_p, ctypes.c_int64
 
 
@@ -38,6 +38,13 @@ class MachineCode:
     Attributes:
         inputs: the variables.
         expressions: the outputs.
+
+    >>> from symbody import sin, symbols
+    >>> x, a = symbols("x a")
+    >>> out = np.empty((1, 2))
+    >>> MachineCode((x, a), (a * x, sin(x))).evaluate(np.array([[0.5, 4.0]]), out)
+    >>> out
+    array([[2.        , 0.47942554]])
     """
 
     inputs: tuple[Expr, ...]
@@ -60,7 +67,7 @@ class MachineCode:
         return self._batch(tuple(uniform)).address
 
     def evaluate(self, states: NDArray[np.float64], out: NDArray[np.float64]) -> None:
-        """Evaluate a row of inputs after the other into rows of outputs."""
+        """Evaluate states, each a row of inputs, into rows of outputs."""
         function = self._scalar().function(POINTER, POINTER)
         for state, row in zip(states, out, strict=True):
             function(state.ctypes.data, row.ctypes.data)
@@ -68,9 +75,13 @@ class MachineCode:
     def evaluate_columns(
         self, columns: Sequence[NDArray[np.float64]], points: int, out: NDArray[np.float64], threads: int = 1
     ) -> None:
-        """Evaluate many states: a column for each input, with one value where it is the same for all.
+        """Evaluate many states; several threads share them if there is enough work for each.
 
-        Threads share them where there is enough to do for each.
+        Args:
+            columns: the values of each input, of the shape (points,), or (1,) where all states share one value.
+            points: the number of states.
+            out: the outputs, of the shape (outputs, points).
+            threads: how many threads share the states at most.
         """
         compiled = self._batch(tuple(column.size == 1 for column in columns))
         function = compiled.function(POINTER, POINTER, _INTEGER, _INTEGER, _INTEGER)
@@ -91,14 +102,14 @@ class MachineCode:
     def _scalar(self) -> jit.Compiled:
         if not self._scalars:
             code = self._code([0] * len(self.inputs))
-            self._scalars.append(jit.compiled(scalar_modules(code, "scalar", jit.lanes()), "scalar"))
+            self._scalars.append(jit.compile_assembly(scalar_modules(code, "scalar", jit.lanes()), "scalar"))
         return self._scalars[0]
 
     def _batch(self, uniform: tuple[bool, ...]) -> jit.Compiled:
         if uniform not in self._batches:
             code = self._code([0 if is_uniform else 1 for is_uniform in uniform])
             assembly = batch_modules(code, "batch", jit.lanes(), uniform)
-            self._batches[uniform] = jit.compiled(assembly, "batch")
+            self._batches[uniform] = jit.compile_assembly(assembly, "batch")
         return self._batches[uniform]
 
     def _code(self, stages: Sequence[int]) -> Code:

@@ -1,4 +1,4 @@
-"""Machine code in two parts: what parameters alone decide, once; and the rest, for every state."""
+"""Machine code in two parts: what follows from parameters alone, computed once; and the rest, for every state."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from symbody.codegen.llvm.assembly import Assembly
 from symbody.codegen.llvm.module import scalar_modules, shortcut_modules
 from symbody.codegen.machine.machine_code import POINTER
 from symbody.codegen.straight_line.code import Code, Input, code_of
-from symbody.codegen.straight_line.instruction import renumbered
+from symbody.codegen.straight_line.instruction import renumber
 from symbody.codegen.straight_line.preparation import Preparation
 from symbody.errors import ParameterError
 from symbody.symbolic import Argument, Expr
@@ -30,6 +30,13 @@ class Shortcut:
     Attributes:
         expressions: the outputs.
         conditions: all are positive where the expressions are accurate.
+
+    >>> from symbody import symbols
+    >>> x, a = symbols("x a")
+    >>> shortcut = Shortcut((a * x**2,), (x,))  # of a x |x|
+    >>> code = PreparedCode((a,), (x,), (a * x * abs(x),), shortcut)
+    >>> code.evaluate(np.array([2.0]), np.array([-3.0]))
+    array([-18.])
     """
 
     expressions: tuple[Expr, ...]
@@ -41,13 +48,21 @@ class PreparedCode:
     """A function of machine code, ``void f(const double *in, double *out)`` with ``in = (inputs, constants)``.
 
     The constants are what its expressions need of the parameters: `prepare` computes them for a set of parameters.
-    It compiles at the first use, and once more after a journey to another process.
+    It compiles at the first use, in each process to which it is sent.
 
     Attributes:
         parameters: what changes from one motion to another.
         inputs: what changes from one state to another.
         expressions: the outputs.
         shortcut: a faster way to them, which is taken where it is accurate.
+
+    >>> from symbody import cos, sin, symbols
+    >>> x, a, b = symbols("x a b")
+    >>> code = PreparedCode((a, b), (x,), (sin(a) * x, cos(b) / x))
+    >>> code.constants
+    2
+    >>> code.evaluate(np.array([0.5, 0.25]), np.array([2.0]))
+    array([0.95885108, 0.48445621])
     """
 
     parameters: tuple[Expr, ...]
@@ -136,7 +151,7 @@ class _Parts:
 
 
 def _compiled(assembly: Callable[[int], Assembly], name: str) -> jit.Compiled:
-    return jit.compiled(assembly(jit.lanes()), name)
+    return jit.compile_assembly(assembly(jit.lanes()), name)
 
 
 def _laid_out(code: Code, position: Callable[[Input], int], size: int) -> Code:
@@ -147,6 +162,6 @@ def _laid_out(code: Code, position: Callable[[Input], int], size: int) -> Code:
     return replace(
         code,
         inputs=tuple(Input("in", k, "") for k in range(size)),
-        instructions=renumbered(code.instructions, places),
+        instructions=renumber(code.instructions, places),
         results=tuple(places[place] for place in code.results),
     )

@@ -31,7 +31,11 @@ from symbody.symbolic.numeric.program import Programmable, program_of
 __all__ = ["TARGETS", "generate", "source", "target_of"]
 
 TARGETS = {target.name: target for target in (C, FORTRAN, MATLAB, PYTHON, JULIA, JAX, CASADI, MODELICA, RUST)}
-"""All targets by name."""
+"""All targets by name.
+
+>>> TARGETS["c"].title
+'C99'
+"""
 
 _MARKED = re.compile(rf"(?P<program>\w+)(?: \((?P<target>\w+)\))?, {MARK}")
 """What `mark` writes."""
@@ -99,7 +103,26 @@ def _folder(path: str | os.PathLike[str]) -> Path:
 
 
 def source(model: Program | Programmable, target: str = "c", *, name: str | None = None) -> dict[str, str]:
-    """Return the texts of the files that :func:`generate` would write, by file name."""
+    """Return the texts of the files that :func:`generate` would write, by file name.
+
+    Args:
+        model: a program, or equations of motion, whose program is taken.
+        target: the language: one of ``TARGETS``.
+        name: another name for the program.
+
+    Raises:
+        CodegenError: the target isn't known.
+        ProgramError: the model can't be a program, or the name is no text.
+
+    >>> from symbody.symbolic import Argument, Program, Result, Routine, sin, symbols
+    >>> x = symbols("x")
+    >>> wave = Routine("wave", "a sine wave", ("q",), (Result("y", "height", (sin(x),), ()),))
+    >>> texts = source(Program("demo", "An example.", (Argument("q", "position", (x,), "positions"),), (wave,)))
+    >>> sorted(texts)
+    ['Makefile', 'demo.c', 'demo.h', 'demo_check.c']
+    >>> print(texts["demo.c"].splitlines()[-2].strip())
+    *y = sin(x);
+    """
     program = program_of(model)
     if name is not None:
         program = replace(program, name=program_name(name, "generate"))
@@ -144,8 +167,9 @@ def _check_replaceable(file: Path, text: str) -> None:
         )
     is_named = ours is not None and ours[0] in file.name
     raise CodegenError(
-        f"generate: {file} exists and was generated for {_told(found)}; it would be replaced by {_told(ours)}, so "
-        f"nothing was written. Choose another folder as path{', another name' if is_named else ''}, or remove it"
+        f"generate: {file} exists and was generated for {_described(found)}; it would be replaced by "
+        f"{_described(ours)}, so nothing was written. "
+        f"Choose another folder as path{', another name' if is_named else ''}, or remove it"
     )
 
 
@@ -157,11 +181,11 @@ def _first_lines(file: Path) -> list[str]:
 
 
 def _marked(lines: Iterable[str]) -> tuple[str, str] | None:
-    """Return the program and the target that a file was generated for, if it was."""
+    """Return the program and the target that a file was generated for, if it was generated."""
     found = next(filter(None, map(_MARKED.search, lines)), None)
     return None if found is None else (found["program"], found["target"] or "")
 
 
-def _told(marked: tuple[str, str] | None) -> str:
+def _described(marked: tuple[str, str] | None) -> str:
     program, target = marked or ("", "")
     return f"the program {program}{f' in {target}' if target else ''}"

@@ -29,7 +29,7 @@ TOOLS = {
     "julia": "Julia; see https://julialang.org/downloads",
     "omc": "the OpenModelica compiler; see https://openmodelica.org",
 }
-"""The programs that self-checks need: what they are, and where to get them."""
+"""The tools that self-checks need: what they are, and where to get them."""
 
 _LONGEST_REPORT = 4000
 _TIME_LIMIT = 600.0
@@ -46,6 +46,14 @@ def check(model: Program | Programmable, target: str = "c", *, name: str | None 
     Raises:
         CodegenError: a compiler is missing, the code doesn't compile, or its values differ from the reference.
         ProgramError: the model can't be a program.
+
+    >>> from symbody.symbolic import Argument, Program, Result, Routine, sin, symbols
+    >>> x = symbols("x")
+    >>> wave = Routine("wave", "a sine wave", ("q",), (Result("y", "height", (sin(x),), ()),))
+    >>> program = Program("demo", "An example.", (Argument("q", "position", (x,), "positions"),), (wave,))
+    >>> print(check(program, "python").rstrip())
+    demo: entries, largest relative error
+      wave: y    1    ...  ok
     """
     chosen, program = target_of(target), program_of(model)
     texts = source(program, target, name=name)
@@ -74,13 +82,13 @@ def check_files(target: Target, name: str, texts: Mapping[str, str]) -> str:
 
 
 def needed_tools(target: Target) -> list[str]:
-    """Return the programs that the self-check of a target needs."""
+    """Return the tools that the self-check of a target needs."""
     words = [*(command.split()[0] for command in target.check), *target.tools]
     return [word for word in words if word in TOOLS]
 
 
 def missing_tools(target: Target) -> list[str]:
-    """Return the programs that the self-check of a target needs and that aren't at hand."""
+    """Return the tools that the self-check of a target needs and that are missing here."""
     return [tool for tool in needed_tools(target) if shutil.which(tool) is None]
 
 

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 from symbody.codegen.straight_line.code import Code, Input, code_of
-from symbody.codegen.straight_line.instruction import renumbered
+from symbody.codegen.straight_line.instruction import renumber
 from symbody.symbolic import Argument, Program, Routine
 
 __all__ = ["Call", "call_in"]
@@ -85,6 +85,6 @@ def _with_inputs(code: Code, inputs: Sequence[Input], results: Sequence[int | No
     return replace(
         code,
         inputs=(*code.inputs, *inputs),
-        instructions=renumbered(code.instructions, places),
+        instructions=renumber(code.instructions, places),
         results=tuple(places[next(own)] if number is None else first + number for number in results),
     )

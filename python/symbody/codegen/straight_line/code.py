@@ -7,11 +7,11 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import compress
 
-from symbody.codegen.straight_line.instruction import Instruction, instructions_of, renumbered
+from symbody.codegen.straight_line.instruction import Instruction, instructions_of, renumber
 from symbody.symbolic import STAGES, Argument, Expr
 from symbody.symbolic.numeric.tape import Tape
 
-__all__ = ["Code", "Input", "arguments_of", "code_of", "code_of_tape", "pruned"]
+__all__ = ["Code", "Input", "arguments_of", "code_of", "code_of_tape", "prune"]
 
 
 @dataclass(frozen=True)
@@ -70,7 +70,7 @@ def code_of_tape(tape: Tape, inputs: Sequence[Input]) -> Code:
     )
 
 
-def pruned(code: Code) -> Code:
+def prune(code: Code) -> Code:
     """Leave out the constants, inputs and instructions that no result needs."""
     needed = _needed(code)
     places, kept = [], 0
@@ -82,7 +82,7 @@ def pruned(code: Code) -> Code:
         code,
         constants=tuple(compress(code.constants, needed)),
         inputs=tuple(compress(code.inputs, needed[code.first_input :])),
-        instructions=renumbered(instructions, places),
+        instructions=renumber(instructions, places),
         stages=tuple(compress(code.stages, needed[code.first_instruction :])),
         results=tuple(places[place] for place in code.results),
     )

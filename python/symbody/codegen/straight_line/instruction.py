@@ -15,7 +15,7 @@ __all__ = [
     "Instruction",
     "Operation",
     "instructions_of",
-    "renumbered",
+    "renumber",
 ]
 
 
@@ -91,14 +91,14 @@ def instructions_of(tape: Tape) -> tuple[Instruction, ...]:
     return tuple(instructions)
 
 
-def renumbered(instructions: Iterable[Instruction], places: Sequence[int]) -> tuple[Instruction, ...]:
+def renumber(instructions: Iterable[Instruction], places: Sequence[int]) -> tuple[Instruction, ...]:
     """Return the same operations on other places.
 
     Args:
         instructions: what is to be moved.
         places: the new place of each old one.
 
-    >>> renumbered([Instruction(Operation.ADD, (0, 2))], [5, 6, 7])[0].reads
+    >>> renumber([Instruction(Operation.ADD, (0, 2))], [5, 6, 7])[0].reads
     (5, 7)
     """
     return tuple(

@@ -7,8 +7,8 @@ from dataclasses import dataclass, field
 from functools import cached_property
 from typing import TypeAlias
 
-from symbody.codegen.straight_line.code import Code, Input, arguments_of, pruned
-from symbody.codegen.straight_line.instruction import Instruction, Operation, renumbered
+from symbody.codegen.straight_line.code import Code, Input, arguments_of, prune
+from symbody.codegen.straight_line.instruction import Instruction, Operation, renumber
 from symbody.symbolic import Argument
 
 __all__ = ["Preparation"]
@@ -59,9 +59,9 @@ class Preparation:
         for number, place in enumerate(lifted, first):
             places[place] = number
         inputs = tuple(Input("", self._constant(known[place]), "") for place in lifted)
-        rows = renumbered(code.instructions, places)
+        rows = renumber(code.instructions, places)
         results = tuple(places[place] for place in code.results)
-        return pruned(Code(code.constants, code.inputs + inputs, rows, code.stages, results))
+        return prune(Code(code.constants, code.inputs + inputs, rows, code.stages, results))
 
     @property
     def order(self) -> list[int]:
@@ -84,8 +84,8 @@ class Preparation:
         places = self._places(len(constants), len(constants) + len(self.inputs))
         wanted = list(self._constants)
         results = tuple(places[wanted[k]] for k in self.order)
-        instructions = renumbered(work, places)
-        return pruned(Code(tuple(constants), self.inputs, instructions, (0,) * len(work), results))
+        instructions = renumber(work, places)
+        return prune(Code(tuple(constants), self.inputs, instructions, (0,) * len(work), results))
 
     def _places(self, first_input: int, first_instruction: int) -> list[int]:
         """Return the place of each node in the code that computes the constants."""

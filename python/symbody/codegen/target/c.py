@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from symbody.codegen.layout.language import Language, functions, number_text
-from symbody.codegen.layout.lines import part_lines, wrapped
+from symbody.codegen.layout.lines import part_lines, wrap_line
 from symbody.codegen.layout.module import Array, Function, Module
 from symbody.codegen.runtime.linear_solve import kernel_text
 from symbody.codegen.straight_line.instruction import Operation
-from symbody.codegen.target.printer import compared, head, head_of_function, mark
+from symbody.codegen.target.printer import comparisons, head, head_of_function, mark
 from symbody.codegen.target.target import Target
 
 __all__ = ["C"]
@@ -97,7 +97,7 @@ def _header(module: Module) -> str:
     lines += ["#ifdef __cplusplus", 'extern "C" {', "#endif"]
     for function in module.functions:
         lines += ["", *_comment(head_of_function(function))]
-        lines += wrapped(f"{_signature(module, function)};", LANGUAGE, "")
+        lines += wrap_line(f"{_signature(module, function)};", LANGUAGE, "")
     lines += ["", "#ifdef __cplusplus", "}", "#endif", "", "#endif"]
     return "\n".join(lines) + "\n"
 
@@ -116,14 +116,14 @@ def _source(module: Module) -> str:
 def _function(module: Module, function: Function) -> list[str]:
     parts = function.composition.parts
     arrays = [f"    double {name}[{size}];" for name, size in function.arrays]
-    calls = [line for call in function.calls for line in wrapped(_call_of(module, call), LANGUAGE, "    ")]
+    calls = [line for call in function.calls for line in wrap_line(_call_of(module, call), LANGUAGE, "    ")]
     unused = [f"    (void){a.name};" for a in function.arguments if a.name not in function.mentions]
     if len(parts) == 1:
         definitions, body = [], part_lines(parts[0], LANGUAGE, function.shapes)
     else:
         definitions = [line for k in range(len(parts)) for line in [*_part(function, k), ""]]
-        body = [line for k in range(len(parts)) for line in wrapped(_call(function, k), LANGUAGE, "    ")]
-    title = wrapped(_signature(module, function), LANGUAGE, "")
+        body = [line for k in range(len(parts)) for line in wrap_line(_call(function, k), LANGUAGE, "    ")]
+    title = wrap_line(_signature(module, function), LANGUAGE, "")
     return [*definitions, *title, "{", *arrays, *calls, *body, *unused, "}"]
 
 
@@ -135,7 +135,7 @@ def _part(function: Function, number: int) -> list[str]:
     parameters |= {name: f"double {name}[{size}]" for name, size in function.arrays}
     listed = ", ".join(text for name, text in parameters.items() if name in part.mentions)
     title = f"static void {function.name}_part{number + 1}({listed})"
-    return [*wrapped(title, LANGUAGE, ""), "{", *part_lines(part, LANGUAGE, function.shapes), "}"]
+    return [*wrap_line(title, LANGUAGE, ""), "{", *part_lines(part, LANGUAGE, function.shapes), "}"]
 
 
 def _call(function: Function, number: int) -> str:
@@ -185,20 +185,20 @@ def _values(module: Module, name: str, values: Sequence[float]) -> list[str]:
     literals = ", ".join(map(LANGUAGE.literal, values))
     is_scalar = any(a.name == name and a.is_scalar for a in module.arguments)
     text = f"const double {name} = {literals};" if is_scalar else f"const double {name}[] = {{{literals}}};"
-    return wrapped(text, LANGUAGE, "    ")
+    return wrap_line(text, LANGUAGE, "    ")
 
 
 def _comparison(module: Module, function: Function, references: Sequence[Sequence[float]]) -> list[str]:
     """Return a block that calls a routine and compares its results."""
     lines = ["{", *(f"    double {result.name}[{result.size}];" for result in function.results)]
-    comparisons = compared(function, references)
-    for result, reference in comparisons:
+    pairs = comparisons(function, references)
+    for result, reference in pairs:
         literals = ", ".join(map(LANGUAGE.literal, reference))
-        lines += wrapped(f"const double {result.name}_reference[] = {{{literals}}};", LANGUAGE, "    ")
-    lines += wrapped(_call_of(module, function), LANGUAGE, "    ")
-    for result, _ in comparisons:
+        lines += wrap_line(f"const double {result.name}_reference[] = {{{literals}}};", LANGUAGE, "    ")
+    lines += wrap_line(_call_of(module, function), LANGUAGE, "    ")
+    for result, _ in pairs:
         what = f'"{function.name}: {result.name}", {result.size}, {result.name}, {result.name}_reference'
-        lines += wrapped(f"compare({what});", LANGUAGE, "    ")
+        lines += wrap_line(f"compare({what});", LANGUAGE, "    ")
     return [f"    {line}" for line in [*lines, "}"]]
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from symbody.codegen.layout.lines import wrapped
+from symbody.codegen.layout.lines import wrap_line
 from symbody.codegen.layout.module import Function, Module
 from symbody.codegen.runtime.snippets import SNIPPETS
 from symbody.codegen.straight_line.instruction import Operation
@@ -64,7 +64,7 @@ def _function(function: Function) -> list[str]:
     arguments = ", ".join(f'("{a.name}", {None if a.is_scalar else a.size})' for a in function.arguments)
     results = ", ".join(f'"{r.name}"' for r in function.results)
     line = f'{function.name} = function("{function.name}", {function.name}, [{arguments}], [{results}])'
-    return wrapped(line, LANGUAGE, "")
+    return wrap_line(line, LANGUAGE, "")
 
 
 def _files(module: Module) -> dict[str, str]:

@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 
 from symbody.codegen.layout.language import Language, functions, number_text
-from symbody.codegen.layout.lines import part_lines, wrapped
+from symbody.codegen.layout.lines import part_lines, wrap_line
 from symbody.codegen.layout.module import Array, Function, Module
 from symbody.codegen.runtime.linear_solve import kernel_text
 from symbody.codegen.straight_line.instruction import Operation
 from symbody.codegen.target.printer import (
     comment_lines,
-    compared,
+    comparisons,
     head,
     head_of_function,
     in_rows,
@@ -87,7 +87,7 @@ def _source(module: Module) -> str:
     lines = [*comment_lines(head(module, title, 1), "!"), f"module {module.name}"]
     lines += ["    use, intrinsic :: iso_fortran_env, only: dp => real64", "    implicit none", "    private"]
     public = ", ".join(function.name for function in module.functions)
-    lines += [*wrapped(f"public :: {public}", LANGUAGE, "    "), "", "contains"]
+    lines += [*wrap_line(f"public :: {public}", LANGUAGE, "    "), "", "contains"]
     for function in module.functions:
         lines += _indented(["", *_subroutine(function)])
     helpers = [text for name, text in _HELPERS.items() if name in module.operations]
@@ -113,7 +113,7 @@ def _subroutine(function: Function) -> list[str]:
     declared = {a.name: _declared(a, "in") for a in function.arguments}
     declared |= {r.name: _declared(r, "out") for r in function.results}
     working = [f"real(dp) :: {name}({size})" for name, size in function.arrays]
-    called = [line for call in function.calls for line in wrapped(_call_of(call), LANGUAGE, "")]
+    called = [line for call in function.calls for line in wrap_line(_call_of(call), LANGUAGE, "")]
     parts = function.composition.parts
     if len(parts) == 1:
         body = [
@@ -123,13 +123,15 @@ def _subroutine(function: Function) -> list[str]:
             *part_lines(parts[0], LANGUAGE, function.shapes, ""),
         ]
         return [*comments, *_procedure(function.name, declared, [*working, *body])]
-    calls = [line for number in range(len(parts)) for line in wrapped(_call(function, number), LANGUAGE, "")]
+    calls = [
+        line for number in range(len(parts)) for line in wrap_line(_call(function, number), LANGUAGE, "")
+    ]
     definitions = [line for number in range(len(parts)) for line in ["", *_part(function, number)]]
     return [*comments, *_procedure(function.name, declared, [*working, "", *called, *calls]), *definitions]
 
 
 def _procedure(name: str, declared: dict[str, str], body: Sequence[str]) -> list[str]:
-    title = wrapped(f"pure subroutine {name}({', '.join(declared)})", LANGUAGE, "")
+    title = wrap_line(f"pure subroutine {name}({', '.join(declared)})", LANGUAGE, "")
     return [*title, *_indented([*declared.values(), *body]), f"end subroutine {name}"]
 
 
@@ -199,7 +201,7 @@ def _check(module: Module) -> str:
 def _parameter(array: Array, values: Sequence[float]) -> list[str]:
     literals = ", ".join(map(LANGUAGE.literal, values))
     shape, value = ("", literals) if array.is_scalar else (f"({array.size})", f"[{literals}]")
-    return wrapped(f"real(dp), parameter :: {array.name}{shape} = {value}", LANGUAGE, "")
+    return wrap_line(f"real(dp), parameter :: {array.name}{shape} = {value}", LANGUAGE, "")
 
 
 def _variable(array: Array) -> str:
@@ -210,8 +212,8 @@ def _variable(array: Array) -> str:
 def _comparison(function: Function, references: Sequence[Sequence[float]]) -> list[str]:
     """Return a subroutine that calls a routine and compares its results."""
     body = [*map(_variable, function.results), f"real(dp) :: reference({max(map(len, references))})", ""]
-    body += wrapped(_call_of(function), LANGUAGE, "")
-    for result, reference in compared(function, references):
+    body += wrap_line(_call_of(function), LANGUAGE, "")
+    for result, reference in comparisons(function, references):
         body += _assigned(reference)
         flat = {
             0: "[{}]",
@@ -219,7 +221,7 @@ def _comparison(function: Function, references: Sequence[Sequence[float]]) -> li
             2: f"reshape(transpose({{}}), [{result.size}])",
         }[len(result.shape)].format(result.name)
         what = f"{function.name}: {result.name}"
-        body += wrapped(f'call compare("{what}", {flat}, reference(:{result.size}))', LANGUAGE, "")
+        body += wrap_line(f'call compare("{what}", {flat}, reference(:{result.size}))', LANGUAGE, "")
     return [f"subroutine check_{function.name}()", *_indented(body), f"end subroutine check_{function.name}"]
 
 
@@ -229,7 +231,7 @@ def _assigned(reference: Sequence[float]) -> list[str]:
     for first in range(0, len(reference), 4):
         part = reference[first : first + 4]
         literals = ", ".join(map(LANGUAGE.literal, part))
-        lines += wrapped(f"reference({first + 1}:{first + len(part)}) = [{literals}]", LANGUAGE, "")
+        lines += wrap_line(f"reference({first + 1}:{first + len(part)}) = [{literals}]", LANGUAGE, "")
     return lines
 
 

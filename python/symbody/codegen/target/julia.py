@@ -5,17 +5,17 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from symbody.codegen.layout.language import Language, functions, number_text
-from symbody.codegen.layout.lines import part_lines, wrapped
+from symbody.codegen.layout.lines import part_lines, wrap_line
 from symbody.codegen.layout.module import Array, Function, Module
 from symbody.codegen.runtime.snippets import SNIPPETS
 from symbody.codegen.straight_line.instruction import Operation
 from symbody.codegen.target.printer import (
-    beside_arguments,
     comment_lines,
-    compared,
+    comparisons,
     head,
     head_of_function,
     mark,
+    with_own_result_names,
 )
 from symbody.codegen.target.target import Target
 
@@ -68,7 +68,7 @@ def _source(module: Module) -> str:
     title = "Functions of the model, of vectors and numbers; they return arrays and numbers of the arguments' type."
     lines = [*comment_lines(head(module, title, 1), "#"), f"module {module.name}", ""]
     exported = ", ".join(function.name for function in module.functions)
-    lines += wrapped(f"export {exported}", LANGUAGE, "")
+    lines += wrap_line(f"export {exported}", LANGUAGE, "")
     for function in module.functions:
         lines += ["", *_function(function)]
     helpers = [text for name, text in _HELPERS.items() if name in module.operations]
@@ -87,16 +87,16 @@ def _function(function: Function) -> list[str]:
     arrays += [(name, str(size)) for name, size in function.working]
     lines += [f"    {name} = Array{{number}}(undef, {size})" for name, size in arrays]
     returned = ", ".join(result.name for result in function.results)
-    lines += [line for call in function.calls for line in wrapped(_assignment(call), LANGUAGE, "    ")]
+    lines += [line for call in function.calls for line in wrap_line(_assignment(call), LANGUAGE, "    ")]
     definitions: list[str] = []
     if len(parts) == 1:
         lines += part_lines(parts[0], LANGUAGE, function.shapes)
     else:
-        lines += [line for k in range(len(parts)) for line in wrapped(_call(function, k), LANGUAGE, "    ")]
+        lines += [line for k in range(len(parts)) for line in wrap_line(_call(function, k), LANGUAGE, "    ")]
         definitions = [line for k in range(len(parts)) for line in ["", *_part(function, k)]]
     title = f"function {function.name}({', '.join(array.name for array in function.arguments)})"
     comments = comment_lines(head_of_function(function), "#")
-    return [*comments, *wrapped(title, LANGUAGE, ""), *lines, f"    return {returned}", "end", *definitions]
+    return [*comments, *wrap_line(title, LANGUAGE, ""), *lines, f"    return {returned}", "end", *definitions]
 
 
 def _passed(function: Function, number: int) -> str:
@@ -124,7 +124,7 @@ def _part(function: Function, number: int) -> list[str]:
     """Return one part as a function of the arrays that it uses."""
     part = function.composition.parts[number]
     title = f"function {function.name}_part{number + 1}({_passed(function, number)})"
-    lines = [*wrapped(title, LANGUAGE, ""), *part_lines(part, LANGUAGE, function.shapes)]
+    lines = [*wrap_line(title, LANGUAGE, ""), *part_lines(part, LANGUAGE, function.shapes)]
     return [*lines, f"    return {_returned(function, number)}".rstrip(), "end"]
 
 
@@ -151,13 +151,13 @@ def _check(module: Module) -> str:
         if array.name in module.values:
             literals = ", ".join(map(LANGUAGE.literal, module.values[array.name]))
             value = literals if array.is_scalar else f"[{literals}]"
-            lines += wrapped(f"{array.name} = {value}", LANGUAGE, "    ")
+            lines += wrap_line(f"{array.name} = {value}", LANGUAGE, "    ")
     lines += ["    same = true", f'    println("{module.name}: entries, largest relative error")']
     lines += [f"    {_assignment(module.prepare, package)}"] if module.prepare else []
     for routine, references in zip(module.routines, module.references, strict=True):
-        function = beside_arguments(module, routine)
-        lines += ["", *wrapped(_assignment(function, package), LANGUAGE, "    ")]
-        for result, reference in compared(function, references):
+        function = with_own_result_names(module, routine)
+        lines += ["", *wrap_line(_assignment(function, package), LANGUAGE, "    ")]
+        for result, reference in comparisons(function, references):
             lines += _comparison(function, result, reference)
     return "\n".join([*lines, "", "    return same", "end", "", "main() || exit(1)"]) + "\n"
 
@@ -172,7 +172,7 @@ def _assignment(function: Function, package: str = "") -> str:
 def _comparison(function: Function, result: Array, reference: Sequence[float]) -> list[str]:
     literals = ", ".join(map(LANGUAGE.literal, reference))
     call = f'same &= compare("{function.name}: {result.name}", {result.name}, reference)'
-    return [*wrapped(f"reference = [{literals}]", LANGUAGE, "    "), *wrapped(call, LANGUAGE, "    ")]
+    return [*wrap_line(f"reference = [{literals}]", LANGUAGE, "    "), *wrap_line(call, LANGUAGE, "    ")]
 
 
 JULIA = Target(

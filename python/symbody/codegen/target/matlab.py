@@ -5,17 +5,17 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from symbody.codegen.layout.language import Language, functions, number_text
-from symbody.codegen.layout.lines import part_lines, wrapped
+from symbody.codegen.layout.lines import part_lines, wrap_line
 from symbody.codegen.layout.module import Array, Function, Module
 from symbody.codegen.runtime.snippets import SNIPPETS
 from symbody.codegen.straight_line.instruction import Operation
 from symbody.codegen.target.printer import (
-    beside_arguments,
     comment_lines,
-    compared,
+    comparisons,
     head,
     head_of_function,
     mark,
+    with_own_result_names,
 )
 from symbody.codegen.target.target import Target
 
@@ -102,7 +102,7 @@ def _contents(module: Module) -> str:
     title = "Functions of the model; arguments are vectors, results are columns, matrices and numbers."
     lines = [*head(module, title, 1), "", "Functions:", ""]
     for function in module.functions:
-        lines += [f"  {line}" for line in wrapped(_signature(module, function), LANGUAGE, "")]
+        lines += [f"  {line}" for line in wrap_line(_signature(module, function), LANGUAGE, "")]
     return "\n".join(comment_lines(lines, "%")) + "\n"
 
 
@@ -120,11 +120,13 @@ def _signature(module: Module | None, function: Function) -> str:
 
 def _file(module: Module, function: Function) -> str:
     lines = comment_lines([mark(module), "", *head_of_function(function)], "%")
-    lines += wrapped(f"function {_signature(None, function)}", LANGUAGE, "")
+    lines += wrap_line(f"function {_signature(None, function)}", LANGUAGE, "")
     arrays = [(result.name, _zeros(result)) for result in function.results if not result.is_scalar]
     arrays += [(name, f"zeros({size}, 1)") for name, size in function.working]
     lines += [f"    {name} = {zeros};" for name, zeros in arrays]
-    lines += [line for c in function.calls for line in wrapped(f"{_signature(module, c)};", LANGUAGE, "    ")]
+    lines += [
+        line for c in function.calls for line in wrap_line(f"{_signature(module, c)};", LANGUAGE, "    ")
+    ]
     for part in function.composition.parts:
         lines += part_lines(part, LANGUAGE, function.shapes)
     helpers = list(dict.fromkeys(text for name, text in _HELPERS.items() if name in function.operations))
@@ -164,12 +166,12 @@ def _check(module: Module) -> str:
     lines += [f"    fprintf('{module.name}: entries, largest relative error\\n');", "    same = true;"]
     lines += [f"    {_signature(module, module.prepare)};"] if module.prepare else []
     for routine, references in zip(module.routines, module.references, strict=True):
-        function = beside_arguments(module, routine)
-        lines += ["", *wrapped(f"{_signature(module, function)};", LANGUAGE, "    ")]
-        for result, reference in compared(function, references):
+        function = with_own_result_names(module, routine)
+        lines += ["", *wrap_line(f"{_signature(module, function)};", LANGUAGE, "    ")]
+        for result, reference in comparisons(function, references):
             lines += _reference(result, reference)
             call = f"compare('{function.name}: {result.name}', {result.name}, reference)"
-            lines += wrapped(f"same = {call} && same;", LANGUAGE, "    ")
+            lines += wrap_line(f"same = {call} && same;", LANGUAGE, "    ")
     lines += [
         "",
         "    if ~same",

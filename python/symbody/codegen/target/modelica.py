@@ -5,13 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 
 from symbody.codegen.layout.language import Language, functions, number_text
-from symbody.codegen.layout.lines import part_lines, wrapped
+from symbody.codegen.layout.lines import part_lines, wrap_line
 from symbody.codegen.layout.module import Array, Function, Module
 from symbody.codegen.runtime.snippets import SNIPPETS
 from symbody.codegen.straight_line.instruction import Operation
 from symbody.codegen.target.printer import (
     comment_lines,
-    compared,
+    comparisons,
     head,
     head_of_function,
     in_rows,
@@ -115,7 +115,7 @@ def _function(function: Function) -> list[str]:
     lines += ["protected", *protected] if protected else []
     lines += ["algorithm"]
     for call in function.calls:
-        lines += wrapped(_call(call, [result.name for result in call.results]), LANGUAGE, "  ")
+        lines += wrap_line(_call(call, [result.name for result in call.results]), LANGUAGE, "  ")
     shapes = {**function.shapes, **{name: (n, n) for name, n in function.composition.matrices}}
     for part in function.composition.parts:
         lines += part_lines(part, LANGUAGE, shapes, "  ")
@@ -139,7 +139,7 @@ def _check(module: Module) -> list[str]:
     for name, values in module.values.items():
         text = number_text(values[0]) if name in scalars else f"{{{', '.join(map(number_text, values))}}}"
         shape = () if name in scalars else (len(values),)
-        lines += wrapped(f"{_typed(name, shape)} = {text};", LANGUAGE, "  ")
+        lines += wrap_line(f"{_typed(name, shape)} = {text};", LANGUAGE, "  ")
     if module.prepare:
         lines += [f"  {_typed(r.name, r.shape)};" for r in module.prepare.results]
     lines += [line for k, function in enumerate(module.routines, 1) for line in _results(k, function)]
@@ -149,8 +149,8 @@ def _check(module: Module) -> list[str]:
     )
     for k, (function, references) in enumerate(zip(module.routines, module.references, strict=True), 1):
         names = [f"{result.name}_{k}" for result in function.results]
-        lines += wrapped(_call(function, names), LANGUAGE, "  ")
-        for result, reference in compared(function, references):
+        lines += wrap_line(_call(function, names), LANGUAGE, "  ")
+        for result, reference in comparisons(function, references):
             lines += _comparison(f"{result.name}_{k}", result, reference)
     return [*lines, "end self_check;"]
 
@@ -169,9 +169,11 @@ def _comparison(name: str, result: Array, reference: Sequence[float]) -> list[st
     largest = max(map(abs, reference), default=0.0)
     bound = number_text(1e-12 * largest + 1e-15)
     if result.is_scalar:
-        return wrapped(f"same := same and abs({name} - {_signed(reference[0])}) <= {bound};", LANGUAGE, "  ")
+        return wrap_line(
+            f"same := same and abs({name} - {_signed(reference[0])}) <= {bound};", LANGUAGE, "  "
+        )
     test = f"same := same and max(abs({name} - {_literal(result.shape, reference)})) <= {bound};"
-    return wrapped(test, LANGUAGE, "  ")
+    return wrap_line(test, LANGUAGE, "  ")
 
 
 def _signed(value: float) -> str:

@@ -12,7 +12,6 @@ from symbody.codegen.layout.module import Array, Function, Module
 
 __all__ = [
     "MARK",
-    "beside_arguments",
     "comment_lines",
     "head",
     "head_of_function",
@@ -20,6 +19,7 @@ __all__ = [
     "mark",
     "sentences",
     "table",
+    "with_own_result_names",
 ]
 
 _WIDTH = 96
@@ -102,7 +102,7 @@ def in_rows(names: Iterable[str], width: int) -> list[str]:
     return [row.rstrip(",") for row in rows]
 
 
-def compared(
+def comparisons(
     function: Function, references: Sequence[Sequence[float]]
 ) -> list[tuple[Array, Sequence[float]]]:
     """Return the results of a function that have finite reference values, with these."""
@@ -110,7 +110,7 @@ def compared(
     return [(result, values) for result, values in pairs if all(map(isfinite, values))]
 
 
-def beside_arguments(module: Module, function: Function) -> Function:
+def with_own_result_names(module: Module, function: Function) -> Function:
     """Return a function whose results have other names than the module's arguments.
 
     A self-check that keeps all of them in variables would else give the accelerations that one routine has found to

@@ -9,16 +9,16 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from symbody.codegen.layout.language import Language, functions, number_text
-from symbody.codegen.layout.lines import part_lines, wrapped
+from symbody.codegen.layout.lines import part_lines, wrap_line
 from symbody.codegen.layout.module import Array, Function, Module
 from symbody.codegen.runtime.snippets import SNIPPETS
 from symbody.codegen.straight_line.instruction import Operation
 from symbody.codegen.target.printer import (
-    beside_arguments,
-    compared,
+    comparisons,
     head,
     head_of_function,
     mark,
+    with_own_result_names,
 )
 from symbody.codegen.target.target import Target
 
@@ -135,11 +135,11 @@ def function_lines(function: Function, library: Library) -> list[str]:
     lines += [f"    {r.name} = [0.0] * {r.size}" for r in function.results if not r.is_scalar]
     lines += [f"    {name} = [0.0] * {size}" for name, size in _working(function)]
     for call in function.calls:
-        lines += wrapped(_assignment(call, library), library.language, "    ")
+        lines += wrap_line(_assignment(call, library), library.language, "    ")
     for part in function.composition.parts:
         lines += part_lines(part, library.language, function.shapes)
     returned = ", ".join(map(_returned, function.results))
-    return [*lines, *wrapped(f"return {returned}", library.language, "    ")]
+    return [*lines, *wrap_line(f"return {returned}", library.language, "    ")]
 
 
 def _assignment(function: Function, library: Library) -> str:
@@ -190,13 +190,13 @@ def check_text(module: Module, library: Library) -> str:
     if module.prepare:
         lines += [f"    {module.prepare.results[0].name} = {_call(module, module.prepare, library)}"]
     for routine, references in zip(module.routines, module.references, strict=True):
-        function = beside_arguments(module, routine)
+        function = with_own_result_names(module, routine)
         names = ", ".join(result.name for result in function.results)
-        lines += ["", *wrapped(f"{names} = {_call(module, function, library)}", library.language, "    ")]
-        for result, reference in compared(function, references):
+        lines += ["", *wrap_line(f"{names} = {_call(module, function, library)}", library.language, "    ")]
+        for result, reference in comparisons(function, references):
             literals = ", ".join(map(repr, reference))
             call = f'compare("{function.name}: {result.name}", {result.name}, [{literals}])'
-            lines += wrapped(f"same = {call} and same", _BRACKETED, "    ")
+            lines += wrap_line(f"same = {call} and same", _BRACKETED, "    ")
     lines += ["", "    return 0 if same else 1", "", "", 'if __name__ == "__main__":', "    sys.exit(main())"]
     return "\n".join(lines) + "\n"
 
@@ -215,7 +215,7 @@ def values_lines(module: Module) -> list[str]:
     for name, values in module.values.items():
         is_scalar = any(array.name == name and array.is_scalar for array in module.arguments)
         text = repr(values[0]) if is_scalar else f"[{', '.join(map(repr, values))}]"
-        lines += wrapped(f"{name} = {text}", _BRACKETED, "    ")
+        lines += wrap_line(f"{name} = {text}", _BRACKETED, "    ")
     return lines
 
 

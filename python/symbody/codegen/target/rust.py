@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from symbody.codegen.layout.language import Language, functions, number_text
-from symbody.codegen.layout.lines import part_lines, wrapped
+from symbody.codegen.layout.lines import part_lines, wrap_line
 from symbody.codegen.layout.module import Array, Function, Module
 from symbody.codegen.runtime.linear_solve import kernel_text
 from symbody.codegen.straight_line.instruction import Operation
-from symbody.codegen.target.printer import comment_lines, compared, head, head_of_function, mark
+from symbody.codegen.target.printer import comment_lines, comparisons, head, head_of_function, mark
 from symbody.codegen.target.target import Target
 
 __all__ = ["RUST"]
@@ -108,15 +108,15 @@ def _function(function: Function) -> list[str]:
     lines = comment_lines(head_of_function(function), "///")
     parts = function.composition.parts
     arrays = [f"    let mut {name} = [0.0; {size}];" for name, size in function.arrays]
-    calls = [line for call in function.calls for line in wrapped(_called(call), LANGUAGE, "    ")]
+    calls = [line for call in function.calls for line in wrap_line(_called(call), LANGUAGE, "    ")]
     unused = [f"    let _ = {a.name};" for a in function.arguments if a.name not in function.mentions]
     title = f"pub fn {function.name}({', '.join(_declared(function).values())}) {{"
     if len(parts) == 1:
         body, definitions = part_lines(parts[0], LANGUAGE, function.shapes), []
     else:
-        body = [line for k in range(len(parts)) for line in wrapped(_call(function, k), LANGUAGE, "    ")]
+        body = [line for k in range(len(parts)) for line in wrap_line(_call(function, k), LANGUAGE, "    ")]
         definitions = [line for k in range(len(parts)) for line in ["", *_part(function, k)]]
-    return [*lines, *wrapped(title, LANGUAGE, ""), *arrays, *calls, *body, *unused, "}", *definitions]
+    return [*lines, *wrap_line(title, LANGUAGE, ""), *arrays, *calls, *body, *unused, "}", *definitions]
 
 
 def _part(function: Function, number: int) -> list[str]:
@@ -126,7 +126,7 @@ def _part(function: Function, number: int) -> list[str]:
     declared |= {name: f"{name}: &mut [f64; {size}]" for name, size in function.arrays}
     used = ", ".join(text for name, text in declared.items() if name in part.mentions)
     title = f"fn {function.name}_part{number + 1}({used}) {{"
-    return [*wrapped(title, LANGUAGE, ""), *part_lines(part, LANGUAGE, function.shapes), "}"]
+    return [*wrap_line(title, LANGUAGE, ""), *part_lines(part, LANGUAGE, function.shapes), "}"]
 
 
 def _call(function: Function, number: int) -> str:
@@ -166,7 +166,7 @@ def _check(module: Module) -> str:
         if array.name in module.values:
             literals = ", ".join(map(LANGUAGE.literal, module.values[array.name]))
             value = literals if array.is_scalar else f"[{literals}]"
-            lines += wrapped(f"let {array.name} = {value};", LANGUAGE, "    ")
+            lines += wrap_line(f"let {array.name} = {value};", LANGUAGE, "    ")
     lines += ["    let mut failures = 0;", f'    println!("{module.name}: entries, largest relative error");']
     lines += _call_of(module, module.prepare) if module.prepare else []
     for function, references in zip(module.routines, module.references, strict=True):
@@ -181,7 +181,7 @@ def _call_of(module: Module, function: Function) -> list[str]:
     names = [a.name if a.is_scalar else f"&{a.name}" for a in function.arguments]
     names += [f"&mut {result.name}" for result in function.results]
     call = f"{module.name}::{function.name}({', '.join(names)});"
-    return [*zeros, *wrapped(call, LANGUAGE, "    ")]
+    return [*zeros, *wrap_line(call, LANGUAGE, "    ")]
 
 
 def _zeros(array: Array) -> str:
@@ -194,9 +194,9 @@ def _zeros(array: Array) -> str:
 def _comparison(module: Module, function: Function, references: Sequence[Sequence[float]]) -> list[str]:
     """Return a block that calls a routine and compares its results."""
     lines = ["    {", *(f"    {line}" for line in _call_of(module, function))]
-    for result, reference in compared(function, references):
+    for result, reference in comparisons(function, references):
         literals = ", ".join(map(LANGUAGE.literal, reference))
-        lines += [f"    {line}" for line in wrapped(f"let reference = [{literals}];", LANGUAGE, "    ")]
+        lines += [f"    {line}" for line in wrap_line(f"let reference = [{literals}];", LANGUAGE, "    ")]
         flat = {0: f"&[{result.name}]", 1: f"&{result.name}", 2: f"&{result.name}.concat()"}[
             len(result.shape)
         ]

@@ -13,7 +13,7 @@ __all__ = ["Target"]
 
 @dataclass(frozen=True)
 class Target:
-    """What `generate` knows of a target.
+    """What `generate` knows about a target.
 
     Attributes:
         name: what the user writes, as ``"c"``.
@@ -24,6 +24,10 @@ class Target:
             the first word is a tool of :mod:`symbody.codegen.sources.toolchain`, or ``python``.
         tools: the tools that these commands call in turn.
         limit: the largest number of operations of a function, where compilers want small ones.
+
+    >>> from symbody.codegen import TARGETS
+    >>> TARGETS["rust"].title, TARGETS["rust"].check[-1]
+    ('Rust', './{name}_check')
     """
 
     name: str
