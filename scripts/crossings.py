@@ -1,14 +1,18 @@
 """Count what a reader of one call has to follow: files, functions, calls from file to file, and how deep they go.
 
     python scripts/crossings.py
+    python scripts/crossings.py --pairs
 
-Each call runs in a process of its own, on a pendulum, with nothing derived or compiled before.
+Each call runs in a process of its own, on a pendulum, with nothing derived or compiled before. With ``--pairs``, the
+pairs of files with most calls from one to the other follow.
 """
 
 from __future__ import annotations
 
+import argparse
 import subprocess
 import sys
+from collections import Counter
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from itertools import pairwise
@@ -26,7 +30,7 @@ class Course:
     """What was called: functions by file, calls that lead from one file into another, and the deepest of these."""
 
     functions: set[tuple[str, str]] = field(default_factory=set)
-    crossings: int = 0
+    crossings: Counter[tuple[str, str]] = field(default_factory=Counter)
     depth: int = 0
 
     def follow(self, frame: FrameType, event: str, _: object) -> None:
@@ -37,7 +41,7 @@ class Course:
         self.functions.add((code.co_filename, code.co_qualname))
         files = _files(frame)
         if len(files) > 1 and files[0] != files[1]:
-            self.crossings += 1
+            self.crossings[files[1], files[0]] += 1
             self.depth = max(self.depth, sum(a != b for a, b in pairwise(files)))
 
 
@@ -77,20 +81,51 @@ def _generate() -> Callable[[], object]:
 CALLS = {"newton_euler": _newton_euler, "simulate": _simulate, 'generate("c")': _generate}
 
 
-def report(name: str) -> str:
-    """Run one call, and return a row of what it took."""
+PAIRS = 25
+"""How many pairs of files are listed for each call."""
+
+
+def measure(name: str) -> Course:
+    """Run one call, and return what it took."""
     call, course = CALLS[name](), Course()
     sys.setprofile(course.follow)
     call()
     sys.setprofile(None)
+    return course
+
+
+def report(name: str, course: Course) -> str:
+    """Return the row of one call."""
     files = len({file for file, _ in course.functions})
-    return f"{name:14} {files:6} {len(course.functions):10} {course.crossings:10} {course.depth:6}"
+    return f"{name:14} {files:6} {len(course.functions):10} {course.crossings.total():10} {course.depth:6}"
+
+
+def pairs(course: Course) -> list[str]:
+    """Return the pairs of files with most calls from one to the other."""
+    return [
+        f"    {count:5}  {_short(caller)} -> {_short(called)}"
+        for (caller, called), count in course.crossings.most_common(PAIRS)
+    ]
+
+
+def _short(file: str) -> str:
+    return Path(file).relative_to(HOME).with_suffix("").as_posix()
+
+
+def main() -> None:
+    """Report one call; or all of them, each in a process of its own."""
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("call", nargs="?", choices=CALLS, help="only this call, in this process")
+    parser.add_argument("--pairs", action="store_true", help="list the pairs of files with most calls")
+    given = parser.parse_args()
+    if given.call:
+        course = measure(given.call)
+        print("\n".join([report(given.call, course), *(pairs(course) if given.pairs else [])]))
+        return
+    print(f"{'call':14} {'files':>6} {'functions':>10} {'crossings':>10} {'depth':>6}", flush=True)
+    for name in CALLS:
+        subprocess.run([sys.executable, __file__, name, *(["--pairs"] if given.pairs else [])], check=True)
 
 
 if __name__ == "__main__":
-    if len(sys.argv) > 1:
-        print(report(sys.argv[1]))
-    else:
-        print(f"{'call':14} {'files':>6} {'functions':>10} {'crossings':>10} {'depth':>6}")
-        for name in CALLS:
-            subprocess.run([sys.executable, __file__, name], check=True)
+    main()

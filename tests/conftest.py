@@ -39,13 +39,13 @@ def pytest_configure() -> None:
 def compiled_functions(monkeypatch: pytest.MonkeyPatch) -> list[str]:
     """The names of the functions that are compiled from now on."""
     names: list[str] = []
-    compile_now = jit.compiled
+    compile_now = jit.compile_assembly
 
     def counted(assembly: Assembly, name: str) -> jit.Compiled:
         names.append(name)
         return compile_now(assembly, name)
 
-    monkeypatch.setattr(jit, "compiled", counted)
+    monkeypatch.setattr(jit, "compile_assembly", counted)
     return names
 
 

@@ -15,7 +15,7 @@ import pytest
 import symbody
 from symbody import doctor
 from symbody.__main__ import COMMANDS, main
-from symbody.codegen.toolchain import TOOLS
+from symbody.codegen.sources.toolchain import TOOLS
 
 ROOT = Path(__file__).parent.parent
 PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]

@@ -112,7 +112,7 @@ def test_a_name_that_does_not_exist() -> None:
 
 def test_all_names_at_once() -> None:
     code = "from symbody import *; print(simulate.__module__, lambdify.__module__)"
-    assert in_a_new_process(code) == "symbody.simulation.motion.simulate symbody.codegen.lambdify"
+    assert in_a_new_process(code) == "symbody.simulation.motion.simulate symbody.codegen.machine.lambdify"
 
 
 def test_names_survive_a_pickle() -> None:

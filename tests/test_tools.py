@@ -16,7 +16,7 @@ import pytest
 
 from scripts import tools
 from scripts.tools import MANAGERS, RUST, TOOLS, SetupError
-from symbody.codegen import toolchain
+from symbody.codegen.sources import toolchain
 
 ROOT = Path(__file__).parent.parent
 

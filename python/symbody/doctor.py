@@ -13,7 +13,7 @@ from importlib import import_module, metadata
 from packaging.requirements import Requirement
 
 from symbody.codegen import lambdify
-from symbody.codegen.toolchain import TOOLS
+from symbody.codegen.sources.toolchain import TOOLS
 from symbody.symbolic import cos, sin, symbols
 from symbody.symbolic.given.arguments import brief
 

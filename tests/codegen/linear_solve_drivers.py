@@ -14,7 +14,8 @@ from pathlib import Path
 
 import numpy as np
 
-from symbody.codegen.runtime import SNIPPETS, runtime_text
+from symbody.codegen.runtime.linear_solve import kernel_text
+from symbody.codegen.runtime.snippets import SNIPPETS
 
 Solved = list[tuple[np.ndarray, tuple[int, ...]]]
 """For each system x, and the equations that follow from others."""
@@ -63,7 +64,7 @@ int main(int count, char **names)
 
 
 def c(folder: Path) -> list[str]:
-    (folder / "solve.c").write_text(runtime_text("linear_solve.c") + _C)
+    (folder / "solve.c").write_text(kernel_text("linear_solve.c") + _C)
     flags = ["-std=c99", "-pedantic", "-O2", "-Wall", "-Wextra", "-Wno-sign-conversion", "-Werror"]
     subprocess.run(["cc", *flags, "solve.c", "-o", "solve_c", "-lm"], cwd=folder, check=True)
     return [str(folder / "solve_c")]
@@ -105,7 +106,7 @@ end program main
 
 
 def fortran(folder: Path) -> list[str]:
-    text = _FORTRAN_HEAD + textwrap.indent(runtime_text("linear_solve.f90"), "    ") + _FORTRAN
+    text = _FORTRAN_HEAD + textwrap.indent(kernel_text("linear_solve.f90"), "    ") + _FORTRAN
     (folder / "solve.f90").write_text(text)
     flags = ["-std=f2008", "-O2", "-Wall", "-Wextra", "-Wno-compare-reals", "-Werror", "-fcheck=all"]
     subprocess.run(["gfortran", *flags, "solve.f90", "-o", "solve_f"], cwd=folder, check=True)
@@ -138,7 +139,7 @@ fn main() {
 
 
 def rust(folder: Path) -> list[str]:
-    (folder / "solve.rs").write_text(runtime_text("linear_solve.rs") + _RUST)
+    (folder / "solve.rs").write_text(kernel_text("linear_solve.rs") + _RUST)
     flags = ["--edition=2021", "-O", "-D", "warnings"]
     subprocess.run(["rustc", *flags, "solve.rs", "-o", "solve_rs"], cwd=folder, check=True)
     return [str(folder / "solve_rs")]

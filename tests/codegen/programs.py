@@ -42,7 +42,7 @@ from symbody import (
     time_derivative,
     translate,
 )
-from symbody.codegen.sample import Sample
+from symbody.codegen.straight_line.sample import Sample
 from symbody.symbolic import Argument, Expr, Matrix, Program, Result, Routine, t
 from tests.reference.robot import motion_at, robot
 from tests.worksheets import test_trifilar_seed as trifilar

@@ -6,8 +6,8 @@ from collections.abc import Iterable
 
 import pytest
 
-from symbody.codegen.generate import TARGETS
-from symbody.codegen.toolchain import needed_tools
+from symbody.codegen.sources.generate import TARGETS
+from symbody.codegen.sources.toolchain import needed_tools
 
 
 def run_of(*values: str, is_slow: bool = False) -> object:

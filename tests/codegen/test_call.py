@@ -6,10 +6,10 @@ from dataclasses import replace
 
 import pytest
 
-from symbody.codegen.arrange import module_of
-from symbody.codegen.generate import TARGETS, source
-from symbody.codegen.module import Function
-from symbody.codegen.toolchain import check_files
+from symbody.codegen.layout.arrange import module_of
+from symbody.codegen.layout.module import Function
+from symbody.codegen.sources.generate import TARGETS, source
+from symbody.codegen.sources.toolchain import check_files
 from symbody.symbolic import Argument, Program, Result, Routine, cos, exp, sin, symbols
 from tests.codegen.programs import PROGRAMS, calls
 from tests.codegen.running import run_of_each

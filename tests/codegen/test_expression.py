@@ -8,50 +8,58 @@ from typing import Any
 
 import pytest
 
-from symbody.codegen.expression import Tree, entry, expression_text, name, number, wrapped
-from symbody.codegen.fortran import LANGUAGE as FORTRAN
-from symbody.codegen.language import Language
-from symbody.codegen.python import LANGUAGE as PYTHON
+from symbody.codegen.layout.language import Language
+from symbody.codegen.layout.lines import expression_text, wrap_line
+from symbody.codegen.layout.tree import Application, Entry, Name, Number, Tree
+from symbody.codegen.straight_line.instruction import Operation
+from symbody.codegen.target.fortran import LANGUAGE as FORTRAN
+from symbody.codegen.target.python import LANGUAGE as PYTHON
 
-OPERATORS: dict[type[ast.AST], str] = {ast.Add: "add", ast.Sub: "sub", ast.Mult: "mul", ast.Div: "div"}
+OPERATORS: dict[type[ast.AST], Operation] = {
+    ast.Add: Operation.ADD,
+    ast.Sub: Operation.SUB,
+    ast.Mult: Operation.MUL,
+    ast.Div: Operation.DIV,
+}
 
 
 def random_tree(draw: random.Random, depth: int) -> Tree:
     if depth == 0 or draw.random() < 0.15:
-        leaves = [name("x"), name("longer_name"), number(2.0), number(-0.5), number(1e-05), entry("q", 3)]
+        leaves = [Name("x"), Name("longer_name"), Number(2.0), Number(-0.5), Number(1e-05), Entry("q", 3)]
         return draw.choice(leaves)
-    operation = draw.choice(["add", "sub", "mul", "div", "neg", "sin"])
-    operands = 1 if operation in {"neg", "sin"} else 2
-    return (operation, *(random_tree(draw, depth - 1) for _ in range(operands)))
+    operation = draw.choice([*OPERATORS.values(), Operation.NEG, Operation.SIN])
+    operands = 1 if operation in {Operation.NEG, Operation.SIN} else 2
+    return Application(operation, tuple(random_tree(draw, depth - 1) for _ in range(operands)))
 
 
 def read(node: Any) -> Tree:
     match node:
         case ast.BinOp(left, operator, right):
-            return (OPERATORS[type(operator)], read(left), read(right))
+            return Application(OPERATORS[type(operator)], (read(left), read(right)))
         case ast.UnaryOp(ast.USub(), operand):
-            return ("neg", read(operand))
+            return Application(Operation.NEG, (read(operand),))
         case ast.Call(_, [operand]):
-            return ("sin", read(operand))
+            return Application(Operation.SIN, (read(operand),))
         case ast.Subscript(ast.Name(array), ast.Constant(index)):
-            return entry(array, index)
+            return Entry(array, index)
         case ast.Constant(value):
-            return number(value)
-    return name(node.id)
+            return Number(value)
+    return Name(node.id)
 
 
 def by_sign(tree: Tree) -> tuple[int, Tree]:
     """Signs move within products without changing a bit: a sign, and the tree without them."""
-    if tree[0] == "neg":
-        sign, rest = by_sign(tree[1])
-        return -sign, rest
-    if tree[0] == "number" and tree[1] < 0:
-        return -1, number(-tree[1])
-    if tree[0] in {"mul", "div"}:
-        (a, left), (b, right) = by_sign(tree[1]), by_sign(tree[2])
-        return a * b, (tree[0], left, right)
-    if tree[0] in {"add", "sub", "sin"}:
-        return 1, (tree[0], *map(by_sign, tree[1:]))
+    match tree:
+        case Application(Operation.NEG, (operand,)):
+            sign, rest = by_sign(operand)
+            return -sign, rest
+        case Number(value) if value < 0:
+            return -1, Number(-value)
+        case Application((Operation.MUL | Operation.DIV) as operation, operands):
+            (a, left), (b, right) = map(by_sign, operands)
+            return a * b, Application(operation, (left, right))
+        case Application(operation, operands):
+            return 1, (operation, *map(by_sign, operands))
     return 1, tree
 
 
@@ -68,7 +76,7 @@ def test_texts_read_back(seed: int) -> None:
 @pytest.mark.parametrize("seed", range(100))
 def test_lines_hold_the_same_text(seed: int, language: Language) -> None:
     line = f"value = {expression_text(random_tree(random.Random(seed), 9), language)}"
-    lines = wrapped(line, language, "    ")
+    lines = wrap_line(line, language, "    ")
     assert max(map(len, lines)) <= language.width + 1
     joined = "".join(row.removesuffix(language.continuation).strip() for row in lines)
     assert joined.replace(" ", "") == line.replace(" ", "")

@@ -20,8 +20,7 @@ from symbody import (
     translate,
 )
 from symbody.codegen import TARGETS, check, generate, source
-from symbody.codegen.names import Scope, identifier
-from symbody.codegen.write import write_all
+from symbody.codegen.layout.names import Scope, identifier
 from symbody.errors import CodegenError, ModelNotice, ProgramError
 from symbody.symbolic import (
     Argument,
@@ -166,35 +165,6 @@ def test_nothing_half_written(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -
             generate(pendulum(), "c", tmp_path / folder)
     assert contents(tmp_path) == before
     assert sorted(p.name for p in tmp_path.iterdir()) == ["old"]
-
-
-TEXTS = {"a.txt": "new a", "inner/b.txt": "new b", "way/c.txt": "new c", "d.txt": "new d"}
-
-
-@pytest.mark.parametrize("obstacle", ["d.txt", "way/c.txt", "inner/b.txt"])
-def test_what_was_moved_is_put_back(obstacle: str, tmp_path: Path) -> None:
-    """A folder stands where a file is to be: files before it were moved already, new and old ones."""
-    (tmp_path / "a.txt").write_text("old a")
-    (tmp_path / obstacle).mkdir(parents=True)
-    (tmp_path / obstacle / "inside").write_text("kept")
-    before = sorted(tmp_path.rglob("*")), contents(tmp_path)
-    with pytest.raises(IsADirectoryError):
-        write_all(tmp_path, TEXTS)
-    assert (sorted(tmp_path.rglob("*")), contents(tmp_path)) == before
-
-
-def test_a_folder_that_is_a_file(tmp_path: Path) -> None:
-    (tmp_path / "way").write_text("kept")
-    with pytest.raises(OSError, match="exists"):
-        write_all(tmp_path, TEXTS)
-    assert (sorted(tmp_path.rglob("*")), contents(tmp_path)) == ([tmp_path / "way"], {"way": "kept"})
-
-
-def test_all_is_moved(tmp_path: Path) -> None:
-    (tmp_path / "inner").mkdir()
-    (tmp_path / "inner" / "b.txt").write_text("old b")
-    write_all(tmp_path / ".", TEXTS)
-    assert contents(tmp_path) == TEXTS
 
 
 def test_a_package_that_is_a_file(tmp_path: Path) -> None:

@@ -14,7 +14,8 @@ import numpy as np
 import pytest
 import scipy.linalg
 
-from symbody.codegen.runtime import NAMES, SNIPPETS, factor_size, runtime_text
+from symbody.codegen.runtime.linear_solve import factor_size, kernel_text
+from symbody.codegen.runtime.snippets import NAMES, SNIPPETS
 from symbody.symbolic.numeric.kernel import kernel_address, kernel_workspace, take_deficiencies
 from tests.codegen.linear_solve_drivers import COMPILED, LIBRARIES, NEEDED, Solved, solved_by
 from tests.codegen.linear_systems import System, systems, weights
@@ -146,7 +147,7 @@ def test_languages_agree_with_the_kernel_in_every_bit_but_the_last(
 
 def test_rust_text_is_the_kernel() -> None:
     core = (ROOT / "crates/core/src/kernel/factorization.rs").read_text()
-    lines = runtime_text("linear_solve.rs").splitlines()
+    lines = kernel_text("linear_solve.rs").splitlines()
     assert (lines[0], lines[-2:]) == ("mod linear_solve {", ["}", "use linear_solve::{factor, solve};"])
     assert [line.removeprefix("    ") for line in lines[1:-2]] == core.rstrip().splitlines()
 

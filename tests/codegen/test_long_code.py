@@ -34,10 +34,10 @@ from symbody import (
     tan,
 )
 from symbody.codegen.llvm import jit
+from symbody.codegen.llvm.angles import MOST_RUNS
 from symbody.codegen.llvm.assembly import MOST_LINES
 from symbody.codegen.llvm.module import batch_modules, scalar_modules
-from symbody.codegen.llvm.run import MOST_RUNS
-from symbody.codegen.straight_line import Input, code_of_tape
+from symbody.codegen.straight_line.code import Input, code_of_tape
 from symbody.symbolic.numeric.tape import Tape
 
 x, y = symbols("x y")

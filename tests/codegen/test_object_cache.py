@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 import subprocess
 import sys
+import tempfile
 from collections.abc import Callable
 from pathlib import Path
 
@@ -202,7 +203,7 @@ def test_a_full_disk_does_no_harm(home: Path, compiled: list[str], monkeypatch: 
     def full(*_: object, **__: object) -> None:
         raise OSError(28, "No space left on device")
 
-    monkeypatch.setattr(object_cache.tempfile, "mkstemp", full)
+    monkeypatch.setattr(tempfile, "TemporaryDirectory", full)
     assert np.array_equal(value(), value())
     assert len(compiled) == 2
     assert list(home.iterdir()) == []
@@ -246,8 +247,12 @@ def test_the_files_of_others_are_neither_counted_nor_removed(
         (home / name).write_bytes(bytes(4 * size))
         os.utime(home / name, ns=(0, 0))
     (home / f"{64 * '0'}.symbody.o").mkdir()
-    (home / ".ab3_x9zz.symbody.o").write_bytes(bytes(2 * size))  # left by a process that was killed
-    os.utime(home / ".ab3_x9zz.symbody.o", ns=(0, 0))
+    # A process that was killed left a file, and one of an earlier version another one.
+    left = home / ".symbody-ab3_x9zz" / "new" / f"{64 * '1'}.symbody.o"
+    left.parent.mkdir(parents=True)
+    for file in (left, home / ".ab3_x9zz.symbody.o"):
+        file.write_bytes(bytes(size))
+        os.utime(file, ns=(0, 0))
     for links in range(151, 153):
         value(chain(links)[-1:])
     assert set(OTHERS) <= {file.name for file in home.iterdir()}

@@ -7,8 +7,8 @@ import tree_sitter_julia
 from tree_sitter import Language, Parser
 
 from symbody.codegen import source
-from symbody.codegen.arrange import module_of
-from symbody.codegen.generate import TARGETS
+from symbody.codegen.layout.arrange import module_of
+from symbody.codegen.sources.generate import TARGETS
 from tests.codegen.modelica_reader import Package
 from tests.codegen.programs import PROGRAMS, REFERENCES, at_reference_state
 

@@ -17,9 +17,9 @@ from pathlib import Path
 
 import pytest
 
-from symbody.codegen.arrange import module_name, module_of
-from symbody.codegen.generate import TARGETS, source
-from symbody.codegen.toolchain import check, check_files
+from symbody.codegen.layout.arrange import module_name, module_of
+from symbody.codegen.sources.generate import TARGETS, source
+from symbody.codegen.sources.toolchain import check, check_files
 from symbody.errors import CodegenError
 from tests.codegen.programs import PROGRAMS, REFERENCES, at_reference_state, double_pendulum, pendulum
 from tests.codegen.running import run_of, run_of_each

@@ -1,10 +1,10 @@
 """Code for any target: compiled in the process, or written as text."""
 
-from symbody.codegen.generate import TARGETS, generate, source
-from symbody.codegen.lambdify import CompiledFunction, lambdify
-from symbody.codegen.machine_code import MachineCode
-from symbody.codegen.prepared_code import PreparedCode, Shortcut
-from symbody.codegen.toolchain import check
+from symbody.codegen.machine.lambdify import CompiledFunction, lambdify
+from symbody.codegen.machine.machine_code import MachineCode
+from symbody.codegen.machine.prepared_code import PreparedCode, Shortcut
+from symbody.codegen.sources.generate import TARGETS, generate, source
+from symbody.codegen.sources.toolchain import check
 
 __all__ = [
     "TARGETS",

@@ -8,13 +8,11 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 
-from symbody.codegen.llvm.helper import CHECKED, CLEAR, SINCOS, Helper
-from symbody.codegen.llvm.piece import Piece
+from symbody.codegen.llvm.piece import CHECKED, CLEAR, SINCOS, Helper, Piece
 from symbody.codegen.llvm.sincos import checked_text, sincos_text
-from symbody.codegen.llvm.vector import vector_type
-from symbody.codegen.llvm.writer import Writer
+from symbody.codegen.llvm.writer import Writer, vector_type
 
-__all__ = ["Assembly", "Part", "assembled"]
+__all__ = ["Assembly", "Part", "assemble"]
 
 MOST_LINES = 8000
 """Lines of a module, as each is compiled in one go, up to half a second, for which Ctrl-C waits."""
@@ -70,7 +68,7 @@ class Assembly:
     parts: tuple[Part, ...] = ()
 
 
-def assembled(pieces: Sequence[Piece], entry: str) -> Assembly:
+def assemble(pieces: Sequence[Piece], entry: str) -> Assembly:
     """Return the modules of blocks and of what calls them.
 
     Args:

@@ -20,12 +20,12 @@ except (
     llvm, _failure = None, error
 
 from symbody.codegen.llvm.assembly import Assembly
-from symbody.codegen.llvm.object_cache import cached
+from symbody.codegen.llvm.object_cache import kept_or_made
 from symbody.errors import CodegenError
 from symbody.symbolic.given.arguments import brief
 from symbody.symbolic.numeric.kernel import kernel_address
 
-__all__ = ["Compiled", "check_available", "compiled", "is_available", "lanes", "watched"]
+__all__ = ["Compiled", "check_available", "compile_assembly", "is_available", "lanes", "watched"]
 
 _OPTIONS: dict[str, Any] = {"opt": 2, "jit": True, "reloc": "pic", "codemodel": "large"}
 """Numbers are found relative to the code, as in a shared library: absolute addresses take a register each.
@@ -111,7 +111,7 @@ def lanes() -> int:
     return 4 if features.get("avx2") else 2
 
 
-def compiled(assembly: Assembly, name: str) -> Compiled:
+def compile_assembly(assembly: Assembly, name: str) -> Compiled:
     """Return the machine code of one function.
 
     Python takes a turn between two modules: that is when Ctrl-C interrupts.
@@ -148,7 +148,7 @@ def _objects(texts: Sequence[str]) -> list[bytes]:
     objects = []
     for number, text in enumerate(texts, 1):
         _WATCHER.get()(number, len(texts))
-        objects.append(cached(_identity(), text, partial(_object, text)))
+        objects.append(kept_or_made(_identity(), text, partial(_object, text)))
     return objects
 
 

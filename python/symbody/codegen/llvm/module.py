@@ -4,14 +4,35 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from symbody.codegen.llvm.assembly import Assembly, assembled
-from symbody.codegen.llvm.block import Load
-from symbody.codegen.llvm.function import Function
+from symbody.codegen.llvm.assembly import Assembly, assemble
+from symbody.codegen.llvm.blocks import Blocks, Store
 from symbody.codegen.llvm.piece import Piece
-from symbody.codegen.llvm.writer import Writer
-from symbody.codegen.straight_line import Code, operands
+from symbody.codegen.llvm.writer import Template, splat
+from symbody.codegen.straight_line.code import Code
+from symbody.codegen.straight_line.instruction import Operation
 
 __all__ = ["batch_modules", "scalar_modules", "shortcut_modules"]
+
+# Where inputs are and results go, by their number. Inputs never change: they may be loaded again rather than kept.
+_COLUMN: Template = ("getelementptr ptr, ptr %in, i64 {0}", "load ptr, ptr {1}")
+_INPUT: Template = (
+    "getelementptr double, ptr %in, i64 {0}",
+    "load {V}, ptr {1}, align 8, !invariant.load !1",
+)
+_FIRST_OF_COLUMN: Template = (*_COLUMN, "load {V}, ptr {2}, align 8, !invariant.load !1")
+_SHARED_INPUT: Template = (*_COLUMN, "load double, ptr {2}, align 8, !invariant.load !1")
+_STATES_OF_COLUMN: Template = (
+    *_COLUMN,
+    "getelementptr double, ptr {2}, i64 %i",
+    "load {V}, ptr {3}, align 8, !invariant.load !1",
+)
+_OUTPUT: Template = ("getelementptr double, ptr %out, i64 {0}",)
+_UNIFORM: Template = ("getelementptr double, ptr %uniform, i64 {0}",)
+_STATES_OF_OUTPUT: Template = (
+    "mul i64 %stride, {0}",
+    "add i64 {1}, %i",
+    "getelementptr double, ptr %out, i64 {2}",
+)
 
 
 def scalar_modules(code: Code, name: str, lanes: int) -> Assembly:
@@ -22,7 +43,7 @@ def scalar_modules(code: Code, name: str, lanes: int) -> Assembly:
         name: the function's name.
         lanes: how many angles the processor takes at a time.
     """
-    return assembled(*_scalar(code, name, lanes))
+    return assemble(*_scalar(code, name, lanes))
 
 
 def shortcut_modules(shortcut: Code, outputs: int, code: Code, name: str, lanes: int) -> Assembly:
@@ -36,14 +57,10 @@ def shortcut_modules(shortcut: Code, outputs: int, code: Code, name: str, lanes:
         lanes: how many angles the processor takes at a time.
     """
     whole, safely = _scalar(code, f"{name}_safely", lanes, "noinline cold")
-    brief = Function(shortcut, f"{name}_briefly", range(len(shortcut.instructions)), 1, lanes, _scalar_input)
+    brief = _of_one_state(shortcut, f"{name}_briefly", lanes)
     conditions = len(shortcut.results) - outputs
-    targets = [f"ptr %out, i64 {j}" for j in range(outputs)]
-    targets += [f"ptr %uniform, i64 {k}" for k in range(conditions)]
-    stores = [
-        (place, f"getelementptr double, {target}")
-        for place, target in zip(shortcut.results, targets, strict=True)
-    ]
+    stores = [Store(place, _OUTPUT, j) for j, place in enumerate(shortcut.results[:outputs])]
+    stores += [Store(place, _UNIFORM, k) for k, place in enumerate(shortcut.results[outputs:])]
     entry = f"""\
 {safely}
 define void @{name}(ptr noalias %in, ptr noalias %out) {{
@@ -58,7 +75,7 @@ done:
   ret void
 }}
 """
-    return assembled([*brief.pieces(stores), *whole], entry)
+    return assemble([*brief.pieces(stores), *whole], entry)
 
 
 def _all_positive(conditions: int) -> str:
@@ -76,15 +93,20 @@ def _all_positive(conditions: int) -> str:
 
 def _scalar(code: Code, name: str, lanes: int, attributes: str = "") -> tuple[list[Piece], str]:
     """Return the blocks of a function of one state, and the text of what calls them."""
-    function = Function(code, name, range(len(code.instructions)), 1, lanes, _scalar_input)
-    stores = [(place, f"getelementptr double, ptr %out, i64 {j}") for j, place in enumerate(code.results)]
+    blocks = _of_one_state(code, name, lanes)
+    stores = [Store(place, _OUTPUT, j) for j, place in enumerate(code.results)]
     entry = f"""\
 define void @{name}(ptr noalias %in, ptr noalias %out) {attributes} {{
-{function.calls("0", "0", "null")}
+{blocks.calls("0", "0", "null")}
   ret void
 }}
 """
-    return function.pieces(stores), entry
+    return blocks.pieces(stores), entry
+
+
+def _of_one_state(code: Code, name: str, lanes: int) -> Blocks:
+    loads = (_INPUT,) * len(code.inputs)
+    return Blocks(code, name, range(len(code.instructions)), 1, lanes, loads)
 
 
 def batch_modules(code: Code, name: str, lanes: int, uniform: Sequence[bool]) -> Assembly:
@@ -95,26 +117,36 @@ def batch_modules(code: Code, name: str, lanes: int, uniform: Sequence[bool]) ->
     be at least as many states as lanes; what depends on uniform inputs alone is computed once.
     """
     # Linear systems stay with the states: their memory does.
-    with_systems = any(row[0] == "factor" for row in code.instructions)
+    with_systems = any(row.operation is Operation.FACTOR for row in code.instructions)
     before = [] if with_systems else [k for k, stage in enumerate(code.stages) if stage == 0]
     each = sorted(set(range(len(code.instructions))) - set(before))
     slots = {place: slot for slot, place in enumerate(_shared(code, before, each))}
-    prologue = Function(code, f"{name}_once", before, 1, lanes, _pointed_input)
-    body = Function(code, f"{name}_each", each, lanes, lanes, _batch_input(uniform), slots)
-    once = prologue.pieces([(p, f"getelementptr double, ptr %uniform, i64 {slots[p]}") for p in slots])
-    many = body.pieces([(place, f"@{j}") for j, place in enumerate(code.results)])
-    return assembled([*once, *many], _loop(name, prologue, body, lanes, len(slots)))
+    pointed = (_FIRST_OF_COLUMN,) * len(code.inputs)
+    loads = [(*_SHARED_INPUT, *splat(lanes, 3)) if is_shared else _STATES_OF_COLUMN for is_shared in uniform]
+    prologue = Blocks(code, f"{name}_once", before, 1, lanes, pointed)
+    body = Blocks(code, f"{name}_each", each, lanes, lanes, loads, slots)
+    once = prologue.pieces([Store(place, _UNIFORM, slot) for place, slot in slots.items()])
+    many = body.pieces([Store(place, _STATES_OF_OUTPUT, j) for j, place in enumerate(code.results)])
+    return assemble([*once, *many], _loop(name, prologue, body, lanes, len(slots)))
 
 
 def _shared(code: Code, before: Sequence[int], each: Sequence[int]) -> list[int]:
     """Return the places of what is computed once for all states and what some state needs."""
     same = {code.first_instruction + k for k in before}
-    read = {place for k in each for place in operands(code.instructions[k])}
+    read = {place for k in each for place in code.instructions[k].reads}
     return sorted(same & (read | set(code.results)))
 
 
-def _loop(name: str, prologue: Function, body: Function, lanes: int, uniforms: int) -> str:
-    """Return the loop over the states; the last vector ends with the last state, and may overlap the one before."""
+def _loop(name: str, prologue: Blocks, body: Blocks, lanes: int, uniforms: int) -> str:
+    """Return the loop over the states; the last vector ends with the last state, and may overlap the one before.
+
+    Args:
+        name: the function's name.
+        prologue: what is computed once for all states.
+        body: what is computed for each vector of states.
+        lanes: states in a vector.
+        uniforms: how many values the prologue hands on to the body.
+    """
     return f"""\
 define void @{name}(ptr noalias %in, ptr noalias %out, i64 %start, i64 %last, i64 %stride) alignstack(64) {{
   %uniform = alloca double, i64 {max(uniforms, 1)}, align 64
@@ -144,28 +176,3 @@ define internal void @{name}_vector(
   ret void
 }}
 """
-
-
-def _scalar_input(w: Writer, number: int) -> str:
-    return w.input(w.pointer("%in", number))
-
-
-def _pointed_input(w: Writer, number: int) -> str:
-    return w.input(_column(w, number))
-
-
-def _batch_input(uniform: Sequence[bool]) -> Load:
-    """Return how inputs of many states are loaded, and those that all states share."""
-
-    def load(w: Writer, number: int) -> str:
-        column = _column(w, number)
-        if uniform[number]:
-            return w.splat(w.let(f"load double, ptr {column}, align 8, !invariant.load !1"))
-        return w.input(w.let(f"getelementptr double, ptr {column}, i64 %i"))
-
-    return load
-
-
-def _column(w: Writer, number: int) -> str:
-    pointer = w.let(f"getelementptr ptr, ptr %in, i64 {number}")
-    return w.let(f"load ptr, ptr {pointer}")

@@ -11,12 +11,13 @@ import hashlib
 import os
 import re
 import stat
-import tempfile
 from collections.abc import Callable
 from contextlib import suppress
 from pathlib import Path
 
-__all__ = ["BOUND", "VARIABLE", "cached", "folder"]
+from symbody.files.replacement import TEMPORARY, replacements
+
+__all__ = ["BOUND", "VARIABLE", "folder", "kept_or_made"]
 
 VARIABLE = "SYMBODY_CACHE"
 """The environment variable with the folder, or "off"."""
@@ -30,10 +31,10 @@ _SHORTEST = 8_000
 _DIGEST = hashlib.sha256().digest_size
 _SUFFIX = ".symbody.o"
 _OWN = re.compile(rf"([0-9a-f]{{{2 * _DIGEST}}}|\.\w{{8}}){re.escape(_SUFFIX)}")
-"""The names of files that are written here, temporary ones too: a user may keep other things in the same folder."""
+"""The names of files that are written here, or were once: a user may keep other things in the same folder."""
 
 
-def cached(identity: str, text: str, make: Callable[[], bytes]) -> bytes:
+def kept_or_made(identity: str, text: str, make: Callable[[], bytes]) -> bytes:
     """Return the machine code of a module from the folder, or make it and keep it there.
 
     Args:
@@ -108,32 +109,32 @@ def _read(place: Path) -> bytes | None:
 
 
 def _write(place: Path, code: bytes) -> None:
-    """Write a file whole, and put it into its place in one step."""
-    handle, temporary = tempfile.mkstemp(suffix=_SUFFIX, prefix=".", dir=place.parent)
-    try:
-        with os.fdopen(handle, "wb") as file:
-            file.write(_proof(place, code) + code)
-        Path(temporary).replace(place)
-    except BaseException:
-        with suppress(OSError):
-            Path(temporary).unlink()
-        raise
+    """Write a file whole, which only this user can read; a link in its place is replaced, not followed."""
+    with replacements(place.parent, [place.name]) as folder:
+        (folder / place.name).touch(0o600)
+        (folder / place.name).write_bytes(_proof(place, code) + code)
 
 
 def _trim(home: Path) -> None:
-    """Remove the files of ours that were not used for longest, down to three quarters of the bound."""
+    """Remove the files of ours that were not used for longest, down to three quarters of the bound.
+
+    Those that a killed process left in a temporary folder are among them.
+    """
     found = []
-    for file in home.iterdir():
+    for file in (*home.iterdir(), *home.glob(f"{TEMPORARY}*/*/*")):
         with suppress(OSError):
             state = file.lstat()
             if _OWN.fullmatch(file.name) and _is_own(state, stat.S_ISREG):
-                found.append((state.st_mtime_ns, file.name, state.st_size))
+                found.append((state.st_mtime_ns, file, state.st_size))
     size = sum(each for _, _, each in found)
     if size <= BOUND:
         return
-    for _, name, each in sorted(found):
+    for _, file, each in sorted(found):
         with suppress(OSError):
-            (home / name).unlink()
+            file.unlink()
+            if file.parent != home:
+                file.parent.rmdir()
+                file.parent.parent.rmdir()
         size -= each
         if size <= BOUND * 3 // 4:
             return

@@ -1,53 +1,43 @@
-"""The operations of the tape in LLVM's intermediate representation: a table, and the few that take more than a line."""
+"""The operations of the tape in LLVM's intermediate representation.
+
+A product and a sum may become one operation that rounds once; nothing else is rearranged.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from symbody.codegen.llvm.writer import Template
+from symbody.codegen.straight_line.instruction import Operation
 
-from symbody.codegen.llvm.helper import Helper
-from symbody.codegen.llvm.writer import Writer
+__all__ = ["SYSTEM", "TEMPLATES"]
 
-__all__ = ["operation"]
+TEMPLATES: dict[Operation, Template] = {
+    Operation.ADD: ("fadd contract {V} {0}, {1}",),
+    Operation.SUB: ("fsub contract {V} {0}, {1}",),
+    Operation.MUL: ("fmul contract {V} {0}, {1}",),
+    Operation.DIV: ("fdiv contract {V} {0}, {1}",),
+    Operation.NEG: ("fneg contract {V} {0}",),
+    Operation.SQRT: ("call {V} @llvm.sqrt.{suffix}({V} {0})",),
+    Operation.ABS: ("call {V} @llvm.fabs.{suffix}({V} {0})",),
+    Operation.MIN: ("call {V} @llvm.minimum.{suffix}({V} {0}, {V} {1})",),
+    Operation.MAX: ("call {V} @llvm.maximum.{suffix}({V} {0}, {V} {1})",),
+    # -1, 0 or 1; zero is its own sign, and so is what is no number.
+    Operation.SIGN: (
+        "call {V} @llvm.copysign.{suffix}({V} {one}, {V} {0})",
+        "fcmp ueq {V} {0}, {zero}",
+        "select {mask} {2}, {V} {0}, {V} {1}",
+    ),
+    Operation.SELECT: ("fcmp ogt {V} {0}, {zero}", "select {mask} {3}, {V} {1}, {V} {2}"),
+}
+"""What takes one instruction of the processor, or a few."""
 
-_ARITHMETIC = {"add": "fadd", "sub": "fsub", "mul": "fmul", "div": "fdiv", "neg": "fneg"}
-_INTRINSICS = {"sqrt": "sqrt", "Abs": "fabs", "Min": "minimum", "Max": "maximum"}
-_SYSTEM = {"Power": "pow"}
-"""Functions of the system with names of their own."""
-
-
-def operation(w: Writer, name: str, values: Sequence[str]) -> str:
-    """Write an operation on values and return the name of its result.
-
-    A product and a sum may become one operation that rounds once; nothing else is rearranged.
-    """
-    if name in _ARITHMETIC:
-        return w.let(f"{_ARITHMETIC[name]} contract {w.V} {', '.join(values)}")
-    if name in _INTRINSICS:
-        return w.intrinsic(_INTRINSICS[name], *values)
-    if name == "select":
-        return _select(w, *values)
-    if name == "sign":
-        return _sign(w, *values)
-    return _system(w, _SYSTEM.get(name, name), values)
-
-
-def _select(w: Writer, condition: str, positive: str, otherwise: str) -> str:
-    chosen = w.let(f"fcmp ogt {w.V} {condition}, {w.number(0.0)}")
-    return w.let(f"select {w.mask} {chosen}, {w.V} {positive}, {w.V} {otherwise}")
-
-
-def _sign(w: Writer, value: str) -> str:
-    """Return -1, 0 or 1; zero is its own sign, and so is what is no number."""
-    unit = w.intrinsic("copysign", w.number(1.0), value)
-    itself = w.let(f"fcmp ueq {w.V} {value}, {w.number(0.0)}")
-    return w.let(f"select {w.mask} {itself}, {w.V} {value}, {w.V} {unit}")
-
-
-def _system(w: Writer, name: str, values: Sequence[str]) -> str:
-    """Call a function of the system; one of the module calls it for each lane."""
-    arguments = ", ".join(f"{w.V} {value}" for value in values)
-    if w.lanes == 1:
-        return w.let(f"call double @{name}({arguments})")
-    helper = Helper(name, w.lanes)
-    w.helpers.add(helper)
-    return w.let(f"call {w.V} @{helper}({arguments})")
+SYSTEM: dict[Operation, str] = {
+    **{
+        operation: operation.value
+        for operation in (
+            *(Operation.TAN, Operation.ASIN, Operation.ACOS, Operation.ATAN, Operation.ATAN2),
+            *(Operation.SINH, Operation.COSH, Operation.TANH, Operation.EXP, Operation.LOG),
+        )
+    },
+    Operation.POWER: "pow",
+}
+"""The functions of the system, by name."""

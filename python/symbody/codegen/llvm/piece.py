@@ -1,12 +1,32 @@
-"""Functions of LLVM's as pieces, which are put together to modules."""
+"""Pieces, of which modules are put together: functions for blocks of code, and the names of what these call."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 
-from symbody.codegen.llvm.helper import Helper
+__all__ = ["CHECKED", "CLEAR", "SINCOS", "Helper", "Piece"]
 
-__all__ = ["Piece"]
+SINCOS, CHECKED = "sincos", "checked_sincos"
+"""Sine and cosine of small angles; and of all, for those that are called rather than made part of the code."""
+
+
+@dataclass(frozen=True, order=True)
+class Helper:
+    """A function for vectors: sine and cosine, or one that calls a function of the system for each lane.
+
+    >>> print(Helper("atan2", 4))
+    atan2_4
+    """
+
+    name: str
+    lanes: int
+
+    def __str__(self) -> str:
+        return f"{self.name}_{self.lanes}"
+
+
+CLEAR = Helper("clear", 1)
+"""Sets bytes to zero; called, since LLVM compares what it knows to set memory with every store after it."""
 
 _TYPED = "ptr noalias %in, ptr noalias %out, ptr noalias %work, ptr noalias %uniform, i64 %i, i64 %stride"
 

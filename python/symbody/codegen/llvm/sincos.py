@@ -10,8 +10,10 @@ dynamics in vectors, and shows nowhere but in 1/sin and in atan2 on its branch c
 
 from __future__ import annotations
 
-from symbody.codegen.llvm.vector import constant, vector_type
-from symbody.codegen.llvm.writer import Writer
+from collections.abc import Callable, Sequence
+from functools import cache
+
+from symbody.codegen.llvm.writer import constants, vector_type
 
 __all__ = ["LARGEST", "checked_text", "sincos_text"]
 
@@ -37,20 +39,18 @@ _COSINE = (
 """cos r = 1 - r^2/2 + r^4 (c1 + c2 r^2 + ...)"""
 
 
+@cache
 def sincos_text(lanes: int) -> str:
     """Return the functions of a module that take sine and cosine of so many angles.
 
     ``@sincos_<lanes>`` does so for angles up to :data:`LARGEST`, ``@is_large_<lanes>`` tells whether one of them is
     beyond or is no number, and ``@system_sincos_<lanes>`` serves all.
     """
-    body = Writer(lanes)
-    n, bits = _quadrant(body)
-    sine, cosine = _in_quadrant(body, bits, *_polynomials(body, _reduced(body, n)))
-    V, lines = vector_type(lanes), "\n".join(body.lines)
+    V, pair = _types(lanes)
     return f"""\
-define internal {{ {V}, {V} }} @sincos_{lanes}({V} %x) alwaysinline {{
-{lines}
-{_pair(V, sine, cosine)}
+define internal {pair} @sincos_{lanes}({V} %x) alwaysinline {{
+{_fast_text(lanes)}
+{_returned(lanes, "%signed_sine", "%signed_cosine")}
 }}
 
 define internal i1 @is_large_{lanes}({V} %x) alwaysinline {{
@@ -60,10 +60,17 @@ define internal i1 @is_large_{lanes}({V} %x) alwaysinline {{
 {_system_text(lanes)}"""
 
 
+def _types(lanes: int) -> tuple[str, str]:
+    """Return the type of so many doubles, and that of two such vectors."""
+    V = vector_type(lanes)
+    return V, f"{{ {V}, {V} }}"
+
+
+@cache
 def checked_text(lanes: int) -> str:
     """Return ``@checked_sincos_<lanes>``, which serves all angles by the functions of `sincos_text`."""
-    V = vector_type(lanes)
-    both, result = f"{{ {V}, {V} }}", f"ret {{ {V}, {V} }}"
+    V, both = _types(lanes)
+    result = f"ret {both}"
     return f"""\
 define internal {both} @checked_sincos_{lanes}({V} %x) noinline {{
   %large = call i1 @is_large_{lanes}({V} %x)
@@ -78,81 +85,80 @@ slow:
 """
 
 
-def _pair(V: str, sine: str, cosine: str) -> str:
+def _returned(lanes: int, sine: str, cosine: str) -> str:
+    """Return the lines that return both."""
+    V, pair = _types(lanes)
     return f"""\
-  %first = insertvalue {{ {V}, {V} }} poison, {V} {sine}, 0
-  %both = insertvalue {{ {V}, {V} }} %first, {V} {cosine}, 1
-  ret {{ {V}, {V} }} %both"""
+  %first = insertvalue {pair} poison, {V} {sine}, 0
+  %both = insertvalue {pair} %first, {V} {cosine}, 1
+  ret {pair} %both"""
 
 
-def _fma(w: Writer, a: str, b: str, c: str) -> str:
-    return w.intrinsic("fma", a, b, c)
+def _fast_text(lanes: int) -> str:
+    """Return the lines that make ``%signed_sine`` and ``%signed_cosine`` of ``%x``, a small angle."""
+    V, bits, mask = vector_type(lanes), vector_type(lanes, "i64"), vector_type(lanes, "i1")
+    two_over_pi, magic, minus_half, one = constants([0.6366197723675814, _ROUND, -0.5, 1.0], lanes)
+    high, middle, low = constants([-part for part in _HALF_PI], lanes)
+    zero_bits, one_bit, two_bits, shift = _integers((0, 1, 2, 62), lanes)
+    fma = _fma(lanes)
+    return f"""\
+  %shifted = {fma("%x", two_over_pi, magic)}
+  %multiple = fsub {V} %shifted, {magic}
+  %quadrant = bitcast {V} %shifted to {bits}
+  %reduced1 = {fma("%multiple", high, "%x")}
+  %reduced2 = {fma("%multiple", middle, "%reduced1")}
+  %r = {fma("%multiple", low, "%reduced2")}
+  %z = fmul {V} %r, %r
+  %zr = fmul {V} %z, %r
+{_horner(lanes, "%s", _SINE)}
+  %sine = {fma("%zr", "%s0", "%r")}
+{_horner(lanes, "%c", _COSINE)}
+  %c = {fma("%z", "%c0", minus_half)}
+  %cosine = {fma("%z", "%c", one)}
+  %odd_bit = and {bits} %quadrant, {one_bit}
+  %odd = icmp ne {bits} %odd_bit, {zero_bits}
+  %plain_sine = select {mask} %odd, {V} %cosine, {V} %sine
+  %plain_cosine = select {mask} %odd, {V} %sine, {V} %cosine
+  %next_quadrant = add {bits} %quadrant, {one_bit}
+  %sine_bit = and {bits} %quadrant, {two_bits}
+  %sine_sign = shl {bits} %sine_bit, {shift}
+  %sine_raw = bitcast {V} %plain_sine to {bits}
+  %sine_flipped = xor {bits} %sine_raw, %sine_sign
+  %signed_sine = bitcast {bits} %sine_flipped to {V}
+  %cosine_bit = and {bits} %next_quadrant, {two_bits}
+  %cosine_sign = shl {bits} %cosine_bit, {shift}
+  %cosine_raw = bitcast {V} %plain_cosine to {bits}
+  %cosine_flipped = xor {bits} %cosine_raw, %cosine_sign
+  %signed_cosine = bitcast {bits} %cosine_flipped to {V}"""
 
 
-def _call(w: Writer, operation: str, a: str, b: str) -> str:
-    return w.let(f"{operation} {w.V} {a}, {b}")
+def _fma(lanes: int) -> Callable[[str, str, str], str]:
+    """Return what writes ``a b + c``, rounded once."""
+    V, suffix = vector_type(lanes), "f64" if lanes == 1 else f"v{lanes}f64"
+    return lambda a, b, c: f"call {V} @llvm.fma.{suffix}({V} {a}, {V} {b}, {V} {c})"
 
 
-def _integers(w: Writer) -> str:
-    return vector_type(w.lanes, "i64")
+def _integers(values: Sequence[int], lanes: int) -> list[str]:
+    """Return integers, each in all lanes."""
+    return [str(v) if lanes == 1 else f"<{', '.join([f'i64 {v}'] * lanes)}>" for v in values]
 
 
-def _integer(w: Writer, value: int) -> str:
-    return str(value) if w.lanes == 1 else f"<{', '.join([f'i64 {value}'] * w.lanes)}>"
-
-
-def _quadrant(w: Writer) -> tuple[str, str]:
-    """Return the nearest multiple of pi/2, and bits the two lowest of which are its quadrant."""
-    shifted = _fma(w, "%x", w.number(0.6366197723675814), w.number(_ROUND))
-    return _call(w, "fsub", shifted, w.number(_ROUND)), w.let(f"bitcast {w.V} {shifted} to {_integers(w)}")
-
-
-def _reduced(w: Writer, n: str) -> str:
-    r = "%x"
-    for part in _HALF_PI:
-        r = _fma(w, n, w.number(-part), r)
-    return r
-
-
-def _polynomials(w: Writer, r: str) -> tuple[str, str]:
-    z = _call(w, "fmul", r, r)
-    sine = _fma(w, _call(w, "fmul", z, r), _horner(w, z, _SINE), r)
-    cosine = _fma(w, z, _fma(w, z, _horner(w, z, _COSINE), w.number(-0.5)), w.number(1.0))
-    return sine, cosine
-
-
-def _horner(w: Writer, z: str, coefficients: tuple[float, ...]) -> str:
-    value = w.number(coefficients[-1])
-    for coefficient in reversed(coefficients[:-1]):
-        value = _fma(w, value, z, w.number(coefficient))
-    return value
-
-
-def _in_quadrant(w: Writer, bits: str, sine: str, cosine: str) -> tuple[str, str]:
-    """Return sine and cosine: exchanged in odd quadrants, with the signs of the quadrant."""
-    odd_bit = w.let(f"and {_integers(w)} {bits}, {_integer(w, 1)}")
-    mask = vector_type(w.lanes, "i1")
-    odd = w.let(f"icmp ne {_integers(w)} {odd_bit}, {_integer(w, 0)}")
-    first = w.let(f"select {mask} {odd}, {w.V} {cosine}, {w.V} {sine}")
-    second = w.let(f"select {mask} {odd}, {w.V} {sine}, {w.V} {cosine}")
-    next_quadrant = w.let(f"add {_integers(w)} {bits}, {_integer(w, 1)}")
-    return _signed(w, first, bits), _signed(w, second, next_quadrant)
-
-
-def _signed(w: Writer, value: str, quadrant: str) -> str:
-    """Return the value with the opposite sign in the quadrants 2 and 3."""
-    bit = w.let(f"and {_integers(w)} {quadrant}, {_integer(w, 2)}")
-    sign = w.let(f"shl {_integers(w)} {bit}, {_integer(w, 62)}")
-    raw = w.let(f"bitcast {w.V} {value} to {_integers(w)}")
-    flipped = w.let(f"xor {_integers(w)} {raw}, {sign}")
-    return w.let(f"bitcast {_integers(w)} {flipped} to {w.V}")
+def _horner(lanes: int, name: str, coefficients: Sequence[float]) -> str:
+    """Return the lines that make ``{name}0``, the polynomial of these coefficients at ``%z``."""
+    *others, value = constants(coefficients, lanes)
+    fma, lines = _fma(lanes), []
+    for power, coefficient in reversed(list(enumerate(others))):
+        lines.append(f"  {name}{power} = {fma(value, '%z', coefficient)}")
+        value = f"{name}{power}"
+    return "\n".join(lines)
 
 
 def _is_large(lanes: int) -> str:
     V, suffix = vector_type(lanes), "f64" if lanes == 1 else f"v{lanes}f64"
+    (largest,) = constants([LARGEST], lanes)
     lines = [
         f"  %size = call {V} @llvm.fabs.{suffix}({V} %x)",
-        f"  %beyond = fcmp ugt {V} %size, {constant(LARGEST, lanes)}",
+        f"  %beyond = fcmp ugt {V} %size, {largest}",
     ]
     if lanes == 1:
         return "\n".join([*lines, "  ret i1 %beyond"])
@@ -162,7 +168,7 @@ def _is_large(lanes: int) -> str:
 
 def _system_text(lanes: int) -> str:
     """Return the function that takes sine and cosine of each lane from the system."""
-    V, lines = vector_type(lanes), list[str]()
+    (V, pair), lines = _types(lanes), list[str]()
     sine, cosine = "poison", "poison"
     for k in range(lanes):
         x = "%x" if lanes == 1 else f"%x{k}"
@@ -175,5 +181,5 @@ def _system_text(lanes: int) -> str:
         lines += [f"  %s{k} = insertelement {V} {sine}, double %sin{k}, i32 {k}"]
         lines += [f"  %c{k} = insertelement {V} {cosine}, double %cos{k}, i32 {k}"]
         sine, cosine = f"%s{k}", f"%c{k}"
-    body = "\n".join([*lines, _pair(V, sine, cosine)])
-    return f"define internal {{ {V}, {V} }} @system_sincos_{lanes}({V} %x) noinline cold {{\n{body}\n}}\n"
+    body = "\n".join([*lines, _returned(lanes, sine, cosine)])
+    return f"define internal {pair} @system_sincos_{lanes}({V} %x) noinline cold {{\n{body}\n}}\n"

@@ -4,9 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from symbody.codegen.llvm.helper import CHECKED, SINCOS, Helper
-from symbody.codegen.llvm.vector import constant, vector_type
-from symbody.codegen.llvm.writer import Writer
+from symbody.codegen.llvm.piece import CHECKED, SINCOS, Helper
+from symbody.codegen.llvm.writer import Writer, constants, vector_type
 
 __all__ = ["wave_size", "waves"]
 
@@ -45,16 +44,26 @@ def _packed(w: Writer, angles: Sequence[str], lanes: int) -> str:
     """Return angles of one state as one vector."""
     if lanes == w.lanes:
         return angles[0]
-    V, vector = vector_type(lanes), constant(0.0, lanes)
-    for lane, angle in enumerate(angles):
-        vector = w.let(f"insertelement {V} {vector}, double {angle}, i32 {lane}")
-    return vector
+    V = vector_type(lanes)
+    (vector,) = constants([0.0], lanes)
+    earlier = [0, *range(len(angles) + 1, 2 * len(angles))]
+    return w.write(
+        tuple(
+            f"insertelement {V} {{{before}}}, double {{{lane + 1}}}, i32 {lane}"
+            for lane, before in enumerate(earlier)
+        ),
+        vector,
+        *angles,
+    )[-1]
 
 
 def _unpacked(w: Writer, pair: Pair, lanes: int, lane: int) -> Pair:
+    """Return the sine and the cosine of one angle of those in a vector."""
     if lanes == w.lanes:
         return pair
-    sine, cosine = (w.let(f"extractelement {vector_type(lanes)} {v}, i32 {lane}") for v in pair)
+    V = vector_type(lanes)
+    template = (f"extractelement {V} {{0}}, i32 {lane}", f"extractelement {V} {{1}}, i32 {lane}")
+    sine, cosine = w.write(template, *pair)
     return sine, cosine
 
 
@@ -63,7 +72,8 @@ def _checked(w: Writer, angles: Sequence[str], lanes: Sequence[int], run: int) -
     fast, slow, end = (f"{name}{run}" for name in ("fast", "slow", "end"))
     large = "false"
     for x, n in zip(angles, lanes, strict=True):
-        large = w.let(f"or i1 {large}, {w.let(f'call i1 @is_large_{n}({vector_type(n)} {x})')}")
+        test = (f"call i1 @is_large_{n}({vector_type(n)} {{0}})", "or i1 {1}, {2}")
+        large = w.write(test, x, large)[-1]
     w.lines += [f"  br i1 {large}, label %{slow}, label %{fast}, !prof !0", f"{fast}:"]
     quick = [_pair(w, SINCOS, x, n) for x, n in zip(angles, lanes, strict=True)]
     w.lines += [f"  br label %{end}", f"{slow}:"]
@@ -72,16 +82,19 @@ def _checked(w: Writer, angles: Sequence[str], lanes: Sequence[int], run: int) -
     both = []
     for ours, theirs, n in zip(quick, sure, lanes, strict=True):
         V = vector_type(n)
-        sine, cosine = (
-            w.let(f"phi {V} [ {a}, %{fast} ], [ {b}, %{slow} ]") for a, b in zip(ours, theirs, strict=True)
-        )
+        either = tuple(f"phi {V} [ {{{k}}}, %{fast} ], [ {{{k + 2}}}, %{slow} ]" for k in (0, 1))
+        sine, cosine = w.write(either, *ours, *theirs)
         both.append((sine, cosine))
     return both
 
 
 def _pair(w: Writer, name: str, angles: str, lanes: int) -> Pair:
+    """Call a function that returns sine and cosine, and return both."""
     V = vector_type(lanes)
     w.helpers.add(Helper(CHECKED if name == CHECKED else SINCOS, lanes))
-    both = w.let(f"call {{ {V}, {V} }} @{name}_{lanes}({V} {angles})")
-    sine, cosine = (w.let(f"extractvalue {{ {V}, {V} }} {both}, {k}") for k in (0, 1))
+    both = f"{{{{ {V}, {V} }}}}"
+    call = f"call {both} @{name}_{lanes}({V} {{0}})"
+    _, sine, cosine = w.write(
+        (call, f"extractvalue {both} {{1}}, 0", f"extractvalue {both} {{1}}, 1"), angles
+    )
     return sine, cosine

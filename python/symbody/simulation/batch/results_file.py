@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import hashlib
-import os
 import tempfile
 import zipfile
 from collections.abc import Iterable, Mapping
@@ -90,10 +89,8 @@ class ResultsFile:
             ResultsError: the file can't be written; its previous content is still there.
         """
         try:
-            with replacement(self.path) as temporary, temporary.open("wb") as file:
+            with replacement(self.path, durable=True) as temporary, temporary.open("wb") as file:
                 self._save(file, results)
-                file.flush()
-                os.fsync(file.fileno())
         except OSError as error:
             raise self._unwritable(error) from error
 

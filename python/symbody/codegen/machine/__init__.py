@@ -1,0 +1,1 @@
+"""Expressions as functions of machine code in this process: for NumPy arrays, and for loops outside Python."""

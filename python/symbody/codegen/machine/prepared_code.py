@@ -1,0 +1,167 @@
+"""Machine code in two parts: what follows from parameters alone, computed once; and the rest, for every state."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from symbody.codegen.llvm import jit
+from symbody.codegen.llvm.assembly import Assembly
+from symbody.codegen.llvm.module import scalar_modules, shortcut_modules
+from symbody.codegen.machine.machine_code import POINTER
+from symbody.codegen.straight_line.code import Code, Input, code_of
+from symbody.codegen.straight_line.instruction import renumber
+from symbody.codegen.straight_line.preparation import Preparation
+from symbody.errors import ParameterError
+from symbody.symbolic import Argument, Expr
+
+__all__ = ["PreparedCode", "Shortcut"]
+
+
+@dataclass(frozen=True)
+class Shortcut:
+    """Faster expressions of the same outputs, for most states.
+
+    Attributes:
+        expressions: the outputs.
+        conditions: all are positive where the expressions are accurate.
+
+    >>> from symbody import symbols
+    >>> x, a = symbols("x a")
+    >>> shortcut = Shortcut((a * x**2,), (x,))  # of a x |x|
+    >>> code = PreparedCode((a,), (x,), (a * x * abs(x),), shortcut)
+    >>> code.evaluate(np.array([2.0]), np.array([-3.0]))
+    array([-18.])
+    """
+
+    expressions: tuple[Expr, ...]
+    conditions: tuple[Expr, ...]
+
+
+@dataclass(frozen=True, eq=False)
+class PreparedCode:
+    """A function of machine code, ``void f(const double *in, double *out)`` with ``in = (inputs, constants)``.
+
+    The constants are what its expressions need of the parameters: `prepare` computes them for a set of parameters.
+    It compiles at the first use, in each process to which it is sent.
+
+    Attributes:
+        parameters: what changes from one motion to another.
+        inputs: what changes from one state to another.
+        expressions: the outputs.
+        shortcut: a faster way to them, which is taken where it is accurate.
+
+    >>> from symbody import cos, sin, symbols
+    >>> x, a, b = symbols("x a b")
+    >>> code = PreparedCode((a, b), (x,), (sin(a) * x, cos(b) / x))
+    >>> code.constants
+    2
+    >>> code.evaluate(np.array([0.5, 0.25]), np.array([2.0]))
+    array([0.95885108, 0.48445621])
+    """
+
+    parameters: tuple[Expr, ...]
+    inputs: tuple[Expr, ...]
+    expressions: tuple[Expr, ...]
+    shortcut: Shortcut | None = None
+
+    @property
+    def address(self) -> int:
+        """Where the function begins."""
+        return self._function.address
+
+    @property
+    def constants(self) -> int:
+        """How many constants it reads."""
+        return len(self._parts.constants.results)
+
+    def prepare(self, parameters: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Return the constants for values of the parameters."""
+        values, out = np.ascontiguousarray(parameters, float), np.empty(self.constants)
+        if values.shape != (len(self.parameters),):
+            raise ParameterError(f"{len(self.parameters)} parameters, and values of the shape {values.shape}")
+        if self.constants:
+            self._preparation.function(POINTER, POINTER)(values.ctypes.data, out.ctypes.data)
+        return out
+
+    def evaluate(self, parameters: NDArray[np.float64], inputs: NDArray[np.float64]) -> NDArray[np.float64]:
+        """Return the outputs for one state."""
+        values: NDArray[np.float64] = self.evaluate_rows(parameters, inputs[np.newaxis])[0]
+        return values
+
+    def evaluate_rows(
+        self, parameters: NDArray[np.float64], rows: NDArray[np.float64]
+    ) -> NDArray[np.float64]:
+        """Return the outputs for states, each a row of inputs, in rows."""
+        constants = np.broadcast_to(self.prepare(parameters), (len(rows), self.constants))
+        states, out = np.hstack([rows, constants]), np.empty((len(rows), len(self.expressions)))
+        function = self._function.function(POINTER, POINTER)
+        for state, row in zip(states, out, strict=True):
+            function(state.ctypes.data, row.ctypes.data)
+        return out
+
+    @cached_property
+    def _parts(self) -> _Parts:
+        p = Argument("p", "", self.parameters, "parameters")
+        x = Argument("x", "", self.inputs, "velocities")
+        preparation = Preparation((p,))
+        ways = [self.expressions]
+        if self.shortcut is not None:
+            ways.append((*self.shortcut.expressions, *self.shortcut.conditions))
+        rests = [preparation.without_parameters(code_of((p, x), way)) for way in ways]
+        first, order = len(self.inputs), {number: k for k, number in enumerate(preparation.order)}
+
+        def position(entry: Input) -> int:
+            return entry.index if entry.array == "x" else first + order[entry.index]
+
+        constants = _laid_out(preparation.code(), lambda entry: entry.index, len(self.parameters))
+        return _Parts(constants, *(_laid_out(rest, position, first + len(order)) for rest in rests))
+
+    @cached_property
+    def _preparation(self) -> jit.Compiled:
+        return _compiled(lambda lanes: scalar_modules(self._parts.constants, "prepare", lanes), "prepare")
+
+    @cached_property
+    def _function(self) -> jit.Compiled:
+        outputs, shortcut = self._parts.outputs, self._parts.shortcut
+
+        def assembly(lanes: int) -> Assembly:
+            if shortcut is None:
+                return scalar_modules(outputs, "evaluate", lanes)
+            return shortcut_modules(shortcut, len(self.expressions), outputs, "evaluate", lanes)
+
+        return _compiled(assembly, "evaluate")
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return PreparedCode, (self.parameters, self.inputs, self.expressions, self.shortcut)
+
+
+@dataclass(frozen=True)
+class _Parts:
+    """The code of the constants, that of the outputs, and that of a shortcut and its conditions."""
+
+    constants: Code
+    outputs: Code
+    shortcut: Code | None = None
+
+
+def _compiled(assembly: Callable[[int], Assembly], name: str) -> jit.Compiled:
+    return jit.compile_assembly(assembly(jit.lanes()), name)
+
+
+def _laid_out(code: Code, position: Callable[[Input], int], size: int) -> Code:
+    """Return the code with as many inputs as an array has, each at its position."""
+    first, shift = code.first_input, size - len(code.inputs)
+    after = range(code.first_instruction, code.first_instruction + len(code.instructions))
+    places = [*range(first), *(first + position(entry) for entry in code.inputs), *(k + shift for k in after)]
+    return replace(
+        code,
+        inputs=tuple(Input("in", k, "") for k in range(size)),
+        instructions=renumber(code.instructions, places),
+        results=tuple(places[place] for place in code.results),
+    )

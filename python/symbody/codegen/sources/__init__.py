@@ -1,0 +1,1 @@
+"""Source files: written into a folder, compiled and compared with reference values there."""
