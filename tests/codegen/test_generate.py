@@ -138,7 +138,7 @@ def test_a_file_as_folder(tmp_path: Path) -> None:
     with pytest.raises(CodegenError) as caught:
         generate(pendulum(), "c", file)
     assert str(caught.value) == (
-        f"generate: {file} is a file, and several files are to be written; expected a folder as path"
+        f"generate: {file} is a file; expected a folder as path, since several files are written"
     )
     with pytest.raises(CodegenError) as caught:
         generate(pendulum(), "c", file / "below")
@@ -339,7 +339,7 @@ def test_notice_of_parameters_that_nothing_needs(tmp_path: Path) -> None:
     with pytest.warns(ModelNotice) as caught:
         generate(Program("demo", "", arguments, (rise,)), "c", tmp_path)
     assert str(caught[0].message) == (
-        "generate: no routine of demo depends on b of the argument p; the code takes and ignores it"
+        "generate: no routine of demo depends on b of the argument p; the code takes it and ignores it"
     )
 
 

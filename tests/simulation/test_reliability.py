@@ -194,7 +194,7 @@ def test_folders_that_are_closed(
         (
             lambda: generate(PENDULUM, "c", 3),
             CodegenError,
-            "generate: 3 is no path; expected a folder, such as 'generated'",
+            "generate: 3 is not a path; expected a folder, such as 'generated'",
         ),
     ],
 )

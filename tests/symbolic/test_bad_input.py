@@ -307,7 +307,10 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
     (
         ParameterError,
         lambda: lambdify([x, y], x + y)([1, 2], [1, 2, 3]),
-        "the arguments have values of the shapes (2,), (3,), which don't broadcast; expected as many points for each",
+        (
+            "the arguments have values of the shapes (2,), (3,), which don't broadcast; "
+            "expected the same number of points for each"
+        ),
     ),
     # --- SymPy ---
     (

@@ -1,4 +1,4 @@
-"""Code for any target: compiled in the process, or written as text."""
+"""Code for any target: compiled in this process, or written as source files."""
 
 from symbody.codegen.machine.lambdify import CompiledFunction, lambdify
 from symbody.codegen.machine.machine_code import MachineCode

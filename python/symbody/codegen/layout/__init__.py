@@ -1,1 +1,1 @@
-"""From straight-line code to named statements of routines, in the names of a language and in no syntax yet."""
+"""From straight-line code to statements of routines, with the names of a language but not yet in its syntax."""

@@ -1,4 +1,4 @@
-"""From a program to a module: identifiers are chosen, work is divided, statements are composed."""
+"""From a program to a module: choose identifiers, divide the work, compose statements."""
 
 from __future__ import annotations
 
@@ -29,13 +29,13 @@ def module_of(
 ) -> Module:
     """Return the program as statements, with functions of at most ``limit`` operations.
 
-    The self-check compares with ``sample``, or with what the evaluator gives at some state.
+    The self-check compares with ``sample``; without one, with the evaluator's values at some state.
     """
     return _Arrangement(program, language, limit).module(sample or sample_of(program))
 
 
 def module_name(name: str, language: Language) -> str:
-    """Return the identifier of a program of this name, which its files are called by."""
+    """Return the identifier of a program of this name, after which its files are named."""
     reserved = language.reserved if language.reserved_programs is None else language.reserved_programs
     return program_identifier(name, Scope(reserved, language.case_sensitive))
 
@@ -66,7 +66,7 @@ class _Arrangement:
         codes = self._codes()
         constants, prepare, codes = self._prepared(codes) or (None, None, codes)
         for routine, code in zip(program.routines, codes, strict=True):
-            self.made[routine.name] = self._routine(routine, code, self._taken(routine, constants))
+            self.made[routine.name] = self._routine(routine, code, self._arguments(routine, constants))
         routines = tuple(self.made.values())
         arguments = tuple(self.arrays.values())
         if prepare and constants:
@@ -83,7 +83,7 @@ class _Arrangement:
         return Array(self.scope.claim(argument.name), meaning, names, shape)
 
     def _codes(self) -> list[Code]:
-        """Return the code of each routine: what is left to it, where it calls another one."""
+        """Return the code of each routine; if it calls another one, only what remains to be computed."""
         codes = list(map(self._code, self.program.routines))
         left = list(codes)
         for number, routine in enumerate(self.program.routines):
@@ -100,8 +100,8 @@ class _Arrangement:
             )
         return code
 
-    def _taken(self, routine: Routine, constants: Array | None) -> tuple[Array, ...]:
-        """Return the arguments of a routine, the constants of the model in the place of parameters."""
+    def _arguments(self, routine: Routine, constants: Array | None) -> tuple[Array, ...]:
+        """Return the arguments of a routine, with the constants of the model in place of the parameters."""
         taken: dict[str, Array] = {}
         for argument in self.program.arguments_of(routine):
             is_replaced = constants is not None and argument.stage == "parameters"
@@ -110,7 +110,7 @@ class _Arrangement:
         return tuple(taken.values())
 
     def _prepared(self, codes: Sequence[Code]) -> tuple[Array, Function, list[Code]] | None:
-        """Return the constants of the model, the function that computes them, and what is left to the routines."""
+        """Return the constants of the model, the function that computes them, and what remains of the routines."""
         parameters = tuple(a for a in self.program.arguments if a.stage == "parameters")
         preparation = Preparation(parameters)
         left = [preparation.without_parameters(code) for code in codes]
@@ -155,7 +155,7 @@ class _Arrangement:
         )
 
     def _called(self, routine: Routine, scope: Scope) -> Function:
-        """Return a routine as it is called elsewhere: its results have names of their own there."""
+        """Return a routine as another one calls it: its results have names that are free there."""
         made = self.made[routine.name]
         names = (scope.claim(result.name, f"{result.name}_out") for result in routine.results)
         return replace(
@@ -213,7 +213,7 @@ class _Arrangement:
 
 
 def _received(code: Code, routine: Routine, called: Function) -> Code:
-    """Return the code with the names that the results of a call have here."""
+    """Return the code with the names that the results of a call have in this routine."""
     names = {
         f"{routine.name}.{result.name}": array.name
         for result, array in zip(routine.results, called.results, strict=True)

@@ -18,13 +18,13 @@ from symbody.codegen.straight_line.instruction import LINEAR_SYSTEMS, Instructio
 __all__ = ["Composition", "compose"]
 
 LONGEST_EXPRESSION = 12
-"""Operations in one statement, so that a reader can follow it."""
+"""The largest number of operations in one statement, so that a reader can follow it."""
 
 MOST_ZEROS = 3
-"""Zeros that are stored one by one; arrays with more of them are cleared before."""
+"""The largest number of zeros that are stored one by one; arrays with more zeros are cleared first."""
 
 LONGEST_NAME = 24
-"""Letters of a name that says what it is; longer ones are numbered instead."""
+"""The longest descriptive name, in letters; values with longer ones are numbered instead."""
 
 
 @dataclass(frozen=True)
@@ -51,9 +51,9 @@ def compose(
     Args:
         code: what it computes.
         scope: the names that its locals must not take.
-        notes: what each input is, where its name doesn't say it, otherwise empty.
+        notes: a note on each input whose name doesn't say what it is; otherwise an empty text.
         targets: the array and the index of each result.
-        scalars: the arguments that are one number and no array.
+        scalars: the arguments that are single numbers, not arrays.
         limit: the largest number of operations of a part, if there is any.
     """
     return _Composer(code, scope, notes, targets, scalars, _cut(code, limit)).composition()
@@ -85,7 +85,7 @@ class _Composer:
         self.cleared = {array: sizes[array] for array, count in zeros.items() if count > MOST_ZEROS}
 
     def _leaf(self, read: Input) -> Tree:
-        """Return a local name for an input; one without a name stands where it is used."""
+        """Return a local name for an input; an input without a name is written as an entry where it is used."""
         if read.array in self.scalars:
             return Name(read.array)
         return Name(self.scope.claim(read.name)) if read.name else Entry(read.array, read.index)
@@ -174,14 +174,14 @@ class _Composer:
         yield from self._stores(place)
 
     def _stands_inside(self, place: int, readers: Sequence[int]) -> bool:
-        """Whether the value can stand in the one expression that uses it: in the same part and stage."""
+        """Whether the value can be written inside the one expression that uses it, in the same part and stage."""
         if len(readers) != 1:
             return False
         own, reader = place - self.code.first_instruction, readers[0]
         return self.code.stages[own] == self.code.stages[reader] and place not in self.cut.slots
 
     def _name(self, tree: Application) -> str:
-        """Return a name that says what a value is, as ``sin_theta``; or a number."""
+        """Return a descriptive name such as ``sin_theta``, or a numbered one."""
         words: list[str] = []
         match tree:
             case Application(operation, (Name(only),)) if operation is not Operation.NEG:
@@ -207,7 +207,7 @@ class _Composer:
         return [Section("entries that need no computation"), *stores] if stores else []
 
     def _reads(self, part: int) -> tuple[Read, ...]:
-        """Return the local names of the inputs that a part uses, and of values of earlier parts."""
+        """Return the local names of the inputs that a part uses, and of the values from earlier parts."""
         start, end = (self.code.first_instruction + n for n in self.cut.starts[part : part + 2])
         rows = range(start, end)
         used = {p for row in rows for p in self.code.instructions[row - self.code.first_instruction].reads}
@@ -222,7 +222,7 @@ class _Composer:
         )
 
     def _local(self, place: int) -> str:
-        """Return the local name of a value; what stands where it is used has that of its array."""
+        """Return the local name of a value; an entry that is written where it is used has the name of its array."""
         match self._trees[place]:
             case Name(name) | Entry(name):
                 return name
@@ -235,14 +235,14 @@ class _Composer:
 
 
 def _cut(code: Code, limit: int | None) -> Cut:
-    """Cut code; linear systems are kept in arrays of their own."""
+    """Cut code into blocks; linear systems are kept in arrays of their own."""
     rows = enumerate(code.instructions, code.first_instruction)
     held = {place for place, row in rows if row.operation in LINEAR_SYSTEMS}
     return cut([row.reads for row in code.instructions], code.first_instruction, limit, held)
 
 
 def _uses(code: Code) -> tuple[dict[int, list[int]], dict[int, list[int]]]:
-    """Return the instructions that read each place, as often as they read it, and the results that are it."""
+    """Return which instructions read each place, once per operand, and which results are that place."""
     readers: dict[int, list[int]] = {}
     results: dict[int, list[int]] = {}
     for reader, row in enumerate(code.instructions):

@@ -1,4 +1,4 @@
-"""What the results of straight-line code are, as short formulas in the user's names."""
+"""The results of straight-line code as short formulas, with the user's names."""
 
 from __future__ import annotations
 
@@ -11,11 +11,11 @@ from symbody.codegen.straight_line.instruction import LINEAR_SYSTEMS
 __all__ = ["formulas"]
 
 LONGEST = 6
-"""Operations of a formula that a comment can hold."""
+"""The largest number of operations in a formula that fits into a comment."""
 
 
 def formulas(code: Code, language: Language) -> list[str]:
-    """Return a formula for each result, empty where it would be long."""
+    """Return a formula for each result; an empty text where it would be long."""
     trees: dict[int, tuple[Tree, int] | None] = {p: (Number(v), 0) for p, v in enumerate(code.constants)}
     trees |= {place: (Name(read.name), 0) for place, read in enumerate(code.inputs, code.first_input)}
     for place, row in enumerate(code.instructions, code.first_instruction):

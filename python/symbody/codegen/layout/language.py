@@ -1,4 +1,4 @@
-"""What the printer knows of a language's syntax: a table for each target."""
+"""What the printer knows about the syntax of a language: one table per target."""
 
 from __future__ import annotations
 
@@ -18,23 +18,23 @@ class Language:
     """The syntax of a language.
 
     Attributes:
-        comment: what stands before and after the text of a comment of one line.
-        declare: a new local name, of ``{name}`` and ``{value}``.
-        assign: a new value of an entry, of ``{place}`` and ``{value}``.
-        clear: zeros into an array, of ``{array}``, its ``{size}`` and its dimensions ``{sizes}``; none where arrays
-            begin with zeros.
-        clear_matrix: likewise for a matrix, where that differs.
-        factor: the call that factorises the matrix in an array, of ``{n}`` and ``{work}``; none where ``solve`` does.
-        solve: the call that solves for the right side in an array, of ``{n}``, ``{work}`` and ``{x}``.
-        functions: a text for each of :data:`FUNCTIONS`, as ``sin({})``.
+        comment: what stands before and after the text of a one-line comment.
+        declare: the definition of a local name, with ``{name}`` and ``{value}``.
+        assign: the assignment to an entry, with ``{place}`` and ``{value}``.
+        clear: sets all entries of ``{array}``, of ``{size}`` entries and dimensions ``{sizes}``, to zero; empty where
+            arrays begin with zeros.
+        clear_matrix: the same for a matrix, where it differs.
+        factor: the call that factorises the matrix in ``{work}``, of size ``{n}``; empty where ``solve`` does.
+        solve: the call that solves for the right side in ``{x}``, with the matrix in ``{work}``, of size ``{n}``.
+        functions: a text for each of :data:`FUNCTIONS`, such as ``sin({})``.
         literal: the text of a double that reads back as the same double.
-        entry: an entry of an array, as ``{}[{}]``.
-        matrix: an entry of a matrix, as ``{}({}, {})``; none where matrices are arrays, row by row.
-        scalar: a result that is one number, where it is assigned.
-        reserved: words that can't be names, those of the functions included.
-        reserved_programs: names that programs and their files can't have; none where these are the reserved words.
-        qualified: whether the names of functions begin with that of the program.
-        continuation: what ends a line that goes on in the next one.
+        entry: an entry of an array, such as ``{}[{}]``.
+        matrix: an entry of a matrix, such as ``{}({}, {})``; empty where matrices are arrays, stored row by row.
+        scalar: a result that is a single number, as the left side of an assignment.
+        reserved: words that can't be names, including the names of the functions.
+        reserved_programs: names that programs and their files can't have; None if these are the reserved words.
+        qualified: whether the names of functions begin with the name of the program.
+        continuation: what ends a line that continues on the next one.
     """
 
     comment: tuple[str, str]
@@ -63,11 +63,11 @@ _OPERANDS = {
     Operation.SELECT: 3,
     **dict.fromkeys((Operation.ATAN2, Operation.MIN, Operation.MAX, Operation.POWER), 2),
 }
-"""How many operands functions have that have more than one."""
+"""The number of operands of each function that has more than one."""
 
 
 def functions(**other: str) -> dict[Operation, str]:
-    """Return the texts of the functions: their own names, where no other text is given."""
+    """Return the text of each function: a call by its own name, unless another text is given."""
     return {
         function: other.get(function, f"{function}({', '.join(['{}'] * _OPERANDS.get(function, 1))})")
         for function in FUNCTIONS

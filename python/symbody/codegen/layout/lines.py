@@ -1,4 +1,4 @@
-"""Expressions and statements as lines of a language, brackets only where the order of operations needs them."""
+"""Expressions and statements as lines of a language, with brackets only where the order of operations needs them."""
 
 from __future__ import annotations
 
@@ -66,9 +66,9 @@ def _bracketed(text: str) -> str:
 
 
 def part_lines(part: Part, language: Language, shapes: Shapes, indent: str | None = None) -> list[str]:
-    """Return the lines of a part: what it reads, then its statements, a blank line before each section.
+    """Return the lines of a part: what it reads, then its statements, with a blank line before each section.
 
-    ``shapes`` are those of the results; their entries are assigned with one index, two, or none.
+    ``shapes`` are the shapes of the results, whose entries are assigned with one index, two, or none.
     """
     indent = language.indent if indent is None else indent
     lines = [indent + line for line in _aligned(part.reads, language)]
@@ -102,7 +102,7 @@ def statement_text(statement: Statement, language: Language, shapes: Shapes) -> 
 
 
 def _aligned(reads: Sequence[Read], language: Language) -> list[str]:
-    """Return the lines that name entries of arrays, with equal signs and notes under one another."""
+    """Return the lines that name entries of arrays, with equal signs and notes aligned."""
     width = max((len(read.name) for read in reads), default=0)
     texts = [
         language.declare.format(
@@ -119,12 +119,12 @@ def _aligned(reads: Sequence[Read], language: Language) -> list[str]:
 
 
 def _entry_text(language: Language, array: str, index: int) -> str:
-    """Return an entry of an array, counted from zero here and from the first index there."""
+    """Return an entry of an array; indices count from zero here, from the first index in the language."""
     return language.entry.format(array, index + language.first_index)
 
 
 def _place_text(language: Language, array: str, index: int, shape: tuple[int, ...]) -> str:
-    """Return an entry of a result, where it is assigned; matrices are counted row by row."""
+    """Return an entry of a result as the left side of an assignment; matrices are counted row by row."""
     if not shape:
         return language.scalar.format(array)
     if len(shape) == 1 or not language.matrix:
@@ -148,9 +148,9 @@ _BREAKS = re.compile(r"[-+,?] | : |\*\*|[*/]|[(\[{]|[)\]}]|\"[^\"]*\"")
 
 
 def wrap_line(line: str, language: Language, indent: str) -> list[str]:
-    """Return a line as lines of the language's width, the later ones indented twice.
+    """Break a line into lines of the language's width; later lines are indented twice.
 
-    A line ends after an operator or a comma, within as few brackets as possible: all languages read on there.
+    Lines end after an operator or a comma, within as few brackets as possible: all languages continue there.
     """
     room = language.width - len(language.continuation)
     lines, lead = [], indent
@@ -161,7 +161,7 @@ def wrap_line(line: str, language: Language, indent: str) -> list[str]:
 
 
 def _break(line: str, room: int) -> int:
-    """Return where to break a line: outermost in its second half, otherwise as late as possible; 0 for nowhere."""
+    """Return where to break a line, or 0: outermost in its second half, otherwise as late as possible."""
     depth, places = 0, []
     for found in _BREAKS.finditer(line):
         sign = found.group()

@@ -36,7 +36,7 @@ class Array:
 
     @cached_property
     def is_scalar(self) -> bool:
-        """Whether it is one number and no array."""
+        """Whether it is a single number, not an array."""
         return not self.shape
 
 
@@ -49,11 +49,11 @@ class Function:
         meaning: what it computes.
         arguments: what it takes, in order.
         results: what it returns, in order.
-        composition: its statements in parts.
+        composition: its statements, in parts.
         counts: its operations in words, by stage.
         operations: the operations that occur in it.
-        working: the names and sizes of the working arrays: matrices, solutions, what later parts read.
-        calls: the routines that it calls before all else, their results with the names that they have here.
+        working: the names and sizes of the working arrays: matrices, solutions, values that later parts read.
+        calls: the routines that it calls first; their results have the names that they have in this routine.
     """
 
     name: str
@@ -73,7 +73,7 @@ class Function:
 
     @cached_property
     def arrays(self) -> tuple[tuple[str, int], ...]:
-        """The names and sizes of all arrays inside of it: those of calls, and the working arrays."""
+        """The names and sizes of all local arrays: results of calls, and the working arrays."""
         return (*self.received, *self.working)
 
     @cached_property
@@ -95,12 +95,12 @@ class Module:
     Attributes:
         name: the identifier of the program.
         meaning: what it models.
-        arguments: all arrays that functions take, the constants of the model included.
+        arguments: all arrays that functions take, including the constants of the model.
         prepare: the function that computes the constants of the model from parameters, if there are any.
         routines: the functions of the state.
-        values: values of the program's arguments for the self-check, by array.
-        references: the results there, in the order of the routines and of their results.
-        target: the name of the target that prints it, which stands in the mark of its files.
+        values: the values of the program's arguments in the self-check, by array.
+        references: the results for these values, in the order of the routines and of their results.
+        target: the name of the target that prints it; the mark of the files contains it.
     """
 
     name: str

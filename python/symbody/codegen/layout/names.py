@@ -1,4 +1,4 @@
-"""The names of a program in a language: reserved words and names that are taken are avoided."""
+"""The names of a program in a language, which avoid reserved words and names that are taken."""
 
 from __future__ import annotations
 
@@ -12,11 +12,11 @@ __all__ = ["Scope", "program_identifier"]
 _DEVICES = frozenset(
     ["con", "prn", "aux", "nul", *(f"{port}{k}" for port in ("com", "lpt") for k in range(1, 10))]
 )
-"""Windows has no files of these names, with whatever ending."""
+"""Windows allows no files of these names, whatever their ending."""
 
 
 def program_identifier(name: str, scope: Scope) -> str:
-    """Return the identifier of a program, which its files are called by: not a word that the scope reserves.
+    """Return the identifier of a program, after which its files are named; it is no reserved word of the scope.
 
     >>> scope = Scope(frozenset({"class"}))
     >>> [program_identifier(name, scope) for name in ("crane", "class", "aux")]
@@ -29,7 +29,7 @@ def program_identifier(name: str, scope: Scope) -> str:
 
 @dataclass
 class Scope:
-    """The names taken so far where code stands; a name that is taken or reserved gets a number.
+    """The names taken so far in a scope of the code; a name that is taken or reserved gets a number.
 
     >>> scope = Scope(frozenset({"lambda"}), case_sensitive=False)
     >>> [scope.claim(name) for name in ("lambda", "m", "M", "theta'")]
@@ -44,7 +44,7 @@ class Scope:
         self.reserved = frozenset(map(self._key, self.reserved))
 
     def claim(self, name: str, otherwise: str = "") -> str:
-        """Return the identifier of a name, which nothing else in the scope has; or of another one, if it is taken."""
+        """Return an identifier for a name that is unique in the scope; of the other name, if the first is taken."""
         wanted = identifier(name)
         candidate = f"{wanted}_" if self._key(wanted) in self.reserved else wanted
         if otherwise and not self.is_free(candidate):
@@ -61,7 +61,7 @@ class Scope:
         return self._key(candidate) not in self._taken and self._key(candidate) not in self.reserved
 
     def inner(self, names: Iterable[str] = ()) -> Scope:
-        """Return a scope inside this one, with further names taken: what is claimed there is free here."""
+        """Return a scope inside this one, with further names taken; names claimed there stay free here."""
         taken = self._taken | set(map(self._key, names))
         return Scope(self.reserved, self.case_sensitive, taken)
 

@@ -1,4 +1,4 @@
-"""Statements: what generated code consists of, in the words of no language yet."""
+"""Statements: what generated code consists of, independent of the language."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ class Let:
 
 @dataclass(frozen=True)
 class Store:
-    """A value into an entry of a result, of the workspace, of a matrix or of a right side."""
+    """Store a value into an entry of a result, of the workspace, of a matrix or of a right side."""
 
     array: str
     index: int
@@ -40,7 +40,7 @@ class Store:
 
 @dataclass(frozen=True)
 class Clear:
-    """Zeros into all entries of a result or a matrix; those that aren't zero are stored later."""
+    """Set all entries of a result or a matrix to zero; entries that aren't zero are stored later."""
 
     array: str
     size: int
@@ -65,7 +65,7 @@ class Solve:
 
 @dataclass(frozen=True)
 class Section:
-    """Where the work of a stage begins, with its operations; or goes on, in a further part."""
+    """The title where the work of a stage begins, with its operations, or continues in a later part."""
 
     title: str
 

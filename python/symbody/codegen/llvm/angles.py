@@ -1,4 +1,4 @@
-"""Sines and cosines that are taken together: the order that brings them side by side, and runs of them."""
+"""Sines and cosines that are computed together: the order that brings them next to each other, and runs of them."""
 
 from __future__ import annotations
 
@@ -12,18 +12,18 @@ from symbody.codegen.straight_line.instruction import WAVES
 __all__ = ["MOST_RUNS", "angles_first", "are_inlined", "segments"]
 
 MOST_RUNS, MOST_PACKS = 16, 64
-"""Runs of a function, and vectors of angles in them, up to which sines and cosines become a part of its code.
+"""The largest numbers of runs in a function, and of vectors of angles in them, for which sines are inlined.
 
 Each run has a branch for large angles, and its constants wait in registers for the next run: the time to allocate
-registers grows as the square of the number of runs. Called instead, a sine compiles in a tenth of a millisecond.
-Chains of sixteen and more run as fast; sines that are independent of one another take 4/3 of the time.
+registers grows as the square of the number of runs. A call of a sine instead compiles in a tenth of a millisecond.
+Chains of sixteen and more are as fast with calls; sines that are independent of one another take 4/3 of the time.
 """
 
 
 def angles_first(reads: Sequence[Sequence[int]], trigonometric: Sequence[bool], first: int) -> list[int]:
-    """Return the instructions with the sines and cosines of known angles first, then those of further angles.
+    """Return the order of the instructions with sines and cosines of known angles first, then those of further angles.
 
-    A processor takes several angles in the time of one, if they come one after another.
+    A processor computes several sines in the time of one, if they follow one another.
 
     Args:
         reads: the places that each instruction reads.
@@ -63,7 +63,7 @@ def _depths(reads: Sequence[Sequence[int]], trigonometric: Sequence[bool], first
 
 
 def _below(level: Sequence[int], reads: Sequence[Sequence[int]], placed: list[bool], first: int) -> list[int]:
-    """Place what the instructions need and return it, in its order."""
+    """Place the instructions that those of a level need, and return them in their order."""
     needed: set[int] = set()
     stack = [place - first for k in level for place in reads[k]]
     while stack:
@@ -76,7 +76,7 @@ def _below(level: Sequence[int], reads: Sequence[Sequence[int]], placed: list[bo
 
 
 def segments(code: Code, rows: Sequence[int], most: float = inf) -> list[tuple[bool, list[int]]]:
-    """Return the rows in their order, runs of sines and cosines (true) apart from what lies between them (false).
+    """Return the rows in their order, divided into runs of sines and cosines (true) and what lies between (false).
 
     Args:
         code: what the rows belong to.
@@ -93,14 +93,14 @@ def segments(code: Code, rows: Sequence[int], most: float = inf) -> list[tuple[b
 
 
 def are_inlined(code: Code, rows: Sequence[int], size: int) -> bool:
-    """Whether the sines and cosines of rows become a part of the code, if so many angles fill a vector."""
+    """Whether the sines and cosines of the rows are inlined, if ``size`` angles fill a vector."""
     runs = [run for is_wave, run in segments(code, rows) if is_wave]
     packs = [-(-len({code.instructions[k].reads for k in run}) // size) for run in runs]
     return len(packs) <= MOST_RUNS and sum(packs) <= MOST_PACKS
 
 
 def _runs(code: Code, rows: Iterable[int], most: float) -> list[list[int]]:
-    """Return sines and cosines that follow one another in runs, none of which is taken of another one of its run."""
+    """Return consecutive sines and cosines in runs; in a run, none depends on another one."""
     runs: list[list[int]] = [[]]
     angles: set[int] = set()
     made: set[int] = set()

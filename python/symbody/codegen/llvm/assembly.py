@@ -1,6 +1,6 @@
-"""Modules of LLVM's intermediate representation, of the functions of some code: one, or several where there is much.
+"""Modules of LLVM's intermediate representation that hold the functions of some code: one, or several if it is long.
 
-Each module is loaded by itself, wherever there is memory, so that functions of others are called by their addresses.
+Each module is loaded separately, wherever there is memory, so functions of other modules are called by address.
 """
 
 from __future__ import annotations
@@ -12,10 +12,10 @@ from symbody.codegen.llvm.piece import CHECKED, CLEAR, SINCOS, Helper, Piece
 from symbody.codegen.llvm.sincos import checked_text, sincos_text
 from symbody.codegen.llvm.writer import Writer, vector_type
 
-__all__ = ["Assembly", "Part", "assemble"]
+__all__ = ["Assembly", "LlvmModule", "assemble"]
 
 MOST_LINES = 8000
-"""Lines of a module, as each is compiled in one go, up to half a second, for which Ctrl-C waits."""
+"""The largest number of lines of a module: compiling one takes up to half a second, and Ctrl-C waits for its end."""
 
 _ONE, _TWO = ("x",), ("x", "y")
 _SYSTEM = {
@@ -48,7 +48,7 @@ _DECLARATIONS = (
 
 
 @dataclass(frozen=True)
-class Part:
+class LlvmModule:
     """A module, and the names of the functions in it that others call."""
 
     text: str
@@ -60,20 +60,20 @@ class Assembly:
     """The modules of one function.
 
     Attributes:
-        entry: the module that holds the function; where there are parts it has a table ``@parts``, for their addresses.
-        parts: modules with blocks.
+        entry: the module with the function; if there are parts, also with a table ``@parts`` for their addresses.
+        parts: further modules, which hold the blocks of long code.
     """
 
     entry: str
-    parts: tuple[Part, ...] = ()
+    parts: tuple[LlvmModule, ...] = ()
 
 
 def assemble(pieces: Sequence[Piece], entry: str) -> Assembly:
-    """Return the modules of blocks and of what calls them.
+    """Put pieces together to modules.
 
     Args:
         pieces: the blocks.
-        entry: the function that is wanted, and those between it and the blocks.
+        entry: the text of the function that calls them.
     """
     if sum(len(piece.lines) for piece in pieces) <= MOST_LINES:
         return Assembly(
@@ -82,7 +82,7 @@ def assemble(pieces: Sequence[Piece], entry: str) -> Assembly:
     table = f"@parts = global [{len(pieces)} x ptr] zeroinitializer, align 8"
     calls = [piece.call_by_address(number) for number, piece in enumerate(pieces)]
     parts = (
-        Part(
+        LlvmModule(
             _module([piece.definition() for piece in part], _helpers(part)),
             tuple(piece.name for piece in part),
         )
@@ -92,7 +92,7 @@ def assemble(pieces: Sequence[Piece], entry: str) -> Assembly:
 
 
 def _parts(pieces: Iterable[Piece]) -> Iterator[list[Piece]]:
-    """Return the pieces in parts of at most :data:`MOST_LINES`, or of one."""
+    """Return the pieces in groups of at most :data:`MOST_LINES`, or of a single longer piece."""
     part: list[Piece] = []
     for piece in pieces:
         if part and sum(len(each.lines) for each in (*part, piece)) > MOST_LINES:
@@ -111,7 +111,7 @@ def _helpers(pieces: Iterable[Piece]) -> set[Helper]:
 
 
 def _texts(helpers: set[Helper]) -> list[str]:
-    """Return the helpers; sines that are called need those that become a part of the code."""
+    """Return the texts of the helpers; sines that are called need those that are inlined."""
     needed = helpers | {Helper(SINCOS, helper.lanes) for helper in helpers if helper.name == CHECKED}
     return [_text(helper) for helper in sorted(needed)]
 

@@ -1,6 +1,6 @@
-"""Instructions cut into blocks, each a function of LLVM's, which share a workspace.
+"""Instructions cut into blocks, each of which becomes an LLVM function; the blocks share a workspace.
 
-Its slots hold values that a later block reads; behind them are the matrices and solutions of linear systems.
+The slots of the workspace hold values that a later block reads; the matrices and solutions of linear systems follow.
 """
 
 from __future__ import annotations
@@ -25,10 +25,10 @@ from symbody.codegen.straight_line.instruction import WAVES, Instruction, Operat
 __all__ = ["Blocks", "Store"]
 
 BLOCK, SMALL_BLOCK = 1000, 500
-"""Instructions of a function, as compilers take a time that grows faster than the length; and of one of long code."""
+"""Instructions of a block, and of a block of long code, at most: the time to compile grows faster than the length."""
 
 LONG = 8000
-"""Instructions from which on the time to compile counts more than the last percents of speed."""
+"""The number of instructions from which the time to compile counts more than the last percents of speed."""
 
 _SLOT: Template = ("getelementptr double, ptr %work, i64 {0}",)
 _UNIFORM: Template = ("getelementptr double, ptr %uniform, i64 {0}", "load double, ptr {1}, align 8")
@@ -55,7 +55,7 @@ class _Shared:
         slots: where values that cross blocks are kept, by place.
         uniform: where values that are the same for all states are found, by place.
         memory: where matrices and solutions are kept.
-        are_waves_inlined: whether sines and cosines become a part of the code.
+        are_waves_inlined: whether sines and cosines are inlined rather than called.
     """
 
     code: Code
@@ -160,7 +160,7 @@ class _BlockWriter(Writer):
         self.runs = 0
 
     def rows(self, rows: Sequence[int], stores: Sequence[Store]) -> None:
-        """Write instructions, by number, and store values as soon as they are there: those that wait take registers."""
+        """Write instructions, by number; store results at once, since those that wait take registers."""
         first = self.code.first_instruction
         waiting: dict[int, list[Store]] = {}
         for store in stores:
@@ -193,7 +193,7 @@ class _BlockWriter(Writer):
                 self.values[place] = self.write(TEMPLATES[operation], *self._all(row.reads))[-1]
 
     def _of_system(self, name: str, values: Sequence[str]) -> str:
-        """Call a function of the system; one of the module calls it for each lane."""
+        """Call a function of the system; a vector goes to a helper that calls it for each lane."""
         function = name
         if self.lanes > 1:
             helper = Helper(name, self.lanes)

@@ -1,4 +1,4 @@
-"""Compilation in the process: text of LLVM's intermediate representation to machine code."""
+"""Compilation in the process, from text of LLVM's intermediate representation to machine code."""
 
 from __future__ import annotations
 
@@ -28,25 +28,25 @@ from symbody.symbolic.numeric.kernel import kernel_address
 __all__ = ["Compiled", "check_available", "compile_assembly", "is_available", "lanes", "watched"]
 
 _OPTIONS: dict[str, Any] = {"opt": 2, "jit": True, "reloc": "pic", "codemodel": "large"}
-"""Numbers are found relative to the code, as in a shared library: absolute addresses take a register each.
+"""Code addresses its constants relative to itself, as in a shared library: absolute addresses take a register each.
 
 Code and its constants may lie more than 2 GB apart in a process with much memory: addresses of 32 bits would not
-reach, and LLVM would end the process.
+reach, and LLVM would abort the process.
 """
 
 _LEVEL = 1
-"""Straight-line code gains nothing from higher levels of optimisation, which take twice the time."""
+"""The level of optimisation. Straight-line code gains nothing from higher levels, which take twice the time."""
 
 _WATCHER: ContextVar[Callable[[int, int], None]] = ContextVar("watcher", default=lambda _part, _parts: None)
 
 
 def is_available() -> bool:
-    """Return whether this machine compiles."""
+    """Return whether code can be compiled here."""
     return llvm is not None
 
 
 def check_available() -> None:
-    """See that this machine compiles.
+    """Check that code can be compiled here.
 
     Raises:
         CodegenError: llvmlite isn't installed, or can't be loaded.
@@ -77,13 +77,13 @@ class Compiled:
     engines: tuple[Any, ...]
 
     def function(self, *arguments: Any) -> Any:
-        """Return the function for Python, of these types of C and without a result; it runs without the interpreter."""
+        """Return the function for Python, with arguments of these C types; it releases the interpreter."""
         return ctypes.CFUNCTYPE(None, *arguments)(self.address)
 
 
 @cache
 def _target() -> Any:
-    """Return the kind of processor that this is; what compiled code calls is made known once."""
+    """Return the kind of this processor; the functions that compiled code calls are registered once."""
     llvm.initialize_native_target()
     llvm.initialize_native_asmprinter()
     for name in ("factor", "solve"):
@@ -92,17 +92,17 @@ def _target() -> Any:
 
 
 def _machine() -> Any:
-    """Return this processor; a new one for each engine, which takes it over."""
+    """Return a description of this processor; a new one for each engine, which takes ownership."""
     features = llvm.get_host_cpu_features().flatten()
     return _target().create_target_machine(cpu=llvm.get_host_cpu_name(), features=features, **_OPTIONS)
 
 
 @cache
 def lanes() -> int:
-    """Return how many doubles the processor takes at a time.
+    """Return how many doubles a vector of the processor holds.
 
     Raises:
-        CodegenError: there is no LLVM here.
+        CodegenError: LLVM is missing.
     """
     check_available()
     features = llvm.get_host_cpu_features()
@@ -112,9 +112,9 @@ def lanes() -> int:
 
 
 def compile_assembly(assembly: Assembly, name: str) -> Compiled:
-    """Return the machine code of one function.
+    """Compile and load one function.
 
-    Python takes a turn between two modules: that is when Ctrl-C interrupts.
+    Python gets control between two modules, so that Ctrl-C can interrupt.
 
     Args:
         assembly: its modules.
@@ -136,7 +136,7 @@ def compile_assembly(assembly: Assembly, name: str) -> Compiled:
 
 @contextmanager
 def watched(watcher: Callable[[int, int], None]) -> Iterator[None]:
-    """Report each module that is compiled in this context before it is: its number, and how many the function has."""
+    """Report each module before it is compiled in this context: its number, and how many the function has."""
     token = _WATCHER.set(watcher)
     try:
         yield
@@ -154,14 +154,14 @@ def _objects(texts: Sequence[str]) -> list[bytes]:
 
 @cache
 def _identity() -> str:
-    """Return what machine code depends on beside its text."""
+    """Return what machine code depends on besides its text."""
     features = llvm.get_host_cpu_features().flatten()
     versions = (version("symbody"), llvmlite.__version__, llvm.llvm_version_info)
     return repr((*versions, llvm.get_default_triple(), llvm.get_host_cpu_name(), features, _OPTIONS, _LEVEL))
 
 
 def _loaded(made: bytes) -> Any:
-    """Return an engine that owns the code of a module; one each, as it looks for constants near the first one's."""
+    """Return an engine for one module: an engine expects all constants near those of its first module."""
     engine = llvm.create_mcjit_compiler(llvm.parse_assembly(""), _machine())
     engine.add_object_file(llvm.ObjectFileRef.from_data(made))
     engine.finalize_object()
@@ -169,7 +169,7 @@ def _loaded(made: bytes) -> Any:
 
 
 def _object(text: str) -> bytes:
-    """Return the machine code of one module, which isn't loaded yet."""
+    """Return the machine code of one module, not loaded yet."""
     machine = _machine()
     module = llvm.parse_assembly(text)
     module.triple, module.data_layout = machine.triple, str(machine.target_data)

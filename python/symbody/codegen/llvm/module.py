@@ -1,4 +1,4 @@
-"""Modules of LLVM's intermediate representation: code for one state, or for many, several of them in a vector."""
+"""Modules of LLVM's intermediate representation: code for one state, or for many states, several per vector."""
 
 from __future__ import annotations
 
@@ -41,20 +41,20 @@ def scalar_modules(code: Code, name: str, lanes: int) -> Assembly:
     Args:
         code: what it computes.
         name: the function's name.
-        lanes: how many angles the processor takes at a time.
+        lanes: how many doubles a vector of the processor holds.
     """
     return assemble(*_scalar(code, name, lanes))
 
 
 def shortcut_modules(shortcut: Code, outputs: int, code: Code, name: str, lanes: int) -> Assembly:
-    """Return modules with a function as `scalar_modules` has, which tries a shortcut before the code.
+    """Return modules with the same function as `scalar_modules`, which tries a shortcut first.
 
     Args:
-        shortcut: what computes the outputs, then conditions: unless all are positive the code has to.
+        shortcut: computes the outputs, then conditions; unless all conditions are positive, ``code`` is run.
         outputs: how many outputs there are.
         code: what it computes.
         name: the function's name.
-        lanes: how many angles the processor takes at a time.
+        lanes: how many doubles a vector of the processor holds.
     """
     whole, safely = _scalar(code, f"{name}_safely", lanes, "noinline cold")
     brief = _of_one_state(shortcut, f"{name}_briefly", lanes)
@@ -79,7 +79,7 @@ done:
 
 
 def _all_positive(conditions: int) -> str:
-    """Return the test of conditions; what is no number is not positive."""
+    """Return the test of the conditions; NaN is not positive."""
     lines = ["  %all0 = and i1 true, true"]
     for k in range(conditions):
         lines += [
@@ -92,7 +92,7 @@ def _all_positive(conditions: int) -> str:
 
 
 def _scalar(code: Code, name: str, lanes: int, attributes: str = "") -> tuple[list[Piece], str]:
-    """Return the blocks of a function of one state, and the text of what calls them."""
+    """Return the pieces of a function of one state, and the text of the function that calls them."""
     blocks = _of_one_state(code, name, lanes)
     stores = [Store(place, _OUTPUT, j) for j, place in enumerate(code.results)]
     entry = f"""\
@@ -110,13 +110,13 @@ def _of_one_state(code: Code, name: str, lanes: int) -> Blocks:
 
 
 def batch_modules(code: Code, name: str, lanes: int, uniform: Sequence[bool]) -> Assembly:
-    """Return modules with a function of many states, so many in a vector.
+    """Return modules with a function of many states, ``lanes`` of them per vector.
 
     ``void name(const double *const *in, double *out, int64 first, int64 last, int64 stride)``: input k of state i is
     ``in[k][i]``, or ``in[k][0]`` where it is ``uniform`` and of stage 0; output j is ``out[j*stride + i]``. There must
     be at least as many states as lanes; what depends on uniform inputs alone is computed once.
     """
-    # Linear systems stay with the states: their memory does.
+    # Linear systems are computed for each state, since their memory belongs to it.
     with_systems = any(row.operation is Operation.FACTOR for row in code.instructions)
     before = [] if with_systems else [k for k, stage in enumerate(code.stages) if stage == 0]
     each = sorted(set(range(len(code.instructions))) - set(before))
@@ -131,7 +131,7 @@ def batch_modules(code: Code, name: str, lanes: int, uniform: Sequence[bool]) ->
 
 
 def _shared(code: Code, before: Sequence[int], each: Sequence[int]) -> list[int]:
-    """Return the places of what is computed once for all states and what some state needs."""
+    """Return the places that are computed once for all states and read for each of them."""
     same = {code.first_instruction + k for k in before}
     read = {place for k in each for place in code.instructions[k].reads}
     return sorted(same & (read | set(code.results)))

@@ -1,8 +1,8 @@
-"""Machine code on disk, between processes: a folder of this user's, of bounded size, in which each file proves itself.
+"""A cache of machine code on disk, shared by processes: a folder of this user, of bounded size, with verified files.
 
-A file is named by a digest of all that its code depends on: the module's text, the versions of symbody, llvmlite and
-LLVM, and the processor. It holds its code behind a digest of name and code, so that what was cut off, changed or
-renamed is seen. Code is compiled where none is found; nothing here ever raises an error or changes a result.
+A file is named after a digest of all that its code depends on: the module's text, the versions of symbody, llvmlite and
+LLVM, and the processor. It holds its code behind a digest of name and code, so that truncated, changed or
+renamed files are detected. Code that isn't found is compiled; nothing here ever raises an error or changes a result.
 """
 
 from __future__ import annotations
@@ -20,13 +20,13 @@ from symbody.files.replacement import TEMPORARY, replacements
 __all__ = ["BOUND", "VARIABLE", "folder", "kept_or_made"]
 
 VARIABLE = "SYMBODY_CACHE"
-"""The environment variable with the folder, or "off"."""
+"""The environment variable that holds the folder, or "off"."""
 
 BOUND = 256 << 20
-"""Bytes in the folder at most; what was not used for longest is removed."""
+"""The largest size of the folder, in bytes; the least recently used files are removed."""
 
 _SHORTEST = 8_000
-"""Characters of a module's text that is kept: shorter ones compile in some ms."""
+"""The shortest text of a module that is kept, in characters: shorter ones compile within a few ms."""
 
 _DIGEST = hashlib.sha256().digest_size
 _SUFFIX = ".symbody.o"
@@ -38,7 +38,7 @@ def kept_or_made(identity: str, text: str, make: Callable[[], bytes]) -> bytes:
     """Return the machine code of a module from the folder, or make it and keep it there.
 
     Args:
-        identity: what the code depends on beside the text.
+        identity: what the code depends on besides the text.
         text: the module.
         make: compiles it.
     """
@@ -56,9 +56,9 @@ def kept_or_made(identity: str, text: str, make: Callable[[], bytes]) -> bytes:
 
 
 def folder() -> Path | None:
-    """Return where machine code is kept; None where that is switched off, or the folder isn't this user's alone.
+    """Return the folder of the cache; None if it is switched off, or others can write to the folder.
 
-    Others could put code there that this process would run.
+    They could put code there that this process would run.
     """
     chosen = os.environ.get(VARIABLE, "")
     if chosen.strip().lower() in {"off", "0", "no", "false"} or not hasattr(os, "getuid"):
@@ -92,7 +92,7 @@ def _proof(place: Path, code: bytes) -> bytes:
 
 
 def _read(place: Path) -> bytes | None:
-    """Return the code in a file, and note that it was used; None if it isn't whole."""
+    """Return the code in a file, and note its use; None if the file is damaged."""
     try:
         handle = os.open(place, os.O_RDONLY | os.O_NOFOLLOW | os.O_NONBLOCK)
         with os.fdopen(handle, "rb") as file:
@@ -116,7 +116,7 @@ def _write(place: Path, code: bytes) -> None:
 
 
 def _trim(home: Path) -> None:
-    """Remove the files of ours that were not used for longest, down to three quarters of the bound.
+    """Remove our least recently used files, down to three quarters of the bound.
 
     Those that a killed process left in a temporary folder are among them.
     """

@@ -1,6 +1,6 @@
 """The operations of the tape in LLVM's intermediate representation.
 
-A product and a sum may become one operation that rounds once; nothing else is rearranged.
+LLVM may fuse a product and a sum into one operation that rounds once; nothing else is rearranged.
 """
 
 from __future__ import annotations
@@ -28,7 +28,7 @@ TEMPLATES: dict[Operation, Template] = {
     ),
     Operation.SELECT: ("fcmp ogt {V} {0}, {zero}", "select {mask} {3}, {V} {1}, {V} {2}"),
 }
-"""What takes one instruction of the processor, or a few."""
+"""The operations that take one instruction of the processor, or a few."""
 
 SYSTEM: dict[Operation, str] = {
     **{

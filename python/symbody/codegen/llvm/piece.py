@@ -1,4 +1,4 @@
-"""Pieces, of which modules are put together: functions for blocks of code, and the names of what these call."""
+"""Pieces of modules: the functions of blocks, and the names of the helpers that these call."""
 
 from __future__ import annotations
 
@@ -7,12 +7,12 @@ from dataclasses import dataclass
 __all__ = ["CHECKED", "CLEAR", "SINCOS", "Helper", "Piece"]
 
 SINCOS, CHECKED = "sincos", "checked_sincos"
-"""Sine and cosine of small angles; and of all, for those that are called rather than made part of the code."""
+"""Sine and cosine of small angles, which are inlined; and of all angles, which are called."""
 
 
 @dataclass(frozen=True, order=True)
 class Helper:
-    """A function for vectors: sine and cosine, or one that calls a function of the system for each lane.
+    """A helper for vectors: sine and cosine, or a function that calls one of the system for each lane.
 
     >>> print(Helper("atan2", 4))
     atan2_4
@@ -26,20 +26,20 @@ class Helper:
 
 
 CLEAR = Helper("clear", 1)
-"""Sets bytes to zero; called, since LLVM compares what it knows to set memory with every store after it."""
+"""Sets bytes to zero. It is called, since LLVM compares each memset that it sees with every later store."""
 
 _TYPED = "ptr noalias %in, ptr noalias %out, ptr noalias %work, ptr noalias %uniform, i64 %i, i64 %stride"
 
 
 @dataclass(frozen=True)
 class Piece:
-    """A function without result; all have the same arguments.
+    """A function without a result; all pieces have the same arguments.
 
     Attributes:
         name: its name.
         lines: what it does.
-        helpers: what it calls, beside functions of the system.
-        attribute: whether it becomes a part of what calls it.
+        helpers: the helpers that it calls.
+        attribute: whether it is inlined where it is called.
     """
 
     name: str
@@ -53,7 +53,7 @@ class Piece:
         return "\n".join([head, *self.lines, "  ret void", "}", ""])
 
     def call_by_address(self, number: int) -> str:
-        """Return a function of this name that calls the one whose address has a place in the table ``@parts``."""
+        """Return a function of this name that calls the piece by its address in the table ``@parts``."""
         return f"""\
 define internal void @{self.name}({_TYPED}) alwaysinline {{
   %place = getelementptr ptr, ptr @parts, i64 {number}

@@ -1,4 +1,4 @@
-"""Sines and cosines of several angles at once: vectors of states, or several angles of one state in a vector."""
+"""Sines and cosines of several angles at once: of vectors of states, or of several angles of one state in a vector."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ def waves(w: Writer, angles: Sequence[str], pack: int, run: int | None) -> list[
         w: the function that needs them.
         angles: the names of the angles.
         pack: how many angles of one state are taken at a time.
-        run: a number for the labels; none where functions are called instead.
+        run: a number for the labels; None if functions are called instead.
     """
     size = wave_size(w.lanes, pack)
     groups = [angles[start : start + size] for start in range(0, len(angles), size)]
@@ -36,7 +36,7 @@ def waves(w: Writer, angles: Sequence[str], pack: int, run: int | None) -> list[
 
 
 def wave_size(lanes: int, pack: int) -> int:
-    """Return how many angles of one state become one vector, where code is for so many states."""
+    """Return how many angles of one state fill a vector, in code for this number of lanes."""
     return pack if lanes == 1 else 1
 
 
@@ -68,7 +68,7 @@ def _unpacked(w: Writer, pair: Pair, lanes: int, lane: int) -> Pair:
 
 
 def _checked(w: Writer, angles: Sequence[str], lanes: Sequence[int], run: int) -> list[Pair]:
-    """Write one check, which sends all to the system's functions if some angle is large."""
+    """Write one check for all angles: if one of them is large, the system's functions compute all."""
     fast, slow, end = (f"{name}{run}" for name in ("fast", "slow", "end"))
     large = "false"
     for x, n in zip(angles, lanes, strict=True):

@@ -1,1 +1,1 @@
-"""Expressions as functions of machine code in this process: for NumPy arrays, and for loops outside Python."""
+"""Expressions as machine code in this process: functions of NumPy arrays, and functions for loops outside Python."""

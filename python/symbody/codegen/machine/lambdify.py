@@ -171,7 +171,7 @@ def _batch(shapes: Sequence[tuple[int, ...]]) -> tuple[int, ...]:
         found = ", ".join(map(str, dict.fromkeys(shapes)))
         raise ParameterError(
             f"the arguments have values of the shapes {found}, which don't broadcast; "
-            "expected as many points for each"
+            "expected the same number of points for each"
         ) from None
 
 

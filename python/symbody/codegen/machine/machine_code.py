@@ -1,4 +1,4 @@
-"""Machine code of expressions: compiled when it is first needed, for one state and for many."""
+"""Machine code of expressions, for one state and for many, compiled at its first use."""
 
 from __future__ import annotations
 
@@ -59,11 +59,11 @@ class MachineCode:
 
     @property
     def address(self) -> int:
-        """Where the function of one state begins."""
+        """The address of the function of one state."""
         return self._scalar().address
 
     def batch_address(self, uniform: Sequence[bool]) -> int:
-        """Return where the function of many states begins, some of whose inputs are the same for all states."""
+        """Return the address of the function of many states; uniform inputs have one value for all states."""
         return self._batch(tuple(uniform)).address
 
     def evaluate(self, states: NDArray[np.float64], out: NDArray[np.float64]) -> None:

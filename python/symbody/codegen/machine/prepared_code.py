@@ -25,7 +25,7 @@ __all__ = ["PreparedCode", "Shortcut"]
 
 @dataclass(frozen=True)
 class Shortcut:
-    """Faster expressions of the same outputs, for most states.
+    """Faster expressions of the same outputs, which are accurate in most states.
 
     Attributes:
         expressions: the outputs.
@@ -54,7 +54,7 @@ class PreparedCode:
         parameters: what changes from one motion to another.
         inputs: what changes from one state to another.
         expressions: the outputs.
-        shortcut: a faster way to them, which is taken where it is accurate.
+        shortcut: faster expressions of them, which are used where they are accurate.
 
     >>> from symbody import cos, sin, symbols
     >>> x, a, b = symbols("x a b")
@@ -72,19 +72,21 @@ class PreparedCode:
 
     @property
     def address(self) -> int:
-        """Where the function begins."""
+        """The address of the function."""
         return self._function.address
 
     @property
     def constants(self) -> int:
-        """How many constants it reads."""
+        """The number of constants that it reads."""
         return len(self._parts.constants.results)
 
     def prepare(self, parameters: NDArray[np.float64]) -> NDArray[np.float64]:
         """Return the constants for values of the parameters."""
         values, out = np.ascontiguousarray(parameters, float), np.empty(self.constants)
         if values.shape != (len(self.parameters),):
-            raise ParameterError(f"{len(self.parameters)} parameters, and values of the shape {values.shape}")
+            raise ParameterError(
+                f"expected values of {len(self.parameters)} parameters, found an array of the shape {values.shape}"
+            )
         if self.constants:
             self._preparation.function(POINTER, POINTER)(values.ctypes.data, out.ctypes.data)
         return out
@@ -155,7 +157,7 @@ def _compiled(assembly: Callable[[int], Assembly], name: str) -> jit.Compiled:
 
 
 def _laid_out(code: Code, position: Callable[[Input], int], size: int) -> Code:
-    """Return the code with as many inputs as an array has, each at its position."""
+    """Return the code with inputs for all entries of an array, each at its position."""
     first, shift = code.first_input, size - len(code.inputs)
     after = range(code.first_instruction, code.first_instruction + len(code.instructions))
     places = [*range(first), *(first + position(entry) for entry in code.inputs), *(k + shift for k in after)]

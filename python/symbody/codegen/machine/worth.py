@@ -1,4 +1,4 @@
-"""When to compile what is called without a word on it: by the size of the function, and by the points of the call."""
+"""When to compile a call by default: it depends on the size of the function and on the points of the call."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ size, and compiling pays within some fifty calls of so many points; it would tak
 def is_worth_compiling(operations: int, points: int) -> bool:
     """Return whether a call is compiled: ``points operations >= 2000 operations + 200 000``.
 
-    Nothing else counts, no clock and no earlier call, so that equal calls give equal digits.
+    Nothing else matters, neither the clock nor earlier calls, so that equal calls give equal digits.
 
     >>> is_worth_compiling(10_000, 20), is_worth_compiling(10_000, 2020)
     (False, True)

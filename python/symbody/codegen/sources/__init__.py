@@ -1,1 +1,1 @@
-"""Source files: written into a folder, compiled and compared with reference values there."""
+"""Source files: write them into a folder, compile them there and compare with reference values."""

@@ -1,4 +1,4 @@
-"""Generate: the files of a target for a model, written whole or not at all."""
+"""Generate the files of a target for a model: all of them, or none."""
 
 from __future__ import annotations
 
@@ -57,13 +57,13 @@ def generate(
         model: a program, or equations of motion, whose program is taken.
         target: the language: one of ``TARGETS``.
         path: the folder, which is made if there is none.
-        name: another name for the program; any text, of which an identifier is made, as of the name of a system.
+        name: another name for the program: any text, from which an identifier is made.
 
     Returns:
         The files.
 
     Raises:
-        CodegenError: the target isn't known, the folder can't be written, or files of something else are in the way.
+        CodegenError: the target isn't known, the folder can't be written, or other files are in the way.
         ProgramError: the model can't be a program, or the name is no text.
 
     >>> import tempfile
@@ -80,7 +80,7 @@ def generate(
     try:
         if folder.exists() and not folder.is_dir():
             raise CodegenError(
-                f"generate: {folder} is a file, and several files are to be written; expected a folder as path"
+                f"generate: {folder} is a file; expected a folder as path, since several files are written"
             )
         for file, text in texts.items():
             _check_replaceable(folder / file, text)
@@ -99,7 +99,9 @@ def _folder(path: str | os.PathLike[str]) -> Path:
     try:
         return Path(path)
     except TypeError:
-        raise CodegenError(f"generate: {path!r} is no path; expected a folder, such as 'generated'") from None
+        raise CodegenError(
+            f"generate: {path!r} is not a path; expected a folder, such as 'generated'"
+        ) from None
 
 
 def source(model: Program | Programmable, target: str = "c", *, name: str | None = None) -> dict[str, str]:
@@ -133,14 +135,14 @@ def source(model: Program | Programmable, target: str = "c", *, name: str | None
 
 
 def _notice_unused(program: Program) -> None:
-    """Warn of parameters and inputs that no routine needs: a misspelt name, more often than not."""
+    """Warn of parameters and inputs that no routine needs, usually because of a misspelt name."""
     leaves = free_symbols([e for routine in program.routines for e in routine.expressions])
     for argument in program.arguments:
         unused = [str(v) for v in argument.variables if v not in leaves]
         if unused and argument.stage in STAGES[:2]:
             warnings.warn(
                 f"generate: no routine of {program.name} depends on {', '.join(unused)} of the argument "
-                f"{argument.name}; the code takes and ignores it",
+                f"{argument.name}; the code takes it and ignores it",
                 ModelNotice,
                 stacklevel=3,
             )
@@ -154,7 +156,7 @@ def target_of(name: object) -> Target:
 
 
 def _check_replaceable(file: Path, text: str) -> None:
-    """Raise an error for a file that isn't of the same program and target, as one of its first lines says."""
+    """Raise an error for a file that wasn't generated for the same program and target, by its first lines."""
     if not file.exists():
         return
     found, ours = _marked(_first_lines(file)), _marked(text.splitlines())

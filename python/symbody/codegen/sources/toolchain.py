@@ -1,4 +1,4 @@
-"""Compilers and interpreters: generated code is built and checked where it is wanted."""
+"""Compilers and interpreters, which build and check generated code."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ _TIME_LIMIT = 600.0
 
 
 def check(model: Program | Programmable, target: str = "c", *, name: str | None = None) -> str:
-    """Generate code in a temporary folder, compile it, compare it there with reference values, return the report.
+    """Generate code in a temporary folder, compile it, compare its values with references, and return the report.
 
     Args:
         model: a program, or equations of motion, whose program is taken.
@@ -61,11 +61,11 @@ def check(model: Program | Programmable, target: str = "c", *, name: str | None 
 
 
 def check_files(target: Target, name: str, texts: Mapping[str, str]) -> str:
-    """Build and run the self-check of generated files in a temporary folder, and return what it printed.
+    """Build and run the self-check of generated files in a temporary folder, and return its output.
 
     Args:
         target: the language.
-        name: the name of the module, which the files are called by.
+        name: the name of the module, after which the files are named.
         texts: the files.
 
     Raises:

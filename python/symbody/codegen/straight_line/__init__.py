@@ -1,1 +1,1 @@
-"""Straight-line code of routines, and what is decided on it: calls, constants of the model, cuts, operation counts."""
+"""Straight-line code of routines, and its analysis: calls, constants of the model, cuts, operation counts."""

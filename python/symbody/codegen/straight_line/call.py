@@ -1,4 +1,4 @@
-"""Calls: a routine that would repeat the work of an earlier one calls it."""
+"""Calls: a routine calls an earlier one instead of repeating its work."""
 
 from __future__ import annotations
 
@@ -12,17 +12,17 @@ from symbody.symbolic import Argument, Program, Routine
 __all__ = ["Call", "call_in"]
 
 _EXTRA = 1.1
-"""How much longer a routine may take for a call of another one, which may compute more than is needed of it."""
+"""How much longer a routine may become by a call, since what is called may compute more than is needed."""
 
 
 @dataclass(frozen=True)
 class Call:
-    """What a routine calls, and what is left to it.
+    """What a routine calls, and what remains to be computed.
 
     Attributes:
         routine: what is called.
-        rest: the code that is left. Entries of results of the call are inputs of it, of an array that is named by
-            their routine and the result, as ``forward_dynamics.a``.
+        rest: the remaining code. Entries of the results of the call are inputs of it, in an array that is named after
+            the routine and the result, such as ``forward_dynamics.a``.
     """
 
     routine: Routine
@@ -32,12 +32,12 @@ class Call:
 def call_in(program: Program, number: int, codes: Sequence[Code]) -> Call | None:
     """Return the call that saves a routine most of its work, if there is one.
 
-    What is called comes earlier, takes no arguments that the routine doesn't have, and returns vectors.
+    The routine that is called comes earlier, takes only arguments that the caller has, and returns vectors.
 
     Args:
         program: the routines.
-        number: which of them may call another one.
-        codes: the code of each, down to this one.
+        number: the number of the routine that may call another one.
+        codes: the code of each routine, up to this one.
     """
     routine, whole = program.routines[number], len(codes[number].instructions)
     arguments, least = program.arguments_of(routine), _EXTRA * whole
@@ -78,7 +78,7 @@ def _rest(arguments: Sequence[Argument], routine: Routine, earlier: Routine) -> 
 
 
 def _with_inputs(code: Code, inputs: Sequence[Input], results: Sequence[int | None]) -> Code:
-    """Return the code with further inputs and results: for each a number of these inputs, or one of its own."""
+    """Return the code with further inputs; each result is one of these, by number, or the next of its own results."""
     first, own = code.first_instruction, iter(code.results)
     after = range(first + len(inputs), first + len(inputs) + len(code.instructions))
     places = [*range(first), *after]

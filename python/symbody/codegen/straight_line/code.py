@@ -1,4 +1,4 @@
-"""Straight-line code of routines: what the tape holds, in a form that can be taken apart."""
+"""Straight-line code of routines: the contents of a tape, in a form that can be transformed."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ __all__ = ["Code", "Input", "arguments_of", "code_of", "code_of_tape", "prune"]
 
 @dataclass(frozen=True)
 class Input:
-    """An entry of an argument, and the user's name of the variable."""
+    """An entry of an argument, and the user's name for the variable."""
 
     array: str
     index: int
@@ -60,7 +60,7 @@ def code_of(arguments: Sequence[Argument], expressions: Sequence[Expr]) -> Code:
 
 
 def code_of_tape(tape: Tape, inputs: Sequence[Input]) -> Code:
-    """Return what a tape holds."""
+    """Return the contents of a tape."""
     return Code(
         tuple(tape.constants),
         tuple(inputs),
@@ -89,7 +89,7 @@ def prune(code: Code) -> Code:
 
 
 def _needed(code: Code) -> list[bool]:
-    """Return whether a result needs it, for each place."""
+    """Return for each place whether a result needs it."""
     needed = [False] * (code.first_instruction + len(code.instructions))
     for place in code.results:
         needed[place] = True

@@ -25,7 +25,7 @@ _WORDS = ("addition", "multiplication", "division", "function", "factorisation",
 
 
 def counts_by_stage(code: Code) -> dict[str, str]:
-    """Return the operations of each stage that has some, as ``2 additions, 1 function``."""
+    """Return the operations of each stage that has any, such as ``2 additions, 1 function``."""
     counts: dict[int, Counter[str]] = {}
     operations = Counter(zip(code.stages, (row.operation for row in code.instructions), strict=True))
     for (stage, operation), number in operations.items():
@@ -56,5 +56,5 @@ def _times(sized: tuple[str, int]) -> str:
 
 
 def section_titles(code: Code) -> dict[int, str]:
-    """Return a title for each stage, by its number: the stage and its operations."""
+    """Return a title for each stage, by number: its name and its operations."""
     return {STAGES.index(stage): f"{stage}: {words}" for stage, words in counts_by_stage(code).items()}

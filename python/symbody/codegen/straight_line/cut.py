@@ -1,4 +1,4 @@
-"""Blocks: straight-line code in pieces that a compiler takes in linear time, and the values that cross between them."""
+"""Cuts of straight-line code into blocks, so that compilers take linear time, and the values that cross the cuts."""
 
 from __future__ import annotations
 
@@ -15,8 +15,8 @@ class Cut:
     """Where code is cut.
 
     Attributes:
-        starts: the number of the first instruction of each block, and the number of instructions.
-        slots: where in the workspace the values are kept that a later block reads, by place.
+        starts: the number of the first instruction of each block, then the number of instructions.
+        slots: the slot in the workspace of each value that a later block reads, by place.
         size: the number of slots.
     """
 
@@ -26,13 +26,13 @@ class Cut:
 
 
 def cut(reads: Sequence[Sequence[int]], first: int, limit: int | None, held: Collection[int] = ()) -> Cut:
-    """Cut code into blocks of at most ``limit`` instructions, where few values cross.
+    """Cut code into blocks of at most ``limit`` instructions, at boundaries that few values cross.
 
     Args:
         reads: the places that each instruction reads.
         first: the place of the first instruction's result; the others follow.
-        limit: the size of a block; nothing is cut where there is none.
-        held: places that need no slot, since what they hold is kept elsewhere.
+        limit: the largest size of a block; None for a single block.
+        held: places that need no slot, since their values are kept elsewhere.
 
     >>> cut([[0, 0], [1], [2], [1, 3]], first=1, limit=2)
     Cut(starts=(0, 1, 3, 4), slots={1: 0, 3: 1}, size=2)
@@ -70,7 +70,7 @@ def _starts(count: int, ends: Mapping[int, int], first: int, limit: int | None) 
 def _slots(
     crossing: Sequence[int], ends: Mapping[int, int], starts: Sequence[int], first: int
 ) -> tuple[dict[int, int], int]:
-    """Assign slots; one whose value was read for the last time is free again in the next block."""
+    """Assign slots; a slot is free again in the block after the last reader of its value."""
     slots: dict[int, int] = {}
     free: list[int] = []
     freed_after: dict[int, list[int]] = {}

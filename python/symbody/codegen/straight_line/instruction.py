@@ -20,7 +20,7 @@ __all__ = [
 
 
 class Operation(StrEnum):
-    """What an instruction does, by its name on the tape; the functions last."""
+    """What an instruction does, by its name on the tape; functions come last."""
 
     ADD = "add"
     SUB = "sub"
@@ -74,7 +74,7 @@ class Instruction(NamedTuple):
 
 
 def instructions_of(tape: Tape) -> tuple[Instruction, ...]:
-    """Return the instructions of a tape; what it keeps in lists beside them is in them."""
+    """Return the instructions of a tape, including the entries of linear systems, which it keeps in separate lists."""
     matrices, solutions = tape.factorizations, tape.solves
     instructions = []
     for name, *numbers in tape.instructions:
@@ -95,7 +95,7 @@ def renumber(instructions: Iterable[Instruction], places: Sequence[int]) -> tupl
     """Return the same operations on other places.
 
     Args:
-        instructions: what is to be moved.
+        instructions: the instructions to change.
         places: the new place of each old one.
 
     >>> renumber([Instruction(Operation.ADD, (0, 2))], [5, 6, 7])[0].reads

@@ -1,4 +1,4 @@
-"""What routines compute from parameters alone: one routine computes it for all, once per set of parameters."""
+"""What routines compute from parameters alone: one routine computes it for all, once for each set of parameters."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ __all__ = ["Preparation"]
 
 @dataclass(frozen=True)
 class _Constant:
-    """A number, by its exact text, which tells -0.0 from 0.0."""
+    """A number, by its exact text, which distinguishes -0.0 from 0.0."""
 
     text: str
 
@@ -35,7 +35,7 @@ _COMMUTATIVE = frozenset({Operation.ADD, Operation.MUL})
 
 @dataclass
 class Preparation:
-    """The work of the parameters' stage of several routines, the same work once.
+    """The work of several routines that depends on parameters alone, without repetition.
 
     A node is a constant, a parameter or an instruction that reads nodes; equal nodes are one. The constants of the
     model are the nodes that the routines read.
@@ -51,7 +51,7 @@ class Preparation:
         return arguments_of(self.parameters)
 
     def without_parameters(self, code: Code) -> Code:
-        """Return the code with constants of the model, inputs without names, for what it computes from parameters."""
+        """Return the code with constants of the model, as inputs without names, in place of work on parameters."""
         known = self._known(code)
         lifted = sorted({p for p in self._read_later(code, known) if p in known})
         first, end = code.first_instruction, code.first_instruction + len(code.instructions)
@@ -103,7 +103,7 @@ class Preparation:
         return places
 
     def _known(self, code: Code) -> dict[int, int]:
-        """Return the nodes of the places that depend on parameters, and on nothing else that varies."""
+        """Return the node of each place that depends on parameters and on nothing else that varies."""
         numbers = {(entry.array, entry.index): i for i, entry in enumerate(self.inputs)}
         nodes = {place: self._node(_Constant(value.hex())) for place, value in enumerate(code.constants)}
         fixed = set(nodes)
@@ -131,12 +131,12 @@ class Preparation:
 
 
 def _on_nodes(row: Instruction, nodes: Sequence[int]) -> Instruction:
-    """Return an instruction on nodes, in one order where the order does not matter."""
+    """Return an instruction on nodes, which are sorted if their order does not matter."""
     ordered = sorted(nodes) if row.operation in _COMMUTATIVE else nodes
     return Instruction(row.operation, tuple(ordered), row.component)
 
 
 def _factors_of_later_systems(code: Code) -> set[int]:
-    """Return the places of factorisations that a system of a later stage reads: they stay with it."""
+    """Return the places of factorisations that a system of a later stage reads, with which they stay."""
     rows = zip(code.instructions, code.stages, strict=True)
     return {row.reads[0] for row, stage in rows if row.operation is Operation.SOLVE and stage > 0}

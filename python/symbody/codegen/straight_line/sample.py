@@ -1,4 +1,4 @@
-"""Reference values for self-checks: a state, and what the evaluator of the expressions gives there."""
+"""Reference values for self-checks: a state, and the values of the expressions there, from the evaluator."""
 
 from __future__ import annotations
 
@@ -23,9 +23,9 @@ _ATTEMPTS = 120
 class Sample:
     """Values of the arguments, and of the results of each routine, in the program's order.
 
-    The state is no measured one: equally distributed numbers with three decimals, between 0.3 and 1.3 or in another
-    range, the first sequence of them at which all results are finite. If there is none, results that aren't finite
-    are not compared.
+    The state is arbitrary: equally distributed numbers with three decimals, between 0.3 and 1.3 or in another range;
+    the first such sequence for which all results are finite. If there is none, results that aren't finite are not
+    compared.
     """
 
     arguments: _Values
@@ -33,7 +33,7 @@ class Sample:
 
 
 def sample_of(program: Program) -> Sample:
-    """Return a state and the results there, from the evaluator, not from the code that is to be checked."""
+    """Return a state and the results there, from the evaluator rather than from the code that is to be checked."""
     tapes = [_tape(program, routine) for routine in program.routines]
     samples = [_sample(program, tapes, 0)]
     while not _is_finite(samples[-1]) and len(samples) < _ATTEMPTS:
@@ -66,5 +66,5 @@ def _results(routine: Routine, tape: Tape, values: Mapping[str, tuple[float, ...
 
 
 def _rounded(value: float) -> float:
-    """Return a value to 15 digits, so that the last bit of a machine's sine doesn't show in the files."""
+    """Return a value rounded to 15 digits, so that the files don't depend on the last bit of a machine's sine."""
     return float(f"{value:.15g}")

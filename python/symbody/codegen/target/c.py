@@ -71,7 +71,7 @@ def _files(module: Module) -> dict[str, str]:
 
 
 def _comment(lines: Sequence[str]) -> list[str]:
-    """Return lines as one comment, which nothing in them ends."""
+    """Return lines as one comment, which nothing inside them ends."""
     lines = [line.replace("*/", "* /") for line in lines]
     starred = [f" * {line}".rstrip() for line in lines[1:]]
     return [f"/* {lines[0]}{'' if starred else ' */'}", *starred, *([" */"] if starred else [])]

@@ -52,7 +52,7 @@ _TITLE = (
 
 
 def _library(module: Module) -> Library:
-    """Return CasADi's ways: scalar graphs, or matrix graphs where linear systems are solved at run time."""
+    """Return what CasADi needs: scalar graphs, or matrix graphs if linear systems are solved at run time."""
     kind = "MX" if Operation.FACTOR in module.operations else "SX"
     systems = _SQUARE + "\n" + SNIPPETS["casadi"]
     array = _ARRAY.replace("{kind}", kind)
@@ -60,7 +60,7 @@ def _library(module: Module) -> Library:
 
 
 def _function(function: Function) -> list[str]:
-    """Return the lines that make a function of the body of the same name."""
+    """Return the lines that turn the body of the same name into a CasADi function."""
     arguments = ", ".join(f'("{a.name}", {None if a.is_scalar else a.size})' for a in function.arguments)
     results = ", ".join(f'"{r.name}"' for r in function.results)
     line = f'{function.name} = function("{function.name}", {function.name}, [{arguments}], [{results}])'

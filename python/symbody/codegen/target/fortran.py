@@ -136,7 +136,7 @@ def _procedure(name: str, declared: dict[str, str], body: Sequence[str]) -> list
 
 
 def _locals(names: Sequence[str]) -> list[str]:
-    """Return the declarations of local names, as many in a line as there is room for."""
+    """Return the declarations of local names, as many per line as fit."""
     return [f"real(dp) :: {row}" for row in in_rows(names, LANGUAGE.width - 20)]
 
 
@@ -226,7 +226,7 @@ def _comparison(function: Function, references: Sequence[Sequence[float]]) -> li
 
 
 def _assigned(reference: Sequence[float]) -> list[str]:
-    """Return assignments of some values each: a statement may have 255 lines."""
+    """Return several assignments of some values each, since a statement may have at most 255 lines."""
     lines = []
     for first in range(0, len(reference), 4):
         part = reference[first : first + 4]

@@ -109,7 +109,7 @@ def _passed(function: Function, number: int) -> str:
 
 
 def _returned(function: Function, number: int) -> str:
-    """Return the results that are numbers, which a part can't assign to where they are."""
+    """Return the results that are numbers: a part can't assign to them in place."""
     mentioned = function.composition.parts[number].mentions
     return ", ".join(r.name for r in function.results if r.is_scalar and r.name in mentioned)
 

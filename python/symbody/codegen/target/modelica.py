@@ -67,7 +67,7 @@ def _files(module: Module) -> dict[str, str]:
 
 
 def _first_line(module: Module) -> str:
-    """Return what the model is, as far as it stands in one line."""
+    """Return the meaning of the model in one line, shortened if necessary."""
     first, *more = sentences(module.meaning.partition("\n")[0]) or [module.name]
     return f"{first} ..." if more else first
 
@@ -123,7 +123,7 @@ def _function(function: Function) -> list[str]:
 
 
 def _protected(function: Function) -> Iterable[str]:
-    """Return the declarations of the local names, several a line, and of the matrices of linear systems."""
+    """Return the declarations of the local names, several per line, and of the matrices of linear systems."""
     made = function.composition
     names = [name for part in made.parts for name in part.locals]
     yield from (f"  Real {row};" for row in in_rows(names, 90))

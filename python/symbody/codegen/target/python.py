@@ -36,7 +36,7 @@ _OWN = "np jnp jax ca math entries shape array square linear_solve compare main 
 _RESERVED = frozenset([*keyword.kwlist, *keyword.softkwlist, *dir(builtins), *_OWN.split()])
 _LIBRARIES = "numpy scipy jax jaxlib ml_dtypes opt_einsum casadi symbody sitecustomize usercustomize"
 _MODULES = frozenset([*keyword.kwlist, *sys.stdlib_module_names, *_LIBRARIES.split()])
-"""A file of one of these names would be imported in the place of the library."""
+"""A file of one of these names would be imported instead of the library."""
 
 
 def python_language(prefix: str, **other: str) -> Language:
@@ -94,7 +94,7 @@ class Library:
         title: what the functions take and return, for the head of the file.
         imports: the lines of imports.
         helpers: the texts of the functions that make arrays, and of those that solve linear systems.
-        called: how the self-check calls a function, of ``{function}``, ``{arguments}`` and ``{name}`` of the module.
+        called: how the self-check calls a function, with ``{function}``, ``{arguments}`` and the module's ``{name}``.
         passed: how a function passes an array that it was given to another one.
     """
 
@@ -143,7 +143,7 @@ def function_lines(function: Function, library: Library) -> list[str]:
 
 
 def _assignment(function: Function, library: Library) -> str:
-    """Return the call of a function inside of another one, which has its arguments."""
+    """Return the call of a function inside another one, which has its arguments."""
     names = ", ".join(result.name for result in function.results)
     passed = [a.name if a.is_scalar else library.passed.format(a.name) for a in function.arguments]
     return f"{names} = {function.name}({', '.join(passed)})"
@@ -202,7 +202,7 @@ def check_text(module: Module, library: Library) -> str:
 
 
 _BRACKETED = Language(("#", ""), "", "", {}, frozenset(), number_text)
-"""Within brackets lines end where they like."""
+"""Within brackets lines may end anywhere."""
 
 
 def _all_imports(library: Library) -> list[str]:

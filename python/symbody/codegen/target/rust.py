@@ -138,7 +138,7 @@ def _call(function: Function, number: int) -> str:
 
 
 def _called(function: Function) -> str:
-    """Return the call of a function inside of another one, which has its arguments."""
+    """Return the call of a function inside another one, which has its arguments."""
     names = [*(a.name for a in function.arguments), *(f"&mut {result.name}" for result in function.results)]
     return f"{function.name}({', '.join(names)});"
 

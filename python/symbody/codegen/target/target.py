@@ -16,12 +16,12 @@ class Target:
     """What `generate` knows about a target.
 
     Attributes:
-        name: what the user writes, as ``"c"``.
+        name: what the user writes, such as ``"c"``.
         title: the language and its standard.
         language: its syntax.
         files: the texts of a module's files, by file name.
-        check: the commands that build and run the self-check in the folder of the files, of ``{name}``; in each,
-            the first word is a tool of :mod:`symbody.codegen.sources.toolchain`, or ``python``.
+        check: the commands that build and run the self-check in the folder of the files, with ``{name}``; the
+            first word of each is a tool of :mod:`symbody.codegen.sources.toolchain`, or ``python``.
         tools: the tools that these commands call in turn.
         limit: the largest number of operations of a function, where compilers want small ones.
 
