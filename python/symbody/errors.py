@@ -9,7 +9,15 @@ import warnings
 
 
 class SymbodyError(Exception):
-    """The base class: catching it catches every mistake that symbody reports."""
+    """The base class of all errors that symbody raises.
+
+    >>> import symbody as sb
+    >>> try:
+    ...     sb.number("one half")
+    ... except sb.SymbodyError as error:
+    ...     print(type(error).__name__)
+    ExpressionError
+    """
 
 
 class ExpressionError(SymbodyError, ValueError):
@@ -85,7 +93,13 @@ class PictureError(SymbodyError, OSError):
 
 
 class ModelNotice(UserWarning):
-    """A warning of something that the user should know, such as a part that was left out of a result on purpose."""
+    """A warning of something that the user should know, such as a part that was left out of a result on purpose.
+
+    >>> import warnings
+    >>> import symbody as sb
+    >>> warnings.filterwarnings("error", category=sb.ModelNotice)  # notices become errors
+    >>> warnings.filterwarnings("default", category=sb.ModelNotice)
+    """
 
 
 _OURS = ("symbody", "functools", "contextlib")

@@ -7,6 +7,13 @@ use symbody_core::{Id, View};
 use crate::session::with_forms;
 
 /// An immutable expression. Comparison is by value: equal mathematics is equal.
+///
+/// Numbers, `symbols` and `functions_of_time` are expressions, and so is what operators and functions make of them.
+///
+/// >>> from symbody import cos, sin, symbols
+/// >>> x, y = symbols("x y")
+/// >>> (x + y)**2 == x**2 + 2*x*y + y**2, sin(x)**2 + cos(x)**2
+/// (True, 1)
 #[pyclass(frozen, module = "symbody", name = "Expr")]
 #[derive(Clone, Copy)]
 pub struct Expr(pub Id);

@@ -174,6 +174,16 @@ class _Arrangement:
         code: Code,
         calls: tuple[Function, ...] = (),
     ) -> Function:
+        """Return one function of the generated module.
+
+        Args:
+            name: its name in the code.
+            meaning: what it computes, for the reader of the code.
+            arguments: its input arrays.
+            results: its output arrays.
+            code: the straight-line code that computes them.
+            calls: functions that it calls first, and whose results the code reads.
+        """
         received = [result for call in calls for result in call.results]
         scope = self.scope.inner(array.name for array in (*arguments, *results, *received))
         inputs = tuple(self._input(read) for read in code.inputs)

@@ -1,0 +1,50 @@
+"""What a docstring has to have: an example for each public name, the arguments where there are many."""
+
+import ast
+import inspect
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+import symbody
+
+HOME = Path(symbody.__file__).parent
+MANY = 5
+"""Arguments from which on a docstring lists them."""
+PUBLIC = [name for name in symbody.__all__ if callable(getattr(symbody, name))]
+
+
+@pytest.mark.parametrize("name", PUBLIC)
+def test_each_public_name_has_an_example(name: str) -> None:
+    assert ">>> " in (inspect.getdoc(getattr(symbody, name)) or "")
+
+
+def _functions(tree: ast.AST) -> Iterator[tuple[ast.FunctionDef, str]]:
+    """Yield functions with the docstring that describes their arguments: for a constructor also that of its class."""
+    for node in ast.walk(tree):
+        if isinstance(node, ast.ClassDef):
+            described = ast.get_docstring(node) or ""
+            for method in node.body:
+                if isinstance(method, ast.FunctionDef) and method.name == "__init__":
+                    yield method, described + (ast.get_docstring(method) or "")
+        elif isinstance(node, ast.FunctionDef) and node.name != "__init__":
+            yield node, ast.get_docstring(node) or ""
+
+
+def _arguments(function: ast.FunctionDef) -> list[str]:
+    given = function.args
+    names = [each.arg for each in (*given.posonlyargs, *given.args, *given.kwonlyargs)]
+    return [name for name in names if name not in {"self", "cls"}]
+
+
+@pytest.mark.parametrize(
+    "path", sorted(HOME.rglob("*.py")), ids=lambda path: path.relative_to(HOME).as_posix()
+)
+def test_functions_of_many_arguments_list_them(path: Path) -> None:
+    for function, text in _functions(ast.parse(path.read_text(encoding="utf-8"))):
+        names = _arguments(function)
+        if len(names) >= MANY:
+            listed = text.partition("Args:")[2] or text.partition("Attributes:")[2]
+            missing = [name for name in names if f"{name}:" not in listed and f"{name}," not in listed]
+            assert not missing, f"{function.name}, line {function.lineno}: {missing} not described"
