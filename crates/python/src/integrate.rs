@@ -61,7 +61,7 @@ impl Dynamics {
     ) -> Self {
         let states = rates.2;
         let code = |(address, constants, outputs): Code| {
-            // SAFETY: the caller compiled the code at this address for these lengths, and keeps it while this object lives.
+            // SAFETY: the caller compiled the code at this address for these lengths, and keeps it while `self` lives.
             unsafe { native::MachineCode::new(address, states, constants, outputs) }
         };
         let kinds = |kinds: Vec<(i32, bool)>| {
@@ -119,7 +119,7 @@ impl Dynamics {
                 look.keeps_going(t)
             })
         });
-        look.error.map_or_else(|| Ok(told(run)), Err)
+        look.error.map_or_else(|| Ok(as_tuple(run)), Err)
     }
 
     /// Integrate many motions in several threads; a row of states, constants and `out` for each.
@@ -173,7 +173,7 @@ impl Dynamics {
             )
         });
         look.error.map_or_else(
-            || Ok(runs.into_iter().map(|run| run.map(|(run, noted)| (told(run), noted))).collect()),
+            || Ok(runs.into_iter().map(|run| run.map(|(run, noted)| (as_tuple(run), noted))).collect()),
             Err,
         )
     }
@@ -242,7 +242,7 @@ fn written(out: &mut PyBuffer<f64>) -> PyResult<&mut [f64]> {
     Ok(unsafe { slice::from_raw_parts_mut(out.buf_ptr().cast(), out.item_count()) })
 }
 
-fn told(run: native::Run) -> Run {
+fn as_tuple(run: native::Run) -> Run {
     let occurrences = run.occurrences.into_iter().map(|o| (o.event, o.t, o.state)).collect();
     let failure = run.failure.map(|failure| (failure.kind(), failure.t(), failure.to_string()));
     let s = run.statistics;
