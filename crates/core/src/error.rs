@@ -5,65 +5,65 @@ use std::fmt;
 /// An error of the expression core, in the user's own names.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Error {
-    /// A divisor that is identically zero; holds what was to be divided.
+    /// A divisor is identically zero; holds the dividend.
     DivisionByZero(String),
-    /// A double that is infinite or not a number.
+    /// A double is infinite or not a number.
     NotFinite(f64),
-    /// A power whose exact value would fill the memory.
+    /// The exact value of a power would fill the memory.
     NumberTooLarge(String),
-    /// A function called with the wrong number of arguments.
+    /// A function was called with the wrong number of arguments.
     Arity {
-        /// Its name.
+        /// The name of the function.
         function: &'static str,
-        /// How many it takes, in words.
+        /// The number of arguments that it takes, in words.
         expected: &'static str,
-        /// How many there were.
+        /// The number that was found.
         found: usize,
     },
-    /// A function outside its domain on an exact argument.
+    /// A function was applied to an exact argument outside its domain.
     Domain {
-        /// Its name.
+        /// The name of the function.
         function: &'static str,
-        /// Where it has no value.
+        /// The argument.
         argument: String,
     },
-    /// Matrices whose shapes do not match.
+    /// The shapes of two matrices do not match.
     Shape {
-        /// What was to be done.
+        /// The operation that was requested.
         operation: &'static str,
-        /// Rows and columns of the first.
+        /// Rows and columns of the first matrix.
         left: (usize, usize),
-        /// Rows and columns of the second.
+        /// Rows and columns of the second matrix.
         right: (usize, usize),
     },
-    /// Equations that do not determine their unknowns.
+    /// The equations do not determine their unknowns.
     Singular(String),
-    /// Equations that are not linear in an unknown.
+    /// An equation is not linear in an unknown.
     NotLinear {
         /// The left side of the equation.
         equation: String,
-        /// The unknown that is not linear in it.
+        /// The unknown in which it is not linear.
         unknown: String,
     },
-    /// A request beyond a stated limit.
+    /// A request exceeds a stated limit.
     Limit {
-        /// What is limited.
+        /// The quantity that is limited.
         what: &'static str,
-        /// The most there may be.
+        /// The limit.
         limit: usize,
-        /// How many there were.
+        /// The number that was found.
         found: usize,
     },
-    /// A variable of differentiation or substitution that is not one.
+    /// Something that is not a variable was given as a variable of differentiation or substitution.
     NotAVariable(String),
-    /// An input of a compiled function that nobody gave a value.
+    /// An input of a compiled function has no value.
     MissingInput(String),
 }
 
-/// Characters of an expression that a message quotes: its beginning, and its end.
+/// How many characters of an expression a message quotes: at its beginning and at its end.
 const QUOTED: (usize, usize) = (51, 26);
 
-/// What a message quotes of a text: all of it, or its beginning and its end.
+/// Shorten a text for a message: a long one to its beginning and its end.
 #[must_use]
 pub fn quoted(text: &str) -> String {
     let line = text.split_whitespace().collect::<Vec<_>>().join(" ");

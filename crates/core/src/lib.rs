@@ -7,12 +7,13 @@
 //! holds. Expressions share their parts, so an expression that takes megabytes when it is written out may be a few
 //! hundred nodes.
 //!
-//! Each node carries its *value*: the result of evaluating it exactly, in a finite field, at one random point. Every
+//! Each node carries its *value*: the result of evaluating it exactly at a random point, in two finite fields. Every
 //! symbol has fixed coordinates there, derived from its name. Sines and cosines take points of the circle group, so
-//! that addition theorems hold exactly, and roots and exponentials take members of a group in which every root exists.
-//! Equal expressions therefore have equal values. Unequal expressions have unequal values but for a chance below 1e-30
-//! per pair, because a value is a number of 122 bits [Martin 1971; Gonnet 1984]. So `==` compares two values and takes
-//! no simplification, and a zero is recognised when it is made:
+//! that addition theorems hold exactly. Exponentials, and symbols that are positive, take members of a group in which
+//! every root exists. So expressions that are equal by these laws have equal values. The fields have primes near 2^62:
+//! two different rational expressions of degree d have equal values with a probability of at most about (d / 2^62)^2,
+//! 5e-32 for a degree of 1000 [Schwartz 1980; Gonnet 1984]. Hence `==` compares two values without any simplification,
+//! and a zero is recognised when it is made:
 //!
 //! ```
 //! use symbody_core::{Assumption, Error, Function, Graph, Id, Number};
@@ -41,8 +42,8 @@
 //! # Invariants
 //!
 //! * The table only grows. Nodes are never changed or removed, and a node comes after its children.
-//! * Equal rows are one node. A new row enters through one function, which turns rows of value zero, or of the value of
-//!   a simple number, into that number.
+//! * Equal rows are one node. Sums, products and functions enter the table through one function. It returns a number
+//!   for a row that has the value of zero or of another simple number.
 //! * The value of a node is the value of the mathematics that it shows. What the field can't express, such as
 //!   `log(x*y)`, has a value of its own that is drawn from its parts. Such an expression equals itself only.
 //! * Within a derivation ([`Graph::enter`], [`Graph::leave`]) a node whose value is known is not made again, so that

@@ -1,25 +1,25 @@
-//! The balance of energy along a motion: what the state has of it, less the work done, is constant but for errors.
+//! The balance of energy along a motion: the energy of the state minus the work done is constant except for errors.
 
 use crate::dynamics::Dynamics;
 use crate::machine_code::BoundCode;
 use crate::method::Tolerances;
 
-/// Steps between two looks at the energy, and looks between two at what errors make of it.
+/// The number of steps between two checks of the energy, and of checks between two updates of the effect of errors.
 const LOOK: (usize, usize) = (4, 8);
-/// How many times what the errors of the steps explain is still explained: they are estimates.
+/// A safety factor on the imbalance that the errors of the steps explain, because these are estimates.
 const MARGIN: f64 = 10.0;
-/// The part of the energies that rounding errors may take.
+/// The fraction of the energies that rounding errors may change.
 const ROUNDING: f64 = 1e-11;
-/// A loss of more than this part of the energy that moves, or of so many relative tolerances, is reported, whatever
-/// explains it.
+/// A loss of more than this fraction of the energy that changes, or of this many relative tolerances, is always
+/// reported.
 const MOST: (f64, f64) = (0.1, 200.0);
 
-/// What is off in the balance of energy.
+/// A violation of the balance of energy.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Imbalance {
-    /// When it was first more than the errors of the steps explain.
+    /// The instant when it first exceeded what the errors of the steps explain.
     pub t: f64,
-    /// The most that it was off, relative to the largest of the kinetic energy, the change of the potential energy, and
+    /// The largest violation, relative to the largest of the kinetic energy, the change of the potential energy, and
     /// the work.
     pub part: f64,
 }
@@ -29,15 +29,16 @@ pub struct Balance<'a> {
     /// The kinetic and the potential energy.
     energies: Option<&'a BoundCode>,
     tolerances: Tolerances,
-    /// What they were at first, less the work.
+    /// Their sum at the start, minus the work.
     first: f64,
     first_potential: f64,
-    /// The largest energy that moves, and the largest at all.
+    /// The largest energy that changes, and the largest of all energies.
     moving: f64,
     largest: f64,
-    /// The most that errors of one tolerance in each entry of the state change the energy, and of one absolute tolerance.
+    /// The largest change of the energy by errors of one tolerance in each entry of the state, and of one absolute
+    /// tolerance.
     spread: (f64, f64),
-    /// By how much the balance was off, and when.
+    /// The violations of the balance, and their instants.
     seen: Vec<(f64, f64)>,
 }
 
@@ -61,7 +62,7 @@ impl<'a> Balance<'a> {
         new
     }
 
-    /// Look at the balance after a step, now and then.
+    /// Check the balance after a step, at every few steps.
     pub fn watch(&mut self, step: usize, t: f64, state: &[f64]) {
         if step % LOOK.0 == 0 {
             self.look(t, state);
@@ -81,17 +82,17 @@ impl<'a> Balance<'a> {
         self.seen.push((t, (kinetic + potential - work - self.first).abs()));
     }
 
-    /// What is off until the end of a motion, if it is more than the errors of its steps explain, whose sum is in
+    /// The violation until the end of a motion, if it exceeds what the errors of its steps explain. Their sum is in
     /// tolerances.
     pub fn imbalance(&mut self, t: f64, state: &[f64], errors: f64) -> Option<Imbalance> {
         self.look(t, state);
         let [kinetic, potential] = self.at(t, state)?;
         self.widen(t, state, kinetic + potential);
-        // Work and energies of springs are integrals: their errors are those of the energy that moves.
+        // Work and energies of springs are integrals, so their errors are those of the energy that changes.
         let Tolerances { relative, absolute, .. } = self.tolerances;
         let least = self.spread.1 + if self.has_work(state) { absolute } else { 0.0 };
         let each = self.spread.0.max(least).max(relative * self.moving);
-        // Motions as small as the absolute tolerances may lose all that moves.
+        // Motions as small as the absolute tolerances may lose all of the energy that changes.
         let most = MOST.0.max(MOST.1 * relative) * self.moving + MARGIN * least;
         let explained = (MARGIN * (1.0 + errors) * each).min(most) + ROUNDING * self.largest;
         let &(t, _) = self.seen.iter().find(|(_, off)| *off > explained)?;
@@ -99,7 +100,7 @@ impl<'a> Balance<'a> {
         Some(Imbalance { t, part: most / self.moving.max(f64::MIN_POSITIVE) })
     }
 
-    /// The work is an entry behind those that are controlled, where there is some.
+    /// The work, if there is any, is the entry after those that are controlled.
     fn work(&self, state: &[f64]) -> f64 {
         state.get(self.tolerances.controlled).copied().unwrap_or(0.0)
     }
@@ -114,7 +115,7 @@ impl<'a> Balance<'a> {
         energies.iter().all(|energy| energy.is_finite()).then_some(energies)
     }
 
-    /// Add what errors of one tolerance in each entry change here to what they change elsewhere.
+    /// Update the largest change of the energy by errors of one tolerance in each entry.
     fn widen(&mut self, t: f64, state: &[f64], energy: f64) {
         let Tolerances { relative, absolute, .. } = self.tolerances;
         let both = self.changed(t, state, energy, |x| absolute + relative * x.abs());
@@ -122,7 +123,7 @@ impl<'a> Balance<'a> {
         self.spread = (self.spread.0.max(both), self.spread.1.max(absolute));
     }
 
-    /// The sum of what an error in each entry changes.
+    /// The sum of the changes of the energy by an error in each entry.
     fn changed(&self, t: f64, state: &[f64], energy: f64, error: impl Fn(f64) -> f64) -> f64 {
         let mut near = state.to_vec();
         let mut sum = 0.0;

@@ -10,13 +10,13 @@ use crate::integrate::{Record, Run, integrate};
 use crate::machine_code::MachineCode;
 use crate::method::{Method, Tolerances};
 
-/// The time between two looks at whoever watches.
+/// The time between two calls of `keep_going`.
 const LOOK: Duration = Duration::from_millis(50);
 
 /// One motion of many.
 #[derive(Clone, Copy, Debug)]
 pub struct Case<'a> {
-    /// Where it begins.
+    /// The state at the start.
     pub state: &'a [f64],
     /// The constants of its parameters.
     pub constants: &'a [f64],
@@ -24,9 +24,9 @@ pub struct Case<'a> {
 
 /// Integrate many motions at the same instants; their states are written one motion after another.
 ///
-/// `keep_going` is asked some times a second, with the number of motions that are done; motions that were not begun
-/// when it said no have no run. `notes` is called on the thread of a motion before and after it: what it returns
-/// afterwards, such as what compiled code has noted, stands beside the run.
+/// `keep_going` is called several times per second with the number of motions that are done. When it returns false,
+/// motions that have not started get no run. `notes` is called on the thread of a motion before and after it. Its
+/// second result, such as deficiencies that compiled code has noted, is returned with the run.
 #[allow(clippy::too_many_arguments, reason = "the arguments of an integration")]
 pub fn integrate_many<N: Clone + Send>(
     dynamics: &Dynamics<MachineCode>,
@@ -64,7 +64,7 @@ pub fn integrate_many<N: Clone + Send>(
             });
         }
         drop(working);
-        // Nothing is ever sent: the channel closes when the last thread has ended.
+        // Nothing is sent: the channel closes when the last thread has ended.
         while finished.recv_timeout(LOOK) == Err(mpsc::RecvTimeoutError::Timeout) {
             if !keep_going(done.load(Ordering::Relaxed)) {
                 stop.store(true, Ordering::Relaxed);

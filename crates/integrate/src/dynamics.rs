@@ -1,8 +1,8 @@
-//! What is integrated: the rates of a state, its constraints and its events.
+//! The equations that are integrated: the rates of a state, its constraints and its events.
 
 use crate::machine_code::{BoundCode, MachineCode};
 
-/// What counts as an event, and what it does.
+/// Which zeros of a function are events, and whether they end the motion.
 #[derive(Clone, Copy, Debug)]
 pub struct EventKind {
     /// Positive: where the function rises through zero; negative: where it falls; zero: both.
@@ -24,12 +24,12 @@ pub struct Dynamics<F = BoundCode> {
     pub velocity_correction: Option<F>,
     /// The kinetic and the potential energy, where their balance can be watched.
     pub energies: Option<F>,
-    /// Functions whose zeros are events.
+    /// The functions whose zeros are events, and the kind of each.
     pub events: Option<(F, Vec<EventKind>)>,
 }
 
 impl Dynamics<MachineCode> {
-    /// The equations for the constants of one set of parameters: those of the functions one after another.
+    /// The equations for the constants of one set of parameters, given function by function.
     pub fn with_constants(&self, constants: &[f64]) -> Dynamics {
         let mut rest = constants;
         let mut function = |code: &MachineCode| {
@@ -47,7 +47,7 @@ impl Dynamics<MachineCode> {
         }
     }
 
-    /// How many constants all functions read.
+    /// The number of constants that all functions read.
     pub fn constants(&self) -> usize {
         let jacobian = self.jacobian.as_ref().map(|(code, _)| code);
         let events = self.events.as_ref().map(|(code, _)| code);

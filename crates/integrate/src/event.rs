@@ -6,17 +6,17 @@ use crate::machine_code::BoundCode;
 use crate::projection::Projection;
 use crate::stepper::Stepper;
 
-/// Parts of a step at whose ends signs are compared: a long step may hold many zeros of one function.
+/// The number of parts of a step at whose ends signs are compared, because a long step may contain many zeros.
 const PARTS: u32 = 10;
 
 /// An event that happened.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Occurrence {
-    /// Which function was zero.
+    /// The number of the function that was zero.
     pub event: usize,
-    /// When.
+    /// The instant.
     pub t: f64,
-    /// The state there.
+    /// The state at that instant.
     pub state: Vec<f64>,
 }
 
@@ -43,7 +43,7 @@ impl<'a> Watch<'a> {
         self.functions.is_some()
     }
 
-    /// What an event is; none where there are no events.
+    /// The kind of an event; `None` if there are no events.
     pub fn kind(&self, event: usize) -> Option<EventKind> {
         self.functions.and_then(|(_, kinds)| kinds.get(event)).copied()
     }
@@ -56,7 +56,7 @@ impl<'a> Watch<'a> {
     ) -> Result<Vec<Occurrence>, Failure> {
         let Some((function, kinds)) = self.functions else { return Ok(Vec::new()) };
         let (start, end) = (self.t, stepper.t());
-        // A step that was taken again may end where the motion has been.
+        // A step that was repeated may end at an instant that was already checked.
         if end <= start {
             return Ok(Vec::new());
         }
@@ -73,13 +73,13 @@ impl<'a> Watch<'a> {
                     found.push(Occurrence { event, t: zero, state: self.state.clone() });
                 }
             }
-            // A zero at the end of a part belongs to that part: the next one begins with the sign that comes after.
+            // A zero at the end of a part belongs to that part: the next part starts with the sign after it.
             for (value, next) in self.values.iter_mut().zip(&after) {
                 *value = *next;
             }
             self.t = t;
         }
-        // Of events at one instant those that end the motion come last: it has seen the others.
+        // Of events at one instant, those that end the motion come last, so that the others are recorded.
         let is_terminal = |occurrence: &Occurrence| kinds[occurrence.event].terminal;
         found.sort_by(|a, b| {
             let order = a.t.total_cmp(&b.t).then(is_terminal(a).cmp(&is_terminal(b)));
@@ -92,8 +92,8 @@ impl<'a> Watch<'a> {
         Ok(found)
     }
 
-    /// Find a zero between the last instant looked at and `t` by the Illinois rule, secants that keep the bracket;
-    /// leave the state there in `self.state`.
+    /// Find a zero between the last checked instant and `t` by the Illinois method, secants that keep the bracket.
+    /// Leave the state at the zero in `self.state`.
     fn locate(
         &mut self,
         function: &BoundCode,
@@ -125,7 +125,7 @@ impl<'a> Watch<'a> {
         Ok(zero)
     }
 
-    /// Write the functions at an instant of the last step, and remember the state there.
+    /// Write the values of the functions at an instant of the last step, and keep the state at that instant.
     fn evaluate(
         &mut self,
         function: &BoundCode,
@@ -139,7 +139,8 @@ impl<'a> Watch<'a> {
     }
 }
 
-/// Whether a function that goes from one value to another passes zero in a direction; it left a zero already.
+/// Whether a function that changes from one value to another passes zero in a direction; a start at zero does not
+/// count.
 fn crosses(before: f64, after: f64, direction: i32) -> bool {
     let rises = before < 0.0 && after >= 0.0;
     let falls = before > 0.0 && after <= 0.0;

@@ -1,55 +1,55 @@
-//! What ends an integration before its time.
+//! The reasons why an integration ends early.
 
 use std::fmt;
 
-/// Why an integration ended early.
+/// The reason why an integration ended early.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Failure {
-    /// A rate of the state is no number, whatever the step.
+    /// A rate of the state is not a finite number, whatever the step.
     NotFinite {
-        /// When.
+        /// The instant up to which the motion is known.
         t: f64,
     },
     /// The error stays above the tolerance, however short the step.
     StepCollapse {
-        /// When.
+        /// The instant up to which the motion is known.
         t: f64,
         /// The last step tried.
         step: f64,
     },
-    /// Steps are so short that the motion would never come to its end.
+    /// Steps are so short that the motion would never reach its end.
     Stalled {
-        /// When.
+        /// The instant up to which the motion is known.
         t: f64,
         /// The last step.
         step: f64,
     },
-    /// The state can't be put back onto the constraints.
+    /// The state can't be projected back onto the constraints.
     Projection {
-        /// When.
+        /// The instant up to which the motion is known.
         t: f64,
         /// The last change of a coordinate or speed.
         change: f64,
     },
-    /// However long the step to it, a state is put back onto the constraints by a leap of its speeds.
+    /// Whatever the length of the step, the projection onto the constraints changes the speeds by a leap.
     Singular {
-        /// When.
+        /// The instant up to which the motion is known.
         t: f64,
         /// The change of a speed.
         change: f64,
-        /// How large it may be.
+        /// The largest change that is allowed.
         bound: f64,
     },
-    /// Whoever watches asked to stop.
+    /// The caller asked to stop.
     Interrupted {
-        /// When.
+        /// The instant up to which the motion is known.
         t: f64,
     },
-    /// The library that carries the state on says why it gave up.
+    /// The library that advances the state reports a failure.
     Library {
-        /// When.
+        /// The instant up to which the motion is known.
         t: f64,
-        /// In its words.
+        /// The message of the library.
         message: String,
     },
 }
@@ -68,7 +68,7 @@ impl Failure {
         }
     }
 
-    /// A word for the kind of failure.
+    /// The name of the kind of failure.
     pub fn kind(&self) -> &'static str {
         match self {
             Self::NotFinite { .. } => "not_finite",

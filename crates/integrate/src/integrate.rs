@@ -11,53 +11,54 @@ use crate::start::start;
 use crate::stepper::{Statistics, Stepper};
 use crate::trail::Trail;
 
-/// Steps between two looks at whoever watches.
+/// The number of steps between two calls of `keep_going`.
 const STEPS_BETWEEN_LOOKS: usize = 64;
-/// A motion that advances by less than this part of its whole in so many steps never comes to its end.
+/// A motion that advances by less than this fraction of its duration in this many steps never reaches its end.
 const STALLED: (u32, f64) = (100_000, 1e-4);
-/// And so does one of which so many steps in a row end where it has been.
+/// The same holds for a motion of which this many successive steps end at instants that it has passed.
 const BACK: usize = 200;
 
-/// A step that ends too close to a singular position is tried again with these parts of its length, and ends before it.
+/// A step that ends too close to a singular position is repeated with these fractions of its length, and ends before
+/// it.
 const AGAIN: [f64; 12] =
     [0.6, 0.36, 0.216, 0.13, 0.0778, 0.0467, 0.028, 0.0168, 0.0101, 0.00605, 0.00363, 0.00218];
-/// Where steps are held back, so that they would all end there, it is crossed by a longer one.
+/// If `max_step` holds steps back, so that all of them would end there, a longer step crosses the position.
 const CROSS: [f64; 12] = [4.0, 16.0, 64.0, 256.0, 8.0, 32.0, 128.0, 512.0, 45.0, 90.0, 180.0, 360.0];
 
-/// Where the states of the asked instants are written.
+/// The requested instants, and the memory for their states.
 pub struct Record<'a> {
-    /// The instants, increasing; the first is where the motion begins.
+    /// The instants in increasing order; the motion starts at the first.
     pub instants: &'a [f64],
     /// The states, one after another.
     pub states: &'a mut [f64],
-    /// How many states at the ends of steps are kept beside these, at most.
+    /// The most states at the ends of steps that are kept as well.
     pub trail: usize,
 }
 
-/// How an integration went.
+/// The result of an integration.
 #[derive(Clone, Debug)]
 pub struct Run {
-    /// How many of the instants were reached.
+    /// The number of instants that were reached.
     pub reached: usize,
     /// The events, in order of time.
     pub occurrences: Vec<Occurrence>,
     /// Where the motion ended: after the last instant, at an event, or where it failed.
     pub end: (f64, Vec<f64>),
-    /// Why it ended early, if not by an event.
+    /// The reason why it ended early, other than an event.
     pub failure: Option<Failure>,
-    /// What is off in the balance of energy, if that is more than errors explain.
+    /// The violation of the balance of energy, if it exceeds what errors explain.
     pub imbalance: Option<Imbalance>,
-    /// The instants and states at the ends of steps, one after another, as far as they were to be kept.
+    /// The instants and states at the ends of steps that were kept, one after another.
     pub trail: Vec<f64>,
-    /// The begin of the first step that was taken although its branch of the constraints is not certain.
+    /// The start of the first step that was accepted although its branch of the constraints is uncertain.
     pub uncertain: Option<f64>,
-    /// What it took.
+    /// The cost of the integration.
     pub statistics: Statistics,
 }
 
 /// Integrate from a state at the first instant through all of them.
 ///
-/// Between steps `keep_going` is asked now and then, with the instant that was reached.
+/// Every few steps `keep_going` is called with the instant that was reached; the integration stops if it returns false.
 pub fn integrate(
     dynamics: &Dynamics,
     method: Method,
@@ -101,7 +102,7 @@ pub fn integrate(
     run
 }
 
-/// A motion as it is computed.
+/// A motion in progress.
 struct Course<'a> {
     record: Record<'a>,
     watch: Watch<'a>,
@@ -137,7 +138,7 @@ impl Course<'_> {
             let read = self.record.instants[run.reached..].iter().take_while(|instant| **instant <= until);
             run.reached += read.count();
             if let Some(place) = last {
-                // What was read behind the event is no part of the motion.
+                // The states after the event are not part of the motion.
                 self.record.states[run.reached * place.1.len()..].fill(f64::NAN);
                 run.end = place;
                 return Ok(());
@@ -155,8 +156,9 @@ impl Course<'_> {
 
     /// Take a step whose end is on the constraints, and on the branch of the state before it.
     ///
-    /// Close to a singular position a step may end where none can begin, or its dense output may be noise: then another
-    /// length is tried, which ends elsewhere. What only might be better is accepted in the end, and noted.
+    /// Close to a singular position, a step may end where no step can start, or its dense output may be noise. Then
+    /// other lengths are tried, which end elsewhere. If none is certain, the last one is accepted and recorded as
+    /// uncertain.
     fn step(&mut self, stepper: &mut dyn Stepper, end: f64, run: &mut Run) -> Result<(), Failure> {
         let parts = if stepper.is_held_back() { CROSS } else { AGAIN };
         let (mut first, mut tried) = (None, 1.0);
@@ -184,7 +186,8 @@ impl Course<'_> {
         Ok(())
     }
 
-    /// Write the states at the instants of the last step; whether they, and its dense output, are on the branch of its ends.
+    /// Write the states at the instants of the last step. Return whether they, and the dense output, are on the
+    /// branch of its ends.
     fn is_read_well(&mut self, stepper: &mut dyn Stepper, run: &Run) -> Result<bool, Failure> {
         let (n, t) = (stepper.state().len(), stepper.t());
         let instants = &self.record.instants[run.reached..];
@@ -208,7 +211,7 @@ impl Course<'_> {
         self.projection.project(stepper.t(), &mut self.state)
     }
 
-    /// Go on from the state on the constraints; the motion is known up to there.
+    /// Continue from the state on the constraints; the motion is known up to its instant.
     fn end_step(&mut self, stepper: &mut dyn Stepper, run: &mut Run) {
         if self.projection.is_needed() {
             stepper.replace(&self.state);
@@ -222,13 +225,13 @@ impl Course<'_> {
     }
 }
 
-/// Sees that time goes on.
+/// Checks that time advances.
 struct Patience {
-    /// Where time was when it was looked at.
+    /// The instant of the last check.
     seen: f64,
-    /// What it has to advance by until the next look.
+    /// The least advance until the next check.
     least: f64,
-    /// How far it has come, and how many steps ago.
+    /// The latest instant that was reached, and the number of the step that reached it.
     farthest: (f64, usize),
 }
 

@@ -1,7 +1,8 @@
-//! Motions from compiled equations: the loop of an integration, with no interpreter in it.
+//! Motions from compiled equations: the loop of an integration, without an interpreter.
 //!
-//! Functions are machine code, known by their addresses. A stepper carries the state on; after each step the state is
-//! put back onto the constraints, events are located, and the asked instants are read from the dense output.
+//! Functions are machine code at given addresses ([`BoundCode`]). A stepper advances the state. After each step the
+//! state is projected onto the constraints, events are located, and the states at the requested instants are read
+//! from the dense output. [`integrate()`] runs one motion, and [`integrate_many`] runs many in several threads.
 
 mod balance;
 mod batch;

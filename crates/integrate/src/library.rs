@@ -1,4 +1,4 @@
-//! Methods of the library diffsol (MIT): explicit and implicit, of one step and of several.
+//! The methods of the library diffsol (MIT): explicit and implicit, one-step and multistep methods.
 
 use std::cell::{Cell, RefCell};
 
@@ -17,26 +17,26 @@ type Matrix = NalgebraMat<f64>;
 type Vector = NalgebraVec<f64>;
 type Solver = NalgebraLU<f64>;
 
-/// How far a method of several steps may be off the constraints, in units of its tolerances, before it starts anew.
+/// How far the state of a multistep method may be off the constraints, in tolerances, before the method is restarted.
 const DEVIATION: f64 = 100.0;
 
-/// What the equations were asked for, and whether they answered in numbers.
+/// Counts of evaluations, and whether their results were finite.
 #[derive(Default)]
 struct Calls {
     evaluations: Cell<usize>,
     jacobians: Cell<usize>,
-    /// Where the rates were no numbers, the last time that they were none.
+    /// The last instant at which the rates were not finite.
     not_finite_at: Cell<Option<f64>>,
 }
 
 impl Calls {
-    /// The failure that rates at `t` or beyond were no numbers, if they were none.
+    /// The failure for rates that were not finite at `t` or later, if there were any.
     fn not_finite_from(&self, t: f64) -> Option<Failure> {
         self.not_finite_at.get().filter(|&at| at >= t || at.is_nan()).map(|_| Failure::NotFinite { t })
     }
 }
 
-/// The Jacobian at the last instant and state that it was asked for.
+/// The Jacobian at the instant and state of its last evaluation.
 struct Jacobian<'a> {
     function: Option<&'a (BoundCode, Vec<(usize, usize)>)>,
     at: RefCell<(f64, Vec<f64>)>,
@@ -50,7 +50,7 @@ impl<'a> Jacobian<'a> {
         Self { function, at: RefCell::new((f64::NAN, Vec::new())), entries: RefCell::new(entries) }
     }
 
-    /// Write the product with a vector; the library asks for all columns at one state, one after another.
+    /// Write the product with a vector; the library requests all columns at one state, one after another.
     fn multiply(&self, t: f64, state: &[f64], vector: &[f64], out: &mut [f64], calls: &Calls) {
         out.fill(0.0);
         let Some((function, places)) = self.function else { return };
@@ -67,7 +67,7 @@ impl<'a> Jacobian<'a> {
     }
 }
 
-/// Do something with a stepper of the library.
+/// Run `then` with a stepper of the library.
 pub fn start<R>(
     method: Method,
     dynamics: &Dynamics,
@@ -158,9 +158,9 @@ struct Library<'a, 'c, E, S> {
     tolerances: Tolerances,
     t: f64,
     state: Vec<f64>,
-    /// Where the last step began.
+    /// The instant at which the last step started.
     before: (f64, Vec<f64>),
-    /// The integrals along the motion that the method itself has there, and whether they grow rightly in the step.
+    /// The integrals along the motion that the method has there, and whether their growth in the step is accurate.
     by_method: Vec<f64>,
     is_right: bool,
     out: Vector,
@@ -174,8 +174,8 @@ where
     E: OdeEquations<T = f64, V = Vector> + 'a,
     S: OdeSolverMethod<'a, E>,
 {
-    /// Hand the state and its rates to the library, which forgets its past.
-    fn begin_anew(&mut self) {
+    /// Hand the state and its rates to the library, which drops its history.
+    fn restart(&mut self) {
         self.rates.call(self.t, &self.state, self.out.batch_as_mut_slice(0));
         self.calls.evaluations.set(self.calls.evaluations.get() + 1);
         let inner = self.solver.state_mut();
@@ -184,9 +184,9 @@ where
     }
 }
 
-/// How often parts of a step are halved to integrate over them, at most.
+/// The most times that parts of a step are halved to integrate over them.
 const HALVINGS: u32 = 8;
-/// The places and weights of Gauss and Legendre's quadrature between 0 and 1.
+/// The nodes and weights of Gauss-Legendre quadrature between 0 and 1.
 const QUADRATURE: [(f64, f64); 3] =
     [(0.112_701_665_379_258_31, 5.0 / 18.0), (0.5, 4.0 / 9.0), (0.887_298_334_620_741_7, 5.0 / 18.0)];
 
@@ -195,9 +195,10 @@ where
     E: OdeEquations<T = f64, V = Vector> + 'a,
     S: OdeSolverMethod<'a, E>,
 {
-    /// Put the integrals along the motion at an instant of the last step right, behind the state that the method has there.
+    /// Correct the integrals along the motion at an instant of the last step; they follow the state of the method.
     ///
-    /// The method does not look at their errors: its steps may be far too long for them, where the state changes less.
+    /// The method does not control their errors, so its steps may be far too long for them where the state changes
+    /// little.
     fn integrate(&mut self, t: f64, state: &mut [f64]) -> Result<(), Failure> {
         let controlled = self.tolerances.controlled;
         let by_method: Vec<f64> =
@@ -217,7 +218,7 @@ where
         Ok(())
     }
 
-    /// Whether two estimates of integrals over a part of the last step differ by no more than they may err.
+    /// Whether two estimates of integrals over a part of the last step differ by no more than their tolerance.
     fn agree(&self, one: &[f64], other: &[f64]) -> bool {
         let Tolerances { relative, absolute, controlled, .. } = self.tolerances;
         one.iter().zip(other).enumerate().all(|(i, (a, b))| {
@@ -226,7 +227,8 @@ where
         })
     }
 
-    /// The integrals over a part of the last step, of which one estimate is known, halved until halves agree with wholes.
+    /// The integrals over a part of the last step, given one estimate. Parts are halved until the two halves agree
+    /// with the whole.
     fn refined(&mut self, a: f64, b: f64, whole: &[f64], halvings: u32) -> Result<Vec<f64>, Failure> {
         let middle = 0.5 * (a + b);
         let (mut left, mut right) = (self.quadrature(a, middle)?, self.quadrature(middle, b)?);
@@ -271,13 +273,13 @@ where
         let stepped = self.solver.set_stop_time(stop).and_then(|()| self.solver.step());
         let reason = stepped.map_err(|error| failure(&error, self.t, self.calls))?;
         let state = self.solver.state();
-        // The library takes an error that is no number for a small one.
+        // The library takes an error that is NaN for a small one.
         if !state.y.batch_as_slice(0).iter().all(|y| y.is_finite()) {
             return Err(Failure::NotFinite { t: self.t });
         }
         let is_at_stop = matches!(reason, OdeSolverStopReason::TstopReached);
         let step = state.t - self.t;
-        // The library goes on by steps that no instant tells from zero.
+        // The library continues with steps that are too short to change the instant.
         if !is_at_stop && step <= 4.0 * f64::EPSILON * self.t.abs() {
             return Err(self
                 .calls
@@ -312,7 +314,7 @@ where
         self.integrate(t, out)
     }
 
-    /// A method of several steps would lose its past: it goes on from its own state while that is close.
+    /// A restart would drop the history of a multistep method, so it continues from its own state while that is close.
     fn replace(&mut self, state: &[f64]) {
         let Tolerances { relative, absolute, .. } = self.tolerances;
         let is_far = state
@@ -324,7 +326,7 @@ where
             return;
         }
         self.state.copy_from_slice(state);
-        self.begin_anew();
+        self.restart();
     }
 
     fn retract(&mut self, part: f64) -> bool {
@@ -334,7 +336,7 @@ where
         }
         self.t = self.before.0;
         self.state.copy_from_slice(&self.before.1);
-        self.begin_anew();
+        self.restart();
         let inner = self.solver.state_mut();
         *inner.t = self.t;
         *inner.h = step;

@@ -1,4 +1,4 @@
-//! Functions of time and state, compiled: known by their addresses.
+//! Compiled functions of time and state, at given addresses.
 
 #![allow(
     unsafe_code,
@@ -20,24 +20,24 @@ impl MachineCode {
     /// The code at an address.
     ///
     /// # Safety
-    /// At the address there is such a function, which stays there; it reads as many doubles as time, `states` and
-    /// `constants` take, writes `outputs` doubles, and may run in several threads.
+    /// Such a function is at the address and stays there. It reads 1 + `states` + `constants` doubles, writes `outputs`
+    /// doubles, and may run in several threads.
     pub unsafe fn new(address: usize, states: usize, constants: usize, outputs: usize) -> Self {
         Self { address, states, constants, outputs }
     }
 
-    /// How many constants it reads.
+    /// The number of constants that it reads.
     pub fn constants(&self) -> usize {
         self.constants
     }
 
-    /// How many values it returns.
+    /// The number of values that it writes.
     pub fn outputs(&self) -> usize {
         self.outputs
     }
 }
 
-/// A function of time and state: machine code, and the constants of one set of parameters.
+/// Machine code bound to the constants of one set of parameters: a function of time and state.
 #[derive(Clone, Debug)]
 pub struct BoundCode {
     code: MachineCode,
@@ -45,10 +45,10 @@ pub struct BoundCode {
 }
 
 impl BoundCode {
-    /// The function of these constants.
+    /// Bind machine code to constants.
     ///
     /// # Panics
-    /// If there are not as many constants as the code reads.
+    /// If the number of constants is not the number that the code reads.
     pub fn new(code: MachineCode, constants: &[f64]) -> Self {
         assert_eq!(constants.len(), code.constants, "constants of compiled code");
         let mut inputs = vec![0.0; 1 + code.states];
@@ -56,7 +56,7 @@ impl BoundCode {
         Self { code, inputs: RefCell::new(inputs) }
     }
 
-    /// How many values it returns.
+    /// The number of values that it writes.
     pub fn outputs(&self) -> usize {
         self.code.outputs
     }
@@ -64,14 +64,14 @@ impl BoundCode {
     /// Write the values at an instant and a state.
     ///
     /// # Panics
-    /// If the state or the outputs are not as many as those of the code.
+    /// If the length of the state or of the outputs is not that of the code.
     pub fn call(&self, t: f64, state: &[f64], out: &mut [f64]) {
         assert_eq!(state.len(), self.code.states, "the state of compiled code");
         assert_eq!(out.len(), self.code.outputs, "the outputs of compiled code");
         let mut inputs = self.inputs.borrow_mut();
         inputs[0] = t;
         inputs[1..=state.len()].copy_from_slice(state);
-        // SAFETY: `MachineCode::new` was promised this function, and the lengths are those that it was promised for.
+        // SAFETY: the caller of `MachineCode::new` guarantees the function, for the lengths that are checked above.
         unsafe {
             let function: unsafe extern "C" fn(*const f64, *mut f64) = std::mem::transmute(self.code.address);
             function(inputs.as_ptr(), out.as_mut_ptr());

@@ -1,9 +1,9 @@
-//! The methods of integration, by name, and what is asked of them.
+//! The methods of integration, by name, and the tolerances that they keep.
 
-/// Tolerances that the error of an integral along the motion may take in a step: nothing else depends on it.
+/// The error of an integral along the motion that is allowed in a step, in tolerances: nothing else depends on it.
 pub const INTEGRAL: f64 = 10.0;
 
-/// How accurate, and how long a step at most.
+/// The accuracy and the longest step of an integration.
 #[derive(Clone, Copy, Debug)]
 pub struct Tolerances {
     /// The error of a step relative to the state.
@@ -12,7 +12,7 @@ pub struct Tolerances {
     pub absolute: f64,
     /// The longest step.
     pub max_step: f64,
-    /// How many entries of the state, from the first, these are for; the rest are integrals along the motion.
+    /// The number of entries of the state that are controlled; those after them are integrals along the motion.
     pub controlled: usize,
 }
 
@@ -32,7 +32,7 @@ pub enum Method {
 }
 
 impl Method {
-    /// The method of a name.
+    /// The method with a name.
     pub fn named(name: &str) -> Option<Self> {
         Some(match name {
             "dop853" => Self::Dop853,

@@ -1,4 +1,4 @@
-//! The way back onto the constraints: coordinate projection.
+//! Coordinate projection: the way back onto the constraints.
 //!
 //! E. Eich, Convergence results for a coordinate projection method applied to mechanical systems with algebraic
 //! constraints, SIAM J. Numer. Anal. 30 (1993). The corrections are least in the metric of the mass matrix; the
@@ -11,17 +11,17 @@ use crate::failure::Failure;
 use crate::machine_code::BoundCode;
 use crate::stepper::Stepper;
 
-/// Corrections below this, relative to the state, are the last: the next would be their square.
+/// The iteration ends after corrections below this, relative to the state: the next ones would be their squares.
 const SMALL: f64 = 1e-9;
-/// Corrections that are still as large as this after the last iteration say that there is no way back.
+/// If corrections are still this large after the last iteration, the projection fails.
 const LARGE: f64 = 1e-6;
 const ITERATIONS: usize = 8;
 
-/// Puts states back onto the constraints.
+/// Projects states onto the constraints.
 pub struct Projection<'a> {
     dynamics: &'a Dynamics,
     change: Vec<f64>,
-    /// How far a correction may change a speed.
+    /// The largest change of a speed that a correction may make.
     pub bound: f64,
 }
 
@@ -41,8 +41,8 @@ impl<'a> Projection<'a> {
         coordinates..coordinates + self.dynamics.velocity_correction.as_ref().map_or(0, BoundCode::outputs)
     }
 
-    /// Write the state at an instant of the last step, on the constraints; as the dense output has it where only a leap of
-    /// the speeds would put it there. Whether it is on the constraints.
+    /// Write the state at an instant of the last step, projected onto the constraints. If that would take a leap of the
+    /// speeds, write the state of the dense output. Return whether the state is on the constraints.
     pub fn read(&mut self, stepper: &mut dyn Stepper, t: f64, out: &mut [f64]) -> Result<bool, Failure> {
         stepper.interpolate(t, out)?;
         match if self.is_needed() { self.project(t, out) } else { Ok(()) } {
@@ -51,7 +51,7 @@ impl<'a> Projection<'a> {
         }
     }
 
-    /// Change the coordinates, then the speeds, to what the constraints allow.
+    /// Change first the coordinates and then the speeds so that they satisfy the constraints.
     pub fn project(&mut self, t: f64, state: &mut [f64]) -> Result<(), Failure> {
         let mut coordinates = 0;
         if let Some(correction) = &self.dynamics.position_correction {
@@ -86,7 +86,7 @@ impl<'a> Projection<'a> {
     }
 }
 
-/// How far aside the constraints are looked at, in sizes of the coordinates.
+/// The distance at which the directions of the constraints are compared, relative to the size of the coordinates.
 const ASIDE: f64 = 1e-7;
 
 /// The directions of the speeds that the constraints allow.
@@ -96,7 +96,7 @@ pub struct Tangent<'a> {
 }
 
 impl<'a> Tangent<'a> {
-    /// Those of a system whose constraints are kept by projection.
+    /// The directions for a system whose constraints are kept by projection; `None` for other systems.
     pub fn of(dynamics: &'a Dynamics) -> Option<Self> {
         let coordinates = dynamics.position_correction.as_ref().map_or(0, BoundCode::outputs);
         dynamics.velocity_correction.as_ref().map(|correction| Self { correction, coordinates })
@@ -107,11 +107,11 @@ impl<'a> Tangent<'a> {
         self.coordinates..self.coordinates + self.correction.outputs()
     }
 
-    /// How much rounding errors change the speeds that the constraints allow.
+    /// By how much rounding errors change the speeds that the constraints allow.
     ///
-    /// At a distance x from a singular position, relative to the size of the coordinates, the constraints don't notice
-    /// coordinates that are off by a unit of the last place over x, and the directions that they forbid turn by that
-    /// over x once more.
+    /// At a distance x from a singular position, relative to the size of the coordinates, errors of the coordinates
+    /// up to a unit of the last place divided by x do not violate the constraints noticeably. They turn the
+    /// directions that the constraints forbid by that error divided by x.
     ///
     /// Args: the instant, the state, and the sizes of its coordinates.
     pub fn noise(&self, t: f64, state: &[f64], sizes: &[f64]) -> f64 {
@@ -129,10 +129,10 @@ impl<'a> Tangent<'a> {
         f64::EPSILON * (change / ASIDE) * (change / ASIDE / speed)
     }
 
-    /// A small change of the state, less the part that leads off the constraints: of the speeds, and of the coordinates
-    /// where there are as many, since they are the integrals of the speeds as a rule.
+    /// A small change of the state without the part that leads off the constraints: that of the speeds, and, if there
+    /// are as many coordinates, of these too, because they usually are the integrals of the speeds.
     ///
-    /// The correction is affine in the speeds: what it is without any belongs to constraints that move.
+    /// The correction is affine in the speeds: its value at zero speeds is due to constraints that move.
     pub fn part(&self, t: f64, state: &[f64], mut change: Vec<f64>) -> Vec<f64> {
         let n = self.correction.outputs();
         let speeds = self.coordinates..self.coordinates + n;
@@ -151,7 +151,7 @@ impl<'a> Tangent<'a> {
     }
 }
 
-/// Add a change, and return its size relative to what is changed; NaN if some entry is none.
+/// Add a change, and return its size relative to the changed vector; NaN if an entry is NaN.
 fn apply(change: &[f64], state: &mut [f64]) -> f64 {
     let (mut size, mut scale) = (0.0_f64, 1.0_f64);
     for (x, dx) in state.iter_mut().zip(change) {

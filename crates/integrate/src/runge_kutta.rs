@@ -1,7 +1,7 @@
-//! Explicit Runge–Kutta methods with step control and dense output; `tableau` says what tells them apart.
+//! Explicit Runge–Kutta methods with step control and dense output. A `tableau` has the coefficients of each.
 //!
-//! E. Hairer, S. P. Nørsett, G. Wanner, Solving Ordinary Differential Equations I, 2nd ed., 1993: the first step and the
-//! choice of steps in II.4, the dense output in II.6, the recognition of stiff problems in IV.2 of volume II.
+//! E. Hairer, S. P. Nørsett, G. Wanner, Solving Ordinary Differential Equations I, 2nd ed., 1993: the first step and
+//! the choice of steps in II.4, the dense output in II.6, the recognition of stiff problems in IV.2 of volume II.
 
 mod dense;
 mod dop853;
@@ -21,64 +21,65 @@ use stages::Stages;
 use tableau::Tableau;
 use tsit5::TSIT5;
 
-/// Steps are chosen by the error of the last one and, a little, by that of the one before, so that few are rejected; these
-/// two take a sixth fewer evaluations than 0.9 and 0 on a double pendulum and on Andrews' mechanism.
+/// The next step depends on the error of the last one and, with a small weight, on that of the one before, so that few
+/// steps are rejected. These two numbers take a sixth fewer evaluations than 0.9 and 0 on a double pendulum and on
+/// Andrews' mechanism.
 const SAFETY: f64 = 0.8;
 const MEMORY: f64 = 0.04;
-/// Smaller errors are remembered as this one.
+/// Smaller errors are recorded as this one.
 const LEAST_ERROR: f64 = 1e-4;
-/// Where so little of an error is along the constraints, stages are better put onto them.
+/// If at most this fraction of an error is along the constraints, stages are projected onto them.
 const BESIDE: f64 = 0.01;
 const SHRINK: f64 = 0.333;
 const GROW: f64 = 6.0;
 
-/// Where the rates at the state are, which are those of the first stage.
+/// The place of the rates at the state, which are those of the first stage.
 #[derive(Clone, Copy)]
 enum First {
     Unknown,
-    /// Among the stages, as those at the end of the last step.
+    /// Among the stages, as the rates at the end of the last step.
     AtEnd,
     InPlace,
 }
 
-/// A method in the midst of its work.
+/// A method during an integration.
 pub struct RungeKutta<'a> {
     tableau: &'static Tableau,
     rates: &'a BoundCode,
-    /// Where constraints let the speeds go, if they are kept by projection.
+    /// The directions of the speeds that the constraints allow, if they are kept by projection.
     tangent: Option<Tangent<'a>>,
     projection: Projection<'a>,
     /// Whether states are put onto the constraints before their rates are evaluated.
     ///
-    /// Motions on the constraints are the same with and without. Near a singular position the rates beside them are
-    /// large, and what the stages hold of these is no part of the motion; away from there it takes time for nothing.
+    /// Motions on the constraints are the same with and without it. Near a singular position the rates off the
+    /// constraints are large and are not part of the motion. Elsewhere the projection only costs time.
     is_careful: bool,
     tolerances: Tolerances,
     t: f64,
     state: Vec<f64>,
     /// The next step to try.
     step: f64,
-    /// The step to go on with after one that was shortened for what happens beside the constraints.
+    /// The step to continue with after one that was shortened for errors off the constraints.
     regular: f64,
-    /// The same for the step before.
+    /// The same for the previous step.
     last_regular: f64,
-    /// A step up to this length is allowed, whatever the longest one is: it crosses a singular position.
+    /// A step up to this length is allowed beyond `max_step`, so that it crosses a singular position.
     crossing: f64,
-    /// Up to this instant a way across a singular position has been looked for.
+    /// The instant up to which a step across a singular position has been tried.
     looked_until: f64,
-    /// Up to this instant it has been checked whether rounding errors decide on the branch.
+    /// The instant up to which it has been checked whether rounding errors decide on the branch.
     checked_until: f64,
-    /// How large each entry of the state has been, or how far it has moved.
+    /// The largest magnitude or change of each entry of the state so far.
     sizes: Vec<f64>,
     origin: Vec<f64>,
     /// The rates at the stages.
     stages: Stages,
     first: First,
-    /// The step before: its begin, its length, and its states at both ends.
+    /// The last step: its start, its length, and its states at both ends.
     last: (f64, f64),
     before: Vec<f64>,
     after: Vec<f64>,
-    /// The terms of the dense output, if they are those of the last step.
+    /// The terms of the dense output, if they have been computed for the last step.
     dense: Vec<Vec<f64>>,
     is_dense: bool,
     scratch: Vec<f64>,
@@ -93,7 +94,8 @@ pub struct RungeKutta<'a> {
 }
 
 impl<'a> RungeKutta<'a> {
-    /// A method at the begin of a motion that goes on to `end`; none if it isn't one of these.
+    /// The method at the start of a motion that ends at `end`; `None` if it is not an explicit Runge–Kutta method of
+    /// ours.
     pub fn new(
         method: Method,
         dynamics: &'a Dynamics,
@@ -188,7 +190,7 @@ impl<'a> RungeKutta<'a> {
         self.evaluate(place, t + c * h);
     }
 
-    /// Evaluate the rates at the state in `scratch`; there are none where no way leads onto the constraints.
+    /// Evaluate the rates at the state in `scratch`; they are NaN if the projection onto the constraints fails.
     fn evaluate(&mut self, place: usize, t: f64) {
         let rates = self.stages.row_mut(place);
         if self.is_careful && self.projection.project(t, &mut self.scratch).is_err() {
@@ -224,7 +226,7 @@ impl<'a> RungeKutta<'a> {
     /// The error without the part that the projection onto the constraints takes away after the step.
     ///
     /// Near a singular position, where a constraint nearly follows from others, rounding errors along it are large in
-    /// the accelerations: they would let no step pass.
+    /// the accelerations, so that no step would be accepted.
     fn error_along(&self, h: f64, tangent: &Tangent<'_>) -> f64 {
         let along = self
             .errors
@@ -234,11 +236,11 @@ impl<'a> RungeKutta<'a> {
         self.weighted_error(h, &along)
     }
 
-    /// The error that decides on a step.
+    /// The error by which a step is accepted or rejected.
     ///
-    /// Where nearly all of it leads off the constraints, the step is tried again with stages on them, and what still leads
-    /// off them is left to the projection, whose corrections are bounded. Not before the step has been rejected once:
-    /// away from singular positions all errors say how accurate it is.
+    /// If nearly all of it leads off the constraints, the step is repeated with stages on them, and the remaining
+    /// part off the constraints is left to the projection, whose corrections are bounded. That happens only after the
+    /// step has been rejected once: away from singular positions, all errors measure its accuracy.
     fn error_that_counts(&mut self, h: f64, was_rejected: bool) -> f64 {
         let error = self.error(h);
         let Some(tangent) = self.tangent.as_ref().filter(|_| error > 1.0) else { return error };
@@ -250,9 +252,9 @@ impl<'a> RungeKutta<'a> {
         if was_rejected { error.min(along) } else { error }
     }
 
-    /// Choose the next step after one that was accepted: not shorter for what was no matter of its error.
+    /// Choose the next step after one that was accepted; reasons other than its error do not shorten it.
     fn choose_next(&mut self, h: f64, next: f64, is_last: bool) {
-        // The end of the motion says nothing about the step that accuracy allows.
+        // The end of the motion does not limit the step that accuracy allows.
         let next = next.max(self.regular);
         self.step = if is_last { next.max(self.step) } else { next };
         self.last_regular = std::mem::take(&mut self.regular).max(h);
@@ -313,15 +315,15 @@ impl<'a> RungeKutta<'a> {
         self.statistics.steps += 1;
     }
 
-    /// The step times the largest eigenvalue, as the last stage of the step and its end estimate it: they are at the same
-    /// instant, so that it is how far apart their rates are, for their states.
+    /// The step times the largest eigenvalue. The last stage and the end of the step are at the same instant, so the
+    /// difference of their rates relative to that of their states is an estimate.
     fn steepness(&self) -> f64 {
         let rates = squared_distance(self.stages.row(0), self.stages.row(self.tableau.stages - 1));
         let states = squared_distance(&self.state, &self.last_stage);
         if states > 0.0 { self.last.1 * (rates / states).sqrt() } else { 0.0 }
     }
 
-    /// An explicit method that is bound by the largest eigenvalue for many steps is the wrong one.
+    /// If the largest eigenvalue bounds many steps of an explicit method, the problem is stiff.
     fn note_stiffness(&mut self) {
         const STEPS: u32 = 15;
         let is_at_bound = self.steepness() > self.tableau.stability;
@@ -424,7 +426,7 @@ impl Stepper for RungeKutta<'_> {
         if self.t > t {
             self.t = t;
             self.state.copy_from_slice(&self.before);
-            // The first stage still holds the rates there, unless those at the end of the step have been asked for.
+            // The first stage still holds the rates at the start, unless the rates at the end have been evaluated.
             self.first = if matches!(self.first, First::InPlace) { First::Unknown } else { First::InPlace };
             self.statistics.steps -= 1;
             self.statistics.rejected += 1;

@@ -1,4 +1,4 @@
-//! The begin of a motion: each method is a stepper of its own type.
+//! The start of a motion: the stepper of a method.
 
 use crate::dynamics::Dynamics;
 use crate::failure::Failure;
@@ -7,7 +7,7 @@ use crate::method::{Method, Tolerances};
 use crate::runge_kutta::RungeKutta;
 use crate::stepper::Stepper;
 
-/// Do something with a stepper of a method, at the begin of a motion that goes on to `end`.
+/// Run `then` with the stepper of a method, at the start of a motion that ends at `end`.
 pub fn start<R>(
     method: Method,
     dynamics: &Dynamics,

@@ -1,29 +1,30 @@
-//! What carries a state on, one step at a time.
+//! The interface of a method of integration, which advances a state step by step.
 
 use crate::failure::Failure;
 
-/// What an integration took.
+/// The cost of an integration.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Statistics {
     /// Steps that were accepted.
     pub steps: usize,
-    /// Steps that were tried again, shorter.
+    /// Steps that were rejected and repeated with a shorter length.
     pub rejected: usize,
-    /// The errors of the accepted steps, in tolerances, one added to the other; one each where nobody knows them.
+    /// The sum of the errors of the accepted steps, in tolerances; an unknown error counts as one.
     pub errors: f64,
     /// Evaluations of the rates.
     pub evaluations: usize,
     /// Evaluations of the Jacobian.
     pub jacobians: usize,
-    /// Where a step of an explicit method first began although rounding errors decide on its branch of the constraints.
+    /// The first start of a step of an explicit method at which rounding errors decide on the branch of the
+    /// constraints.
     pub uncertain: Option<f64>,
     /// Whether stability, not accuracy, bounds the steps of an explicit method.
     pub stiff: bool,
 }
 
-/// A method of integration in the midst of its work.
+/// A method of integration, with the state that it has reached.
 pub trait Stepper {
-    /// Whether a step can begin at the state: its rates are those of a neighbouring state.
+    /// Whether a step can start at the state: its rates agree with those of a neighbouring state.
     fn starts_well(&mut self) -> bool {
         true
     }
@@ -38,7 +39,7 @@ pub trait Stepper {
         false
     }
 
-    /// Take a step that is accepted, and not beyond `end`.
+    /// Advance by one accepted step, not beyond `end`.
     fn step(&mut self, end: f64) -> Result<(), Failure>;
 
     /// The instant of the state.
@@ -47,16 +48,16 @@ pub trait Stepper {
     /// The state.
     fn state(&self) -> &[f64];
 
-    /// Write the state at an instant of the last step, from the dense output; before the state is replaced.
+    /// Write the state at an instant of the last step, from the dense output. Call it before [`Self::replace`].
     fn interpolate(&mut self, t: f64, out: &mut [f64]) -> Result<(), Failure>;
 
-    /// Go on from another state at the same instant.
+    /// Continue from another state at the same instant.
     fn replace(&mut self, state: &[f64]);
 
-    /// Go back to the begin of the last step; the next try is this part of the last one from there, also where that is more
-    /// than the longest step. Whether there is one.
+    /// Go back to the start of the last step. The next step has this fraction of its length, even if that exceeds the
+    /// longest step. Return whether that is possible.
     fn retract(&mut self, part: f64) -> bool;
 
-    /// What it took so far.
+    /// The cost so far.
     fn statistics(&self) -> Statistics;
 }

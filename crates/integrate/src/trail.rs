@@ -1,28 +1,28 @@
-//! The trail of a motion: its states at the ends of steps, for those who look at the motion afterwards.
+//! The trail of a motion: its states at the ends of steps, for an analysis of the motion afterwards.
 
-/// Rows of the instant and the state there, of every step, or of every second, fourth, ... of long motions.
+/// Rows of an instant and its state, for every step, or for every second, fourth, ... step of long motions.
 #[derive(Debug)]
 pub struct Trail {
-    /// How many rows are kept at most; nothing is kept where it is zero.
+    /// The most rows that are kept; zero keeps none.
     most: usize,
-    /// Of so many steps one is kept.
+    /// One of this many steps is kept.
     every: usize,
-    /// Steps since the last one that was kept.
+    /// The number of steps since the last one that was kept.
     since: usize,
-    /// The numbers of a row.
+    /// The length of a row.
     width: usize,
     rows: Vec<f64>,
 }
 
 impl Trail {
-    /// A trail of at most so many rows, which begins at a state.
+    /// A trail of at most `most` rows, which starts at a state.
     pub fn new(most: usize, t: f64, state: &[f64]) -> Self {
         let mut trail = Self { most, every: 1, since: 0, width: 1 + state.len(), rows: Vec::new() };
         trail.keep(t, state);
         trail
     }
 
-    /// Note the end of a step; what was noted of later instants belongs to steps that were taken back.
+    /// Record the end of a step; drop rows of later instants, which belong to steps that were taken back.
     pub fn note(&mut self, t: f64, state: &[f64]) {
         while self.rows.len() > self.width && self.rows[self.rows.len() - self.width] >= t {
             self.rows.truncate(self.rows.len() - self.width);

@@ -1,4 +1,4 @@
-//! Angles: their numbers, and those that stand for multiples of pi.
+//! Angles: the numbers in them, and decimals that stand for multiples of pi.
 
 use pyo3::prelude::*;
 
@@ -6,7 +6,7 @@ use crate::convert::operand;
 use crate::expr::Expr;
 use crate::session::with_graph;
 
-/// The angle with its decimals that stand for multiples of pi as such multiples.
+/// The angle with each decimal that stands for a multiple of pi replaced by that multiple.
 #[pyfunction]
 #[pyo3(signature = (value, place = ""))]
 fn angle(value: &Bound<'_, PyAny>, place: &str) -> PyResult<Expr> {
@@ -14,14 +14,14 @@ fn angle(value: &Bound<'_, PyAny>, place: &str) -> PyResult<Expr> {
     Ok(Expr(with_graph(|graph| graph.angle(angle))))
 }
 
-/// The argument of a sine: an angle, or a number alone as it is.
+/// The argument of a sine: like `angle`, but a single number stays unchanged.
 #[pyfunction]
 fn angle_beside_others(value: &Bound<'_, PyAny>, place: &str) -> PyResult<Expr> {
     let argument = operand(value, place)?;
     Ok(Expr(with_graph(|graph| graph.angle_beside_others(argument))))
 }
 
-/// The number in an angle, in radians, multiples of pi aside.
+/// The rational number in an angle, in radians, without the multiple of pi.
 #[pyfunction]
 fn radians(angle: &Bound<'_, PyAny>) -> PyResult<Expr> {
     let angle = operand(angle, "radians")?;

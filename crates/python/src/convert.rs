@@ -8,7 +8,7 @@ use symbody_core::{Error, Id, Number, quoted};
 use crate::expr::Expr;
 use crate::session::{argument_error, raise, with_graph};
 
-/// What is expected where an expression is.
+/// The description of an expression in messages.
 const EXPRESSION: &str = "an expression or a number (int, float, Fraction, NumPy scalar)";
 
 /// An argument that may be an expression or a number.
@@ -30,7 +30,7 @@ pub fn operand(object: &Bound<'_, PyAny>, place: &str) -> PyResult<Id> {
     optional(object)?.ok_or_else(|| mistake(object, place, EXPRESSION))
 }
 
-/// The expressions of an argument: of any sequence, or one alone.
+/// The expressions of an argument: a sequence of expressions, or a single one.
 pub fn operands(sequence: &Bound<'_, PyAny>, place: &str) -> PyResult<Vec<Id>> {
     if let Ok(expr) = sequence.cast::<Expr>() {
         return Ok(vec![expr.get().0]);
@@ -43,7 +43,7 @@ pub fn operands(sequence: &Bound<'_, PyAny>, place: &str) -> PyResult<Vec<Id>> {
     }
 }
 
-/// The items of a mapping or of a sequence of pairs.
+/// The pairs of a mapping, or of a sequence of pairs.
 pub fn pairs(mapping: &Bound<'_, PyAny>) -> PyResult<Vec<(Id, Id)>> {
     let expected = "a mapping of expressions to expressions, such as {x: 1}";
     let items = if mapping.hasattr("items")? { mapping.call_method0("items")? } else { mapping.clone() };
@@ -66,12 +66,12 @@ pub fn pairs(mapping: &Bound<'_, PyAny>) -> PyResult<Vec<(Id, Id)>> {
         .collect()
 }
 
-/// What is to be replaced.
+/// The expressions that a substitution replaces.
 pub fn keys(pairs: &[(Id, Id)]) -> Vec<Id> {
     pairs.iter().map(|pair| pair.0).collect()
 }
 
-/// The expression of what is one or is a number, none for anything else; an error for nan and infinity.
+/// The expression of an expression or a number, `None` for anything else; an error for nan and infinity.
 pub fn optional(object: &Bound<'_, PyAny>) -> PyResult<Option<Id>> {
     if let Ok(expr) = object.cast::<Expr>() {
         return Ok(Some(expr.get().0));
@@ -79,7 +79,7 @@ pub fn optional(object: &Bound<'_, PyAny>) -> PyResult<Option<Id>> {
     Ok(number(object)?.map(|number| with_graph(|graph| graph.number(&number))))
 }
 
-/// A Python or `NumPy` number: exact integers and fractions, doubles as the decimals that print them.
+/// A Python or `NumPy` number: integers and fractions exactly, doubles as the decimals that print them.
 fn number(object: &Bound<'_, PyAny>) -> PyResult<Option<Number>> {
     let py = object.py();
     if object.is_instance_of::<PyBool>() {
@@ -110,7 +110,7 @@ fn number(object: &Bound<'_, PyAny>) -> PyResult<Option<Number>> {
     Ok(None)
 }
 
-/// A number of Python's `decimal`, exactly; it prints as a double where that is exact.
+/// A number of Python's `decimal`, exactly; it prints as a double if that is exact.
 fn decimal(object: &Bound<'_, PyAny>) -> PyResult<Number> {
     let py = object.py();
     let rounded: f64 = object.call_method0("__float__")?.extract()?;
@@ -127,7 +127,7 @@ fn decimal(object: &Bound<'_, PyAny>) -> PyResult<Number> {
     Ok(plain.unwrap_or(exact))
 }
 
-/// Powers of ten beyond it have more digits than any number of expressions.
+/// Larger powers of ten have more digits than expressions allow.
 const LARGEST_EXPONENT: i64 = 1_000_000;
 
 fn integer(object: &Bound<'_, PyAny>) -> PyResult<Number> {
@@ -137,7 +137,7 @@ fn integer(object: &Bound<'_, PyAny>) -> PyResult<Number> {
     raise(object.py(), Number::from_big(object.extract()?, 1.into()))
 }
 
-/// The error for an argument that is something else than expected: where, what was found, the way out.
+/// The error for an argument that is not what is expected: where, what was found, and the remedy.
 pub fn mistake(object: &Bound<'_, PyAny>, place: &str, expected: &str) -> PyErr {
     let class = object.get_type();
     let kind = class.name().map_or_else(|_| "object".to_owned(), |name| name.to_string());
@@ -146,11 +146,11 @@ pub fn mistake(object: &Bound<'_, PyAny>, place: &str, expected: &str) -> PyErr 
     let text = object.repr().map_or_else(|_| String::new(), |repr| quoted(&repr.to_string()));
     let text = if object.is_none() { text } else { format!("{text} is {article} {kind}") };
     let place = if place.is_empty() { String::new() } else { format!("{place}: ") };
-    argument_error(object.py(), format!("{place}{text}; expected {expected}{}", way_out(object)))
+    argument_error(object.py(), format!("{place}{text}; expected {expected}{}", remedy(object)))
 }
 
-/// How what was found becomes an expression.
-fn way_out(object: &Bound<'_, PyAny>) -> &'static str {
+/// How to convert the argument into an expression.
+fn remedy(object: &Bound<'_, PyAny>) -> &'static str {
     if object.is_instance_of::<PyString>() {
         return "; parse converts it";
     }

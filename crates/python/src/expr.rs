@@ -1,4 +1,5 @@
-//! The class `Expr`: a node of the graph as a Python object, alone and in collections. `methods` gives it its behaviour.
+//! The class `Expr`: a node of the graph as a Python object, alone and in collections. `methods` gives it its
+//! behaviour.
 
 use pyo3::prelude::*;
 use pyo3::types::{PyFrozenSet, PyTuple};

@@ -1,4 +1,5 @@
-//! Integration of compiled equations, without the interpreter; Python is asked some times a second whether to go on.
+//! Integration of compiled equations, without the interpreter; Python is asked several times per second whether to
+//! continue.
 
 #![allow(
     unsafe_code,
@@ -15,12 +16,12 @@ use symbody_integrate as native;
 
 use crate::deficiency::{Noted, take};
 
-/// Time between two looks at signals and progress.
+/// The time between two checks of signals and progress.
 const LOOK: Duration = Duration::from_millis(50);
 
-/// An address, how many constants the code there reads, and how many values it writes.
+/// An address, the number of constants that the code there reads, and the number of values that it writes.
 type Code = (usize, usize, usize);
-/// Events: which, when, and the state there.
+/// Events: the number of the function, the instant, and the state.
 type Occurrences = Vec<(usize, f64, Vec<f64>)>;
 /// Steps, rejected steps, evaluations of the rates and of the Jacobian, and whether the problem looks stiff.
 type Statistics = (usize, usize, usize, usize, bool);
@@ -36,7 +37,7 @@ type Run = (
     Vec<u8>,
     Option<f64>,
 );
-/// A run, and what its linear systems lacked.
+/// A run, and the deficiencies of its linear systems.
 type RunOfMany = (Run, Vec<Noted>);
 
 /// A system of equations as compiled code.
@@ -60,7 +61,7 @@ impl Dynamics {
     ) -> Self {
         let states = rates.2;
         let code = |(address, constants, outputs): Code| {
-            // SAFETY: whoever compiled the code gives its address and lengths, and keeps it while this object lives.
+            // SAFETY: the caller compiled the code at this address for these lengths, and keeps it while `self` lives.
             unsafe { native::MachineCode::new(address, states, constants, outputs) }
         };
         let kinds = |kinds: Vec<(i32, bool)>| {
@@ -79,15 +80,16 @@ impl Dynamics {
         }
     }
 
-    /// How many constants all functions read.
+    /// The number of constants that all functions read.
     #[getter]
     fn constants(&self) -> usize {
         self.code.constants()
     }
 
-    /// Integrate from a state through instants; write the states there to `out`, and keep up to `trail` states at ends of steps.
+    /// Integrate from a state through instants; write the states there to `out`, and keep up to `trail` states at
+    /// ends of steps.
     ///
-    /// `keep_going` is called with the time that was reached, some times a second.
+    /// `keep_going` is called several times per second with the time that was reached.
     #[allow(clippy::too_many_arguments, reason = "the arguments of an integration")]
     fn integrate(
         &self,
@@ -117,13 +119,13 @@ impl Dynamics {
                 look.keeps_going(t)
             })
         });
-        look.error.map_or_else(|| Ok(told(run)), Err)
+        look.error.map_or_else(|| Ok(as_tuple(run)), Err)
     }
 
     /// Integrate many motions in several threads; a row of states, constants and `out` for each.
     ///
-    /// `keep_going` is called with the number of motions that are done. Motions that were not begun have no run; beside each
-    /// run stands what its linear systems lacked.
+    /// `keep_going` is called with the number of motions that are done. Motions that were not begun have no run;
+    /// beside each run stands what its linear systems lacked.
     #[allow(clippy::too_many_arguments, reason = "the arguments of an integration")]
     fn integrate_many(
         &self,
@@ -171,13 +173,13 @@ impl Dynamics {
             )
         });
         look.error.map_or_else(
-            || Ok(runs.into_iter().map(|run| run.map(|(run, noted)| (told(run), noted))).collect()),
+            || Ok(runs.into_iter().map(|run| run.map(|(run, noted)| (as_tuple(run), noted))).collect()),
             Err,
         )
     }
 }
 
-/// Asks Python whether to go on, now and then.
+/// Asks Python from time to time whether to continue.
 struct Look {
     keep_going: Option<Py<PyAny>>,
     last: Instant,
@@ -190,7 +192,7 @@ impl Look {
         Self { keep_going, last: Instant::now(), is_over: false, error: None }
     }
 
-    /// Ctrl-C ends the motion, and what was computed stays.
+    /// Ctrl-C ends the motion; the results so far are kept.
     fn keeps_going(&mut self, progress: f64) -> bool {
         if self.is_over {
             return false;
@@ -240,7 +242,7 @@ fn written(out: &mut PyBuffer<f64>) -> PyResult<&mut [f64]> {
     Ok(unsafe { slice::from_raw_parts_mut(out.buf_ptr().cast(), out.item_count()) })
 }
 
-fn told(run: native::Run) -> Run {
+fn as_tuple(run: native::Run) -> Run {
     let occurrences = run.occurrences.into_iter().map(|o| (o.event, o.t, o.state)).collect();
     let failure = run.failure.map(|failure| (failure.kind(), failure.t(), failure.to_string()));
     let s = run.statistics;

@@ -25,7 +25,7 @@ unsafe extern "C" fn factor(n: i64, work: *mut f64) {
     }
 }
 
-/// Solve for the right side at `x` with a factorised matrix; note under the number of the system what it lacks.
+/// Solve for the right side at `x` with a factorised matrix; record a deficiency under the number of the system.
 unsafe extern "C" fn solve(n: i64, work: *const f64, x: *mut f64, system: i64) {
     let n = usize::try_from(n).expect(ROWS);
     let work = unsafe { slice::from_raw_parts(work, factorization::workspace(n)) };
@@ -47,7 +47,7 @@ fn kernel_address(name: &str) -> PyResult<usize> {
     }
 }
 
-/// How many doubles a matrix with so many rows and its factorisation take.
+/// The number of doubles that a matrix with this many rows and its factorisation take.
 #[pyfunction]
 fn kernel_workspace(py: Python<'_>, rows: usize) -> PyResult<usize> {
     raise(py, check_rows(rows))?;

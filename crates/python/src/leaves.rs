@@ -1,4 +1,4 @@
-//! Makers of leaves and functions: symbols, functions of time, constants, applications.
+//! Constructors of leaves and functions: symbols, functions of time, constants, applications.
 
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
@@ -8,7 +8,7 @@ use crate::convert::{operand, operands};
 use crate::expr::Expr;
 use crate::session::{raise, with_graph};
 
-/// The symbol of a name.
+/// The symbol with a name.
 #[pyfunction]
 #[pyo3(signature = (name, *, positive = false, real = true))]
 fn symbol(name: &str, positive: bool, real: bool) -> Expr {

@@ -1,4 +1,4 @@
-//! The methods of `Expr`: Python's operators, and what a node shows of itself.
+//! The methods of `Expr`: Python's operators, and the properties of a node.
 
 use std::collections::BTreeSet;
 
@@ -17,8 +17,8 @@ use crate::session::{argument_error, raise, with_forms, with_graph};
 
 type Binary = fn(&mut Graph, Id, Id) -> Result<Id, Error>;
 
-/// A binary operator: Python's `NotImplemented` for operands that are no expressions, so that vectors and
-/// matrices take over. `SymPy` would take over too, and ask for the value of a symbol.
+/// A binary operator: Python's `NotImplemented` for operands that are not expressions, so that vectors and matrices
+/// take over. Objects of `SymPy` are an error, because `SymPy` would request the value of a symbol.
 fn binary(left: &Bound<'_, PyAny>, right: &Bound<'_, PyAny>, operation: Binary) -> PyResult<Py<PyAny>> {
     let py = left.py();
     let (Some(a), Some(b)) = (optional(left)?, optional(right)?) else {
@@ -33,7 +33,7 @@ fn binary(left: &Bound<'_, PyAny>, right: &Bound<'_, PyAny>, operation: Binary) 
     Ok(Expr(id).into_pyobject(py)?.into_any().unbind())
 }
 
-/// An operation that can't fail, as one that can.
+/// Operations that can't fail, with the type of those that can.
 const ADD: Binary = |graph, a, b| Ok(graph.add(a, b));
 const SUBTRACT: Binary = |graph, a, b| Ok(graph.sub(a, b));
 
@@ -133,11 +133,12 @@ impl Expr {
         bridge.call_method1("array_ufunc", (ufunc, method, inputs, options))
     }
 
-    /// What isn't found elsewhere: the methods that `NumPy` calls for entries of arrays, or an error with our name for it.
+    /// What isn't found elsewhere: the methods that `NumPy` calls for entries of arrays, or an error with our name
+    /// for it.
     fn __getattr__<'py>(slf: &Bound<'py, Self>, name: &str) -> PyResult<Bound<'py, PyAny>> {
         let (py, class) = (slf.py(), slf.get_type());
         if let Ok(descriptor) = class.getattr(name) {
-            return descriptor.call_method1("__get__", (slf,)); // its own error, again
+            return descriptor.call_method1("__get__", (slf,)); // raise its own error again
         }
         if name.starts_with('_') {
             return Err(PyAttributeError::new_err(format!("'Expr' object has no attribute '{name}'")));
@@ -186,7 +187,7 @@ impl Expr {
         with_forms(|graph| graph.to_text(self.0))
     }
 
-    /// The value at numbers for the variables, given as a mapping.
+    /// The value of the expression, given a mapping of its variables to numbers.
     #[pyo3(signature = (values = None))]
     fn evaluate(&self, py: Python<'_>, values: Option<&Bound<'_, PyAny>>) -> PyResult<f64> {
         let (mut inputs, mut numbers) = (Vec::new(), Vec::new());
@@ -263,7 +264,8 @@ impl Expr {
         PyBytes::new(py, &[a.to_le_bytes(), b.to_le_bytes()].concat())
     }
 
-    /// What the node is: number, constant, symbol, `time_function`, application, sum, product, power, function, solution.
+    /// What the node is: number, constant, symbol, `time_function`, application, sum, product, power, function,
+    /// solution.
     #[getter]
     fn kind(&self) -> &'static str {
         with_forms(|graph| match graph.view(self.0) {
@@ -313,7 +315,7 @@ impl Expr {
         })
     }
 
-    /// What the user promises about a symbol: "real", "positive" or "none".
+    /// The assumption about a symbol: "real", "positive" or "none".
     #[getter]
     fn assumption(&self) -> PyResult<&'static str> {
         with_forms(|graph| match graph.view(self.0) {
@@ -416,7 +418,7 @@ const fn assumption_name(assumption: Assumption) -> &'static str {
     }
 }
 
-/// The error for a comparison whose truth nobody knows.
+/// The error for a comparison of expressions by order.
 fn no_order(py: Python<'_>, left: Id, right: Id, op: CompareOp) -> PyErr {
     let sign = match op {
         CompareOp::Lt => "<",
@@ -432,7 +434,7 @@ fn no_order(py: Python<'_>, left: Id, right: Id, op: CompareOp) -> PyErr {
     argument_error(py, message)
 }
 
-/// An expression as far as a message shows it.
+/// The beginning of an expression, for a message.
 fn shortened(graph: &Graph, id: Id) -> String {
     const SHOWN: usize = 40;
     let text = graph.to_text(id);
@@ -476,7 +478,7 @@ fn rational_hash(number: &Number) -> Option<isize> {
 }
 
 impl Expr {
-    /// A constant by a function of Python's `math` that rounds; nothing else can be rounded.
+    /// A constant, rounded by a function of Python's `math`; other expressions are an error.
     fn rounded<'py>(&self, py: Python<'py>, name: &str) -> PyResult<Bound<'py, PyAny>> {
         if with_forms(|graph| graph.is_constant(self.0)) {
             return py.import("math")?.call_method1(name, (self.__float__(py)?,));

@@ -6,7 +6,7 @@ use symbody_core::Id;
 use crate::convert::operands;
 use crate::session::with_forms;
 
-/// Warn of variables that occur in none of the expressions, where others of their names do, at the user's line.
+/// Warn, at the user's line, of variables that occur in none of the expressions although others with their names do.
 pub fn notice_namesakes(py: Python<'_>, place: &str, roots: &[Id], sought: &[Id]) -> PyResult<()> {
     let roles = ("in the expression", "given");
     let Some(text) = with_forms(|graph| graph.explain_absent(roots, sought, roles)) else {
@@ -15,7 +15,7 @@ pub fn notice_namesakes(py: Python<'_>, place: &str, roots: &[Id], sought: &[Id]
     py.import("symbody.errors")?.call_method1("notify", (format!("{place}: {text}"),)).map(|_| ())
 }
 
-/// How variables that are needed differ from those of the same names that are given; nothing if none do.
+/// Explain how variables that are needed differ from given ones with the same names; empty if there are none.
 #[pyfunction]
 fn namesakes(
     needed: &Bound<'_, PyAny>,

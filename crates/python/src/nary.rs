@@ -1,4 +1,4 @@
-//! Sums and products of many expressions, made as one node.
+//! Sums and products of many expressions, each made in one call.
 
 use pyo3::prelude::*;
 use symbody_core::NumberId;

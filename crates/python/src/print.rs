@@ -6,7 +6,7 @@ use symbody_core::{Format, Listing};
 use crate::convert::operands;
 use crate::session::{argument_error, with_forms};
 
-/// Names and what they stand for.
+/// Names, and the expressions that they stand for.
 type Definitions = Vec<(String, String)>;
 
 /// Expressions printed together: the named intermediate quantities, if any, and the results.

@@ -9,12 +9,12 @@ use symbody_core::{Classes, Error, Graph};
 static GRAPH: LazyLock<Mutex<Graph>> = LazyLock::new(|| Mutex::new(Graph::new()));
 
 thread_local! {
-    /// The classes of the derivations that this thread is in; the last one takes values, the others wait for its end.
+    /// The classes of the derivations of this thread; the last one is in progress, and the others wait for its end.
     #[expect(clippy::vec_box, reason = "the graph holds the classes in progress by their box: moving it is moving a pointer")]
     static CLASSES: RefCell<Vec<Box<Classes>>> = const { RefCell::new(Vec::new()) };
 }
 
-/// The graph while it is in the derivation of this thread; it leaves it also when work ends in a panic.
+/// The graph while it is in the derivation of this thread; it leaves the derivation even if the work panics.
 struct Deriving<'a>(&'a mut Graph);
 
 impl Drop for Deriving<'_> {
@@ -23,7 +23,7 @@ impl Drop for Deriving<'_> {
     }
 }
 
-/// Work on the graph within the derivation of this thread, if it is in one.
+/// Run work on the graph within the derivation of this thread, if there is one.
 pub fn with_graph<T>(work: impl FnOnce(&mut Graph) -> T) -> T {
     let mut graph = GRAPH.lock().unwrap_or_else(PoisonError::into_inner);
     let Some(classes) = CLASSES.with_borrow_mut(Vec::pop) else {
@@ -34,13 +34,13 @@ pub fn with_graph<T>(work: impl FnOnce(&mut Graph) -> T) -> T {
     work(deriving.0)
 }
 
-/// Work on the graph outside of any derivation: rewrites keep the forms they make.
+/// Run work on the graph outside any derivation, so that rewrites keep the forms that they make.
 pub fn with_forms<T>(work: impl FnOnce(&mut Graph) -> T) -> T {
     let mut graph = GRAPH.lock().unwrap_or_else(PoisonError::into_inner);
     work(&mut graph)
 }
 
-/// The result, or the error as the Python exception of its kind.
+/// Return the result, or raise the error as the Python exception of its kind.
 pub fn raise<T>(py: Python<'_>, result: Result<T, Error>) -> PyResult<T> {
     result.map_err(|error| exception(py, &error))
 }
@@ -51,11 +51,11 @@ fn exception(py: Python<'_>, error: &Error) -> PyErr {
         Error::MissingInput(_) => "ParameterError",
         _ => "ExpressionError",
     };
-    made(py, class, format!("{error}{}", way_out(error)))
+    python_exception(py, class, format!("{error}{}", remedy(error)))
 }
 
-/// What the user may do about an error, where the error itself doesn't say it.
-const fn way_out(error: &Error) -> &'static str {
+/// The remedy for an error, if its own message does not state it.
+const fn remedy(error: &Error) -> &'static str {
     match error {
         Error::DivisionByZero(_) => "; check the divisor: its terms cancel, or a substitution makes it zero",
         Error::Domain { .. } => "; check the argument, or keep a symbol there and give its value later",
@@ -63,13 +63,13 @@ const fn way_out(error: &Error) -> &'static str {
     }
 }
 
-/// The exception for an argument that is something else than expected.
+/// The exception for an argument that is not what is expected.
 pub fn argument_error(py: Python<'_>, message: String) -> PyErr {
-    made(py, "ArgumentError", message)
+    python_exception(py, "ArgumentError", message)
 }
 
 /// An exception of the module `symbody.errors`.
-fn made(py: Python<'_>, class: &str, message: String) -> PyErr {
+fn python_exception(py: Python<'_>, class: &str, message: String) -> PyErr {
     let instance = py
         .import("symbody.errors")
         .and_then(|errors| errors.getattr(class))
@@ -86,7 +86,7 @@ fn begin_derivation() {
     CLASSES.with_borrow_mut(|classes| classes.push(Box::default()));
 }
 
-/// End the derivation of this thread and take up the one that waited for it.
+/// End the derivation of this thread and resume the one that waited for it.
 #[pyfunction]
 fn end_derivation() {
     CLASSES.with_borrow_mut(Vec::pop);

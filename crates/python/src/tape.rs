@@ -110,7 +110,7 @@ impl Tape {
         Ok(outputs)
     }
 
-    /// The outputs at many points, output by output, into `out`; an input of one value serves all points.
+    /// Write the outputs at many points into `out`, output by output; an input with one value has it at all points.
     fn evaluate_columns(
         &self,
         py: Python<'_>,
@@ -118,7 +118,7 @@ impl Tape {
         points: usize,
         out: &Bound<'_, PyAny>,
     ) -> PyResult<()> {
-        // Before room for the results is taken, which may be more than there is.
+        // Check before allocating the results, which may not fit into memory.
         let out = PyBuffer::<f64>::get(out)?;
         if self.outputs().checked_mul(points) != Some(out.item_count()) {
             let (left, right) = ((self.outputs(), points), (out.item_count(), 1));

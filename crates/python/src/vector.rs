@@ -1,4 +1,4 @@
-//! Vectors of three components in one call each: Python's own calls would cost more than the algebra.
+//! Operations on vectors of three components, one call each: calls per component would cost more than the algebra.
 
 use pyo3::prelude::*;
 use symbody_core::{Error, Graph, Id, Vector3, vector};
@@ -22,31 +22,31 @@ fn compute(py: Python<'_>, work: impl FnOnce(&mut Graph) -> Result<Vector3, Erro
     raise(py, with_graph(work)).map(triple)
 }
 
-/// a + b
+/// The sum `a + b`.
 #[pyfunction]
 fn add3(py: Python<'_>, a: Triple, b: Triple) -> PyResult<Result3> {
     compute(py, |graph| Ok(vector::add(graph, vector3(&a), vector3(&b))))
 }
 
-/// a - b
+/// The difference `a - b`.
 #[pyfunction]
 fn sub3(py: Python<'_>, a: Triple, b: Triple) -> PyResult<Result3> {
     compute(py, |graph| Ok(vector::sub(graph, vector3(&a), vector3(&b))))
 }
 
-/// s a
+/// The multiple `s a`.
 #[pyfunction]
 fn scale3(py: Python<'_>, s: Operand, a: Triple) -> PyResult<Result3> {
     compute(py, |graph| vector::scale(graph, s.0, vector3(&a)))
 }
 
-/// a . b
+/// The scalar product `a . b`.
 #[pyfunction]
 fn dot3(py: Python<'_>, a: Triple, b: Triple) -> PyResult<Expr> {
     raise(py, with_graph(|graph| vector::dot(graph, vector3(&a), vector3(&b)))).map(Expr)
 }
 
-/// a x b
+/// The vector product `a x b`.
 #[pyfunction]
 fn cross3(py: Python<'_>, a: Triple, b: Triple) -> PyResult<Result3> {
     compute(py, |graph| vector::cross(graph, vector3(&a), vector3(&b)))

@@ -6,7 +6,7 @@ use crate::error::Error;
 use crate::graph::{Function, Graph, Id, NumberId, View, check_order};
 use crate::value::Number;
 
-/// Which nodes depend on which of the variables: a row of bits for each node.
+/// The variables on which each node depends: one row of bits per node.
 struct Dependence {
     order: Vec<Id>,
     bits: FxHashMap<Id, Box<[u64]>>,
@@ -28,7 +28,7 @@ impl Graph {
     /// derivatives are other variables). The derivative with respect to t is the total one.
     ///
     /// # Errors
-    /// When `variable` is no variable.
+    /// If `variable` is not a variable.
     pub fn diff(&mut self, id: Id, variable: Id) -> Result<Id, Error> {
         Ok(self.diff_all(&[id], variable)?[0])
     }
@@ -36,7 +36,7 @@ impl Graph {
     /// The n-th partial derivative.
     ///
     /// # Errors
-    /// When `variable` is no variable, or n is larger than [`LARGEST_ORDER`](crate::LARGEST_ORDER).
+    /// If `variable` is not a variable, or n is larger than [`LARGEST_ORDER`](crate::LARGEST_ORDER).
     pub fn diff_times(&mut self, id: Id, variable: Id, n: u64) -> Result<Id, Error> {
         check_order(n)?;
         (0..n).try_fold(id, |id, _| self.diff(id, variable))
@@ -45,7 +45,7 @@ impl Graph {
     /// The partial derivatives of several expressions with respect to one variable.
     ///
     /// # Errors
-    /// When `variable` is no variable.
+    /// If `variable` is not a variable.
     pub fn diff_all(&mut self, ids: &[Id], variable: Id) -> Result<Vec<Id>, Error> {
         self.check_variable(variable)?;
         if matches!(self.view(variable), View::Time) {
@@ -61,7 +61,7 @@ impl Graph {
     /// The total derivatives with respect to time: x -> x', x' -> x''.
     ///
     /// # Errors
-    /// When a divisor turns out to be zero.
+    /// If a divisor is identically zero.
     pub fn time_derivatives(&mut self, ids: &[Id]) -> Result<Vec<Id>, Error> {
         let ids: Vec<Id> = ids.iter().map(|&id| self.adopt(id)).collect();
         let order = self.post_order_where(&ids, |id| self.depends_on_time(id));
@@ -78,7 +78,7 @@ impl Graph {
     /// The total derivative with respect to time.
     ///
     /// # Errors
-    /// When a divisor turns out to be zero.
+    /// If a divisor is identically zero.
     pub fn time_derivative(&mut self, id: Id) -> Result<Id, Error> {
         Ok(self.time_derivatives(&[id])?[0])
     }
@@ -251,8 +251,8 @@ impl Graph {
         }
     }
 
-    /// Of two: max(a, b) = (a + b + |a - b|)/2, so (1 + sign(a - b))/2. Of more: one where the argument is the
-    /// extremum, zero where it is beyond.
+    /// For two arguments, max(a, b) = (a + b + |a - b|)/2, so the partial derivative is (1 + sign(a - b))/2. For more,
+    /// it is one where the argument is the extremum and zero elsewhere.
     fn extremum_partial(&mut self, function: Function, args: &[Id], k: usize, id: Id) -> Result<Id, Error> {
         if let &[a, b] = args {
             let ahead = if (k == 0) == (function == Function::Max) { self.sub(a, b) } else { self.sub(b, a) };
@@ -264,7 +264,7 @@ impl Graph {
         self.apply(Function::Piecewise, &[Id::ZERO, beyond, Id::ONE])
     }
 
-    /// One where the branch is chosen; conditions have no influence but by the choice.
+    /// The partial derivative by a branch is one where the branch is chosen; that by a condition is zero.
     fn branch_partial(&mut self, args: &[Id], k: usize) -> Result<Id, Error> {
         let is_condition = |j: usize| j % 2 == 1 && j + 1 < args.len();
         if is_condition(k) {
@@ -285,10 +285,10 @@ impl Graph {
         Ok(if sign > 0 { self.add(Id::ONE, square) } else { self.sub(Id::ONE, square) })
     }
 
-    /// The derivatives of one expression with respect to many variables, by one sweep from the result down.
+    /// The derivatives of one expression with respect to many variables, by one reverse sweep.
     ///
     /// # Errors
-    /// When one of the variables is none.
+    /// If one of them is not a variable.
     pub fn gradient(&mut self, id: Id, variables: &[Id]) -> Result<Vec<Id>, Error> {
         for &variable in variables {
             self.check_variable(variable)?;
@@ -338,11 +338,11 @@ impl Graph {
         Ok(variables.iter().map(|&v| result.get(&self.value(v)).copied().unwrap_or(Id::ZERO)).collect())
     }
 
-    /// The Jacobian, row by row: by rows in reverse when there are fewer expressions than variables,
-    /// else by columns forward; both visit only what depends on the variables.
+    /// The Jacobian, row by row. It is computed by rows in reverse mode if there are fewer expressions than variables,
+    /// and otherwise by columns in forward mode; both visit only nodes that depend on the variables.
     ///
     /// # Errors
-    /// When one of the variables is none.
+    /// If one of them is not a variable.
     pub fn jacobian(&mut self, ids: &[Id], variables: &[Id]) -> Result<Vec<Vec<Id>>, Error> {
         if ids.len() < variables.len() {
             return ids.iter().map(|&id| self.gradient(id, variables)).collect();

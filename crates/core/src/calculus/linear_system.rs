@@ -6,7 +6,7 @@ use crate::error::Error;
 use crate::graph::{Graph, Id, NumberId};
 
 impl Graph {
-    /// The system of the derivative, dx = A^-1 (db - dA x); `Id::ZERO` where nothing changes.
+    /// The system of the derivative, dx = A^-1 (db - dA x); `Id::ZERO` if the derivative vanishes.
     pub(super) fn system_tangent(&mut self, id: Id, tangent: &FxHashMap<Id, Id>) -> Result<Id, Error> {
         let (matrix, right) = self.parts_of_system(id);
         let of = |id: &Id| tangent.get(id).copied().unwrap_or(Id::ZERO);
@@ -28,7 +28,7 @@ impl Graph {
         self.linear_system(&matrix, &changes)
     }
 
-    /// What a system's parts get from the adjoints of its solution, y = A^-T x': A gets -y x^T, b gets y.
+    /// The adjoints of a system's parts from those of its solution, x': with y = A^-T x', A gets -y x^T and b gets y.
     pub(super) fn system_adjoints(&mut self, id: Id, adjoints: &[(u32, Id)]) -> Result<Vec<(Id, Id)>, Error> {
         let (matrix, right) = self.parts_of_system(id);
         let n = right.len();

@@ -1,4 +1,4 @@
-//! Simultaneous substitution, by value: whatever equals a target is replaced.
+//! Simultaneous substitution by value: every node that equals a target is replaced.
 
 use rustc_hash::FxHashMap;
 
@@ -10,11 +10,11 @@ impl Graph {
     /// The expressions with every target replaced, all at once.
     ///
     /// A replacement of x(t) also replaces x', x'', ... by its time derivatives, unless these have
-    /// replacements of their own; a replacement of t turns x(t) into x(value). Doubles that stand for
-    /// multiples of pi are such multiples where they come beside other terms into a sine, cosine or tangent.
+    /// replacements of their own; a replacement of t turns x(t) into x(value). Doubles that stand for multiples
+    /// of pi become such multiples where they are added to other terms of a sine, cosine or tangent.
     ///
     /// # Errors
-    /// When a target is a number, or a divisor becomes zero.
+    /// If a target is a number, or a divisor becomes zero.
     pub fn substitute(&mut self, roots: &[Id], pairs: &[(Id, Id)]) -> Result<Vec<Id>, Error> {
         let mut targets: FxHashMap<Element, Id> = FxHashMap::default();
         let mut time = None;

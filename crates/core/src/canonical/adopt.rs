@@ -1,4 +1,4 @@
-//! Building within a derivation: whoever builds a node whose value is known gets the node that is there.
+//! Construction within a derivation: a node whose value is known is not made again.
 //!
 //! The classes belong to one derivation, so a result depends on the model alone and never on what else the process has
 //! computed. Nodes from outside are rebuilt on their first use.
@@ -20,7 +20,7 @@ impl Graph {
         self.classes = Some(classes);
     }
 
-    /// Whether a node is a product made by this derivation and part of nothing yet.
+    /// Whether a node is a product that this derivation has made and that is not part of another node yet.
     pub(super) fn is_fresh_product(&self, id: Id) -> bool {
         self.kind(id) == Kind::Product && self.classes.as_ref().is_some_and(|classes| !classes.is_used(id))
     }

@@ -1,9 +1,9 @@
 //! Arguments of trigonometric and exponential functions at the random point.
 //!
 //! An argument is a sum of rational multiples of atoms (monomials without coefficient), of pi and of 1.
-//! Each atom has a drawn point of the circle group (a drawn member of the multiplicative group), and sums
-//! of arguments are products of points: so sin(a + b) = sin a cos b + cos a sin b, double and half
-//! angles, quarter turns are all known.
+//! Each atom has a point of the circle group (a member of the multiplicative group) that is drawn, and a sum of
+//! arguments is a product of points. So identities hold for sums, for double and half angles, and for quarter turns:
+//! sin(a + b) = sin a cos b + cos a sin b.
 
 use crate::graph::{Graph, Id, NumberId, View};
 use crate::value::{Circle, Element, Key, Number, TORSION};
@@ -33,7 +33,7 @@ impl Linear {
     }
 }
 
-/// A step of the expansion of an argument, worked off a stack.
+/// A step of the expansion of an argument; the steps are kept on a stack.
 enum Step {
     Visit(Id),
     Atom(Element),
@@ -60,7 +60,7 @@ impl Graph {
         linear
     }
 
-    /// The number in an angle, in radians, multiples of pi aside.
+    /// The rational number in an angle, in radians, without the multiple of pi.
     #[must_use]
     pub fn radians(&self, angle: Id) -> Number {
         self.linear(angle).number
@@ -93,7 +93,7 @@ impl Graph {
         done.pop()
     }
 
-    /// Whether the terms of nested sums alone are too many: then it would take long to find out by multiplying out.
+    /// Whether the terms of nested sums alone are too many. Multiplying them out would take too long to decide this.
     ///
     /// A product has as many monomials as one of its factors, or more.
     fn has_many_monomials(&self, id: Id) -> bool {
@@ -158,7 +158,7 @@ impl Graph {
                         coefficient = coefficient.mul(&power);
                         open.push((child, exponent));
                     }
-                    // Too large a number: the power stays whole.
+                    // The number is too large, so the power stays an atom.
                     Err(_) => parts.push(Step::Atom(self.power_value(base, &exponent))),
                 },
                 (View::Sum(_), Some(n @ 1..=6)) => parts.extend((0..n).map(|_| Step::Visit(base))),
@@ -200,11 +200,11 @@ impl Graph {
         })
     }
 
-    /// The value of base ** exponent with an exponent that is no number: x^(n + a) = x^n x^a, but for zero.
+    /// The value of base ** exponent for an exponent that is not a number: x^(n + a) = x^n x^a, except for x = 0.
     pub(crate) fn general_power(&self, base: Id, exponent: Id) -> Element {
         let key = Key::new("power").element(self.value(base));
         if base == Id::ZERO {
-            // 0^(a - 1) is no product of 0^a and a power of zero.
+            // 0^(a - 1) is not a product of 0^a and a power of zero.
             return Element::draw(&key.element(self.value(exponent)));
         }
         let linear = self.linear(exponent);
@@ -216,7 +216,7 @@ impl Graph {
     }
 }
 
-/// The terms of a linear combination; `None` when there are too many: nothing that follows makes them fewer.
+/// The terms of a linear combination; `None` if there are too many, because no later step reduces their number.
 fn add_monomials(parts: Vec<Monomials>, factors: &[Number]) -> Option<Monomials> {
     if parts.iter().map(Vec::len).sum::<usize>() > LONGEST_ARGUMENT {
         return None;

@@ -7,14 +7,14 @@ use crate::graph::{Flags, Function, Graph, Id, Kind, LONGEST, NumberId, Parity, 
 use crate::print::compare_names;
 use crate::value::{Element, Key, Number};
 
-/// Nodes of a term that are searched for names: arguments may be graphs of any size.
+/// The most nodes of a term that are searched for names, because arguments may be graphs of any size.
 const NAMES_SEARCH: usize = 64;
 
 impl Graph {
     /// A function of the table applied to arguments.
     ///
     /// # Errors
-    /// When the number of arguments is wrong, or the value is not defined there.
+    /// If the number of arguments is wrong, or the function is not defined at them.
     pub fn apply(&mut self, function: Function, args: &[Id]) -> Result<Id, Error> {
         function.check_arity(args.len())?;
         check_count(args.len())?;
@@ -34,7 +34,7 @@ impl Graph {
     /// The undefined function `name` of arguments, differentiated `orders[i]` times by argument i.
     ///
     /// # Errors
-    /// When there are too many arguments, more or fewer orders than arguments, or too many derivatives.
+    /// If there are too many arguments, a number of orders that differs from theirs, or too many derivatives.
     pub fn application(&mut self, name: &str, args: &[Id], orders: &[u32]) -> Result<Id, Error> {
         check_count(args.len())?;
         if args.len() != orders.len() {
@@ -61,7 +61,7 @@ impl Graph {
         Ok(self.finish(Kind::Application, flags, &words, Element::draw(&key)))
     }
 
-    /// f(-x) = -f(x) or f(x): an argument begins with a positive term where it is read.
+    /// f(-x) = -f(x) or f(x): choose the sign of the argument so that its first term, as printed, is positive.
     fn by_parity(&mut self, function: Function, args: &[Id]) -> Result<Option<Id>, Error> {
         let parity = function.parity();
         if parity == Parity::Neither || !self.reads_negative(args[0]) {
@@ -72,7 +72,7 @@ impl Graph {
         Ok(Some(if parity == Parity::Odd { self.scale(NumberId::MINUS_ONE, result) } else { result }))
     }
 
-    /// Whether a reader meets a minus sign first: `b - a` is -(a - b), as names are ordered.
+    /// Whether the first term, as printed, is negative: `b - a` counts as -(a - b), because names are ordered.
     fn reads_negative(&self, id: Id) -> bool {
         match self.view(id) {
             View::Number(number) => self.get_number(number).is_negative(),
@@ -104,7 +104,7 @@ impl Graph {
         names
     }
 
-    /// The value at the random point: by the group laws where there are any, drawn for opaque functions.
+    /// The value at the random point: by the group laws where there are any; opaque functions have drawn values.
     fn function_value(&mut self, function: Function, args: &[Id]) -> Element {
         let first = args[0];
         let half = || Element::from_number(&Number::rational(1, 2));
@@ -137,9 +137,9 @@ impl Graph {
         }
     }
 
-    /// The real functions that the modulus gives: |u| is the root of u^2, whatever form that has.
+    /// The values of real functions that derive from the modulus: |u| is the root of u^2, in whatever form.
     ///
-    /// sign u = u/|u|, max(a, b) = (a + b + |a - b|)/2, and the like for the least of two.
+    /// sign u = u/|u|, max(a, b) = (a + b + |a - b|)/2, min(a, b) = (a + b - |a - b|)/2.
     fn value_by_modulus(&self, function: Function, args: &[Id]) -> Option<Element> {
         let modulus = |value: Element| {
             let key = Key::new("root").element(value.powi(2));
@@ -160,10 +160,10 @@ impl Graph {
         }
     }
 
-    /// The sum of the branches times indicators: which of the conditions is the first to be positive.
+    /// The sum of the branches times indicators of the first positive condition.
     ///
-    /// Indicators are drawn for the conditions' values; so a derivative of a piecewise function is the
-    /// same value by branches and by partial derivatives.
+    /// Indicators are drawn for the values of the conditions. So the derivative of a piecewise function has the same
+    /// value by branches and by partial derivatives.
     fn piecewise_value(&self, args: &[Id]) -> Element {
         let (mut value, mut not_yet) = (Element::ZERO, Element::ONE);
         for pair in args[..args.len() - 1].chunks_exact(2) {
@@ -174,7 +174,7 @@ impl Graph {
         value + not_yet * self.value(args[args.len() - 1])
     }
 
-    /// A value drawn for the function and its arguments' values, with the function's parity.
+    /// A value drawn for the function and the values of its arguments, with the parity of the function.
     fn opaque_value(&self, function: Function, args: &[Id]) -> Element {
         if args.iter().all(|&arg| self.is_real(arg))
             && let Some(value) = self.value_by_modulus(function, args)
@@ -192,7 +192,7 @@ impl Graph {
     }
 }
 
-/// Lists compare name by name; one without names, a constant, comes last.
+/// Compare lists name by name; a list without names, of a constant, comes last.
 fn compare_name_lists(a: &[&str], b: &[&str]) -> Ordering {
     let by_name = a.iter().zip(b).map(|(x, y)| compare_names(x, y)).find(|order| order.is_ne());
     a.is_empty().cmp(&b.is_empty()).then(by_name.unwrap_or(Ordering::Equal)).then(a.len().cmp(&b.len()))

@@ -1,4 +1,4 @@
-//! The associative law while deriving: what changes rarely is multiplied first.
+//! The associative law within a derivation: factors that change rarely are multiplied first.
 //!
 //! l (cos q q') becomes (l cos q) q': the product of a parameter and a position serves every speed, in
 //! derivatives and in code that is split by how often its parts change.
@@ -8,7 +8,7 @@ use crate::graph::{Graph, Id, NumberId, View};
 type Factor = (Id, NumberId);
 
 impl Graph {
-    /// Of a factor and a fresh product that changes more often, take the product's rare factors to the first.
+    /// Move the rarely changing factors of a fresh product to a factor that changes rarely.
     pub(crate) fn associate(&mut self, factors: Vec<Factor>) -> Vec<Factor> {
         let [(a, NumberId::ONE), (b, NumberId::ONE)] = factors[..] else { return factors };
         let (rare, product) = if self.level(a) < self.level(b) { (a, b) } else { (b, a) };

@@ -4,7 +4,7 @@ use crate::graph::{Flags, Graph, Id, Kind, NumberId};
 use crate::value::Element;
 
 impl Graph {
-    /// Enter a new row: values known to be plain numbers or known to the derivation give the known node.
+    /// Enter a row: a value that is a plain number, or that the derivation knows, gives the known node.
     pub(crate) fn finish(&mut self, kind: Kind, flags: Flags, words: &[u32], value: Element) -> Id {
         if value.is_zero() {
             return Id::ZERO;

@@ -1,4 +1,4 @@
-//! The parts of a product while it is made: numbers, roots of numbers, and powers of distinct bases.
+//! The parts of a product under construction: numbers, roots of numbers, and powers of distinct bases.
 
 use crate::graph::{Graph, Id};
 use crate::value::Number;
@@ -12,7 +12,8 @@ pub(super) struct Collector {
 }
 
 impl Collector {
-    /// Multiply by base ** exponent; a base with the same or the opposite value takes the exponent.
+    /// Multiply by base ** exponent; if a base with the same or the opposite value is present, add the exponent to
+    /// its own.
     pub(crate) fn push(&mut self, graph: &Graph, base: Id, exponent: &Number) {
         let value = graph.value(base);
         for (position, (known, total)) in self.factors.iter_mut().enumerate() {

@@ -1,7 +1,7 @@
-//! The distributive law while deriving: u a + u b becomes u (a + b) where that saves a multiplication.
+//! The distributive law within a derivation: u a + u b becomes u (a + b) where that saves a multiplication.
 //!
-//! Only products that nothing else uses are taken apart. So the running sums of a chain (of masses, of
-//! composite inertias) come out as one multiplication each, not one for every body.
+//! Only products that nothing else uses are taken apart. So each running sum of a chain (of masses, of composite
+//! inertias) takes one multiplication instead of one per body.
 
 use crate::error::Error;
 use crate::graph::{Graph, Id, LONGEST, NumberId, View};
@@ -33,7 +33,7 @@ impl Graph {
         terms
     }
 
-    /// Of terms that all have one number as coefficient, up to sign: that number, and the terms without it.
+    /// If all terms have one coefficient up to sign: that number, and the terms without it.
     ///
     /// 2 a - 2 b becomes 2 (a - b).
     pub(super) fn split_content(&mut self, terms: &[Term]) -> Option<(NumberId, Vec<Term>)> {
@@ -49,7 +49,7 @@ impl Graph {
         Some((self.number_id(&content), bare))
     }
 
-    /// The factor that occurs in most of the fresh products, in two at least; ties go by value.
+    /// The factor that occurs in most of the fresh products, and in at least two; ties are broken by value.
     fn most_shared_factor(&self, terms: &[Term]) -> Option<Factor> {
         let mut counted: Vec<(Factor, usize)> = Vec::new();
         for &(_, id) in terms {

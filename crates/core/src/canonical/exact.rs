@@ -6,10 +6,10 @@ use crate::value::Number;
 
 use super::collector::Collector;
 
-/// Longer products stay in their modulus as they are.
+/// Longer products stay inside their modulus unchanged.
 const LONGEST_MODULUS: usize = 48;
 
-/// Parts of an angle that are searched for pi.
+/// The most parts of an angle that are searched for pi.
 const PI_SEARCH: usize = 64;
 
 impl Graph {
@@ -203,14 +203,14 @@ impl Graph {
         }
     }
 
-    /// The multiple of pi in an argument, also inside its sums, and what is left (`None` when nothing is).
+    /// The multiple of pi in an argument, also inside its sums, and the rest of the argument (`None` if there is none).
     fn split_pi(&mut self, argument: Id) -> Option<(Number, Option<Id>)> {
         let mut visits = PI_SEARCH;
         let (multiple, rest) = self.without_pi(argument, &mut visits)?;
         (!multiple.is_zero()).then_some((multiple, Some(rest).filter(|&rest| rest != Id::ZERO)))
     }
 
-    /// The multiple of pi among the terms of a node, and the node without it; `None` where there is none.
+    /// The multiple of pi among the terms of a node, and the node without it; `None` if there is no multiple.
     fn without_pi(&mut self, id: Id, visits: &mut usize) -> Option<(Number, Id)> {
         if let View::Pi = self.view(id) {
             return Some((Number::integer(1), Id::ZERO));
@@ -317,7 +317,7 @@ impl Graph {
         Ok(Some(if negative { self.scale(NumberId::MINUS_ONE, value) } else { value }))
     }
 
-    /// Min and Max: one of each value, numbers folded into one.
+    /// Min and Max: drop arguments of equal value, and fold numbers into one.
     fn extremum(&mut self, function: Function, args: &[Id]) -> Result<Option<Id>, Error> {
         let mut kept: Vec<Id> = Vec::new();
         let mut bound: Option<Number> = None;

@@ -12,7 +12,7 @@ use crate::value::{Element, Key};
 /// Whether a linear system of n rows is small enough for a node.
 ///
 /// # Errors
-/// When it is not.
+/// If it is too large.
 pub fn check_rows(n: usize) -> Result<(), Error> {
     let found = n.saturating_mul(n.saturating_add(1));
     if found <= LONGEST {
@@ -25,7 +25,7 @@ impl Graph {
     /// The solution of A x = b, given the matrix row by row.
     ///
     /// # Errors
-    /// When the matrix is not square, has not as many rows as the right side, or is too large.
+    /// If the matrix is not square, its rows are not as many as those of the right side, or it is too large.
     pub fn linear_solve(&mut self, matrix: &[Id], right: &[Id]) -> Result<Vec<Id>, Error> {
         let system = self.linear_system(matrix, right)?;
         let components = self.components(system, right.len());
@@ -44,10 +44,10 @@ impl Graph {
         (0..count as u32).map(|index| self.solution(system, index)).collect()
     }
 
-    /// The system with numbers for the components that are known, so that its least solution, where it is singular, has
-    /// these numbers as well.
+    /// The system with numbers for the components that are known, so that its minimum-norm solution, where the matrix
+    /// is singular, has these numbers, too.
     ///
-    /// The equation of a known component says that number: what it said before follows from the others.
+    /// The equation of a known component becomes that number: its former equation follows from the others.
     fn rest_of_system(&mut self, matrix: &[Id], right: &[Id], known: &[Option<Id>]) -> Result<Id, Error> {
         let n = right.len();
         let (mut matrix, mut right) = (matrix.to_vec(), right.to_vec());
@@ -99,7 +99,7 @@ impl Graph {
         value
     }
 
-    /// Values drawn for a singular matrix; nothing is the least solution of no right side.
+    /// Values drawn for a singular matrix; zero is the minimum-norm solution for a right side of zeros.
     fn opaque_solution(&self, system: Id, right: &[Element]) -> Vec<Element> {
         let key = Key::new("solution").element(self.value(system));
         let nothing = right.iter().all(|entry| entry.is_zero());

@@ -1,8 +1,8 @@
-//! Decimals that stand for rational multiples of pi: what `math.pi/2` and `math.radians(30)` leave.
+//! Decimals that stand for rational multiples of pi, such as `math.pi/2` and `math.radians(30)`.
 //!
-//! No double is a multiple of pi. One that is as near to k pi/n as rounding allows, with n up to 360 (fractions of
-//! small denominators, and all half degrees), stands for k pi/n where a user makes it a term of an angle. Such fractions are
-//! at least 1/360^2 apart, and a number of 16 digits that was not meant falls on one once in 10^11.
+//! No double is a multiple of pi. A double that is as near to k pi/n as rounding allows, with n up to 360 (fractions
+//! with small denominators, and all half degrees), stands for k pi/n where it is a term of an angle. Such fractions
+//! are at least 1/360^2 apart, so an unrelated number of 16 digits is taken for one with a probability of 1e-11.
 
 use num_bigint::BigInt;
 use rustc_hash::FxHashMap;
@@ -14,17 +14,18 @@ use crate::value::Number;
 /// The largest denominator: half a degree is pi/360.
 const LARGEST_DENOMINATOR: i64 = 360;
 
-/// Angles above the first bound are multiples of common fractions of pi alone, and above the second one none: the larger
-/// they are, the farther apart are their doubles.
+/// Angles above the first bound are taken for multiples of common fractions of pi only, and angles above the second one
+/// for none: the larger the angles are, the farther apart are their doubles.
 const LARGEST_ANGLES: (f64, f64) = (1e3, 1e6);
 
 /// The largest denominator of a common fraction: 15 degrees are pi/12.
 const LARGEST_COMMON: i64 = 12;
 
-/// What a product and a quotient of doubles lose, relative: `math.radians(1)*45` is two or three doubles off.
+/// The relative rounding error of a product and a quotient of doubles: `math.radians(1)*45` is off by two or three
+/// doubles.
 const ROUNDING: f64 = 2.0 * f64::EPSILON;
 
-/// Terms of an angle that are searched for numbers.
+/// The most terms of an angle that are searched for numbers.
 const SEARCH: usize = 64;
 
 /// The multiple k/n of pi with the least n up to 360 that is within a tolerance of an angle, and not zero.
@@ -77,7 +78,7 @@ impl Number {
 }
 
 impl Graph {
-    /// An angle whose decimals that stand for multiples of pi are such multiples.
+    /// The angle with each decimal that stands for a multiple of pi replaced by that multiple.
     pub fn angle(&mut self, angle: Id) -> Id {
         if !self.holds_decimal_multiple(angle) {
             return angle;
@@ -103,7 +104,7 @@ impl Graph {
         exact[&angle]
     }
 
-    /// The argument of a sine: an angle, but a number alone is that number; its sine is data.
+    /// The argument of a sine: like [`Self::angle`], but a single number stays that number, because its sine is data.
     pub fn angle_beside_others(&mut self, argument: Id) -> Id {
         if self.as_number(argument).is_some() { argument } else { self.angle(argument) }
     }
@@ -115,7 +116,7 @@ impl Graph {
         (factor, exact.get(&node).copied().unwrap_or(node))
     }
 
-    /// A number as a multiple of pi if it stands for one, and as one of 1 if not.
+    /// A number as a multiple of pi if it stands for one, and otherwise as a multiple of 1.
     fn in_multiples(&mut self, number: NumberId) -> (NumberId, Id) {
         match self.get_number(number).multiple_of_pi() {
             Some(multiple) => (self.number_id(&multiple), self.pi()),

@@ -1,4 +1,4 @@
-//! Products and powers: equal bases merge by value, numbers come out, signs come out.
+//! Products and powers: equal bases merge by value, and numbers and signs are taken out.
 
 use crate::error::Error;
 use crate::graph::{Factors, Flags, Function, Graph, Id, Kind, LONGEST, NumberId, View};
@@ -66,7 +66,7 @@ impl Graph {
         Ok(self.finish_product(collector))
     }
 
-    /// The error that names what was to be divided.
+    /// The error that names the dividend.
     fn zero_divisor(&mut self, factors: &[Factor]) -> Error {
         let dividend: Vec<Factor> = factors.iter().copied().filter(|&(id, _)| id != Id::ZERO).collect();
         match self.product(&dividend) {
@@ -75,7 +75,7 @@ impl Graph {
         }
     }
 
-    /// The derivation's node for a product of integer powers, found by its value alone.
+    /// The node of the derivation that has the value of a product of integer powers.
     fn known_product(&mut self, factors: &[Factor]) -> Option<Id> {
         self.classes.as_ref()?;
         if factors.iter().all(|&(base, _)| self.as_number(base).is_some()) {
@@ -140,7 +140,7 @@ impl Graph {
         self.scale(coefficient, id)
     }
 
-    /// One modulus at most: |a| |b| is |a b|, |a|**3 is a**2 |a|. So equal moduli are one value in every form.
+    /// Leave at most one modulus: |a| |b| is |a b|, |a|**3 is a**2 |a|. So equal products of moduli have one value.
     fn merge_moduli(&mut self, out: &mut Collector) -> Result<(), Error> {
         let is_modulus = |graph: &Self, (base, exponent): &(Id, Number)| {
             graph.kind(*base) == Kind::Function(Function::Abs)
@@ -178,7 +178,7 @@ impl Graph {
         Ok(())
     }
 
-    /// Take base ** exponent into the collector: numbers out, inner powers and multiples resolved.
+    /// Add base ** exponent to the collector, with numbers taken out and inner powers and multiples resolved.
     fn collect_power(&mut self, out: &mut Collector, base: Id, exponent: &Number) -> Result<(), Error> {
         if exponent.is_zero() {
             return Ok(());
@@ -233,7 +233,7 @@ impl Graph {
         }
     }
 
-    /// (product of powers) ** exponent: what may be distributed is, the rest stays one base.
+    /// (product of powers) ** exponent: the factors that allow it get the exponent, and the others stay one base.
     fn collect_product_power(
         &mut self,
         out: &mut Collector,
@@ -313,7 +313,7 @@ impl Graph {
 
     fn product_to_open(&self, factors: &[(Id, Number)]) -> Option<usize> {
         if factors.len() < 2 || factors.len() > MERGE_SEARCH {
-            // One factor alone, or radicals of numbers beside a product that holds one.
+            // A single factor, or radicals of numbers beside a product that contains one.
             return None;
         }
         let opens =
@@ -346,7 +346,7 @@ impl Graph {
         self.value(a).unsigned().0 == self.value(b).unsigned().0
     }
 
-    /// Whether two exponents of one base are better merged: they cancel in part, or one is a root.
+    /// Whether to merge two exponents of one base: they cancel in part, or one is that of a root.
     fn merges(a: &Number, b: &Number) -> bool {
         a.is_negative() != b.is_negative() || !a.is_integer() || !b.is_integer()
     }

@@ -1,4 +1,4 @@
-//! A node over other children, by the constructor of its kind.
+//! Rebuilding a node over other children, by the constructor of its kind.
 
 use crate::error::Error;
 use crate::graph::{Graph, Id, View};
@@ -7,7 +7,7 @@ impl Graph {
     /// The same node over other children.
     ///
     /// # Errors
-    /// When a divisor became zero.
+    /// If a divisor becomes zero.
     pub(crate) fn rebuild(&mut self, id: Id, map: &impl Fn(&Self, Id) -> Id) -> Result<Id, Error> {
         match self.view(id) {
             View::Number(_) | View::Pi | View::Time | View::Symbol(..) | View::TimeFunction(..) => Ok(id),

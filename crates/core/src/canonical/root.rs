@@ -1,7 +1,7 @@
-//! Roots: what may leave them, and their values at the random point.
+//! Roots: the factors that may leave them, and their values at the random point.
 //!
-//! A root of a symbolic argument is an opaque value: `sqrt(x**2)` must not become `x`. Numbers leave their
-//! square factors outside; positive symbols leave as they are.
+//! A root of a symbolic argument has an opaque value: `sqrt(x**2)` must not become `x`. Square factors of numbers leave
+//! the root, and so do positive symbols.
 
 use crate::error::Error;
 use crate::graph::{Assumption, Flags, Function, Graph, Id, Kind, View};
@@ -15,7 +15,7 @@ impl Graph {
         !self.flags(id).has(Flags::COMPLEX)
     }
 
-    /// Whether the node is positive by what the user promised.
+    /// Whether the node is positive by the assumptions about its symbols.
     pub(super) fn is_positive(&self, id: Id) -> bool {
         match self.view(id) {
             View::Number(number) => !self.get_number(number).is_negative() && id != Id::ZERO,

@@ -1,12 +1,13 @@
 //! Sums and multiples.
 //!
-//! A shared sum inside a sum stays a child (that sharing keeps recursive kinematics linear); like terms
-//! merge one level deep, by value. A sum has its first term positive; the sign moves into a `Scale`.
+//! A shared sum inside a sum stays a child, so that the size of recursive kinematics grows linearly. Like terms merge
+//! one level deep, by value. The first term of a sum is positive: a negative sign moves into a `Scale`. The number 0 is
+//! not a term: `x + 0` is `x`.
 
 use crate::graph::{Graph, Id, Kind, LONGEST, NumberId, View};
 use crate::value::Element;
 
-/// Terms up to this count are searched for cancellations with those of child sums.
+/// The most terms that are searched for cancellations with those of child sums.
 const CANCELLATION_SEARCH: usize = 48;
 
 type Term = (NumberId, Id);
@@ -40,7 +41,7 @@ impl Graph {
         }
     }
 
-    /// The opposite of a node, as a row of its own whatever the classes hold: they know values up to sign.
+    /// The opposite of a node. The classes know values up to sign, so the opposite is a row of its own in any case.
     pub(crate) fn opposite(&mut self, id: Id) -> Id {
         let (factor, child) = self.split_multiple(NumberId::MINUS_ONE, id);
         if child == Id::ONE {
@@ -122,7 +123,7 @@ impl Graph {
         if negative { self.scale(NumberId::MINUS_ONE, id) } else { id }
     }
 
-    /// Bring terms to the form (coefficient, node that is no multiple), ordered by value, equal ones merged.
+    /// Bring terms into the form (coefficient, node that is not a multiple), ordered by value, with equal nodes merged.
     pub(super) fn merge_terms(&mut self, terms: Vec<Term>) -> Vec<Term> {
         let mut keyed: Vec<(Element, Term)> = Vec::with_capacity(terms.len());
         for (factor, id) in terms {
@@ -152,7 +153,7 @@ impl Graph {
         self.value(a) == self.value(b)
     }
 
-    /// factor * id as a multiple of a node that is itself none; numbers are multiples of the node 1.
+    /// factor * id as a multiple of a node that is not itself a multiple; numbers are multiples of the node 1.
     pub(crate) fn split_multiple(&mut self, factor: NumberId, id: Id) -> Term {
         let (inner, node) = match self.view(id) {
             View::Number(number) => (number, Id::ONE),
@@ -163,7 +164,7 @@ impl Graph {
         (self.number_id(&product), node)
     }
 
-    /// Open child sums whose terms cancel a term beside them, so that (a + b) - b is a.
+    /// Open child sums that have a term which cancels another term, so that (a + b) - b is a.
     fn cancel_terms(&mut self, mut terms: Vec<Term>) -> Vec<Term> {
         for _ in 0..8 {
             let Some((first, second)) = self.cancelling_sum(&terms) else { break };
@@ -182,7 +183,7 @@ impl Graph {
         terms
     }
 
-    /// A child sum (and perhaps a second one) that holds a term which cancels another; positions.
+    /// The positions of a child sum, and perhaps a second one, with a term that cancels another.
     fn cancelling_sum(&self, terms: &[Term]) -> Option<(usize, Option<usize>)> {
         let mut seen: Vec<(Element, usize, bool)> = Vec::new();
         for (position, &(factor, id)) in terms.iter().enumerate() {

@@ -1,4 +1,4 @@
-//! What an expression costs to evaluate: operations counted once per node of the shared graph, or as a tree.
+//! The cost of evaluating an expression: operations counted once per node of the shared graph, or as a tree.
 
 use rustc_hash::{FxHashMap, FxHashSet};
 use std::ops::AddAssign;
@@ -21,7 +21,7 @@ pub struct Cost {
 }
 
 impl Cost {
-    /// All operations.
+    /// The number of all operations.
     #[must_use]
     pub const fn total(self) -> u64 {
         self.additions
@@ -51,7 +51,7 @@ impl Graph {
         total
     }
 
-    /// The same, by what the operations depend on: parameters alone, time and positions, speeds, accelerations.
+    /// The same by what the operations depend on: parameters alone, time and positions, speeds, or accelerations.
     #[must_use]
     pub fn cost_by_level(&self, roots: &[Id]) -> [Cost; 4] {
         let order = self.post_order_where(roots, |id| !self.is_constant(id));
@@ -63,7 +63,7 @@ impl Graph {
         costs
     }
 
-    /// The operations that evaluate the roots as they are written, shared parts again at each use.
+    /// The operations that evaluate the roots as they are written: shared parts count at each use.
     #[must_use]
     pub fn tree_cost(&self, roots: &[Id]) -> Cost {
         let mut known: FxHashMap<Id, Cost> = FxHashMap::default();
@@ -85,7 +85,7 @@ impl Graph {
     }
 }
 
-/// The state of a count: who uses what, and which powers are known.
+/// The state of a count: the uses of each node, and the powers that are known.
 struct Count<'g> {
     graph: &'g Graph,
     /// Uses of each node; `None` when every use has its own copy.
@@ -167,12 +167,12 @@ impl<'g> Count<'g> {
         Cost { multiplications: u64::from(!self.is_free_factor(factor, child)), ..Cost::default() }
     }
 
-    /// Whether a numeric factor costs no multiplication: a sign, or a constant that is there already.
+    /// Whether a numeric factor costs no multiplication: it is a sign, or merges into a constant of the node.
     fn is_free_factor(&self, factor: NumberId, node: Id) -> bool {
         self.graph.get_number(factor).abs().is_one() || self.has_free_constant(node)
     }
 
-    /// A product with a constant factor, or a bare reciprocal whose numerator may be any number.
+    /// Whether the node is a product with a constant factor, or a bare reciprocal, whose numerator may be any number.
     fn has_free_constant(&self, node: Id) -> bool {
         let View::Product(factors) = self.graph.view(node) else { return false };
         let is_divisor = |e: NumberId| self.graph.get_number(e).is_negative();

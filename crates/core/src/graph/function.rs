@@ -17,7 +17,7 @@ pub enum Function {
     Acos,
     /// The angle in (-pi/2, pi/2) with this tangent.
     Atan,
-    /// atan2(y, x)
+    /// The angle of the point (x, y) in (-pi, pi]: `atan2(y, x)`.
     Atan2,
     /// The hyperbolic sine.
     Sinh,
@@ -31,15 +31,15 @@ pub enum Function {
     Log,
     /// The absolute value.
     Abs,
-    /// -1, 0 or 1
+    /// The sign: -1, 0 or 1.
     Sign,
     /// The least of the arguments.
     Min,
     /// The greatest of the arguments.
     Max,
-    /// base ** exponent, the exponent no number
+    /// A power `base ** exponent` whose exponent is not a number.
     Power,
-    /// Piecewise(v1, c1, v2, c2, ..., otherwise): the first value whose condition is positive.
+    /// `Piecewise(v1, c1, v2, c2, ..., otherwise)`: the first value whose condition is positive.
     Piecewise,
 }
 

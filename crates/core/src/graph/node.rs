@@ -1,4 +1,4 @@
-//! The kinds of nodes and how they are looked at.
+//! The kinds of nodes, and the views that show them.
 
 use super::function::Function;
 
@@ -17,7 +17,7 @@ impl Id {
     }
 }
 
-/// An exact number, interned: coefficients and exponents.
+/// The number of an exact number in its table: a coefficient or an exponent.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct NumberId(pub(crate) u32);
 
@@ -27,7 +27,7 @@ impl NumberId {
     pub(crate) const MINUS_ONE: Self = Self(2);
 }
 
-/// What the user promises about a symbol.
+/// What the user asserts about a symbol.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Assumption {
     /// Any complex value.
@@ -51,7 +51,7 @@ pub(crate) enum Kind {
     Sum,
     Product,
     Function(Function),
-    /// Words: the matrix row by row, then the right side. Not a number: only `Solution` may refer to it.
+    /// Words: the matrix row by row, then the right side. It has no value as a number: only `Solution` may refer to it.
     LinearSystem,
     /// Words: the linear system, the index of the component.
     Solution,
@@ -74,20 +74,20 @@ pub enum View<'a> {
     Application {
         /// The name of the function.
         name: &'a str,
-        /// What it is applied to.
+        /// The arguments.
         args: Ids<'a>,
-        /// How often it is differentiated by each argument.
+        /// How often the function is differentiated by each argument.
         orders: &'a [u32],
     },
-    /// A numeric multiple; the child is no number, no `Scale`.
+    /// A numeric multiple; the child is neither a number nor a `Scale`.
     Scale(NumberId, Id),
     /// Two or more terms, ordered by value; no two have equal or opposite values.
     Sum(Terms<'a>),
-    /// Powers of distinct bases, ordered by value; one factor only with an exponent other than one.
+    /// Powers of distinct bases, ordered by value; a single factor has an exponent other than one.
     Product(Factors<'a>),
     /// A function of the table.
     Function(Function, Ids<'a>),
-    /// A linear system A x = b: no value by itself, a part of its solutions.
+    /// A linear system A x = b: it has no value by itself, and is a part of its solutions.
     LinearSystem {
         /// The entries of A, row by row.
         matrix: Ids<'a>,
@@ -166,12 +166,12 @@ impl<'a> Factors<'a> {
     }
 }
 
-/// Facts about everything below a node.
+/// Facts about a node and everything below it.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Flags(u8);
 
 impl Flags {
-    /// No symbol below: a constant, folded into one double when lowered.
+    /// No symbol is below: the node is a constant, which lowering folds into one double.
     pub(crate) const CONSTANT: Self = Self(1);
     /// Depends on time: a function of time or t itself is below.
     pub(super) const TIME: Self = Self(2);
@@ -205,5 +205,5 @@ impl Flags {
     }
 }
 
-/// The level has the two highest bits.
+/// The level is stored in the two highest bits.
 const LEVEL_SHIFT: u32 = 6;

@@ -20,13 +20,13 @@ struct Row {
     kind: Kind,
 }
 
-// A shorter `len` would save nothing: the row is padded to 12 bytes.
+// A shorter `len` would save nothing, because the row is padded to 12 bytes.
 const _: () = assert!(size_of::<Row>() == 12);
 
-/// The most words of a sum or a product, which are nested beyond, and the most arguments of a function.
+/// The most words of a sum or a product (longer ones are nested), and the most arguments of a function.
 pub(crate) const LONGEST: usize = 60_000;
 
-/// The most derivatives of one function: each is printed, and made, on its own.
+/// The most derivatives of one function: each of them is made and printed on its own.
 pub const LARGEST_ORDER: u32 = 1000;
 
 /// The error for more than [`LARGEST_ORDER`] derivatives.
@@ -38,11 +38,11 @@ pub(crate) fn check_order(order: u64) -> Result<(), Error> {
     Err(Error::Limit { what: "derivatives of one function", limit: LARGEST_ORDER as usize, found })
 }
 
-/// The next number of a table, whose entries are known by 32 bits.
+/// The next number of a table whose entries are numbered with 32 bits.
 ///
 /// # Panics
-/// When the table is full, before anything is changed: an id that stood for two entries would make `==` lie. Four
-/// billion rows take 200 GB; every operation makes some, so that an error from each would be an error from all.
+/// If the table is full, before anything is changed: an id that stood for two entries would make `==` wrong. Four
+/// billion rows take 200 GB. Every operation makes rows, so every operation would have to return this error.
 fn next_number(length: usize) -> u32 {
     u32::try_from(length).expect("the table of expressions is full: it holds 2**32 words")
 }
@@ -62,7 +62,7 @@ pub struct Graph {
     number_index: FxHashMap<Number, u32>,
     names: Vec<Box<str>>,
     name_index: FxHashMap<Box<str>, u32>,
-    /// Which kinds of variables have a name, a bit each, by the name's number.
+    /// The kinds of variables that have each name, one bit per kind.
     name_kinds: Vec<u8>,
     /// Values that are recognised when they are made: small integers and simple fractions, unsigned.
     pub(crate) plain_values: FxHashMap<Element, NumberId>,
@@ -95,13 +95,13 @@ impl Graph {
         graph
     }
 
-    /// How many nodes there are.
+    /// The number of nodes.
     #[must_use]
     pub fn len(&self) -> usize {
         self.rows.len()
     }
 
-    /// Whether there is no node: never, once it is made by [`Self::new`].
+    /// Whether there is no node. A graph made by [`Self::new`] always has some.
     #[must_use]
     pub fn is_empty(&self) -> bool {
         self.rows.is_empty()
@@ -186,7 +186,7 @@ impl Graph {
         }
     }
 
-    /// Whether a node has no parts and is no number: a symbol, a function of time, t.
+    /// Whether a node is a variable: a symbol, t, a function of time, or an undefined function.
     #[must_use]
     pub fn is_variable(&self, id: Id) -> bool {
         matches!(self.kind(id), Kind::Time | Kind::Symbol(_) | Kind::TimeFunction | Kind::Application)
@@ -225,7 +225,7 @@ impl Graph {
 
     pub(crate) fn number_id(&mut self, number: &Number) -> NumberId {
         if number.is_zero() && number.is_decimal() {
-            // There is one zero, so that `is_zero` sees each.
+            // There is only one zero, so that `is_zero` recognises it.
             return self.number_id(&number.with_decimal(false));
         }
         if let Some(&id) = self.number_index.get(number) {
@@ -234,7 +234,7 @@ impl Graph {
         let id = next_number(self.numbers.len());
         let mut value = Element::from_number(number);
         if value.is_singular() && !number.is_zero() {
-            // A multiple of one of the primes: no image that could be told from zero, so draw one.
+            // A multiple of one of the primes: its image could not be distinguished from zero, so draw one.
             value = Element::draw(&Key::new("singular number").text(&number.with_decimal(false).to_string()));
         }
         self.numbers.push(number.clone());
@@ -254,7 +254,7 @@ impl Graph {
         id
     }
 
-    /// Whether more than one kind of variables has this name: symbols of different assumptions, functions of time.
+    /// Whether variables of several kinds have this name: symbols with different assumptions, functions of time.
     pub(crate) fn has_namesakes(&self, name: &str) -> bool {
         let id = self.name_index.get(name);
         id.is_some_and(|&id| self.name_kinds[id as usize].count_ones() > 1)
@@ -289,7 +289,7 @@ impl Graph {
         self.intern(Kind::Time, Flags::TIME.at_level(1), &[], Element::draw(&Key::new("time")))
     }
 
-    /// A symbol. Symbols of one name and other assumptions are other symbols.
+    /// A symbol. Symbols with one name and different assumptions are different symbols.
     pub fn symbol(&mut self, name: &str, assumption: Assumption) -> Id {
         let name_id = self.name_id(name);
         let key = Key::new("symbol").text(name).word(assumption as u64);
@@ -329,7 +329,7 @@ impl Graph {
             return Id(id);
         }
         let (id, start) = (next_number(self.rows.len()), next_number(self.words.len()));
-        // Every word has a number, so `start` and `len` of the row, and of the next one, fit.
+        // Every word has a number of 32 bits, so `start` and `len` of this row and of the next one fit.
         next_number(self.words.len() + words.len());
         self.words.extend_from_slice(words);
         self.rows.push(Row { start, len: words.len() as u32, flags, kind });

@@ -1,4 +1,4 @@
-//! Orders of visiting and rebuilding; all loops, no recursion: graphs are 10^5 levels deep.
+//! Orders of traversal, all by loops without recursion: graphs may be 10^5 levels deep.
 
 use rustc_hash::FxHashSet;
 
@@ -12,7 +12,7 @@ impl Graph {
         self.post_order_where(roots, |_| true)
     }
 
-    /// Like [`Self::post_order`], without what is only reached through nodes that fail the test.
+    /// Like [`Self::post_order`], without nodes that fail the test and nodes that are reached only through these.
     pub(crate) fn post_order_where(&self, roots: &[Id], enter: impl Fn(Id) -> bool) -> Vec<Id> {
         let mut seen: FxHashSet<Id> = FxHashSet::default();
         let mut order = Vec::new();

@@ -1,32 +1,32 @@
-//! Equations that contradict others: a combination of them vanishes on the left, and not on the right.
+//! Equations that contradict others: a combination of them vanishes on the left side but not on the right side.
 //!
-//! Where the rank of A is deficient, some y != 0 have y^T A = 0, and A x = b has a solution only if y^T b = 0 for all of
-//! them [Golub & Van Loan 2013, sec. 5.3]. The last columns of Q span these y. They are combined so that each of
+//! Where the rank of A is deficient, some y != 0 have y^T A = 0, and A x = b has a solution only if y^T b = 0 for all
+//! of them [Golub & Van Loan 2013, sec. 5.3]. The last columns of Q span these y. They are combined so that each of
 //! the equations that `factorization` names has a y of its own, which names the equations that it follows from, or
 //! contradicts.
 
 use super::factorization::dependent;
 
-/// The part of its terms that y^T b may be: half of the digits.
+/// The largest y^T b, relative to its terms, that counts as zero: half of the digits.
 ///
 /// Right sides are sums themselves, as those of redundant constraints along a motion: they agree to rounding errors of
 /// terms that may be much larger than what is left of them.
 const INCONSISTENT: f64 = 1.5e-8;
-/// The rounding errors of all entries and of the decomposition, for each equation; as for the rank.
+/// The rounding errors of all entries and of the decomposition, per equation; the same as for the rank.
 const ROUNDING: f64 = 64.0 * f64::EPSILON;
-/// An equation takes part in a combination that has so large a share of it.
+/// An equation takes part in a combination if its share of the combination is at least this large.
 const SHARE: f64 = 1e-3;
 
-/// An equation that can't hold together with others.
+/// An equation that contradicts others.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Contradiction {
-    /// Its row.
+    /// The row of the equation.
     pub equation: usize,
-    /// The rows of the others.
+    /// The rows of the equations that it contradicts.
     pub others: Vec<usize>,
 }
 
-/// The equations that contradict others for a right side, by the factorisation in the workspace.
+/// Find the equations that contradict others for a right side, from the factorisation in the workspace.
 #[must_use]
 pub fn contradictions(n: usize, work: &[f64], right: &[f64]) -> Vec<Contradiction> {
     let named: Vec<usize> = dependent(n, work).collect();
@@ -48,7 +48,7 @@ pub fn contradictions(n: usize, work: &[f64], right: &[f64]) -> Vec<Contradictio
         .collect()
 }
 
-/// Whether what is left of y^T b is more than rounding: of its terms, and of all that stands in the system.
+/// Whether y^T b is more than rounding errors, both of its own terms and of all numbers in the system.
 #[allow(clippy::cast_precision_loss, reason = "numbers of rows are small")]
 fn is_inconsistent(y: &[f64], b: &[f64], size: f64) -> bool {
     let terms: Vec<f64> = y.iter().zip(b).map(|(share, entry)| share * entry).collect();
@@ -81,7 +81,7 @@ fn vanishing_combinations(n: usize, rank: usize, work: &[f64], named: &[usize]) 
     combinations
 }
 
-/// A column of Q: the reflections, the last one first, of a unit vector.
+/// A column of Q: the reflections applied to a unit vector, last reflection first.
 fn column_of_q(n: usize, rank: usize, work: &[f64], column: usize) -> Vec<f64> {
     let mut y = vec![0.0; n];
     y[column] = 1.0;

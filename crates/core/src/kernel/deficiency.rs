@@ -1,4 +1,4 @@
-//! Linear systems of deficient rank, as they are met at run time.
+//! Linear systems of deficient rank that are found at run time.
 
 use std::collections::BTreeSet;
 
@@ -8,18 +8,19 @@ use super::factorization::dependent;
 /// A linear system without a unique solution.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Deficiency {
-    /// Its number among the systems of the code.
+    /// The number of the system among those of the code.
     pub system: u32,
-    /// How many equations it has.
+    /// The number of equations.
     pub equations: usize,
-    /// Those that follow from the others.
+    /// The equations that follow from the others.
     pub dependent: Vec<usize>,
-    /// Those that contradict others.
+    /// The equations that contradict others.
     pub contradictions: Vec<Contradiction>,
 }
 
 impl Deficiency {
-    /// What the factorisation in the workspace says of a system with this right side; nothing if its rank is full.
+    /// The deficiency of a system with this right side, from the factorisation in the workspace; `None` if its rank is
+    /// full.
     #[must_use]
     pub fn of(system: u32, n: usize, work: &[f64], right: &[f64]) -> Option<Self> {
         let named: Vec<usize> = dependent(n, work).collect();

@@ -1,17 +1,18 @@
-//! Solutions of A x = b for small symmetric matrices, positive definite ones: A = L D L^T without pivoting.
+//! Solutions of A x = b for small symmetric positive definite matrices: A = L D L^T without pivoting.
 //!
-//! A pivot is what is left of its diagonal entry, and no unit changes that part: where nearly nothing is left, or the
-//! matrix isn't symmetric, pivoting has to decide (`factorization`). Sizes are known to the compiler, which unrolls
-//! the loops: multipliers of a few constraints take half of the time [Golub & Van Loan 2013, sec. 4.1].
+//! A pivot is what elimination leaves of its diagonal entry, and that fraction does not depend on units. Where nearly
+//! nothing is left, or the matrix isn't symmetric, the system needs pivoting (`factorization`). The sizes are constants
+//! of the compiler, which unrolls the loops: multipliers of a few constraints take half of the time
+//! [Golub & Van Loan 2013, sec. 4.1].
 
 use super::factorization::workspace;
 
-/// The part of a diagonal entry that has to be left for its pivot.
+/// The smallest fraction of a diagonal entry that is accepted as its pivot.
 const CERTAIN: f64 = 1e-9;
-/// The state of a factorisation of this kind, where `factorization` has its own.
+/// The state that marks a factorisation of this kind, in the place where `factorization` keeps its own.
 const SYMMETRIC: f64 = -2.0;
 
-/// Factorise the matrix whose rows come first in the workspace; false if it is for others.
+/// Factorise the matrix whose rows come first in the workspace; false if it needs `factorization`.
 pub fn factor(n: usize, work: &mut [f64]) -> bool {
     let done = match n {
         1 => eliminate::<1>(work),
@@ -30,7 +31,7 @@ pub fn factor(n: usize, work: &mut [f64]) -> bool {
     done
 }
 
-/// Solve for a right side with a factorised matrix; false if it was factorised by others.
+/// Solve for a right side with a factorised matrix; false if `factorization` factorised it.
 pub fn solve(n: usize, work: &[f64], x: &mut [f64]) -> bool {
     if work[workspace(n) - 1] != SYMMETRIC {
         return false;
@@ -49,7 +50,7 @@ pub fn solve(n: usize, work: &[f64], x: &mut [f64]) -> bool {
     true
 }
 
-/// Write the multipliers below the diagonal, the reciprocal pivots on it, behind the matrix.
+/// Write the multipliers below the diagonal and the reciprocal pivots on it, after the matrix in the workspace.
 #[allow(clippy::needless_range_loop, reason = "the indices are those of the formulas")]
 #[allow(clippy::float_cmp, reason = "entries of one value are one expression, the same to the last bit")]
 fn eliminate<const N: usize>(work: &mut [f64]) -> bool {
@@ -65,7 +66,7 @@ fn eliminate<const N: usize>(work: &mut [f64]) -> bool {
         }
     }
     for k in 0..N {
-        // A pivot that is no number is not greater either.
+        // The comparison is false for NaN, too.
         let certain = left[k][k] > CERTAIN * at(k, k);
         if !certain {
             return false;

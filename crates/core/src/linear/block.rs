@@ -1,7 +1,7 @@
-//! Block triangular form: the smallest coupled systems inside a sparse one, in the order of solving.
+//! Block triangular form: the smallest coupled systems inside a sparse system, in the order of their solution.
 //!
-//! Every equation is matched with one of its unknowns; the strongly connected components of "needs the
-//! unknown of" are the blocks (Duff & Reid 1978; components by Tarjan 1972).
+//! Every equation is matched with one of its unknowns. The blocks are the strongly connected components of the relation
+//! "needs the unknown of" [Duff & Reid 1978; components: Tarjan 1972].
 
 use std::collections::VecDeque;
 
@@ -12,7 +12,7 @@ pub(crate) struct Block {
     pub unknowns: Vec<usize>,
 }
 
-/// The blocks of a square pattern (the unknowns of each equation), each after those it needs.
+/// The blocks of a square pattern (the unknowns of each equation), each after the blocks that it needs.
 ///
 /// Equations without a partner are left out: a pattern of full structural rank has none.
 pub(super) fn blocks(pattern: &[Vec<usize>], unknowns: usize) -> Vec<Block> {
@@ -46,7 +46,7 @@ fn matching(pattern: &[Vec<usize>], unknowns: usize) -> Vec<Option<usize>> {
     owner
 }
 
-/// Match one equation more, along a shortest path that exchanges unknowns.
+/// Match another equation, along a shortest path that exchanges unknowns.
 fn augment(pattern: &[Vec<usize>], owner: &mut [Option<usize>], equation: usize) {
     // The equation from which each unknown was reached.
     let mut reached: Vec<Option<usize>> = vec![None; owner.len()];
@@ -75,7 +75,7 @@ fn exchange(owner: &mut [Option<usize>], reached: &[Option<usize>], free: usize)
     }
 }
 
-/// Strongly connected components, each after those it points to.
+/// The strongly connected components, each after those to which it points.
 fn components(edges: &[Vec<usize>]) -> Vec<Vec<usize>> {
     let mut search =
         Search { index: vec![None; edges.len()], low: vec![0; edges.len()], ..Search::default() };

@@ -1,6 +1,7 @@
-//! Contents: factors that all entries of a row or a column have in common.
+//! Contents: the factors that all entries of a row or a column have in common.
 //!
-//! Taken out before a system is solved, they neither swell the minors nor have to be cancelled afterwards.
+//! They are taken out before a system is solved: then they don't enlarge the minors, and needn't be cancelled
+//! afterwards.
 
 use crate::error::Error;
 use crate::graph::{Graph, Id, NumberId, View};
@@ -9,7 +10,7 @@ use crate::value::Number;
 type Powers = Vec<(Id, Number)>;
 
 impl Graph {
-    /// Divide each row of an augmented matrix by its content: the solution stays.
+    /// Divide each row of an augmented matrix by its content, which does not change the solution.
     pub(super) fn divide_rows(&mut self, rows: &mut [Vec<Id>]) -> Result<(), Error> {
         for row in rows {
             let content = self.content(row)?;
@@ -20,8 +21,8 @@ impl Graph {
         Ok(())
     }
 
-    /// Divide each column but the last by its content, numbers included; the contents, by which the
-    /// solution is to be divided.
+    /// Divide each column but the last by its content, including numbers; return the contents, by which the solution
+    /// must be divided.
     pub(super) fn divide_columns(&mut self, rows: &mut [Vec<Id>]) -> Result<Vec<Id>, Error> {
         let unknowns = rows.len();
         let mut contents = Vec::with_capacity(unknowns);

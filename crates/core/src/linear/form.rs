@@ -7,7 +7,7 @@ use crate::error::Error;
 use crate::graph::{Graph, Id, NumberId, View};
 use crate::value::Element;
 
-/// constant + sum of coefficient * unknown, the unknowns by number; no coefficient is zero.
+/// constant + sum of coefficient * unknown, with the unknowns by number; no coefficient is zero.
 #[derive(Clone)]
 pub(super) struct LinearForm {
     pub constant: Id,
@@ -21,7 +21,7 @@ impl Graph {
     /// The equations as linear forms in the unknowns.
     ///
     /// # Errors
-    /// When an unknown is no variable, or an equation is not linear in one.
+    /// If an unknown is not a variable, or an equation is not linear in one.
     pub(super) fn linear_forms(
         &mut self,
         equations: &[Id],
@@ -119,7 +119,7 @@ impl Graph {
         Ok(Some(LinearForm { constant: self.mul(rest, form.constant)?, coefficients }))
     }
 
-    /// The form of an equation that does not look linear: its derivatives decide, by value.
+    /// The form of an equation that is not linear as written: the values of its derivatives decide.
     fn form_by_derivatives(&mut self, equation: Id, unknowns: &[Id]) -> Result<LinearForm, Error> {
         let mut coefficients = BTreeMap::new();
         for (number, &unknown) in unknowns.iter().enumerate() {

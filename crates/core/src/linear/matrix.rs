@@ -9,7 +9,7 @@ use super::rank::{Row, rank};
 /// The largest matrix that is inverted in symbols.
 const LARGEST_INVERSE: usize = 6;
 
-/// The most rows, columns, and entries of a product, which factors without entries make from nothing.
+/// The most rows, columns, and entries of a product; factors without entries may have a product of any size.
 const MOST_ROWS: usize = 1 << 20;
 const MOST_ENTRIES: usize = 1 << 24;
 
@@ -25,7 +25,7 @@ impl Matrix {
     /// The matrix of these entries, row by row.
     ///
     /// # Errors
-    /// When their number is not rows * columns, or there are too many rows or columns.
+    /// If their number is not rows * columns, or there are too many rows or columns.
     pub fn new(rows: usize, columns: usize, entries: Vec<Id>) -> Result<Self, Error> {
         if rows.checked_mul(columns) == Some(entries.len()) {
             let found = rows.max(columns);
@@ -84,7 +84,7 @@ impl Matrix {
 }
 
 impl Graph {
-    /// The rank of a matrix, at almost every point: that of its values at the random one.
+    /// The rank of a matrix at almost every point: the rank of its values at the random point.
     pub fn matrix_rank(&self, matrix: &Matrix) -> usize {
         let value = |(column, &entry)| (column, self.value(entry));
         let rows = matrix.entries.chunks(matrix.columns.max(1)).map(|row| {
@@ -96,7 +96,7 @@ impl Graph {
     /// The product of two matrices.
     ///
     /// # Errors
-    /// When the shapes do not match, or the product is too large.
+    /// If the shapes do not match, or the product is too large.
     pub fn matrix_product(&mut self, a: &Matrix, b: &Matrix) -> Result<Matrix, Error> {
         if a.columns != b.rows {
             return Err(Error::Shape { operation: "product", left: a.shape(), right: b.shape() });
@@ -124,7 +124,7 @@ impl Graph {
     /// The determinant, by cofactors.
     ///
     /// # Errors
-    /// When the matrix is not square, or the expansion has too many minors.
+    /// If the matrix is not square, or the expansion has too many minors.
     pub fn determinant(&mut self, matrix: &Matrix) -> Result<Id, Error> {
         matrix.check_square("determinant")?;
         let rows: Vec<Vec<Id>> = (0..matrix.rows).map(|row| matrix.row(row).to_vec()).collect();
@@ -135,7 +135,7 @@ impl Graph {
     /// The inverse, by cofactors over the determinant.
     ///
     /// # Errors
-    /// When the matrix is not square, singular, or larger than 6x6.
+    /// If the matrix is not square, singular, or larger than 6x6.
     pub fn inverse(&mut self, matrix: &Matrix) -> Result<Matrix, Error> {
         matrix.check_square("inverse")?;
         let size = matrix.rows;

@@ -1,4 +1,4 @@
-//! Minors of a matrix: determinants by expansion, every minor computed once, no division anywhere.
+//! Minors of a matrix: determinants by expansion; every minor is computed once, and nothing is divided.
 //!
 //! Row by row, the minors of the rows so far are kept by the set of their columns (a dynamic programme over
 //! Laplace's expansion along the last row); zero minors drop out, so sparse matrices stay cheap.
@@ -25,7 +25,7 @@ impl Graph {
     /// The minors of all rows that are not zero, by their columns.
     ///
     /// # Errors
-    /// When there are too many.
+    /// If there are too many.
     pub(super) fn minors(&mut self, rows: &[Vec<Id>]) -> Result<BTreeMap<Columns, Id>, Error> {
         let found = rows.iter().map(Vec::len).max().unwrap_or(0);
         if found > MOST_COLUMNS {
@@ -38,7 +38,7 @@ impl Graph {
         Ok(minors)
     }
 
-    /// The minors with one row more, from those without it.
+    /// The minors with another row, from those without it.
     fn expand_along(
         &mut self,
         row: &[Id],
@@ -68,11 +68,11 @@ impl Graph {
 
     /// The solution of a small system with a determinant that is not zero, by Cramer's rule.
     ///
-    /// Each row ends with the right-hand side. The one divisor is the determinant, so that no point at which
-    /// the system has a solution is lost to a pivot that is zero there.
+    /// Each row ends with the right-hand side. The determinant is the only divisor, so the result is defined wherever
+    /// the system has a unique solution: no pivot vanishes there.
     ///
     /// # Errors
-    /// When the determinant is zero.
+    /// If the determinant is zero.
     pub(crate) fn cramer(&mut self, mut rows: Vec<Vec<Id>>) -> Result<Vec<Id>, Error> {
         let unknowns = rows.len();
         self.divide_rows(&mut rows)?;

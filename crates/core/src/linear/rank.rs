@@ -1,7 +1,7 @@
-//! The rank of a linear system, found in the finite field: which equations say something new.
+//! The rank of a linear system, found in the finite field: the equations that are independent.
 //!
-//! Elimination of the values costs nothing next to elimination of expressions, and tells beforehand
-//! which equations depend on which, and which unknowns stay free.
+//! Elimination of values costs nothing compared with elimination of expressions. It shows in advance which equations
+//! depend on which others, and which unknowns stay free.
 
 use std::collections::BTreeMap;
 
@@ -15,7 +15,7 @@ pub(super) struct Dependent {
     pub equation: usize,
     /// The earlier equations, all independent.
     pub on: Vec<usize>,
-    /// Whether the constants differ: no solution then.
+    /// Whether the constants differ, so that there is no solution.
     pub contradicts: bool,
 }
 
@@ -27,13 +27,13 @@ pub(crate) struct Rank {
     pub free: Vec<usize>,
 }
 
-/// A reduced equation with the combination of the given ones that it is.
+/// A reduced equation, and the combination of the given equations that gives it.
 struct Reduced {
     row: Row,
     combination: BTreeMap<usize, Element>,
 }
 
-/// Reduce equations of so many unknowns one after the other.
+/// Reduce equations in `unknowns` unknowns, one after the other.
 pub(crate) fn rank(rows: Vec<Row>, unknowns: usize) -> Rank {
     let mut pivots: BTreeMap<usize, Reduced> = BTreeMap::new();
     let (mut independent, mut dependent) = (Vec::new(), Vec::new());
@@ -55,7 +55,7 @@ pub(crate) fn rank(rows: Vec<Row>, unknowns: usize) -> Rank {
     Rank { independent, dependent, free }
 }
 
-/// Subtract the known rows; the first unknown that is left, if one is.
+/// Subtract the known rows; return the first unknown that is left, if any.
 fn reduce(reduced: &mut Reduced, pivots: &BTreeMap<usize, Reduced>, unknowns: usize) -> Option<usize> {
     loop {
         let (&leading, &value) = reduced.row.first_key_value()?;

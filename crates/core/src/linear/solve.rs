@@ -15,13 +15,13 @@ const QUOTED: usize = 60;
 impl Graph {
     /// The unknowns that make the equations zero, by fraction-free elimination.
     ///
-    /// Unknowns are symbols, functions of time, their derivatives, or applications of undefined functions.
-    /// What can be solved on its own is solved first, so that only coupled unknowns are limited in number.
-    /// More equations than unknowns are welcome where they agree.
+    /// Unknowns are symbols, functions of time, their derivatives, or applications of undefined functions. Systems
+    /// that can be solved on their own are solved first, so that only the number of coupled unknowns is limited.
+    /// There may be more equations than unknowns if they are consistent.
     ///
     /// # Errors
-    /// When an equation is not linear, the equations contradict each other or leave unknowns free, or too
-    /// many unknowns are coupled.
+    /// If an equation is not linear, the equations contradict each other or leave unknowns free, or too many unknowns
+    /// are coupled.
     pub fn solve(&mut self, equations: &[Id], unknowns: &[Id]) -> Result<Vec<Id>, Error> {
         self.check_distinct(unknowns)?;
         let forms = self.linear_forms(equations, unknowns)?;
@@ -117,7 +117,7 @@ impl Graph {
         Ok(())
     }
 
-    /// The coefficients of the block's unknowns and the right-hand side, with what is solved put in.
+    /// The coefficients of the block's unknowns and the right-hand side, with the solved unknowns substituted.
     fn augmented_row(
         &mut self,
         form: &LinearForm,

@@ -3,20 +3,20 @@
 use crate::error::Error;
 use crate::graph::{Graph, Id, NumberId};
 
-/// Three components.
+/// The components of a vector in one frame.
 pub type Vector3 = [Id; 3];
 
-/// a + b
+/// The sum `a + b`.
 pub fn add(graph: &mut Graph, a: Vector3, b: Vector3) -> Vector3 {
     std::array::from_fn(|i| graph.add(a[i], b[i]))
 }
 
-/// a - b
+/// The difference `a - b`.
 pub fn sub(graph: &mut Graph, a: Vector3, b: Vector3) -> Vector3 {
     std::array::from_fn(|i| graph.sub(a[i], b[i]))
 }
 
-/// s a
+/// The multiple `s a`.
 ///
 /// # Errors
 /// Never: products of nodes do not divide.
@@ -24,7 +24,7 @@ pub fn scale(graph: &mut Graph, s: Id, a: Vector3) -> Result<Vector3, Error> {
     Ok([graph.mul(s, a[0])?, graph.mul(s, a[1])?, graph.mul(s, a[2])?])
 }
 
-/// a . b
+/// The scalar product `a . b`.
 ///
 /// # Errors
 /// Never: products of nodes do not divide.
@@ -33,7 +33,7 @@ pub fn dot(graph: &mut Graph, a: Vector3, b: Vector3) -> Result<Id, Error> {
     Ok(graph.sum(&terms.map(|term| (NumberId::ONE, term))))
 }
 
-/// a x b
+/// The vector product `a x b`.
 ///
 /// # Errors
 /// Never: products of nodes do not divide.
@@ -48,7 +48,7 @@ pub fn cross(graph: &mut Graph, a: Vector3, b: Vector3) -> Result<Vector3, Error
 /// R v for the rotation about axis 0, 1 or 2 by the angle with this cosine and sine.
 ///
 /// # Errors
-/// When there is no such axis.
+/// If there is no such axis.
 pub fn rotate(graph: &mut Graph, axis: usize, cos: Id, sin: Id, v: Vector3) -> Result<Vector3, Error> {
     let opposite = graph.neg(sin);
     rotate_back(graph, axis, cos, opposite, v)
@@ -57,7 +57,7 @@ pub fn rotate(graph: &mut Graph, axis: usize, cos: Id, sin: Id, v: Vector3) -> R
 /// R^T v for the rotation about axis 0, 1 or 2 by the angle with this cosine and sine.
 ///
 /// # Errors
-/// When there is no such axis.
+/// If there is no such axis.
 pub fn rotate_back(graph: &mut Graph, axis: usize, cos: Id, sin: Id, v: Vector3) -> Result<Vector3, Error> {
     if axis > 2 {
         return Err(Error::Limit { what: "number of an axis", limit: 2, found: axis });

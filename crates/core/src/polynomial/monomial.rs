@@ -83,14 +83,14 @@ impl Monomial {
         self.0.iter().all(|&(_, e)| e > 0)
     }
 
-    /// The square root, if no exponent is odd.
+    /// The square root, if all exponents are even.
     pub(super) fn halved(&self) -> Option<Self> {
         let half: Vec<_> = self.0.iter().map(|&(a, e)| (a, e / 2)).collect();
         self.0.iter().all(|&(_, e)| e % 2 == 0).then_some(Self(half))
     }
 }
 
-/// Lexicographic by the exponents of the atoms in turn: an order that products keep.
+/// Compare the exponents of the atoms lexicographically; multiplication keeps this order.
 impl Ord for Monomial {
     fn cmp(&self, other: &Self) -> Ordering {
         for position in 0.. {

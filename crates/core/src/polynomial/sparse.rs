@@ -9,12 +9,12 @@ use crate::value::Number;
 
 use super::monomial::Monomial;
 
-/// How much work an operation may take.
+/// The work that an operation may still do.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Budget {
-    /// Terms of one polynomial.
+    /// The most terms of one polynomial.
     terms: usize,
-    /// Terms handled in all.
+    /// The terms that may still be handled.
     work: usize,
     spent: usize,
 }
@@ -24,7 +24,7 @@ impl Budget {
         Self { terms, work, spent: 0 }
     }
 
-    /// Use up `work`, or say that the limit is reached.
+    /// Use up `work`, or return the error that the limit is reached.
     pub(crate) fn spend(&mut self, work: usize) -> Result<(), Error> {
         self.spent = self.spent.saturating_add(work);
         if self.spent > self.work {
@@ -33,7 +33,7 @@ impl Budget {
         Ok(())
     }
 
-    /// What is left of the work.
+    /// The remaining work.
     pub(crate) const fn left(&self) -> usize {
         self.work.saturating_sub(self.spent)
     }
@@ -75,7 +75,7 @@ impl Polynomial {
         self.0.iter()
     }
 
-    /// The only term, if there is one only.
+    /// The term, if there is exactly one.
     pub(crate) fn single(&self) -> Option<(&Monomial, &Number)> {
         if self.len() == 1 { self.0.first_key_value() } else { None }
     }
@@ -84,7 +84,7 @@ impl Polynomial {
         self.0.get(monomial)
     }
 
-    /// The atoms that occur, ascending.
+    /// The atoms that occur, in ascending order.
     pub(crate) fn atoms(&self) -> Vec<u32> {
         let mut atoms: Vec<u32> =
             self.0.keys().flat_map(|m| m.factors().iter().map(|&(atom, _)| atom)).collect();
@@ -158,7 +158,7 @@ impl Polynomial {
         Ok(power)
     }
 
-    /// The largest monomial that divides all terms into natural ones.
+    /// The largest monomial that divides all terms and leaves no negative exponents.
     pub(crate) fn lowest_powers(&self) -> Monomial {
         let lowest =
             |atom: u32| self.0.keys().map(|m| m.exponent(atom)).min().expect("an atom occurs in a term");
@@ -191,7 +191,7 @@ impl Polynomial {
         self.0.last_key_value()
     }
 
-    /// self / divisor when that is a polynomial again.
+    /// self / divisor, if that is a polynomial.
     pub(crate) fn divide_exactly(&self, divisor: &Self, budget: &mut Budget) -> Option<Self> {
         let (above, below) = (self.lowest_powers(), divisor.lowest_powers());
         let one = Number::integer(1);
@@ -211,7 +211,7 @@ impl Polynomial {
         Some(quotient.shifted(&above.over(&below), &one))
     }
 
-    /// The square root when it is a polynomial, with a positive leading coefficient.
+    /// The square root with a positive leading coefficient, if it is a polynomial.
     pub(crate) fn square_root(&self, budget: &mut Budget) -> Option<Self> {
         let (monomial, coefficient) = self.leading()?;
         let lead = monomial.halved()?;

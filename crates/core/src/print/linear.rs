@@ -1,4 +1,4 @@
-//! The one-dimensional notations: everything on a line, with `*` and `/`; a dialect says what differs.
+//! The one-dimensional notations: everything on one line, with `*` and `/`. A dialect defines what differs.
 
 use crate::graph::Function;
 use crate::value::Number;
@@ -6,7 +6,7 @@ use crate::value::Number;
 use super::order::is_fraction;
 use super::tree::{Base, Factor, Sum, Term};
 
-/// What tells one notation from another.
+/// What differs between the notations.
 pub(super) trait Dialect {
     const PLUS: &str;
     const MINUS: &str;

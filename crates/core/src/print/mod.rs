@@ -39,12 +39,12 @@ pub enum Format {
     Maple,
 }
 
-/// Expressions as printed: named intermediate quantities, if the size asks for them, and the results.
+/// Printed expressions: named intermediate quantities, if the expressions are large, and the results.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Listing {
     /// Name and expression; each uses only names that come before it.
     pub definitions: Vec<(String, String)>,
-    /// One for each expression asked for.
+    /// The text of each expression, in order.
     pub results: Vec<String>,
 }
 
@@ -65,7 +65,7 @@ impl Format {
         }
     }
 
-    /// The definitions one a line, then the result.
+    /// The definitions, one per line, and then the result.
     fn join(self, listing: &Listing) -> String {
         let result = listing.results.join("\n");
         if listing.definitions.is_empty() {
@@ -96,7 +96,7 @@ impl Graph {
         self.printed(id, Format::Text)
     }
 
-    /// What a message quotes of the text.
+    /// The plain text as a message quotes it: shortened if it is long.
     #[must_use]
     pub fn to_quotation(&self, id: Id) -> String {
         quoted(&self.to_text(id))
@@ -118,7 +118,7 @@ impl Graph {
         format.join(&self.listing(&[id], format))
     }
 
-    /// Several expressions printed together: what they share is named once.
+    /// Several expressions printed together: shared parts are named once.
     #[must_use]
     pub fn listing(&self, ids: &[Id], format: Format) -> Listing {
         let plan = Plan::new(self, ids);

@@ -19,7 +19,7 @@ pub(crate) fn compare(a: &str, b: &str) -> Ordering {
     x.len().cmp(&y.len()).then(a.len().cmp(&b.len())).then(a.cmp(b))
 }
 
-/// The longest beginning made of digits only, or of no digit.
+/// The longest prefix that consists of digits only, or that has no digit.
 fn chunk(text: &str) -> &str {
     let digits = text.starts_with(|c: char| c.is_ascii_digit());
     let end = text.find(|c: char| c.is_ascii_digit() != digits).unwrap_or(text.len());
@@ -50,7 +50,7 @@ fn split_subscript(name: &str) -> (&str, Vec<String>) {
     let end = name.char_indices().skip(1).find(|&(_, c)| c == '_' || c.is_ascii_digit());
     let end = end.map_or(name.len(), |(position, _)| position);
     let (head, rest) = name.split_at(end);
-    // Underscores that no reader would miss are shown: x_1 is not x1, and x_ is not x.
+    // Show underscores that distinguish names: x_1 is not x1, and x_ is not x.
     let shown = |(position, part): (usize, &str)| match part.chars().next() {
         None => Some("\\_".to_owned()).filter(|_| position > 0),
         Some(c) if position == 1 && c.is_ascii_digit() && rest.starts_with('_') => {

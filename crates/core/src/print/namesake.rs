@@ -1,12 +1,12 @@
-//! Different variables of one name: why a value that was given seems to be missing.
+//! Different variables with one name: the reason why a value that was given seems to be missing.
 
 use crate::graph::{Assumption, Graph, Id, View};
 
-/// Pairs that one message explains.
+/// The most pairs that one message explains.
 const SHOWN: usize = 3;
 
 impl Graph {
-    /// For each variable that is needed and not given, one of those given that has its name and is another variable.
+    /// For each variable that is needed and not given: a given variable with the same name.
     #[must_use]
     pub fn namesakes(&self, needed: &[Id], given: &[Id]) -> Vec<(Id, Id)> {
         needed
@@ -16,19 +16,19 @@ impl Graph {
             .collect()
     }
 
-    /// How variables that are needed differ from those of the same names that were given; none if none do.
+    /// Explain how variables that are needed differ from given ones with the same names; `None` if there are none.
     ///
-    /// `roles` say what the two are where the message is read, such as "without a value" and "given".
+    /// `roles` describe the two in the message, such as "without a value" and "given".
     #[must_use]
     pub fn explain_namesakes(&self, needed: &[Id], given: &[Id], roles: (&str, &str)) -> Option<String> {
         let pairs = self.namesakes(needed, given);
         let explained: Vec<String> =
-            pairs.iter().take(SHOWN).filter_map(|&pair| self.explained(pair, roles)).collect();
+            pairs.iter().take(SHOWN).filter_map(|&pair| self.explanation(pair, roles)).collect();
         (!explained.is_empty()).then(|| explained.join("; "))
     }
 
-    /// The same for variables that an operation on expressions looks for in vain, at no cost where every name is one
-    /// variable's.
+    /// The same for variables that an operation doesn't find in the expressions. It costs nothing where each name
+    /// belongs to one variable.
     #[must_use]
     pub fn explain_absent(&self, roots: &[Id], sought: &[Id], roles: (&str, &str)) -> Option<String> {
         let shared: Vec<Id> = sought.iter().copied().filter(|&id| self.shares_name(id)).collect();
@@ -57,8 +57,9 @@ impl Graph {
         self.plain_name(id).is_some_and(|name| self.has_namesakes(name))
     }
 
-    fn explained(&self, (needed, given): (Id, Id), roles: (&str, &str)) -> Option<String> {
-        let ((needed_as, needed_kind), (given_as, given_kind)) = (self.made(needed)?, self.made(given)?);
+    fn explanation(&self, (needed, given): (Id, Id), roles: (&str, &str)) -> Option<String> {
+        let ((needed_as, needed_kind), (given_as, given_kind)) =
+            (self.constructor(needed)?, self.constructor(given)?);
         let name = self.plain_name(needed)?;
         let law = if needed_kind == given_kind {
             "symbols with different assumptions are different symbols"
@@ -72,7 +73,7 @@ impl Graph {
     }
 
     /// How a user makes a variable, and whether it depends on time.
-    fn made(&self, id: Id) -> Option<(String, bool)> {
+    fn constructor(&self, id: Id) -> Option<(String, bool)> {
         match self.view(id) {
             View::TimeFunction(name, _) => Some((format!("functions_of_time('{name}')"), true)),
             View::Symbol(name, assumption) => {
@@ -105,7 +106,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_sought_in_vain_is_explained() {
+    fn absent_variables_are_explained() {
         let g = &mut Graph::new();
         let (real, positive, other) = (
             g.symbol("m", Assumption::Real),

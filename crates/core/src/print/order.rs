@@ -64,8 +64,8 @@ fn written_place(factor: &Factor) -> Place {
     if place > Place::Number && !factor.exponent.is_integer() { Place::Function.max(place) } else { place }
 }
 
-/// What decides first in a sum, like `m*x'' + c*x' + k*x + F`: accelerations, then speeds, then powers of
-/// coordinates, then the degree, and terms with functions after those without.
+/// The first criterion of order in a sum such as `m*x'' + c*x' + k*x + F`: accelerations, then speeds, then
+/// powers of coordinates, then the degree, and terms with functions after those without.
 #[derive(Clone, Copy, Debug, Default)]
 struct Rank {
     derivative: u32,

@@ -1,4 +1,4 @@
-//! Which nodes get a name of their own when an expression is too large or too deep to be read in one piece.
+//! The nodes that get a name of their own when an expression is too large or too deep to read in one piece.
 
 use rustc_hash::{FxHashMap, FxHashSet};
 use std::collections::BTreeSet;
@@ -30,11 +30,11 @@ pub(super) struct Plan {
     named: FxHashMap<Id, usize>,
     /// Long sum or product -> the pieces of its slices.
     sliced: FxHashMap<Id, Range<usize>>,
-    /// Names of symbols and undefined functions, from which functions of time must be told apart.
+    /// Names of symbols and undefined functions, from which functions of time must be distinguished.
     others: FxHashSet<String>,
 }
 
-/// What a node takes on paper: leaves, and levels of brackets.
+/// The printed extent of a node: leaves, and levels of brackets.
 #[derive(Clone, Copy)]
 struct Extent {
     leaves: usize,
@@ -125,7 +125,7 @@ impl Plan {
         !self.named.contains_key(&id) && !self.sliced.contains_key(&id)
     }
 
-    /// Whether the name of a function of time is that of something else, too.
+    /// Whether the name of a function of time is also the name of something else.
     pub(super) fn is_ambiguous(&self, name: &str) -> bool {
         self.others.contains(name)
     }

@@ -7,7 +7,7 @@ use super::order;
 use super::plan::{Piece, Plan, is_sign};
 use super::tree::{Base, Sum, Term};
 
-/// Makes trees of nodes, with names for the nodes that the plan names.
+/// Builds the trees of nodes, with names for the nodes that the plan names.
 pub(super) struct Reader<'a> {
     graph: &'a Graph,
     plan: &'a Plan,
@@ -18,7 +18,7 @@ impl<'a> Reader<'a> {
         Self { graph, plan }
     }
 
-    /// A node, by its name if it has one.
+    /// The tree of a node: its name, if it has one.
     pub(super) fn expression(&self, id: Id) -> Sum {
         match self.plan.name(id) {
             Some(name) => Sum::atom(Base::Symbol(name.to_owned(), Assumption::Real)),
@@ -26,7 +26,7 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// What a name stands for.
+    /// The tree of a named quantity.
     pub(super) fn piece(&self, piece: &Piece) -> Sum {
         let Some(slice) = &piece.slice else { return self.opened(piece.id) };
         match self.graph.view(piece.id) {

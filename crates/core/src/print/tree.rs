@@ -1,4 +1,5 @@
-//! The reader's form as data: a sum of terms, each a number times powers. Trees are small (see `plan`), so recursion is safe.
+//! The reader's form as data: a sum of terms, each a number times powers. Trees are small (see `plan`), so recursion
+//! is safe.
 
 use crate::graph::{Assumption, Function};
 use crate::value::Number;

@@ -1,4 +1,4 @@
-//! Sines, cosines and tangents of sums and multiples, in those of single angles.
+//! Sines, cosines and tangents of sums and multiples, expressed by those of single angles.
 
 use num_integer::Integer;
 use rustc_hash::FxHashMap;
@@ -76,7 +76,7 @@ impl Ring<'_> {
     }
 }
 
-/// The largest number of which both are whole multiples.
+/// The largest number of which both are integer multiples.
 fn common_unit(a: &Number, b: &Number) -> Number {
     let num = (a.numerator() * b.denominator()).gcd(&(b.numerator() * a.denominator()));
     Number::from_big(num, a.denominator() * b.denominator()).expect("denominators are positive")

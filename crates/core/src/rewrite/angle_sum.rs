@@ -7,7 +7,7 @@ use crate::value::Number;
 
 use super::ring::Ring;
 
-/// Sums of more terms are left alone.
+/// Longer sums stay unchanged.
 const LONGEST: usize = 1000;
 
 /// f(a) g(b) + sign f'(a) g'(b) = h(a + step b), where ' exchanges sine and cosine: f, g, sign, h, step.
@@ -18,7 +18,7 @@ const THEOREMS: [(Function, Function, i64, Function, i64); 4] = [
     (Function::Sin, Function::Cos, -1, Function::Sin, -1),
 ];
 
-/// Two atoms of one term and what they join to with their partners.
+/// Two atoms of one term, and the waves that they become when they join with their partners.
 struct Join {
     /// The product of the two atoms, and of their partners.
     product: Monomial,
@@ -45,7 +45,7 @@ impl Ring<'_> {
         }
     }
 
-    /// Join one term with the first partner that is there.
+    /// Join one term with its first partner that occurs.
     fn join_term(&mut self, sum: &mut Polynomial, monomial: &Monomial) -> Result<(), Error> {
         let mut waves = Vec::new();
         for &(atom, exponent) in monomial.factors() {

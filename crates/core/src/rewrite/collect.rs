@@ -23,10 +23,10 @@ pub(crate) enum Kind {
 }
 
 impl Graph {
-    /// The sum of powers of the variables times their coefficients; parts without them stay as they are.
+    /// The sum of powers of the variables times their coefficients; parts without them stay unchanged.
     ///
     /// # Errors
-    /// When the result would have too many terms.
+    /// If the result would have too many terms.
     pub fn collect(&mut self, id: Id, variables: &[Id]) -> Result<Id, Error> {
         self.choose_form(|graph| {
             let mut ring = Ring::new(graph, BUDGET);
@@ -46,7 +46,7 @@ impl Graph {
     /// The coefficient of variable ** n.
     ///
     /// # Errors
-    /// When the expression has too many terms in the variable.
+    /// If the expression has too many terms in the variable.
     pub fn coeff(&mut self, id: Id, variable: Id, n: i64) -> Result<Id, Error> {
         self.choose_form(|graph| {
             let mut ring = Ring::new(graph, BUDGET);
@@ -58,7 +58,7 @@ impl Graph {
         })
     }
 
-    /// How often a coordinate is differentiated; of a sum of rates alike too.
+    /// How often a coordinate is differentiated, or all coordinates of a sum.
     pub(super) fn rate_order(&self, id: Id) -> Option<u32> {
         let order = |id: Id| match self.view(id) {
             View::TimeFunction(_, order) => Some(order),
@@ -123,7 +123,7 @@ impl Ring<'_> {
         }
     }
 
-    /// Collect by each kind of atoms in turn; common factors out of the last coefficients.
+    /// Collect by each kind of atoms in turn, and take common factors out of the last coefficients.
     pub(crate) fn collected(&mut self, polynomial: &Polynomial, kinds: &[Kind]) -> Result<Id, Error> {
         let Some((&kind, others)) = kinds.split_first() else { return self.factored(polynomial) };
         let groups = grouped(polynomial, |atom| self.is_kind(atom, kind));
@@ -147,7 +147,7 @@ pub(super) fn grouped(polynomial: &Polynomial, pick: impl Fn(u32) -> bool) -> BT
     groups
 }
 
-/// Monomials with proportional cofactors together, as (sum of monomials, cofactor).
+/// Group monomials with proportional cofactors, as (sum of monomials, cofactor).
 fn merged(groups: BTreeMap<Monomial, Polynomial>) -> Result<Vec<(Polynomial, Polynomial)>, Error> {
     let mut merged: Vec<(Polynomial, Polynomial)> = Vec::new();
     for (monomial, cofactor) in groups {
@@ -161,7 +161,7 @@ fn merged(groups: BTreeMap<Monomial, Polynomial>) -> Result<Vec<(Polynomial, Pol
     Ok(merged)
 }
 
-/// The number that cofactors in one proportion differ by; integers stay integers without it.
+/// The numeric factor by which proportional cofactors differ; without it, integers stay integers.
 fn proportion(cofactor: &Polynomial) -> Number {
     if cofactor.iter().any(|(_, c)| c.is_decimal()) {
         return cofactor.iter().next_back().map_or(Number::integer(1), |(_, c)| c.clone());

@@ -9,16 +9,16 @@ use super::expand::Opening;
 use super::ring::Ring;
 
 const BUDGET: Budget = Budget::new(100_000, 2_000_000);
-/// More factors than this in one product stay as they are: each doubles the terms.
+/// Products with more factors than this stay unchanged, because each factor doubles the terms.
 const MOST_FACTORS: u64 = 12;
-/// A wave is a node of its own to make, some fifty times the work of a term.
+/// To make the node of a wave takes about fifty times the work of a term.
 const WAVE_WORK: usize = 50;
 
 impl Graph {
     /// Write products and powers of sines and cosines as sums of sines and cosines.
     ///
     /// # Errors
-    /// When the result would have too many terms.
+    /// If the result would have too many terms.
     pub fn combine_trig(&mut self, id: Id) -> Result<Id, Error> {
         self.choose_form(|graph| {
             graph.inside_out(id, Self::push_enclosed, &mut |graph, part| {
@@ -81,7 +81,7 @@ impl Ring<'_> {
     }
 }
 
-/// A sum of waves times one more, like waves merged.
+/// A sum of waves times another wave, with like waves merged.
 fn multiplied(waves: &[Wave], shape: Function, angle: &Polynomial) -> Vec<Wave> {
     let half = Number::rational(1, 2);
     let mut products: Vec<Wave> = Vec::new();

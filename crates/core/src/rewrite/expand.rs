@@ -1,4 +1,4 @@
-//! Products over sums, and sines and cosines of sums: from nodes to polynomials.
+//! From nodes to polynomials: products of sums, and sines and cosines of sums, are multiplied out.
 
 use rustc_hash::{FxHashMap, FxHashSet};
 
@@ -10,7 +10,7 @@ use crate::value::Number;
 use super::addition_theorem::update_units;
 use super::ring::{Ring, single_power};
 
-/// What becomes part of the polynomial; each includes the one before.
+/// The nodes that become part of the polynomial; each choice includes the one before.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Opening {
     /// Sums in sums; sums in products stay atoms.
@@ -23,7 +23,7 @@ pub(super) enum Opening {
 
 const EXPANDED: &str = "the parts of a node are expanded before it, and kept for all that ask for them";
 
-/// Limits of what a user may ask for.
+/// The limits of an expansion that a user requests.
 const BUDGET: Budget = Budget::new(200_000, 5_000_000);
 /// Exponents beyond this stay closed.
 const LARGEST_EXPONENT: u64 = 257;
@@ -32,7 +32,7 @@ impl Graph {
     /// Multiply products and powers of sums out, also in arguments and denominators.
     ///
     /// # Errors
-    /// When the result would have too many terms.
+    /// If the result would have too many terms.
     pub fn expand(&mut self, id: Id) -> Result<Id, Error> {
         self.expand_to(id, Opening::Products)
     }
@@ -40,7 +40,7 @@ impl Graph {
     /// Like [`Self::expand`], and sines and cosines of sums and multiples become those of single angles.
     ///
     /// # Errors
-    /// When the result would have too many terms.
+    /// If the result would have too many terms.
     pub fn expand_trig(&mut self, id: Id) -> Result<Id, Error> {
         self.expand_to(id, Opening::Angles)
     }
@@ -62,9 +62,9 @@ struct Expansion {
     /// Nodes that stay closed.
     leaves: FxHashSet<Id>,
     memo: FxHashMap<Id, Polynomial>,
-    /// How often a node will still be asked for: the last one takes it.
+    /// How often the polynomial of a node will still be used; the last use takes it.
     uses: FxHashMap<Id, u32>,
-    /// Atomic angle -> the largest angle of which all its multiples are whole ones.
+    /// Atomic angle -> the largest angle of which all its multiples are integer multiples.
     units: FxHashMap<Monomial, Number>,
 }
 
@@ -111,7 +111,7 @@ impl Ring<'_> {
         Ok(angle)
     }
 
-    /// The largest angle of which all multiples of an atomic angle are whole ones, for each.
+    /// For each atomic angle, find the largest angle of which all its multiples are integer multiples.
     fn find_units(&mut self, order: &[Id], units: &mut FxHashMap<Monomial, Number>) -> Result<(), Error> {
         for &id in order {
             if let View::Function(Function::Sin | Function::Cos | Function::Tan, args) = self.graph.view(id) {
@@ -183,7 +183,7 @@ impl Ring<'_> {
         }
     }
 
-    /// The polynomial of a child; the last one who asks takes it without a copy.
+    /// The polynomial of a child; the last use takes it without a copy.
     fn operand(&mut self, id: Id, state: &mut Expansion) -> Result<Polynomial, Error> {
         let left = state.uses.get(&id).copied().unwrap_or(1);
         if left <= 1 {

@@ -1,8 +1,8 @@
-//! Common factors out: a sum of products as products of shorter sums.
+//! Taking common factors out: a sum of products becomes products of shorter sums.
 //!
-//! Rectangles: if the terms hold y q for every y of a set Y and every q of a set Q, they are (sum of Y)
-//! times (sum of Q). The greedy choice takes the rectangle that saves most operations, again and again,
-//! in both factors and in what is left. [Brayton et al. 1982, kernels of a sum of products]
+//! Rectangles: if the terms hold y q for every y of a set Y and every q of a set Q, they are (sum of Y) times (sum of
+//! Q). A greedy choice takes the rectangle that saves most operations, then does the same with both factors and with
+//! the remaining terms. [Brayton et al. 1982, kernels of a sum of products]
 
 use std::collections::BTreeMap;
 
@@ -20,14 +20,14 @@ const BUDGET: Budget = Budget::new(100_000, 5_000_000);
 const RECTANGLE_SEARCH: usize = 256;
 /// Sums of more terms are not tried as squares.
 const SQUARE_SEARCH: usize = 64;
-/// Factors within factors, at most: bounds the recursion.
+/// The most levels of factors within factors: bounds the recursion.
 const DEEPEST: usize = 40;
 
 impl Graph {
-    /// Take common factors out of sums, at every level, whole numbers too; nothing is multiplied out.
+    /// Take common factors, including integers, out of sums at every level; nothing is multiplied out.
     ///
     /// # Errors
-    /// When the expression has too many terms.
+    /// If the expression has too many terms.
     pub fn factor_terms(&mut self, id: Id) -> Result<Id, Error> {
         self.choose_form(|graph| {
             graph.inside_out(id, Self::push_enclosed_or_factors, &mut |graph, part| {
@@ -100,7 +100,7 @@ impl Ring<'_> {
         Some((root, negative))
     }
 
-    /// The rectangle that saves most; among equals the one of the smallest atom.
+    /// The rectangle that saves most; among equal ones, that of the smallest atom.
     fn best_rectangle(&mut self, polynomial: &Polynomial) -> Result<Option<Rectangle>, Error> {
         let mut counts: BTreeMap<(u32, i64), usize> = BTreeMap::new();
         for (monomial, _) in polynomial.iter() {
@@ -219,7 +219,7 @@ pub(crate) fn content(polynomial: &Polynomial) -> Result<(Monomial, Number, Poly
     Ok((monomial, factor, rest))
 }
 
-/// The powers that all terms share; of a mixture of positive and negative exponents none.
+/// The powers that all terms share; an atom with positive and negative exponents has none.
 fn common_monomial(polynomial: &Polynomial) -> Monomial {
     let mut common = Monomial::default();
     let Some((first, _)) = polynomial.iter().next() else { return common };
@@ -233,8 +233,8 @@ fn common_monomial(polynomial: &Polynomial) -> Monomial {
     common
 }
 
-/// The magnitude that most coefficients share, when one multiplication by it saves two or more; else 1.
-/// One that leaves integers is taken also when it saves nothing.
+/// The magnitude that most coefficients share, if one multiplication by it saves two or more; otherwise 1.
+/// A magnitude that leaves integers is taken even if it saves nothing.
 fn common_factor(polynomial: &Polynomial) -> Number {
     let one = Number::integer(1);
     let mut candidates: Vec<Number> = Vec::new();

@@ -1,4 +1,4 @@
-//! Rewriting from the innermost parts outward, outside of any derivation.
+//! Rewriting from the innermost parts outwards, outside any derivation.
 
 use rustc_hash::{FxHashMap, FxHashSet};
 
@@ -7,7 +7,7 @@ use crate::graph::{Graph, Id, View};
 use crate::value::Number;
 
 impl Graph {
-    /// Work outside of the derivation in progress: a rewrite keeps the form that it makes.
+    /// Run a rewrite outside the derivation in progress, so that the result keeps the form that the rewrite makes.
     pub(super) fn choose_form<T>(&mut self, rewrite: impl FnOnce(&mut Self) -> T) -> T {
         let classes = self.leave();
         let result = rewrite(self);
@@ -17,7 +17,7 @@ impl Graph {
         result
     }
 
-    /// Rewrite the parts that `find` names from the innermost outward, the root last.
+    /// Rewrite the parts that `find` returns from the innermost outwards, and the root last.
     pub(crate) fn inside_out(
         &mut self,
         root: Id,
@@ -51,7 +51,7 @@ impl Graph {
         Ok(map[&root])
     }
 
-    /// The children of a node that no polynomial reaches: arguments, divisors, radicands.
+    /// The children of a node that are not part of its polynomial: arguments, divisors, radicands.
     pub(super) fn push_enclosed(&self, id: Id, out: &mut FxHashSet<Id>) {
         match self.view(id) {
             View::Function(_, args) | View::Application { args, .. } => out.extend(args.iter()),

@@ -1,4 +1,4 @@
-//! sin(u)**2 + cos(u)**2 = 1, used in either direction.
+//! The identity sin(u)**2 + cos(u)**2 = 1, applied in either direction.
 
 use crate::error::Error;
 use crate::polynomial::{Monomial, Polynomial};
@@ -6,7 +6,7 @@ use crate::value::Number;
 
 use super::ring::Ring;
 
-/// Higher powers are left alone.
+/// Higher powers stay unchanged.
 const LARGEST_POWER: i64 = 32;
 
 /// The sine and the cosine of one angle, as atoms.
@@ -47,7 +47,7 @@ impl Ring<'_> {
         Ok(result)
     }
 
-    /// Use the identity wherever it leaves fewer terms.
+    /// Apply the identity wherever it leaves fewer terms.
     ///
     /// M, M s^2 and M c^2 with coefficients k0, k1, k2 equal those with k0 + d, k1 - d, k2 - d for any d.
     pub(super) fn shorten(&mut self, p: &Polynomial) -> Result<Polynomial, Error> {
@@ -85,7 +85,7 @@ impl Ring<'_> {
     }
 }
 
-/// Choose the shift d of a family that leaves fewest terms; none if it gains nothing.
+/// Apply the shift d of a family that leaves fewest terms, if any shift leaves fewer.
 fn shift_family(p: &mut Polynomial, family: &[Monomial; 3]) {
     let zero = Number::integer(0);
     let known = family.each_ref().map(|m| p.coefficient(m).cloned().unwrap_or_else(|| zero.clone()));

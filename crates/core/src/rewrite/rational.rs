@@ -11,7 +11,7 @@ use super::ring::Ring;
 impl Ring<'_> {
     /// Numerator and denominator of a polynomial with negative exponents, divisors of the numerator cancelled.
     ///
-    /// `None` when there is nothing to bring together.
+    /// `None` if there are no fractions.
     pub(crate) fn fraction(&mut self, sum: &Polynomial) -> Result<Option<(Id, Id)>, Error> {
         let floor = sum.lowest_powers();
         let (divisors, _) = floor.split(|atom| floor.exponent(atom) < 0);
@@ -30,7 +30,7 @@ impl Ring<'_> {
         Ok(Some((self.node_of(&numerator)?, denominator)))
     }
 
-    /// Divide by a closed sum as often as it goes; what is left of its exponent.
+    /// Divide by a closed sum as often as possible; return the remaining exponent.
     fn cancel(&mut self, numerator: &mut Polynomial, atom: u32, mut exponent: i64) -> Result<i64, Error> {
         let node = self.node(atom);
         if !matches!(self.graph.view(node), View::Sum(_)) {

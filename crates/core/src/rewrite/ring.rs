@@ -1,4 +1,4 @@
-//! The polynomial ring of an expression: nodes that are taken as atoms, and the way back to nodes.
+//! The polynomial ring of an expression: the nodes that are its atoms, and the way back from polynomials to nodes.
 
 use rustc_hash::FxHashMap;
 
@@ -7,7 +7,7 @@ use crate::graph::{Function, Graph, Id, NumberId, View};
 use crate::polynomial::{Budget, Monomial, Polynomial};
 use crate::value::{Element, Number};
 
-/// The atoms met so far, numbered in the order in which the expression shows them.
+/// The atoms found so far, numbered in the order in which the expression shows them.
 ///
 /// Invariant: no two atoms have equal or opposite values, so equal mathematics is one monomial.
 pub(super) struct Ring<'g> {
@@ -49,7 +49,7 @@ impl<'g> Ring<'g> {
         (atom, self.graph.value(self.node(atom)) != value)
     }
 
-    /// A node taken as it is: a number, or a multiple of an atom.
+    /// The polynomial of a node that is not opened: a number, or a multiple of an atom.
     pub(super) fn leaf(&mut self, id: Id) -> Polynomial {
         let (factor, child) = self.graph.split_multiple(NumberId::ONE, id);
         let factor = self.graph.get_number(factor).clone();
@@ -130,7 +130,7 @@ impl<'g> Ring<'g> {
         Ok(self.leaf(node).shifted(&content, &factor))
     }
 
-    /// A product, with the powers of roots that are no roots any more resolved.
+    /// A product, with integer powers of roots resolved.
     pub(crate) fn times(&mut self, a: &Polynomial, b: &Polynomial) -> Result<Polynomial, Error> {
         let product = a.times(b, &mut self.budget)?;
         self.resolve_roots(product)

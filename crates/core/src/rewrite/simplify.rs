@@ -1,9 +1,9 @@
 //! The shortest of a fixed list of forms.
 //!
-//! Every candidate is a form that textbooks use: terms flattened or multiplied out, sines and cosines
-//! brought to a few normal forms, common factors out, collected by accelerations, speeds, parameters or
-//! angles. A candidate counts if its value is the same at the random point and it costs no more operations
-//! than the input; of those the one that reads shortest is taken. The search never loops.
+//! Every candidate is a form that textbooks use: terms flattened or multiplied out, sines and cosines in one of a few
+//! normal forms, common factors taken out, terms collected by accelerations, speeds, parameters or angles. A
+//! candidate is accepted if it has the same value at the random point and costs no more operations than the input.
+//! The one that reads shortest is the result. The list is finite, so the search ends.
 
 use rustc_hash::{FxHashMap, FxHashSet};
 
@@ -17,23 +17,23 @@ use super::expand::Opening;
 use super::factor_terms::content;
 use super::ring::Ring;
 
-/// Terms of a polynomial, and terms handled for one part of an expression.
+/// The most terms of a polynomial, and the most terms handled for one part of an expression.
 const TERMS: usize = 2_000;
 const WORK: usize = 400_000;
-/// Terms handled and nodes visited for a whole expression.
+/// The most terms handled and nodes visited for a whole expression.
 const TOTAL_WORK: usize = 2_000_000;
 const LEAST_WORK: usize = 100_000;
 const WORK_PER_NODE: usize = 5_000;
-/// Parts with more nodes are left as they are.
+/// Parts with more nodes stay unchanged.
 const LARGEST_PART: usize = 4_000;
-/// Coefficients within coefficients that are simplified on their own.
+/// The most levels of coefficients within coefficients that are simplified on their own.
 const DEEPEST: usize = 2;
-/// Sums of speeds that take the place of a speed.
+/// The most sums of speeds that replace a speed.
 const MOST_SUMS: usize = 16;
-/// Repetitions while the result gets cheaper.
+/// The most repetitions, as long as the result gets cheaper.
 const ROUNDS: usize = 3;
 
-/// What is done to sines and cosines.
+/// The treatment of sines and cosines.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Trigonometry {
     Kept,
@@ -67,8 +67,8 @@ const ARRANGEMENTS: [&[Kind]; 4] =
 /// The parts whose coefficients are simplified on their own.
 const COEFFICIENTS: [&[Kind]; 2] = [&[Kind::Acceleration, Kind::Speed], &[Kind::Parameter]];
 
-/// How long a form reads: operations, an addition as three of them because it makes one more term; among
-/// equals, fewer additions, then fewer functions. (Then the smaller tree, then fewer terms outside brackets.)
+/// The length of a form for a reader: its operations, where an addition counts as three because it makes another term;
+/// then additions, then functions. (Ties are broken by the size of the tree, then by the terms outside brackets.)
 fn length(cost: Cost) -> (u64, u64, u64) {
     (cost.total().saturating_add(cost.additions.saturating_mul(2)), cost.additions, cost.functions)
 }
@@ -90,11 +90,11 @@ impl Graph {
     /// The shortest of a fixed list of forms of an expression.
     ///
     /// # Errors
-    /// When a part cannot be rebuilt.
+    /// If a part cannot be rebuilt.
     pub fn simplify(&mut self, id: Id) -> Result<Id, Error> {
         self.choose_form(|graph| {
             let work = graph.total_work(id);
-            // The whole on its own first: where its form is short, the parts take little.
+            // The whole expression comes first: if its form is short, its parts take little time.
             let mut search = Search::new(work / 4);
             let whole = graph.simplest(id, DEEPEST, &mut search);
             let mut best = graph.shortest(id, &[whole]);
@@ -112,7 +112,7 @@ impl Graph {
         })
     }
 
-    /// The candidate that reads shortest, of those with the value of `part` that cost no more than it.
+    /// The candidate that reads shortest among those that have the value of `part` and cost no more.
     fn shortest(&self, part: Id, candidates: &[Id]) -> Id {
         let tree = |id: Id| (self.tree_cost(&[id]).total(), self.outer_terms(id));
         let bound = self.cost(&[part]);
@@ -130,12 +130,12 @@ impl Graph {
         best.1
     }
 
-    /// What a simplification may spend: in proportion to the size of what is simplified.
+    /// The work of a simplification, in proportion to the size of the expression.
     fn total_work(&self, id: Id) -> usize {
         TOTAL_WORK.min(LEAST_WORK + WORK_PER_NODE * self.bounded_size(id, TOTAL_WORK / WORK_PER_NODE))
     }
 
-    /// The terms that a reader meets first, before any bracket is opened.
+    /// The terms outside all brackets.
     fn outer_terms(&self, id: Id) -> usize {
         let mut stack = vec![id];
         let mut count = 0;
@@ -166,7 +166,7 @@ impl Graph {
         best
     }
 
-    /// The form with whole coefficients in all its sums, unless it reads longer.
+    /// The form with integer coefficients in all its sums, unless it reads longer.
     fn without_fractions(&mut self, part: Id) -> Id {
         match self.whole(part) {
             Ok(whole)
@@ -266,7 +266,7 @@ impl Graph {
         sums
     }
 
-    /// The number of nodes of a part; of more than `limit` the count stops.
+    /// The number of nodes of a part; the count stops above `limit`.
     fn bounded_size(&self, part: Id, limit: usize) -> usize {
         let mut seen: FxHashSet<Id> = FxHashSet::default();
         let mut stack = vec![part];
@@ -286,13 +286,13 @@ impl Graph {
         polynomials.extend(ring.over_sums(&polynomials, &sums));
         let mut candidates = Vec::new();
         for polynomial in &polynomials {
-            // A form beyond the limits is no candidate.
+            // A form beyond the limits is not a candidate.
             candidates.extend(ring.node_of(polynomial));
             for kinds in ARRANGEMENTS {
                 candidates.extend(ring.arranged(polynomial, kinds));
             }
         }
-        // Beyond the limit nothing is left to spend, which the next part sees.
+        // Beyond the limit no work is left, which ends the search at the next part.
         let _ = search.work.spend(allowed - ring.budget.left());
         if depth > 0 {
             for polynomial in polynomials.iter().take(2) {
@@ -340,7 +340,7 @@ impl Ring<'_> {
         forms
     }
 
-    /// For each sum one of its rates, the one that fewest sums have, as the sum minus the others.
+    /// For each sum: one of its rates, the one that occurs in fewest sums, as the sum minus the other rates.
     fn rules(&mut self, sums: &[Id]) -> Vec<(u32, Polynomial)> {
         let mut flat: Vec<(Polynomial, Polynomial)> = Vec::new();
         for &sum in sums {

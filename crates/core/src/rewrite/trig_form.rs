@@ -7,7 +7,7 @@ use crate::value::Number;
 use super::collect::grouped;
 use super::ring::Ring;
 
-/// Terms first, then factors and coefficients.
+/// The criteria of length: terms first, then factors and coefficients.
 type Length = (usize, u64);
 
 fn length(polynomial: &Polynomial) -> Length {

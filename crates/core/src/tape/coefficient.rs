@@ -1,11 +1,11 @@
-//! Coefficients: of c (a b), c (a d), ... one product, c a, serves all.
+//! Shared coefficients: the products c (a b), c (a d), ... share the product c a.
 
 use rustc_hash::{FxHashMap, FxHashSet};
 
 use super::sign::uses;
 use super::straight_line::{Instruction, Operand, Tape};
 
-/// A constant and a factor beside it.
+/// A constant and the factor that it multiplies.
 type Pair = (Operand, Operand);
 
 /// A constant times a product that nothing else reads.
@@ -16,7 +16,7 @@ struct Multiple {
 }
 
 impl Tape {
-    /// Multiply by a constant what several products share, instead of every product.
+    /// Multiply the factor that several products share by their constant, instead of each product.
     pub(super) fn with_shared_coefficients(&self) -> Self {
         let mut tape = self.clone();
         let multiples = self.multiples();
@@ -49,7 +49,7 @@ impl Tape {
         tape.reordered(&sequence)
     }
 
-    /// What is a constant times a product, by its place.
+    /// The values that are a constant times a product, by their place.
     fn multiples(&self) -> FxHashMap<u32, Multiple> {
         let uses = uses(self);
         let mut found = FxHashMap::default();
@@ -66,7 +66,7 @@ impl Tape {
         found
     }
 
-    /// By product: the factor that takes the constant, as it does in other products, and the other factor.
+    /// For each product: the factor that takes the constant, as it does in other products, and the other factor.
     fn shared_pairs(&self, multiples: &FxHashMap<u32, Multiple>) -> FxHashMap<u32, Pair> {
         let places = || (0..self.instructions.len() as u32).filter_map(|place| multiples.get(&place));
         let mut counts: FxHashMap<Pair, u32> = FxHashMap::default();
@@ -91,7 +91,7 @@ impl Tape {
         pairs.map(|(product, (_, factor), other)| (product, (factor, other))).collect()
     }
 
-    /// The multiples of single factors that are there already.
+    /// The multiples of single factors that the tape already has.
     fn known_pairs(&self) -> FxHashMap<Pair, u32> {
         let mut known = FxHashMap::default();
         for (place, &instruction) in (0..).zip(&self.instructions) {

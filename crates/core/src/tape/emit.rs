@@ -1,4 +1,4 @@
-//! Arithmetic that writes a tape: signs travel with the operands, constants fold, nothing is written twice.
+//! Arithmetic that writes a tape: signs travel with the operands, constants are folded, and nothing is written twice.
 
 use rustc_hash::FxHashMap;
 use std::cmp::Reverse;
@@ -25,11 +25,11 @@ impl Signed {
     }
 }
 
-/// A tape while it is written, in any order that has operands before their use.
+/// A tape under construction, in any order that has operands before their use.
 #[derive(Default)]
 pub(super) struct Emitter {
     pub tape: Tape,
-    /// How many values the computation of each instruction holds at a time.
+    /// How many values the computation of each instruction holds at the same time.
     pub needs: Vec<u32>,
     written: FxHashMap<Instruction, Operand>,
     constants: FxHashMap<u64, u32>,
@@ -37,7 +37,7 @@ pub(super) struct Emitter {
 }
 
 impl Emitter {
-    /// A constant whose sign may travel: what is stored is not negative.
+    /// A constant whose sign travels: the stored number is not negative.
     pub fn constant(&mut self, value: f64) -> Signed {
         let negative = value < 0.0;
         Signed { operand: self.stored(if negative { -value } else { value }), negative }
@@ -74,7 +74,7 @@ impl Emitter {
         }
     }
 
-    /// The opposite costs one operation, and none if only the opposite is needed.
+    /// The opposite of an operand: one operation, or none if only the opposite is needed.
     fn negated(&mut self, operand: Operand) -> Operand {
         match self.definition(operand) {
             Some(Instruction::Sub(a, b)) => self.write(Instruction::Sub(b, a)),
@@ -152,7 +152,7 @@ impl Emitter {
         Signed::plus(self.write(Instruction::Component(solution, index)))
     }
 
-    /// What a list holds at a time: its entries live until all are there, however many they are.
+    /// The number of values that a list holds: all its entries live until the last one is computed.
     fn need_of_all(&self, operands: &[Operand]) -> u32 {
         let needs = operands.iter().map(|&operand| self.need_of(Signed::plus(operand)));
         needs.max().unwrap_or(0) + operands.len() as u32
@@ -186,7 +186,7 @@ impl Emitter {
         self.emit(Instruction::Div(a.operand, b.operand)).flipped_if(a.negative != b.negative)
     }
 
-    /// A multiple; of a multiple or of a number over something it takes the one constant together.
+    /// A multiple; a multiple of a multiple, or of a number over something, merges the constants.
     fn scaled(&mut self, operand: Operand, factor: f64) -> Signed {
         if factor.to_bits() == 1f64.to_bits() {
             return Signed::plus(operand);
@@ -220,7 +220,7 @@ impl Emitter {
         self.emit(Instruction::Mul(factor.operand, operand)).flipped_if(factor.negative)
     }
 
-    /// The product of all; `None` when there are none. What holds many values comes first.
+    /// The product of all factors; `None` if there are none. Factors whose computation holds many values come first.
     pub fn multiply_all(&mut self, mut factors: Vec<Signed>) -> Option<Signed> {
         factors.sort_by_key(|&factor| Reverse(self.need_of(factor)));
         factors.into_iter().reduce(|a, b| self.multiply(a, b))

@@ -8,18 +8,18 @@ use crate::kernel::Deficiency;
 use super::linear_systems::{LinearSystems, Memory, solution_of};
 use super::straight_line::{Instruction, Operand, Tape};
 
-/// Bytes of registers in a chunk of points: what the processor keeps close.
+/// Bytes of registers in a chunk of points, so that they fit into the cache of the processor.
 const CHUNK_BYTES: usize = 256 * 1024;
 const MOST_LANES: usize = 256;
 const FEWEST_LANES: usize = 16;
 
-/// A tape made ready for evaluation: everything in numbered slots, constants first, then inputs and registers.
+/// A tape prepared for evaluation: everything is in numbered slots, first constants, then inputs, then registers.
 #[derive(Clone, Debug)]
 pub struct Evaluator {
     inputs: Vec<String>,
     constants: Vec<f64>,
     steps: Vec<Step>,
-    /// Outputs that are computed, in the order of the steps; before them outputs that are there at once.
+    /// Outputs in the order of the steps that compute them; outputs that need no step come first.
     stores: Vec<Store>,
     outputs: usize,
     registers: usize,
@@ -33,7 +33,7 @@ struct Step {
     target: u32,
 }
 
-/// An output and the slot where it is found once so many steps are done.
+/// An output, and the slot that holds it after the given number of steps.
 #[derive(Clone, Copy, Debug)]
 struct Store {
     steps: usize,
@@ -51,7 +51,7 @@ pub enum Column<'a> {
 }
 
 impl Evaluator {
-    /// Make a tape ready.
+    /// Prepare a tape for evaluation.
     #[must_use]
     pub fn new(tape: &Tape) -> Self {
         let registers = tape.registers();
@@ -88,7 +88,7 @@ impl Evaluator {
         }
     }
 
-    /// How many outputs there are.
+    /// The number of outputs.
     #[must_use]
     pub const fn outputs(&self) -> usize {
         self.outputs
@@ -97,7 +97,7 @@ impl Evaluator {
     /// The outputs at one point.
     ///
     /// # Errors
-    /// When there are too few or too many inputs.
+    /// If there are too few or too many inputs.
     pub fn evaluate(&self, inputs: &[f64]) -> Result<Vec<f64>, Error> {
         Ok(self.evaluate_noting(inputs)?.0)
     }
@@ -105,7 +105,7 @@ impl Evaluator {
     /// The outputs at one point, and the linear systems of deficient rank there.
     ///
     /// # Errors
-    /// When there are too few or too many inputs.
+    /// If there are too few or too many inputs.
     pub fn evaluate_noting(&self, inputs: &[f64]) -> Result<(Vec<f64>, BTreeSet<Deficiency>), Error> {
         self.check(inputs.len())?;
         let mut out = vec![0.0; self.outputs];
@@ -138,7 +138,7 @@ impl Evaluator {
     /// The outputs at many points: all points of the first output, then all of the second, and so on.
     ///
     /// # Errors
-    /// When there are too few or too many inputs, or an array has not the length `points`.
+    /// If there are too few or too many inputs, or the length of an array is not `points`.
     pub fn evaluate_columns(&self, inputs: &[Column], points: usize) -> Result<Vec<f64>, Error> {
         Ok(self.evaluate_columns_noting(inputs, points)?.0)
     }
@@ -146,7 +146,7 @@ impl Evaluator {
     /// The outputs at many points, and the linear systems of deficient rank at some of them.
     ///
     /// # Errors
-    /// When there are too few or too many inputs, or an array has not the length `points`.
+    /// If there are too few or too many inputs, or the length of an array is not `points`.
     pub fn evaluate_columns_noting(
         &self,
         inputs: &[Column],
@@ -218,7 +218,7 @@ impl Evaluator {
     }
 }
 
-/// Some consecutive points.
+/// A chunk of consecutive points.
 struct Chunk<'a> {
     inputs: &'a [Column<'a>],
     constants: &'a [f64],
@@ -262,7 +262,7 @@ impl Chunk<'_> {
                 map2(out, read(a), read(b), |x, y| function.evaluate(&[x, y]));
             }
             Instruction::Select { condition, positive, otherwise } => {
-                // First the choice's default, then the lanes where the condition holds.
+                // First the default of the choice, then the lanes where the condition holds.
                 map1(out, read(otherwise), |x| x);
                 select(out, read(condition), read(positive));
             }

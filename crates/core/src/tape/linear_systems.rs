@@ -55,7 +55,7 @@ impl LinearSystems {
         }
     }
 
-    /// Factorise a matrix in so many lanes.
+    /// Factorise a matrix in `lanes` lanes.
     pub(crate) fn factor(
         &self,
         number: u32,
@@ -73,7 +73,7 @@ impl LinearSystems {
         }
     }
 
-    /// Solve a system in so many lanes.
+    /// Solve a system in `lanes` lanes.
     pub(crate) fn solve(
         &self,
         number: u32,

@@ -1,7 +1,7 @@
-//! Lowering: expressions to the straight-line code of a tape.
+//! Lowering: from expressions to the straight-line code of a tape.
 //!
-//! Every value is computed once, whatever forms it has. Signs travel with the values and end in
-//! subtractions; constants are folded; the negative exponents of a product end in one division.
+//! Every value is computed once, whatever forms it has. Signs travel with the values and end in subtractions, constants
+//! are folded, and the negative exponents of a product become one division.
 
 use rustc_hash::FxHashMap;
 use std::cmp::Reverse;
@@ -25,7 +25,7 @@ impl Graph {
     /// they are recognised by value.
     ///
     /// # Errors
-    /// When an input is no variable, or an output depends on a variable that is no input.
+    /// If an input is not a variable, or an output depends on a variable that is not an input.
     pub fn tape(&self, inputs: &[Id], outputs: &[Id]) -> Result<Tape, Error> {
         let mut lowering = Lowering::new(self, inputs)?;
         let order = self.post_order_where(outputs, |id| !lowering.is_input(id));
@@ -42,7 +42,7 @@ impl Graph {
         Ok(schedule(&lowering.code.tape, &lowering.code.needs))
     }
 
-    /// The error that names every variable without a value; those inside an unknown function stay out.
+    /// The error that names every variable without a value, except those inside an undefined function.
     fn missing_inputs(&self, inputs: &[Id], outputs: &[Id]) -> Error {
         let given: Vec<Element> = inputs.iter().map(|&id| self.value(id)).collect();
         let is_input = |id: Id| given.contains(&self.value(id));
@@ -70,7 +70,7 @@ impl Graph {
 
 struct Lowering<'a> {
     graph: &'a Graph,
-    /// What is computed, by value up to sign.
+    /// The operands that are computed, by value up to sign.
     known: FxHashMap<Element, Signed>,
     inputs: FxHashMap<Element, u32>,
     /// Linear systems, by value.
@@ -111,10 +111,10 @@ impl<'a> Lowering<'a> {
         self.known.entry(key).or_insert(value.flipped_if(opposite));
     }
 
-    /// The operand of a node below, which comes earlier in the order.
+    /// The operand of a child, which comes earlier in the order.
     fn at(&mut self, id: Id) -> Signed {
         if let Some(number) = self.graph.as_number(id) {
-            // Numbers are exact beyond what their value in the field tells.
+            // Numbers have more information than their value in the field.
             return self.code.constant(number.to_f64());
         }
         let (key, opposite) = self.graph.value(id).unsigned();
@@ -126,7 +126,7 @@ impl<'a> Lowering<'a> {
         self.code.plain(value)
     }
 
-    /// The code of one node; `None` for a variable that is no input.
+    /// The code of one node; `None` for a variable that is not an input.
     fn lower(&mut self, id: Id) -> Option<Signed> {
         Some(match self.graph.view(id) {
             View::Time | View::Symbol(..) | View::TimeFunction(..) | View::Application { .. } => return None,
@@ -152,7 +152,7 @@ impl<'a> Lowering<'a> {
         })
     }
 
-    /// Terms that need many values come first, constants together at the end.
+    /// Terms that need many values come first; constants come last, together.
     fn sum(&mut self, terms: Terms) -> Signed {
         let mut constant = 0.0;
         let mut parts: Vec<Signed> = Vec::with_capacity(terms.len());
@@ -170,7 +170,7 @@ impl<'a> Lowering<'a> {
             let constant = self.code.constant(constant);
             parts.push(constant);
         }
-        // A sum that ends in a subtraction has its opposite at no cost.
+        // The opposite of a sum that ends in a subtraction costs nothing.
         if let Some(subtracted) = parts.iter().rposition(|term| term.negative) {
             let subtracted = parts.remove(subtracted);
             parts.push(subtracted);
@@ -203,7 +203,7 @@ impl<'a> Lowering<'a> {
         let constant = code.constant(parts.constant);
         let above = code.multiply_all(parts.above);
         let below = code.multiply_all(parts.below);
-        // The number stays outside, where it meets the numbers of multiples of the product.
+        // The number stays outside, where it merges with the numbers of multiples of the product.
         match (above, below) {
             (None, None) => constant,
             (Some(above), None) => code.multiply(constant, above),

@@ -1,7 +1,7 @@
 //! Tapes: expressions as straight-line code in doubles, evaluated here and printed as source code elsewhere.
 //!
-//! [`lower`] translates nodes into the instructions of [`straight_line`], [`schedule`] orders them, [`stage`] sorts them
-//! by how often their inputs change, and [`eval`] runs them.
+//! [`lower`] translates nodes into the instructions of [`straight_line`], [`schedule`] orders them, [`stage`] sorts
+//! them by how often their inputs change, and [`eval`] runs them.
 //!
 //! Invariant: an instruction reads inputs, constants and earlier values only, and every value that is computed is used.
 

@@ -1,11 +1,12 @@
-//! Reciprocals: a / d, b / d, ... take one division, 1 / d, and products, which are faster.
+//! Reciprocals: a / d, b / d, ... take one division, 1 / d, and multiplications, which are faster.
 
 use rustc_hash::{FxHashMap, FxHashSet};
 
 use super::straight_line::{Instruction, Operand, Tape};
 
 impl Tape {
-    /// Multiply by a reciprocal what several dividends share, and what changes less often than the dividend.
+    /// Multiply by the reciprocal of a divisor that several dividends share, or that changes less often than its
+    /// dividend.
     ///
     /// The stage of a value says how often it changes.
     pub(super) fn with_reciprocals(&self, stages: impl Fn(Operand) -> u8) -> Self {
@@ -43,7 +44,7 @@ impl Tape {
         }) as u32)
     }
 
-    /// The reciprocals that are there already, by divisor.
+    /// The reciprocals that the tape already has, by divisor.
     fn reciprocals(&self, one: Operand) -> FxHashMap<Operand, u32> {
         let mut known = FxHashMap::default();
         for (place, &instruction) in (0..).zip(&self.instructions) {

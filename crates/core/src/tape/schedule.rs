@@ -1,7 +1,7 @@
-//! The order of a tape's instructions: short live ranges, nothing that no output needs.
+//! The order of a tape's instructions, chosen for short live ranges; instructions that no output needs are dropped.
 //!
-//! The operand whose computation holds more values at a time comes first (Sethi & Ullman 1970, exact for
-//! trees), and the cosine of an angle follows its sine.
+//! The operand whose computation holds more values at the same time comes first [Sethi & Ullman 1970, optimal for
+//! trees], and the cosine of an angle follows its sine.
 
 use rustc_hash::FxHashMap;
 
@@ -9,7 +9,7 @@ use crate::graph::Function;
 
 use super::straight_line::{Instruction, Operand, Tape};
 
-/// The number of values held at a time while a tree is computed: larger where two sides are equal.
+/// The number of values held at the same time while a tree is computed: larger by one if two sides are equal.
 pub(super) fn need(operands: impl Iterator<Item = Operand>, needs: &[u32]) -> u32 {
     let of = |operand: Operand| operand.value().map_or(0, |value| needs[value as usize]);
     let join = |x: u32, y: u32| if x == y { x + 1 } else { x.max(y) };
@@ -42,7 +42,7 @@ struct Order {
 }
 
 impl Order {
-    /// Place everything an operand needs, and then the operand.
+    /// Place everything that an operand needs, and then the operand.
     fn visit(&mut self, root: Operand, tape: &Tape, needs: &[u32], partners: &Partners) {
         let mut stack: Vec<(u32, bool)> = Vec::new();
         stack.extend(root.value().map(|value| (value, false)));

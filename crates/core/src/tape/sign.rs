@@ -1,13 +1,13 @@
-//! Changes of sign that cost nothing: a subtraction below, used nowhere else, is turned around.
+//! Changes of sign that cost nothing: a subtraction below that is used nowhere else is reversed.
 
 use super::straight_line::{Instruction, Operand, Tape};
 
-/// How many factors are searched for a subtraction.
+/// The most factors that are searched for a subtraction.
 const SEARCHED: usize = 64;
 
 /// Replace negations by their arguments where these can be computed with the opposite sign.
 ///
-/// What a negation leaves unused stays in the code, for the schedule to drop.
+/// Instructions that become unused stay in the code; the schedule drops them.
 pub(super) fn absorb_signs(tape: &mut Tape) {
     let uses = uses(tape);
     for position in 0..tape.instructions.len() {
@@ -19,7 +19,7 @@ pub(super) fn absorb_signs(tape: &mut Tape) {
     }
 }
 
-/// Change the sign of a value that is used once, through its factors; false if that has a cost.
+/// Change the sign of a value that is used once, by its factors; false if that costs an operation.
 fn turn_around(tape: &mut Tape, uses: &[u32], value: u32) -> bool {
     let mut factors = vec![Operand::Value(value)];
     for _ in 0..SEARCHED {

@@ -1,6 +1,6 @@
-//! Stages: instructions in the order of how often what they depend on changes.
+//! Stages: instructions sorted by how often their inputs change.
 //!
-//! Parameters change seldom, accelerations at every call: what comes first in the code can leave the hot path.
+//! Parameters change rarely, accelerations at every call: the first instructions of the code can leave the hot path.
 
 use crate::error::Error;
 use crate::graph::Cost;
@@ -12,18 +12,18 @@ use super::straight_line::{Operand, Tape};
 pub struct Staged {
     /// The code; within a stage in the order of the schedule.
     pub tape: Tape,
-    /// The stage of each instruction: the last of those of what it reads.
+    /// The stage of each instruction: the highest stage among its operands.
     pub stages: Vec<u8>,
 }
 
 impl Tape {
     /// Sort the instructions by stage, given the stage of each input.
     ///
-    /// Where stages are given, the code is for many calls: products share coefficients, and divisions become products
-    /// with reciprocals.
+    /// If stages are given, the code is for many calls: products share coefficients, and divisions become products with
+    /// reciprocals.
     ///
     /// # Errors
-    /// When there are stages, but not one for each input.
+    /// If stages are given, but not one for each input.
     pub fn staged(&self, inputs: &[u8]) -> Result<Staged, Error> {
         if inputs.is_empty() {
             return Ok(Staged { tape: self.clone(), stages: vec![0; self.instructions.len()] });

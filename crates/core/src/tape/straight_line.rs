@@ -5,7 +5,7 @@
 
 use crate::graph::{Cost, Function, factoring, solving};
 
-/// Where an instruction takes an argument from.
+/// The source of an argument of an instruction.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub enum Operand {
     /// The input of this number.
@@ -27,18 +27,18 @@ impl Operand {
     }
 }
 
-/// One operation on doubles; its arguments are operands, or places of another kind.
+/// One operation on doubles. Its arguments are operands, or places of another kind `P`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Instruction<P = Operand> {
-    /// a + b
+    /// The sum `a + b`.
     Add(P, P),
-    /// a - b
+    /// The difference `a - b`.
     Sub(P, P),
-    /// a * b
+    /// The product `a * b`.
     Mul(P, P),
-    /// a / b
+    /// The quotient `a / b`.
     Div(P, P),
-    /// -a
+    /// The opposite `-a`.
     Neg(P),
     /// The square root of a.
     Sqrt(P),
@@ -48,11 +48,11 @@ pub enum Instruction<P = Operand> {
     Binary(Function, P, P),
     /// One value where the condition is positive, the other elsewhere.
     Select {
-        /// What decides.
+        /// The condition.
         condition: P,
         /// The value where the condition is positive.
         positive: P,
-        /// The value where it is zero, negative or no number.
+        /// The value where it is zero, negative or not a number.
         otherwise: P,
     },
     /// The factorisation of this number in the tape's list.
@@ -64,7 +64,7 @@ pub enum Instruction<P = Operand> {
 }
 
 impl<P: Copy> Instruction<P> {
-    /// The arguments that stand in the instruction; those of factorisations and solutions are in the tape's lists.
+    /// The arguments in the instruction itself; those of factorisations and solutions are in the lists of the tape.
     pub fn operands(self) -> impl DoubleEndedIterator<Item = P> {
         let [a, b, c] = match self {
             Self::Add(a, b) | Self::Sub(a, b) | Self::Mul(a, b) | Self::Div(a, b) | Self::Binary(_, a, b) => {
@@ -102,7 +102,7 @@ impl<P: Copy> Instruction<P> {
         }
     }
 
-    /// The result, given the arguments; none for linear systems, which aren't solved by one operation.
+    /// The result, given the arguments; NaN for linear systems, which are not solved by one operation.
     #[must_use]
     pub fn evaluate(self, read: impl Fn(P) -> f64) -> f64 {
         match self {
@@ -155,7 +155,7 @@ pub struct Tape {
     pub constants: Vec<f64>,
     /// The code; instruction i defines `Operand::Value(i)`.
     pub instructions: Vec<Instruction>,
-    /// Where the outputs are found.
+    /// The operand of each output.
     pub outputs: Vec<Operand>,
     /// The matrices of the linear systems in the code.
     pub factorizations: Vec<Factorization>,
@@ -163,17 +163,17 @@ pub struct Tape {
     pub solutions: Vec<Solution>,
 }
 
-/// A register for each value: values that live at the same time are in different registers.
+/// A register for each value; values that live at the same time have different registers.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Registers {
     /// The register of each instruction's result; never one that the instruction itself reads.
     pub of: Vec<u32>,
-    /// How many registers there are.
+    /// The number of registers.
     pub count: usize,
 }
 
 impl Tape {
-    /// The operations of the code, counted as those of expressions are: a lone change of sign is an addition.
+    /// The operations of the code, counted like those of expressions: a change of sign on its own is an addition.
     #[must_use]
     pub fn operations(&self) -> Cost {
         let mut cost = Cost::default();
@@ -199,7 +199,7 @@ impl Tape {
         }
     }
 
-    /// The instructions in another order, without those that are not in it; an argument comes before its uses.
+    /// The instructions in the given sequence; all others are dropped. An argument must come before its uses.
     pub(super) fn reordered(&self, sequence: &[u32]) -> Self {
         let mut places = Places::new(self, sequence);
         let mut tape = Self { inputs: self.inputs.clone(), ..Self::default() };
@@ -226,7 +226,7 @@ impl Tape {
         tape
     }
 
-    /// What the instruction at a position reads.
+    /// The operands that the instruction at a position reads.
     pub fn reads(&self, position: usize) -> impl DoubleEndedIterator<Item = Operand> {
         let instruction = self.instructions[position];
         let (first, rest): (Option<Operand>, &[Operand]) = match instruction {
@@ -248,7 +248,7 @@ impl Tape {
         values
     }
 
-    /// Assign registers by a linear scan; an output is taken from its register as soon as it is there.
+    /// Assign registers by a linear scan; an output is read from its register as soon as it is computed.
     #[must_use]
     pub fn registers(&self) -> Registers {
         let last_use = self.last_uses();
@@ -275,7 +275,7 @@ impl Tape {
         Registers { of, count: count as usize }
     }
 
-    /// The last instruction that reads each value; the value's own place when none does.
+    /// The last instruction that reads each value, or the value's own place if none does.
     fn last_uses(&self) -> Vec<usize> {
         let mut last: Vec<usize> = (0..self.instructions.len()).collect();
         for position in 0..self.instructions.len() {
@@ -287,7 +287,7 @@ impl Tape {
     }
 }
 
-/// Where the operands of a tape are in another order of its instructions.
+/// The places of the operands of a tape in another order of its instructions.
 struct Places<'a> {
     tape: &'a Tape,
     values: Vec<Option<u32>>,

@@ -2,9 +2,9 @@
 //!
 //! A fingerprint is the value of an expression in GF(p) for the two primes below. Both satisfy
 //! p = -1 mod 110880, so the circle group x^2 + y^2 = 1 is cyclic of order p + 1 and holds the angles
-//! 2 pi k / 110880; all primes up to 61 are squares in both fields. Their other virtue: (p + 1)/110880
-//! and (p - 1)/2 have prime factors above 2^44 and 2^53, so an angle and an exponent may be divided by
-//! any number that a user writes (a unique root exists in a group of prime order).
+//! 2 pi k / 110880; all primes up to 61 are squares in both fields. Moreover (p + 1)/110880 and (p - 1)/2
+//! have prime factors above 2^44 and 2^53, so an angle and an exponent may be divided by any number that a
+//! user writes (a unique root exists in a group of prime order).
 //! [Martin 1971; Gonnet 1984; Monagan & Gonnet 1994, "Signature functions for algebraic numbers"]
 
 use num_bigint::BigInt;
@@ -216,7 +216,7 @@ impl Element {
         }
     }
 
-    /// Of a value and its opposite, the one that stands for both, and whether the sign was changed.
+    /// Return the value or its opposite, whichever represents both, and whether the sign was changed.
     #[must_use]
     pub fn unsigned(self) -> (Self, bool) {
         let opposite = self.neg();
@@ -373,7 +373,7 @@ fn torsion_generator(prime: &Prime) -> (u64, u64) {
     }
 }
 
-/// The key of a draw: what makes an opaque value this value and no other.
+/// The key of a draw: equal keys draw equal values, and other keys draw other values.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub struct Key(u64, u64);
 
@@ -410,7 +410,7 @@ impl Key {
         self.word(value.0[0]).word(value.0[1])
     }
 
-    /// A word below 2^62, other for every salt.
+    /// A word below 2^62, different for every salt.
     const fn draw(&self, salt: u64) -> u64 {
         let a = mix(self.0 ^ salt);
         mix(a.wrapping_add(self.1)) >> 2

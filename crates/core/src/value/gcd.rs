@@ -1,6 +1,6 @@
 //! Greatest common divisors of large integers: Lehmer's algorithm [Knuth 1998, sec. 4.5.2, algorithm L].
 //!
-//! Exact numbers are reduced after every sum and product, so this decides what they cost.
+//! Exact numbers are reduced after every sum and product, so this algorithm dominates their cost.
 
 use num_bigint::BigInt;
 use num_integer::Integer;
@@ -44,7 +44,7 @@ fn gcd(mut a: BigInt, mut b: BigInt) -> BigInt {
     }
 }
 
-/// The matrix of as many of Euclid's steps as the leading digits tell for sure.
+/// The matrix of as many of Euclid's steps as the leading digits determine.
 fn steps(mut x: i64, mut y: i64) -> [i64; 4] {
     let [mut p, mut q, mut r, mut s] = [1i64, 0, 0, 1];
     while y + r != 0 && y + s != 0 {

@@ -227,7 +227,7 @@ impl Number {
         }
     }
 
-    /// Whether two numbers are the same value, however they print.
+    /// Whether two numbers have the same value, however they print.
     #[must_use]
     pub fn same_value(&self, other: &Self) -> bool {
         self.value == other.value

@@ -5,7 +5,7 @@ use super::number::Number;
 
 const POSITIVE: &str = "the denominator of a number is positive";
 
-/// number = outside^2 * inside, with a square-free integer inside as far as trial division tells.
+/// number = outside^2 * inside, where the integer inside is square-free as far as trial division shows.
 pub(crate) fn square_part(number: &Number) -> (Number, Number) {
     let decimal = number.is_decimal();
     let mut inside = number.numerator() * number.denominator();

@@ -6,10 +6,10 @@
 use super::tableau::Tableau;
 use super::{RungeKutta, is_finite};
 
-/// The terms of the dense output that make its cubic Hermite polynomial.
+/// The number of terms of the dense output that form its cubic Hermite polynomial.
 const HERMITE: usize = 3;
 
-/// How many terms the dense output of a method has.
+/// The number of terms of the dense output of a method.
 pub(super) fn terms(tableau: &Tableau) -> usize {
     HERMITE + tableau.dense.len()
 }
@@ -53,7 +53,7 @@ impl RungeKutta<'_> {
         self.is_dense = true;
     }
 
-    /// Write the state at a part of the last step.
+    /// Write the state at a fraction of the last step.
     pub(super) fn value(&self, x: f64, out: &mut [f64]) {
         for (i, y) in out.iter_mut().enumerate() {
             let terms = self.dense.iter().enumerate().rev();
@@ -63,7 +63,7 @@ impl RungeKutta<'_> {
         }
     }
 
-    /// The rates of the dense output at a part of the last step.
+    /// The rates of the dense output at a fraction of the last step.
     pub(super) fn slopes(&self, x: f64) -> Vec<f64> {
         let h = self.last.1;
         let slope = |i: usize| {

@@ -17,7 +17,7 @@ pub(super) static DOP853: Tableau = Tableau {
     dense: &DENSE,
 };
 
-/// When the stages are, in steps: the twelve of a step, its end, and three for the dense output.
+/// The instants of the stages, in steps: the twelve of a step, its end, and three for the dense output.
 const C: [f64; 16] = [
     0.0,
     0.05260015195876773,

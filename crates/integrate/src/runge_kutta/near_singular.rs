@@ -1,7 +1,7 @@
-//! What noise does near a singular position, and how it is noticed.
+//! Noise near a singular position: its effects, and how they are detected.
 //!
-//! Where a constraint nearly follows from others, rounding errors of the positions turn the direction that it forbids,
-//! and the rates hold what is no part of the motion. A step had better begin and be read elsewhere.
+//! If a constraint nearly follows from others, rounding errors of the positions turn the direction that it forbids, and
+//! the rates contain parts that do not belong to the motion. Steps should start, and states be read, elsewhere.
 
 use crate::failure::Failure;
 use crate::method::Tolerances;
@@ -10,27 +10,28 @@ use crate::stepper::Stepper;
 
 use super::{BESIDE, First, RungeKutta, difference};
 
-/// Rates at the end of a step that change by more than so many times the state, in steps, are noise if the change leads
-/// off the constraints.
+/// If the estimate of the step times the largest eigenvalue exceeds this, the rates at the end of the step are noise,
+/// provided that their change leads off the constraints.
 const NOISE: f64 = 30.0;
-/// A dense output whose slope in the middle is off by more than so many tolerances is noise if most of that leads off the
-/// constraints; where it does not, smooth motions have some ten, and more than the second number is an error.
+/// A dense output whose slope in the middle is off by more than the first number of tolerances is noise if most of
+/// the defect leads off the constraints. Otherwise smooth motions have about ten, and more than the second number is
+/// an error.
 const DEFECT: (f64, f64) = (3.0, 30.0);
-/// No step should begin where rounding errors of the coordinates change a speed by more than so many tolerances, for the
-/// largest that any speed has been.
+/// No step should start where rounding errors of the coordinates change a speed by more than this many tolerances, at
+/// the largest value of any speed so far.
 const UNCERTAIN: f64 = 1.0;
-/// The same bound where `max_step` holds steps back: they stop well before it, and one long step crosses the position.
+/// The same bound if `max_step` holds steps back: they stop well before the position, and one long step crosses it.
 const BEFORE: f64 = 0.01;
-/// Rounding errors that change a speed by more than this part of it decide on the branch.
+/// Rounding errors that change a speed by more than this fraction of it decide on the branch.
 const UNDECIDED: f64 = 1e-6;
-/// A motion whose speeds are less than this part of the largest that they have been may turn back.
+/// A motion whose speeds are below this fraction of the largest so far may turn back.
 const SLOW: f64 = 0.01;
-/// How many times longer a step could be at least that is held back by the longest one.
+/// A step is held back by `max_step` if accuracy allows a step at least this many times longer.
 const HELD_BACK: f64 = 2.0;
 
 impl RungeKutta<'_> {
-    /// Whether the rates at the state are those of the neighbouring state at which the last stage was evaluated, but for
-    /// what an explicit method can integrate.
+    /// Whether the rates at the state agree with those of the neighbouring state at which the last stage was evaluated,
+    /// except for differences that an explicit method can integrate.
     pub(super) fn is_start_certain(&mut self) -> bool {
         let is_known = self.statistics.steps == 0 || matches!(self.first, First::InPlace);
         if is_known || self.tangent.is_none() {
@@ -52,10 +53,10 @@ impl RungeKutta<'_> {
             || self.tangent.as_ref().is_none_or(|tangent| along(tangent) > BESIDE * size)
     }
 
-    /// Fail where rounding errors decide which speeds the constraints allow: steps from there are rejected until they are so
-    /// short that they follow the errors onto another branch.
+    /// Fail where rounding errors decide which speeds the constraints allow: steps from such a state are rejected
+    /// until they are so short that they follow the errors onto another branch.
     ///
-    /// It fails once: where no other step helps, the motion goes on, and this is noted.
+    /// It fails only once per instant: if no other step helps, the motion continues and is recorded as uncertain.
     pub(super) fn check_start(&mut self) -> Result<(), Failure> {
         let (change, bound) = self.noise();
         if change <= UNCERTAIN * bound {
@@ -71,8 +72,8 @@ impl RungeKutta<'_> {
         Ok(())
     }
 
-    /// Note that a motion turns back where rounding errors decide on its directions: a tolerance hides how small its speeds
-    /// are.
+    /// Record that a motion turns back where rounding errors decide on its directions: the test by tolerances does
+    /// not see how small its speeds are.
     fn note_turning(&mut self) {
         let Some(tangent) = &self.tangent else { return };
         let fastest = |entries: &[f64]| entries.iter().fold(0.0_f64, |most, speed| most.max(speed.abs()));
@@ -82,7 +83,7 @@ impl RungeKutta<'_> {
         }
     }
 
-    /// Whether the longest step holds steps back.
+    /// Whether `max_step` holds steps back.
     pub(super) fn is_held_back(&self) -> bool {
         self.step > HELD_BACK * self.tolerances.max_step
     }
@@ -103,7 +104,7 @@ impl RungeKutta<'_> {
 
     /// Whether the dense output of the last step satisfies the equations in the middle of the step.
     ///
-    /// Stages of its own are in no error estimate.
+    /// No error estimate covers the stages of the dense output itself.
     pub(super) fn is_dense_output_certain(&mut self) -> bool {
         let has_own_stages = self.tableau.c.len() > self.tableau.stages + 1;
         if !has_own_stages || self.tangent.is_none() {

@@ -1,7 +1,7 @@
 //! The coefficients of the Runge–Kutta method of order 5(4) by Tsitouras, with its dense output of order 4.
 //!
-//! Ch. Tsitouras, Runge–Kutta pairs of order 5(4) satisfying only the first column simplifying assumption, Computers and
-//! Mathematics with Applications 62 (2011). A row lists the places and values of what is not zero.
+//! Ch. Tsitouras, Runge–Kutta pairs of order 5(4) satisfying only the first column simplifying assumption, Computers
+//! and Mathematics with Applications 62 (2011). A row lists the places and values of what is not zero.
 
 use super::tableau::{Row, Tableau};
 
