@@ -99,7 +99,7 @@ class Floating(FrameMotion):
 
     def child_acceleration(self, parent: Accelerated, rate: Rate) -> Accelerated:
         """Return ``a_B = R^T (a_A + F_A d) + v' + (2 R^T w_A + w) x v``, and how the child turns."""
-        linear = self.material_acceleration(parent)
+        linear = parent.linear if is_null(self.displacement) else self.material_acceleration(parent)
         v = self.twist.linear
         w = add3(scale3(number(2), self.to_child(parent.turning.velocity)), self.twist.angular)
         own = add3(rates(v, rate), cross3(w, v))
