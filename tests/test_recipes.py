@@ -25,7 +25,7 @@ from symbody import (
     translate,
 )
 from symbody.dynamics import Equations
-from symbody.geometry.frame_motion import FrameMotion
+from symbody.geometry.motion.frame_motion import FrameMotion
 from symbody.multibody import Load, System
 from symbody.simulation.integrate.methods import METHODS
 from symbody.symbolic import free_symbols

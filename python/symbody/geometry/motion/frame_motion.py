@@ -13,11 +13,10 @@ from hashlib import blake2b
 from types import MappingProxyType
 from typing import ClassVar, TypeAlias
 
+from symbody.geometry.component.triple import NULL, Rate, Scalar, Triple, is_null, rates
+from symbody.geometry.component.turning import Accelerated, Nine, Turning
+from symbody.geometry.component.twist import Twist
 from symbody.symbolic import Expr, add3, cross3, matvec3, number, scale3, time_derivatives
-
-from .triple import NULL, Rate, Scalar, Triple, is_null, rates
-from .turning import Accelerated, Nine, Turning
-from .twist import Twist
 
 Substitution: TypeAlias = Mapping[Expr, Scalar]
 Rows: TypeAlias = tuple[Triple, Triple, Triple]
