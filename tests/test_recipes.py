@@ -1,9 +1,10 @@
 """Who follows half a recipe of docs/extending.md is told: whatever is added is held against the laws of its kind."""
 
+import re
 import typing
 from collections.abc import Callable, Iterable, Iterator
 from importlib.util import find_spec
-from inspect import isabstract
+from inspect import getfile, isabstract
 from itertools import islice
 from pathlib import Path
 from typing import Any
@@ -24,7 +25,7 @@ from symbody import (
     translate,
 )
 from symbody.dynamics import Equations
-from symbody.geometry.frame_motion import FrameMotion
+from symbody.geometry.motion.frame_motion import FrameMotion
 from symbody.multibody import Load, System
 from symbody.simulation.integrate.methods import METHODS
 from symbody.symbolic import free_symbols
@@ -107,6 +108,17 @@ def systems() -> list[System]:
 def test_every_motion_occurs_in_the_random_systems() -> None:
     motions = {type(m) for system in systems() for body in system.bodies for m in body.frame.motions}
     assert set(concrete(FrameMotion)) <= motions
+
+
+@pytest.mark.parametrize("layer", ["geometry", "multibody", "dynamics"])
+def test_no_file_asks_of_which_kind_a_motion_is(layer: str) -> None:
+    """What a motion does differently is a method of it; only a motion itself may merge with its like."""
+    kinds = "|".join(motion.__name__ for motion in concrete(FrameMotion))
+    question = re.compile(rf"isinstance\([^()]*\b({kinds})\b|case ({kinds})\(")
+    home = Path(symbody.__file__).parent / layer
+    own = {Path(str(getfile(motion))) for motion in concrete(FrameMotion)}
+    asking = [path for path in home.rglob("*.py") if path not in own and question.search(path.read_text())]
+    assert asking == []
 
 
 def test_every_load_occurs_in_the_random_systems() -> None:

@@ -51,8 +51,8 @@ from symbody import (
     translate,
     velocity,
 )
-from symbody.geometry.floating import rate_by
-from symbody.geometry.frame_velocity import twist
+from symbody.geometry.frame.frame_velocity import twist
+from symbody.geometry.motion.floating import rate_by
 from symbody.symbolic import derivation
 from tests.laws.random_system import random_floating_system
 from tests.laws.test_formalisms import is_scleronomic

@@ -19,8 +19,8 @@ from symbody import (
     time_derivative,
     velocity,
 )
-from symbody.geometry.acceleration_field import AccelerationField
-from symbody.geometry.frame_velocity import material_velocity, twist
+from symbody.geometry.frame.acceleration_field import AccelerationField
+from symbody.geometry.frame.frame_velocity import material_velocity, twist
 from symbody.symbolic import derivation
 from tests.laws.random_system import random_system
 

@@ -31,7 +31,7 @@ from symbody import (
     translate,
 )
 from symbody.errors import SymbodyError
-from symbody.geometry.frame_velocity import twist
+from symbody.geometry.frame.frame_velocity import twist
 from symbody.symbolic import combine_trig
 
 x, y, z, a, b, c = functions_of_time("x y z a b c")

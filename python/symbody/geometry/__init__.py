@@ -1,12 +1,12 @@
 """Frames, points and vectors, their velocities and accelerations."""
 
-from .elementary import floating_frame, moving_frame, rotate, translate
-from .frame import Frame, ground
-from .point import Point, origin
-from .project import project
-from .triple import Scalar, Triple
-from .vector import Vector, cross, dot
-from .velocity import acceleration, angular_velocity, frozen_velocity, velocity
+from symbody.geometry.component.triple import Scalar, Triple
+from symbody.geometry.frame.elementary import floating_frame, moving_frame, rotate, translate
+from symbody.geometry.frame.frame import Frame, ground
+from symbody.geometry.point.point import Point, origin
+from symbody.geometry.point.project import project
+from symbody.geometry.point.vector import Vector, cross, dot
+from symbody.geometry.point.velocity import acceleration, angular_velocity, frozen_velocity, velocity
 
 __all__ = [
     "Frame",

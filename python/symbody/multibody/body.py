@@ -7,9 +7,9 @@ from typing import Annotated, TypeAlias, final
 
 from symbody.errors import BodyError
 from symbody.geometry import Frame, Point, Scalar, Triple, origin
-from symbody.geometry.argument import checked
-from symbody.geometry.translation import Translation
-from symbody.geometry.triple import expression, triple
+from symbody.geometry.component.triple import expression, triple
+from symbody.geometry.given.argument import checked
+from symbody.geometry.motion.translation import Translation
 from symbody.symbolic import Expr, Matrix, matvec3
 from symbody.symbolic.given.arguments import brief
 

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from symbody.errors import ModelError
 from symbody.geometry import Vector
-from symbody.geometry.argument import checked
-from symbody.geometry.frame_velocity import origin_velocity, spin
+from symbody.geometry.frame.frame_velocity import origin_velocity, spin
+from symbody.geometry.given.argument import checked
 from symbody.symbolic import Expr, derivation, dot3, number
 
 from .body import Body

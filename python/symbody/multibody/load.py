@@ -8,9 +8,9 @@ from typing import final
 
 from symbody.errors import LoadError
 from symbody.geometry import Frame, Point, Scalar, Triple, Vector
-from symbody.geometry.argument import checked
-from symbody.geometry.coordinates import path
-from symbody.geometry.frame_velocity import Seen, material_velocity, spin
+from symbody.geometry.frame.coordinates import path
+from symbody.geometry.frame.frame_velocity import Seen, material_velocity, spin
+from symbody.geometry.given.argument import checked
 from symbody.symbolic import Expr, derivation, dot3, number
 from symbody.symbolic.given.arguments import brief, counted
 

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from symbody.errors import ModelError
 from symbody.geometry import Point, Triple, Vector, velocity
-from symbody.geometry.argument import checked
-from symbody.geometry.coordinates import vector_components
-from symbody.geometry.frame_velocity import origin_velocity, spin
-from symbody.geometry.triple import NULL
+from symbody.geometry.component.triple import NULL
+from symbody.geometry.frame.coordinates import vector_components
+from symbody.geometry.frame.frame_velocity import origin_velocity, spin
+from symbody.geometry.given.argument import checked
 from symbody.symbolic import add3, cross3, derivation, scale3, sub3
 
 from .body import Body

@@ -25,7 +25,7 @@ from numpy.typing import NDArray
 
 from symbody.errors import notify
 from symbody.geometry import Frame
-from symbody.geometry.frame_velocity import pose_from
+from symbody.geometry.frame.frame_velocity import pose_from
 from symbody.symbolic import Expr
 from symbody.symbolic.given.arguments import brief
 

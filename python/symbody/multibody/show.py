@@ -8,7 +8,7 @@ from typing import Annotated, Protocol, TypeAlias, runtime_checkable
 
 from symbody.errors import ModelError
 from symbody.geometry import Frame, Point, Vector
-from symbody.geometry.argument import checked
+from symbody.geometry.given.argument import checked
 from symbody.symbolic import Expr, Matrix
 
 from .body import Body

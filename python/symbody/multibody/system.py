@@ -10,9 +10,9 @@ from typing import Annotated, TypeAlias, TypeVar, final
 
 from symbody.errors import ConstraintError, ModelError, ModelNotice
 from symbody.geometry import Frame, Scalar, Vector
-from symbody.geometry.argument import checked
-from symbody.geometry.floating import by_speeds, known_rates, rate_by
-from symbody.geometry.triple import Rate, expression
+from symbody.geometry.component.triple import Rate, expression
+from symbody.geometry.given.argument import checked
+from symbody.geometry.motion.floating import by_speeds, known_rates, rate_by
 from symbody.symbolic import Expr, functions_of_time, time_derivative
 from symbody.symbolic.given.arguments import brief, counted
 

@@ -6,8 +6,8 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 from symbody.geometry import Frame, Point, origin
-from symbody.geometry.translation import Translation
-from symbody.geometry.triple import Triple, is_null
+from symbody.geometry.component.triple import Triple, is_null
+from symbody.geometry.motion.translation import Translation
 from symbody.multibody import Body
 
 

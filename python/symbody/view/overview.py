@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
-from symbody.geometry.floating import Floating
-from symbody.geometry.frame_motion import FrameMotion
-from symbody.geometry.rotation import Rotation
-from symbody.geometry.translation import Translation
+from symbody.geometry.motion.floating import Floating
+from symbody.geometry.motion.frame_motion import FrameMotion
+from symbody.geometry.motion.rotation import Rotation
+from symbody.geometry.motion.translation import Translation
 from symbody.multibody import System
 from symbody.symbolic import Expr, number, pi, substitute, time_derivative
 from symbody.view.attachment import natural_points

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from typing import Any, final
 
 from symbody.geometry import Frame, Scalar
-from symbody.geometry.triple import expression
+from symbody.geometry.component.triple import expression
 from symbody.symbolic import Expr
 
 Place = tuple[Scalar, Scalar, Scalar]

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from typing import Annotated, TypeAlias
 
 from symbody.geometry import Scalar
-from symbody.geometry.triple import Rate, expression
+from symbody.geometry.component.triple import Rate, expression
 from symbody.symbolic import Expr, derivation, time_derivatives
 
 Damping: TypeAlias = Annotated[

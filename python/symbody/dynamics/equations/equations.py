@@ -8,7 +8,7 @@ from functools import cached_property
 
 from symbody.errors import ModelError
 from symbody.geometry import Scalar
-from symbody.geometry.argument import checked
+from symbody.geometry.given.argument import checked
 from symbody.multibody import System
 from symbody.symbolic import Expr, Matrix, Program, free_symbols, listing
 from symbody.symbolic.given.arguments import counted

@@ -5,11 +5,11 @@ from __future__ import annotations
 from symbody.dynamics.inertia.spin_momentum import spin_momentum_rate
 from symbody.errors import ModelError
 from symbody.geometry import Frame, Point, Triple, Vector, acceleration
-from symbody.geometry.argument import checked
-from symbody.geometry.coordinates import vector_components
-from symbody.geometry.frame_velocity import spin
-from symbody.geometry.triple import NULL, rates
-from symbody.geometry.turning import Turning
+from symbody.geometry.component.triple import NULL, rates
+from symbody.geometry.component.turning import Turning
+from symbody.geometry.frame.coordinates import vector_components
+from symbody.geometry.frame.frame_velocity import spin
+from symbody.geometry.given.argument import checked
 from symbody.multibody import Body
 from symbody.multibody.load import Action
 from symbody.multibody.selection import Objects, Selection, select_bodies

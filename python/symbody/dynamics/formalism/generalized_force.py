@@ -8,9 +8,9 @@ from typing import Annotated, TypeAlias, overload
 
 from symbody.dynamics.tree.partial_motion import slope
 from symbody.errors import ModelError
-from symbody.geometry.argument import checked
-from symbody.geometry.frame_velocity import displacement_rate, pose_from
-from symbody.geometry.placement import axial_rate
+from symbody.geometry.frame.frame_velocity import displacement_rate, pose_from
+from symbody.geometry.given.argument import checked
+from symbody.geometry.motion.placement import axial_rate
 from symbody.multibody import Action, Load
 from symbody.symbolic import Expr, derivation, dot3, number
 

@@ -13,8 +13,8 @@ from symbody.dynamics.recursion.inverse_dynamics import at_rest, bias, inverse_d
 from symbody.dynamics.recursion.mass_matrix import mass_matrix
 from symbody.dynamics.tree.frame_tree import FrameTree, frame_tree, given_twist
 from symbody.errors import ModelError
-from symbody.geometry.argument import checked
-from symbody.geometry.triple import NULL, Triple
+from symbody.geometry.component.triple import NULL, Triple
+from symbody.geometry.given.argument import checked
 from symbody.multibody import Body, System, kinetic_energy
 from symbody.multibody.coordinate import check_function_of_time
 from symbody.multibody.load import action_velocity

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from symbody.errors import ModelError
 from symbody.geometry import Frame, Triple, Vector, acceleration
-from symbody.geometry.argument import checked
+from symbody.geometry.given.argument import checked
 from symbody.multibody import Body
 from symbody.multibody.selection import Objects, select_bodies
 from symbody.symbolic import add3, derivation, scale3, sub3

@@ -10,7 +10,7 @@ from symbody.dynamics.recursion.inverse_dynamics import bias, inverse_dynamics
 from symbody.dynamics.recursion.mass_matrix import mass_matrix
 from symbody.dynamics.tree.frame_tree import FrameTree, frame_tree
 from symbody.errors import FrameError, ModelError
-from symbody.geometry.argument import checked
+from symbody.geometry.given.argument import checked
 from symbody.multibody import System
 from symbody.symbolic import derivation
 from symbody.symbolic.given.arguments import brief

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from symbody.geometry.frame_motion import FrameMotion, Symmetric
-from symbody.geometry.triple import NULL, Triple, is_null
-from symbody.geometry.turning import Nine, nine
+from symbody.geometry.component.triple import NULL, Triple, is_null
+from symbody.geometry.component.turning import Nine, nine
+from symbody.geometry.motion.frame_motion import FrameMotion, Symmetric
 from symbody.symbolic import add3, cross3, matvec3, matvec3_transposed
 
 from .composite import Composite, tensor_times, turned

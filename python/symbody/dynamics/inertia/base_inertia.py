@@ -21,7 +21,7 @@ from typing import NamedTuple, final
 
 from symbody.dynamics.tree.frame_tree import FrameTree
 from symbody.dynamics.tree.rigid_group import RigidGroups
-from symbody.geometry.triple import NULL, Triple, is_null
+from symbody.geometry.component.triple import NULL, Triple, is_null
 from symbody.multibody import Body, System
 from symbody.symbolic import Expr, number, scale3
 

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from symbody.geometry.frame_motion import FrameMotion, Symmetric
-from symbody.geometry.triple import NULL, Triple, is_null
+from symbody.geometry.component.triple import NULL, Triple, is_null
+from symbody.geometry.motion.frame_motion import FrameMotion, Symmetric
 from symbody.multibody import Body
 from symbody.symbolic import Expr, add3, cross3, matvec3, number, scale3, sub3
 

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from symbody.dynamics.tree.frame_tree import FrameTree
-from symbody.geometry.acceleration_field import AccelerationField
-from symbody.geometry.triple import NULL, is_null
-from symbody.geometry.turning import Accelerated
+from symbody.geometry.component.triple import NULL, is_null
+from symbody.geometry.component.turning import Accelerated
+from symbody.geometry.frame.acceleration_field import AccelerationField
 from symbody.multibody import Body
 from symbody.symbolic import add3, cross3, matvec3, scale3, sub3
 

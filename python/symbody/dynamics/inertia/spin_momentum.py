@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from symbody.geometry.triple import NULL, Triple, is_null
-from symbody.geometry.turning import Turning
+from symbody.geometry.component.triple import NULL, Triple, is_null
+from symbody.geometry.component.turning import Turning
 from symbody.multibody import Body
 from symbody.symbolic import Expr
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from symbody.dynamics.tree.partial_motion import PartialTwist
-from symbody.geometry.frame_motion import FrameMotion
-from symbody.geometry.triple import Triple, is_null
+from symbody.geometry.component.triple import Triple, is_null
+from symbody.geometry.motion.frame_motion import FrameMotion
 from symbody.symbolic import Expr, add3, cross3, dot3, scale3, sub3
 
 

@@ -26,8 +26,8 @@ from symbody.dynamics.inertia.wrench import Wrench
 from symbody.dynamics.tree.frame_tree import FrameTree
 from symbody.dynamics.tree.partial_motion import PartialTwist
 from symbody.errors import ModelError
-from symbody.geometry.frame_motion import FrameMotion
-from symbody.geometry.triple import NULL, Triple, is_null
+from symbody.geometry.component.triple import NULL, Triple, is_null
+from symbody.geometry.motion.frame_motion import FrameMotion
 from symbody.multibody import System
 from symbody.symbolic import Expr, add3, cross3, number, scale3
 

@@ -30,7 +30,7 @@ def forces_along_speeds(tree: FrameTree, wrenches: Sequence[Wrench]) -> tuple[Ex
             tau[k] += share
         if F[i].is_null:
             continue
-        if not slides(tree, i):
+        if tree.moved_by[i] and not slides(tree, i):
             for k, S in tree.partial_twists(i).items():
                 tau[k] += F[i].power(S)
         parent = tree.parents[i]

@@ -19,8 +19,8 @@ from symbody.dynamics.inertia.inertia_wrench import inertia_wrenches
 from symbody.dynamics.inertia.wrench import Wrench
 from symbody.dynamics.tree.frame_tree import FrameTree
 from symbody.geometry import Point
-from symbody.geometry.acceleration_field import AccelerationField
-from symbody.geometry.triple import NULL, Rate, Triple
+from symbody.geometry.component.triple import NULL, Rate, Triple
+from symbody.geometry.frame.acceleration_field import AccelerationField
 from symbody.multibody import Action, System
 from symbody.symbolic import Expr, ExprLike, cross3, sub3, substitute, time_derivatives
 

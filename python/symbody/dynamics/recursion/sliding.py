@@ -16,7 +16,7 @@ from operator import add
 from typing import NamedTuple
 
 from symbody.dynamics.tree.frame_tree import FrameTree
-from symbody.geometry.triple import Triple
+from symbody.geometry.component.triple import Triple
 from symbody.symbolic import Expr, add3, dot3, number, scale3
 
 from .subset_sum import SubsetSum

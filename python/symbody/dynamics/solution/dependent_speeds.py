@@ -7,7 +7,7 @@ from typing import Annotated, TypeAlias
 
 from symbody.dynamics.equations.equations import Equations
 from symbody.errors import ConstraintError, ModelError
-from symbody.geometry.argument import checked
+from symbody.geometry.given.argument import checked
 from symbody.symbolic import Expr, Matrix, derivation, linear_solve, substitute
 from symbody.symbolic.given.arguments import brief, counted
 

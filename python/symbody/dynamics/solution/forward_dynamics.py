@@ -23,7 +23,7 @@ from symbody.dynamics.recursion import articulated_body
 from symbody.dynamics.recursion.inverse_dynamics import at_rest
 from symbody.dynamics.tree.frame_tree import FrameTree, frame_tree
 from symbody.errors import ExpressionError, ModelError
-from symbody.geometry.argument import checked
+from symbody.geometry.given.argument import checked
 from symbody.symbolic import (
     Expr,
     cost,

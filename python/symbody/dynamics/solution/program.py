@@ -8,7 +8,7 @@ from symbody.dynamics.equations.baumgarte import Damping
 from symbody.dynamics.equations.equations import Equations
 from symbody.dynamics.equations.output import Output, Outputs
 from symbody.errors import ModelError, ProgramError
-from symbody.geometry.argument import checked
+from symbody.geometry.given.argument import checked
 from symbody.multibody import gravitational_energy, kinetic_energy
 from symbody.symbolic import (
     Program,

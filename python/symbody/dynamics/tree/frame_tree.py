@@ -7,8 +7,8 @@ from dataclasses import dataclass, field
 
 from symbody.errors import ModelError
 from symbody.geometry import Frame
-from symbody.geometry.frame_motion import FrameMotion
-from symbody.geometry.twist import Twist
+from symbody.geometry.component.twist import Twist
+from symbody.geometry.motion.frame_motion import FrameMotion
 from symbody.multibody import Action, Body, System
 from symbody.symbolic import derivation, free_symbols
 from symbody.symbolic.given.arguments import brief

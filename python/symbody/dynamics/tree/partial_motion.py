@@ -6,9 +6,9 @@ from collections.abc import Sequence
 from functools import partial
 from typing import NamedTuple
 
-from symbody.geometry.frame_motion import FrameMotion
-from symbody.geometry.triple import NULL, Triple, is_null
-from symbody.geometry.twist import Twist
+from symbody.geometry.component.triple import NULL, Triple, is_null
+from symbody.geometry.component.twist import Twist
+from symbody.geometry.motion.frame_motion import FrameMotion
 from symbody.symbolic import Expr, jacobian
 
 

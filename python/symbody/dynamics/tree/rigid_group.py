@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import final
 
-from symbody.geometry.triple import is_null
+from symbody.geometry.component.triple import is_null
 
 from .frame_tree import FrameTree
 

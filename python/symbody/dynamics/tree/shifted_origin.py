@@ -12,10 +12,10 @@ from collections.abc import Sequence
 from typing import NamedTuple, final
 
 from symbody.geometry import Frame, Triple
-from symbody.geometry.frame_motion import FrameMotion
-from symbody.geometry.rotation import along
-from symbody.geometry.translation import Translation
-from symbody.geometry.triple import is_null
+from symbody.geometry.component.triple import is_null
+from symbody.geometry.motion.frame_motion import FrameMotion
+from symbody.geometry.motion.rotation import along
+from symbody.geometry.motion.translation import Translation
 from symbody.symbolic import add3, cross3, dot3, number, sub3
 
 

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from symbody.codegen import CompiledFunction, lambdify
 from symbody.dynamics import Equations
 from symbody.errors import ModelError
-from symbody.geometry.floating import Floating
+from symbody.geometry.motion.floating import Floating
 from symbody.multibody import System
 from symbody.multibody.frames import all_frames
 from symbody.simulation.given.given_input import Given, with_given

@@ -3,15 +3,15 @@
 from __future__ import annotations
 
 from symbody.errors import FrameError
-from symbody.geometry.frame_velocity import material_velocity, spin, twist
+from symbody.geometry.component.triple import Triple, rates
+from symbody.geometry.frame.acceleration_field import AccelerationField
+from symbody.geometry.frame.frame import Frame
+from symbody.geometry.frame.frame_velocity import material_velocity, spin, twist
+from symbody.geometry.given.argument import checked
+from symbody.geometry.motion.floating import rate_by
 from symbody.symbolic import add3, cross3, derivation, matvec3, number, scale3
 
-from .acceleration_field import AccelerationField
-from .argument import checked
-from .floating import rate_by
-from .frame import Frame
 from .point import Point
-from .triple import Triple, rates
 from .vector import Vector
 
 

@@ -9,12 +9,12 @@ from __future__ import annotations
 
 from typing import final
 
+from symbody.geometry.component.triple import NULL, Rate, Triple, is_null, rates
+from symbody.geometry.component.turning import Column, Nine, Turning, nine
+from symbody.geometry.given.angle import substituted
 from symbody.symbolic import Expr, add3, cos, cross3, number, rotate3, rotate_back3, sin, time_derivatives
 
-from .angle import substituted
 from .frame_motion import FrameMotion, Substitution, Symmetric
-from .triple import NULL, Rate, Triple, is_null, rates
-from .turning import Column, Nine, Turning, nine
 
 AXES = "XYZ"
 

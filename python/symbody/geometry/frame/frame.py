@@ -7,13 +7,11 @@ from hashlib import blake2b
 from typing import Annotated, NamedTuple, TypeAlias, TypeVar, final
 
 from symbody.errors import FrameError
-from symbody.symbolic import Expr, Matrix, add3, derivation, dot3, number
-from symbody.symbolic.given.arguments import brief
-
-from .argument import checked
-from .frame_motion import FrameMotion, Rows, Substitution
-from .matrix_of_angles import least_distance
-from .orientation import (
+from symbody.geometry.component.triple import NULL, Scalar, Triple, triple
+from symbody.geometry.component.twist import Twist
+from symbody.geometry.given.argument import checked
+from symbody.geometry.matrix.matrix_of_angles import least_distance
+from symbody.geometry.matrix.orientation import (
     ROUGH,
     distance_from_rotation,
     largest_difference,
@@ -21,12 +19,13 @@ from .orientation import (
     report_rounding,
     turns,
 )
-from .placement import Placement, is_rotation
-from .rotation import Rotation
-from .rounded_matrix import without_rounding
-from .translation import Translation
-from .triple import NULL, Scalar, Triple, triple
-from .twist import Twist
+from symbody.geometry.matrix.rounded_matrix import without_rounding
+from symbody.geometry.motion.frame_motion import FrameMotion, Rows, Substitution
+from symbody.geometry.motion.placement import Placement, is_rotation
+from symbody.geometry.motion.rotation import Rotation
+from symbody.geometry.motion.translation import Translation
+from symbody.symbolic import Expr, Matrix, add3, derivation, dot3, number
+from symbody.symbolic.given.arguments import brief
 
 State = TypeVar("State")
 Rows4: TypeAlias = Annotated[

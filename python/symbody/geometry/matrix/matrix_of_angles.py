@@ -9,12 +9,12 @@ from __future__ import annotations
 from math import isfinite, pi
 
 from symbody.errors import SymbodyError
+from symbody.geometry.motion.frame_motion import Rows
+from symbody.geometry.motion.placement import is_rotation
 from symbody.symbolic import Expr, free_symbols
 from symbody.symbolic.expression.traverse import post_order
 
-from .frame_motion import Rows
 from .orientation import distance_from_rotation
-from .placement import is_rotation
 
 _WAVES = ("sin", "cos", "tan")
 _GOLDEN = 0.6180339887498949

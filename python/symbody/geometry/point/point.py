@@ -5,13 +5,13 @@ from __future__ import annotations
 from typing import final, overload
 
 from symbody.errors import FrameError
+from symbody.geometry.component.triple import NULL, Scalar, Triple, triple
+from symbody.geometry.frame.coordinates import Ends, point_coordinates
+from symbody.geometry.frame.frame import Frame
+from symbody.geometry.given.argument import checked
+from symbody.geometry.motion.frame_motion import Substitution
 from symbody.symbolic import add3
 
-from .argument import checked
-from .coordinates import Ends, point_coordinates
-from .frame import Frame
-from .frame_motion import Substitution
-from .triple import NULL, Scalar, Triple, triple
 from .vector import Vector, column
 
 

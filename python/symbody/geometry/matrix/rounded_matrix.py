@@ -7,12 +7,12 @@ from __future__ import annotations
 
 from math import asin, prod
 
+from symbody.geometry.motion.frame_motion import Rows
+from symbody.geometry.motion.placement import is_rotation
 from symbody.symbolic import Expr, multiple_of_pi, number, sin
 from symbody.symbolic.expression.traverse import post_order
 
-from .frame_motion import Rows
 from .orientation import SNAP
-from .placement import is_rotation
 
 
 def without_rounding(rows: Rows) -> Rows:

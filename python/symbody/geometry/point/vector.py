@@ -5,13 +5,12 @@ from __future__ import annotations
 from typing import Annotated, TypeAlias, final
 
 from symbody.errors import FrameError
+from symbody.geometry.component.triple import Scalar, Triple, expression, triple
+from symbody.geometry.frame.coordinates import Ends, difference, vector_components
+from symbody.geometry.frame.frame import Frame
+from symbody.geometry.given.argument import checked
+from symbody.geometry.motion.frame_motion import Substitution
 from symbody.symbolic import Expr, add3, cross3, dot3, number, scale3, sub3
-
-from .argument import checked
-from .coordinates import Ends, difference, vector_components
-from .frame import Frame
-from .frame_motion import Substitution
-from .triple import Scalar, Triple, expression, triple
 
 Factor: TypeAlias = Annotated[Scalar, "an expression or a number; two vectors multiply by dot and cross"]
 

@@ -6,21 +6,21 @@ from collections.abc import Sequence
 from typing import Annotated, Protocol, TypeAlias, runtime_checkable
 
 from symbody.errors import FrameError
+from symbody.geometry.component.triple import Scalar, Triple, triple
+from symbody.geometry.component.twist import Twist
+from symbody.geometry.given.angle import angle as angle_in_radians
+from symbody.geometry.given.argument import checked
+from symbody.geometry.matrix.orientation import ROUGH, exact_axis, report_rounding
+from symbody.geometry.motion.axis_rotation import is_unit, rotation_about
+from symbody.geometry.motion.floating import floating
+from symbody.geometry.motion.frame_motion import FrameMotion
+from symbody.geometry.motion.rotation import AXES, Rotation
+from symbody.geometry.motion.translation import Translation
 from symbody.symbolic import Expr, functions_of_time
 from symbody.symbolic.given.arguments import brief, counted
 
-from .angle import angle as angle_in_radians
-from .argument import checked
-from .axis_rotation import is_unit, rotation_about
-from .floating import floating
 from .frame import Frame, ground
-from .frame_motion import FrameMotion
-from .orientation import ROUGH, exact_axis, report_rounding
-from .rotation import AXES, Rotation
 from .tracking import tracking
-from .translation import Translation
-from .triple import Scalar, Triple, triple
-from .twist import Twist
 
 Functions: TypeAlias = Annotated[
     Sequence[Expr], "a list of functions of time, such as functions_of_time('x y z')"

@@ -14,6 +14,9 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import TypeAlias, final
 
+from symbody.geometry.component.triple import Rate, Triple, is_null, rates
+from symbody.geometry.component.turning import Accelerated
+from symbody.geometry.component.twist import Twist
 from symbody.symbolic import (
     Expr,
     add3,
@@ -30,9 +33,6 @@ from symbody.symbolic import (
 
 from .frame_motion import FrameMotion, Rows, Substitution
 from .placement import Placement
-from .triple import Rate, Triple, is_null, rates
-from .turning import Accelerated
-from .twist import Twist
 
 Quaternion: TypeAlias = tuple[Expr, Expr, Expr, Expr]
 """Euler parameters: cos(a/2), and sin(a/2) times the axis, of a turn by a."""
@@ -99,7 +99,7 @@ class Floating(FrameMotion):
 
     def child_acceleration(self, parent: Accelerated, rate: Rate) -> Accelerated:
         """Return ``a_B = R^T (a_A + F_A d) + v' + (2 R^T w_A + w) x v``, and how the child turns."""
-        linear = self.material_acceleration(parent)
+        linear = parent.linear if is_null(self.displacement) else self.material_acceleration(parent)
         v = self.twist.linear
         w = add3(scale3(number(2), self.to_child(parent.turning.velocity)), self.twist.angular)
         own = add3(rates(v, rate), cross3(w, v))

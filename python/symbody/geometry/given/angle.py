@@ -6,10 +6,9 @@ from collections.abc import Mapping
 from math import pi
 
 from symbody.errors import notify
+from symbody.geometry.component.triple import Scalar
 from symbody.symbolic import Expr, exact_angle, meant_multiple_of_pi, radians
 from symbody.symbolic.given.arguments import brief
-
-from .triple import Scalar
 
 
 def angle(value: Scalar, where: str) -> Expr:

@@ -5,12 +5,12 @@ from __future__ import annotations
 from functools import cached_property
 from typing import final
 
+from symbody.geometry.component.triple import Rate, Triple, is_null, rates
+from symbody.geometry.given.angle import substituted
 from symbody.symbolic import Expr, add3, cos, cross3, dot3, matvec3, scale3, sin
 
-from .angle import substituted
 from .frame_motion import FrameMotion, Substitution
 from .rotation import Rotation
-from .triple import Rate, Triple, is_null, rates
 
 
 @final

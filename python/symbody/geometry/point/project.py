@@ -5,9 +5,8 @@ from __future__ import annotations
 from typing import Protocol, Self, TypeVar, runtime_checkable
 
 from symbody.errors import FrameError
-
-from .argument import checked
-from .frame import Frame
+from symbody.geometry.frame.frame import Frame
+from symbody.geometry.given.argument import checked
 
 
 @runtime_checkable

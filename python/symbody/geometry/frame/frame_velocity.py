@@ -13,11 +13,12 @@ from __future__ import annotations
 
 from typing import NamedTuple
 
-from symbody.geometry.frame import UNMOVED, Frame, Pose, along_chain, moved
-from symbody.geometry.placement import axial_rate, transposed
-from symbody.geometry.triple import NULL, Rate, Triple, is_null, rates
-from symbody.geometry.twist import Twist
+from symbody.geometry.component.triple import NULL, Rate, Triple, is_null, rates
+from symbody.geometry.component.twist import Twist
+from symbody.geometry.motion.placement import axial_rate, transposed
 from symbody.symbolic import add3, cross3, derivation, matvec3, time_derivatives
+
+from .frame import UNMOVED, Frame, Pose, along_chain, moved
 
 
 class Seen(NamedTuple):

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from typing import final
 
+from symbody.geometry.component.triple import NULL, Rate, Triple, rates
 from symbody.symbolic import Expr, Matrix, cross3, dot3, matvec3, sub3
 
 from .frame_motion import FrameMotion, Rows, Substitution
-from .triple import NULL, Rate, Triple, rates
 
 
 @final

@@ -12,11 +12,11 @@ from __future__ import annotations
 
 from typing import final
 
+from symbody.geometry.component.triple import NULL, Rate, Triple, rates
+from symbody.geometry.component.turning import Accelerated, Turning
 from symbody.symbolic import add3, cross3, time_derivatives
 
 from .frame import Frame, along_chain
-from .triple import NULL, Rate, Triple, rates
-from .turning import Accelerated, Turning
 
 
 @final

@@ -12,7 +12,10 @@ from functools import cache
 from itertools import permutations
 
 from symbody.errors import ExpressionError, FrameError
-from symbody.geometry.frame_velocity import twist
+from symbody.geometry.component.triple import Triple
+from symbody.geometry.component.twist import Twist
+from symbody.geometry.motion.floating import Floating
+from symbody.geometry.motion.placement import Placement
 from symbody.symbolic import (
     Expr,
     derivation,
@@ -26,12 +29,9 @@ from symbody.symbolic import (
 )
 from symbody.symbolic.given.arguments import brief
 
-from .floating import Floating
 from .frame import Frame, ground
-from .placement import Placement
+from .frame_velocity import twist
 from .regular_form import regular_form
-from .triple import Triple
-from .twist import Twist
 
 
 def tracking(pose: Frame, velocities: Twist) -> Floating:

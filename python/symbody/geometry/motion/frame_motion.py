@@ -13,11 +13,10 @@ from hashlib import blake2b
 from types import MappingProxyType
 from typing import ClassVar, TypeAlias
 
+from symbody.geometry.component.triple import NULL, Rate, Scalar, Triple, is_null, rates
+from symbody.geometry.component.turning import Accelerated, Nine, Turning
+from symbody.geometry.component.twist import Twist
 from symbody.symbolic import Expr, add3, cross3, matvec3, number, scale3, time_derivatives
-
-from .triple import NULL, Rate, Scalar, Triple, is_null, rates
-from .turning import Accelerated, Nine, Turning
-from .twist import Twist
 
 Substitution: TypeAlias = Mapping[Expr, Scalar]
 Rows: TypeAlias = tuple[Triple, Triple, Triple]
@@ -139,11 +138,13 @@ class FrameMotion(ABC):
             parent: the acceleration of the parent, and how it turns.
             rate: the time derivative of velocities.
         """
-        turning, linear = parent.turning, self.material_acceleration(parent)
-        drift = NULL if is_null(self.displacement) else self.drift(time_derivatives)
-        if not is_null(drift):
-            coriolis = scale3(number(2), cross3(turning.velocity, drift))
-            linear = add3(linear, add3(coriolis, rates(drift, rate)))
+        turning, linear = parent
+        if not is_null(self.displacement):
+            linear = self.material_acceleration(parent)
+            drift = self.drift(time_derivatives)
+            if not is_null(drift):
+                coriolis = scale3(number(2), cross3(turning.velocity, drift))
+                linear = add3(linear, add3(coriolis, rates(drift, rate)))
         if not self.rotates:
             return Accelerated(turning, linear)
         return Accelerated(self.child_turning(turning, rate), self.to_child(linear))
@@ -151,7 +152,7 @@ class FrameMotion(ABC):
     def material_acceleration(self, parent: Accelerated) -> Triple:
         """Return ``a_A + F_A d``, the acceleration of the parent's point that coincides with the child's origin."""
         turning, linear = parent
-        if is_null(self.displacement) or (is_null(turning.velocity) and is_null(turning.acceleration)):
+        if is_null(turning.velocity) and is_null(turning.acceleration):
             return linear
         return add3(linear, matvec3(turning.field, self.displacement))
 

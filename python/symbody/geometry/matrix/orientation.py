@@ -14,10 +14,9 @@ from math import sin as sine_of
 from typing import TypeAlias
 
 from symbody.errors import notify
+from symbody.geometry.component.triple import Triple
 from symbody.symbolic import Expr, cos, multiple_of_pi, number, sin
 from symbody.symbolic import sqrt as root
-
-from .triple import Triple
 
 Numbers: TypeAlias = Sequence[Sequence[float]]
 """A 3x3 matrix of numbers by rows."""

@@ -6,12 +6,12 @@ from itertools import combinations
 from typing import NamedTuple
 
 from symbody.errors import FrameError
+from symbody.geometry.component.triple import Triple, is_null
+from symbody.geometry.motion.frame_motion import FrameMotion, Substitution
 from symbody.symbolic import add3, derivation, sub3
 from symbody.symbolic.given.arguments import brief
 
 from .frame import Frame
-from .frame_motion import FrameMotion, Substitution
-from .triple import Triple, is_null
 
 
 def vector_components(v: Triple, source: Frame, target: Frame) -> Triple:

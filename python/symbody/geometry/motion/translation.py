@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from typing import final
 
+from symbody.geometry.component.triple import NULL, Rate, Triple, is_null
 from symbody.symbolic import Expr, number, scale3
 
 from .frame_motion import FrameMotion, Substitution
-from .triple import NULL, Rate, Triple, is_null
 
 
 @final

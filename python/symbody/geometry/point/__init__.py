@@ -1,0 +1,1 @@
+"""Points and vectors, their projections, velocities and accelerations."""
