@@ -37,12 +37,12 @@ _interrupted: set[StopFlag] = set()
 """The calls whose tasks stop in this process only, because it received Ctrl-C."""
 
 
-def cores() -> int:
+def core_count() -> int:
     """Return the number of processors that this process may use."""
     return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 
 
-def in_threads(
+def run_in_threads(
     task: Task,
     cases: Cases,
     indices: NDArray[np.intp],
@@ -60,22 +60,22 @@ def in_threads(
         keep_going: called some times a second with the number of finished cases; False ends all of them.
         span: the longest time for a part, in s; a part has at least as many cases as there are threads.
     """
-    most = max(threads, _fitting(task))
+    most = max(threads, _cases_in_memory(task))
     size, done = most if span == inf else min(most, 4 * threads), 0
     while done < len(indices) and keep_going(done):
         chosen, begin = indices[done : done + size], monotonic()
-        yield chosen, run_cases(task, cases.some(chosen), threads, _later(keep_going, done))
+        yield chosen, run_cases(task, cases.subset(chosen), threads, _counting_from(keep_going, done))
         done += len(chosen)
         pace = span / max(monotonic() - begin, 1e-9)
         size = int(np.clip(size * pace, max(threads, size // 4), min(most, 4 * size)))
 
 
-def _later(keep_going: Callable[[float], bool], past: int) -> Callable[[float], bool]:
+def _counting_from(keep_going: Callable[[float], bool], past: int) -> Callable[[float], bool]:
     """Return a `keep_going` that adds the number of cases that are done already."""
     return lambda done: keep_going(past + done)
 
 
-def by_executor(
+def run_by_executor(
     task: Task,
     cases: Cases,
     indices: NDArray[np.intp],
@@ -96,7 +96,7 @@ def by_executor(
     """
     parcel, done, lost, sign = Parcel(task), 0, None, StopFlag()
     with parcel.open_here():
-        waiting = _submitted(parcel, cases, indices, executor, _fitting(task), sign)
+        waiting = _submitted(parcel, cases, indices, executor, _cases_in_memory(task), sign)
         try:
             while waiting and keep_going(done):
                 ready, _ = wait(waiting, timeout=LOOK, return_when=FIRST_COMPLETED)
@@ -113,7 +113,7 @@ def by_executor(
                 sign.set()
                 _withdraw(waiting, executor)
     if lost is not None and keep_going(done):
-        raise _lost(lost) from lost
+        raise _tasks_lost(lost) from lost
 
 
 def _submitted(
@@ -137,9 +137,9 @@ def _submitted(
     size = min(most, -(-len(indices) // TASKS))
     parts = [indices[start : start + size] for start in range(0, len(indices), size)]
     try:
-        return {executor.submit(_run, parcel, cases.some(part), sign): part for part in parts}
+        return {executor.submit(_run, parcel, cases.subset(part), sign): part for part in parts}
     except Exception as error:
-        raise _lost(error) from error
+        raise _tasks_lost(error) from error
 
 
 def _withdraw(waiting: Iterable[Future[Results]], executor: Executor) -> None:
@@ -171,13 +171,13 @@ def _run(parcel: Parcel[Task], cases: Cases, sign: StopFlag) -> Results:
     return results
 
 
-def _lost(error: BaseException) -> SimulationError:
+def _tasks_lost(error: BaseException) -> SimulationError:
     return SimulationError(
         f"simulate_many: tasks of the executor failed ({type(error).__name__}: {error}); expected an executor whose "
         "workers can import symbody and keep running"
     )
 
 
-def _fitting(task: Task) -> int:
+def _cases_in_memory(task: Task) -> int:
     """Return how many cases fit into the memory for states."""
     return max(1, MEMORY // (8 * (len(task.instants) + task.trail) * task.model.width))

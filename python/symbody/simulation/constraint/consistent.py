@@ -10,18 +10,18 @@ from numpy.typing import ArrayLike, NDArray
 
 from symbody.dynamics import Equations
 from symbody.errors import ConstraintError
-from symbody.simulation.given.unused import notice_unused
+from symbody.simulation.given.unused import warn_of_unused
 from symbody.simulation.given.values import check_equations, parameter_values, state_values
 from symbody.simulation.model.named_constraint import shortened
 from symbody.symbolic import Expr, ExprLike, number, time_derivative
 from symbody.symbolic.numeric.deficiency import reporting
 
-from .contradiction import contradiction_between, contradictory_rows_of
+from .contradiction import contradiction_between, contradictory_equations
 from .gauss_newton import gauss_newton
 from .kinematics import Kinematics, kinematics_of, neutral_position
 from .least_norm import least_norm
 
-__all__ = ["consistent_state", "found_state", "term_sizes"]
+__all__ = ["consistent_state", "solved_state", "term_sizes"]
 
 Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]
@@ -76,12 +76,12 @@ def consistent_state(
     """
     with reporting(_WHERE):
         check_equations(eqs, _WHERE)
-        state = found_state(kinematics_of(eqs, inputs), parameters, initial, guess, t)
-    notice_unused(eqs, parameters or {}, [number(value) for value in (inputs or {}).values()], _WHERE)
+        state = solved_state(kinematics_of(eqs, inputs), parameters, initial, guess, t)
+    warn_of_unused(eqs, parameters or {}, [number(value) for value in (inputs or {}).values()], _WHERE)
     return state
 
 
-def found_state(
+def solved_state(
     kinematics: Kinematics,
     parameters: Mapping[Expr, ArrayLike] | None,
     initial: Mapping[Expr, ArrayLike] | None,
@@ -136,7 +136,7 @@ class Positions:
         error = float(np.max(np.abs(phi) / term_sizes(q, phi_q, sizes)))
         return error if np.isfinite(error) else np.inf
 
-    def solved(self, q: Array, is_free: Flags, most: int = 200) -> Array:
+    def solution(self, q: Array, is_free: Flags, most: int = 200) -> Array:
         """Return the position after Gauss-Newton steps of the free coordinates, at most as many as given."""
         found = q.copy()
 
@@ -178,11 +178,11 @@ def positions(
     best, least = start, np.inf
     for beginning in starting_points(start, is_free):
         problem = Positions.at(kinematics, p, t, beginning)
-        found = problem.solved(beginning, is_free)
+        found = problem.solution(beginning, is_free)
         if problem.error(found) <= EXACT:
             return _nearest(problem, start, found, is_free)
         if problem.error(found) <= ROUNDED:
-            polished = problem.solved(found, np.ones_like(is_free))
+            polished = problem.solution(found, np.ones_like(is_free))
             if problem.error(polished) <= EXACT and np.allclose(polished, found, rtol=1e-4, atol=1e-4):
                 return polished
         if problem.error(found) < least:
@@ -220,7 +220,7 @@ def _nearest(problem: Positions, start: Array, found: Array, is_free: Flags) -> 
         back[is_free] = tangents @ (tangents.T @ (start - found)[is_free])
         if np.abs(back).max() <= 1e-10 * (1 + np.abs(found).max()):
             break
-        nearer = problem.solved(found + share * back, is_free)
+        nearer = problem.solution(found + share * back, is_free)
         if problem.error(nearer) <= EXACT and _distance(nearer, start) < _distance(found, start):
             found, share = nearer, min(1.0, 2 * share)
         elif share > 1e-3:
@@ -278,7 +278,7 @@ def velocities(
             u = u + change
         error = _relative(A, b, u, least)
     if not (error <= ROUNDED).all():
-        against = contradictory_rows_of(A[:m], b[:m], np.abs(b[:m])) if np.isfinite(A).all() else ()
+        against = contradictory_equations(A[:m], b[:m], np.abs(b[:m])) if np.isfinite(A).all() else ()
         if against:
             contradiction = contradiction_between(kinematics.system.constraints, against)
             raise ConstraintError(f"{_WHERE}: at t = {t:g} s {contradiction}")
@@ -337,7 +337,7 @@ def _unsatisfied(kinematics: Kinematics, p: Array, t: float, q: Array, fixed: Ma
     phi, phi_q, sizes = kinematics.position(t, q, p)
     system = kinematics.system
     against = (
-        contradictory_rows_of(phi_q, phi, term_sizes(q, phi_q, sizes)) if np.isfinite(phi_q).all() else ()
+        contradictory_equations(phi_q, phi, term_sizes(q, phi_q, sizes)) if np.isfinite(phi_q).all() else ()
     )
     if against:
         return f"at t = {t:g} s {contradiction_between(system.constraints, against)}"

@@ -14,7 +14,7 @@ from symbody.multibody import Body, System
 from symbody.multibody.physical_inertia import are_impossible, joined_bodies, told_difference, told_inertia
 from symbody.symbolic import Expr, free_symbols
 
-__all__ = ["notice_impossible_bodies"]
+__all__ = ["warn_of_impossible_bodies"]
 
 Array = NDArray[np.float64]
 
@@ -22,7 +22,7 @@ LOOKS = 8
 """How many of the cases with a negative mass or moment are checked for bodies that are joined."""
 
 
-def notice_impossible_bodies(system: System, given: Mapping[Expr, ArrayLike], where: str) -> None:
+def warn_of_impossible_bodies(system: System, given: Mapping[Expr, ArrayLike], where: str) -> None:
     """Give a notice of each body whose mass and inertia are impossible with the values of the parameters.
 
     Bodies whose mass and inertia are numbers were checked when they were made. Of several bodies with the same mass

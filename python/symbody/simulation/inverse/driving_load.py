@@ -108,7 +108,7 @@ class DrivingLoads:
                 "loads that are, such as a force or its amplitude"
             )
 
-    def solved(
+    def solution(
         self, instants: Array, trajectory: Trajectory, values: Mapping[Expr, float]
     ) -> tuple[Array, Array]:
         """Return loads and multipliers, one row for each instant; the least multipliers if constraints are dependent.
