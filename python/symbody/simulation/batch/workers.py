@@ -94,9 +94,9 @@ def run_by_executor(
     Raises:
         SimulationError: tasks were lost: the executor is broken, or a worker can't run the model.
     """
-    parcel, done, lost, sign = Parcel(task), 0, None, StopFlag()
+    parcel, done, lost, flag = Parcel(task), 0, None, StopFlag()
     with parcel.open_here():
-        waiting = _submitted(parcel, cases, indices, executor, _cases_in_memory(task), sign)
+        waiting = _submitted(parcel, cases, indices, executor, _cases_in_memory(task), flag)
         try:
             while waiting and keep_going(done):
                 ready, _ = wait(waiting, timeout=LOOK, return_when=FIRST_COMPLETED)
@@ -110,7 +110,7 @@ def run_by_executor(
                         yield chosen, part
         finally:
             if waiting:
-                sign.set()
+                flag.set()
                 _withdraw(waiting, executor)
     if lost is not None and keep_going(done):
         raise _tasks_lost(lost) from lost
@@ -122,7 +122,7 @@ def _submitted(
     indices: NDArray[np.intp],
     executor: Executor,
     most: int,
-    sign: StopFlag,
+    flag: StopFlag,
 ) -> dict[Future[Results], NDArray[np.intp]]:
     """Submit cases as tasks, and return the indices of the cases of each.
 
@@ -132,12 +132,12 @@ def _submitted(
         indices: those to run.
         executor: the executor.
         most: the most cases of a task.
-        sign: the flag that stops the tasks.
+        flag: the flag that stops the tasks.
     """
     size = min(most, -(-len(indices) // TASKS))
     parts = [indices[start : start + size] for start in range(0, len(indices), size)]
     try:
-        return {executor.submit(_run, parcel, cases.subset(part), sign): part for part in parts}
+        return {executor.submit(_run, parcel, cases.subset(part), flag): part for part in parts}
     except Exception as error:
         raise _tasks_lost(error) from error
 
@@ -153,21 +153,21 @@ def _withdraw(waiting: Iterable[Future[Results]], executor: Executor) -> None:
             future.cancel()
 
 
-def _run(parcel: Parcel[Task], cases: Cases, sign: StopFlag) -> Results:
+def _run(parcel: Parcel[Task], cases: Cases, flag: StopFlag) -> Results:
     """Run some cases in a worker, until the call is over or the worker receives Ctrl-C.
 
     A terminal sends Ctrl-C to all processes that it started: so a pool ends without waiting for long motions.
     """
-    if sign in _interrupted or sign.is_set():
+    if flag in _interrupted or flag.is_set():
         return empty_results(parcel.content, cases.count)
-    if sign.is_of_this_process():
-        return run_cases(parcel.content, cases, 1, lambda _: not sign.is_set())
+    if flag.is_of_this_process():
+        return run_cases(parcel.content, cases, 1, lambda _: not flag.is_set())
     with Interruption() as interruption:
         results = run_cases(
-            parcel.content, cases, 1, lambda _: not (interruption.is_asked_for or sign.is_set())
+            parcel.content, cases, 1, lambda _: not (interruption.is_asked_for or flag.is_set())
         )
     if interruption.is_asked_for:
-        _interrupted.add(sign)
+        _interrupted.add(flag)
     return results
 
 

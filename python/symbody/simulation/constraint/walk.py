@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from symbody.symbolic import Expr
 
-from .consistent import Positions
+from .consistent_position import Positions
 from .gauss_newton import gauss_newton
 from .kinematics import Kinematics
 from .vanishing_combinations import vanishing_combinations

@@ -17,7 +17,7 @@ from functools import partial
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from symbody.simulation.constraint.consistent import Positions, term_sizes
+from symbody.simulation.constraint.consistent_position import Positions, term_sizes
 from symbody.simulation.constraint.contradiction import (
     INCONSISTENT,
     cancelling_combinations,

@@ -15,6 +15,7 @@ from symbody.errors import ArgumentError, ModelError, SimulationError
 from symbody.multibody import System
 from symbody.simulation.constraint.kinematics import Kinematics, kinematics_of
 from symbody.simulation.given.given_input import with_given
+from symbody.simulation.given.parameter import parameters_among
 from symbody.simulation.given.reading import Reading
 from symbody.simulation.given.unused import warn_of_unused
 from symbody.simulation.given.values import given_inputs
@@ -236,7 +237,7 @@ def _parameters(eqs: Equations, kinematics: Kinematics) -> set[Expr]:
         *kinematics.parameters,
         *free_symbols([value for _, value in kinematics.given]),
     }
-    return {leaf for leaf in leaves if leaf.kind == "symbol" and not leaf.depends_on_time}
+    return {*parameters_among(leaves)}
 
 
 def _check_unknowns(eqs: Equations, kinematics: Kinematics, motion: object, loads: Sequence[Expr]) -> None:

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from symbody.errors import ConstraintError, SimulationError
-from symbody.simulation.constraint.consistent import EXACT, Positions, positions
+from symbody.simulation.constraint.consistent_position import EXACT, Positions, positions
 from symbody.simulation.constraint.kinematics import Kinematics
 from symbody.simulation.constraint.least_norm import least_norm_many
 from symbody.simulation.model.named_constraint import shortened

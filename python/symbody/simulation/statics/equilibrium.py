@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from symbody.dynamics import Equations
 from symbody.errors import ModelNotice, SimulationError
-from symbody.simulation.constraint.consistent import positions, starting_points
+from symbody.simulation.constraint.consistent_position import positions, starting_points
 from symbody.simulation.constraint.kinematics import kinematics_of
 from symbody.simulation.given.unused import warn_of_unused
 from symbody.simulation.given.values import given_inputs, parameter_values, state_values
