@@ -88,8 +88,8 @@ def _impossible_inertia(body: Body, mass: Array, J: Array) -> list[str]:
     if not len(places):
         return []
     first = J[places[0]]
-    told = told_inertia(body, first, has_products=bool((first - np.diag(np.diag(first))).any()))
-    return [f"{_counted(places, len(J))}{told}"]
+    text = told_inertia(body, first, has_products=bool((first - np.diag(np.diag(first))).any()))
+    return [f"{_counted(places, len(J))}{text}"]
 
 
 def _impossible_difference(
@@ -100,10 +100,10 @@ def _impossible_difference(
             name: float(np.ravel(column)[place if np.size(column) > 1 else 0])
             for name, column in given.items()
         }
-        told = told_difference(group, values)
-        if told:
+        text = told_difference(group, values)
+        if text:
             is_many = any(np.size(column) > 1 for column in given.values())
-            return [f"{f'first case {place}: ' if is_many else ''}{told}"]
+            return [f"{f'first case {place}: ' if is_many else ''}{text}"]
     return []
 
 
