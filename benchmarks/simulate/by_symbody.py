@@ -9,7 +9,7 @@ import numpy as np
 
 from symbody import simulate
 from symbody.simulation.given.options import Options
-from symbody.simulation.integrate.by_ida import ida_outcome
+from symbody.simulation.integrate.by_ida import run_ida
 from symbody.simulation.integrate.methods import METHODS
 from symbody.simulation.integrate.native import problem_of, run
 from symbody.simulation.integrate.outcome import Outcome
@@ -57,7 +57,7 @@ def _native(problem: Problem, method: str) -> Callable[[float, float], Array]:
 def _by_ida(problem: Problem) -> Callable[[float, float], Array]:
     def end(tolerance: float, duration: float) -> Array:
         options = Options(IDA, tolerance, tolerance)
-        outcome = ida_outcome(problem.model, problem.start, problem.parameters, instants(duration), options)
+        outcome = run_ida(problem.model, problem.start, problem.parameters, instants(duration), options)
         return _end(problem, outcome)
 
     return end

@@ -27,7 +27,7 @@ from symbody import (
 )
 from symbody.errors import ConstraintError, ModelNotice, SimulationError
 from symbody.simulation.constraint.kinematics import kinematics_of
-from symbody.simulation.integrate.contradictory_constraints import contradictory_rows
+from symbody.simulation.integrate.contradictory_constraints import contradictory_constraints
 from tests.simulation.singular_mechanisms import cranks
 from tests.simulation.test_notices import told
 
@@ -180,8 +180,8 @@ def test_constraints_of_a_singular_position_do_not_contradict() -> None:
 def test_in_a_singular_position_constraints_say_which_speeds_go_on() -> None:
     """Folded at the pin of the slider, with speeds that are no branch's, and with constraints that contradict."""
     state = [1.0, 0.0, 0.0, 0.0, 1.0, 0.5]
-    assert contradictory_rows(kinematics_of(equal_bars()), np.empty(0), 0.0, state, 6.0) == ()
+    assert contradictory_constraints(kinematics_of(equal_bars()), np.empty(0), 0.0, state, 6.0) == ()
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", ModelNotice)
         wrong = equal_bars(x - cos(t), x - 1 + t**2)
-    assert contradictory_rows(kinematics_of(wrong), np.empty(0), 0.0, state, 6.0) == (2, 3)
+    assert contradictory_constraints(kinematics_of(wrong), np.empty(0), 0.0, state, 6.0) == (2, 3)

@@ -36,7 +36,7 @@ from symbody import (
 )
 from symbody.errors import ModelNotice
 from symbody.simulation.constraint import singular_passage
-from symbody.simulation.constraint.constraint_directions import masses_and_slopes
+from symbody.simulation.constraint.constraint_directions import masses_and_jacobians
 from symbody.simulation.constraint.singular_passage import singular_passages
 from symbody.simulation.model.model import Model, model_of
 from tests.reference.mechanisms.andrews import andrews
@@ -353,9 +353,9 @@ def test_steps_that_get_nowhere_are_looked_at_once(monkeypatch: pytest.MonkeyPat
     def counted(model: Model, parameters: Array, t: Array, states: Array) -> tuple[Array, Array]:
         nonlocal looked
         looked += len(t)
-        return masses_and_slopes(model, parameters, t, states)
+        return masses_and_jacobians(model, parameters, t, states)
 
-    monkeypatch.setattr(singular_passage, "masses_and_slopes", counted)
+    monkeypatch.setattr(singular_passage, "masses_and_jacobians", counted)
     passed = singular_passages(model, found.parameters, np.vstack([trail[:41], piled, trail[41:]]))
     np.testing.assert_allclose(passed, [np.pi / 2 / 1.1], atol=1e-3)
     assert looked < 1000

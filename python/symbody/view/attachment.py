@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from symbody.geometry import Point, Vector
 from symbody.multibody import System
 from symbody.symbolic import Expr, number
-from symbody.view.pose import seen_from
+from symbody.view.pose import relative_path
 
 Array = NDArray[np.float64]
 
@@ -106,7 +106,7 @@ def attachment(tracks: Array | Sequence[Array], path: Array, size: float) -> Att
     """
     found = []
     for number_, track in enumerate(tracks):
-        seen = seen_from(track, path)
+        seen = relative_path(track, path)
         if np.ptp(seen, axis=0).max() < RIGID * size:
             found.append(Attachment(number_, seen.mean(axis=0)))
     return min(found, key=lambda each: float(np.linalg.norm(each.place)), default=None)

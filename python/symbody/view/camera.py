@@ -60,8 +60,8 @@ class View:
 def view_of(places: Array, core: Array, up: Array) -> View:
     """Return a view of points, shape (k, 3), with the given upward direction.
 
-    Flat motions, whose core (centres, points, links) lies in a plane, are seen nearly from the front, others from above
-    a corner.
+    Flat motions, whose core (centres, points, segments) lies in a plane, are seen nearly from the front, others from
+    above a corner.
     """
     low, high = places.min(axis=0), places.max(axis=0)
     center = (low + high) / 2

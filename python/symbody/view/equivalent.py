@@ -20,9 +20,9 @@ FLAT = 0.4
 def equivalent_shape(mass: float, inertia: Array, link: Array | None, least: float) -> dict[str, Any]:
     """Return the homogeneous solid with this mass and inertia, as a part of the page.
 
-    With principal moments A, B, C a box has the sides ``a^2 = 6 (B + C - A)/m``; where A = B, a cylinder has ``r^2 =
-    2 C/m`` and ``h^2 = 12 (A - C/2)/m`` [Goldstein 2002, sec. 5]. A body with only one moment moves in a plane: it is
-    a rod along its link, ``l^2 = 12 C/m``, or a disc.
+    With principal moments A, B, C a box has the sides ``a^2 = 6 (B + C - A)/m``; where A = B, a cylinder has
+    ``r^2 = 2 C/m`` and ``h^2 = 12 (A - C/2)/m`` [Goldstein 2002, sec. 5]. A body with only one moment moves in a
+    plane: it is a rod along its link, ``l^2 = 12 C/m``, or a disc.
 
     Args:
         mass: the mass. A particle is a ball; a body with inertia but no mass, such as a flywheel, is a disc.

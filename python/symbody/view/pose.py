@@ -81,13 +81,13 @@ def constants(motion: DrawableMotion, expressions: Sequence[Expr]) -> Array:
     return values(motion, expressions)[:, 0]
 
 
-def carried(track: Array, places: Array) -> Array:
+def fixed_paths(track: Array, places: Array) -> Array:
     """Return the paths of points that are fixed in a frame, given its poses: shape (points, N, 3)."""
     turn = Rotation.from_quat(track[:, 3:])
     return np.array([track[:, :3] + turn.apply(place) for place in places]).reshape(-1, len(track), 3)
 
 
-def seen_from(track: Array, path: Array) -> Array:
+def relative_path(track: Array, path: Array) -> Array:
     """Return the path of a point in a moving frame, given the poses of that frame: shape (N, 3)."""
     return np.asarray(Rotation.from_quat(track[:, 3:]).inv().apply(path - track[:, :3]))
 

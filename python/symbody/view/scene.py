@@ -14,11 +14,11 @@ from symbody.multibody import Body
 from symbody.symbolic.given.arguments import brief
 from symbody.view.arrow import arrow_entries, load_arrows, reaction_arrows
 from symbody.view.camera import view_of
+from symbody.view.chain import joint
 from symbody.view.drawable_motion import DrawableMotion
 from symbody.view.drawing_options import DrawingOptions
 from symbody.view.equivalent import equivalent_shape
-from symbody.view.link import joint
-from symbody.view.pose import arrows, carried, constants, paths, poses, rounded, seen_from
+from symbody.view.pose import arrows, constants, fixed_paths, paths, poses, relative_path, rounded
 from symbody.view.shape import Shape
 from symbody.view.skeleton import COLORS, Skeleton, skeleton
 from symbody.view.solid import corners, falls_short_of, hides
@@ -198,7 +198,9 @@ def _is_glass(k: int, parts: Sequence[list[Part]], poses: Array, own: Sequence[i
     part, pose = parts[k][0], poses[own[k]]
     sizes = [float(np.linalg.norm(np.ptp(corners(shapes[0]), axis=0))) for shapes in parts]
     smaller = [poses[own[j], :3] for j, size in enumerate(sizes) if size < 0.999 * sizes[k]]
-    ends = [carried(poses[rod["pose"]][None], np.array([rod["from"], rod["to"]]))[:, 0] for rod in bones.rods]
+    ends = [
+        fixed_paths(poses[rod["pose"]][None], np.array([rod["from"], rod["to"]]))[:, 0] for rod in bones.rods
+    ]
     joints = _apart([place for end in ends for place in end], pose[:3])
     arms = [end for rod, end in zip(bones.rods, ends, strict=True) if rod["body"] == k]
     reached = _apart([place for end in arms for place in end], pose[:3])
@@ -215,7 +217,7 @@ def _apart(places: Sequence[Array], centre: Array) -> list[Array]:
 
 
 def _seen(pose: Array, places: Sequence[Array]) -> Array:
-    return np.array([seen_from(pose[None], place)[0] for place in places]).reshape(-1, 3)
+    return np.array([relative_path(pose[None], place)[0] for place in places]).reshape(-1, 3)
 
 
 # --- size ---
@@ -233,7 +235,7 @@ def _core(tracks: Array, own: Sequence[int], bones: Skeleton, requested: Array, 
     """
     found = [tracks[:, :, :3], requested, *(path[None] for _, path in bones.points)]
     found += [np.array(line) for line in bones.lines]
-    found += [carried(tracks[rod["pose"]], np.array([rod["from"], rod["to"]])) for rod in bones.rods]
+    found += [fixed_paths(tracks[rod["pose"]], np.array([rod["from"], rod["to"]])) for rod in bones.rods]
     return np.concatenate([_seen_along(places, shift) for places in found])
 
 
@@ -265,5 +267,5 @@ def _reach(motion: DrawableMotion, tracks: Array, given: Sequence[list[Part]], s
 def _corners(tracks: Array, parts: Sequence[list[Part]], shift: Array) -> Array:
     """Return the corners of the boxes around all solids, at some instants."""
     step = -(-tracks.shape[1] // LOOKS)
-    found = [carried(tracks[part["pose"], ::step], corners(part)) for shapes in parts for part in shapes]
+    found = [fixed_paths(tracks[part["pose"], ::step], corners(part)) for shapes in parts for part in shapes]
     return (np.concatenate(found) - shift[::step]).reshape(-1, 3)

@@ -11,8 +11,8 @@ from numpy.typing import NDArray
 
 from symbody.geometry import Point
 from symbody.view.attachment import RIGID, Attachment, Thread, attachment, natural_points, threads
+from symbody.view.chain import guides, segments
 from symbody.view.drawable_motion import DrawableMotion
-from symbody.view.link import guides, links
 from symbody.view.pose import constants, paths, values
 from symbody.view.table import FrameTable
 
@@ -46,7 +46,7 @@ class Skeleton:
 def skeleton(motion: DrawableMotion, table: FrameTable, tracks: Array) -> Skeleton:
     """Return the skeleton of a model in motion.
 
-    Rods are the constant distances in the chains of frames (links), the lines along which frames slide (guides), and
+    Rods are the constant distances in the chains of frames (segments), the lines along which frames slide (guides), and
     the lines from a centre of mass to the points where forces act and to the natural coordinates of its body (arms).
 
     Args:
@@ -65,7 +65,7 @@ def skeleton(motion: DrawableMotion, table: FrameTable, tracks: Array) -> Skelet
             if np.ptp(end, axis=0).max() < RIGID * size:
                 points.append(("", end))
     arms = [*fixed, *_points_of_action(motion, tracks, size)]
-    rods = [*_links(motion, table), *_guides(motion, table), *_arms(motion, table, arms, RIGID * size)]
+    rods = [*_segments(motion, table), *_guides(motion, table), *_arms(motion, table, arms, RIGID * size)]
     return Skeleton(rods, points, lines, shown)
 
 
@@ -131,12 +131,12 @@ def _points_of_action(motion: DrawableMotion, tracks: Array, size: float) -> lis
     return found
 
 
-def _links(motion: DrawableMotion, table: FrameTable) -> list[dict[str, Any]]:
-    found = links(motion.system.bodies)
-    ends = constants(motion, [x for link in found for x in link.to]).reshape(-1, 3)
+def _segments(motion: DrawableMotion, table: FrameTable) -> list[dict[str, Any]]:
+    found = segments(motion.system.bodies)
+    ends = constants(motion, [x for segment in found for x in segment.to]).reshape(-1, 3)
     return [
-        _rod(table.place(link.frame), np.zeros(3), end, owner)
-        for (link, owner), end in zip(found.items(), ends, strict=True)
+        _rod(table.place(segment.frame), np.zeros(3), end, owner)
+        for (segment, owner), end in zip(found.items(), ends, strict=True)
     ]
 
 

@@ -35,7 +35,7 @@ class Cases:
     initial: dict[Expr, Column]
     count: int
 
-    def some(self, indices: NDArray[np.intp]) -> Cases:
+    def subset(self, indices: NDArray[np.intp]) -> Cases:
         """Return some of the cases."""
         parameters = {name: values[indices] for name, values in self.parameters.items()}
         initial = {name: values[indices] for name, values in self.initial.items()}

@@ -19,7 +19,7 @@ from symbody.errors import ArgumentError, ModelNotice, ResultsError, SimulationE
 from symbody.simulation.given.event import Event
 from symbody.simulation.integrate.notices import notices_of_batch
 from symbody.simulation.integrate.task import Task
-from symbody.simulation.integrate.task_of import notice_odd_values, task_of
+from symbody.simulation.integrate.task_of import task_of, warn_of_odd_values
 from symbody.simulation.terminal.interruption import Interruption
 from symbody.simulation.terminal.progress import progress_bar
 from symbody.symbolic import Expr, ExprLike
@@ -32,7 +32,7 @@ from .results import Results
 from .results_file import ResultsFile
 from .run_cases import empty_results
 from .runs import Runs
-from .workers import Part, by_executor, cores, in_threads
+from .workers import Part, core_count, run_by_executor, run_in_threads
 
 SAVE_EVERY = 10.0
 """The time between two saves, in s: an accident costs no more work than that."""
@@ -106,7 +106,7 @@ def simulate_many(
     >>> simulate_many(pendulum, {m: 1, g: 9.81, l: [0.5, 1.0, 2.0]}, {theta: 0.1}, t=(0, 2))
     Runs(3 cases, 1001 instants)
     """
-    workforce = _checked(executor, cores() if threads is None else threads, path)
+    workforce = _checked(executor, core_count() if threads is None else threads, path)
     all_cases = cases_of(parameters, initial, cases)
     task = task_of(
         eqs,
@@ -125,7 +125,7 @@ def simulate_many(
         where=PLACE,
     )
     check_cases(task, all_cases)
-    notice_odd_values(task, all_cases.parameters, PLACE)
+    warn_of_odd_values(task, all_cases.parameters, PLACE)
     file = None if path is None else ResultsFile(Path(path), problem_digest(task, all_cases))
     results = _results_so_far(file, empty_results(task, all_cases.count))
     run = _Batch(task, all_cases, results, file)
@@ -192,9 +192,9 @@ class _Batch:
 
             if executor is None:
                 span = inf if self.file is None else SAVE_EVERY
-                parts = in_threads(self.task, self.cases, missing, threads, keep_going, span)
+                parts = run_in_threads(self.task, self.cases, missing, threads, keep_going, span)
             else:
-                parts = by_executor(self.task, self.cases, missing, executor, keep_going)
+                parts = run_by_executor(self.task, self.cases, missing, executor, keep_going)
             reason = self._take(parts)
             show(count - len(self.results.missing))
         return "interrupted" if interruption.is_asked_for else reason

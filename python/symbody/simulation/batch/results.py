@@ -67,10 +67,10 @@ class Results:
             np.full(cases, np.nan),
             np.full(cases, "", dtype=object),
             np.zeros((cases, COUNTS), dtype=np.int64),
-            _nothings(cases),
+            _empty_tuples(cases),
             np.full((cases, outputs, instants), np.nan),
             np.full((cases, kept, state), np.nan),
-            _nothings(cases),
+            _empty_tuples(cases),
         )
 
     @property
@@ -110,7 +110,7 @@ class Results:
     def of_arrays(cls, arrays: Mapping[str, NDArray[Any]]) -> Results:
         """Return the results that `arrays` describes."""
         cases = len(arrays["status"])
-        occurrences, findings = _nothings(cases), _nothings(cases)
+        occurrences, findings = _empty_tuples(cases), _empty_tuples(cases)
         for case, event, t, state in _rows(arrays, "event", "case", "number", "t", "state"):
             occurrences[case] += ((int(event), float(t), state),)
         for case, kind, subject, size in _rows(arrays, "finding", "case", "kind", "subject", "size"):
@@ -120,7 +120,7 @@ class Results:
         return cls(**columns, messages=texts, occurrences=occurrences, findings=findings)
 
 
-def _nothings(cases: int) -> NDArray[np.object_]:
+def _empty_tuples(cases: int) -> NDArray[np.object_]:
     """Return an empty tuple for each case."""
     column = np.empty(cases, dtype=object)
     column[:] = [()] * cases

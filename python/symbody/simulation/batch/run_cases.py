@@ -44,19 +44,19 @@ def run_cases(task: Task, cases: Cases, threads: int = 1, keep_going: KeepGoing 
         keep_going: called from time to time with the number of finished cases; False ends all of them.
     """
     results = empty_results(task, cases.count)
-    begun, states = _starts(task, cases, results, keep_going)
-    motions = run_motions(task, cases.some(begun).parameters, states, threads, keep_going)
+    begun, states = _initial_states(task, cases, results, keep_going)
+    motions = run_motions(task, cases.subset(begun).parameters, states, threads, keep_going)
     for case, motion in zip(begun, motions, strict=True):
         if motion is not None:
             _record(results, int(case), motion)
     return results
 
 
-def _starts(
+def _initial_states(
     task: Task, cases: Cases, results: Results, keep_going: KeepGoing
 ) -> tuple[NDArray[np.intp], Array]:
     """Return the cases that can start, and their initial states; record why the others fail."""
-    states = _free_starts(task, cases)
+    states = _free_initial_states(task, cases)
     for looked, case in enumerate(np.flatnonzero(~np.isfinite(states).all(axis=1)).tolist()):
         if looked % LOOK == 0 and not keep_going(0):
             break
@@ -70,7 +70,7 @@ def _starts(
     return begun, states[begun]
 
 
-def _free_starts(task: Task, cases: Cases) -> Array:
+def _free_initial_states(task: Task, cases: Cases) -> Array:
     """Return the initial states of unconstrained motions, one row each; NaN where `initial_state` solves for them."""
     model = task.model
     if model.constraints or model.system.has_quasi_velocities:

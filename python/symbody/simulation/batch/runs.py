@@ -129,7 +129,7 @@ class Runs:
             SimulationError: the expression contains a variable that the model does not know.
             ParameterError: a parameter that is not in the equations has no value.
         """
-        asked = _READING.one(expression, self.task.model.state)
+        asked = _READING.one_expression(expression, self.task.model.state)
         values: Array = self._values([asked], f"runs[{shortened(asked)}]")[0]
         return values
 
@@ -141,7 +141,7 @@ class Runs:
             SimulationError: an expression contains a variable that the model does not know.
             ParameterError: a parameter that is not in the equations has no value.
         """
-        return self._values(_READING.several(expressions), "runs.evaluate")
+        return self._values(_READING.several_expressions(expressions), "runs.evaluate")
 
     def _values(self, wanted: Sequence[Expr], place: str) -> Array:
         """Return the values of expressions; those of outputs are already known."""

@@ -22,11 +22,11 @@ class StopFlag:
     The signal of Ctrl-C is not enough: a process that starts, or is between two tasks, may lose it and take the next
     task. The file is removed when the process that set the flag ends, after its children.
 
-    >>> sign = StopFlag()
-    >>> sign.is_set()
+    >>> flag = StopFlag()
+    >>> flag.is_set()
     False
-    >>> sign.set()
-    >>> sign.is_set()
+    >>> flag.set()
+    >>> flag.is_set()
     True
     """
 

@@ -37,12 +37,12 @@ _interrupted: set[StopFlag] = set()
 """The calls whose tasks stop in this process only, because it received Ctrl-C."""
 
 
-def cores() -> int:
+def core_count() -> int:
     """Return the number of processors that this process may use."""
     return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
 
 
-def in_threads(
+def run_in_threads(
     task: Task,
     cases: Cases,
     indices: NDArray[np.intp],
@@ -60,22 +60,22 @@ def in_threads(
         keep_going: called some times a second with the number of finished cases; False ends all of them.
         span: the longest time for a part, in s; a part has at least as many cases as there are threads.
     """
-    most = max(threads, _fitting(task))
+    most = max(threads, _cases_in_memory(task))
     size, done = most if span == inf else min(most, 4 * threads), 0
     while done < len(indices) and keep_going(done):
         chosen, begin = indices[done : done + size], monotonic()
-        yield chosen, run_cases(task, cases.some(chosen), threads, _later(keep_going, done))
+        yield chosen, run_cases(task, cases.subset(chosen), threads, _counting_from(keep_going, done))
         done += len(chosen)
         pace = span / max(monotonic() - begin, 1e-9)
         size = int(np.clip(size * pace, max(threads, size // 4), min(most, 4 * size)))
 
 
-def _later(keep_going: Callable[[float], bool], past: int) -> Callable[[float], bool]:
+def _counting_from(keep_going: Callable[[float], bool], past: int) -> Callable[[float], bool]:
     """Return a `keep_going` that adds the number of cases that are done already."""
     return lambda done: keep_going(past + done)
 
 
-def by_executor(
+def run_by_executor(
     task: Task,
     cases: Cases,
     indices: NDArray[np.intp],
@@ -94,9 +94,9 @@ def by_executor(
     Raises:
         SimulationError: tasks were lost: the executor is broken, or a worker can't run the model.
     """
-    parcel, done, lost, sign = Parcel(task), 0, None, StopFlag()
+    parcel, done, lost, flag = Parcel(task), 0, None, StopFlag()
     with parcel.open_here():
-        waiting = _submitted(parcel, cases, indices, executor, _fitting(task), sign)
+        waiting = _submitted(parcel, cases, indices, executor, _cases_in_memory(task), flag)
         try:
             while waiting and keep_going(done):
                 ready, _ = wait(waiting, timeout=LOOK, return_when=FIRST_COMPLETED)
@@ -110,10 +110,10 @@ def by_executor(
                         yield chosen, part
         finally:
             if waiting:
-                sign.set()
+                flag.set()
                 _withdraw(waiting, executor)
     if lost is not None and keep_going(done):
-        raise _lost(lost) from lost
+        raise _tasks_lost(lost) from lost
 
 
 def _submitted(
@@ -122,7 +122,7 @@ def _submitted(
     indices: NDArray[np.intp],
     executor: Executor,
     most: int,
-    sign: StopFlag,
+    flag: StopFlag,
 ) -> dict[Future[Results], NDArray[np.intp]]:
     """Submit cases as tasks, and return the indices of the cases of each.
 
@@ -132,14 +132,14 @@ def _submitted(
         indices: those to run.
         executor: the executor.
         most: the most cases of a task.
-        sign: the flag that stops the tasks.
+        flag: the flag that stops the tasks.
     """
     size = min(most, -(-len(indices) // TASKS))
     parts = [indices[start : start + size] for start in range(0, len(indices), size)]
     try:
-        return {executor.submit(_run, parcel, cases.some(part), sign): part for part in parts}
+        return {executor.submit(_run, parcel, cases.subset(part), flag): part for part in parts}
     except Exception as error:
-        raise _lost(error) from error
+        raise _tasks_lost(error) from error
 
 
 def _withdraw(waiting: Iterable[Future[Results]], executor: Executor) -> None:
@@ -153,31 +153,31 @@ def _withdraw(waiting: Iterable[Future[Results]], executor: Executor) -> None:
             future.cancel()
 
 
-def _run(parcel: Parcel[Task], cases: Cases, sign: StopFlag) -> Results:
+def _run(parcel: Parcel[Task], cases: Cases, flag: StopFlag) -> Results:
     """Run some cases in a worker, until the call is over or the worker receives Ctrl-C.
 
     A terminal sends Ctrl-C to all processes that it started: so a pool ends without waiting for long motions.
     """
-    if sign in _interrupted or sign.is_set():
+    if flag in _interrupted or flag.is_set():
         return empty_results(parcel.content, cases.count)
-    if sign.is_of_this_process():
-        return run_cases(parcel.content, cases, 1, lambda _: not sign.is_set())
+    if flag.is_of_this_process():
+        return run_cases(parcel.content, cases, 1, lambda _: not flag.is_set())
     with Interruption() as interruption:
         results = run_cases(
-            parcel.content, cases, 1, lambda _: not (interruption.is_asked_for or sign.is_set())
+            parcel.content, cases, 1, lambda _: not (interruption.is_asked_for or flag.is_set())
         )
     if interruption.is_asked_for:
-        _interrupted.add(sign)
+        _interrupted.add(flag)
     return results
 
 
-def _lost(error: BaseException) -> SimulationError:
+def _tasks_lost(error: BaseException) -> SimulationError:
     return SimulationError(
         f"simulate_many: tasks of the executor failed ({type(error).__name__}: {error}); expected an executor whose "
         "workers can import symbody and keep running"
     )
 
 
-def _fitting(task: Task) -> int:
+def _cases_in_memory(task: Task) -> int:
     """Return how many cases fit into the memory for states."""
     return max(1, MEMORY // (8 * (len(task.instants) + task.trail) * task.model.width))

@@ -7,12 +7,12 @@ from numpy.typing import ArrayLike, NDArray
 
 from symbody.simulation.model.model import Model
 
-__all__ = ["masses_and_slopes"]
+__all__ = ["masses_and_jacobians"]
 
 Array = NDArray[np.float64]
 
 
-def masses_and_slopes(model: Model, parameters: Array, t: ArrayLike, states: Array) -> tuple[Array, Array]:
+def masses_and_jacobians(model: Model, parameters: Array, t: ArrayLike, states: Array) -> tuple[Array, Array]:
     """Return ``M``, (k, n, n), and ``phi_q``, (k, m, n), with respect to the speeds, at k states; not always finite.
 
     Args:

@@ -12,7 +12,7 @@ from symbody.symbolic import Expr
 
 from .vanishing_combinations import vanishing_combinations
 
-__all__ = ["INCONSISTENT", "cancelling_combinations", "contradiction_between", "contradictory_rows_of"]
+__all__ = ["INCONSISTENT", "cancelling_combinations", "contradiction_between", "contradictory_equations"]
 
 Array = NDArray[np.float64]
 
@@ -29,7 +29,7 @@ def cancelling_combinations(A: Array) -> list[Array]:
     return [combination / scale[:, 0] for combination in vanishing_combinations(A / scale, CANCELLED)]
 
 
-def contradictory_rows_of(A: Array, b: Array, terms: Array) -> tuple[int, ...]:
+def contradictory_equations(A: Array, b: Array, terms: Array) -> tuple[int, ...]:
     """Return the rows of ``A x = b`` that combine to ``0 = r`` with an r larger than rounding.
 
     Args:

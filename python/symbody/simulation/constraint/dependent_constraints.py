@@ -13,7 +13,7 @@ from symbody.simulation.model.model import Model
 from symbody.simulation.model.named_constraint import listed, named_constraints
 from symbody.symbolic import Expr, Matrix, pi, substitute
 
-from .constraint_directions import masses_and_slopes
+from .constraint_directions import masses_and_jacobians
 from .vanishing_combinations import vanishing_combinations
 
 __all__ = [
@@ -86,7 +86,7 @@ def scaled_jacobian(model: Model, parameters: Array, t: float, state: ArrayLike)
     q, here = len(model.coordinates), np.asarray(state, float)[: len(model.state)]
     states = np.repeat(here[None], 1 + PLACES, axis=0)
     states[1:, :q] += nearby(model.equations, here[:q]).T
-    M, J = masses_and_slopes(model, parameters, t, states)
+    M, J = masses_and_jacobians(model, parameters, t, states)
     if not np.isfinite(M[0]).all():
         return np.full(J[0].shape, np.nan)
     in_metric = np.linalg.solve(_factor(M[0]), np.swapaxes(J, 1, 2))

@@ -16,6 +16,7 @@ from symbody.geometry.motion.floating import Floating
 from symbody.multibody import System
 from symbody.multibody.frames import all_frames
 from symbody.simulation.given.given_input import Given, with_given
+from symbody.simulation.given.parameter import parameters_among
 from symbody.symbolic import Abs, Expr, ExprLike, derivation, free_symbols, jacobian, number, substitute, t
 
 __all__ = ["Kinematics", "kinematics_of", "magnitude", "neutral_position", "quaternions"]
@@ -48,8 +49,7 @@ class Kinematics:
     @cached_property
     def parameters(self) -> tuple[Expr, ...]:
         """The symbols that need values, sorted by name."""
-        found = {leaf for leaf in self.leaves if leaf.kind == "symbol" and not leaf.depends_on_time}
-        return tuple(sorted(found, key=lambda symbol: symbol.name))
+        return parameters_among(self.leaves)
 
     @cached_property
     def leaves(self) -> frozenset[Expr]:

@@ -21,7 +21,7 @@ from symbody.simulation.model.named_constraint import listed, named_constraints
 from symbody.symbolic import Expr, ExprLike, number
 from symbody.symbolic.numeric.deficiency import noting, reporting
 
-from .consistent import positions
+from .consistent_position import positions
 from .kinematics import Kinematics
 from .vanishing_combinations import vanishing_combinations
 from .walk import CANCELLED, scaled, walk

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from symbody.simulation.model.model import Model
 from symbody.symbolic import Expr
 
-from .constraint_directions import masses_and_slopes
+from .constraint_directions import masses_and_jacobians
 
 __all__ = ["singular_passages"]
 
@@ -50,12 +50,12 @@ def singular_passages(model: Model, parameters: Mapping[Expr, float], trail: Arr
     ends, states, rates = _finite(model, p, _thinned(trail))
     if len(ends) < 2:
         return np.empty(0)
-    way = _way(ends, states, rates)
-    t = np.append(_cut(ends[:-1], ends[1:], PARTS)[:, :-1], ends[-1])
+    way = _interpolation(ends, states, rates)
+    t = np.append(_divided(ends[:-1], ends[1:], PARTS)[:, :-1], ends[-1])
 
     def along(times: Array) -> Iterator[tuple[Array, Array]]:
         for part in np.array_split(times, 1 + len(times) // AT_ONCE):
-            yield masses_and_slopes(model, p, part, way(part))
+            yield masses_and_jacobians(model, p, part, way(part))
 
     scaled = _scaling(along(t))
     if scaled is None:
@@ -106,7 +106,7 @@ def _minima(value: Callable[[Array], Array], begin: Array, end: Array) -> tuple[
     """Return the instants at which a value is least within intervals, and the least values."""
     t, least, rows = begin, np.full(len(begin), np.inf), np.arange(len(begin))
     for _ in range(ROUNDS if len(begin) else 0):
-        times = _cut(begin, end, FINER)
+        times = _divided(begin, end, FINER)
         values = value(times.ravel()).reshape(times.shape)
         places = np.argmin(np.where(np.isfinite(values), values, np.inf), axis=1)
         t, least = times[rows, places], values[rows, places]
@@ -114,7 +114,7 @@ def _minima(value: Callable[[Array], Array], begin: Array, end: Array) -> tuple[
     return t, least
 
 
-def _cut(begin: Array, end: Array, parts: int) -> Array:
+def _divided(begin: Array, end: Array, parts: int) -> Array:
     """Return instants that divide intervals evenly, including their ends, one row for each interval."""
     return begin[:, None] + (end - begin)[:, None] * np.linspace(0, 1, parts + 1)
 
@@ -129,7 +129,7 @@ def _finite(model: Model, parameters: Array, trail: Array) -> tuple[Array, Array
     return t[is_finite], states[is_finite], rates[is_finite]
 
 
-def _way(t: Array, states: Array, rates: Array) -> Callable[[Array], Array]:
+def _interpolation(t: Array, states: Array, rates: Array) -> Callable[[Array], Array]:
     """Return the states between steps: Hermite polynomials for the coordinates, the last values for the speeds."""
     from scipy.interpolate import CubicHermiteSpline  # noqa: PLC0415 - slow to load, and rarely needed
 

@@ -95,7 +95,7 @@ def is_singular(kinematics: Kinematics, p: Array, t: float, q: Array, held: Sequ
     if not np.isfinite(here).all():
         return False
     is_alone = True
-    for beside in space.around(q, DIRECTIONS):
+    for beside in space.neighbours(q, DIRECTIONS):
         J = space.slopes(beside)[0]
         if np.isfinite(J).all():
             ranks = np.sum(

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from symbody.symbolic import Expr
 
-from .consistent import Positions
+from .consistent_position import Positions
 from .gauss_newton import gauss_newton
 from .kinematics import Kinematics
 from .vanishing_combinations import vanishing_combinations
@@ -62,7 +62,7 @@ def _walked(space: ConfigurationSpace, begin: Array, sign: float, steps: int) ->
             break
         yield J
         direction = _onward(J, direction, sign)
-        q = space.moved(q, K @ direction)
+        q = space.step(q, K @ direction)
         if not len(q):
             break
 
@@ -71,7 +71,7 @@ def _departures(space: ConfigurationSpace, begin: Array) -> list[Array]:
     """Return the position, or neighbours on different branches if more constraints are independent there."""
     found, rank = [begin], _rank(space.slopes(begin)[0])
     while True:
-        places = islice(space.around(found[0], TRIES, SURE), DEPARTURES)
+        places = islice(space.neighbours(found[0], TRIES, SURE), DEPARTURES)
         beside = [(q, space.slopes(q)[0]) for q in places]
         movable = [(q, J, _rank(J)) for q, J in beside if _rank(J) < J.shape[1]]
         higher = max((other for _, _, other in movable), default=0)
@@ -118,16 +118,16 @@ class ConfigurationSpace:
             A, _ = self.kinematics.velocity(self.t, q, self.p)
         return np.vstack([A[:m], A[m:][~self._is_free]]), A[m:]
 
-    def moved(self, q: Array, rates: Array) -> Array:
+    def step(self, q: Array, rates: Array) -> Array:
         """Return the position after a step, put back onto the constraints; an empty array if there is none."""
         if not rates.any():
             return np.zeros(0)
         onward = q + STEP * max(1.0, float(np.abs(q).max())) * rates / np.abs(rates).max()
         problem = Positions.at(self.kinematics, self.p, self.t, onward)
-        found = problem.solved(onward, self._is_free, BACK)
+        found = problem.solution(onward, self._is_free, BACK)
         return found if problem.error(found) < CANCELLED * 1e-2 else np.zeros(0)
 
-    def around(self, q: Array, count: int, near: float = CANCELLED) -> Iterator[Array]:
+    def neighbours(self, q: Array, count: int, near: float = CANCELLED) -> Iterator[Array]:
         """Yield positions at a distance, near directions that the constraints allow to first order.
 
         At a singular position, most of these directions belong to no motion. So ``phi = 0`` is solved together with

@@ -14,7 +14,7 @@ from symbody.multibody import Body, System
 from symbody.multibody.physical_inertia import are_impossible, difference_fault, inertia_fault, joined_bodies
 from symbody.symbolic import Expr, free_symbols
 
-__all__ = ["notice_impossible_bodies"]
+__all__ = ["warn_of_impossible_bodies"]
 
 Array = NDArray[np.float64]
 
@@ -22,7 +22,7 @@ LOOKS = 8
 """How many of the cases with a negative mass or moment are checked for bodies that are joined."""
 
 
-def notice_impossible_bodies(system: System, given: Mapping[Expr, ArrayLike], where: str) -> None:
+def warn_of_impossible_bodies(system: System, given: Mapping[Expr, ArrayLike], where: str) -> None:
     """Give a notice of each body whose mass and inertia are impossible with the values of the parameters.
 
     Bodies whose mass and inertia are numbers were checked when they were made. Of several bodies with the same mass
@@ -88,8 +88,8 @@ def _impossible_inertia(body: Body, mass: Array, J: Array) -> list[str]:
     if not len(places):
         return []
     first = J[places[0]]
-    told = inertia_fault(body, first, has_products=bool((first - np.diag(np.diag(first))).any()))
-    return [f"{_counted(places, len(J))}{told}"]
+    text = inertia_fault(body, first, has_products=bool((first - np.diag(np.diag(first))).any()))
+    return [f"{_counted(places, len(J))}{text}"]
 
 
 def _impossible_difference(
@@ -100,10 +100,10 @@ def _impossible_difference(
             name: float(np.ravel(column)[place if np.size(column) > 1 else 0])
             for name, column in given.items()
         }
-        told = difference_fault(group, values)
-        if told:
+        text = difference_fault(group, values)
+        if text:
             is_many = any(np.size(column) > 1 for column in given.values())
-            return [f"{f'first case {place}: ' if is_many else ''}{told}"]
+            return [f"{f'first case {place}: ' if is_many else ''}{text}"]
     return []
 
 

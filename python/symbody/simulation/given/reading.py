@@ -27,7 +27,7 @@ class Reading:
     name: str
     rows: str
 
-    def one(self, wanted: object, known: Sequence[Expr]) -> Expr:
+    def one_expression(self, wanted: object, known: Sequence[Expr]) -> Expr:
         """Return the expression in the brackets.
 
         Args:
@@ -37,7 +37,7 @@ class Reading:
         Raises:
             ArgumentError: the argument is not an expression. Numbers are refused: they look like the index of a row.
 
-        >>> Reading("motion", "motion.t has the instants").one(0, [])
+        >>> Reading("motion", "motion.t has the instants").one_expression(0, [])
         Traceback (most recent call last):
         symbody.errors.ArgumentError: motion[...]: 0 is an int; expected an expression; motion.t has the instants
         """
@@ -48,7 +48,7 @@ class Reading:
             f"{self.name}[...]: {_found(wanted)}; expected an expression{example}{self._instead_of_one(wanted)}"
         )
 
-    def several(self, wanted: object) -> list[Expr]:
+    def several_expressions(self, wanted: object) -> list[Expr]:
         """Return the expressions of a list.
 
         Raises:

@@ -11,10 +11,10 @@ from symbody.errors import ModelNotice
 from symbody.symbolic import Expr, free_symbols
 from symbody.symbolic.given.namesake import namesake_note
 
-__all__ = ["notice_unused"]
+__all__ = ["warn_of_unused"]
 
 
-def notice_unused(
+def warn_of_unused(
     eqs: Equations, given: Iterable[Expr], wanted: Sequence[Expr], where: str, *, stacklevel: int = 3
 ) -> None:
     """Warn of parameters that have a value but appear neither in the model nor in what is evaluated.

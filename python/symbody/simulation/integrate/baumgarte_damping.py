@@ -1,6 +1,6 @@
 """Baumgarte's stabilisation: the choice of the frequency with which it damps constraint violations.
 
-`symbody.dynamics.equations.baumgarte` adds the damping to the equations; this file chooses its parameters for a motion.
+`forward_dynamics` adds the damping to the equations; this file chooses its parameters for a motion.
 """
 
 from __future__ import annotations

@@ -20,7 +20,7 @@ from .ida import IDA_FORMS, IdaRun, integrate_ida
 from .outcome import Failure, Outcome, Statistics, with_deficiencies
 from .task import Columns, Integrate, KeepGoing, Task
 
-__all__ = ["ida_outcome", "prepare"]
+__all__ = ["prepare", "run_ida"]
 
 
 def prepare(task: Task) -> Integrate:
@@ -51,13 +51,13 @@ def _integrate(
             continue
         values = {name: float(column[case]) for name, column in parameters.items()}
         with noting() as found:
-            outcome = ida_outcome(
+            outcome = run_ida(
                 task.model, state[:size], values, task.instants, task.options, task.events, goes_on
             )
         yield with_deficiencies(outcome, found)
 
 
-def ida_outcome(
+def run_ida(
     model: Model,
     state: NDArray[np.float64],
     parameters: Mapping[Expr, float],

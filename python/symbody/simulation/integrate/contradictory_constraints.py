@@ -17,7 +17,7 @@ from functools import partial
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from symbody.simulation.constraint.consistent import Positions, term_sizes
+from symbody.simulation.constraint.consistent_position import Positions, term_sizes
 from symbody.simulation.constraint.contradiction import (
     INCONSISTENT,
     cancelling_combinations,
@@ -32,7 +32,7 @@ from symbody.symbolic.numeric.deficiency import Deficiency
 from .massless_speeds import unbalanced_speeds
 from .outcome import Failure, Outcome
 
-__all__ = ["contradictory_rows", "without_contradictions"]
+__all__ = ["contradictory_constraints", "with_contradictions"]
 
 Array = NDArray[np.float64]
 
@@ -41,7 +41,7 @@ LOOKS = 64
 _SUSPECT = {"projection", "stalled", "step_collapse", "library", "ida"}
 
 
-def without_contradictions(
+def with_contradictions(
     outcome: Outcome, model: Model, parameters: Mapping[Expr, float], instants: Array
 ) -> Outcome:
     """Return an outcome that fails if equations contradict each other along the motion.
@@ -95,7 +95,7 @@ def _contradiction(
     """
     kinematics = kinematics_of(model.equations, dict(model.inputs))
     p = np.array([parameters[name] for name in kinematics.parameters])
-    rows = contradictory_rows(kinematics, p, t, state, span)
+    rows = contradictory_constraints(kinematics, p, t, state, span)
     if rows:
         return contradiction_between(model.constraints, rows)
     return unbalanced_speeds(model, parameters, t, state) if are_speeds_noted else ""
@@ -107,7 +107,7 @@ def _holds_speeds(noted: Iterable[Deficiency], model: Model) -> bool:
     return any(min((row, *others)) < n for d in noted for row, others in d.contradictions)
 
 
-def contradictory_rows(
+def contradictory_constraints(
     kinematics: Kinematics, p: Array, t: float, state: ArrayLike, span: float
 ) -> tuple[int, ...]:
     """Return the rows of constraints that contradict each other at a state; none if they are compatible.
@@ -178,7 +178,7 @@ def _polished(kinematics: Kinematics, p: Array, t: float, state: Array) -> tuple
     """Return coordinates and speeds that satisfy the constraints as well as possible; only there is c correct."""
     n, m = len(kinematics.system.coordinates), len(kinematics.constraints)
     problem = Positions.at(kinematics, p, t, state[:n])
-    q = problem.solved(state[:n], np.ones(n, dtype=bool))
+    q = problem.solution(state[:n], np.ones(n, dtype=bool))
     if not problem.error(q) <= problem.error(state[:n]):
         q = state[:n]
     with np.errstate(all="ignore"):

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from symbody.codegen import CompiledFunction, PreparedCode, lambdify
 from symbody.errors import SimulationError
+from symbody.simulation.given.parameter import parameters_in
 from symbody.simulation.model.model import Model
 from symbody.symbolic import Expr, derivation, free_symbols, jacobian, number, substitute, symbols, t
 
@@ -150,12 +151,7 @@ class DifferentialAlgebraicEquations:
         values = self.model.with_inputs(expressions)
         if any(leaf.depends_on_time for leaf in free_symbols(values) - {*self.inputs}):
             values = self.model.along_motion(expressions)  # rates of accelerations are no unknowns
-        leaves = free_symbols(values)
-        parameters = sorted(
-            (leaf for leaf in leaves if leaf.kind == "symbol" and not leaf.depends_on_time),
-            key=lambda leaf: leaf.name,
-        )
-        return PreparedCode(tuple(parameters), self.inputs, values)
+        return PreparedCode(parameters_in(values), self.inputs, values)
 
 
 def _named(stem: str, how_many: int) -> tuple[Expr, ...]:

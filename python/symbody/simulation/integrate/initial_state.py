@@ -7,7 +7,7 @@ from collections.abc import Mapping
 import numpy as np
 from numpy.typing import NDArray
 
-from symbody.simulation.constraint.consistent import found_state
+from symbody.simulation.constraint.consistent import solved_state
 from symbody.simulation.constraint.kinematics import kinematics_of
 from symbody.simulation.constraint.overconstraint import check_rank
 from symbody.simulation.given.values import state_values
@@ -35,7 +35,7 @@ def initial_state(
     given = {**task.guess, **state_values(model.system, initial, where="simulate")}
     if model.constraints or model.system.has_quasi_velocities:
         kinematics = kinematics_of(model.equations, dict(model.inputs))
-        given = found_state(kinematics, parameters, initial, task.guess, t)
+        given = solved_state(kinematics, parameters, initial, task.guess, t)
     state = np.zeros(model.width)
     state[: len(model.state)] = [given.get(name, 0.0) for name in model.state]
     if model.constraints:

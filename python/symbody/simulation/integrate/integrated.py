@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from symbody.simulation.model.model import DAMPING
 from symbody.symbolic import Expr
 
-from .contradictory_constraints import without_contradictions
+from .contradictory_constraints import with_contradictions
 from .outcome import Outcome
 from .task import Columns, KeepGoing, Task
 
@@ -54,7 +54,7 @@ def run_motions(
             yield None
             continue
         values = _values_of(columns, case)
-        yield Integrated(task, values, without_contradictions(outcome, task.model, values, task.instants))
+        yield Integrated(task, values, with_contradictions(outcome, task.model, values, task.instants))
 
 
 def _with_damping(task: Task, parameters: Columns, states: Array) -> Columns:

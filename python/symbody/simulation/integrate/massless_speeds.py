@@ -10,7 +10,7 @@ from collections.abc import Mapping
 import numpy as np
 from numpy.typing import NDArray
 
-from symbody.simulation.constraint.constraint_directions import masses_and_slopes
+from symbody.simulation.constraint.constraint_directions import masses_and_jacobians
 from symbody.simulation.constraint.contradiction import INCONSISTENT, cancelling_combinations
 from symbody.simulation.constraint.dependent_constraints import nearby
 from symbody.simulation.constraint.kinematics import magnitude
@@ -40,7 +40,7 @@ def unbalanced_speeds(model: Model, parameters: Mapping[Expr, float], t: float, 
     shifts = nearby(model.equations, state[: len(model.coordinates)])
     places = np.repeat(state[None], 1 + shifts.shape[1], axis=0)
     places[1:, : len(model.coordinates)] += shifts.T
-    M, phi_q = masses_and_slopes(model, p, t, places)
+    M, phi_q = masses_and_jacobians(model, p, t, places)
     finite = [k for k in range(len(M)) if np.isfinite(M[k]).all() and np.isfinite(phi_q[k]).all()]
     free = [_massless(M[k], phi_q[k]) for k in finite]
     if 0 not in finite or not all(free):

@@ -10,10 +10,10 @@ from numpy.typing import NDArray
 
 from symbody.simulation.given.event import Event
 from symbody.simulation.given.options import Options
+from symbody.simulation.given.parameter import parameters_in
 from symbody.simulation.model.model import Model
 from symbody.symbolic.numeric.deficiency import Deficiency, deficiencies_of, noting
 
-from .observed import parameters_in
 from .outcome import Failure, Outcome, Statistics, with_deficiencies
 from .problem import Problem
 from .task import Columns, Integrate, KeepGoing, Task

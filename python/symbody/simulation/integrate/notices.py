@@ -8,7 +8,7 @@ from math import nan
 
 import numpy as np
 
-from symbody.simulation.constraint.consistent import term_sizes
+from symbody.simulation.constraint.consistent_position import term_sizes
 from symbody.simulation.constraint.dependent_constraints import dependent_constraints, named_dependence
 from symbody.simulation.constraint.kinematics import kinematics_of
 from symbody.simulation.constraint.singular_passage import singular_passages

@@ -12,7 +12,7 @@ from symbody.symbolic import Expr, ExprLike, free_symbols
 from symbody.symbolic.given.arguments import described, expression
 from symbody.symbolic.given.namesake import namesake_note
 
-__all__ = ["check_observed", "given_events", "given_outputs", "parameters_in"]
+__all__ = ["check_observed", "given_events", "given_outputs"]
 
 
 def given_outputs(outputs: Mapping[str, ExprLike] | None, where: str = "simulate") -> dict[str, Expr]:
@@ -50,14 +50,6 @@ def given_events(events: Sequence[Event] | None, where: str = "simulate") -> tup
                 f"{where}: events contain {event!r}; expected Event(expression), from symbody"
             )
     return listed
-
-
-def parameters_in(expressions: Sequence[Expr]) -> tuple[Expr, ...]:
-    """Return the parameters in expressions, sorted by name."""
-    found = (
-        leaf for leaf in free_symbols(list(expressions)) if leaf.kind == "symbol" and not leaf.depends_on_time
-    )
-    return tuple(sorted(found, key=lambda symbol: symbol.name))
 
 
 def check_observed(

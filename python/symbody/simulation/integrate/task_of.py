@@ -8,9 +8,9 @@ from numpy.typing import ArrayLike
 
 from symbody.dynamics import Equations
 from symbody.simulation.given.event import Event
-from symbody.simulation.given.given_bodies import notice_impossible_bodies
+from symbody.simulation.given.given_bodies import warn_of_impossible_bodies
 from symbody.simulation.given.options import Options, check_options, constraint_handling, instants_of
-from symbody.simulation.given.unused import notice_unused
+from symbody.simulation.given.unused import warn_of_unused
 from symbody.simulation.given.values import given_inputs, state_values, zero_parameters
 from symbody.simulation.model.model import model_of
 from symbody.symbolic import Expr, ExprLike
@@ -19,7 +19,7 @@ from .methods import METHODS, method_name
 from .observed import check_observed, given_events, given_outputs
 from .task import Task
 
-__all__ = ["notice_odd_values", "task_of"]
+__all__ = ["task_of", "warn_of_odd_values"]
 
 
 def task_of(
@@ -84,7 +84,7 @@ def task_of(
     return task
 
 
-def notice_odd_values(task: Task, parameters: Mapping[Expr, ArrayLike], where: str = "simulate") -> None:
+def warn_of_odd_values(task: Task, parameters: Mapping[Expr, ArrayLike], where: str = "simulate") -> None:
     """Warn of parameters without a use, and of impossible masses and inertias.
 
     Args:
@@ -94,5 +94,5 @@ def notice_odd_values(task: Task, parameters: Mapping[Expr, ArrayLike], where: s
     """
     equations = task.model.equations
     observed = [*task.observed, *dict(task.model.inputs).values()]
-    notice_unused(equations, parameters, observed, where, stacklevel=4)
-    notice_impossible_bodies(equations.system, parameters, where)
+    warn_of_unused(equations, parameters, observed, where, stacklevel=4)
+    warn_of_impossible_bodies(equations.system, parameters, where)

@@ -15,6 +15,7 @@ from symbody.errors import ModelError, SimulationError
 from symbody.simulation.constraint.kinematics import magnitude
 from symbody.simulation.constraint.least_norm import least_norm_many
 from symbody.simulation.given.given_input import Given, with_given
+from symbody.simulation.given.parameter import parameters_among
 from symbody.symbolic import Expr, Matrix, free_symbols, jacobian, number, substitute, t, time_derivative
 
 from .kinematic_analysis import Trajectory
@@ -60,9 +61,7 @@ class DrivingLoads:
     @cached_property
     def parameters(self) -> tuple[Expr, ...]:
         """The symbols that need values, sorted by name."""
-        leaves = free_symbols(self.residuals) - {*self.loads}
-        found = {leaf for leaf in leaves if leaf.kind == "symbol" and not leaf.depends_on_time}
-        return tuple(sorted(found, key=lambda symbol: symbol.name))
+        return parameters_among(free_symbols(self.residuals) - {*self.loads})
 
     @cached_property
     def function(self) -> CompiledFunction:
@@ -108,7 +107,7 @@ class DrivingLoads:
                 "loads that are, such as a force or its amplitude"
             )
 
-    def solved(
+    def solution(
         self, instants: Array, trajectory: Trajectory, values: Mapping[Expr, float]
     ) -> tuple[Array, Array]:
         """Return loads and multipliers, one row for each instant; the least multipliers if constraints are dependent.

@@ -15,8 +15,9 @@ from symbody.errors import ArgumentError, ModelError, SimulationError
 from symbody.multibody import System
 from symbody.simulation.constraint.kinematics import Kinematics, kinematics_of
 from symbody.simulation.given.given_input import with_given
+from symbody.simulation.given.parameter import parameters_among
 from symbody.simulation.given.reading import Reading
-from symbody.simulation.given.unused import notice_unused
+from symbody.simulation.given.unused import warn_of_unused
 from symbody.simulation.given.values import given_inputs
 from symbody.simulation.model.unknown import unknown_variables
 from symbody.simulation.motion.motion import Motion
@@ -97,7 +98,7 @@ class InverseDynamics:
             ArgumentError: the argument is not an expression, or is a number.
             SimulationError: the expression contains a variable without values.
         """
-        values: Array = self.evaluate([_READING.one(expression, self.system.coordinates)])[0]
+        values: Array = self.evaluate([_READING.one_expression(expression, self.system.coordinates)])[0]
         return values
 
     def evaluate(self, expressions: Sequence[ExprLike]) -> Array:
@@ -108,7 +109,7 @@ class InverseDynamics:
             SimulationError: an expression contains a variable without values.
         """
         system = self.system
-        asked = _READING.several(expressions)
+        asked = _READING.several_expressions(expressions)
         wanted = self._by_state(asked)
         states = [*system.coordinates, *system.speeds, *system.accelerations, *system.multipliers]
         own = {*system.coordinates, *system.driving}
@@ -190,10 +191,10 @@ def inverse_dynamics(
     formulas = (
         [value for value in motion.values() if isinstance(value, Expr)] if isinstance(motion, Mapping) else []
     )
-    notice_unused(eqs, numbers, [*given.values(), *formulas], _WHERE)
+    warn_of_unused(eqs, numbers, [*given.values(), *formulas], _WHERE)
     equations = driving_loads(eqs, kinematics.given, () if loads else driven.driving, loads, _WHERE)
     with reporting(_WHERE):
-        forces, multipliers = equations.solved(driven.instants, driven.trajectory, driven.parameters)
+        forces, multipliers = equations.solution(driven.instants, driven.trajectory, driven.parameters)
     return InverseDynamics(
         eqs.system,
         driven.instants,
@@ -236,7 +237,7 @@ def _parameters(eqs: Equations, kinematics: Kinematics) -> set[Expr]:
         *kinematics.parameters,
         *free_symbols([value for _, value in kinematics.given]),
     }
-    return {leaf for leaf in leaves if leaf.kind == "symbol" and not leaf.depends_on_time}
+    return {*parameters_among(leaves)}
 
 
 def _check_unknowns(eqs: Equations, kinematics: Kinematics, motion: object, loads: Sequence[Expr]) -> None:

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from symbody.errors import ConstraintError, SimulationError
-from symbody.simulation.constraint.consistent import EXACT, Positions, positions
+from symbody.simulation.constraint.consistent_position import EXACT, Positions, positions
 from symbody.simulation.constraint.kinematics import Kinematics
 from symbody.simulation.constraint.least_norm import least_norm_many
 from symbody.simulation.model.named_constraint import shortened
@@ -186,7 +186,7 @@ class _Driven:
         if not np.isfinite(predicted).all():
             return None
         problem = Positions.at(self.kinematics, self.p, end, predicted)
-        found = problem.solved(predicted, self.is_free)
+        found = problem.solution(predicted, self.is_free)
         off, moved = np.abs(found - predicted).max(), np.abs(found - q).max()
         is_near = off <= max(_FAR * moved, 1e-6 * (1 + np.abs(q).max()))
         return found if is_near and problem.error(found) <= EXACT else None

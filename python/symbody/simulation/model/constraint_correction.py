@@ -1,6 +1,7 @@
 """The correction of constraint violations: the least changes of a state that lead back onto the constraints.
 
-`symbody.simulation.integrate.baumgarte_damping` is the other way: it damps violations instead of removing them.
+Projection applies them after each step. Baumgarte's stabilisation (`baumgarte_damping`) is the other way: it damps
+violations instead of removing them.
 """
 
 from __future__ import annotations

@@ -16,6 +16,7 @@ from symbody.errors import ModelError
 from symbody.multibody import System, gravitational_energy, kinetic_energy
 from symbody.multibody.load import action_power
 from symbody.simulation.given.given_input import with_given
+from symbody.simulation.given.parameter import parameters_among
 from symbody.symbolic import Expr, ExprLike, cost, derivation, free_symbols, number, substitute, symbols, t
 from symbody.symbolic import jacobian as jacobian_of
 from symbody.symbolic.numeric.deficiency import noting, report
@@ -100,8 +101,7 @@ class Model:
     def parameters(self) -> tuple[Expr, ...]:
         """The symbols that need values, sorted by name: those of the equations and of the inputs."""
         given = free_symbols([value for _, value in self.inputs])
-        found = {*self.equations.parameters, *(leaf for leaf in given if _is_parameter(leaf))}
-        return tuple(sorted(found, key=lambda symbol: symbol.name))
+        return parameters_among({*self.equations.parameters, *given})
 
     @property
     def damping(self) -> tuple[Expr, ...]:
@@ -324,10 +324,6 @@ class AlongMotion:
 
 _WORK = symbols("work_of_loads")
 """The variable of the work in compiled code."""
-
-
-def _is_parameter(leaf: Expr) -> bool:
-    return leaf.kind == "symbol" and not leaf.depends_on_time
 
 
 @lru_cache(maxsize=32)

@@ -6,13 +6,13 @@ from collections.abc import Callable
 from importlib import import_module
 from typing import Any
 
-__all__ = ["DRAWN_BY", "drawer"]
+__all__ = ["DRAWN_BY", "drawing_function"]
 
 DRAWN_BY = "symbody.view"
 """A module name, not an import: motions are computed without the view, and do not depend on it."""
 
 
-def drawer(name: str) -> Callable[..., Any]:
+def drawing_function(name: str) -> Callable[..., Any]:
     """Return the function of the view: `plot` or `animate`."""
     function: Callable[..., Any] = getattr(import_module(DRAWN_BY), name)
     return function

@@ -22,7 +22,7 @@ from symbody.simulation.model.unknown import explain_unknown
 from symbody.symbolic import Expr, ExprLike, free_symbols
 from symbody.symbolic.given.arguments import counted, described
 
-from .drawing import drawer
+from .drawing import drawing_function
 from .rates_along import accelerations_along
 
 if TYPE_CHECKING:
@@ -107,7 +107,7 @@ class Motion:
             SimulationError: the expression contains a variable that the model does not know.
             ParameterError: a parameter that is not in the equations has no value.
         """
-        expression = _READING.one(expression, self.model.state)
+        expression = _READING.one_expression(expression, self.model.state)
         if expression in self.model.state:
             return self.states[:, self.model.state.index(expression)]
         values: Array = self.evaluate([expression])[0]
@@ -121,7 +121,7 @@ class Motion:
             SimulationError: an expression contains a variable that the model does not know.
             ParameterError: a parameter that is not in the equations has no value.
         """
-        wanted = _READING.several(expressions)
+        wanted = _READING.several_expressions(expressions)
         if not wanted:
             return np.empty((0, len(self.t)))
         known = self.model.unknowns_in(wanted)
@@ -249,10 +249,12 @@ class Motion:
             title: the title of the figure.
             path: a file to save the figure in.
         """
-        figure: Figure = drawer("plot")(self, *panels, units=units, time=time, title=title, path=path)
+        figure: Figure = drawing_function("plot")(
+            self, *panels, units=units, time=time, title=title, path=path
+        )
         return figure
 
     def animate(self, path: str | os.PathLike[str], **options: Any) -> Path:
         """Write the motion as a page for a browser; see `symbody.view.animate` for the options."""
-        page: Path = drawer("animate")(self, path, **options)
+        page: Path = drawing_function("animate")(self, path, **options)
         return page

@@ -20,7 +20,7 @@ from symbody.simulation.integrate.integrated import Integrated, run_motions
 from symbody.simulation.integrate.notices import findings_of, notices_of_motion
 from symbody.simulation.integrate.outcome import with_deficiencies
 from symbody.simulation.integrate.task import Task
-from symbody.simulation.integrate.task_of import notice_odd_values, task_of
+from symbody.simulation.integrate.task_of import task_of, warn_of_odd_values
 from symbody.simulation.terminal.interruption import Interruption
 from symbody.simulation.terminal.progress import preparation_bar, progress_bar
 from symbody.symbolic import Expr, ExprLike
@@ -110,7 +110,7 @@ def simulate(
     )
     parameter_values(task.parameters, parameters)
     given = {name: float(value) for name, value in (parameters or {}).items()}
-    notice_odd_values(task, given)
+    warn_of_odd_values(task, given)
     with preparation_bar(is_shown=progress), noting() as met:
         state = initial_state(task, given, initial)
         _ = task.integrate  # compiled now: Ctrl-C interrupts, as there is no motion yet to keep

@@ -82,7 +82,7 @@ class Balance:
             return np.zeros(self.count)
         return least_norm(slopes[:n, len(q) :], -F[:n])[0]
 
-    def solved(self, q: Array) -> tuple[Array, Array]:
+    def solution(self, q: Array) -> tuple[Array, Array]:
         """Return the result of Gauss-Newton steps; forces are scaled by the terms of the equations of motion."""
         is_free, forces = self.is_free, self.first_forces(q)
         scale = self.scale(q, forces)

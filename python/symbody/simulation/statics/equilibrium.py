@@ -11,9 +11,9 @@ from numpy.typing import ArrayLike, NDArray
 
 from symbody.dynamics import Equations
 from symbody.errors import ModelNotice, SimulationError
-from symbody.simulation.constraint.consistent import positions, starting_points
+from symbody.simulation.constraint.consistent_position import positions, starting_points
 from symbody.simulation.constraint.kinematics import kinematics_of
-from symbody.simulation.given.unused import notice_unused
+from symbody.simulation.given.unused import warn_of_unused
 from symbody.simulation.given.values import given_inputs, parameter_values, state_values
 from symbody.simulation.model.named_constraint import shortened
 from symbody.symbolic import Expr, ExprLike
@@ -164,7 +164,7 @@ def _place(
     p = parameter_values(statics.parameters, parameters, where=_WHERE)
     held = state_values(eqs.system, fixed, where=_WHERE, argument="fixed", has_speeds=False)
     near = state_values(eqs.system, guess, where=_WHERE, argument="guess", has_speeds=False)
-    notice_unused(eqs, parameters or {}, list(given.values()), _WHERE, stacklevel=4)
+    warn_of_unused(eqs, parameters or {}, list(given.values()), _WHERE, stacklevel=4)
     problem = Balance(statics, t, p, tuple(held))
     constants = dict(zip(statics.parameters, p, strict=True))
     of_constraints = np.array([constants[name] for name in kinematics.parameters])
@@ -201,7 +201,7 @@ def _solved(problem: Balance, start: Array) -> tuple[Array, Array]:
     """
     best, least = (start, np.zeros(problem.count)), np.inf
     for beginning in starting_points(start, problem.is_free):
-        found = problem.solved(beginning)
+        found = problem.solution(beginning)
         error = problem.error(*found)
         if error <= BALANCED:
             return found
@@ -222,7 +222,7 @@ def _check_single(problem: Balance, solution: tuple[Array, Array]) -> None:
     q, forces = solution
     for direction in problem.neutral(q, forces).T:
         step = _ASIDE * direction / np.abs(direction).max()
-        other = problem.solved(q + step)
+        other = problem.solution(q + step)
         if problem.error(*other) <= BALANCED and np.abs(other[0] - q).max() > _ASIDE / 2:
             raise SimulationError(_many(problem, q, direction))
 

@@ -9,6 +9,7 @@ from symbody.codegen import CompiledFunction, lambdify
 from symbody.dynamics import Equations
 from symbody.simulation.constraint.kinematics import magnitude, quaternions
 from symbody.simulation.given.given_input import Given, with_given
+from symbody.simulation.given.parameter import parameters_among
 from symbody.symbolic import Expr, free_symbols, gradient, jacobian, number, substitute, symbol, t
 
 __all__ = ["Statics", "statics_of"]
@@ -29,9 +30,9 @@ class Statics:
     @cached_property
     def parameters(self) -> tuple[Expr, ...]:
         """The symbols that need values, sorted by name."""
-        leaves = {*self.equations.parameters, *free_symbols([value for _, value in self.given])}
-        found = {leaf for leaf in leaves if leaf.kind == "symbol" and not leaf.depends_on_time}
-        return tuple(sorted(found, key=lambda symbol: symbol.name))
+        return parameters_among(
+            {*self.equations.parameters, *free_symbols([value for _, value in self.given])}
+        )
 
     @cached_property
     def quaternions(self) -> tuple[tuple[Expr, ...], ...]:

@@ -1,4 +1,4 @@
-"""Links: rigid distances in the chain of frames from one joint to the next."""
+"""Chains of frames: their rigid segments from joint to joint, the guides along which they slide, and their joints."""
 
 from __future__ import annotations
 
@@ -12,35 +12,35 @@ from symbody.multibody import Body
 
 
 @dataclass(frozen=True)
-class Link:
+class Segment:
     """A constant distance in a frame: from its origin to that of the next frame of the chain."""
 
     frame: Frame
     to: Triple
 
 
-def links(bodies: Sequence[Body]) -> dict[Link, int]:
-    """Return the links of the chains that carry bodies, each with the index of the body that moves with it.
+def segments(bodies: Sequence[Body]) -> dict[Segment, int]:
+    """Return the segments of the chains that carry bodies, each with the index of the body that moves with it.
 
-    A link that moves with several bodies belongs to the first of them; one that moves with none has the index -1.
+    A segment that moves with several bodies belongs to the first of them; one that moves with none has the index -1.
 
     >>> from symbody import rotate, symbols, functions_of_time, translate
     >>> bar = Body(rotate("Z", functions_of_time("q")) * translate(symbols("l"), 0, 0), 1)
-    >>> [link.to for link in links([bar])]
+    >>> [segment.to for segment in segments([bar])]
     [(l, 0, 0)]
     """
     owners: dict[Frame, int] = {}
     for number, body in enumerate(bodies):
         owners.setdefault(_last_moving(body.frame), number)
     owners[bodies[0].frame.ancestor] = -1
-    found: dict[Link, int] = {}
+    found: dict[Segment, int] = {}
     for frame in (frame for body in bodies for frame in body.frame.chain):
         motion, parent = frame.motion, frame.parent
         if motion is None or parent is None:
             continue
         to = motion.displacement
         if not is_null(to) and not any(x.depends_on_time for x in to):
-            found[Link(parent, to)] = owners.get(_last_moving(parent), -1)
+            found[Segment(parent, to)] = owners.get(_last_moving(parent), -1)
     return found
 
 

@@ -1,0 +1,204 @@
+"""Consistent positions: coordinates that satisfy the constraints, as close as possible to given values."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from symbody.errors import ConstraintError
+from symbody.simulation.model.named_constraint import shortened
+from symbody.symbolic import Expr
+
+from .contradiction import contradiction_between, contradictory_equations
+from .gauss_newton import gauss_newton
+from .kinematics import Kinematics, neutral_position
+from .least_norm import least_norm
+
+__all__ = ["EXACT", "ROUNDED", "Positions", "listed_values", "positions", "starting_points", "term_sizes"]
+
+Array = NDArray[np.float64]
+Flags = NDArray[np.bool_]
+
+EXACT = 1e-10
+"""The relative violation up to which a constraint counts as satisfied."""
+ROUNDED = 1e-6
+"""The relative violation, as of numbers with seven digits, up to which given values are corrected as well."""
+_APPROACHES = 60
+_NAMED = 4
+_LISTED = 12
+
+
+@dataclass(frozen=True, eq=False)
+class Positions:
+    """The equations ``phi(q, t) = 0`` for some of the coordinates, relative to the magnitudes of their terms."""
+
+    kinematics: Kinematics
+    p: Array
+    t: float
+    scale: Array
+
+    @classmethod
+    def at(cls, kinematics: Kinematics, p: Array, t: float, q: Array) -> Positions:
+        """Return the equations, scaled at the position where the search starts."""
+        with np.errstate(all="ignore"):
+            _, phi_q, sizes = kinematics.position(t, q, p)
+        return cls(kinematics, p, t, term_sizes(q, phi_q, sizes))
+
+    def linearization(self, q: Array, is_free: Flags) -> tuple[Array, Array]:
+        """Return the scaled constraints and their derivatives with respect to the free coordinates."""
+        with np.errstate(all="ignore"):
+            phi, phi_q, _ = self.kinematics.position(self.t, q, self.p)
+            return phi / self.scale, phi_q[:, is_free] / self.scale[:, None]
+
+    def error(self, q: Array) -> float:
+        """Return the largest relative violation; infinity if a constraint is not finite."""
+        with np.errstate(all="ignore"):
+            phi, phi_q, sizes = self.kinematics.position(self.t, q, self.p)
+        error = float(np.max(np.abs(phi) / term_sizes(q, phi_q, sizes)))
+        return error if np.isfinite(error) else np.inf
+
+    def solution(self, q: Array, is_free: Flags, most: int = 200) -> Array:
+        """Return the position after Gauss-Newton steps of the free coordinates, at most as many as given."""
+        found = q.copy()
+
+        def of_free(free: Array) -> tuple[Array, Array]:
+            found[is_free] = free
+            return self.linearization(found, is_free)
+
+        found[is_free] = gauss_newton(of_free, q[is_free], most)
+        return found
+
+
+def positions(
+    kinematics: Kinematics,
+    p: Array,
+    t: float,
+    fixed: Mapping[Expr, float],
+    guess: Mapping[Expr, float],
+    where: str = "consistent_state",
+) -> Array:
+    """Return the coordinates, shape (n_q,): the fixed values, and the least change of the others from their guess.
+
+    Args:
+        kinematics: the constraints.
+        p: the values of their parameters.
+        t: the time, in s.
+        fixed: the values of fixed coordinates.
+        guess: the values near which the others should be.
+        where: the function that the user called, for messages.
+
+    Raises:
+        ConstraintError: no position was found that satisfies the constraints.
+    """
+    coordinates = kinematics.system.coordinates
+    neutral = neutral_position(kinematics.system)
+    start = np.array([fixed.get(q, guess.get(q, zero)) for q, zero in zip(coordinates, neutral, strict=True)])
+    is_free = np.array([q not in fixed for q in coordinates])
+    if not kinematics.constraints:
+        return start
+    best, least = start, np.inf
+    for beginning in starting_points(start, is_free):
+        problem = Positions.at(kinematics, p, t, beginning)
+        found = problem.solution(beginning, is_free)
+        if problem.error(found) <= EXACT:
+            return _nearest(problem, start, found, is_free)
+        if problem.error(found) <= ROUNDED:
+            polished = problem.solution(found, np.ones_like(is_free))
+            if problem.error(polished) <= EXACT and np.allclose(polished, found, rtol=1e-4, atol=1e-4):
+                return polished
+        if problem.error(found) < least:
+            best, least = found, problem.error(found)
+    raise ConstraintError(f"{where}: {_unsatisfied(kinematics, p, t, best, fixed)}")
+
+
+def starting_points(start: Array, is_free: Flags) -> Iterator[Array]:
+    """Yield the start, then points around it at growing distances: if the start is singular, they are not."""
+    yield start
+    if not is_free.any():
+        return
+    directions = np.random.Generator(np.random.PCG64(1))
+    for size in (1e-2, 1e-1, 0.3, 1.0, 1.0, 3.0, 3.0, 3.0, 10.0, 10.0):
+        shift = directions.uniform(-1, 1, len(start)) * is_free
+        yield start + size * np.maximum(np.abs(start), 0.3) * shift
+
+
+def term_sizes(q: Array, phi_q: Array, sizes: Array) -> Array:
+    """Return the magnitudes of the terms of the constraints, at least those by a thousandth of the coordinates."""
+    scale = np.maximum(sizes, 1e-3 * np.abs(phi_q) @ np.maximum(np.abs(q), 1))
+    return np.where(np.isfinite(scale) & (scale > 0), scale, 1.0)
+
+
+def _nearest(problem: Positions, start: Array, found: Array, is_free: Flags) -> Array:
+    """Return the solution nearest to the start, by descent from a solution that was found.
+
+    Each step projects the difference to the start onto the tangent space, and then returns to the constraints.
+    """
+    share = 1.0
+    for _ in range(_APPROACHES):
+        _, J = problem.linearization(found, is_free)
+        _, tangents = least_norm(J, np.zeros(len(J)))
+        back = np.zeros_like(found)
+        back[is_free] = tangents @ (tangents.T @ (start - found)[is_free])
+        if np.abs(back).max() <= 1e-10 * (1 + np.abs(found).max()):
+            break
+        nearer = problem.solution(found + share * back, is_free)
+        if problem.error(nearer) <= EXACT and _distance(nearer, start) < _distance(found, start):
+            found, share = nearer, min(1.0, 2 * share)
+        elif share > 1e-3:
+            share /= 4
+        else:
+            break
+    return found
+
+
+def _distance(a: Array, b: Array) -> float:
+    return float(np.linalg.norm(a - b))
+
+
+def _unsatisfied(kinematics: Kinematics, p: Array, t: float, q: Array, fixed: Mapping[Expr, float]) -> str:
+    """Return which constraints are violated where the search ended, and the way out.
+
+    Args:
+        kinematics: the constraints.
+        p: the values of their parameters.
+        t: the time, in s.
+        q: the nearest coordinates that were found, shape (n_q,).
+        fixed: the values of fixed coordinates.
+    """
+    phi, phi_q, sizes = kinematics.position(t, q, p)
+    system = kinematics.system
+    against = (
+        contradictory_equations(phi_q, phi, term_sizes(q, phi_q, sizes)) if np.isfinite(phi_q).all() else ()
+    )
+    if against:
+        return f"at t = {t:g} s {contradiction_between(system.constraints, against)}"
+    named = [name for name in system.coordinates if name in fixed]
+    left = [
+        f"constraint {k + 1}, {shortened(constraint)} = 0, is off by {phi[k]:.3g}"
+        for k, constraint in enumerate(system.constraints)
+        if not abs(phi[k]) <= EXACT * sizes[k]
+    ]
+    found = "; ".join(left[:_NAMED]) + (f"; and {len(left) - _NAMED} more" if len(left) > _NAMED else "")
+    if named and len(named) == len(system.coordinates):
+        return (
+            f"the given coordinates, {listed_values(named, fixed)}, don't satisfy the constraints at t = {t:g} s: "
+            f"{found}; give some of them as a guess instead, so that they are solved for"
+        )
+    nearest = listed_values(
+        [name for name in system.coordinates if name not in fixed],
+        dict(zip(system.coordinates, q, strict=True)),
+    )
+    what = f"with {listed_values(named, fixed)}" if named else "from the guess"
+    return (
+        f"no coordinates were found {what} that satisfy the constraints at t = {t:g} s; nearest, at "
+        f"{nearest}: {found}; give fewer or other values, or a guess={{coordinate: value}} near a solution"
+    )
+
+
+def listed_values(names: Sequence[Expr], values: Mapping[Expr, float]) -> str:
+    """Return the values of some variables as messages list them, the first ones at least."""
+    shown = ", ".join(f"{name} = {values[name]:.6g}" for name in names[:_LISTED])
+    return shown + (", ..." if len(names) > _LISTED else "")

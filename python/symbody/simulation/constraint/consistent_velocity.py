@@ -1,0 +1,143 @@
+"""Consistent velocities: speeds that satisfy the rates of constraints, as close as possible to given values."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from symbody.errors import ConstraintError
+from symbody.simulation.model.named_constraint import shortened
+from symbody.symbolic import Expr, time_derivative
+
+from .consistent_position import EXACT, ROUNDED, listed_values
+from .contradiction import contradiction_between, contradictory_equations
+from .kinematics import Kinematics
+from .least_norm import least_norm
+
+__all__ = ["velocities"]
+
+Array = NDArray[np.float64]
+
+_WHERE = "consistent_state"
+POLISHED = 1e-3
+"""The largest correction of given speeds, relative to the largest speed."""
+
+
+def velocities(
+    kinematics: Kinematics,
+    p: Array,
+    t: float,
+    q: Array,
+    fixed: Mapping[Expr, float],
+    guess: Mapping[Expr, float],
+) -> Array:
+    """Return the speeds, shape (n,): the fixed values, and the least change of the others from their guess.
+
+    Fixed rates of coordinates that are not speeds, ``q' = K u + k``, are conditions like those of the constraints.
+
+    Args:
+        kinematics: the constraints and the kinematics.
+        p: the values of their parameters.
+        t: the time, in s.
+        q: the coordinates.
+        fixed: the values of fixed speeds and rates.
+        guess: the values near which the others should be.
+
+    Raises:
+        ConstraintError: no speeds with these values satisfy the constraints.
+    """
+    speeds, m = kinematics.system.speeds, len(kinematics.constraints)
+    A, b = kinematics.velocity(t, q, p)
+    u = _guessed(kinematics, A[m:], b[m:], guess)
+    is_free = np.array([speed not in fixed for speed in speeds])
+    u[~is_free] = [fixed[speed] for speed in speeds if speed in fixed]
+    places, values = _given_rates(kinematics, fixed)
+    rows = [*range(m), *(m + place for place in places)]
+    A, b = A[rows], -b[rows] + np.array([0.0] * m + values)
+    least = np.append(_usual_sizes(kinematics, p, t, q), np.zeros(len(places)))
+    u[is_free] += least_norm(A[:, is_free], b - A @ u)[0]
+    error = _relative(A, b, u, least)
+    if (error > EXACT).any() and (error <= ROUNDED).all():
+        change = least_norm(A, b - A @ u)[0]
+        # Where a gradient vanishes, its direction is a rounding error: speeds that are nearly right are not changed.
+        if np.abs(change).max() <= POLISHED * np.abs(u).max():
+            u = u + change
+        error = _relative(A, b, u, least)
+    if not (error <= ROUNDED).all():
+        against = contradictory_equations(A[:m], b[:m], np.abs(b[:m])) if np.isfinite(A).all() else ()
+        if against:
+            contradiction = contradiction_between(kinematics.system.constraints, against)
+            raise ConstraintError(f"{_WHERE}: at t = {t:g} s {contradiction}")
+        raise ConstraintError(_impossible(kinematics, t, error, places, fixed))
+    return u
+
+
+def _usual_sizes(kinematics: Kinematics, p: Array, t: float, q: Array) -> Array:
+    """Return the usual magnitudes of the constraints' gradients, even where these vanish: terms over coordinates."""
+    with np.errstate(all="ignore"):
+        _, _, sizes = kinematics.position(t, q, p)
+    usual: Array = np.where(np.isfinite(sizes), sizes, 0.0) / max(1.0, float(np.abs(q).max()))
+    return usual
+
+
+def _relative(A: Array, b: Array, u: Array, least: Array) -> Array:
+    """Return the residuals of equations relative to the magnitudes of their terms.
+
+    Args:
+        A: the left sides.
+        b: the right sides.
+        u: the speeds.
+        least: a lower bound for the sum of each row.
+    """
+    size = np.maximum(np.abs(A).sum(axis=1), least) * np.abs(u).max(initial=0.0) + np.abs(b)
+    error: Array = np.abs(A @ u - b) / np.where(size > 0, size, 1)
+    return error
+
+
+def _guessed(kinematics: Kinematics, K: Array, k: Array, guess: Mapping[Expr, float]) -> Array:
+    """Return the speeds of least norm with the guessed values of speeds and of rates of coordinates."""
+    u = np.array([guess.get(speed, 0.0) for speed in kinematics.system.speeds])
+    places, values = _given_rates(kinematics, guess)
+    shift: Array = least_norm(K[places], np.array(values) - k[places] - K[places] @ u)[0]
+    return u + shift
+
+
+def _given_rates(kinematics: Kinematics, given: Mapping[Expr, float]) -> tuple[list[int], list[float]]:
+    """Return the indices of the coordinates whose rates are given but are not speeds, and these rates."""
+    speeds = kinematics.system.speeds
+    rates = [time_derivative(q) for q in kinematics.system.coordinates]
+    places = [place for place, rate in enumerate(rates) if rate in given and rate not in speeds]
+    return places, [given[rates[place]] for place in places]
+
+
+def _impossible(
+    kinematics: Kinematics, t: float, error: Array, places: Sequence[int], fixed: Mapping[Expr, float]
+) -> str:
+    """Return which equation no speeds satisfy, and the way out.
+
+    Args:
+        kinematics: the constraints.
+        t: the time, in s.
+        error: the relative residuals of the equations for speeds.
+        places: the indices of coordinates whose rates are fixed.
+        fixed: the values of fixed speeds and rates.
+    """
+    system = kinematics.system
+    rates = [time_derivative(system.coordinates[place]) for place in places]
+    conditions = [
+        *(f"satisfy constraint {k + 1}, {shortened(phi)} = 0," for k, phi in enumerate(system.constraints)),
+        *(f"give {rate} = {fixed[rate]:.6g}" for rate in rates),
+    ]
+    worst = conditions[int(np.argmax(np.where(np.isfinite(error), error, np.inf)))]
+    named = [name for name in dict.fromkeys((*system.speeds, *rates)) if name in fixed]
+    if not named:
+        return (
+            f"{_WHERE}: no speeds {worst} at t = {t:g} s in this position: the constraints change with time, and the "
+            "system can't follow; give other coordinates"
+        )
+    return (
+        f"{_WHERE}: no speeds with {listed_values(named, fixed)} {worst} at t = {t:g} s in this position; give some of "
+        "them as a guess instead, so that they are solved for"
+    )
