@@ -15,7 +15,7 @@ import symbody
 from symbody import codegen, simulation, view
 
 MODELS = "dynamics errors geometry multibody symbolic"
-CODE = "codegen dynamics errors files geometry multibody symbolic"
+CODEGEN = "codegen dynamics errors files geometry multibody symbolic"
 
 LOADED = """
 import sys
@@ -40,14 +40,8 @@ def in_a_new_process(code: str, *options: str) -> str:
         ("import symbody; dir(symbody); hasattr(symbody, 'simulat')", f"numpy symbody | {MODELS}"),
         ("import symbody; symbody.__version__", f"numpy symbody | {MODELS}"),
         ("import symbody; symbody.parse('x + y')", f"lark numpy symbody | {MODELS}"),
-        (
-            "from symbody import generate, lambdify",
-            f"llvmlite numpy symbody | {CODE}",
-        ),
-        (
-            "import symbody.codegen as codegen",
-            f"llvmlite numpy symbody | {CODE}",
-        ),
+        ("from symbody import generate, lambdify", f"llvmlite numpy symbody | {CODEGEN}"),
+        ("import symbody.codegen as codegen", f"llvmlite numpy symbody | {CODEGEN}"),
     ],
 )
 def test_modules(code: str, loaded: str) -> None:

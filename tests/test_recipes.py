@@ -110,7 +110,7 @@ def test_every_motion_occurs_in_the_random_systems() -> None:
     assert set(concrete(FrameMotion)) <= motions
 
 
-@pytest.mark.parametrize("layer", ["geometry", "multibody", "dynamics"])
+@pytest.mark.parametrize("layer", ["geometry", "multibody", "dynamics", "simulation", "view"])
 def test_no_file_asks_of_which_kind_a_motion_is(layer: str) -> None:
     """What a motion does differently is a method of it; only a motion itself may merge with its like."""
     kinds = "|".join(motion.__name__ for motion in concrete(FrameMotion))

@@ -7,7 +7,6 @@ from dataclasses import dataclass
 
 from symbody.geometry import Frame, Point, origin
 from symbody.geometry.component.triple import Triple, is_null
-from symbody.geometry.motion.translation import Translation
 from symbody.multibody import Body
 
 
@@ -71,7 +70,7 @@ def guides(bodies: Iterable[Body]) -> list[Guide]:
     for body in bodies:
         for frame in body.frame.chain:
             motion, parent = frame.motion, frame.parent
-            if motion is None or parent is None or not isinstance(motion, Translation):
+            if motion is None or parent is None or motion.rotates:
                 continue
             if sum(x.depends_on_time for x in motion.displacement) == 1:
                 found[Guide(parent, motion.displacement)] = None

@@ -5,10 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
-from symbody.geometry.motion.floating import Floating
 from symbody.geometry.motion.frame_motion import FrameMotion
-from symbody.geometry.motion.rotation import Rotation
-from symbody.geometry.motion.translation import Translation
 from symbody.multibody import System
 from symbody.symbolic import Expr, number, pi, substitute, time_derivative
 from symbody.view.attachment import natural_points
@@ -75,7 +72,7 @@ def _kinds(system: System) -> dict[Expr, str]:
     """Return the kinds of coordinates and speeds, from the frames of bodies and the names of natural coordinates."""
     found: dict[Expr, str] = {}
     motions = [m for body in system.bodies for m in body.frame.motions]
-    twists = [m.twist for m in motions if isinstance(m, Floating)]
+    twists = [m.twist for m in motions if m.twist is not None]
     twists += [] if system.root.carrier is None else [system.root.carrier]
     for kind, leaves in (
         ("length", (leaf for motion in motions for leaf in _multiples(motion.displacement))),
@@ -97,9 +94,9 @@ def _multiples(expressions: Sequence[Expr]) -> list[Expr]:
 
 def _angles(motion: FrameMotion) -> list[Expr]:
     """Return the functions of time for which a full turn changes nothing."""
-    if isinstance(motion, Rotation):
+    if motion.turn_axis is not None:
         return _multiples(motion.variables)
-    if isinstance(motion, Translation):
+    if not motion.rotates:
         return []
     axes = [[number(int(i == j)) for j in range(3)] for i in range(3)]
     entries = [x for i, j, k in axes for x in motion.to_parent((i, j, k))]

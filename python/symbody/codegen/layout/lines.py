@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from typing import TypeAlias
 
 from symbody.codegen.layout.language import Language
@@ -11,7 +11,7 @@ from symbody.codegen.layout.statement import Clear, Factor, Let, Part, Read, Sec
 from symbody.codegen.layout.tree import Application, Entry, Name, Number, Tree
 from symbody.codegen.straight_line.instruction import Operation
 
-__all__ = ["expression_text", "part_lines", "wrap_line"]
+__all__ = ["expression_text", "part_lines", "wrap_line", "wrap_lines"]
 
 Shapes: TypeAlias = Mapping[str, tuple[int, ...]]
 
@@ -158,6 +158,11 @@ def wrap_line(line: str, language: Language, indent: str) -> list[str]:
         lines.append(lead + line[:end].rstrip() + language.continuation)
         line, lead = line[end:], indent * 2 or language.indent
     return [*lines, lead + line]
+
+
+def wrap_lines(lines: Iterable[str], language: Language, indent: str) -> list[str]:
+    """Break each of some lines into lines of the language's width."""
+    return [part for line in lines for part in wrap_line(line, language, indent)]
 
 
 def _break(line: str, room: int) -> int:

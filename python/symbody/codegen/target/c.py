@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from symbody.codegen.layout.language import Language, functions, number_text
-from symbody.codegen.layout.lines import part_lines, wrap_line
+from symbody.codegen.layout.lines import part_lines, wrap_line, wrap_lines
 from symbody.codegen.layout.module import Array, Function, Module
 from symbody.codegen.runtime.linear_solve import kernel_text
 from symbody.codegen.straight_line.instruction import Operation
@@ -116,13 +116,13 @@ def _source(module: Module) -> str:
 def _function(module: Module, function: Function) -> list[str]:
     parts = function.composition.parts
     arrays = [f"    double {name}[{size}];" for name, size in function.arrays]
-    calls = [line for call in function.calls for line in wrap_line(_call_of(module, call), LANGUAGE, "    ")]
+    calls = wrap_lines([_call_of(module, call) for call in function.calls], LANGUAGE, "    ")
     unused = [f"    (void){a.name};" for a in function.arguments if a.name not in function.mentions]
     if len(parts) == 1:
         definitions, body = [], part_lines(parts[0], LANGUAGE, function.shapes)
     else:
         definitions = [line for k in range(len(parts)) for line in [*_part(function, k), ""]]
-        body = [line for k in range(len(parts)) for line in wrap_line(_call(function, k), LANGUAGE, "    ")]
+        body = wrap_lines([_call(function, k) for k in range(len(parts))], LANGUAGE, "    ")
     title = wrap_line(_signature(module, function), LANGUAGE, "")
     return [*definitions, *title, "{", *arrays, *calls, *body, *unused, "}"]
 
@@ -170,7 +170,7 @@ def _check(module: Module) -> str:
     title = [mark(module), "", "Evaluates every routine at one state and compares with reference values."]
     lines = [*_comment(title), f'#include "{module.name}.h"', "", "#include <math.h>", "#include <stdio.h>"]
     lines += [*_COMPARE.rstrip().splitlines(), "", "int main(void)", "{"]
-    lines += [line for name, values in module.values.items() for line in _values(module, name, values)]
+    lines += wrap_lines(_values(module), LANGUAGE, "    ")
     if module.prepare:
         lines += [f"    double {r.name}[{r.size}];" for r in module.prepare.results]
     lines += ["", f'    printf("{module.name}: entries, largest relative error\\n");']
@@ -181,25 +181,30 @@ def _check(module: Module) -> str:
     return "\n".join(lines) + "\n"
 
 
-def _values(module: Module, name: str, values: Sequence[float]) -> list[str]:
-    literals = ", ".join(map(LANGUAGE.literal, values))
-    is_scalar = any(a.name == name and a.is_scalar for a in module.arguments)
-    text = f"const double {name} = {literals};" if is_scalar else f"const double {name}[] = {{{literals}}};"
-    return wrap_line(text, LANGUAGE, "    ")
+def _values(module: Module) -> list[str]:
+    """Return the lines that give the arguments their values."""
+    scalars = {array.name for array in module.arguments if array.is_scalar}
+    literals = {name: ", ".join(map(LANGUAGE.literal, values)) for name, values in module.values.items()}
+    return [
+        f"const double {name} = {text};" if name in scalars else f"const double {name}[] = {{{text}}};"
+        for name, text in literals.items()
+    ]
 
 
 def _comparison(module: Module, function: Function, references: Sequence[Sequence[float]]) -> list[str]:
     """Return a block that calls a routine and compares its results."""
-    lines = ["{", *(f"    double {result.name}[{result.size}];" for result in function.results)]
     pairs = comparisons(function, references)
-    for result, reference in pairs:
-        literals = ", ".join(map(LANGUAGE.literal, reference))
-        lines += wrap_line(f"const double {result.name}_reference[] = {{{literals}}};", LANGUAGE, "    ")
-    lines += wrap_line(_call_of(module, function), LANGUAGE, "    ")
-    for result, _ in pairs:
-        what = f'"{function.name}: {result.name}", {result.size}, {result.name}, {result.name}_reference'
-        lines += wrap_line(f"compare({what});", LANGUAGE, "    ")
-    return [f"    {line}" for line in [*lines, "}"]]
+    body = [
+        f"const double {result.name}_reference[] = {{{', '.join(map(LANGUAGE.literal, reference))}}};"
+        for result, reference in pairs
+    ]
+    body.append(_call_of(module, function))
+    body += [
+        f'compare("{function.name}: {result.name}", {result.size}, {result.name}, {result.name}_reference);'
+        for result, _ in pairs
+    ]
+    declared = [f"    double {result.name}[{result.size}];" for result in function.results]
+    return [f"    {line}" for line in ["{", *declared, *wrap_lines(body, LANGUAGE, "    "), "}"]]
 
 
 def _call_of(module: Module, function: Function) -> str:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 
 from symbody.codegen.layout.language import Language, functions, number_text
-from symbody.codegen.layout.lines import part_lines, wrap_line
+from symbody.codegen.layout.lines import part_lines, wrap_line, wrap_lines
 from symbody.codegen.layout.module import Array, Function, Module
 from symbody.codegen.runtime.linear_solve import kernel_text
 from symbody.codegen.straight_line.instruction import Operation
@@ -113,7 +113,7 @@ def _subroutine(function: Function) -> list[str]:
     declared = {a.name: _declared(a, "in") for a in function.arguments}
     declared |= {r.name: _declared(r, "out") for r in function.results}
     working = [f"real(dp) :: {name}({size})" for name, size in function.arrays]
-    called = [line for call in function.calls for line in wrap_line(_call_of(call), LANGUAGE, "")]
+    called = wrap_lines([_call_of(call) for call in function.calls], LANGUAGE, "")
     parts = function.composition.parts
     if len(parts) == 1:
         body = [
@@ -123,9 +123,7 @@ def _subroutine(function: Function) -> list[str]:
             *part_lines(parts[0], LANGUAGE, function.shapes, ""),
         ]
         return [*comments, *_procedure(function.name, declared, [*working, *body])]
-    calls = [
-        line for number in range(len(parts)) for line in wrap_line(_call(function, number), LANGUAGE, "")
-    ]
+    calls = wrap_lines([_call(function, number) for number in range(len(parts))], LANGUAGE, "")
     definitions = [line for number in range(len(parts)) for line in ["", *_part(function, number)]]
     return [*comments, *_procedure(function.name, declared, [*working, "", *called, *calls]), *definitions]
 

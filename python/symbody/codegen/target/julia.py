@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from symbody.codegen.layout.language import Language, functions, number_text
-from symbody.codegen.layout.lines import part_lines, wrap_line
+from symbody.codegen.layout.lines import part_lines, wrap_line, wrap_lines
 from symbody.codegen.layout.module import Array, Function, Module
 from symbody.codegen.runtime.snippets import SNIPPETS
 from symbody.codegen.straight_line.instruction import Operation
@@ -87,12 +87,12 @@ def _function(function: Function) -> list[str]:
     arrays += [(name, str(size)) for name, size in function.working]
     lines += [f"    {name} = Array{{number}}(undef, {size})" for name, size in arrays]
     returned = ", ".join(result.name for result in function.results)
-    lines += [line for call in function.calls for line in wrap_line(_assignment(call), LANGUAGE, "    ")]
+    lines += wrap_lines([_assignment(call) for call in function.calls], LANGUAGE, "    ")
     definitions: list[str] = []
     if len(parts) == 1:
         lines += part_lines(parts[0], LANGUAGE, function.shapes)
     else:
-        lines += [line for k in range(len(parts)) for line in wrap_line(_call(function, k), LANGUAGE, "    ")]
+        lines += wrap_lines([_call(function, k) for k in range(len(parts))], LANGUAGE, "    ")
         definitions = [line for k in range(len(parts)) for line in ["", *_part(function, k)]]
     title = f"function {function.name}({', '.join(array.name for array in function.arguments)})"
     comments = comment_lines(head_of_function(function), "#")

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from symbody.codegen.layout.language import Language, functions, number_text
-from symbody.codegen.layout.lines import part_lines, wrap_line
+from symbody.codegen.layout.lines import part_lines, wrap_line, wrap_lines
 from symbody.codegen.layout.module import Array, Function, Module
 from symbody.codegen.runtime.snippets import SNIPPETS
 from symbody.codegen.straight_line.instruction import Operation
@@ -124,9 +124,7 @@ def _file(module: Module, function: Function) -> str:
     arrays = [(result.name, _zeros(result)) for result in function.results if not result.is_scalar]
     arrays += [(name, f"zeros({size}, 1)") for name, size in function.working]
     lines += [f"    {name} = {zeros};" for name, zeros in arrays]
-    lines += [
-        line for c in function.calls for line in wrap_line(f"{_signature(module, c)};", LANGUAGE, "    ")
-    ]
+    lines += wrap_lines([f"{_signature(module, call)};" for call in function.calls], LANGUAGE, "    ")
     for part in function.composition.parts:
         lines += part_lines(part, LANGUAGE, function.shapes)
     helpers = list(dict.fromkeys(text for name, text in _HELPERS.items() if name in function.operations))

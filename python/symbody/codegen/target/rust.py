@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from symbody.codegen.layout.language import Language, functions, number_text
-from symbody.codegen.layout.lines import part_lines, wrap_line
+from symbody.codegen.layout.lines import part_lines, wrap_line, wrap_lines
 from symbody.codegen.layout.module import Array, Function, Module
 from symbody.codegen.runtime.linear_solve import kernel_text
 from symbody.codegen.straight_line.instruction import Operation
@@ -108,13 +108,13 @@ def _function(function: Function) -> list[str]:
     lines = comment_lines(head_of_function(function), "///")
     parts = function.composition.parts
     arrays = [f"    let mut {name} = [0.0; {size}];" for name, size in function.arrays]
-    calls = [line for call in function.calls for line in wrap_line(_called(call), LANGUAGE, "    ")]
+    calls = wrap_lines([_called(call) for call in function.calls], LANGUAGE, "    ")
     unused = [f"    let _ = {a.name};" for a in function.arguments if a.name not in function.mentions]
     title = f"pub fn {function.name}({', '.join(_declared(function).values())}) {{"
     if len(parts) == 1:
         body, definitions = part_lines(parts[0], LANGUAGE, function.shapes), []
     else:
-        body = [line for k in range(len(parts)) for line in wrap_line(_call(function, k), LANGUAGE, "    ")]
+        body = wrap_lines([_call(function, k) for k in range(len(parts))], LANGUAGE, "    ")
         definitions = [line for k in range(len(parts)) for line in ["", *_part(function, k)]]
     return [*lines, *wrap_line(title, LANGUAGE, ""), *arrays, *calls, *body, *unused, "}", *definitions]
 

@@ -12,7 +12,6 @@ from numpy.typing import NDArray
 from symbody.codegen import CompiledFunction, lambdify
 from symbody.dynamics import Equations
 from symbody.errors import ModelError
-from symbody.geometry.motion.floating import Floating
 from symbody.multibody import System
 from symbody.multibody.frames import all_frames
 from symbody.simulation.given.given_input import Given, with_given
@@ -121,7 +120,9 @@ def magnitude(expression: Expr) -> Expr:
 def quaternions(system: System) -> tuple[tuple[Expr, ...], ...]:
     """Return the Euler parameters of floating frames, four each, that are coordinates."""
     frames = all_frames(system.bodies, system.loads, system.gravity)
-    found = [frame.motion.quaternion for frame in frames if isinstance(frame.motion, Floating)]
+    found = [
+        frame.motion.quaternion for frame in frames if frame.motion is not None and frame.motion.quaternion
+    ]
     return tuple(four for four in dict.fromkeys(found) if not {*four}.isdisjoint(system.coordinates))
 
 
