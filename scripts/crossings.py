@@ -32,12 +32,16 @@ class Course:
     functions: set[tuple[str, str]] = field(default_factory=set)
     crossings: Counter[tuple[str, str]] = field(default_factory=Counter)
     depth: int = 0
+    _entered: set[FrameType] = field(default_factory=set)
 
     def follow(self, frame: FrameType, event: str, _: object) -> None:
         """Note a call of a function of symbody."""
         code = frame.f_code
         if event != "call" or not code.co_filename.startswith(HOME) or code.co_name.startswith("<"):
             return
+        if frame in self._entered:  # a generator that continues is no new call
+            return
+        self._entered.add(frame)
         self.functions.add((code.co_filename, code.co_qualname))
         files = _files(frame)
         if len(files) > 1 and files[0] != files[1]:

@@ -52,16 +52,16 @@ fn cross3(py: Python<'_>, a: Triple, b: Triple) -> PyResult<Result3> {
     compute(py, |graph| vector::cross(graph, vector3(&a), vector3(&b)))
 }
 
-/// R v for the rotation about axis 0, 1 or 2 with this cosine and sine.
+/// R v for the rotation about axis 0, 1 or 2 by an angle.
 #[pyfunction]
-fn rotate3(py: Python<'_>, axis: usize, cos: Operand, sin: Operand, v: Triple) -> PyResult<Result3> {
-    compute(py, |graph| vector::rotate(graph, axis, cos.0, sin.0, vector3(&v)))
+fn rotate3(py: Python<'_>, axis: usize, angle: Operand, v: Triple) -> PyResult<Result3> {
+    compute(py, |graph| vector::rotate(graph, axis, angle.0, vector3(&v)))
 }
 
-/// R^T v for the rotation about axis 0, 1 or 2 with this cosine and sine.
+/// R^T v for the rotation about axis 0, 1 or 2 by an angle.
 #[pyfunction]
-fn rotate_back3(py: Python<'_>, axis: usize, cos: Operand, sin: Operand, v: Triple) -> PyResult<Result3> {
-    compute(py, |graph| vector::rotate_back(graph, axis, cos.0, sin.0, vector3(&v)))
+fn rotate_back3(py: Python<'_>, axis: usize, angle: Operand, v: Triple) -> PyResult<Result3> {
+    compute(py, |graph| vector::rotate_back(graph, axis, angle.0, vector3(&v)))
 }
 
 /// M v for the nine entries of M, row by row.

@@ -1,7 +1,7 @@
 //! Vectors of three components.
 
 use crate::error::Error;
-use crate::graph::{Graph, Id, NumberId};
+use crate::graph::{Function, Graph, Id, NumberId};
 
 /// The components of a vector in one frame.
 pub type Vector3 = [Id; 3];
@@ -45,20 +45,26 @@ pub fn cross(graph: &mut Graph, a: Vector3, b: Vector3) -> Result<Vector3, Error
     Ok([component(1, 2)?, component(2, 0)?, component(0, 1)?])
 }
 
-/// R v for the rotation about axis 0, 1 or 2 by the angle with this cosine and sine.
+/// R v for the rotation about axis 0, 1 or 2 by an angle.
 ///
 /// # Errors
 /// If there is no such axis.
-pub fn rotate(graph: &mut Graph, axis: usize, cos: Id, sin: Id, v: Vector3) -> Result<Vector3, Error> {
+pub fn rotate(graph: &mut Graph, axis: usize, angle: Id, v: Vector3) -> Result<Vector3, Error> {
+    let (cos, sin) = (graph.apply(Function::Cos, &[angle])?, graph.apply(Function::Sin, &[angle])?);
     let opposite = graph.neg(sin);
-    rotate_back(graph, axis, cos, opposite, v)
+    turn_back(graph, axis, [cos, opposite], v)
 }
 
-/// R^T v for the rotation about axis 0, 1 or 2 by the angle with this cosine and sine.
+/// R^T v for the rotation about axis 0, 1 or 2 by an angle.
 ///
 /// # Errors
 /// If there is no such axis.
-pub fn rotate_back(graph: &mut Graph, axis: usize, cos: Id, sin: Id, v: Vector3) -> Result<Vector3, Error> {
+pub fn rotate_back(graph: &mut Graph, axis: usize, angle: Id, v: Vector3) -> Result<Vector3, Error> {
+    let (cos, sin) = (graph.apply(Function::Cos, &[angle])?, graph.apply(Function::Sin, &[angle])?);
+    turn_back(graph, axis, [cos, sin], v)
+}
+
+fn turn_back(graph: &mut Graph, axis: usize, [cos, sin]: [Id; 2], v: Vector3) -> Result<Vector3, Error> {
     if axis > 2 {
         return Err(Error::Limit { what: "number of an axis", limit: 2, found: axis });
     }

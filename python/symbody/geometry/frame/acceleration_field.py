@@ -16,7 +16,7 @@ from symbody.geometry.component.triple import NULL, Rate, Triple, rates
 from symbody.geometry.component.turning import Accelerated, Turning
 from symbody.symbolic import add3, cross3, time_derivatives
 
-from .frame import Frame, along_chain
+from .frame import Frame, missing
 
 
 @final
@@ -36,12 +36,13 @@ class AccelerationField:
 
     def __call__(self, frame: Frame) -> Accelerated:
         """Return the acceleration of a rigid frame, in its own axes."""
-        return along_chain(
-            frame,
-            self._memo,
-            self._start,
-            lambda motion, parent: motion.child_acceleration(parent, self._rate),
-        )
+        for link in missing(frame, self._memo):
+            if link.parent is None or link.motion is None:
+                self._memo[link.key] = self._start(link)
+            else:
+                parent = self._memo[link.parent.key]
+                self._memo[link.key] = link.motion.child_acceleration(parent, self._rate)
+        return self._memo[frame.key]
 
     def _start(self, root: Frame) -> Accelerated:
         if root.carrier is None:

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from hashlib import blake2b
-from typing import Annotated, NamedTuple, TypeAlias, TypeVar, final
+from typing import Annotated, NamedTuple, TypeAlias, final
 
 from symbody.errors import FrameError
 from symbody.geometry.component.triple import NULL, Scalar, Triple, triple
@@ -27,7 +27,6 @@ from symbody.geometry.motion.translation import Translation
 from symbody.symbolic import Expr, Matrix, add3, derivation, dot3, number
 from symbody.symbolic.given.arguments import brief
 
-State = TypeVar("State")
 Rows4: TypeAlias = Annotated[
     Matrix | Sequence[Sequence[Scalar]], "a 4x4 matrix: four rows of four entries each"
 ]
@@ -187,7 +186,12 @@ class Frame:
         """The rotation matrix and the origin, as seen from the root."""
         with derivation() as current:
             memo: dict[bytes, Pose] = current.cache.setdefault("pose", {})
-            return along_chain(self, memo, lambda _: UNMOVED, moved)
+            for link in missing(self, memo):
+                if link.parent is None or link.motion is None:
+                    memo[link.key] = UNMOVED
+                else:
+                    memo[link.key] = moved(link.motion, memo[link.parent.key])
+            return memo[self.key]
 
     @property
     def matrix(self) -> Matrix:
@@ -229,31 +233,17 @@ UNMOVED = Pose(
 ground = Frame.root("ground")
 
 
-def along_chain(
-    frame: Frame,
-    memo: dict[bytes, State],
-    start: Callable[[Frame], State],
-    step: Callable[[FrameMotion, State], State],
-) -> State:
-    """Return the state of a recursion from the root at a frame.
+def missing(frame: Frame, memo: Mapping[bytes, object]) -> list[Frame]:
+    """Return the frames from the root to a frame whose states are not in a memo yet, the outermost last.
 
-    Args:
-        frame: where the recursion ends.
-        memo: states by the keys of frames, to which those on the way are added.
-        start: gives the state of the root.
-        step: gives the state of a child by its motion and the state of the parent.
+    A recursion along chains gives each of them a state, by its motion and the state of its parent.
     """
-    missing = []
+    found = []
     current: Frame | None = frame
     while current is not None and current.key not in memo:
-        missing.append(current)
+        found.append(current)
         current = current.parent
-    for link in reversed(missing):
-        if link.parent is None or link.motion is None:
-            memo[link.key] = start(link)
-        else:
-            memo[link.key] = step(link.motion, memo[link.parent.key])
-    return memo[frame.key]
+    return found[::-1]
 
 
 def moved(motion: FrameMotion, pose: Pose) -> Pose:

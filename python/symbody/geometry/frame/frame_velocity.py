@@ -18,7 +18,7 @@ from symbody.geometry.component.twist import Twist
 from symbody.geometry.motion.placement import axial_rate, transposed
 from symbody.symbolic import add3, cross3, derivation, matvec3, time_derivatives
 
-from .frame import UNMOVED, Frame, Pose, along_chain, moved
+from .frame import UNMOVED, Frame, Pose, missing, moved
 
 
 class Seen(NamedTuple):
@@ -32,11 +32,12 @@ def twist(frame: Frame) -> Twist:
     """Return the twist of a rigid frame in its own axes."""
     with derivation() as current:
         memo: dict[bytes, Twist] = current.cache.setdefault("twist", {})
-        return along_chain(frame, memo, _root_twist, lambda motion, parent: motion.child_twist(parent))
-
-
-def _root_twist(root: Frame) -> Twist:
-    return root.carrier or Twist(NULL, NULL)
+        for link in missing(frame, memo):
+            if link.parent is None or link.motion is None:
+                memo[link.key] = link.carrier or Twist(NULL, NULL)
+            else:
+                memo[link.key] = link.motion.child_twist(memo[link.parent.key])
+        return memo[frame.key]
 
 
 def pose_from(frame: Frame, base: Frame) -> Pose:

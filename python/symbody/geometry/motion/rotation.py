@@ -34,10 +34,10 @@ class Rotation(FrameMotion):
         return number(self.axis), self.angle
 
     def to_parent(self, v: Triple) -> Triple:
-        return rotate3(self.axis, cos(self.angle), sin(self.angle), v)
+        return rotate3(self.axis, self.angle, v)
 
     def to_child(self, v: Triple) -> Triple:
-        return rotate_back3(self.axis, cos(self.angle), sin(self.angle), v)
+        return rotate_back3(self.axis, self.angle, v)
 
     def spin(self, rate: Rate) -> Triple:
         (turning,) = rate((self.angle,))

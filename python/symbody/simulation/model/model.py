@@ -62,32 +62,32 @@ class Model:
         """The system that moves."""
         return self.equations.system
 
-    @property
+    @cached_property
     def coordinates(self) -> tuple[Expr, ...]:
         """The coordinates q."""
         return self.equations.coordinates
 
-    @property
+    @cached_property
     def speeds(self) -> tuple[Expr, ...]:
         """The speeds u."""
         return self.equations.speeds
 
-    @property
+    @cached_property
     def state(self) -> tuple[Expr, ...]:
         """The coordinates and the speeds, without the work; their number is n."""
         return self.coordinates + self.speeds
 
-    @property
+    @cached_property
     def accelerations(self) -> tuple[Expr, ...]:
         """The rates of the speeds."""
         return self.equations.accelerations
 
-    @property
+    @cached_property
     def multipliers(self) -> tuple[Expr, ...]:
         """The multipliers of the constraints."""
         return self.equations.multipliers
 
-    @property
+    @cached_property
     def constraints(self) -> tuple[Expr, ...]:
         """The constraints phi, expressions that are zero."""
         return self.equations.constraints
