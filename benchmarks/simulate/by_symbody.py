@@ -9,7 +9,7 @@ import numpy as np
 
 from symbody import simulate
 from symbody.simulation.given.options import Options
-from symbody.simulation.integrate.by_ida import run_ida
+from symbody.simulation.integrate.ida_method import run_ida
 from symbody.simulation.integrate.methods import METHODS
 from symbody.simulation.integrate.native import problem_of, run
 from symbody.simulation.integrate.outcome import Outcome

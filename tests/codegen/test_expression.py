@@ -8,12 +8,12 @@ from typing import Any
 
 import pytest
 
+from symbody.codegen.languages.fortran import LANGUAGE as FORTRAN
+from symbody.codegen.languages.python import LANGUAGE as PYTHON
 from symbody.codegen.layout.language import Language
 from symbody.codegen.layout.lines import expression_text, wrap_line
 from symbody.codegen.layout.tree import Application, Entry, Name, Number, Tree
 from symbody.codegen.straight_line.instruction import Operation
-from symbody.codegen.target.fortran import LANGUAGE as FORTRAN
-from symbody.codegen.target.python import LANGUAGE as PYTHON
 
 OPERATORS: dict[type[ast.AST], Operation] = {
     ast.Add: Operation.ADD,

@@ -1,8 +1,8 @@
 //! The loop of an integration.
 
-use crate::balance::{Balance, Imbalance};
 use crate::branch::Branch;
 use crate::dynamics::Dynamics;
+use crate::energy_balance::{Balance, Imbalance};
 use crate::event::{Occurrence, Watch};
 use crate::failure::Failure;
 use crate::method::{Method, Tolerances};

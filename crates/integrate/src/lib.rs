@@ -4,14 +4,14 @@
 //! state is projected onto the constraints, events are located, and the states at the requested instants are read
 //! from the dense output. [`integrate()`] runs one motion, and [`integrate_many`] runs many in several threads.
 
-mod balance;
 mod batch;
 mod branch;
+mod diffsol_methods;
 mod dynamics;
+mod energy_balance;
 mod event;
 mod failure;
 mod integrate;
-mod library;
 mod machine_code;
 mod method;
 mod projection;
@@ -20,9 +20,9 @@ mod start;
 mod stepper;
 mod trail;
 
-pub use balance::Imbalance;
 pub use batch::{Case, integrate_many};
 pub use dynamics::{Dynamics, EventKind};
+pub use energy_balance::Imbalance;
 pub use event::Occurrence;
 pub use failure::Failure;
 pub use integrate::{Record, Run, integrate};

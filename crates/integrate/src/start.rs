@@ -1,8 +1,8 @@
 //! The start of a motion: the stepper of a method.
 
+use crate::diffsol_methods;
 use crate::dynamics::Dynamics;
 use crate::failure::Failure;
-use crate::library;
 use crate::method::{Method, Tolerances};
 use crate::runge_kutta::RungeKutta;
 use crate::stepper::Stepper;
@@ -19,5 +19,5 @@ pub fn start<R>(
     if let Some(mut stepper) = RungeKutta::new(method, dynamics, (t, end), state, tolerances) {
         return Ok(then(&mut stepper));
     }
-    library::start(method, dynamics, t, state, tolerances, then)
+    diffsol_methods::start(method, dynamics, t, state, tolerances, then)
 }

@@ -73,9 +73,9 @@ from symbody.symbolic.expression.triple import (
 )
 from symbody.symbolic.linear.bordered import SaddlePointSolution
 from symbody.symbolic.linear.ldl import ldl_solve
-from symbody.symbolic.linear.linear_solve import linear_solve
+from symbody.symbolic.linear.runtime_solve import linear_solve
 from symbody.symbolic.linear.saddle_point import saddle_point_solve
-from symbody.symbolic.linear.solve import solve
+from symbody.symbolic.linear.symbolic_solve import solve
 from symbody.symbolic.numeric.program import STAGES, Argument, Program, Result, Routine
 from symbody.symbolic.sympy_bridge.structured import from_sympy, to_sympy
 from symbody.symbolic.text.parse import parse

@@ -18,11 +18,11 @@ from symbody.view.chain import joint
 from symbody.view.drawable_motion import DrawableMotion
 from symbody.view.drawing_options import DrawingOptions
 from symbody.view.equivalent import equivalent_shape
+from symbody.view.frame_table import FrameTable
 from symbody.view.pose import arrows, constants, fixed_paths, paths, poses, relative_path, rounded
 from symbody.view.shape import Shape
 from symbody.view.skeleton import COLORS, Skeleton, skeleton
 from symbody.view.solid import corners, falls_short_of, hides
-from symbody.view.table import FrameTable
 
 Array = NDArray[np.float64]
 Part = dict[str, Any]

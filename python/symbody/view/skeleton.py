@@ -13,8 +13,8 @@ from symbody.geometry import Point
 from symbody.view.attachment import RIGID, Attachment, Thread, attachment, natural_points, threads
 from symbody.view.chain import guides, segments
 from symbody.view.drawable_motion import DrawableMotion
+from symbody.view.frame_table import FrameTable
 from symbody.view.pose import constants, paths, values
-from symbody.view.table import FrameTable
 
 Array = NDArray[np.float64]
 

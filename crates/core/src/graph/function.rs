@@ -1,4 +1,5 @@
-//! The table of functions: name, arity, derivative, parity, exact values, field value, f64 value.
+//! The table of functions: name, arity, parity, and value in doubles. Their values in the field and at special numbers are
+//! in `canonical`, their derivatives in `calculus`.
 
 use crate::error::Error;
 

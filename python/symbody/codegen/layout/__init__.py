@@ -1,1 +1,1 @@
-"""From straight-line code to statements of routines, with the names of a language but not yet in its syntax."""
+"""From straight-line code to the routines of a language: names, formulas, statements, and the lines of both."""

@@ -13,8 +13,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from symbody.codegen.llvm.jit import is_available, lanes
+from symbody.codegen.machine.compile_threshold import is_worth_compiling
 from symbody.codegen.machine.machine_code import MachineCode
-from symbody.codegen.machine.worth import is_worth_compiling
 from symbody.errors import ArgumentError, ExpressionError, ParameterError, SymbodyError
 from symbody.symbolic import Expr, Matrix
 from symbody.symbolic.expression.encoding import Encoded, decode, encode

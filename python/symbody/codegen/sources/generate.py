@@ -10,18 +10,18 @@ from dataclasses import replace
 from itertools import islice
 from pathlib import Path
 
+from symbody.codegen.languages.c import C
+from symbody.codegen.languages.casadi import CASADI
+from symbody.codegen.languages.fortran import FORTRAN
+from symbody.codegen.languages.heads import MARK
+from symbody.codegen.languages.jax import JAX
+from symbody.codegen.languages.julia import JULIA
+from symbody.codegen.languages.matlab import MATLAB
+from symbody.codegen.languages.modelica import MODELICA
+from symbody.codegen.languages.python import PYTHON
+from symbody.codegen.languages.rust import RUST
+from symbody.codegen.languages.target import Target
 from symbody.codegen.layout.arrange import module_of
-from symbody.codegen.target.c import C
-from symbody.codegen.target.casadi import CASADI
-from symbody.codegen.target.fortran import FORTRAN
-from symbody.codegen.target.jax import JAX
-from symbody.codegen.target.julia import JULIA
-from symbody.codegen.target.matlab import MATLAB
-from symbody.codegen.target.modelica import MODELICA
-from symbody.codegen.target.printer import MARK
-from symbody.codegen.target.python import PYTHON
-from symbody.codegen.target.rust import RUST
-from symbody.codegen.target.target import Target
 from symbody.errors import CodegenError, ModelNotice
 from symbody.files.replacement import write_texts
 from symbody.symbolic import STAGES, Program, free_symbols

@@ -10,9 +10,9 @@ import tempfile
 from collections.abc import Mapping
 from pathlib import Path
 
+from symbody.codegen.languages.target import Target
 from symbody.codegen.layout.arrange import module_name
 from symbody.codegen.sources.generate import source, target_of
-from symbody.codegen.target.target import Target
 from symbody.errors import CodegenError
 from symbody.files.replacement import write_texts
 from symbody.symbolic import Program

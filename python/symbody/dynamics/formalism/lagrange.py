@@ -9,8 +9,8 @@ from symbody.dynamics.equations.constraint_force import with_multipliers
 from symbody.dynamics.equations.equations import Assembly, Equations
 from symbody.dynamics.equations.independence import check_independent
 from symbody.dynamics.recursion.added_mass import with_added_mass
-from symbody.dynamics.recursion.inverse_dynamics import at_rest, bias, inverse_dynamics
 from symbody.dynamics.recursion.mass_matrix import mass_matrix
+from symbody.dynamics.recursion.recursive_newton_euler import at_rest, bias, inverse_dynamics
 from symbody.dynamics.tree.frame_tree import FrameTree, frame_tree, given_twist
 from symbody.errors import ModelError
 from symbody.geometry.component.triple import NULL, Triple

@@ -6,8 +6,8 @@ from symbody.dynamics.equations.constraint_force import with_multipliers
 from symbody.dynamics.equations.equations import Assembly, Equations
 from symbody.dynamics.equations.independence import check_independent
 from symbody.dynamics.recursion.added_mass import with_added_mass
-from symbody.dynamics.recursion.inverse_dynamics import bias, inverse_dynamics
 from symbody.dynamics.recursion.mass_matrix import mass_matrix
+from symbody.dynamics.recursion.recursive_newton_euler import bias, inverse_dynamics
 from symbody.dynamics.tree.frame_tree import FrameTree, frame_tree
 from symbody.errors import FrameError, ModelError
 from symbody.geometry.given.argument import checked
@@ -24,7 +24,8 @@ def newton_euler(system: System) -> Equations:
 
     The accelerations of the frames, in their own axes, are carried outwards, with weight as an acceleration of the
     root; the wrenches that cause them are carried inwards. The equation of a speed is the power of the wrenches on the
-    motions that it drives, per unit of the speed. The number of operations is proportional to the number of bodies.
+    motions that it drives, per unit of the speed (`recursion/recursive_newton_euler.py`, `forces_along_speeds.py`). The
+    number of operations is proportional to the number of bodies.
 
     Raises:
         FrameError: a frame isn't rigid by itself, as in natural coordinates.

@@ -23,6 +23,7 @@ from symbody.dynamics.inertia.articulated_inertia import ArticulatedInertia
 from symbody.dynamics.inertia.base_inertia import base_inertias
 from symbody.dynamics.inertia.composite import Composite
 from symbody.dynamics.inertia.wrench import Wrench
+from symbody.dynamics.recursion.recursive_newton_euler import at_rest, needed_wrenches
 from symbody.dynamics.tree.frame_tree import FrameTree
 from symbody.dynamics.tree.partial_motion import PartialTwist
 from symbody.errors import ModelError
@@ -32,7 +33,6 @@ from symbody.multibody import System
 from symbody.symbolic import Expr, add3, cross3, number, scale3
 
 from .added_mass import has_added_mass
-from .inverse_dynamics import at_rest, needed_wrenches
 
 
 def is_applicable(system: System, tree: FrameTree) -> bool:

@@ -20,7 +20,7 @@ from functools import partial
 from symbody.dynamics.equations.baumgarte import Damping
 from symbody.dynamics.equations.equations import Equations
 from symbody.dynamics.recursion import articulated_body
-from symbody.dynamics.recursion.inverse_dynamics import at_rest
+from symbody.dynamics.recursion.recursive_newton_euler import at_rest
 from symbody.dynamics.tree.frame_tree import FrameTree, frame_tree
 from symbody.errors import ExpressionError, ModelError
 from symbody.geometry.given.argument import checked

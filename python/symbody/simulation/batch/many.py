@@ -16,6 +16,7 @@ from numpy.typing import ArrayLike
 
 from symbody.dynamics import Equations
 from symbody.errors import ArgumentError, ModelNotice, ResultsError, SimulationError
+from symbody.simulation.batch.case_arrays import Results
 from symbody.simulation.given.event import Event
 from symbody.simulation.integrate.notices import notices_of_batch
 from symbody.simulation.integrate.task import Task
@@ -28,7 +29,6 @@ from symbody.symbolic.given.arguments import described
 from .case_check import check_cases
 from .cases import PLACE, Cases, Values, cases_of
 from .problem_digest import problem_digest
-from .results import Results
 from .results_file import ResultsFile
 from .run_cases import empty_results
 from .runs import Runs

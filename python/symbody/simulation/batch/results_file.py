@@ -14,8 +14,7 @@ import numpy as np
 
 from symbody.errors import ResultsError
 from symbody.files.replacement import replacement
-
-from .results import Results
+from symbody.simulation.batch.case_arrays import Results
 
 FORMAT = "symbody results 2"
 """The first entry of a results file; the number increases when the meaning of the arrays changes."""

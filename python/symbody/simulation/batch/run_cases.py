@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from symbody.errors import SymbodyError
+from symbody.simulation.batch.case_arrays import Results, Status
 from symbody.simulation.integrate.diagnosis import diagnosis
 from symbody.simulation.integrate.initial_state import initial_state
 from symbody.simulation.integrate.integrated import Integrated, run_motions
@@ -17,7 +18,6 @@ from symbody.simulation.integrate.task import KeepGoing, Task
 from symbody.symbolic.numeric.deficiency import noting
 
 from .cases import Cases
-from .results import Results, Status
 
 __all__ = ["empty_results", "run_cases"]
 

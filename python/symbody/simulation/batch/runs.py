@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 
 from symbody.errors import ArgumentError, ModelNotice, ParameterError
 from symbody.multibody import System
+from symbody.simulation.batch.case_arrays import Results, Status
 from symbody.simulation.given.reading import Reading
 from symbody.simulation.integrate.integrated import Integrated
 from symbody.simulation.integrate.notices import Finding, deficiency_findings, notices_of_batch
@@ -27,7 +28,6 @@ from symbody.symbolic.given.arguments import counted, described
 from symbody.symbolic.numeric.deficiency import noting
 
 from .cases import Cases
-from .results import Results, Status
 
 Array = NDArray[np.float64]
 

@@ -12,12 +12,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from symbody.errors import SimulationError
+from symbody.simulation.batch.case_arrays import Results
 from symbody.simulation.integrate.task import Task
 from symbody.simulation.terminal.interruption import Interruption
 
 from .cases import Cases
 from .parcel import Parcel
-from .results import Results
 from .run_cases import empty_results, run_cases
 from .stop_flag import StopFlag
 

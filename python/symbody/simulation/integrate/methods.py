@@ -6,7 +6,7 @@ from functools import partial
 
 from symbody.errors import SimulationError
 
-from . import by_ida, native
+from . import ida_method, native
 from .task import Method
 
 __all__ = ["DEFAULT", "METHODS", "method_name"]
@@ -23,9 +23,9 @@ METHODS = {
     "bdf": _IMPLICIT,
     "esdirk34": _IMPLICIT,
     "tr_bdf2": _IMPLICIT,
-    "ida": Method(by_ida.prepare),
-    "ida2": Method(by_ida.prepare),
-    "ida3": Method(by_ida.prepare),
+    "ida": Method(ida_method.prepare),
+    "ida2": Method(ida_method.prepare),
+    "ida3": Method(ida_method.prepare),
 }
 """The methods by name."""
 

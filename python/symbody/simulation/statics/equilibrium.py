@@ -16,10 +16,10 @@ from symbody.simulation.constraint.kinematics import kinematics_of
 from symbody.simulation.given.unused import warn_of_unused
 from symbody.simulation.given.values import given_inputs, parameter_values, state_values
 from symbody.simulation.model.named_constraint import shortened
+from symbody.simulation.statics.force_balance import Balance
 from symbody.symbolic import Expr, ExprLike
 from symbody.symbolic.numeric.deficiency import reporting
 
-from .balance import Balance
 from .rest_position import RestPosition
 from .statics import statics_of
 

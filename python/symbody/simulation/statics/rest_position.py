@@ -12,9 +12,8 @@ from numpy.typing import NDArray
 from symbody.simulation.constraint.kinematics import Kinematics
 from symbody.simulation.constraint.singular_position import dependent_rows, is_singular
 from symbody.simulation.model.named_constraint import listed, named_constraints
+from symbody.simulation.statics.force_balance import Balance
 from symbody.symbolic import Matrix
-
-from .balance import Balance
 
 __all__ = ["RestPosition"]
 

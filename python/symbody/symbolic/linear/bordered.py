@@ -11,7 +11,7 @@ from symbody.symbolic.expression.derivation import derivation
 from symbody.symbolic.expression.leaves import ExprLike
 from symbody.symbolic.expression.matrix import Matrix
 from symbody.symbolic.given.arguments import counted
-from symbody.symbolic.linear.linear_solve import linear_solve
+from symbody.symbolic.linear.runtime_solve import linear_solve
 
 __all__ = ["SaddlePointSolution", "bordered_solve", "check_saddle_point"]
 

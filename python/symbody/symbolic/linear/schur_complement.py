@@ -11,7 +11,7 @@ from symbody.symbolic.expression.matrix import Matrix
 from symbody.symbolic.linear.bordered import SaddlePointSolution, check_saddle_point
 from symbody.symbolic.linear.gram import gram, scalar_product
 from symbody.symbolic.linear.ldl import Elimination
-from symbody.symbolic.linear.linear_solve import linear_solve
+from symbody.symbolic.linear.runtime_solve import linear_solve
 
 __all__ = ["schur_complement_solve"]
 

@@ -1,1 +1,1 @@
-"""Conversion from SymPy, and of whole structures to SymPy and back."""
+"""Conversion from SymPy, and of structures in both directions; `expression/to_sympy.py` converts single expressions."""

@@ -11,14 +11,13 @@ from numpy.typing import NDArray
 from symbody.errors import SimulationError
 from symbody.simulation.given.event import Event
 from symbody.simulation.given.options import Options
+from symbody.simulation.integrate.energy_balance import imbalance_of
+from symbody.simulation.integrate.ida import IDA_FORMS, IdaRun, integrate_ida
+from symbody.simulation.integrate.outcome import Failure, Outcome, Statistics, with_deficiencies
+from symbody.simulation.integrate.task import Columns, Integrate, KeepGoing, Task
 from symbody.simulation.model.model import Model
 from symbody.symbolic import Expr
 from symbody.symbolic.numeric.deficiency import noting
-
-from .energy_balance import imbalance_of
-from .ida import IDA_FORMS, IdaRun, integrate_ida
-from .outcome import Failure, Outcome, Statistics, with_deficiencies
-from .task import Columns, Integrate, KeepGoing, Task
 
 __all__ = ["prepare", "run_ida"]
 

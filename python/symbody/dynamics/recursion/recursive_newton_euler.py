@@ -17,14 +17,13 @@ from collections.abc import Mapping
 from symbody.dynamics.inertia.base_inertia import base_inertias
 from symbody.dynamics.inertia.inertia_wrench import inertia_wrenches
 from symbody.dynamics.inertia.wrench import Wrench
+from symbody.dynamics.recursion.forces_along_speeds import forces_along_speeds
 from symbody.dynamics.tree.frame_tree import FrameTree
 from symbody.geometry import Point
 from symbody.geometry.component.triple import NULL, Rate, Triple
 from symbody.geometry.frame.acceleration_field import AccelerationField
 from symbody.multibody import Action, System
 from symbody.symbolic import Expr, ExprLike, cross3, sub3, substitute, time_derivatives
-
-from .forces_along_speeds import forces_along_speeds
 
 
 def inverse_dynamics(

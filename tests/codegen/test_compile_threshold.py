@@ -7,7 +7,7 @@ import pytest
 
 from symbody import CompiledFunction, linear_solve, newton_euler, symbols
 from symbody import lambdify as function_of
-from symbody.codegen.machine.worth import is_worth_compiling
+from symbody.codegen.machine.compile_threshold import is_worth_compiling
 from tests.reference.robot import robot
 
 

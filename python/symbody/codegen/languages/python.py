@@ -8,19 +8,19 @@ import sys
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from symbody.codegen.layout.language import Language, functions, number_text
-from symbody.codegen.layout.lines import part_lines, wrap_line
-from symbody.codegen.layout.module import Array, Function, Module
-from symbody.codegen.runtime.snippets import SNIPPETS
-from symbody.codegen.straight_line.instruction import Operation
-from symbody.codegen.target.printer import (
+from symbody.codegen.languages.heads import (
     comparisons,
     head,
     head_of_function,
     mark,
     with_own_result_names,
 )
-from symbody.codegen.target.target import Target
+from symbody.codegen.languages.target import Target
+from symbody.codegen.layout.language import Language, functions, number_text
+from symbody.codegen.layout.lines import part_lines, wrap_line
+from symbody.codegen.layout.module import Array, Function, Module
+from symbody.codegen.runtime.snippets import SNIPPETS
+from symbody.codegen.straight_line.instruction import Operation
 
 __all__ = [
     "PYTHON",

@@ -4,12 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from symbody.codegen.layout.language import Language, functions, number_text
-from symbody.codegen.layout.lines import part_lines, wrap_line, wrap_lines
-from symbody.codegen.layout.module import Array, Function, Module
-from symbody.codegen.runtime.snippets import SNIPPETS
-from symbody.codegen.straight_line.instruction import Operation
-from symbody.codegen.target.printer import (
+from symbody.codegen.languages.heads import (
     comment_lines,
     comparisons,
     head,
@@ -17,7 +12,12 @@ from symbody.codegen.target.printer import (
     mark,
     with_own_result_names,
 )
-from symbody.codegen.target.target import Target
+from symbody.codegen.languages.target import Target
+from symbody.codegen.layout.language import Language, functions, number_text
+from symbody.codegen.layout.lines import part_lines, wrap_line, wrap_lines
+from symbody.codegen.layout.module import Array, Function, Module
+from symbody.codegen.runtime.snippets import SNIPPETS
+from symbody.codegen.straight_line.instruction import Operation
 
 __all__ = ["MATLAB"]
 

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
+from symbody.codegen.languages.python import Library, check_text, module_text, python_language
+from symbody.codegen.languages.target import Target
 from symbody.codegen.layout.lines import wrap_line
 from symbody.codegen.layout.module import Function, Module
 from symbody.codegen.runtime.snippets import SNIPPETS
 from symbody.codegen.straight_line.instruction import Operation
-from symbody.codegen.target.python import Library, check_text, module_text, python_language
-from symbody.codegen.target.target import Target
 
 __all__ = ["CASADI"]
 

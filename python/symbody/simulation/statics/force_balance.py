@@ -12,10 +12,9 @@ from symbody.dynamics import Equations
 from symbody.simulation.constraint.dependent_constraints import nearby
 from symbody.simulation.constraint.gauss_newton import gauss_newton
 from symbody.simulation.constraint.least_norm import least_norm
+from symbody.simulation.statics.small_motion import SmallMotion
+from symbody.simulation.statics.statics import Statics
 from symbody.symbolic import Expr
-
-from .small_motion import SmallMotion
-from .statics import Statics
 
 __all__ = ["Balance"]
 
