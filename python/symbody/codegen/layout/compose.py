@@ -128,16 +128,15 @@ class _Composer:
         return self.titles[stage].split(":")[0] + ", continued" if goes_on else self.titles[stage]
 
     def _instruction(self, place: int, row: Instruction) -> Iterator[Statement]:
-        match row.operation:
-            case Operation.FACTOR:
-                yield from self._factor(place, row)
-            case Operation.SOLVE:
-                yield from self._solve(place, row)
-            case Operation.COMPONENT:
-                self._trees[place] = Entry(self._solutions[row.reads[0]][0], row.component)
-                yield from self._stores(place)
-            case _:
-                yield from self._value(place, row)
+        if row.operation not in LINEAR_SYSTEMS:
+            yield from self._value(place, row)
+        elif row.operation is Operation.FACTOR:
+            yield from self._factor(place, row)
+        elif row.operation is Operation.SOLVE:
+            yield from self._solve(place, row)
+        else:
+            self._trees[place] = Entry(self._solutions[row.reads[0]][0], row.component)
+            yield from self._stores(place)
 
     def _factor(self, place: int, row: Instruction) -> Iterator[Statement]:
         matrix = self._matrices[place] = (self.scope.claim("matrix"), isqrt(len(row.reads)))

@@ -78,16 +78,17 @@ def instructions_of(tape: Tape) -> tuple[Instruction, ...]:
     matrices, solutions = tape.factorizations, tape.solves
     instructions = []
     for name, *numbers in tape.instructions:
-        operation, reads, component = _BY_NAME[name], tuple(numbers), 0
-        match operation:
-            case Operation.FACTOR:
-                reads = tuple(matrices[numbers[0]][1])
-            case Operation.SOLVE:
-                matrix, right = solutions[numbers[0]]
-                reads = (matrix, *right)
-            case Operation.COMPONENT:
-                reads, component = (numbers[0],), numbers[1]
-        instructions.append(Instruction(operation, reads, component))
+        operation = _BY_NAME[name]
+        if operation not in LINEAR_SYSTEMS:
+            instructions.append(Instruction(operation, tuple(numbers)))
+        elif operation is Operation.FACTOR:
+            instructions.append(Instruction(operation, tuple(matrices[numbers[0]][1])))
+        elif operation is Operation.SOLVE:
+            matrix, right = solutions[numbers[0]]
+            instructions.append(Instruction(operation, (matrix, *right)))
+        else:
+            place, component = numbers
+            instructions.append(Instruction(operation, (place,), component))
     return tuple(instructions)
 
 
