@@ -112,7 +112,7 @@ def joined_bodies(bodies: Sequence[Each]) -> list[list[Each]]:
     """Return the bodies in groups that are joined rigidly."""
     groups: dict[Frame, list[Each]] = {}
     for body in bodies:
-        groups.setdefault(_carrier(body.frame), []).append(body)
+        groups.setdefault(body.frame.last_moving, []).append(body)
     return list(groups.values())
 
 
@@ -123,7 +123,7 @@ def difference_fault(group: Sequence[MassDistribution], values: Mapping[Expr, fl
         group: the bodies, some of them subtracted from others.
         values: the values of symbols.
     """
-    fault = _fault_of_sum(_carrier(group[0].frame), group, values)
+    fault = _fault_of_sum(group[0].frame.last_moving, group, values)
     if fault and len(group) == 1:
         return (
             f"{_named(group[0])} has a negative mass or moment of inertia, and no body is joined to it "
@@ -182,13 +182,6 @@ def _fault(J: Array) -> str:
 
 def _shown(value: float) -> str:
     return f"{value:.6g}"
-
-
-def _carrier(frame: Frame) -> Frame:
-    """Return the last frame of the chain that moves, in which the frame is fixed."""
-    while frame.parent is not None and frame.motion is not None and frame.motion.is_constant:
-        frame = frame.parent
-    return frame
 
 
 def _fault_of_sum(carrier: Frame, group: Sequence[MassDistribution], values: Mapping[Expr, float]) -> str:

@@ -30,7 +30,7 @@ def segments(bodies: Sequence[Body]) -> dict[Segment, int]:
     """
     owners: dict[Frame, int] = {}
     for number, body in enumerate(bodies):
-        owners.setdefault(_last_moving(body.frame), number)
+        owners.setdefault(body.frame.last_moving, number)
     owners[bodies[0].frame.ancestor] = -1
     found: dict[Segment, int] = {}
     for frame in (frame for body in bodies for frame in body.frame.chain):
@@ -39,15 +39,8 @@ def segments(bodies: Sequence[Body]) -> dict[Segment, int]:
             continue
         to = motion.displacement
         if not is_null(to) and not any(x.depends_on_time for x in to):
-            found[Segment(parent, to)] = owners.get(_last_moving(parent), -1)
+            found[Segment(parent, to)] = owners.get(parent.last_moving, -1)
     return found
-
-
-def _last_moving(frame: Frame) -> Frame:
-    """Return the frame after the last motion of a chain that is not constant: the root if there is none."""
-    while frame.parent is not None and frame.motion is not None and frame.motion.is_constant:
-        frame = frame.parent
-    return frame
 
 
 @dataclass(frozen=True)
@@ -79,4 +72,4 @@ def guides(bodies: Iterable[Body]) -> list[Guide]:
 
 def joint(body: Body) -> Point:
     """Return the place of the last moving joint in the chain of a body, with coordinates in the body's frame."""
-    return origin(_last_moving(body.frame)).projected(body.frame)
+    return origin(body.frame.last_moving).projected(body.frame)

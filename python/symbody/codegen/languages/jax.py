@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from symbody.codegen.languages.python import Library, check_text, module_text, python_language
+from symbody.codegen.languages.python import Library, files_with, python_language
 from symbody.codegen.languages.target import Target
-from symbody.codegen.layout.module import Module
 from symbody.codegen.runtime.snippets import SNIPPETS
 
 __all__ = ["JAX"]
@@ -38,18 +37,11 @@ LIBRARY = Library(
 )
 
 
-def _files(module: Module) -> dict[str, str]:
-    return {
-        f"{module.name}.py": module_text(module, LIBRARY),
-        f"{module.name}_check.py": check_text(module, LIBRARY),
-    }
-
-
 JAX = Target(
     name="jax",
     title="Python with JAX",
     language=LANGUAGE,
-    files=_files,
+    files=files_with(LIBRARY),
     check=("python {name}_check.py",),
     limit=None,
 )

@@ -5,7 +5,7 @@ from __future__ import annotations
 import builtins
 import keyword
 import sys
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 from symbody.codegen.languages.heads import (
@@ -224,10 +224,11 @@ def _call(module: Module, function: Function, library: Library) -> str:
     return library.called.format(function=function.name, arguments=arguments, name=module.name)
 
 
-def _files(module: Module) -> dict[str, str]:
-    return {
-        f"{module.name}.py": module_text(module, NUMPY),
-        f"{module.name}_check.py": check_text(module, NUMPY),
+def files_with(library: Library) -> Callable[[Module], dict[str, str]]:
+    """Return the printer of a module and its check program in Python with an array library."""
+    return lambda module: {
+        f"{module.name}.py": module_text(module, library),
+        f"{module.name}_check.py": check_text(module, library),
     }
 
 
@@ -235,7 +236,7 @@ PYTHON = Target(
     name="python",
     title="Python with NumPy",
     language=LANGUAGE,
-    files=_files,
+    files=files_with(NUMPY),
     check=("python {name}_check.py",),
     limit=None,
 )

@@ -16,7 +16,7 @@ from symbody.geometry.component.triple import NULL, Rate, Triple, rates
 from symbody.geometry.component.turning import Accelerated, Turning
 from symbody.symbolic import add3, cross3, time_derivatives
 
-from .frame import Frame, missing
+from .frame import Frame, frames_without_state
 
 
 @final
@@ -36,7 +36,7 @@ class AccelerationField:
 
     def __call__(self, frame: Frame) -> Accelerated:
         """Return the acceleration of a rigid frame, in its own axes."""
-        for link in missing(frame, self._memo):
+        for link in frames_without_state(frame, self._memo):
             if link.parent is None or link.motion is None:
                 self._memo[link.key] = self._start(link)
             else:

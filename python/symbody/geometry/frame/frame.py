@@ -144,6 +144,14 @@ class Frame:
         return [frame.motion for frame in self.chain if frame.motion is not None]
 
     @property
+    def last_moving(self) -> Frame:
+        """The frame after the last motion of the chain that is not constant, or the root; this frame is fixed in it."""
+        frame = self
+        while frame.parent is not None and frame.motion is not None and frame.motion.is_constant:
+            frame = frame.parent
+        return frame
+
+    @property
     def ancestor(self) -> Frame:
         """The root of the chain: ground, or a moving master frame."""
         frame = self
@@ -186,7 +194,7 @@ class Frame:
         """The rotation matrix and the origin, as seen from the root."""
         with derivation() as current:
             memo: dict[bytes, Pose] = current.cache.setdefault("pose", {})
-            for link in missing(self, memo):
+            for link in frames_without_state(self, memo):
                 if link.parent is None or link.motion is None:
                     memo[link.key] = UNMOVED
                 else:
@@ -233,7 +241,7 @@ UNMOVED = Pose(
 ground = Frame.root("ground")
 
 
-def missing(frame: Frame, memo: Mapping[bytes, object]) -> list[Frame]:
+def frames_without_state(frame: Frame, memo: Mapping[bytes, object]) -> list[Frame]:
     """Return the frames from the root to a frame whose states are not in a memo yet, the outermost last.
 
     A recursion along chains gives each of them a state, by its motion and the state of its parent.

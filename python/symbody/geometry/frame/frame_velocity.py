@@ -18,7 +18,7 @@ from symbody.geometry.component.twist import Twist
 from symbody.geometry.motion.placement import axial_rate, transposed
 from symbody.symbolic import add3, cross3, derivation, matvec3, time_derivatives
 
-from .frame import UNMOVED, Frame, Pose, missing, moved
+from .frame import UNMOVED, Frame, Pose, frames_without_state, moved
 
 
 class Seen(NamedTuple):
@@ -32,7 +32,7 @@ def twist(frame: Frame) -> Twist:
     """Return the twist of a rigid frame in its own axes."""
     with derivation() as current:
         memo: dict[bytes, Twist] = current.cache.setdefault("twist", {})
-        for link in missing(frame, memo):
+        for link in frames_without_state(frame, memo):
             if link.parent is None or link.motion is None:
                 memo[link.key] = link.carrier or Twist(NULL, NULL)
             else:
