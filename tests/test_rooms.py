@@ -1,6 +1,8 @@
 """Every file has its room: the layers are folders, and what has grown too long for one is divided into rooms."""
 
 import ast
+import subprocess
+import sys
 from pathlib import Path
 
 import pytest
@@ -8,6 +10,7 @@ import pytest
 import symbody
 
 HOME = Path(symbody.__file__).parent
+ROOT = Path(__file__).parent.parent
 DOORS = {"__init__.py", "__main__.py", "doctor.py", "errors.py"}
 """Files of the package itself: what it gives to the outside, and the errors of all layers."""
 DIVIDED = {"codegen", "dynamics", "geometry", "simulation", "symbolic"}
@@ -33,3 +36,11 @@ def test_each_room_says_what_lives_there(folder: Path) -> None:
 
 def test_no_file_lies_in_a_folder_without_a_sign() -> None:
     assert {path.parent for path in HOME.rglob("*.py")} == {HOME, *FOLDERS}
+
+
+def test_imports_go_down_only_and_nowhere_in_a_circle() -> None:
+    """The contracts of pyproject.toml, which `make lint` checks as well."""
+    command = [sys.executable, "-c", "from importlinter.cli import lint_imports_command as lint; lint()"]
+    finished = subprocess.run([*command, "--no-cache"], cwd=ROOT, capture_output=True, text=True, check=False)
+    assert finished.returncode == 0, finished.stdout
+    assert "Rooms of dynamics" in finished.stdout
