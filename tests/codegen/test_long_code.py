@@ -36,7 +36,7 @@ from symbody import (
 from symbody.codegen.llvm import jit
 from symbody.codegen.llvm.angles import MOST_RUNS
 from symbody.codegen.llvm.assembly import MOST_LINES
-from symbody.codegen.llvm.module import batch_modules, scalar_modules
+from symbody.codegen.llvm.llvm_module import batch_modules, scalar_modules
 from symbody.codegen.straight_line.code import Input, code_of_tape
 from symbody.symbolic.numeric.tape import Tape
 

@@ -7,8 +7,8 @@ from symbody.dynamics.formalism.lagrange import lagrange, lagrange_equations
 from symbody.dynamics.formalism.newton import newton_equations
 from symbody.dynamics.formalism.newton_euler import newton_euler
 from symbody.dynamics.solution.dependent_speeds import dependent_speeds
+from symbody.dynamics.solution.equations_program import program
 from symbody.dynamics.solution.forward_dynamics import ForwardDynamics, forward_dynamics
-from symbody.dynamics.solution.program import program
 
 __all__ = [
     "Equations",

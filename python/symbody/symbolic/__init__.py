@@ -60,7 +60,7 @@ from symbody.symbolic.expression.multiple_of_pi import (
     multiple_of_pi,
     radians,
 )
-from symbody.symbolic.expression.triple import (
+from symbody.symbolic.expression.vector_operations import (
     add3,
     cross3,
     dot3,

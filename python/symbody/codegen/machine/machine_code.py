@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from symbody.codegen.llvm import jit
-from symbody.codegen.llvm.module import batch_modules, scalar_modules
+from symbody.codegen.llvm.llvm_module import batch_modules, scalar_modules
 from symbody.codegen.straight_line.code import Code, Input, code_of_tape
 from symbody.symbolic import Expr
 from symbody.symbolic.numeric.deficiency import Deficiency, noting, report

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from symbody.codegen.llvm import jit
 from symbody.codegen.llvm.assembly import Assembly
-from symbody.codegen.llvm.module import scalar_modules, shortcut_modules
+from symbody.codegen.llvm.llvm_module import scalar_modules, shortcut_modules
 from symbody.codegen.machine.machine_code import POINTER
 from symbody.codegen.straight_line.code import Code, Input, code_of
 from symbody.codegen.straight_line.instruction import renumber

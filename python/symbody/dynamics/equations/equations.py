@@ -148,7 +148,7 @@ class Equations:
         baumgarte: Damping = None,
         method: str | None = "auto",
     ) -> Program:
-        """Return the routines of which code is generated; see `symbody.dynamics.solution.program.program`."""
+        """Return the routines of which code is generated; see `symbody.dynamics.solution.equations_program.program`."""
         return program_of(self, name=name, outputs=outputs, baumgarte=baumgarte, method=method)
 
     def __repr__(self) -> str:

@@ -10,7 +10,7 @@ from symbody.dynamics.equations.equations import Assembly, Equations
 from symbody.dynamics.equations.independence import check_independent
 from symbody.dynamics.recursion.added_mass import with_added_mass
 from symbody.dynamics.recursion.mass_matrix import mass_matrix
-from symbody.dynamics.recursion.recursive_newton_euler import at_rest, bias, inverse_dynamics
+from symbody.dynamics.recursion.recursive_newton_euler import at_rest, bias, recursive_newton_euler
 from symbody.dynamics.tree.frame_tree import FrameTree, frame_tree, given_twist
 from symbody.errors import ModelError
 from symbody.geometry.component.triple import NULL, Triple
@@ -73,7 +73,7 @@ def lagrange_equations(system: System) -> Equations:
     with derivation(fresh=True):
         tree = checked_tree(system, "lagrange_equations")
         if tree.is_rigid:
-            inverse_dynamics(system, tree)
+            recursive_newton_euler(system, tree)
         residuals = with_multipliers(_residuals(system), system)
     return Equations(system, residuals, _assemble)
 

@@ -7,7 +7,7 @@ from symbody.dynamics.equations.equations import Assembly, Equations
 from symbody.dynamics.equations.independence import check_independent
 from symbody.dynamics.recursion.added_mass import with_added_mass
 from symbody.dynamics.recursion.mass_matrix import mass_matrix
-from symbody.dynamics.recursion.recursive_newton_euler import bias, inverse_dynamics
+from symbody.dynamics.recursion.recursive_newton_euler import bias, recursive_newton_euler
 from symbody.dynamics.tree.frame_tree import FrameTree, frame_tree
 from symbody.errors import FrameError, ModelError
 from symbody.geometry.given.argument import checked
@@ -41,7 +41,7 @@ def newton_euler(system: System) -> Equations:
     with derivation(fresh=True):
         tree = checked_tree(system, "newton_euler")
         _check_rigid(tree)
-        residuals = with_multipliers(inverse_dynamics(system, tree), system)
+        residuals = with_multipliers(recursive_newton_euler(system, tree), system)
     return Equations(system, residuals, _assemble)
 
 

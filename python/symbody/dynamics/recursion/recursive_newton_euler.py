@@ -26,7 +26,7 @@ from symbody.multibody import Action, System
 from symbody.symbolic import Expr, ExprLike, cross3, sub3, substitute, time_derivatives
 
 
-def inverse_dynamics(
+def recursive_newton_euler(
     system: System, tree: FrameTree, rest: Mapping[Expr, int] | None = None
 ) -> tuple[Expr, ...]:
     """Return the forces along the speeds that the motion needs beyond weight and loads: the residuals.
@@ -41,7 +41,7 @@ def inverse_dynamics(
 
 def bias(system: System, tree: FrameTree) -> tuple[Expr, ...]:
     """Return the residuals at zero accelerations."""
-    return inverse_dynamics(system, tree, at_rest(system))
+    return recursive_newton_euler(system, tree, at_rest(system))
 
 
 def at_rest(system: System) -> dict[Expr, int]:

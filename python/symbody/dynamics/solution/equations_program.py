@@ -7,6 +7,15 @@ from collections.abc import Iterable, Mapping
 from symbody.dynamics.equations.baumgarte import Damping
 from symbody.dynamics.equations.equations import Equations
 from symbody.dynamics.equations.output import Output, Outputs
+from symbody.dynamics.solution.forward_dynamics import forward_dynamics
+from symbody.dynamics.solution.program_argument import (
+    MEANINGS,
+    arguments_of,
+    by_name,
+    leaves_of,
+    with_arguments,
+)
+from symbody.dynamics.solution.program_result import matrix_result, output_result, vector_result
 from symbody.errors import ModelError, ProgramError
 from symbody.geometry.given.argument import checked
 from symbody.multibody import gravitational_energy, kinetic_energy
@@ -19,16 +28,6 @@ from symbody.symbolic import (
 )
 from symbody.symbolic.given.identifier import program_name, title_identifier
 from symbody.symbolic.numeric.program import program_of
-
-from .forward_dynamics import forward_dynamics
-from .program_argument import (
-    MEANINGS,
-    arguments_of,
-    by_name,
-    leaves_of,
-    with_arguments,
-)
-from .program_result import matrix_result, output_result, vector_result
 
 
 @program_of.register
