@@ -10,6 +10,8 @@ ROOT = Path(__file__).parent.parent
 DOCUMENTS = sorted([*ROOT.glob("*.md"), *ROOT.glob("docs/**/*.md")])
 
 FENCE = re.compile(r"^```(\w*)[^\n]*\n(.*?)^```$", re.MULTILINE | re.DOTALL)
+TITLED = re.compile(r"^```(\w+) title=(\S+)\n(.*?)^```$", re.MULTILINE | re.DOTALL)
+"""Files, changes of files, and programs that need them: `test_recipes.py` runs these in a copy of the package."""
 LINK = re.compile(r"\[[^\]]*\]\(([^)\s]+)\)")
 HEADING = re.compile(r"^#+ +(.+?) *$", re.MULTILINE)
 CODE_SPAN = re.compile(r"`[^`\n]+`")
@@ -27,9 +29,9 @@ def name(document: Path) -> str:
 
 
 def code_blocks(text: str, language: str) -> Iterator[tuple[int, str]]:
-    """Each block of a language, with the line that it starts on."""
+    """Each block of a language that has no title, with the line that it starts on."""
     for block in FENCE.finditer(text):
-        if block[1] == language:
+        if block[1] == language and not TITLED.fullmatch(block[0]):
             yield text.count("\n", 0, block.start(2)), block[2]
 
 

@@ -1,13 +1,15 @@
 """Who follows half a recipe of docs/extending.md is told: whatever is added is held against the laws of its kind."""
 
+import os
 import re
+import shutil
+import subprocess
+import sys
 import typing
 from collections.abc import Callable, Iterable, Iterator
 from importlib.util import find_spec
 from inspect import getfile, isabstract
-from itertools import islice
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 import pytest
@@ -15,13 +17,17 @@ import pytest
 import symbody
 from symbody import (
     Body,
+    describe,
     dynamics,
     functions_of_time,
     lagrange_equations,
     lambdify,
     newton_euler,
+    project,
+    rotate,
     simulate,
     simulate_many,
+    symbols,
     translate,
 )
 from symbody.dynamics import Equations
@@ -30,14 +36,20 @@ from symbody.multibody import Load, System
 from symbody.simulation.integrate.methods import METHODS
 from symbody.symbolic import free_symbols
 from symbody.symbolic.expression import functions
-from tests.laws import random_system as random_systems
 from tests.laws import test_formalisms, test_rewrites
 from tests.laws.random_system import random_floating_system, random_system
 from tests.reference import test_robots
 from tests.symbolic import test_textbook_forms
-from tests.test_documents import code_blocks
+from tests.test_documents import DOCUMENTS, PRINTED, TITLED
 
-RECIPES = Path(__file__).parents[1] / "docs" / "extending.md"
+ROOT = Path(__file__).parents[1]
+RECIPES = ROOT / "docs" / "extending.md"
+BLOCKS = [(block[1], block[2], block[3]) for block in TITLED.finditer(RECIPES.read_text(encoding="utf-8"))]
+"""The files of the recipes, the changes of files, and the programs: language, title and text."""
+FILES = {path: text for language, path, text in BLOCKS if language == "python" and "/" in path}
+CHANGES = [(path, text) for language, path, text in BLOCKS if language == "diff"]
+PROGRAMS = {path: text for language, path, text in BLOCKS if language == "python" and "/" not in path}
+CHANGED = sorted({*FILES, *(path for path, _ in CHANGES)})
 
 
 def concrete(base: type) -> Iterator[type]:
@@ -52,20 +64,113 @@ def concrete(base: type) -> Iterator[type]:
             yield derived
 
 
-def followed(recipe: str) -> dict[str, Any]:
-    """What the file and the row of a recipe define: the first two blocks of code of its section."""
-    section = RECIPES.read_text(encoding="utf-8").split(f"\n## {recipe}\n")[1].split("\n## ")[0]
-    namespace: dict[str, Any] = {"__name__": "recipe"}
-    for _, block in islice(code_blocks(section, "python"), 2):
-        exec(block, namespace)
-    return namespace
+def changed(text: str, change: str) -> str:
+    """A file with its lines changed: the hunks of a diff, each of which fits at one place."""
+    for hunk in change.split("@@\n"):
+        lines = hunk.splitlines(keepends=True)
+        old = "".join(line[1:] or "\n" for line in lines if not line.startswith("+"))
+        new = "".join(line[1:] or "\n" for line in lines if not line.startswith("-"))
+        assert text.count(old) == 1, f"fits at {text.count(old)} places:\n{hunk}"
+        text = text.replace(old, new)
+    return text
 
 
-@pytest.fixture
-def tables(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Let a recipe add its row to copies of the tables."""
-    monkeypatch.setattr(random_systems, "MOTIONS", [*random_systems.MOTIONS])
-    monkeypatch.setattr(random_systems, "LOADS", [*random_systems.LOADS])
+@pytest.fixture(scope="module")
+def copy(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A copy of the package and its tests in which all recipes of the page have been followed."""
+    home = tmp_path_factory.mktemp("recipes")
+    ignored = shutil.ignore_patterns("__pycache__", "golden")
+    for folder in ("python", "tests", "docs", "scripts"):
+        shutil.copytree(ROOT / folder, home / folder, ignore=ignored)
+    shutil.copy(ROOT / "pyproject.toml", home)
+    for path, text in FILES.items():
+        assert not (home / path).exists()
+        (home / path).write_text(text, encoding="utf-8")
+    for path, change in CHANGES:
+        text = (home / path).read_text(encoding="utf-8")
+        (home / path).write_text(changed(text, change), encoding="utf-8")
+    return home
+
+
+def run(home: Path, folder: Path, *arguments: str) -> str:
+    """What Python prints, with the package and the tests of the copy."""
+    environment = os.environ | {"PYTHONPATH": f"{home / 'python'}{os.pathsep}{home}", "MPLBACKEND": "Agg"}
+    done = subprocess.run(
+        [sys.executable, *arguments], cwd=folder, env=environment, capture_output=True, text=True, check=False
+    )
+    assert done.returncode == 0, done.stdout + done.stderr
+    return done.stdout
+
+
+def test_followed_recipes_are_those_that_programs_import(copy: Path, tmp_path: Path) -> None:
+    printed = run(
+        copy, tmp_path, "-c", "import symbody, tests.laws as laws; print(symbody.__file__, *laws.__path__)"
+    )
+    assert printed.split() == [str(copy / "python" / "symbody" / "__init__.py"), str(copy / "tests" / "laws")]
+
+
+@pytest.mark.parametrize("program", PROGRAMS)
+def test_the_program_of_a_followed_recipe_prints_what_its_comments_say(
+    copy: Path, tmp_path: Path, program: str
+) -> None:
+    (tmp_path / program).write_text(PROGRAMS[program], encoding="utf-8")
+    printed = run(copy, tmp_path, "-W", "error", program)
+    assert printed.splitlines() == PRINTED.findall(PROGRAMS[program])
+
+
+def test_no_other_page_has_blocks_that_run_in_the_copy_alone() -> None:
+    """The test of documents leaves out blocks with titles."""
+    titled = {
+        page for page in DOCUMENTS if " title=" in "".join(re.findall(r"^```.*", page.read_text(), re.M))
+    }
+    assert titled == {RECIPES}
+    assert len(BLOCKS) == len(re.findall(r"^```.* title=", RECIPES.read_text(encoding="utf-8"), re.MULTILINE))
+    assert len(FILES) == len(PROGRAMS) == 3
+
+
+def test_followed_recipes_keep_the_contracts_of_the_layers(copy: Path) -> None:
+    command = "from importlinter.cli import lint_imports_command; lint_imports_command()"
+    assert ", 0 broken" in run(copy, copy, "-c", command, "--no-cache")
+
+
+@pytest.mark.parametrize("lint", ["check", "format"])
+def test_followed_recipes_keep_the_lints(copy: Path, lint: str) -> None:
+    options = ["--check"] if lint == "format" else []
+    run(copy, copy, "-m", "ruff", lint, "--no-cache", *options, *CHANGED)
+
+
+@pytest.mark.slow
+def test_followed_recipes_keep_the_types(copy: Path) -> None:
+    run(copy, copy, "-m", "mypy", "--cache-dir", os.devnull)
+
+
+def test_followed_recipes_keep_what_other_tests_ask_of_the_package(copy: Path) -> None:
+    """But for methods: the lines of the documentation, which leapfrog needs, are not on the page."""
+    files = ["tests/test_recipes.py", "tests/test_docstrings.py", "tests/test_rooms.py"]
+    files += [path for path in FILES if "frame" in path or "multibody" in path]
+    chosen = "not followed and not method"
+    run(copy, copy, "-m", "pytest", "-q", "--noconftest", "-p", "no:cacheprovider", "-k", chosen, *files)
+
+
+LAWS = """
+from symbody.geometry.frame.screw import Screw
+from symbody.multibody.spring import Spring
+from tests.test_recipes import compare_formalisms, drawn
+
+for system in drawn({kind}, {parts}):
+    compare_formalisms(system)
+"""
+
+
+@pytest.mark.parametrize(
+    ("kind", "parts"),
+    [
+        ("Screw", "lambda system: (m for body in system.bodies for m in body.frame.motions)"),
+        ("Spring", "lambda system: system.loads"),
+    ],
+)
+def test_followed_recipes_obey_the_laws(copy: Path, kind: str, parts: str) -> None:
+    run(copy, copy, "-c", LAWS.format(kind=kind, parts=parts))
 
 
 def drawn(kind: type, parts: Callable[[System], Iterable[object]]) -> list[System]:
@@ -85,20 +190,6 @@ def compare_formalisms(system: System) -> None:
     values = np.linspace(0.3, 0.9, len(leaves))
     expected = [residual.evaluate(dict(zip(leaves, values, strict=True))) for residual in one.residuals]
     np.testing.assert_allclose(lambdify(leaves, list(one.residuals))(*values), expected, rtol=1e-8, atol=1e-9)
-
-
-@pytest.mark.usefixtures("tables")
-def test_the_recipe_of_a_joint_makes_one_that_obeys_the_laws() -> None:
-    screw = followed("A joint: a motion of frames")["Screw"]
-    for system in drawn(screw, lambda system: (m for body in system.bodies for m in body.frame.motions)):
-        compare_formalisms(system)
-
-
-@pytest.mark.usefixtures("tables")
-def test_the_recipe_of_a_load_makes_one_that_obeys_the_laws() -> None:
-    spring = followed("A load")["Spring"]
-    for system in drawn(spring, lambda system: system.loads):
-        compare_formalisms(system)
 
 
 def systems() -> list[System]:
@@ -123,6 +214,19 @@ def test_no_file_asks_of_which_kind_a_motion_is(layer: str) -> None:
 
 def test_every_load_occurs_in_the_random_systems() -> None:
     assert set(concrete(Load)) <= {type(load) for system in systems() for load in system.loads}
+
+
+def test_every_load_has_components_in_any_frame() -> None:
+    """Those of its actions follow where it is projected, and `show` prints its fields."""
+    axes = rotate("X", symbols("tilt")).named("axes")
+    for load in {type(load): load for system in systems() for load in system.loads}.values():
+        moved = project(load, axes)
+        assert type(moved) is type(load)
+        assert {action.vector.frame for action in moved.actions} == {axes}
+        for one, two in zip(load.actions, moved.actions, strict=True):
+            assert two.vector.components == project(one.vector, axes).components
+        assert "comps = [" in describe(load)
+        assert "frame = axes" in describe(moved, synthetic=True)
 
 
 def test_every_formalism_is_held_against_the_others() -> None:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from functools import cached_property
+
 import pytest
 
 from symbody import (
@@ -15,11 +17,14 @@ from symbody import (
     functions_of_time,
     ground,
     newton_euler,
+    power,
+    project,
     rotate,
     show,
     symbols,
     translate,
 )
+from symbody.multibody import Action, Load
 
 m, a, F = symbols("m a F")
 T = rotate("Z", functions_of_time("phi")).named("T")
@@ -51,6 +56,35 @@ def test_loads() -> None:
     )
     torque = Torque(ground, 0, 0, F, on=body)
     assert describe(torque) == "TORQUE(frame = ground, comps = [0, 0, F], acting = plate)"
+
+
+class Couple(Load):
+    """Opposite forces at two points of a body, and a torque on another one."""
+
+    @cached_property
+    def actions(self) -> tuple[Action, ...]:
+        force, torque = Vector(ground, F, 0, 0), Vector(ground, 0, 0, F)
+        return Action(body, force, A), Action(body, -force, Point(ground, 0, 0, 0)), Action(other, torque)
+
+
+def test_a_load_of_another_kind_is_shown_by_its_actions() -> None:
+    forces = (
+        "FORCE(frame = ground, comps = [F, 0, 0], applied = A, acting = plate), FORCE(frame = ground, "
+        "comps = [-F, 0, 0], applied = POINT(frame = ground, coords = [0, 0, 0]), acting = plate)"
+    )
+    torque = "TORQUE(frame = ground, comps = [0, 0, F], acting = BODY(mass = 2*m))"
+    assert describe(Couple()) == f"COUPLE(actions = [{forces}, {torque}])"
+
+
+def test_a_load_of_another_kind_is_projected_by_its_actions() -> None:
+    couple = Couple()
+    couple.name = "C"
+    turned = project(couple, T)
+    assert describe(turned, synthetic=True).startswith(
+        "C = COUPLE(actions = [FORCE(frame = T, comps = [F*cos(phi), -F*sin(phi), 0], applied = A, acting = plate), "
+    )
+    assert describe(couple).startswith("C = COUPLE(actions = [FORCE(frame = ground, ")
+    assert power(turned) == power(couple)
 
 
 def test_expressions_are_shown_as_they_are() -> None:

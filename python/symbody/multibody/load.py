@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
+from collections.abc import Mapping
+from copy import copy
 from dataclasses import dataclass
-from typing import final
+from typing import Self, final
 
 from symbody.errors import LoadError
 from symbody.geometry import Frame, Point, Scalar, Triple, Vector
@@ -56,16 +58,26 @@ class Action:
         fixed = all(motion.is_constant for motion in (*up, *down))
         return point if fixed else point.projected(self.body.frame)
 
+    @property
+    def fields(self) -> Mapping[str, object]:
+        """What `show` prints of it, by MBSymba's names of the fields."""
+        applied = {} if self.point is None else {"applied": self.point}
+        return {"frame": self.vector.frame, "comps": self.vector.components, **applied, "acting": self.body}
+
     def components(self, axes: Frame) -> Triple:
         """Return the components of the force or torque."""
         return self.vector.projected(axes).components
+
+    def projected(self, frame: Frame) -> Action:
+        """Return the same action, by the components of its vector in another frame."""
+        return Action(self.body, self.vector.projected(frame), self.point)
 
 
 class Load(ABC):
     """What acts on bodies: a load is the sum of its actions.
 
-    A new kind of load is one file with a final subclass that has `actions` (docs/extending.md). Its power, its
-    generalised forces and its part in all equations follow from them.
+    A new kind of load is one file with a final subclass that has `actions`, a cached property (docs/extending.md). Its
+    power, its generalised forces, its part in all equations and what `show` prints follow from them.
 
     >>> from symbody import Body, Force, functions_of_time, ground, symbols, translate
     >>> (x, y), F = functions_of_time("x y"), symbols("F")
@@ -86,6 +98,18 @@ class Load(ABC):
     def key(self) -> bytes:
         """What puts the loads of a set in order."""
         return self.name.encode() + b"".join(action.key for action in self.actions)
+
+    @property
+    def fields(self) -> Mapping[str, object]:
+        """What `show` prints of the load, by the names of the fields."""
+        return {"actions": self.actions}
+
+    @checked(LoadError)
+    def projected(self, frame: Frame) -> Self:
+        """Return the same load, by the components of its actions in another frame."""
+        same = copy(self)
+        vars(same)["actions"] = tuple(action.projected(frame) for action in self.actions)
+        return same
 
     def __repr__(self) -> str:
         bodies = ", ".join(map(str, dict.fromkeys(action.body for action in self.actions)))
@@ -131,6 +155,12 @@ class _Vectorial(Load):
     def components(self) -> Triple:
         """The components of the vector."""
         return self.vector.components
+
+    @property
+    def fields(self) -> Mapping[str, object]:
+        """What `show` prints of the load, by MBSymba's names of the fields."""
+        reacting = {} if self.reaction is None else {"reacting": self.reaction}
+        return {**self.actions[0].fields, **reacting}
 
     @property
     def key(self) -> bytes:

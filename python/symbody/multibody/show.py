@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import sys
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from typing import Annotated, Protocol, TypeAlias, runtime_checkable
 
 from symbody.errors import ModelError
@@ -12,7 +12,7 @@ from symbody.geometry.given.argument import checked
 from symbody.symbolic import Expr, Matrix
 
 from .body import Body
-from .load import Force, Load, Torque
+from .load import Action, Load
 from .system import System
 
 
@@ -64,8 +64,12 @@ def describe(thing: Shown, *, synthetic: bool = False) -> str:
     fields = _fields(thing, synthetic=synthetic)
     if not fields:
         return _frame(thing, synthetic=synthetic) if isinstance(thing, Frame) else str(thing)
-    body = f"{type(thing).__name__.upper()}({', '.join(f'{field} = {value}' for field, value in fields)})"
+    body = _record(type(thing).__name__, fields)
     return f"{name} = {body}" if name else body
+
+
+def _record(kind: str, fields: Iterable[tuple[str, str]]) -> str:
+    return f"{kind.upper()}({', '.join(f'{field} = {value}' for field, value in fields)})"
 
 
 def _fields(thing: Shown, *, synthetic: bool) -> list[tuple[str, str]]:
@@ -77,20 +81,32 @@ def _fields(thing: Shown, *, synthetic: bool) -> list[tuple[str, str]]:
         case Body():
             frame = _frame(thing.frame, synthetic=synthetic)
             return [("frame", frame), ("mass", str(thing.mass)), ("inertia", _rows(thing.inertia))]
-        case Force() | Torque():
-            return _load_fields(thing, synthetic=synthetic)
+        case Load():
+            return _values(thing.fields, synthetic=synthetic)
         case _:
             return []
 
 
-def _load_fields(load: Force | Torque, *, synthetic: bool) -> list[tuple[str, str]]:
-    fields = _fields(load.vector, synthetic=synthetic)
-    if isinstance(load, Force):
-        fields.append(("applied", load.at.name or describe(load.at, synthetic=synthetic)))
-    fields.append(("acting", _body(load.on)))
-    if load.reaction is not None:
-        fields.append(("reacting", _body(load.reaction)))
-    return fields
+def _values(fields: Mapping[str, object], *, synthetic: bool) -> list[tuple[str, str]]:
+    return [(field, _value(value, synthetic=synthetic)) for field, value in fields.items()]
+
+
+def _value(value: object, *, synthetic: bool) -> str:
+    """Return a field of a load as text."""
+    match value:
+        case Frame():
+            return _frame(value, synthetic=synthetic)
+        case Point():
+            return value.name or describe(value, synthetic=synthetic)
+        case Body():
+            return _body(value)
+        case Action():
+            kind = "force" if value.is_force else "torque"
+            return _record(kind, _values(value.fields, synthetic=synthetic))
+        case tuple():
+            return _list(_value(entry, synthetic=synthetic) for entry in value)
+        case _:
+            return str(value)
 
 
 def _system(system: System, *, synthetic: bool) -> str:
