@@ -25,7 +25,7 @@ SYSTEM_PYTHON := PYTHON='$(PYTHON)' INSTALL=$(INSTALL) sh scripts/python.sh
 
 # A lint whose tool could not be installed is left out; in CI, $(STAMPS)/tools-lint has failed before.
 cargo-lint = @if cargo $(firstword $(2)) --version >/dev/null 2>&1; \
-  then set -x; cargo $(2); else echo "Skipped for want of $(1): cargo $(2)"; fi
+  then set -x; cargo $(2); else echo "Skipped: $(1) not found: cargo $(2)"; fi
 
 say = @printf '\n\033[1m== %s\033[0m\n' "$(1)"
 

@@ -119,16 +119,16 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
         errors.FrameError,
         lambda: rotate("Z", phi) * vehicle,
         (
-            'rotate("Z", phi) * vehicle: the second frame hangs on a moving master frame, whose place is unknown; put '
-            "the moving frame first"
+            'rotate("Z", phi) * vehicle: the second frame is attached to a moving master frame, whose place is '
+            "unknown; put the moving frame first"
         ),
     ),
     (
         errors.FrameError,
         lambda: project(Vector(vehicle, 1, 0, 0), ground),
         (
-            "vehicle can't be seen from ground: one hangs on vehicle, the other on ground, and the place of a moving "
-            "master frame is unknown; build both on the same one"
+            "vehicle can't be seen from ground: one is attached to vehicle, the other to ground, and the place of a "
+            "moving master frame is unknown; build both on the same one"
         ),
     ),
     (
@@ -349,7 +349,7 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
         errors.ModelError,
         lambda: lagrange_equations(System([Body(vehicle * rotate("X", phi), m)], coordinates=[phi])),
         (
-            "lagrange_equations: vehicle moves by velocities in its own axes, which are no rates of coordinates; use "
+            "lagrange_equations: vehicle moves by velocities in its own axes, which are not rates of coordinates; use "
             "newton_euler"
         ),
     ),
@@ -545,7 +545,7 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
         ),
         (
             "newton_euler: push isn't linear in the acceleration x''; give a function of time for the load, "
-            "and its law as an equation beside those of motion"
+            "and its law as an additional equation"
         ),
     ),
     (
@@ -562,7 +562,7 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
         lambda: newton_euler(System([body], [], [x, y], gravity=Vector(ground, 0, time_derivative(x, 2), 0))),
         (
             "newton_euler: the gravity holds the acceleration x''; expected coordinates, speeds and time; "
-            "make forces of what depends on accelerations"
+            "model acceleration-dependent terms as forces"
         ),
     ),
     # --- speeds ---
@@ -570,7 +570,8 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
         errors.ModelError,
         lambda: gravitational_energy(Body(vehicle, m), Vector(vehicle, 0, 0, a)),
         (
-            "gravitational_energy: the bodies hang on vehicle, whose place is unknown; give the moving frame a pose"
+            "gravitational_energy: the bodies are attached to vehicle, whose place is unknown; give the moving "
+            "frame a pose"
         ),
     ),
     (
@@ -667,7 +668,7 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
     (
         errors.ConstraintError,
         lambda: constrained(x, x - x),
-        "System: constraint 2, 0 = 0, is no condition; leave it out",
+        "System: constraint 2, 0 = 0, is not a condition; leave it out",
     ),
     (
         errors.ConstraintError,
@@ -732,7 +733,7 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
     (
         errors.ModelError,
         lambda: newton_euler(System([body, Body(vehicle, m)], coordinates=[x, y])),
-        "System: one body hangs on ground, another one on vehicle; build all on the same one",
+        "System: one body is attached to ground, another one to vehicle; build all on the same one",
     ),
     (
         errors.ConstraintError,
@@ -812,7 +813,7 @@ def test_notice_of_dependent_constraints() -> None:
     beads = System([Body(frame, m)], coordinates=[x, y, z, phi], constraints=[x**2 - y, y - z, x**2 - z])
     rest = (
         "its gradient is a combination of theirs, so that their multipliers aren't determined; forward dynamics takes "
-        "the least ones; leave it out if it is redundant"
+        "those of minimum norm; leave it out if it is redundant"
     )
     for mistake, message in (
         (

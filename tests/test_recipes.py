@@ -1,4 +1,4 @@
-"""Who follows half a recipe of docs/extending.md is told: whatever is added is held against the laws of its kind."""
+"""A half-followed recipe of docs/extending.md fails here: additions are checked against the laws of their kind."""
 
 import os
 import re

@@ -283,7 +283,7 @@ MISTAKES = [
     (
         ConstraintError,
         lambda: dependent_speeds(newton_euler(bead()), [x]),
-        "dependent_speeds: x is no speed; expected some of x', y'",
+        "dependent_speeds: x is not a speed; expected some of x', y'",
     ),
 ]
 

@@ -194,7 +194,7 @@ MISTAKES = [
     ),
     (
         {"outputs": {"my force": x}},
-        "the name 'my force' of the result can't stand in code; expected letters, digits and _ after a letter",
+        "the name 'my force' of the result can't be used in code; expected letters, digits and _ after a letter",
     ),
     (
         {"name": "!"},

@@ -1,4 +1,4 @@
-"""Systems that float, and what stands on moving master frames: speeds that are no rates of coordinates."""
+"""Systems that float, and what stands on moving master frames: speeds that are not rates of coordinates."""
 
 from __future__ import annotations
 

@@ -86,11 +86,11 @@ def test_a_forgotten_coordinate_is_named_when_the_system_is_made() -> None:
     _, found = notices_of([cart, bob], coordinates=[x], gravity=WEIGHT)
     (notice,) = found
     assert notice == (
-        "System: phi moves bodies and is no coordinate, so that the motion must be given from outside; add what is "
+        "System: phi moves bodies and is not a coordinate, so that the motion must be given from outside; add what is "
         "unknown to coordinates=[...], what is given to inputs=[...]"
     )
     _, found = notices_of([bob], coordinates=[tau], gravity=WEIGHT)
-    assert found[0].startswith("System: phi, x move bodies and are no coordinates, so that")
+    assert found[0].startswith("System: phi, x move bodies and are not coordinates, so that")
 
 
 def test_a_forgotten_coordinate_in_a_constraint_is_named() -> None:
@@ -98,14 +98,14 @@ def test_a_forgotten_coordinate_in_a_constraint_is_named() -> None:
     _, found = notices_of([cart, bob], (), [x, phi], [sin(phi) - psi])
     (notice,) = found
     assert notice == (
-        "System: psi stands in a constraint and is no coordinate, so that the motion must be given from outside; add "
-        "what is unknown to coordinates=[...], what is given to inputs=[...]"
+        "System: psi occurs in a constraint and is not a coordinate, so that the motion must be given from outside; "
+        "add what is unknown to coordinates=[...], what is given to inputs=[...]"
     )
     assert notices_of([cart, bob], (), [x, phi], [sin(phi) - psi], inputs=[psi])[1] == []
     _, found = notices_of([cart, bob], (), [x], [x - sin(phi) - psi])
     assert [text[:30] for text in found] == [
         "System: phi moves bodies and i",
-        "System: psi stands in a constr",
+        "System: psi occurs in a constr",
     ]
 
 

@@ -102,12 +102,12 @@ def test_forward_dynamics_tells_contradictions_from_dependences() -> None:
     (contradiction,) = notices(x - sin(t), x - cos(t))
     assert contradiction == (
         "lambdify: linear system 1 of the function has no solution at some points: equation x - cos(t) "
-        "contradicts equation x - sin(t) there; what fits all equations best was taken"
+        "contradicts equation x - sin(t) there; the least-squares solution is returned"
     )
     (dependence,) = notices(x - sin(t), 2 * x - 2 * sin(t))
     assert dependence == (
         "lambdify: linear system 1 of the function is of deficient rank at some points: equation 2*x - 2*sin(t) "
-        "follows from the others there; its solution of least norm was taken"
+        "follows from the others there; the minimum-norm solution is returned"
     )
 
 

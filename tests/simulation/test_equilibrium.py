@@ -246,8 +246,8 @@ def test_forces_that_the_position_does_not_determine_are_the_least_ones_and_are_
     with pytest.warns(
         ModelNotice,
         match=r"equilibrium: lambda2 of constraint 2 \(.* = 0\) and the force that holds a are not determined here, as "
-        "they act in directions that depend on each other at this position: other values balance as well; the "
-        "least ones are given",
+        "they act in directions that depend on each other at this position: other values balance as well; "
+        "those of minimum norm are given",
     ):
         found = equilibrium(
             eqs, values, fixed={named["a"]: 0}, guess={named[name]: value for name, value in guess.items()}
@@ -266,7 +266,9 @@ def test_a_singular_position_has_no_eigenvalues() -> None:
         found = equilibrium(eqs, values, fixed={named["a"]: 0, named["b"]: 0})
     first, second = (str(notice.message) for notice in told)
     assert "lambda1 of constraint 1" in first
-    assert "is not determined here: it moves nothing at this position; the least ones are given" in first
+    assert (
+        "is not determined here: it moves nothing at this position; those of minimum norm are given" in first
+    )
     assert second == (
         "equilibrium: the position is singular: the constraints depend on each other here, but not at neighbouring "
         "positions, so that no linear equations describe the small motions about it: eigenvalues are NaN"

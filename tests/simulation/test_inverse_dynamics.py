@@ -431,7 +431,7 @@ def test_what_was_found_can_be_seen(tmp_path):
             {"phi": t},
             {"unknowns": ["r"], "guess": {"s": 0.4}},
             ModelError,
-            ", unknowns: r stands in the prescribed motion, the constraints or the kinematics; expected",
+            ", unknowns: r occurs in the prescribed motion, the constraints or the kinematics; expected",
         ),
         (
             double_pendulum,

@@ -220,7 +220,7 @@ def test_what_is_meant_is_not_noticed() -> None:
         assert (positive * l).diff(l) == positive
         assert (x * plain_x).diff(plain_x) == x
         assert l.subs({real: 2}) == l
-    with pytest.warns(ModelNotice, match="simulate: the parameter x appears nowhere in this model"):
+    with pytest.warns(ModelNotice, match="simulate: the parameter x does not occur in this model"):
         simulate(pendulum(), {**RIGHT, plain_x: 2}, {x: 1}, t=(0, 0.1))
 
 

@@ -46,7 +46,7 @@ x, y = functions_of_time("x y")
 m, k, A = symbols("m k A")
 DEFICIENT = (
     "linear system 1 of the function is of deficient rank at some points: equation number 2 follows from the others "
-    "there; its solution of least norm was taken"
+    "there; the minimum-norm solution is returned"
 )
 STIFF = "stability, not accuracy, limits the step size: the equations are stiff; method='bdf' may be faster"
 

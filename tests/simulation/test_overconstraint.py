@@ -68,7 +68,7 @@ def test_special_dimensions_are_told(constraints: str) -> None:
         "simulate: the constraints let a', b', c', x', y' be other than zero at this position, but at almost no "
         "other one: constraints 1, 2, 3, 4, 5, 6 depend on each other here. If they do so wherever the mechanism "
         "moves, because of its special dimensions, it is overconstrained: leave out 1 of them, best 2, 3, 4 or 6 "
-        "(least ratio of singular values of the remaining constraints, without 1: 0.064, 2: 0.099, 3: 0.16, 4: "
+        "(smallest ratio of singular values of the remaining constraints, without 1: 0.064, 2: 0.099, 3: 0.16, 4: "
         "0.16, 5: 0.064, 6: 0.099); if not, start at another position"
     )
 

@@ -172,7 +172,7 @@ def carried(by: Expr) -> Equations:
             lambda: simulate(carried(drive), NUMBERS, {x: 1}, inputs={drive: x / 2}),
             (
                 "simulate, inputs: the equations hold drive'', in which drive: x/2 brings the acceleration x''; write "
-                "x/2 in the place of drive where the model is made"
+                "x/2 for drive where the model is made"
             ),
         ),
     ],

@@ -181,7 +181,7 @@ def test_dependent_constraints_are_told_once(method):
         motion = simulate(rail.equations, rail.parameters, {rail["x"]: 1.0}, t=(0, 1), method=method)
     told = [str(each.message) for each in caught if "deficient rank" in str(each.message)]
     assert len(told) == 1
-    assert "follows from the others there; its solution of least norm was taken" in told[0]
+    assert "follows from the others there; the minimum-norm solution is returned" in told[0]
     assert motion.constraint_drift < 1e-12
 
 

@@ -52,7 +52,7 @@ def test_a_value_without_a_use_is_named_once(where: str) -> None:
         CALLS[where](VALUES | {stray: 2.0})
     (notice,) = caught
     assert str(notice.message) == (
-        f"{where}: the parameter stray appears nowhere in this model, nor in outputs, events and inputs: its value has "
+        f"{where}: the parameter stray does not occur in this model or in outputs, events and inputs: its value has "
         "no effect"
     )
     assert notice.filename == __file__
@@ -64,7 +64,7 @@ def test_what_may_have_been_meant(where: str) -> None:
         CALLS[where](VALUES | {lenght: 2.0, stray: 1.0})
     (notice,) = caught
     assert str(notice.message) == (
-        f"{where}: the parameters lenght, stray appear nowhere in this model, nor in outputs, events and inputs: its "
+        f"{where}: the parameters lenght, stray do not occur in this model or in outputs, events and inputs: its "
         "value has no effect; did you mean length?"
     )
 
@@ -76,7 +76,7 @@ def test_a_value_of_another_variable_of_the_same_name(where: str) -> None:
         CALLS[where](VALUES | {symbols("mass", positive=True): 2.0, lenght: 1.0})
     (notice,) = caught
     assert str(notice.message) == (
-        f"{where}: the parameters lenght, mass appear nowhere in this model, nor in outputs, events and inputs: its "
+        f"{where}: the parameters lenght, mass do not occur in this model or in outputs, events and inputs: its "
         "value has no effect; did you mean length?; the mass without a use is symbols('mass', positive=True), the mass "
         "of the model is symbols('mass'): symbols with different assumptions are different "
         "symbols; use the same one in both places"

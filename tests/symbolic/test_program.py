@@ -33,7 +33,7 @@ MISTAKES: list[tuple[Callable[[], object], str]] = [
     ),
     (
         lambda: Routine("2fast", "", (), ()),
-        "the name '2fast' of the routine can't stand in code; expected letters, digits and _ after a letter",
+        "the name '2fast' of the routine can't be used in code; expected letters, digits and _ after a letter",
     ),
     (
         lambda: Result("M", "", (a, b), (3,)),

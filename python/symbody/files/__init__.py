@@ -1,1 +1,1 @@
-"""Files that are whole or as they were."""
+"""Atomic replacement of files."""

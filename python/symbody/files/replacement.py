@@ -1,4 +1,4 @@
-"""Files that are whole or as they were: one, or a group of which all are replaced or none."""
+"""Atomic replacement of files: of one file, or of a group of which all are replaced or none."""
 
 from __future__ import annotations
 
@@ -13,14 +13,14 @@ from pathlib import Path
 __all__ = ["TEMPORARY", "replacement", "replacements", "write_texts"]
 
 TEMPORARY = ".symbody-"
-"""How the names of folders begin in which files are written first; a process that is killed leaves one."""
+"""The prefix of temporary folders, in which files are written first; a process that is killed leaves one."""
 
 
 @contextmanager
 def replacement(file: Path, *, durable: bool = False) -> Iterator[Path]:
-    """Give a path beside a file; what is written there takes the file's place at the end, in one step.
+    """Give a temporary path next to a file; the file written there replaces it at the end, in one step.
 
-    A link stays one: what it leads to is replaced. The folder is made if there is none.
+    A link stays a link: its target is replaced. The folder is made if there is none.
 
     Args:
         file: the file to replace.
@@ -42,7 +42,7 @@ def replacement(file: Path, *, durable: bool = False) -> Iterator[Path]:
 
 @contextmanager
 def replacements(folder: Path, names: Sequence[str], *, durable: bool = False) -> Iterator[Path]:
-    """Give a folder beside another one; what is written there under some names is moved at the end, all or nothing.
+    """Give a temporary folder inside another; files written there under some names are moved at the end, all or none.
 
     If a move fails, what was moved before is put back.
 

@@ -28,8 +28,9 @@ class Body:
     minus sign. Masses and inertias may be zero. They may be negative where a body is subtracted from another one. Two
     bodies are never equal, even if all their values are.
 
-    There is a notice for numbers that no body has, such as the moments 1, 1 and 5. One moment alone has none: a motion
-    in a plane needs no other. The `System` checks negative ones together with the bodies from which they are taken.
+    There is a notice for values that no rigid body can have, such as the moments 1, 1 and 5. A single moment gives no
+    notice, since a planar motion needs no other. The `System` checks negative ones together with the bodies from which
+    they are taken.
 
     Args:
         place: the centre of mass, or a frame at the centre of mass in whose axes the inertia is given.
@@ -113,7 +114,7 @@ class Body:
 
     @property
     def key(self) -> bytes:
-        """What puts the bodies of a set in order."""
+        """The sort key of the bodies of a set."""
         values = (self.mass, *self.moments, *self.products)
         return b"".join((self.name.encode(), self.frame.key, *(value.fingerprint for value in values)))
 

@@ -59,8 +59,8 @@ def gravitational_energy(objects: Objects, gravity: Vector | None = None) -> Exp
         )
     if selection.root.carrier is not None:
         raise ModelError(
-            f"gravitational_energy: the bodies hang on {selection.root}, whose place is unknown; give the moving frame "
-            "a pose"
+            f"gravitational_energy: the bodies are attached to {selection.root}, whose place is unknown; give the "
+            "moving frame a pose"
         )
     with derivation():
         g = selection.gravity.projected(selection.root).components

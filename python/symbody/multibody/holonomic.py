@@ -28,7 +28,7 @@ def fault_of(constraint: Expr, coordinates: Sequence[Expr], speeds: Sequence[Exp
         speeds: its quasi-velocities.
     """
     if constraint.is_zero:
-        return "is no condition; leave it out"
+        return "is not a condition; leave it out"
     leaves = constraint.free_symbols
     rate = rate_of_any(coordinates, leaves)
     if rate is not None:

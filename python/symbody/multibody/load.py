@@ -1,4 +1,4 @@
-"""Loads: what acts on bodies."""
+"""Loads: forces and torques on bodies."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ from .body import Body
 
 @dataclass(frozen=True, eq=False)
 class Action:
-    """What a load does to one body: a force at a point of it, or a torque.
+    """The action of a load on one body: a force at a point of it, or a torque.
 
     Attributes:
         body: on which it acts.
@@ -74,7 +74,7 @@ class Action:
 
 
 class Load(ABC):
-    """What acts on bodies: a load is the sum of its actions.
+    """A load on bodies: the sum of its actions.
 
     A new kind of load is one file with a final subclass that has `actions`, a cached property (docs/extending.md). Its
     power, its generalised forces, its part in all equations and what `show` prints follow from them.
@@ -92,11 +92,11 @@ class Load(ABC):
     @property
     @abstractmethod
     def actions(self) -> tuple[Action, ...]:
-        """What the load does, body by body."""
+        """The actions of the load, body by body."""
 
     @property
     def key(self) -> bytes:
-        """What puts the loads of a set in order."""
+        """The sort key of the loads of a set."""
         return self.name.encode() + b"".join(action.key for action in self.actions)
 
     @property
@@ -164,7 +164,7 @@ class _Vectorial(Load):
 
     @property
     def key(self) -> bytes:
-        """What puts the loads of a set in order."""
+        """The sort key of the loads of a set."""
         values = b"".join(component.fingerprint for component in self.vector.components)
         return self.name.encode() + self.on.key + self.vector.frame.key + values
 

@@ -15,7 +15,7 @@ __all__ = ["notices"]
 def notices(
     bodies: Collection[Body], loads: Iterable[Load], constraints: Iterable[Expr], known: Collection[Expr]
 ) -> Iterator[str]:
-    """Return what a user should check: loads on other bodies, and motions that are neither unknown nor given.
+    """Return notices for a user to check: loads on other bodies, and motions that are neither unknown nor given.
 
     Args:
         bodies: the bodies of a system.
@@ -47,11 +47,11 @@ def _given_motions(bodies: Iterable[Body], constraints: Iterable[Expr], known: S
     constraining = {leaf for constraint in constraints for leaf in constraint.free_symbols} - known
     for leaves, (does, do) in (
         (moving, ("moves bodies", "move bodies")),
-        (constraining - moving, ("stands in a constraint", "stand in constraints")),
+        (constraining - moving, ("occurs in a constraint", "occur in constraints")),
     ):
         given = sorted({leaf.name for leaf in leaves if leaf.kind == "time_function"} - _named(known))
         if given:
-            acts, adds = (does, "is no coordinate") if len(given) == 1 else (do, "are no coordinates")
+            acts, adds = (does, "is not a coordinate") if len(given) == 1 else (do, "are not coordinates")
             yield (
                 f"{', '.join(given)} {acts} and {adds}, so that the motion must be given from outside; add "
                 "what is unknown to coordinates=[...], what is given to inputs=[...]"

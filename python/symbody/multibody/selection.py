@@ -1,4 +1,4 @@
-"""The bodies and loads for which a formalism is asked, from a system, a set, a list or a single one."""
+"""The bodies and loads to which a function is applied, from a system, a set, a list or a single one."""
 
 from __future__ import annotations
 

@@ -47,7 +47,7 @@ class System:
 
     Args:
         bodies: the bodies.
-        loads: the forces and torques on bodies, beside weight.
+        loads: the forces and torques on bodies, except weight.
         coordinates: the functions of time in which the configuration is written, in the order of the equations; those
             of floating frames come first unless they are listed.
         constraints: expressions of the coordinates that are zero.
@@ -89,7 +89,7 @@ class System:
         self._frames = all_frames(self.bodies, self.loads, gravity)
         motions = [frame.motion for frame in self._frames if frame.motion is not None]
         self.coordinate_rates = {q: rate for motion in motions for q, rate in motion.coordinate_rates.items()}
-        """The coordinates whose rates are no speeds, as those of floating frames, and these rates by the speeds."""
+        """The coordinates whose rates are not speeds, as those of floating frames, and these rates by the speeds."""
         self.coordinates = _completed(coordinates, self.coordinate_rates)
         self.quasi_velocities = _completed(speeds, [u for motion in motions for u in motion.speeds])
         self.constraints = tuple(expression(constraint) for constraint in constraints)
@@ -105,7 +105,7 @@ class System:
 
     @cached_property
     def actions(self) -> tuple[Action, ...]:
-        """What the loads do to the bodies of the system; their actions on other bodies are left out."""
+        """The actions of the loads on the bodies of the system; actions on other bodies are left out."""
         members = {*self.bodies}
         return tuple(action for load in self.loads for action in load.actions if action.body in members)
 
@@ -133,7 +133,7 @@ class System:
 
     @property
     def has_quasi_velocities(self) -> bool:
-        """Whether some speed is no rate of a coordinate, or some rate no speed."""
+        """Whether some speed is not the rate of a coordinate, or some rate not a speed."""
         return self.driving != self.coordinates
 
     @property
@@ -144,7 +144,7 @@ class System:
 
     @cached_property
     def known_rates(self) -> dict[Expr, Expr]:
-        """The rates of coordinates that are no speeds, by the speeds: the part of the kinematics that isn't trivial."""
+        """The rates of coordinates that are not speeds, by the speeds: the nontrivial part of the kinematics."""
         return known_rates(self.coordinate_rates)
 
     @cached_property

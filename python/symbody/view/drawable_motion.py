@@ -15,7 +15,7 @@ from symbody.symbolic import Expr
 class DrawableMotion(Protocol):
     """A motion: its N instants, and the values of any expression of the model at these.
 
-    The result of `symbody.simulate` is one; so is any object with these members.
+    The result of `symbody.simulate` satisfies this, as does any object with these members.
     """
 
     @property

@@ -1,4 +1,4 @@
-"""Options of drawings: what a page shows beside bodies and the skeleton of the model."""
+"""Options of drawings: parts of a page in addition to the bodies and the skeleton of the model."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ EXAMPLES = {
 
 @dataclass(frozen=True)
 class DrawingOptions:
-    """What a user wants to see, as in `animate`.
+    """The user's choices, as in `animate`.
 
     Raises:
         ViewError: an argument has the wrong kind.

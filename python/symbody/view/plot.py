@@ -21,12 +21,12 @@ from symbody.view.pose import values
 from symbody.view.whole_file import file_of, write_whole
 
 Panel: TypeAlias = Expr | Sequence[Expr] | Mapping[str, Expr]
-"""What a panel shows: an expression, several, or several by name."""
+"""The contents of a panel: an expression, several, or several by name."""
 
 Units: TypeAlias = Mapping[Expr | str, str]
 
 LONG = 24
-"""The longest name, in letters, that stands beside an axis; longer ones stand above the panel."""
+"""The longest name, in letters, that is written next to an axis; longer ones are written above the panel."""
 
 WIDE = 4
 """The number of panels from which there are two per row."""

@@ -1,4 +1,4 @@
-"""Skeletons: the mechanism of a model beside its bodies, as rods, points and threads."""
+"""Skeletons: the mechanism of a model, drawn with its bodies as rods, points and threads."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ Array = NDArray[np.float64]
 COLORS = ("#1f77b4", "#ff7f0e", "#2ca02c", "#d62728", "#9467bd", "#8c564b", "#e377c2", "#17becf", "#bcbd22")
 GREY = "#888888"
 BEYOND = 0.1
-"""How far a guide extends beyond the motion, relative to the length of the motion."""
+"""The length of a guide beyond the motion, relative to the length of the motion."""
 
 
 @dataclass(frozen=True)

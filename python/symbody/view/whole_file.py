@@ -26,7 +26,7 @@ def file_of(path: str | os.PathLike[str], example: str = "motion.html") -> Path:
 
 
 def write_whole(path: str | os.PathLike[str], write: Callable[[Path], object]) -> Path:
-    """Write a file under a temporary name beside its place, and rename it when it is complete.
+    """Write a file under a temporary name in the same folder, and rename it when it is complete.
 
     Raises:
         PictureError: the file can't be written; its previous content is still there.

@@ -15,7 +15,7 @@ Arguments:
     [3]  g
 
   c: constants of the model, which prepare computes from the parameters
-  (the other routines take these in the place of parameters: first the parameters that they
+  (the other routines take these instead of the parameters: first the parameters that they
   read as they are, then what follows from parameters alone)
     [0]  m
     [1]  l

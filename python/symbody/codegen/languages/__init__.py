@@ -1,1 +1,1 @@
-"""The languages that code is printed in: one file for each target, and what the printers share."""
+"""The languages that code is printed in: one file for each target, and the common parts of the printers."""

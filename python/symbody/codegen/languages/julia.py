@@ -50,7 +50,7 @@ LANGUAGE = Language(
     solve="{x} .= linear_solve(permutedims(reshape({work}, {n}, {n})), {x})",
 )
 
-# Outside of their domains these are no numbers, as in other languages, where Julia's own throw errors.
+# Outside of their domains these return NaN, as in other languages; Julia's own functions throw errors.
 _HELPERS = {
     Operation.SQRT: "real_sqrt(x) = x < 0 ? NaN*x : sqrt(x)",
     Operation.LOG: "real_log(x) = x < 0 ? NaN*x : log(x)",

@@ -87,7 +87,7 @@ def square(entries, n):
 
 @dataclass(frozen=True)
 class Library:
-    """What a library of Python needs around the functions.
+    """The code that a library of Python needs around the functions.
 
     Attributes:
         language: its syntax.

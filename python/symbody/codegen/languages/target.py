@@ -13,7 +13,7 @@ __all__ = ["Target"]
 
 @dataclass(frozen=True)
 class Target:
-    """What `generate` knows about a target.
+    """A target as `generate` needs it.
 
     Attributes:
         name: what the user writes, such as ``"c"``.

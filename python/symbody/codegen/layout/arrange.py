@@ -41,7 +41,7 @@ def module_name(name: str, language: Language) -> str:
 
 
 _IN_PLACE = (
-    "(the other routines take these in the place of parameters: first the parameters that they read as they are, "
+    "(the other routines take these instead of the parameters: first the parameters that they read as they are, "
     "then what follows from parameters alone)"
 )
 
@@ -101,7 +101,7 @@ class _Arrangement:
         return code
 
     def _arguments(self, routine: Routine, constants: Array | None) -> tuple[Array, ...]:
-        """Return the arguments of a routine, with the constants of the model in place of the parameters."""
+        """Return the arguments of a routine, with the constants of the model instead of the parameters."""
         taken: dict[str, Array] = {}
         for argument in self.program.arguments_of(routine):
             is_replaced = constants is not None and argument.stage == "parameters"

@@ -1,4 +1,4 @@
-"""What the printer knows about the syntax of a language: one table per target."""
+"""The syntax of a language as the printer needs it: one table per target."""
 
 from __future__ import annotations
 

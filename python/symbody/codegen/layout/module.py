@@ -90,7 +90,7 @@ class Function:
 
 @dataclass(frozen=True)
 class Module:
-    """What a target prints.
+    """The module that a target prints.
 
     Attributes:
         name: the identifier of the program.

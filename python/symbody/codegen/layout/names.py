@@ -16,7 +16,7 @@ _DEVICES = frozenset(
 
 
 def program_identifier(name: str, scope: Scope) -> str:
-    """Return the identifier of a program, after which its files are named; it is no reserved word of the scope.
+    """Return the identifier of a program, after which its files are named; it is not a reserved word of the scope.
 
     >>> scope = Scope(frozenset({"class"}))
     >>> [program_identifier(name, scope) for name in ("crane", "class", "aux")]

@@ -44,7 +44,7 @@ def angles_first(reads: Sequence[Sequence[int]], trigonometric: Sequence[bool], 
 
 
 def _levels(reads: Sequence[Sequence[int]], trigonometric: Sequence[bool], first: int) -> list[list[int]]:
-    """Return the sines and cosines by how many of them are taken of one another up to each."""
+    """Return the sines and cosines by nesting depth."""
     depths = _depths(reads, trigonometric, first)
     levels: list[list[int]] = [[] for _ in range(max(depths, default=0))]
     for k, is_wave in enumerate(trigonometric):
@@ -54,7 +54,7 @@ def _levels(reads: Sequence[Sequence[int]], trigonometric: Sequence[bool], first
 
 
 def _depths(reads: Sequence[Sequence[int]], trigonometric: Sequence[bool], first: int) -> list[int]:
-    """Return how many sines and cosines are taken of one another up to each instruction."""
+    """Return the nesting depth of sines and cosines at each instruction."""
     depths: list[int] = []
     for places, is_wave in zip(reads, trigonometric, strict=True):
         below = max((depths[place - first] for place in places if place >= first), default=0)

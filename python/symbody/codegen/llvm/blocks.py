@@ -35,7 +35,7 @@ _UNIFORM: Template = ("getelementptr double, ptr %uniform, i64 {0}", "load doubl
 
 
 class Store(NamedTuple):
-    """Where the value of a place is stored: the address that a template makes of a number."""
+    """The storage of the value of a place: the address that a template makes of a number."""
 
     place: int
     address: Template
@@ -44,7 +44,7 @@ class Store(NamedTuple):
 
 @dataclass(frozen=True)
 class _Shared:
-    """What the blocks have in common.
+    """The common data of the blocks.
 
     Attributes:
         code: what the instructions belong to.
@@ -144,7 +144,7 @@ def _cut(code: Code, order: Sequence[int]) -> Cut:
 
 
 def _reads(code: Code, rows: Sequence[int]) -> list[list[int]]:
-    """Return what each of some rows reads, by numbers among these; what is none of them is -1."""
+    """Return what each of some rows reads, by numbers among these; -1 for any other row."""
     first = code.first_instruction
     numbers = {first + k: n for n, k in enumerate(rows)}
     return [[numbers.get(place, -1) for place in code.instructions[k].reads] for k in rows]

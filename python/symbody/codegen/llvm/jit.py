@@ -154,7 +154,7 @@ def _objects(texts: Sequence[str]) -> list[bytes]:
 
 @cache
 def _identity() -> str:
-    """Return what machine code depends on besides its text."""
+    """Return the dependencies of machine code other than its text."""
     features = llvm.get_host_cpu_features().flatten()
     versions = (version("symbody"), llvmlite.__version__, llvm.llvm_version_info)
     return repr((*versions, llvm.get_default_triple(), llvm.get_host_cpu_name(), features, _OPTIONS, _LEVEL))

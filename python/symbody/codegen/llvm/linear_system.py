@@ -18,7 +18,7 @@ _MANY = 64
 
 
 class Memory:
-    """Where the matrices and solutions of linear systems are kept, for one lane.
+    """The storage of the matrices and solutions of linear systems, for one lane.
 
     Attributes:
         areas: start and size of each factorisation and solution, by the place of its instruction.

@@ -20,7 +20,7 @@ TEMPLATES: dict[Operation, Template] = {
     Operation.ABS: ("call {V} @llvm.fabs.{suffix}({V} {0})",),
     Operation.MIN: ("call {V} @llvm.minimum.{suffix}({V} {0}, {V} {1})",),
     Operation.MAX: ("call {V} @llvm.maximum.{suffix}({V} {0}, {V} {1})",),
-    # -1, 0 or 1; zero is its own sign, and so is what is no number.
+    # -1, 0 or 1; the sign of zero is zero, and that of NaN is NaN.
     Operation.SIGN: (
         "call {V} @llvm.copysign.{suffix}({V} {one}, {V} {0})",
         "fcmp ueq {V} {0}, {zero}",

@@ -2,7 +2,7 @@
 
 The angle is reduced by a multiple of pi/2 in three parts with fused multiplications [Cody & Waite 1980]; polynomials of
 [Ng 1993, fdlibm] give sine and cosine on [-pi/4, pi/4], and the quadrant chooses and signs them. Angles beyond
-:data:`LARGEST`, infinite ones and those that are no numbers go to the system's functions.
+:data:`LARGEST`, infinite ones and NaN go to the system's functions.
 
 The sine of -0.0 is 0.0, not -0.0: to keep that sign takes a tenth of a nanosecond an angle, 3 % of an arm's inverse
 dynamics in vectors, and shows nowhere but in 1/sin and in atan2 on its branch cut.
@@ -43,8 +43,8 @@ _COSINE = (
 def sincos_text(lanes: int) -> str:
     """Return the functions of a module that take sine and cosine of so many angles.
 
-    ``@sincos_<lanes>`` does so for angles up to :data:`LARGEST`, ``@is_large_<lanes>`` tells whether one of them is
-    beyond or is no number, and ``@system_sincos_<lanes>`` serves all.
+    ``@sincos_<lanes>`` does so for angles up to :data:`LARGEST`, ``@is_large_<lanes>`` returns whether one of them is
+    larger or NaN, and ``@system_sincos_<lanes>`` serves all.
     """
     V, pair = _types(lanes)
     return f"""\

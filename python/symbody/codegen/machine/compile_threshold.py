@@ -1,4 +1,4 @@
-"""When to compile a call by default: it depends on the size of the function and on the points of the call."""
+"""The default choice to compile a call: it depends on the size of the function and on the points of the call."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ __all__ = ["is_worth_compiling"]
 POINTS, FIXED = 2000, 200_000
 """Points for each operation that is compiled, and operations at points for what compiling takes at least.
 
-Per operation, evaluating takes some 1.1 ns at each of many points, and compiling some 0.1 ms, beside 10 ms for any
+Per operation, evaluating takes some 1.1 ns at each of many points, and compiling some 0.1 ms, plus 10 ms for any
 function (inverse dynamics, mass matrix and forward dynamics of robots, 345 to 2450 operations). Both times grow as the
 size, and compiling pays within some fifty calls of so many points; it would take thousands of calls at 20 points.
 """

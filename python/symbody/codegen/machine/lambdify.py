@@ -30,7 +30,7 @@ Outputs = Any
 
 @dataclass(frozen=True)
 class _Shape:
-    """How one result is cut from the flat outputs: its place and its leading dimensions."""
+    """The part of the flat outputs that makes one result: its place and its leading dimensions."""
 
     start: int
     count: int
@@ -44,10 +44,10 @@ class CompiledFunction:
     Attributes:
         arguments: variables, or tuples of variables, as they were given.
         expressions: all outputs, in one tuple.
-        shapes: how the results are cut from the outputs.
+        shapes: the parts of the outputs that make the results.
         compile: whether all calls run in machine code, or none; by the number of points, if it is None.
         threads: how many threads share the points of a call.
-        equation_names: what notices call the equations of linear systems.
+        equation_names: the names of the equations of linear systems in notices.
 
     >>> from symbody import lambdify, symbols
     >>> x, y = symbols("x y")
@@ -195,22 +195,27 @@ def lambdify(
     points at a time, and so do functions with linear systems. Other calls are evaluated without compilation, which
     would take as long as fifty of them or more. Earlier calls make no difference, so equal calls have equal results;
     the two ways agree to rounding. A loop of many calls at few points is faster with ``compile=True``.
-    A linear system of deficient rank gets its solution of least norm, and a notice that names the equations that follow
+    A linear system of deficient rank gets its minimum-norm solution, and a notice that names the equations that follow
     from others, or contradict them.
 
     Args:
-        arguments: variables, or lists of variables, which become arrays with a row for each.
-        expressions: what the function returns has their structure. An expression: an array of the
-            batch's shape; a list of n expressions: n rows; a ``Matrix`` or a NumPy array of
-            expressions: an array that begins with its shape; a list of lists, matrices and arrays: a
-            tuple with an array for each, lists of equal length included.
-        compile: whether all calls run in machine code, or none.
-        threads: how many share the points of a call.
-        equation_names: what to call the equations of linear systems in notices.
+        arguments: variables, or lists of variables. For a variable, the function takes a number or an array; for a
+            list of n variables, an array of shape (n, ...), one row per variable. The shapes of the variables'
+            values are broadcast to one shape, the batch.
+        expressions: the structure of the results. For an expression, an array of shape (*batch,); for a list of n
+            expressions, (n, *batch); for a ``Matrix`` or a NumPy array of expressions, its shape and the batch; for a
+            list of lists, matrices and arrays, a tuple with an array for each, lists of equal length included.
+        compile: whether all calls run in machine code, or none; by default, the size of the call decides.
+        threads: how many threads share the points of a call.
+        equation_names: the names of the equations of linear systems in notices.
+
+    Returns:
+        The function. It takes one positional value per argument and returns arrays of doubles; a number where the
+        batch has the shape () and the result is one expression.
 
     Raises:
-        ParameterError: an expression contains a variable that is no argument.
-        ArgumentError: an argument is no variable, or a variable is given more than once.
+        ParameterError: an expression contains a variable that is not an argument.
+        ArgumentError: an argument is not a variable, or a variable is given more than once.
 
     >>> from symbody import cos, lambdify, symbols
     >>> x, a = symbols("x a")
@@ -255,7 +260,7 @@ def _argument(argument: object) -> tuple[Expr, ...] | Expr:
 
 
 def _check_single(arguments: Iterable[tuple[Expr, ...] | Expr]) -> None:
-    """Raise an error for a variable that is given more than once: which of its values would count?"""
+    """Raise an error for a variable that is given more than once, since its value would be ambiguous."""
     twice = [str(leaf) for leaf, count in Counter(_flat(arguments)).items() if count > 1]
     if twice:
         verb = "is" if len(twice) == 1 else "are"

@@ -1,1 +1,1 @@
-"""What generated code needs at run time beside its own functions: linear systems, solved with pivoting."""
+"""Code that generated functions call at run time: the solution of linear systems with pivoting."""

@@ -1,10 +1,10 @@
 /* Linear systems A x = b. The workspace, of 2 n n + 5 n + 1 numbers, holds A row by row before symbody_factor and its
- * factorisation afterwards; symbody_solve puts x in the place of b. Each equation is divided by the power of two below
+ * factorisation afterwards; symbody_solve replaces b by x. Each equation is divided by the power of two below
  * its largest coefficient. A = P L U by partial pivoting; where a pivot vanishes against its column, A P = Q [R S; 0 0]
- * by reflections, with the largest columns first (Golub & Van Loan, Matrix Computations, 4th ed., 3.4 and 5.4.2): of
- * the x that fit best the least is taken, by removing its part along the directions in which nothing changes, and
- * symbody_factor returns how many equations follow from the others: those with 1 in the n places from 2 n n + 4 n on.
- * Coefficients that are no numbers make solutions that are no numbers. */
+ * by reflections, with the largest columns first (Golub & Van Loan, Matrix Computations, 4th ed., 3.4 and 5.4.2): the
+ * least-squares solution of minimum norm is taken, by removing the part of x in the null space, and symbody_factor
+ * returns how many equations follow from the others: those with 1 in the n places from 2 n n + 4 n on.
+ * NaN in the coefficients gives NaN in the solution. */
 #include <float.h>
 #include <math.h>
 
@@ -15,7 +15,7 @@ static double symbody_weight(double size)
     return size <= DBL_MAX ? ldexp(1.0, -ilogb(size)) : NAN;
 }
 
-/* The largest magnitude, in four lanes; what is no number is passed over. */
+/* The largest magnitude, in four lanes; NaN is passed over. */
 static double symbody_largest(int n, const double *x)
 {
     double most[4] = {0.0, 0.0, 0.0, 0.0};
@@ -79,7 +79,7 @@ static void symbody_weigh(int n, const double *a, double *restrict f, double *we
     }
 }
 
-/* The geometric mean of the largest and the least magnitude of x y, or x / y, that is not 0; 1 if there is none. */
+/* The geometric mean of the largest and the smallest magnitude of x y, or x / y, that is not 0; 1 if there is none. */
 static double symbody_middle(int n, int stride, const double *x, const double *y, int divide)
 {
     double least = DBL_MAX, most = 0.0;
@@ -269,7 +269,7 @@ static void symbody_solve_orthogonal(int n, int rank, const double *work, double
         x[k] -= tau[k] * sum;
         for (int i = k + 1; i < n; i++) x[i] -= tau[k] * sum * f[i * n + k];
     }
-    /* What is no number in b is not lost with the equations that are left out. */
+    /* NaN in b is not lost with the equations that are left out. */
     for (int i = rank; i < n; i++) lost += 0.0 * x[i];
     for (int i = rank; i < n; i++) x[i] = lost;
     symbody_back_substitute(n, rank, f, x);

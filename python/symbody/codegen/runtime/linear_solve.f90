@@ -1,10 +1,10 @@
 ! Linear systems A x = b. The workspace, of 2 n n + 5 n + 1 numbers, holds A row by row before symbody_factor and its
-! factorisation afterwards; symbody_solve puts x in the place of b. Each equation is divided by the power of two below
+! factorisation afterwards; symbody_solve replaces b by x. Each equation is divided by the power of two below
 ! its largest coefficient. A = P L U by partial pivoting; where a pivot vanishes against its column, A P = Q [R S; 0 0]
-! by reflections, with the largest columns first (Golub & Van Loan, Matrix Computations, 4th ed., 3.4 and 5.4.2): of
-! the x that fit best the least is taken, by removing its part along the directions in which nothing changes. The last
+! by reflections, with the largest columns first (Golub & Van Loan, Matrix Computations, 4th ed., 3.4 and 5.4.2): the
+! least-squares solution of minimum norm is taken, by removing the part of x in the null space. The last
 ! number is then the rank; where it is less than n, the n numbers before it mark with 1 the equations that follow from
-! the others. Coefficients that are no numbers make solutions that are no numbers. In what follows f(:, i) is row i.
+! the others. NaN in the coefficients gives NaN in the solution. In what follows f(:, i) is row i.
 pure subroutine symbody_factor(n, work)
     integer, intent(in) :: n
     real(dp), intent(inout) :: work(2*n*n + 5*n + 1)
@@ -113,7 +113,7 @@ pure subroutine symbody_take_units(n, a, unit, middle)
     end do
 end subroutine symbody_take_units
 
-! The geometric mean of the largest and the least magnitude that is not 0; 1 if there is none.
+! The geometric mean of the largest and the smallest magnitude that is not 0; 1 if there is none.
 pure real(dp) function symbody_middle(sizes)
     real(dp), intent(in) :: sizes(:)
     symbody_middle = 1.0_dp
@@ -297,7 +297,7 @@ pure subroutine symbody_solve_orthogonal(n, rank, direction, f, swap, tau, unit,
         x(k) = x(k) - along
         x(k + 1:) = x(k + 1:) - along*f(k, k + 1:)
     end do
-    ! What is no number in b is not lost with the equations that are left out.
+    ! NaN in b is not lost with the equations that are left out.
     x(rank + 1:) = sum(0.0_dp*x(rank + 1:))
     call symbody_back_substitute(n, rank, f, x)
     x = x*unit

@@ -1,7 +1,7 @@
-"""How linear systems are solved in languages that have a library for it: the least x among those that fit best.
+"""Linear systems in languages that have a library for them: the least-squares solution of minimum norm.
 
-Each equation is divided by the power of two below its largest coefficient, as in the files beside this one. Where
-units for the unknowns, too, leave the matrix singular but for rounding, a decomposition that tells the rank takes over.
+Each equation is divided by the power of two below its largest coefficient, as in the other files of this folder. Where
+units for the unknowns, too, leave the matrix singular but for rounding, a rank-revealing decomposition takes over.
 """
 
 from __future__ import annotations
@@ -10,7 +10,7 @@ __all__ = ["NAMES", "SNIPPETS"]
 
 _NUMPY = '''
 def linear_solve(a, b):
-    """Return the entries of x, a x = b: the least x among those that fit best, for any batch of systems."""
+    """Return the entries of x, a x = b: the least-squares solution of minimum norm, for any batch of systems."""
     a = np.where(np.isfinite(a).all((-2, -1), keepdims=True), a, np.nan)
     b = np.stack(np.broadcast_arrays(*b), -1).astype(float)[..., None]
     n, batch = a.shape[-1], np.broadcast_shapes(a.shape[:-2], b.shape[:-2])
@@ -19,7 +19,7 @@ def linear_solve(a, b):
     unit = unit * power_of_two(np.abs(weight * a * unit).max(-2, keepdims=True))
     a, b = np.broadcast_to(weight * a * unit, (*batch, n, n)), np.broadcast_to(weight * b, (*batch, n, 1))
     unit = np.broadcast_to(np.swapaxes(unit, -2, -1), b.shape)
-    # What is no number is not singular either: it stays what it is.
+    # NaN is not treated as singular; it propagates.
     singular = np.linalg.cond(a, 1) > 1 / (64 * n * np.finfo(float).eps)
     x = np.empty(b.shape)
     x[~singular] = unit[~singular] * np.linalg.solve(a[~singular], b[~singular])
@@ -30,7 +30,7 @@ def linear_solve(a, b):
 
 
 def least_solution(a, b, unit):
-    """Return the least x = unit y among those that fit a y = b best: without a part along which nothing changes."""
+    """Return x = unit y of minimum norm, y a least-squares solution of a y = b: x has no part in the null space."""
     rounding = 64 * len(b) * np.finfo(float).eps
     u, s, v = np.linalg.svd(a)
     rank = np.count_nonzero(s > rounding * s[0])
@@ -50,7 +50,7 @@ def units(a):
 
 
 def middle(size, axis):
-    """Return the geometric mean of the largest and the least number that is not 0; 1 if there is none."""
+    """Return the geometric mean of the largest and the smallest number that is not 0; 1 if there is none."""
     most = size.max(axis, keepdims=True)
     least = np.where(size > 0, size, most).min(axis, keepdims=True)
     return np.where(most > 0, np.sqrt(least) * np.sqrt(most), 1.0)
@@ -63,13 +63,13 @@ def power_of_two(size):
 
 _JAX = '''
 def linear_solve(a, b):
-    """Return x, a x = b: the least x among those that fit best."""
+    """Return x, a x = b: the least-squares solution of minimum norm."""
     a = jnp.where(jnp.isfinite(a).all(), a, jnp.nan)
     b = jnp.stack([jnp.asarray(entry, dtype=float) for entry in b])
     identity, rounding = jnp.eye(len(b)), 64 * len(b) * jnp.finfo(float).eps
     weight, unit = jax.lax.stop_gradient(weights_and_units(a))
     a, b = weight * a * unit, weight[:, 0] * b
-    # What is no number is not singular either: it stays what it is.
+    # NaN is not treated as singular; it propagates.
     singular = jnp.linalg.cond(jax.lax.stop_gradient(a), 1) > 1 / rounding
 
     # The way that is not taken gets a matrix without danger: it is computed too where systems are mapped over.
@@ -105,7 +105,7 @@ def weights_and_units(a):
 
 
 def middle(size, axis):
-    """Return the geometric mean of the largest and the least number that is not 0; 1 if there is none."""
+    """Return the geometric mean of the largest and the smallest number that is not 0; 1 if there is none."""
     most = size.max(axis, keepdims=True)
     least = jnp.where(size > 0, size, most).min(axis, keepdims=True)
     return jnp.where(most > 0, jnp.sqrt(least) * jnp.sqrt(most), 1.0)
@@ -131,7 +131,7 @@ def orthonormal(rows):
 
 
 def linear_solve(a, b):
-    """Return x, a x = b: the least x among those that fit best."""
+    """Return x, a x = b: the least-squares solution of minimum norm."""
     largest = [ca.norm_inf(row.T) for row in ca.vertsplit(a)]
     exponents = [ca.floor(ca.log(ca.if_else(m > 0.0, m, 1.0)) / ca.log(2.0) + 1e-13) for m in largest]
     weight = ca.power(2.0, -ca.vertcat(*exponents))
@@ -151,7 +151,7 @@ def linear_solve(a, b):
 
 _MATLAB = """
 function x = linear_solve(a, b)
-% Return x, a x = b: the least x among those that fit best.
+% Return x, a x = b: the least-squares solution of minimum norm.
     if ~all(isfinite(a(:)))
         x = NaN(size(b));
         return
@@ -188,7 +188,7 @@ function unit = units_of_unknowns(a)
 end
 
 function mean = middle(magnitude, dimension)
-% Return the geometric mean of the largest and the least number that is not 0; 1 if there is none.
+% Return the geometric mean of the largest and the smallest number that is not 0; 1 if there is none.
     most = max(magnitude, [], dimension);
     magnitude(magnitude == 0) = Inf;
     least = min(magnitude, [], dimension);
@@ -209,7 +209,7 @@ import LinearAlgebra
 # The power of two that brings a magnitude into [1, 2); 1 for nothing.
 power_of_two(magnitude) = iszero(magnitude) ? one(magnitude) : exp2(-floor(log2(magnitude)))
 
-# The geometric mean of the largest and the least magnitude that is not 0; 1 if there is none.
+# The geometric mean of the largest and the smallest magnitude that is not 0; 1 if there is none.
 function middle(entries)
     sizes = [abs(entry) for entry in entries if !iszero(entry)]
     return isempty(sizes) ? 1.0 : sqrt(minimum(sizes)) * sqrt(maximum(sizes))
@@ -225,7 +225,7 @@ function units_of_unknowns(a)
     return exp2.(20 .* round.(log2.(unit) ./ 20))
 end
 
-# Return x, a x = b: the least x among those that fit best.
+# Return x, a x = b: the least-squares solution of minimum norm.
 function linear_solve(a, b)
     all(isfinite, a) || return NaN .* b
     unit = units_of_unknowns(a)
@@ -250,7 +250,7 @@ end
 """
 
 _MODELICA = """
-function linear_solve "The least x among those that fit a x = b best"
+function linear_solve "The least-squares solution of minimum norm of a x = b"
   input Real a[:, size(a, 1)];
   input Real b[size(a, 1)];
   output Real x[size(a, 1)];

@@ -38,7 +38,7 @@ TARGETS = {target.name: target for target in (C, FORTRAN, MATLAB, PYTHON, JULIA,
 """
 
 _MARKED = re.compile(rf"(?P<program>\w+)(?: \((?P<target>\w+)\))?, {MARK}")
-"""What `mark` writes."""
+"""The text that `mark` writes."""
 
 
 def generate(
@@ -64,16 +64,16 @@ def generate(
 
     Raises:
         CodegenError: the target isn't known, the folder can't be written, or other files are in the way.
-        ProgramError: the model can't be a program, or the name is no text.
+        ProgramError: the model can't be a program, or the name is not a text.
 
     >>> import tempfile
-    >>> from symbody.symbolic import Argument, Program, Result, Routine, sin, symbols
-    >>> x, a = symbols("x a")
-    >>> arguments = (Argument("p", "parameters", (a,), "parameters"), Argument("q", "position", (x,), "positions"))
-    >>> wave = Routine("wave", "a sine wave", ("p", "q"), (Result("y", "height", (a * sin(x),), ()),))
-    >>> with tempfile.TemporaryDirectory() as folder:
-    ...     [file.name for file in generate(Program("demo", "An example.", arguments, (wave,)), "c", folder)]
-    ['demo.h', 'demo.c', 'demo_check.c', 'Makefile']
+    >>> import symbody as sb
+    >>> theta, (m, l, g) = sb.functions_of_time("theta"), sb.symbols("m l g")
+    >>> bob = sb.Body(sb.rotate("Z", theta) * sb.translate(0, -l, 0), m)
+    >>> pendulum = sb.System([bob], coordinates=[theta], gravity=sb.Vector(sb.ground, 0, -g, 0))
+    >>> with tempfile.TemporaryDirectory() as path:
+    ...     [file.name for file in generate(sb.newton_euler(pendulum), "c", path, name="pendulum")]
+    ['pendulum.h', 'pendulum.c', 'pendulum_check.c', 'Makefile']
     """
     texts = source(model, target, name=name)
     folder = _folder(path)
@@ -114,7 +114,7 @@ def source(model: Program | Programmable, target: str = "c", *, name: str | None
 
     Raises:
         CodegenError: the target isn't known.
-        ProgramError: the model can't be a program, or the name is no text.
+        ProgramError: the model can't be a program, or the name is not a text.
 
     >>> from symbody.symbolic import Argument, Program, Result, Routine, sin, symbols
     >>> x = symbols("x")

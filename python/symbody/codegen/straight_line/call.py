@@ -12,15 +12,15 @@ from symbody.symbolic import Argument, Program, Routine
 __all__ = ["Call", "call_in"]
 
 _EXTRA = 1.1
-"""How much longer a routine may become by a call, since what is called may compute more than is needed."""
+"""The relative growth of a routine that a call may cause, since the called routine may compute more than is needed."""
 
 
 @dataclass(frozen=True)
 class Call:
-    """What a routine calls, and what remains to be computed.
+    """The routine that is called, and the code that remains.
 
     Attributes:
-        routine: what is called.
+        routine: the routine that is called.
         rest: the remaining code. Entries of the results of the call are inputs of it, in an array that is named after
             the routine and the result, such as ``forward_dynamics.a``.
     """

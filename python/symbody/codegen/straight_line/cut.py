@@ -12,7 +12,7 @@ __all__ = ["Cut", "cut"]
 
 @dataclass(frozen=True)
 class Cut:
-    """Where code is cut.
+    """The places at which code is cut.
 
     Attributes:
         starts: the number of the first instruction of each block, then the number of instructions.

@@ -20,7 +20,7 @@ __all__ = [
 
 
 class Operation(StrEnum):
-    """What an instruction does, by its name on the tape; functions come last."""
+    """The operation of an instruction, by its name on the tape; functions come last."""
 
     ADD = "add"
     SUB = "sub"

@@ -1,4 +1,4 @@
-"""What routines compute from parameters alone: one routine computes it for all, once for each set of parameters."""
+"""The part of routines that depends on parameters alone: one routine computes it, once for each set of parameters."""
 
 from __future__ import annotations
 
@@ -51,7 +51,7 @@ class Preparation:
         return arguments_of(self.parameters)
 
     def without_parameters(self, code: Code) -> Code:
-        """Return the code with constants of the model, as inputs without names, in place of work on parameters."""
+        """Return the code with constants of the model, as inputs without names, instead of work on parameters."""
         known = self._known(code)
         lifted = sorted({p for p in self._read_later(code, known) if p in known})
         first, end = code.first_instruction, code.first_instruction + len(code.instructions)

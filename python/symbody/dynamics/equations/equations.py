@@ -148,7 +148,14 @@ class Equations:
         baumgarte: Damping = None,
         method: str | None = "auto",
     ) -> Program:
-        """Return the routines of which code is generated; see `symbody.dynamics.solution.equations_program.program`."""
+        """Return the routines of which code is generated; see `dynamics/solution/equations_program.py`.
+
+        Args:
+            name: the name of the generated code, as an identifier; by default the name of the system, or "model".
+            outputs: further expressions, vectors or matrices that the code computes, by name.
+            baumgarte: omega (in rad/s) and zeta of the stabilisation of constraints in the forward dynamics.
+            method: the method of `forward_dynamics`; None leaves out the forward dynamics.
+        """
         return program_of(self, name=name, outputs=outputs, baumgarte=baumgarte, method=method)
 
     def __repr__(self) -> str:

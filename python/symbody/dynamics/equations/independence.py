@@ -38,7 +38,7 @@ def check_independent(system: System) -> None:
             pivots.append((min(combination.slopes), combination))
             continue
         pivots.append((_NOWHERE, combination))
-        _tell(system, place, combined, combination.value)
+        _report(system, place, combined, combination.value)
     _check_motion_is_left(system, sum(pivot != _NOWHERE for pivot, _ in pivots))
 
 
@@ -65,7 +65,7 @@ _advisers: list[Callable[[System], str]] = []
 
 
 def register_adviser(adviser: Callable[[System], str]) -> None:
-    """Let a layer above say what is redundant in constraints that leave no motion, for the error's message.
+    """Let a layer above describe redundant constraints that leave no motion, for the error's message.
 
     That takes numbers, which only layers above know how to find. The adviser returns an empty text if nothing is
     redundant.
@@ -94,7 +94,7 @@ class _Combination(NamedTuple):
         return _Combination(left, self.value - factor * other.value)
 
 
-def _tell(system: System, place: int, combined: Sequence[int], rest: Expr) -> None:
+def _report(system: System, place: int, combined: Sequence[int], rest: Expr) -> None:
     constraint, others = (
         f"System: constraint {place + 1}, {brief(system.constraints[place])} = 0,",
         _named(combined),
@@ -113,7 +113,7 @@ def _tell(system: System, place: int, combined: Sequence[int], rest: Expr) -> No
         return
     warnings.warn(
         f"{constraint} depends on {others}: its gradient is a combination of theirs, so that their multipliers aren't "
-        "determined; forward dynamics takes the least ones; leave it out if it is redundant",
+        "determined; forward dynamics takes those of minimum norm; leave it out if it is redundant",
         ModelNotice,
         stacklevel=5,
     )

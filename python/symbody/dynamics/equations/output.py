@@ -1,4 +1,4 @@
-"""Outputs: expressions that generated code computes beside the equations of motion."""
+"""Outputs: expressions that generated code computes in addition to the equations of motion."""
 
 from __future__ import annotations
 

@@ -42,6 +42,10 @@ from .checked_tree import checked_tree
 def lagrange(L: Expr, q: Expr) -> Expr:
     """Return ``d/dt dL/dq' - dL/dq``; the equation of motion subtracts the generalised force.
 
+    Args:
+        L: the Lagrangian ``T - V``, a function of time, coordinates and their first derivatives.
+        q: the coordinate, a function of time.
+
     >>> from symbody import functions_of_time, symbols
     >>> x, (k, m) = functions_of_time("x"), symbols("k m")
     >>> lagrange(m * time_derivative(x) ** 2 / 2 - k * x**2 / 2, x) == m * time_derivative(x, 2) + k * x
@@ -65,8 +69,8 @@ def lagrange_equations(system: System) -> Equations:
     >>> theta, (m, l, g) = functions_of_time("theta"), symbols("m l g")
     >>> bob = Body(rotate("Z", theta) * translate(0, -l, 0), m)
     >>> pendulum = System([bob], coordinates=[theta], gravity=Vector(ground, 0, -g, 0))
-    >>> lagrange_equations(pendulum).mass_matrix[0, 0] == m * l**2
-    True
+    >>> lagrange_equations(pendulum).residuals
+    (l*m*(l*theta'' + g*sin(theta)),)
     """
     _check_no_quasi_velocities(system)
     check_independent(system)
@@ -83,7 +87,7 @@ def _check_no_quasi_velocities(system: System) -> None:
     moved = next((frame for frame in frames if given_twist(frame) is not None), None)
     if moved is not None:
         raise ModelError(
-            f"lagrange_equations: {brief(moved)} moves by velocities in its own axes, which are no rates of "
+            f"lagrange_equations: {brief(moved)} moves by velocities in its own axes, which are not rates of "
             "coordinates; use newton_euler"
         )
 
@@ -149,7 +153,7 @@ def _power(system: System, held: _Held) -> Expr:
 
 @final
 class _Held:
-    """Symbols in the place of forces while power and potential are differentiated: forces are held at the instant."""
+    """Symbols substituted for forces while power and potential are differentiated: forces are held constant."""
 
     def __init__(self) -> None:
         self._values: dict[Expr, Expr] = {}

@@ -46,7 +46,7 @@ class ArticulatedInertia(NamedTuple):
         return Wrench(force, add3(tensor_times(self.rotational, angular), matvec3(self.coupling, linear)))
 
     def released(self, needed: Wrench, share: Wrench) -> ArticulatedInertia:
-        """Return what is left where one joint gives way: ``I - G U^T`` for ``U = I S`` and ``G = U / (S . U)``."""
+        """Return the inertia that a free joint leaves: ``I - G U^T`` for ``U = I S`` and ``G = U / (S . U)``."""
         (u, v, w), (x, y, z) = needed.moment, needed.force
         (a, b, c), (d, e, f) = share.moment, share.force
         J, B, C = self

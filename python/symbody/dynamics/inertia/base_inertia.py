@@ -6,8 +6,8 @@ same, and 7 of the 10 inertial parameters are left beyond the joint [Gautier & K
 counted with the link before a sliding joint. Bodies on fixed joints are one body.
 
 A mass may also be taken out of a body, and put where the acceleration is known anyway: at the origin of a frame that
-the body carries. It is chosen so that one component of the body's moment vanishes. Mass that this leaves missing on the
-axis of the joint is subtracted from the link before.
+the body carries. It is chosen so that one component of the body's moment vanishes. Mass removed in this way from
+the axis of the joint is subtracted from the link before.
 
 Only numbers are moved, since their sums are numbers. Sums of symbols would have to be computed, and would hide the
 symbols of the model.

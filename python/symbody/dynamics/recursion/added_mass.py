@@ -42,14 +42,14 @@ def check_loads(system: System, where: str) -> None:
         if acceleration is not None:
             raise ModelError(
                 f"{where}: {brief(load)} isn't linear in the acceleration {acceleration}; give a function of time "
-                "for the load, and its law as an equation beside those of motion"
+                "for the load, and its law as an additional equation"
             )
     if system.gravity is not None:
         acceleration = _rate(_union(system.gravity.components), system, 2)
         if acceleration is not None:
             raise ModelError(
                 f"{where}: the gravity holds the acceleration {acceleration}; expected coordinates, speeds and time; "
-                "make forces of what depends on accelerations"
+                "model acceleration-dependent terms as forces"
             )
 
 

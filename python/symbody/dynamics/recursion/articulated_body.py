@@ -36,7 +36,7 @@ from .added_mass import has_added_mass
 
 
 def is_applicable(system: System, tree: FrameTree) -> bool:
-    """Tell whether every speed drives one rigid motion alone, with nothing else between accelerations."""
+    """Tell whether every speed drives one rigid motion alone and accelerations are otherwise uncoupled."""
     driven = [k for moving in tree.moved_by for k in moving]
     return (
         tree.is_rigid
@@ -52,13 +52,13 @@ def accelerations(system: System, tree: FrameTree) -> tuple[Expr, ...]:
 
 
 class _Joint(NamedTuple):
-    """How a frame gives way by one speed."""
+    """The response of a joint with one speed."""
 
     speed: int
     """The place of the speed in those of the system."""
     S: PartialTwist
     G: Wrench
-    """``U / D``: what of an acceleration of the frame the joint takes up, with the opposite sign."""
+    """``U / D``: the joint acceleration per unit acceleration of the frame, with the sign reversed."""
     own: Expr
     """``-(S . p^A) / D``: the acceleration of the joint where the frame has none."""
 

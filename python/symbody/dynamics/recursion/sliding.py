@@ -1,4 +1,4 @@
-"""Translations in one parent: what moves alike shares the sum of masses, and the sum of forces.
+"""Translations in one parent: children that move alike share the sums of masses and forces.
 
 Children c of one frame that slide in it, without turning, by the partial velocities ``v_ck`` of the speeds k give
 

@@ -1,1 +1,1 @@
-"""What is made of equations of motion: accelerations and multipliers, dependent speeds, programs for codegen."""
+"""Results of equations of motion: accelerations and multipliers, dependent speeds, programs for codegen."""

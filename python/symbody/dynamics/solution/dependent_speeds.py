@@ -49,6 +49,7 @@ def dependent_speeds(eqs: Equations, dependent: Speeds) -> dict[Expr, Expr]:
 def _column(eqs: Equations, speed: Expr) -> int:
     if speed not in eqs.speeds:
         raise ConstraintError(
-            f"dependent_speeds: {brief(speed)} is no speed; expected some of {brief(', '.join(map(str, eqs.speeds)))}"
+            f"dependent_speeds: {brief(speed)} is not a speed; expected some of "
+            f"{brief(', '.join(map(str, eqs.speeds)))}"
         )
     return eqs.speeds.index(speed)

@@ -46,7 +46,7 @@ def program(
         eqs: the equations of motion.
         name: the name of the generated code, as an identifier; by default the name of the system, or "model".
         outputs: further expressions, vectors or matrices that the code computes, by name.
-        baumgarte: omega and zeta of the stabilisation in the forward dynamics.
+        baumgarte: omega (in rad/s) and zeta of the stabilisation of constraints in the forward dynamics.
         method: the method of `forward_dynamics`; None leaves out the forward dynamics and the right-hand side.
 
     Returns:
@@ -55,7 +55,7 @@ def program(
         (parameters), t, r (inputs), q, u (speeds), a (accelerations) and lambda_ (multipliers), in this order.
 
     Raises:
-        ProgramError: an output isn't a function of these, or a name is no identifier.
+        ProgramError: an output isn't a function of these, or a name is not an identifier.
 
     >>> from symbody import Body, System, Vector, functions_of_time, ground, newton_euler, rotate, symbols, translate
     >>> theta, (m, l, g) = functions_of_time("theta"), symbols("m l g")
@@ -154,7 +154,7 @@ _WAYS = {
     "ldl": "by elimination in the mass matrix",
     "schur_complement": "by elimination in the mass matrix, and a linear system of the multipliers that is solved with "
     "pivoting",
-    "null_space": "by independent speeds, accurate away from states in which others had better be independent",
+    "null_space": "by independent speeds, inaccurate near states where other speeds must be chosen as independent",
     "pivoted": "by a linear system that is solved with pivoting",
 }
 
@@ -169,7 +169,7 @@ def _energies(eqs: Equations) -> tuple[Result, ...]:
 
 
 def _outputs(outputs: Mapping[str, Output], eqs: Equations) -> tuple[Result, ...]:
-    """Return the outputs, with rates of coordinates that are no speeds written by speeds and accelerations."""
+    """Return the outputs, with rates of coordinates that are not speeds written by speeds and accelerations."""
     results = []
     for name, value in outputs.items():
         if name in MEANINGS:

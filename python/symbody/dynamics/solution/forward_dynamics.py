@@ -118,8 +118,9 @@ def _shortest(eqs: Equations, baumgarte: Damping) -> ForwardDynamics:
 def _shortest_with_constraints(eqs: Equations, baumgarte: Damping) -> ForwardDynamics:
     """Eliminate the mass matrix, unless that is impossible, or takes too much text for a compiler.
 
-    If constraints depend on each other, the whole system is solved at run time. The least multipliers must be
-    distinguished from rounding errors then, and the Schur complement, a product of three matrices, has more of these.
+    If constraints depend on each other, the whole system is solved at run time. The minimum-norm multipliers
+    must be distinguished from rounding errors then, and the Schur complement, a product of three matrices, has more of
+    these.
     """
     entries = sum(not entry.is_zero for entry in eqs.mass_matrix.entries)
     if entries <= _MOST_ENTRIES and eqs.constraint_jacobian.rank() == len(eqs.constraints):

@@ -18,7 +18,7 @@ ALWAYS = {
     "energies": ("p", "t", "r", "q", "u"),
     "outputs": ("p", "t", "r", "q", "u"),
 }
-"""What a routine takes whether or not it needs it, so that a model's change doesn't change the calls."""
+"""Arguments that a routine takes even if it doesn't need them, so that a model's change doesn't change the calls."""
 
 MEANINGS = {
     "p": ("parameters", "parameters"),

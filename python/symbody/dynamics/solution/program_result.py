@@ -15,7 +15,7 @@ def output_result(name: str, value: Output) -> Result:
     """Return an output as a result of a routine.
 
     Raises:
-        ProgramError: it is no expression, vector or matrix, and no list of expressions.
+        ProgramError: it is not an expression, a vector, a matrix or a list of expressions.
     """
     if isinstance(value, Matrix):
         return matrix_result(name, value)

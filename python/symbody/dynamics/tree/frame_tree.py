@@ -113,7 +113,8 @@ def _ordered(root: Frame, targets: Sequence[Frame]) -> tuple[list[Frame], list[i
         for link in _missing(frame, places):
             if link.parent is None:
                 raise ModelError(
-                    f"System: one body hangs on {brief(root)}, another one on {brief(link)}; build all on the same one"
+                    f"System: one body is attached to {brief(root)}, another one to {brief(link)}; build all on "
+                    "the same one"
                 )
             parents.append(places[link.parent.key])
             places[link.key] = len(ordered)

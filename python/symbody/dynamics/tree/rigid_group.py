@@ -40,6 +40,6 @@ class RigidGroups:
     def branches(self, home: int) -> Iterator[int]:
         """Return the frames fixed in the first one of a group, at another origin, that bear other groups."""
         for place in range(home + 1, len(self.home)):
-            beside = self._tree.parents[place] == home and self.home[place] == home
-            if beside and self._bears[place] and not is_null(self._tree.motion(place).displacement):
+            joined = self._tree.parents[place] == home and self.home[place] == home
+            if joined and self._bears[place] and not is_null(self._tree.motion(place).displacement):
                 yield place

@@ -26,7 +26,7 @@ def with_shifted_origins(
 
     Args:
         frames: parents before their children.
-        needed: those of them on which more acts than bodies of numbers.
+        needed: those of them that carry more than bodies with numeric inertia.
         numeric: whether the masses and inertias of all bodies are numbers.
     """
     shifting = _Shifting(frames, needed, numeric=numeric)

@@ -1,4 +1,4 @@
-"""How frames turn: angular velocity, angular acceleration, and the field of accelerations that they make.
+"""Rotation of frames: angular velocity, angular acceleration, and the field of accelerations that they make.
 
 The field ``F = [al x] + [w x][w x]`` of a frame gives the acceleration of all its points, ``a_Q = a_P + F p_PQ``; it is
 built once per frame and used for every offset in it. Its column for an axis e is the relative acceleration of a point
@@ -33,7 +33,7 @@ class Column(NamedTuple):
 
 @final
 class Turning:
-    """How a frame turns: angular velocity and acceleration, and the field that they make.
+    """The rotation of a frame: angular velocity and acceleration, and the field that they make.
 
     Args:
         velocity: the angular velocity.

@@ -47,7 +47,7 @@ class Ends(NamedTuple):
     tail_frame: Frame
 
     def subs(self, substitution: Substitution) -> Ends:
-        """Return the points with expressions put in the place of others."""
+        """Return the points with expressions substituted."""
         tip, tail = (
             (x.subs(substitution), y.subs(substitution), z.subs(substitution))
             for x, y, z in (self.tip, self.tail)
@@ -58,7 +58,7 @@ class Ends(NamedTuple):
 def difference(ends: Ends, target: Frame) -> Triple:
     """Return the components of the vector between two points in a frame.
 
-    The difference is taken in the frame where the ways of the points to the target frame meet; from there on, only the
+    The difference is taken in the frame where the paths of the points to the target frame meet; from there on, only the
     vector is turned. In any other frame, rotations forth and back would have to cancel.
     """
     frames = ends.tip_frame, ends.tail_frame, target
@@ -88,8 +88,8 @@ def path(source: Frame, target: Frame) -> tuple[list[FrameMotion], list[FrameMot
             b = b.parent
         else:
             raise FrameError(
-                f"{brief(source)} can't be seen from {brief(target)}: one hangs on {source.ancestor}, the other on "
-                f"{target.ancestor}, and the place of a moving master frame is unknown; build both on the same one"
+                f"{brief(source)} can't be seen from {brief(target)}: one is attached to {source.ancestor}, the other "
+                f"to {target.ancestor}, and the place of a moving master frame is unknown; build both on the same one"
             )
     down.reverse()
     return up, down

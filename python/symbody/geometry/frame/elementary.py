@@ -44,8 +44,10 @@ Axis: TypeAlias = Annotated[
 def translate(x: Scalar, y: Scalar, z: Scalar) -> Frame:
     """Return the frame displaced by (x, y, z).
 
-    >>> translate(1, 2, 0).matrix[1, 3]
-    2
+    >>> from symbody import functions_of_time, symbols
+    >>> phi, l = functions_of_time("phi"), symbols("l")
+    >>> (rotate("Z", phi) * translate(l, 0, 0)).matrix[:3, 3]
+    Matrix([[l*cos(phi)], [l*sin(phi)], [0]])
     """
     return ground.then(Translation(triple(x, y, z)))
 
@@ -124,8 +126,9 @@ def floating_frame(
     """Return the frame of a free body: its position and Euler parameters change by speeds in its own axes.
 
     Each of the speeds u, v, w (of the origin) and p, q, r (angular) is an unknown with an equation of motion. The rates
-    of the coordinates x, y, z and e0, ..., e3 are expressions of the speeds: ``x' = R u``, ``e' = 1/2 e o (0, p)``. A
-    system takes all of them from its frames.
+    of the coordinates x, y, z and e = (e0, e1, e2, e3) are expressions of the speeds: ``(x', y', z') = R (u, v, w)``
+    with the rotation matrix R, and ``e' = 1/2 e o (0, p, q, r)``, a product of quaternions. A system takes all of them
+    from its frames.
 
     Args:
         name: what the frame is called; default functions get it as a suffix: x_base, u_base, ...

@@ -44,7 +44,12 @@ class Frame:
     """A frame of reference: ground, or a motion away from its parent.
 
     ``T1 * T2`` appends the motions of T2 to those of T1. Products share their common beginning, so that frames form
-    the kinematic tree. A frame written as a 4x4 matrix (rotation, origin in the last column) is one general motion.
+    the kinematic tree. A frame written as a 4x4 matrix is one general motion.
+
+    Args:
+        matrix: four rows of four entries: the rotation matrix, the origin in the last column, and 0, 0, 0, 1 in the
+            last row.
+        name: what the frame is called.
 
     >>> from symbody import functions_of_time, rotate, translate
     >>> x, phi = functions_of_time("x phi")
@@ -115,8 +120,8 @@ class Frame:
             return NotImplemented
         if other.carrier is not None or other.ancestor.carrier is not None:
             raise FrameError(
-                f"{brief(self)} * {brief(other)}: the second frame hangs on a moving master frame, whose place is "
-                "unknown; put the moving frame first"
+                f"{brief(self)} * {brief(other)}: the second frame is attached to a moving master frame, whose place "
+                "is unknown; put the moving frame first"
             )
         frame = self
         for motion in other.motions:
@@ -169,7 +174,7 @@ class Frame:
 
     @property
     def coordinate_rates(self) -> dict[Expr, Expr]:
-        """The coordinates in the chain whose rates are no speeds, and these rates by the speeds."""
+        """The coordinates in the chain whose rates are not speeds, and these rates by the speeds."""
         return {q: rate for motion in self.motions for q, rate in motion.coordinate_rates.items()}
 
     def inverse(self) -> Frame:
@@ -181,7 +186,7 @@ class Frame:
         return frame
 
     def subs(self, substitution: Substitution) -> Frame:
-        """Return the frame with expressions put in the place of others."""
+        """Return the frame with expressions substituted."""
         frame = self.ancestor
         for motion in self.motions:
             frame = frame.then(motion.subs(substitution))

@@ -1,8 +1,8 @@
 """Regular forms: of several forms of one value, the one that divides by zero in the fewest positions.
 
-``w*tan(a)/sin(a)`` and ``w/cos(a)`` are equal, and only the second one has a number at ``a = 0``. Each form is
-evaluated at zeros and right angles of each coordinate, and of each two of them. Where a form has no number, the numbers
-nearby show whether its value goes to infinity or stays finite.
+``w*tan(a)/sin(a)`` and ``w/cos(a)`` are equal, and only the second one is finite at ``a = 0``. Each form is
+evaluated at zeros and right angles of each coordinate, and of each two of them. Where a form can't be evaluated, the
+numbers nearby show whether its value goes to infinity or stays finite.
 """
 
 from __future__ import annotations
@@ -21,10 +21,10 @@ _PLACES = (number(0), pi / 2, pi, -pi / 2)
 
 
 def regular_form(forms: Iterable[Expr], coordinates: Sequence[Expr]) -> Expr:
-    """Return the form that has a number in most of the positions where its value is finite; of equals, the first.
+    """Return the form that can be evaluated at most of the positions where its value is finite; the first among equals.
 
     Args:
-        forms: expressions of one value, preferred ones first. They are made one by one, until one has a number
+        forms: expressions of one value, preferred ones first. They are made one by one, until one can be evaluated
             wherever the value is finite.
         coordinates: the coordinates of a position.
 

@@ -1,1 +1,1 @@
-"""What a user gives: arguments checked against their annotations, and angles with rounded multiples of pi."""
+"""The user's input: arguments checked against their annotations, and angles with rounded multiples of pi."""

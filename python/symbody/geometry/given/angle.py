@@ -22,7 +22,7 @@ def angle(value: Scalar, where: str) -> Expr:
 
 
 def substituted(old: Expr, substitution: Mapping[Expr, Scalar]) -> Expr:
-    """Return an angle with expressions put in the place of others; report new numbers that look like a mistake."""
+    """Return an angle with expressions substituted; report new numbers that look like a mistake."""
     value = old.subs(substitution)
     exact = exact_angle(value)
     if radians(exact) != radians(old):

@@ -98,10 +98,12 @@ class _Door(NamedTuple):
         if type(value) is hint or (type(value) is Expr and hint is ExprLike) or accepts(hint, value):
             return
         found = _stranger(hint, value)
-        told = f"{name} = {described(value)}" if found is None else f"in {name}, {described(found.value)}"
+        found_text = (
+            f"{name} = {described(value)}" if found is None else f"in {name}, {described(found.value)}"
+        )
         of_sympy = type(value if found is None else found.value).__module__.startswith("sympy.")
         way_out = "; from_sympy converts it" if of_sympy else ""
-        raise self.error(f"{self.where}: {told}; expected {_wanted(hint)}{way_out}")
+        raise self.error(f"{self.where}: {found_text}; expected {_wanted(hint)}{way_out}")
 
 
 class _Stranger(NamedTuple):

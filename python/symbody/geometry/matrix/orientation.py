@@ -25,7 +25,7 @@ SNAP = 1e-12
 """An angle or a component that was computed this near to a multiple of pi, or a root, is that number."""
 
 ROUGH = 1e-6
-"""How far from orthonormal a matrix of printed digits may be."""
+"""The largest deviation from orthonormality of a matrix of printed digits."""
 
 LARGEST_DENOMINATOR = 1000
 """Of squares of an axis' components: (1, 2, 3)/sqrt(14) has 1/14, 4/14, 9/14."""

@@ -26,14 +26,14 @@ Symmetric: TypeAlias = tuple[Expr, Expr, Expr, Expr, Expr, Expr]
 
 
 class FrameMotion(ABC):
-    """How a frame (the child, B) is placed in another one (the parent, A), by a rotation R and a displacement d.
+    """The placement of a frame (the child, B) in another one (the parent, A): a rotation R and a displacement d.
 
     A vector's components go up, from the child's axes to the parent's, by ``to_parent`` (R), and down by ``to_child``
     (R^T). In the formulas, w is the spin of B in A, and d' its drift.
     """
 
     tag: ClassVar[bytes]
-    """What tells the kinds of motions apart in their keys."""
+    """The tag that distinguishes the kinds of motions in their keys."""
     is_rigid: bool = True
     """Whether the axes are orthonormal whatever the values of the variables."""
     rotates: bool = True
@@ -44,7 +44,7 @@ class FrameMotion(ABC):
     twist: Twist | None = None
     """The twist of B in A, in the axes of B, where speeds of its own give it; None where the variables' rates do."""
     coordinate_rates: Mapping[Expr, Expr] = MappingProxyType({})
-    """The coordinates whose rates are no speeds, and these rates by the speeds."""
+    """The coordinates whose rates are not speeds, and these rates by the speeds."""
     speeds: tuple[Expr, ...] = ()
     """The speeds of the twist that are unknown, unless the system lists others."""
     quaternion: tuple[Expr, ...] = ()
@@ -80,7 +80,7 @@ class FrameMotion(ABC):
 
     @abstractmethod
     def subs(self, substitution: Substitution) -> FrameMotion:
-        """Return the motion with expressions put in the place of others."""
+        """Return the motion with expressions substituted."""
 
     @abstractmethod
     def __repr__(self) -> str:

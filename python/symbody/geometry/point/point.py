@@ -48,7 +48,7 @@ class Point:
         return Point(frame, *point_coordinates(self.coordinates, self.frame, frame), name=self.name)
 
     def subs(self, substitution: Substitution) -> Point:
-        """Return the point with expressions put in the place of others."""
+        """Return the point with expressions substituted."""
         x, y, z = (coordinate.subs(substitution) for coordinate in self.coordinates)
         return Point(self.frame.subs(substitution), x, y, z, name=self.name)
 

@@ -62,7 +62,7 @@ class Vector:
         return Vector(frame, *vector_components(self.components, self.frame, frame), name=self.name)
 
     def subs(self, substitution: Substitution) -> Vector:
-        """Return the vector with expressions put in the place of others."""
+        """Return the vector with expressions substituted."""
         x, y, z = (component.subs(substitution) for component in self.components)
         vector = Vector(self.frame.subs(substitution), x, y, z, name=self.name)
         vector._ends = None if self._ends is None else self._ends.subs(substitution)

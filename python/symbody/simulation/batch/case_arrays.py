@@ -16,7 +16,7 @@ Array = NDArray[np.float64]
 
 
 class Status(IntEnum):
-    """How a case ended."""
+    """The end of a case."""
 
     NOT_RUN = 0
     COMPLETED = 1

@@ -173,7 +173,7 @@ class _Batch:
     results: Results
     file: ResultsFile | None
     fault: str = ""
-    """Why the last save failed, if it did."""
+    """The reason why the last save failed, if it did."""
     _saved: float = field(default_factory=monotonic)
     _pause: float = field(default_factory=lambda: SAVE_EVERY)
     _has_news: bool = False

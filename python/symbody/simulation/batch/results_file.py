@@ -82,7 +82,7 @@ class ResultsFile:
             raise self._unwritable(error) from error
 
     def write(self, results: Results) -> None:
-        """Write all results to a temporary file beside this one, and rename it when it is complete.
+        """Write all results to a temporary file in the same folder, and rename it when it is complete.
 
         Raises:
             ResultsError: the file can't be written; its previous content is still there.

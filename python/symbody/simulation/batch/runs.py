@@ -62,7 +62,13 @@ class Runs:
     """Many motions of one model at the same instants, as `simulate_many` returns them.
 
     Where a motion ended before the last instant, its values are NaN from there on. In the shapes below, k is the number
-    of cases, N that of instants, n that of state variables.
+    of cases, N that of instants, n that of state variables. ``runs[expression]`` has the shape (k, N).
+
+    Attributes:
+        task: the model, the method and the outputs that the cases share.
+        cases: the parameters and initial values of the cases.
+        results: the arrays behind the properties: ``t`` (N,), ``states`` (k, N, n), ``outputs`` (k, N) each,
+            ``completed`` (k,), ``failures``, ``findings`` and ``not_run``.
 
     >>> import symbody as sb
     >>> x, (m, k) = sb.functions_of_time("x"), sb.symbols("m k")
@@ -246,7 +252,7 @@ class Runs:
 
     @cached_property
     def findings(self) -> list[tuple[Finding, ...]]:
-        """What a user should know of each case, such as that it is stiff; empty for most cases."""
+        """The findings of each case, such as that it is stiff; empty for most cases."""
         return list(self.results.findings)
 
     @property

@@ -80,7 +80,7 @@ def positions(
     guess: Mapping[Expr, float],
     where: str = "consistent_state",
 ) -> Array:
-    """Return the coordinates, shape (n_q,): the fixed values, and the least change of the others from their guess.
+    """Return the coordinates, shape (n_q,): the fixed values, and the smallest change of the others from their guess.
 
     Args:
         kinematics: the constraints.
@@ -115,7 +115,7 @@ def positions(
 
 
 def starting_points(start: Array, is_free: Flags) -> Iterator[Array]:
-    """Yield the start, then points around it at growing distances: if the start is singular, they are not."""
+    """Yield the start, then points around it at growing distances; these are regular even if the start is singular."""
     yield start
     if not is_free.any():
         return
@@ -126,7 +126,7 @@ def starting_points(start: Array, is_free: Flags) -> Iterator[Array]:
 
 
 def term_sizes(q: Array, phi_q: Array, sizes: Array) -> Array:
-    """Return the magnitudes of the terms of the constraints, at least those by a thousandth of the coordinates."""
+    """Return the magnitudes of the constraints' terms, bounded below by those of a thousandth of the coordinates."""
     scale = np.maximum(sizes, 1e-3 * np.abs(phi_q) @ np.maximum(np.abs(q), 1))
     return np.where(np.isfinite(scale) & (scale > 0), scale, 1.0)
 

@@ -33,7 +33,7 @@ def velocities(
     fixed: Mapping[Expr, float],
     guess: Mapping[Expr, float],
 ) -> Array:
-    """Return the speeds, shape (n,): the fixed values, and the least change of the others from their guess.
+    """Return the speeds, shape (n,): the fixed values, and the smallest change of the others from their guess.
 
     Fixed rates of coordinates that are not speeds, ``q' = K u + k``, are conditions like those of the constraints.
 
@@ -97,7 +97,7 @@ def _relative(A: Array, b: Array, u: Array, least: Array) -> Array:
 
 
 def _guessed(kinematics: Kinematics, K: Array, k: Array, guess: Mapping[Expr, float]) -> Array:
-    """Return the speeds of least norm with the guessed values of speeds and of rates of coordinates."""
+    """Return the speeds of minimum norm with the guessed values of speeds and of rates of coordinates."""
     u = np.array([guess.get(speed, 0.0) for speed in kinematics.system.speeds])
     places, values = _given_rates(kinematics, guess)
     shift: Array = least_norm(K[places], np.array(values) - k[places] - K[places] @ u)[0]

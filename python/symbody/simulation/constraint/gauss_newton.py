@@ -24,7 +24,7 @@ _NEARLY = 1e-11
 def gauss_newton(linearization: Linearization, start: Array, most: int = _STEPS) -> Array:
     """Return the point near a start that satisfies the equations as well as possible.
 
-    Steps of least norm, ``min |F + J d|^2 + mu |d|^2`` with ``mu`` proportional to ``|F|^2``, converge quadratically
+    Minimum-norm steps, ``min |F + J d|^2 + mu |d|^2`` with ``mu`` proportional to ``|F|^2``, converge quadratically
     near solutions, even if equations are dependent or solutions are not isolated [Yamashita & Fukushima 2001; Fan &
     Yuan 2005]. A step without improvement is repeated with more damping [More 1978].
 

@@ -1,4 +1,4 @@
-"""Linear equations of any rank: the least-squares solution of least norm, and the null space."""
+"""Linear equations of any rank: the least-squares solution of minimum norm, and the null space."""
 
 from __future__ import annotations
 

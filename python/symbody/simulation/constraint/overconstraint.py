@@ -1,8 +1,8 @@
 """Constraints that are dependent along the motion, but independent at almost all other positions or parameters.
 
 Three parallel cranks move a coupler because their lengths agree; six independent equations for six coordinates would
-allow no motion. Expressions know what holds at almost every position, and there these coordinates stand still. In the
-same way ``k (x - y) = 0`` makes the accelerations of x and y one expression, which stays one if k = 0.
+allow no motion. Symbolic rank is generic rank, and at generic positions these coordinates are locked. In the same
+way ``k (x - y) = 0`` makes the accelerations of x and y one expression, which stays one if k = 0.
 """
 
 from __future__ import annotations

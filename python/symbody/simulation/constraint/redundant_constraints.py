@@ -49,11 +49,15 @@ class Redundancy:
         constraints: all constraints.
         count: how many of them are redundant.
         rows: the indices of those that are dependent.
-        ratios: for each of these, the least ratio of singular values without it, over all positions of the walk; if
+        ratios: for each of these, the smallest ratio of singular values without it, over all positions of the walk; if
             several are redundant, the best others are left out as well.
 
-    >>> print(Redundancy((), 0, (), {}))
-    the constraints are independent where the mechanism moves
+    >>> from symbody import Body, System, functions_of_time, symbols, translate
+    >>> (x, y), m = functions_of_time("x y"), symbols("m")
+    >>> twice = System([Body(translate(x, y, 0), m)], coordinates=[x, y], constraints=[x - y, 2 * x - 2 * y])
+    >>> found = redundant_constraints(twice)
+    >>> found.count, [found.constraints[row] for row in found.rows]
+    (1, [x - y, 2*x - 2*y])
     """
 
     constraints: tuple[Expr, ...]
@@ -74,7 +78,7 @@ class Redundancy:
 
     @property
     def choices(self) -> str:
-        """Which constraints to leave out, and which not, with the ratios; the empty text if that was not tried."""
+        """The constraints to leave out and those to keep, with the ratios; the empty text if that was not tried."""
         if not self.ratios:
             return ""
         best = max(self.ratios.values())
@@ -86,7 +90,7 @@ class Redundancy:
             if bad
             else ""
         )
-        ratios = f"least ratio of singular values of the remaining constraints, without {numbers}"
+        ratios = f"smallest ratio of singular values of the remaining constraints, without {numbers}"
         return f", best {_either(good)}{warning} ({ratios})"
 
 
@@ -163,7 +167,7 @@ def redundancy(constraints: tuple[Expr, ...], gradients: Sequence[Array]) -> Red
 
 
 def _ratio_without(places: Sequence[Array], row: int, rows: Sequence[int], count: int) -> float:
-    """Return the least ratio of singular values without a row, and without the best choice of the others."""
+    """Return the smallest ratio of singular values without a row, and without the best choice of the others."""
     removed = [row]
     while len(removed) < count:
         removed.append(
@@ -179,7 +183,7 @@ def _apart_from_singular(places: Sequence[Array], count: int) -> list[Array]:
 
 
 def _least(places: Sequence[Array], removed: Sequence[int], count: int) -> float:
-    """Return the least ratio of singular values over all positions, without the removed rows."""
+    """Return the smallest ratio of singular values over all positions, without the removed rows."""
     left = count - len(removed)
     return min(_ratio(np.delete(J, list(removed), axis=0), left) for J in places)
 

@@ -23,7 +23,7 @@ PARTS, MARGIN = 2, 2.0
 """The number of parts of a step in the search for zeros of the least singular value, and by how many intervals the zero
 of a line through two values may be off."""
 ROUNDS, FINER = 2, 16
-"""How often the intervals beside a minimum are divided again, and into how many parts."""
+"""The number of times that the intervals next to a minimum are divided again, and the parts of each division."""
 SHORT = 1e-9
 """The part of the duration below which two steps count as one."""
 AT_ONCE = 2**12

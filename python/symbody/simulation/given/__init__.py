@@ -1,1 +1,1 @@
-"""What a user gives: values, inputs, instants, tolerances and events. Each is checked before anything runs."""
+"""The user's input: values, functions, instants, tolerances and events. Each is checked before anything runs."""

@@ -26,10 +26,13 @@ class Event:
     Raises:
         SimulationError: the direction is not -1, 0 or 1, or the expression is not an expression.
 
-    >>> from symbody import functions_of_time
+    >>> from symbody import Body, System, Vector, functions_of_time, ground, newton_euler, simulate, translate
     >>> z = functions_of_time("z")
-    >>> print(Event(z, direction=-1, terminal=True, name="landing"))
-    landing
+    >>> ball = System([Body(translate(0, 0, z), 1)], coordinates=[z], gravity=Vector(ground, 0, 0, -9.81))
+    >>> landing = Event(z, direction=-1, terminal=True, name="landing")
+    >>> motion = simulate(newton_euler(ball), {}, {z: 4.905}, t=(0, 2), events=[landing])
+    >>> round(motion.t[-1], 9)
+    1.0
     """
 
     expression: Expr

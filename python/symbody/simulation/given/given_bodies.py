@@ -19,7 +19,7 @@ __all__ = ["warn_of_impossible_bodies"]
 Array = NDArray[np.float64]
 
 LOOKS = 8
-"""How many of the cases with a negative mass or moment are checked for bodies that are joined."""
+"""The number of cases with a negative mass or moment that are checked for bodies that are joined."""
 
 
 def warn_of_impossible_bodies(system: System, given: Mapping[Expr, ArrayLike], where: str) -> None:

@@ -59,5 +59,5 @@ def check_explicit(eqs: Equations, given: Given, where: str) -> None:
             formula = next(formula for function, formula in given if function.name == leaf.name)
             raise ModelError(
                 f"{where}, inputs: the equations hold {leaf}, in which {leaf.name}: {formula} brings the acceleration "
-                f"{found[0]}; write {formula} in the place of {leaf.name} where the model is made"
+                f"{found[0]}; substitute {formula} for {leaf.name} where the model is made"
             )

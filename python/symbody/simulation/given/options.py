@@ -15,12 +15,12 @@ from symbody.symbolic.given.arguments import described
 __all__ = ["KEPT", "Options", "check_options", "constraint_handling", "instants_of"]
 
 KEPT = ("projection", "baumgarte", "free")
-"""How constraints are enforced: by projection after each step, by Baumgarte's stabilisation, or not at all."""
+"""The enforcement of constraints: by projection after each step, by Baumgarte's stabilisation, or not at all."""
 
 
 @dataclass(frozen=True)
 class Options:
-    """How to integrate a motion.
+    """Options of the integration of a motion.
 
     Attributes:
         method: the name of the method.

@@ -1,4 +1,4 @@
-"""How results are read: expressions in ``result[...]`` and ``result.evaluate([...])``; anything else is an error."""
+"""Access to results: expressions in ``result[...]`` and ``result.evaluate([...])``; anything else is an error."""
 
 from __future__ import annotations
 

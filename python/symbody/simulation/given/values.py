@@ -230,7 +230,7 @@ def check_known(given: Iterable[object], known: Sequence[Expr], place: str, expe
 
 
 _EXPECTED = ("expected", "given")
-"""How `namesake_note` distinguishes two variables of one name."""
+"""The two descriptions by which `namesake_note` distinguishes variables of one name."""
 
 
 def _mapping(given: object, where: str, argument: str) -> Mapping[Any, ArrayLike]:

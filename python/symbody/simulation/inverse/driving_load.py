@@ -110,7 +110,7 @@ class DrivingLoads:
     def solution(
         self, instants: Array, trajectory: Trajectory, values: Mapping[Expr, float]
     ) -> tuple[Array, Array]:
-        """Return loads and multipliers, one row for each instant; the least multipliers if constraints are dependent.
+        """Return loads and multipliers, one row for each instant; minimum-norm multipliers for dependent constraints.
 
         Raises:
             SimulationError: loads are not determined, or the equations are not balanced or not finite.

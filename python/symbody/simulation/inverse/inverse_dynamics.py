@@ -47,17 +47,18 @@ class InverseDynamics:
     """A prescribed motion and its loads; ``result[expression]`` has the values of any expression.
 
     Expressions may contain time, coordinates, speeds, accelerations, multipliers, parameters, and the loads that were
-    solved for: for example reaction forces or powers.
+    solved for: for example reaction forces or powers. In the shapes below, N is the number of instants. The order of
+    columns is that in the system, and the units are those of the model.
 
     Attributes:
         system: the system.
         t: the instants, shape (N,), in s.
-        coordinates: the coordinates, one row for each instant.
-        speeds: the speeds u, one row for each instant.
-        accelerations: their rates, one row for each instant.
+        coordinates: the coordinates, shape (N, number of coordinates).
+        speeds: the speeds u, shape (N, number of speeds).
+        accelerations: the rates u' of the speeds, shape (N, number of speeds).
         forces: the loads that were solved for, shape (N,) each; the keys of generalised forces are coordinates.
-        multipliers: the multipliers of the constraints, one row for each instant; the least ones if constraints are
-            dependent.
+        multipliers: the multipliers of the constraints, shape (N, number of constraints); those of minimum norm if
+            constraints are dependent.
         parameters: the values of the parameters.
         inputs: the expressions that replaced input functions of time.
 
@@ -256,7 +257,7 @@ def _check_unknowns(eqs: Equations, kinematics: Kinematics, motion: object, load
             )
         if name.name in moving:
             raise ModelError(
-                f"{_WHERE}, unknowns: {name} stands in the prescribed motion, the constraints or the kinematics; "
+                f"{_WHERE}, unknowns: {name} occurs in the prescribed motion, the constraints or the kinematics; "
                 "expected unknowns that only loads contain"
             )
 

@@ -90,12 +90,12 @@ class _Level:
 
     @property
     def x(self) -> Array:
-        """The speeds or accelerations, of least norm if they are not determined."""
+        """The speeds or accelerations, of minimum norm if they are not determined."""
         return self._solution[0]
 
     @property
     def is_open(self) -> Flags:
-        """Which of them the equations do not determine."""
+        """Flags of those that the equations do not determine."""
         is_open: Flags = self._solution[1] < 1 - 1e-6
         return is_open
 
@@ -107,7 +107,7 @@ class _Level:
 
     @property
     def is_off(self) -> Flags:
-        """Which equations are not satisfied."""
+        """Flags of the equations that are not satisfied."""
         A, b = self.A[:, self.rows], self.b[:, self.rows]
         sizes = np.abs(A).sum(axis=2) * np.abs(self.x).max(axis=1, initial=0.0)[:, None]
         left = np.abs(self.rates[:, self.rows] - self.d)
@@ -136,7 +136,7 @@ class _Driven:
 
     @property
     def is_free(self) -> Flags:
-        """Which coordinates are not prescribed."""
+        """Flags of the coordinates that are not prescribed."""
         free = np.ones(len(self.kinematics.system.coordinates), dtype=bool)
         free[self.places] = False
         return free

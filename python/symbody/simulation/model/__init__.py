@@ -1,1 +1,1 @@
-"""What all motions of a system share: its functions of time and state, derived and compiled once."""
+"""Models: the functions of time and state that all motions of a system share, derived and compiled once."""

@@ -1,4 +1,4 @@
-"""The correction of constraint violations: the least changes of a state that lead back onto the constraints.
+"""The correction of constraint violations: the smallest changes of a state that lead back onto the constraints.
 
 This file derives them as expressions. The integration loop applies them after each step (coordinate projection,
 `crates/integrate/src/projection.rs`). Baumgarte's stabilisation (`baumgarte_damping`) is the other way: it damps
@@ -32,7 +32,7 @@ class ConstraintCorrection:
 
 
 def constraint_correction(eqs: Equations, method: str) -> ConstraintCorrection:
-    """Return the least changes of coordinates and speeds that satisfy the constraints, to first order.
+    """Return the smallest changes of coordinates and speeds that satisfy the constraints, to first order.
 
     ``M d = phi_q^T mu, phi_q d = -phi`` [Eich 1993]. The kinetic energy measures the changes, so that lengths and
     angles have the right weights. The kinematics turn the changes of speeds into those of coordinates.

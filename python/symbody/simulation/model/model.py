@@ -1,4 +1,4 @@
-"""What a simulation evaluates: expressions of time, state and parameters, and their machine code."""
+"""The functions that a simulation evaluates: expressions of time, state and parameters, and their machine code."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""How messages name constraints: by number, with the beginning of their text."""
+"""Names of constraints in messages: the number, with the beginning of the text."""
 
 from __future__ import annotations
 

@@ -37,17 +37,18 @@ class Equilibrium:
     """A system at rest.
 
     Attributes:
-        coordinates: the position.
-        multipliers: the multipliers of the constraints.
-        holding: the forces that hold the fixed coordinates.
-        residual: the largest force or moment that is left in the equations of motion.
-        eigenvalues: the s of the small motions ``x exp(s t)``, in 1/s, the fastest growing first. No coordinate is
+        coordinates: the values of all coordinates, in the units of the model.
+        multipliers: the values of the multipliers, by their functions of time; empty without constraints.
+        holding: the generalised forces that hold the fixed coordinates, by coordinate.
+        residual: the largest generalised force that is left in the equations of motion.
+        eigenvalues: the s of the small motions ``x exp(s t)``, in 1/s, shape (number of eigenvalues,), the fastest
+            growing first. No coordinate is
             held: the holding forces are constant forces along the fixed coordinates. NaN at a singular position,
             where small motions are not those of a linear system.
         held_eigenvalues: those of the motions in which the fixed coordinates stay fixed; the same if none is fixed.
 
-    Forces that the position does not determine, such as those of dependent constraints, are the least ones. A notice
-    names them, unless they belong to constraints that are redundant everywhere.
+    Forces that the position does not determine, such as those of dependent constraints, are those of minimum norm. A
+    notice names them, unless they belong to constraints that are redundant everywhere.
 
     >>> from symbody import Body, Force, System, functions_of_time, ground, newton_euler, symbols, translate
     >>> x, (m, k, F) = functions_of_time("x"), symbols("m k F")

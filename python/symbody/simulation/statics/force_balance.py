@@ -36,7 +36,7 @@ class Balance:
 
     @property
     def is_free(self) -> NDArray[np.bool_]:
-        """Which coordinates are free."""
+        """Flags of the coordinates that are free."""
         return np.array([q not in self.held for q in self.equations.coordinates])
 
     @property
@@ -59,7 +59,7 @@ class Balance:
         return F, slopes[:, np.concatenate([np.ones(len(q) + m, dtype=bool), is_held])], sizes
 
     def scale(self, q: Array, forces: Array) -> Array:
-        """Return the magnitudes of the terms, at least those by a thousandth of the coordinates."""
+        """Return the magnitudes of the terms, bounded below by those of a thousandth of the coordinates."""
         _, slopes, sizes = self.values(q, forces)
         n, width = len(self.equations.speeds), len(q)
         scale = np.maximum(sizes, 1e-3 * np.abs(slopes[:, :width]) @ np.maximum(np.abs(q), 1))

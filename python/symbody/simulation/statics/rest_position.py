@@ -72,9 +72,9 @@ class RestPosition:
         return np.full(max(1, len(found)), np.nan, complex) if is_unknown else found
 
     def notices(self) -> Iterator[str]:
-        """Yield what a user should know of undetermined forces and unknown eigenvalues."""
+        """Yield notices of undetermined forces and unknown eigenvalues."""
         if self._undetermined:
-            yield f"{self._open_forces()}; the least ones are given"
+            yield f"{self._open_forces()}; those of minimum norm are given"
         if self.is_singular or self.is_singular_held:
             what = "the constraints" if self.is_singular else "the constraints and what is held"
             whose = "eigenvalues" if self.is_singular else "held_eigenvalues"

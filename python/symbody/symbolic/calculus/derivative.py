@@ -29,7 +29,10 @@ __all__ = [
 def diff(expression: ExprLike, variable: Expr, n: int = 1) -> Expr:
     """Return the n-th partial derivative; x, x', x'' are variables of their own.
 
-    The derivative with respect to ``t`` is the total one.
+    Args:
+        expression: the expression.
+        variable: a symbol, a function of time or one of its derivatives; for ``t``, the derivative is the total one.
+        n: the order of the derivative.
 
     Raises:
         ExpressionError: ``variable`` is not a variable.

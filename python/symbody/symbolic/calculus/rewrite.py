@@ -50,10 +50,15 @@ def collect(expression: ExprLike, variables: Expr | Sequence[ExprLike]) -> Expr:
 def coeff(expression: ExprLike, variable: ExprLike, n: int = 1) -> Expr:
     """Return the coefficient of a power of a variable.
 
+    Args:
+        expression: the expression, a polynomial in the variable after expansion.
+        variable: the variable.
+        n: the exponent of the power; 0 for the terms without the variable.
+
     >>> from symbody import coeff, symbols
     >>> x, a, b = symbols("x a b")
-    >>> coeff((a + x) * b, x)
-    b
+    >>> coeff((a + x) * b, x), coeff((a + x) * b, x, 0)
+    (b, a*b)
     """
     return _core.coeff(expression, variable, n)
 

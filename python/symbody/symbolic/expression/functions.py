@@ -33,7 +33,7 @@ __all__ = [
 def sin(x: ExprLike) -> Expr:
     """Return the sine of an angle in radians.
 
-    Beside other terms, ``math.pi/2`` is pi/2; alone, it is a number.
+    In a sum, ``math.pi/2`` is taken as exactly pi/2; alone, it stays a decimal.
 
     >>> from symbody import pi, sin, symbols
     >>> x, y = symbols("x y")
@@ -46,7 +46,7 @@ def sin(x: ExprLike) -> Expr:
 def cos(x: ExprLike) -> Expr:
     """Return the cosine of an angle in radians.
 
-    Beside other terms, ``math.pi/2`` is pi/2; alone, it is a number.
+    In a sum, ``math.pi/2`` is taken as exactly pi/2; alone, it stays a decimal.
 
     >>> from symbody import cos, pi, symbols
     >>> x, y = symbols("x y")
@@ -59,7 +59,7 @@ def cos(x: ExprLike) -> Expr:
 def tan(x: ExprLike) -> Expr:
     """Return the tangent of an angle in radians.
 
-    Beside other terms, ``math.pi/2`` is pi/2; alone, it is a number.
+    In a sum, ``math.pi/2`` is taken as exactly pi/2; alone, it stays a decimal.
 
     >>> from symbody import pi, tan, symbols
     >>> x, y = symbols("x y")
@@ -202,7 +202,7 @@ def sign(x: ExprLike) -> Expr:
 
 
 def Min(*args: ExprLike) -> Expr:
-    """Return the least of the arguments.
+    """Return the smallest of the arguments.
 
     >>> from symbody import Min, symbols
     >>> x, y = symbols("x y")
@@ -226,7 +226,10 @@ def Max(*args: ExprLike) -> Expr:
 def Piecewise(*branches: tuple[ExprLike, ExprLike | bool], otherwise: ExprLike = 0) -> Expr:
     """Return the value of the first branch ``(value, condition)`` whose condition is positive; ``x`` means x > 0.
 
-    A last branch ``(value, True)`` means the same as ``otherwise=value``.
+    Args:
+        branches: pairs of a value and the expression that is its condition. A last branch ``(value, True)`` means the
+            same as ``otherwise=value``.
+        otherwise: the value where no condition is positive.
 
     >>> from symbody import Piecewise, symbols
     >>> x, k = symbols("x k")

@@ -118,8 +118,12 @@ def symbols(
 ) -> Any:
     """Return symbols: one for one name, a tuple for several names or a range, a list for a list of strings.
 
-    Names and ranges are written as in SymPy: ``"x y"``, ``"x0:3"`` (x0, x1, x2), ``"a:d"``, ``"x,"`` (a tuple of one).
-    A symbol is real unless ``real=False``; roots of a ``positive`` symbol are exact. There are no other assumptions.
+    Args:
+        names: names and ranges, written as in SymPy: ``"x y"``, ``"x0:3"`` (x0, x1, x2), ``"a:d"``, ``"x,"`` (a tuple
+            of one); or a list of these.
+        positive: whether the values are positive: ``sqrt(x**2)`` is then x.
+        real: whether the values are real.
+        unknown: any other assumption, which is an error.
 
     >>> from symbody import sqrt, symbols
     >>> m, g = symbols("m g")
@@ -141,7 +145,9 @@ def symbols(
 def functions_of_time(names: str | Iterable[str], **unknown: object) -> Any:
     """Return functions of time, for names and ranges as in ``symbols``; primes denote their derivatives.
 
-    They are real and have no other assumptions.
+    Args:
+        names: names and ranges, as in ``symbols``.
+        unknown: assumptions. Functions of time are real, so ``real=True`` may be given; any other one is an error.
 
     >>> from symbody import functions_of_time, time_derivative
     >>> x, y = functions_of_time("x y")
@@ -204,4 +210,4 @@ def function(name: str) -> UndefinedFunction:
 
 
 Meaning: TypeAlias = ExprLike | UndefinedFunction
-"""What a name in a parsed text may stand for."""
+"""A possible meaning of a name in a parsed text."""

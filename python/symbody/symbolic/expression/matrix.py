@@ -25,6 +25,10 @@ __all__ = ["Matrix", "identity", "zeros"]
 class Matrix:
     """An immutable matrix of expressions; ``entries`` holds them row by row.
 
+    Args:
+        rows: the rows, sequences of equal length, of expressions or numbers. The attributes ``rows`` and ``columns``
+            are the numbers of rows and columns.
+
     >>> from symbody import Matrix, symbols
     >>> a, b = symbols("a b")
     >>> Matrix([[a, b], [b, a]]) @ Matrix([[1], [-1]])
@@ -280,9 +284,10 @@ def _decoded(rows: int, columns: int, encoded: Encoded) -> Matrix:
 def identity(n: int) -> Matrix:
     """Return the n x n identity matrix.
 
-    >>> from symbody import identity
-    >>> identity(2)
-    Matrix([[1, 0], [0, 1]])
+    >>> from symbody import Matrix, identity, symbols
+    >>> a, b, x = symbols("a b x")
+    >>> (Matrix([[a, 1], [b, 2]]) - x * identity(2)).det()
+    (2 - x)*(a - x) - b
     """
     n = size(n, "identity: n", "rows")
     return Matrix([[int(i == j) for j in range(n)] for i in range(n)])
@@ -291,9 +296,10 @@ def identity(n: int) -> Matrix:
 def zeros(rows: int, columns: int) -> Matrix:
     """Return a rows x columns matrix of zeros.
 
-    >>> from symbody import zeros
-    >>> zeros(1, 3)
-    Matrix([[0, 0, 0]])
+    >>> from symbody import Matrix, symbols, zeros
+    >>> a, b = symbols("a b")
+    >>> Matrix([[a, b], [2 * a, 2 * b]]) @ Matrix([[b], [-a]]) == zeros(2, 1)
+    True
     """
     rows, columns = size(rows, "zeros: rows", "rows"), size(columns, "zeros: columns", "columns")
     return Matrix.from_entries(rows, columns, [0] * (rows * columns))

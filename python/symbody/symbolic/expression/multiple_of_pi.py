@@ -1,6 +1,6 @@
 """Multiples of pi that are given as doubles: ``math.pi/2`` is pi/2, ``math.radians(30)`` is pi/6.
 
-No double is exactly a multiple of pi. In the angle of a rotation, and beside other terms in the argument of a sine,
+No double is exactly a multiple of pi. In the angle of a rotation, and in a sum in the argument of a sine,
 cosine or tangent, a decimal within two rounding errors of ``k*pi/n`` with n up to 360 becomes that multiple; above
 1000, n goes up to 12; above 1e6, no decimal is a multiple. The sine of a number alone is evaluated at that
 number: it is data, and `sin(3.141592653589793)` is not zero. Decimals with fewer digits, such as 1.5708, remain

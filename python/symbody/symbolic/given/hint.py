@@ -93,7 +93,7 @@ _EXPRESSION = {
     "is_Symbol": "e.kind == 'symbol'",
     "is_symbol": "e.kind == 'symbol'",
     "is_Number": "e.is_number",
-    "T": "e itself: one expression is no matrix",
+    "T": "e itself: one expression is not a matrix",
 }
 """Attributes that users look for in expressions, and what to write instead."""
 

@@ -20,7 +20,7 @@ from symbody.symbolic.linear.ldl import Elimination
 __all__ = ["null_space_solve"]
 
 _LEAST_DETERMINANT = 1e-3
-"""The least ratio of a determinant to the sum of its terms' moduli, so that cancellation does no harm."""
+"""The smallest ratio of a determinant to the sum of its terms' moduli, so that cancellation does no harm."""
 
 _LARGEST_GROWTH = 1e4
 """The largest ratio of ``N^T A N`` to ``A`` on the diagonal. Where it is larger, dependent unknowns move much faster

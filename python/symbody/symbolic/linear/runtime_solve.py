@@ -19,9 +19,9 @@ def linear_solve(
 ) -> tuple[Expr, ...]:
     """Return the solution x of ``A x = b`` as values that are computed at run time, by elimination with pivoting.
 
-    Pivots are chosen among the numbers, so no symbolic pivot can vanish. Where A is singular, x is the solution of
-    least norm (the least-squares solution if there is none), and a notice says which equations follow from others or
-    contradict them. The derivative is ``dx = A^-1 (db - dA x)``, which holds where the rank of A is constant.
+    Pivots are chosen among the numbers, so no symbolic pivot can vanish. Where A is singular, x is the
+    minimum-norm solution (the least-squares solution if there is none), and a notice says which equations follow from
+    others or contradict them. The derivative is ``dx = A^-1 (db - dA x)``, which holds where the rank of A is constant.
     Solutions with the same matrix share its factorization.
 
     Args:

@@ -14,8 +14,14 @@ __all__ = ["solve"]
 def solve(equations: Expr | Sequence[ExprLike], unknowns: Expr | Sequence[Expr]) -> dict[Expr, Expr]:
     """Solve equations that are linear in the unknowns; an equation is an expression that is to be zero.
 
-    A single equation or unknown needs no list. Unknowns may be symbols, functions of time and their derivatives.
     Equations that can be solved separately are solved first; at most six unknowns may be coupled.
+
+    Args:
+        equations: the expressions that are to be zero; a single one needs no list.
+        unknowns: symbols, functions of time or their derivatives; a single one needs no list.
+
+    Returns:
+        The values by unknown.
 
     Raises:
         ExpressionError: an equation is not linear, the equations contradict each other or leave

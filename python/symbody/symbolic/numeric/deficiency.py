@@ -44,9 +44,9 @@ class Deficiency:
         if self.dependent:
             clauses.append(_following([called[row] for row in self.dependent]))
         what, way = (
-            ("has no solution", "what fits all equations best was taken")
+            ("has no solution", "the least-squares solution is returned")
             if self.contradictions
-            else ("is of deficient rank", "its solution of least norm was taken")
+            else ("is of deficient rank", "the minimum-norm solution is returned")
         )
         listed = "; ".join(clauses)
         return f"linear system {self.system + 1} of the function {what} at some points: {listed} there; {way}"

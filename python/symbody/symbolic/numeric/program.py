@@ -17,7 +17,7 @@ from symbody.symbolic.given.namesake import namesake_note
 __all__ = ["STAGES", "Argument", "Program", "Programmable", "Result", "Routine", "program_of"]
 
 STAGES = ("parameters", "time and inputs", "positions", "velocities", "accelerations")
-"""What an instruction may depend on, from what changes seldom to what changes in every call."""
+"""The inputs that an instruction may depend on, from those that change seldom to those that change in every call."""
 
 _NAME = re.compile(r"[A-Za-z][A-Za-z0-9_]*")
 
@@ -142,7 +142,7 @@ def _check_closed(routine: Routine, arguments: Iterable[Argument]) -> None:
 def _check_name(kind: str, name: str) -> None:
     if not _NAME.fullmatch(name):
         raise ProgramError(
-            f"the name {name!r} of the {kind} can't stand in code; expected letters, digits and _ after a letter"
+            f"the name {name!r} of the {kind} can't be used in code; expected letters, digits and _ after a letter"
         )
 
 

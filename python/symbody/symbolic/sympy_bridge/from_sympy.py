@@ -32,7 +32,7 @@ _REASONS = {
         "BooleanTrue", "BooleanFalse",
     ): "a condition is not a number; use it in a Piecewise",
 }  # fmt: skip
-"""Why an object of SymPy has no counterpart, and what to do."""
+"""The reason why an object of SymPy has no counterpart, and an alternative."""
 
 
 class FromSympy:

@@ -22,8 +22,11 @@ def to_sympy(expression: Any, names: Mapping[str, Any] | None = None) -> Any:
     """Return an expression, a matrix, or a list, tuple or dictionary of these as objects of SymPy.
 
     Shared nodes become shared objects. Functions of time become ``x(t)``, as ``dynamicsymbols`` makes them; symbols
-    keep their assumptions; decimals that no double represents become fractions. ``names`` gives the SymPy object for a
-    name where another one is wanted.
+    keep their assumptions; decimals that no double represents become fractions.
+
+    Args:
+        expression: the expression, the matrix, or the collection of these.
+        names: SymPy objects by name, to be used instead of new symbols and functions of these names.
 
     Raises:
         ImportError: SymPy is not installed.
@@ -44,7 +47,11 @@ def from_sympy(expression: Any, names: Mapping[str, Expr] | None = None) -> Any:
     """Convert an expression of SymPy to an expression, a matrix to a Matrix, and lists and dictionaries of these.
 
     ``x(t)`` becomes a function of time, an equation the difference of its sides, a symbol without assumptions a real
-    symbol. ``names`` gives the expression for a name where another one is wanted.
+    symbol.
+
+    Args:
+        expression: the expression, the matrix, or the collection of these.
+        names: expressions by name, to be used instead of new symbols and functions of these names.
 
     Raises:
         ImportError: SymPy is not installed.

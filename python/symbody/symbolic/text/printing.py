@@ -39,7 +39,7 @@ def listing(
 ) -> tuple[list[tuple[str, str]], list[str]]:
     """Return several expressions printed together: named intermediate quantities, then the results.
 
-    Large shared parts are named once, so the length of the listing is that of the graph, not of the tree.
+    If the texts would be long, shared parts are named: the length is that of the graph, not of the tree.
 
     Args:
         expressions: one expression or several.
@@ -48,10 +48,12 @@ def listing(
     Returns:
         Pairs of a name and its definition, in an order in which they can be evaluated; then one text per expression.
 
-    >>> from symbody import listing, sin, symbols
-    >>> x, y = symbols("x y")
-    >>> listing([sin(x) + y, sin(x) * y])
-    ([], ['y + sin(x)', 'y*sin(x)'])
+    >>> from symbody import exp, listing, symbols
+    >>> v = symbols("v1:61")
+    >>> weight = exp(sum(v))
+    >>> definitions, results = listing([weight * v[0], weight * v[1]] * 20)
+    >>> [name for name, _ in definitions], results[:2]
+    (['z1', 'z2'], ['v1*z2', 'v2*z2'])
     """
     definitions, results = _core.listing(expressions, notation)
     return definitions, results

@@ -13,7 +13,7 @@
 %     [4]  g
 %
 %   c: constants of the model, which prepare computes from the parameters
-%   (the other routines take these in the place of parameters: first the parameters that they
+%   (the other routines take these instead of the parameters: first the parameters that they
 %   read as they are, then what follows from parameters alone)
 %     [1]  m
 %     [2]  l
