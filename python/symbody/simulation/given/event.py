@@ -31,7 +31,7 @@ class Event:
     >>> ball = System([Body(translate(0, 0, z), 1)], coordinates=[z], gravity=Vector(ground, 0, 0, -9.81))
     >>> landing = Event(z, direction=-1, terminal=True, name="landing")
     >>> motion = simulate(newton_euler(ball), {}, {z: 4.905}, t=(0, 2), events=[landing])
-    >>> round(motion.t[-1], 9)
+    >>> round(motion.events[0].t, 9)
     1.0
     """
 
