@@ -63,7 +63,7 @@ def pytest_runtest_setup(item: pytest.Item) -> None:
     if "CI" in os.environ and not NOT_PACKAGED.issuperset(missing):
         pytest.fail(f"missing: {', '.join(missing)}; scripts/tools.py installs what CI needs", pytrace=False)
     item.user_properties.append((MISSING, " ".join(missing)))
-    pytest.skip(f"for want of {', '.join(missing)}")
+    pytest.skip(f"not found: {', '.join(missing)}")
 
 
 def unexcused(reporter: pytest.TerminalReporter) -> list[str]:
@@ -84,7 +84,7 @@ def pytest_sessionfinish(session: pytest.Session) -> None:
 
 @pytest.hookimpl(trylast=True)
 def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter) -> None:
-    """Count the tests that were skipped for want of programs, in one line."""
+    """Count the tests that were skipped because programs are missing, in one line."""
     skipped = terminalreporter.stats.get("skipped", [])
     properties = [dict(getattr(report, "user_properties", ())) for report in skipped]
     wanted = [found[MISSING].split() for found in properties if MISSING in found]
@@ -93,6 +93,6 @@ def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter) -> None:
         listed = ", ".join(f"{name} ({count})" for name, count in counts)
         tests = "1 test" if len(wanted) == 1 else f"{len(wanted)} tests"
         packages = "`python -m symbody doctor` says how to get them, where that is possible"
-        terminalreporter.write_line(f"{tests} skipped for want of {listed}; {packages}")
+        terminalreporter.write_line(f"{tests} skipped, programs not found: {listed}; {packages}")
     for test in unexcused(terminalreporter):
         terminalreporter.write_line(f"skipped, which CI does not allow: {test}")

@@ -171,8 +171,8 @@ def carried(by: Expr) -> Equations:
         (
             lambda: simulate(carried(drive), NUMBERS, {x: 1}, inputs={drive: x / 2}),
             (
-                "simulate, inputs: the equations hold drive'', in which drive: x/2 brings the acceleration x''; write "
-                "x/2 for drive where the model is made"
+                "simulate, inputs: the equations hold drive'', in which drive: x/2 brings the acceleration x''; "
+                "substitute x/2 for drive where the model is made"
             ),
         ),
     ],

@@ -142,7 +142,7 @@ def _tensor(body: MassDistribution) -> Array:
 
 
 def _is_planar(body: MassDistribution) -> bool:
-    """Tell whether one moment alone is given, and isn't negative."""
+    """Return whether one moment alone is given, and isn't negative."""
     given = [moment for moment in body.moments if not moment.is_zero]
     return len(given) == 1 and not body.has_products and not _is_negative(given[0])
 
@@ -164,7 +164,7 @@ def _second_moments(J: Array) -> Array:
 
 
 def _is_possible(J: Array) -> bool:
-    """Tell whether no principal moment exceeds the sum of the other two, but for rounded digits."""
+    """Return whether no principal moment exceeds the sum of the other two, but for rounded digits."""
     a, b, c = np.linalg.eigvalsh(J)
     return float(c - a - b) <= ROUNDED * float(max(abs(a), abs(c)))
 
@@ -216,7 +216,7 @@ def _pseudo_inertia(carrier: Frame, body: MassDistribution, values: Mapping[Expr
 
 
 def _is_alone(J: Array) -> bool:
-    """Tell whether only one moment of inertia is given."""
+    """Return whether only one moment of inertia is given."""
     return bool(np.count_nonzero(J) == np.count_nonzero(np.diag(J)) == 1)
 
 

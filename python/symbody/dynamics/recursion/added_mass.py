@@ -21,7 +21,7 @@ def with_added_mass(mass_matrix: Matrix, system: System) -> Matrix:
 
 
 def has_added_mass(system: System) -> bool:
-    """Tell whether some load depends on accelerations."""
+    """Return whether some load depends on accelerations."""
     return any(_holds_acceleration(action, system) for action in system.actions)
 
 

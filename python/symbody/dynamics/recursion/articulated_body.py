@@ -36,7 +36,7 @@ from .added_mass import has_added_mass
 
 
 def is_applicable(system: System, tree: FrameTree) -> bool:
-    """Tell whether every speed drives one rigid motion alone and accelerations are otherwise uncoupled."""
+    """Return whether every speed drives one rigid motion alone and accelerations are otherwise uncoupled."""
     driven = [k for moving in tree.moved_by for k in moving]
     return (
         tree.is_rigid

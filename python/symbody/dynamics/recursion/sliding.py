@@ -38,7 +38,7 @@ class Share(NamedTuple):
 
 
 def slides(tree: FrameTree, place: int) -> bool:
-    """Tell whether speeds move a frame in its parent, and none of them turns it."""
+    """Return whether speeds move a frame in its parent, and none of them turns it."""
     return bool(tree.moved_by[place]) and place > 0 and not tree.motion(place).rotates
 
 

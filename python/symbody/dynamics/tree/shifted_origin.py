@@ -135,7 +135,7 @@ class _Shifting:
         return _Run(place.parent, place.motion.displacement, tuple(reversed(turns)))
 
     def _is_absorbed(self, frame: Frame, axis: int) -> bool:
-        """Tell whether a displacement along an axis of a frame joins one that follows, or only bodies follow."""
+        """Return whether a displacement along an axis of a frame joins one that follows, or only bodies follow."""
         e = along(axis, number(1))
         while self._forks[frame.key]:
             if not self._is_alone(frame):
@@ -187,7 +187,7 @@ def _fixed_turn(frame: Frame) -> FrameMotion | None:
 
 
 def _keeps(motion: FrameMotion, e: Triple) -> bool:
-    """Tell whether an axis that is fixed in the parent is fixed in the child of a rotation about a principal axis."""
+    """Return whether an axis that is fixed in the parent is fixed in the child of a rotation about a principal axis."""
     k = motion.turn_axis
     return k is not None and (motion.is_constant or is_null(cross3(along(k, number(1)), e)))
 

@@ -30,7 +30,7 @@ def triple(x: Scalar, y: Scalar, z: Scalar) -> Triple:
 
 
 def is_null(components: Triple) -> bool:
-    """Tell whether all three components are zero."""
+    """Return whether all three components are zero."""
     return all(component.is_zero for component in components)
 
 

@@ -113,7 +113,7 @@ class _Stranger(NamedTuple):
 
 
 def accepts(hint: Any, value: object) -> bool:
-    """Tell whether a value fits an annotation."""
+    """Return whether a value fits an annotation."""
     origin, parts = get_origin(hint), get_args(hint)
     if origin is Annotated:
         return accepts(parts[0], value)
@@ -141,7 +141,7 @@ def _is_scalar(value: Any) -> bool:
 
 
 def _is_collection(value: object, origin: type) -> bool:
-    """Tell whether a value can be iterated over; only once is enough if the annotation says so."""
+    """Return whether a value can be iterated over; only once is enough if the annotation says so."""
     if isinstance(value, str | bytes):
         return False
     return isinstance(value, Iterable) and (origin is Iterable or isinstance(value, Sized))

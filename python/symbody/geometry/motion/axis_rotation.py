@@ -83,5 +83,5 @@ def rotation_about(axis: Triple, angle: Expr) -> FrameMotion:
 
 
 def is_unit(axis: Triple) -> bool:
-    """Tell whether a vector has length one, whatever its variables."""
+    """Return whether a vector has length one, whatever its variables."""
     return (dot3(axis, axis) - 1).is_zero

@@ -82,6 +82,6 @@ def axial_rate(rows: Rows, rate: Rate) -> Triple:
 
 
 def is_rotation(rows: Rows) -> bool:
-    """Tell whether the rows are a right-handed orthonormal triad: each is the cross product of the other two."""
+    """Return whether the rows are a right-handed orthonormal triad: each is the cross product of the other two."""
     x, y, z = rows
     return cross3(x, y) == z and cross3(y, z) == x and cross3(z, x) == y

@@ -58,7 +58,7 @@ def acceleration(thing: Point | Vector, frame: Frame | None = None) -> Vector:
 
 
 def _floats(frame: Frame, observer: Frame) -> bool:
-    """Tell whether a frame floats as seen from its root, so that the speeds give its velocities."""
+    """Return whether a frame floats as seen from its root, so that the speeds give its velocities."""
     return observer == frame.ancestor and bool(frame.coordinate_rates) and frame.is_rigid
 
 

@@ -17,7 +17,7 @@ def _path() -> str:
 
 @dataclass(frozen=True)
 class StopFlag:
-    """A flag that tells the tasks of a call to stop: a file that does not exist until then.
+    """A flag that asks the tasks of a call to stop: a file that does not exist until then.
 
     The signal of Ctrl-C is not enough: a process that starts, or is between two tasks, may lose it and take the next
     task. The file is removed when the process that set the flag ends, after its children.
@@ -34,7 +34,7 @@ class StopFlag:
     process: int = field(default_factory=os.getpid)
 
     def set(self) -> None:
-        """Tell the tasks to stop. If no file can be made, they only get the signal."""
+        """Ask the tasks to stop. If no file can be made, they only get the signal."""
         with suppress(OSError):
             Path(self.path).touch()
             Finalize(None, _remove, (self.path,), exitpriority=-100)  # below 0: after children were joined

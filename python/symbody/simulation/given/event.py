@@ -26,12 +26,12 @@ class Event:
     Raises:
         SimulationError: the direction is not -1, 0 or 1, or the expression is not an expression.
 
-    >>> from symbody import Body, System, Vector, functions_of_time, ground, newton_euler, simulate, translate
+    >>> from symbody import Body, Event, System, Vector, functions_of_time, ground, newton_euler, simulate, translate
     >>> z = functions_of_time("z")
     >>> ball = System([Body(translate(0, 0, z), 1)], coordinates=[z], gravity=Vector(ground, 0, 0, -9.81))
     >>> landing = Event(z, direction=-1, terminal=True, name="landing")
     >>> motion = simulate(newton_euler(ball), {}, {z: 4.905}, t=(0, 2), events=[landing])
-    >>> round(motion.t[-1], 9)
+    >>> round(motion.events[0].t, 9)
     1.0
     """
 
