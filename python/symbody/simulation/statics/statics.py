@@ -8,7 +8,7 @@ from functools import cached_property, lru_cache
 from symbody.codegen import CompiledFunction, lambdify
 from symbody.dynamics import Equations
 from symbody.simulation.constraint.kinematics import magnitude, quaternions
-from symbody.simulation.given.given_input import Given, with_given
+from symbody.simulation.given.given_input import Given, substitute_inputs
 from symbody.simulation.given.parameter import parameters_among
 from symbody.symbolic import Expr, free_symbols, gradient, jacobian, number, substitute, symbol, t
 
@@ -90,7 +90,7 @@ class Statics:
         return self._with_given(self.equations.residuals)
 
     def _with_given(self, expressions: tuple[Expr, ...]) -> tuple[Expr, ...]:
-        return with_given(self.equations.system, self.given, expressions)
+        return substitute_inputs(self.equations.system, self.given, expressions)
 
 
 @lru_cache(maxsize=32)
