@@ -58,11 +58,11 @@ def concrete(base: type) -> Iterator[type]:
             yield derived
 
 
-def followed(recipe: str) -> dict[str, Any]:
-    """What the file and the row of a recipe define: the first two blocks of code of its section."""
+def followed(recipe: str, blocks: int = 2) -> dict[str, Any]:
+    """What the file and the row of a recipe define: the first blocks of code of its section."""
     section = RECIPES.read_text(encoding="utf-8").split(f"\n## {recipe}\n")[1].split("\n## ")[0]
     namespace: dict[str, Any] = {"__name__": "recipe"}
-    for _, block in islice(code_blocks(section, "python"), 2):
+    for _, block in islice(code_blocks(section, "python"), blocks):
         exec(block, namespace)
     return namespace
 
@@ -169,7 +169,7 @@ def each_method(request: pytest.FixtureRequest, monkeypatch: pytest.MonkeyPatch)
     if name.startswith("ida") and not find_spec("sksundae"):
         pytest.skip("SUNDIALS is an extra: scikit-sundae")
     if name == LEAPFROG:
-        prepare = followed("A method of integration")["prepare"]
+        prepare = followed("A method of integration", blocks=1)["prepare"]
         monkeypatch.setitem(METHODS, name, Method(prepare, is_explicit=True, integrates_work=True))
     return name
 
@@ -236,6 +236,19 @@ def test_every_method_enforces_constraints_or_refuses_them(each_method: str) -> 
     )
     with pytest.raises(SimulationError, match=f"^{re.escape(message)}$"):
         simulate(equations, {}, start, t, **given)
+
+
+def test_every_method_reports_a_motion_that_goes_to_infinity(each_method: str) -> None:
+    """x = 1/(1 - t)^2: what was computed is kept."""
+    x = functions_of_time("x")
+    mass = Body(translate(x, 0, 0), 1)
+    push = symbody.Force(symbody.ground, 6 * x**2, 0, 0, on=mass, at=mass.center_of_mass)
+    equations = newton_euler(System([mass], [push], [x]))
+    with pytest.raises(SimulationError, match="what was computed is the error's motion") as raised:
+        simulate(equations, {}, {x: 1, time_derivative(x): 2}, (0, 2), method=each_method, max_step=1e-3)
+    motion = raised.value.motion
+    assert motion.t[-1] == pytest.approx(1, abs=0.02)
+    assert np.isfinite(motion.states).all()
 
 
 def test_every_method_can_be_interrupted_within_a_motion(each_method: str) -> None:
