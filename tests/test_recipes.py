@@ -253,7 +253,7 @@ def test_every_method_reports_a_motion_that_goes_to_infinity(each_method: str) -
 
 def test_every_method_can_be_interrupted_within_a_motion(each_method: str) -> None:
     """What was computed is kept, and the next motion is not started."""
-    model, instants = model_of(newton_euler(damped())), np.array([0.0, 1e6])
+    model, instants = model_of(newton_euler(damped())), np.array([0.0, 2e4])
     task = Task(
         model,
         instants,
@@ -276,7 +276,7 @@ def test_every_method_can_be_interrupted_within_a_motion(each_method: str) -> No
         assert first is not None
         assert first.failure is not None
         assert first.failure.kind is FailureKind.INTERRUPTED
-        assert 0 <= first.end[0] < 1e6
+        assert 0 <= first.end[0] < 2e4
         assert len(first.states) == 1
         assert others == [None] * (motions - 1)
         assert done[2] < 1

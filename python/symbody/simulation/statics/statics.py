@@ -53,7 +53,7 @@ class Statics:
         power = sum((h * rate for h, rate in zip(self.holding, self._rates, strict=True)), start=number(0))
         along = gradient(power, self.equations.speeds)
         residuals = substitute([r - h for r, h in zip(self._residuals, along, strict=True)], at_rest)
-        constraints = self._with_given(self.equations.constraints)
+        constraints = self._substitute_inputs(self.equations.constraints)
         norms = [sum((e * e for e in four), start=number(-1)) for four in self.quaternions]
         return (*residuals, *constraints, *norms)
 
@@ -83,13 +83,13 @@ class Statics:
 
     @cached_property
     def _rates(self) -> tuple[Expr, ...]:
-        return self._with_given(tuple(self.equations.kinematics.values()))
+        return self._substitute_inputs(tuple(self.equations.kinematics.values()))
 
     @cached_property
     def _residuals(self) -> tuple[Expr, ...]:
-        return self._with_given(self.equations.residuals)
+        return self._substitute_inputs(self.equations.residuals)
 
-    def _with_given(self, expressions: tuple[Expr, ...]) -> tuple[Expr, ...]:
+    def _substitute_inputs(self, expressions: tuple[Expr, ...]) -> tuple[Expr, ...]:
         return substitute_inputs(self.equations.system, self.given, expressions)
 
 
