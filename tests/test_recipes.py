@@ -28,12 +28,18 @@ from symbody import (
     simulate,
     simulate_many,
     symbols,
+    time_derivative,
     translate,
 )
 from symbody.dynamics import Equations
+from symbody.errors import ModelError, SimulationError
 from symbody.geometry.motion.frame_motion import FrameMotion
 from symbody.multibody import Load, System
+from symbody.simulation.given.options import Options
 from symbody.simulation.integrate.methods import METHODS
+from symbody.simulation.integrate.outcome import FailureKind
+from symbody.simulation.integrate.task import Task
+from symbody.simulation.model.model import model_of
 from symbody.symbolic import free_symbols
 from symbody.symbolic.expression import functions
 from tests.laws import test_formalisms, test_rewrites
@@ -145,10 +151,10 @@ def test_followed_recipes_keep_the_types(copy: Path) -> None:
 
 
 def test_followed_recipes_keep_what_other_tests_ask_of_the_package(copy: Path) -> None:
-    """But for methods: the lines of the documentation, which leapfrog needs, are not on the page."""
+    """Of the methods of integration, that of the recipe is tested there."""
     files = ["tests/test_recipes.py", "tests/test_docstrings.py", "tests/test_rooms.py"]
     files += [path for path in FILES if "frame" in path or "multibody" in path]
-    chosen = "not followed and not method"
+    chosen = "not followed and (not method or leapfrog)"
     run(copy, copy, "-m", "pytest", "-q", "--noconftest", "-p", "no:cacheprovider", "-k", chosen, *files)
 
 
@@ -242,19 +248,134 @@ def test_every_function_obeys_the_laws() -> None:
     assert set(functions.__all__) <= {*test_rewrites.ONE_ARGUMENT, *vars(test_rewrites)}
 
 
-@pytest.mark.parametrize("method", METHODS)
-def test_every_method_integrates_one_motion_and_many(method: str) -> None:
-    if method.startswith("ida") and not find_spec("sksundae"):
+@pytest.fixture(params=METHODS)
+def each_method(request: pytest.FixtureRequest) -> str:
+    """Each method by name: in the copy also that of the recipe."""
+    name: str = request.param
+    if name.startswith("ida") and not find_spec("sksundae"):
         pytest.skip("SUNDIALS is an extra: scikit-sundae")
+    return name
+
+
+def test_every_method_integrates_one_motion_and_many(each_method: str) -> None:
     x = functions_of_time("x")
     body = Body(translate(x, 0, 0), 1)
     spring = symbody.Force(symbody.ground, -x, 0, 0, on=body, at=body.center_of_mass)
     equations = newton_euler(System([body], [spring], [x]))
-    given, t = {"method": method, "rtol": 1e-7, "atol": 1e-9}, np.linspace(0, 2, 5)
+    t = np.linspace(0, 2, 5)
+    given = {"method": each_method, "rtol": 1e-7, "atol": 1e-9, "max_step": 1e-3}
     one = simulate(equations, {}, {x: 1}, t, **given)[x]
     np.testing.assert_allclose(one, np.cos(t), atol=1e-4)
     many = simulate_many(equations, {}, {x: [1, 2]}, t, **given)[x]
     np.testing.assert_allclose(many, np.outer([1, 2], np.cos(t)), atol=2e-4)
+
+
+def damped() -> System:
+    """A mass between a spring and a damper, released at x = 1: x = exp(-t/10) (cos(w t) + sin(w t)/(10 w))."""
+    x = functions_of_time("x")
+    mass = Body(translate(x, 0, 0), 1)
+    force = symbody.Force(symbody.ground, -x - time_derivative(x) / 5, 0, 0, on=mass, at=mass.center_of_mass)
+    return System([mass], [force], [x])
+
+
+def test_every_method_takes_a_damper(each_method: str) -> None:
+    """The work of the damper is integrated, or its absence is an error."""
+    system = damped()
+    (x,) = system.coordinates
+    t = np.linspace(0, 3, 31)
+    motion = simulate(newton_euler(system), {}, {x: 1}, t, method=each_method, max_step=1e-3)
+    w = np.sqrt(0.99)
+    np.testing.assert_allclose(
+        motion[x], np.exp(-t / 10) * (np.cos(w * t) + 0.1 / w * np.sin(w * t)), atol=1e-3
+    )
+    if METHODS[each_method].integrates_work:
+        assert motion.energy_drift < 2e-3
+    else:
+        with pytest.raises(ModelError, match=f"'{each_method}'.* don't integrate; use another method"):
+            _ = motion.energy
+
+
+def test_every_method_locates_events_or_refuses_them(each_method: str) -> None:
+    system = damped()
+    (x,) = system.coordinates
+    events = [symbody.Event(x, terminal=True)]
+    equations = newton_euler(system)
+    if METHODS[each_method].locates_events:
+        motion = simulate(equations, {}, {x: 1}, (0, 3), method=each_method, events=events)
+        w = np.sqrt(0.99)
+        assert motion.t[-1] == pytest.approx((np.pi - np.arctan(w / 0.1)) / w, abs=1e-5)
+        return
+    message = (
+        f"simulate, events: method={each_method!r} doesn't locate events; leave them out, or use a method that does: "
+        "'dop853', 'tsit5', 'bdf', 'esdirk34', 'tr_bdf2', 'ida', 'ida2' and 'ida3'"
+    )
+    with pytest.raises(SimulationError, match=f"^{re.escape(message)}$"):
+        simulate(equations, {}, {x: 1}, (0, 3), method=each_method, events=events)
+
+
+def test_every_method_enforces_constraints_or_refuses_them(each_method: str) -> None:
+    """A point on a circle, without gravity: it turns at a constant rate."""
+    x, y = functions_of_time("x y")
+    circle = System([Body(translate(x, y, 0), 1)], coordinates=[x, y], constraints=[x**2 + y**2 - 1])
+    equations, start = newton_euler(circle), {x: 1, time_derivative(y): 1}
+    given = {"method": each_method, "max_step": 1e-3}
+    t = np.linspace(0, 2, 21)
+    np.testing.assert_allclose(
+        simulate(equations, {}, start, t, constraints="baumgarte", **given)[x], np.cos(t), atol=5e-3
+    )
+    if METHODS[each_method].enforces_constraints:
+        np.testing.assert_allclose(simulate(equations, {}, start, t, **given)[x], np.cos(t), atol=1e-4)
+        return
+    message = (
+        f"simulate: method={each_method!r} doesn't enforce constraints by itself; use constraints='baumgarte', or a "
+        "method that does: 'dop853', 'tsit5', 'bdf', 'esdirk34', 'tr_bdf2', 'ida', 'ida2' and 'ida3'"
+    )
+    with pytest.raises(SimulationError, match=f"^{re.escape(message)}$"):
+        simulate(equations, {}, start, t, **given)
+
+
+def test_every_method_reports_a_motion_that_goes_to_infinity(each_method: str) -> None:
+    """x = 1/(1 - t)^2: what was computed is kept."""
+    x = functions_of_time("x")
+    mass = Body(translate(x, 0, 0), 1)
+    push = symbody.Force(symbody.ground, 6 * x**2, 0, 0, on=mass, at=mass.center_of_mass)
+    equations = newton_euler(System([mass], [push], [x]))
+    with pytest.raises(SimulationError, match="what was computed is the error's motion") as raised:
+        simulate(equations, {}, {x: 1, time_derivative(x): 2}, (0, 2), method=each_method, max_step=1e-3)
+    motion = raised.value.motion
+    assert motion.t[-1] == pytest.approx(1, abs=0.02)
+    assert np.isfinite(motion.states).all()
+
+
+def test_every_method_can_be_interrupted_within_a_motion(each_method: str) -> None:
+    """What was computed is kept, and the next motion is not started."""
+    model, instants = model_of(newton_euler(damped())), np.array([0.0, 2e4])
+    task = Task(
+        model,
+        instants,
+        Options(each_method, max_step=1e-3),
+        METHODS[each_method],
+        "projection",
+        {},
+        (),
+        {},
+    )
+    for motions in (1, 2):
+        done: list[float] = []
+
+        def keep_going(so_far: float, done: list[float] = done) -> bool:
+            done.append(so_far)
+            return len(done) < 3
+
+        states = np.repeat([[1.0, *[0.0] * (model.width - 1)]], motions, axis=0)
+        first, *others = task.integrate({}, states, 1, keep_going)
+        assert first is not None
+        assert first.failure is not None
+        assert first.failure.kind is FailureKind.INTERRUPTED
+        assert 0 <= first.end[0] < 2e4
+        assert len(first.states) == 1
+        assert others == [None] * (motions - 1)
+        assert done[2] < 1
 
 
 @pytest.mark.parametrize("method", METHODS)

@@ -22,7 +22,7 @@ from symbody.errors import ModelNotice
 from symbody.simulation.constraint.dependent_constraints import dependent_constraints, described_dependence
 from symbody.simulation.integrate.diagnosis import diagnosis
 from symbody.simulation.integrate.integrated import Integrated
-from symbody.simulation.integrate.outcome import Failure, Outcome, Statistics
+from symbody.simulation.integrate.outcome import Failure, FailureKind, Outcome, Statistics
 from symbody.simulation.model.model import Model, model_of
 from tests.simulation.tasks import a_task
 
@@ -96,8 +96,8 @@ def test_gradients_that_vanish() -> None:
     assert dependent_constraints(model, numbers(model, {m: 1.0, k: 1.0}), 0.0, [0.6, 0.8, 1, *[0] * 5]) == ()
 
 
-@pytest.mark.parametrize("kind", ["stalled", "step_collapse", "projection"])
-def test_failures_name_them(kind: str) -> None:
+@pytest.mark.parametrize("kind", [FailureKind.STALLED, FailureKind.STEP_COLLAPSE, FailureKind.PROJECTION])
+def test_failures_name_them(kind: FailureKind) -> None:
     """And advise nothing about dry friction."""
     task, values, gap = a_task(model_of(parallelogram())), {m: 1.0, l: 0.5, d: 1.0}, 1e-7
     state = [gap - np.pi, gap - np.pi, np.pi - gap, 1.0, 1.0, -1.0]

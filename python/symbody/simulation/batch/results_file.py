@@ -15,6 +15,7 @@ import numpy as np
 from symbody.errors import ResultsError
 from symbody.files.replacement import replacement
 from symbody.simulation.batch.case_arrays import Results
+from symbody.simulation.given.wording import joined_by_and
 
 FORMAT = "symbody results 2"
 """The first entry of a results file; the number increases when the meaning of the arrays changes."""
@@ -60,8 +61,9 @@ class ResultsFile:
     def _check_problem(self, found: Mapping[str, str]) -> None:
         other = [part for part, text in self.problem.items() if found.get(part) != text]
         if other:
+            parts = joined_by_and(other, most=len(other))
             raise ResultsError(
-                f"simulate_many: {self.path} contains results of another problem: {_listed(other)} differ; the file "
+                f"simulate_many: {self.path} contains results of another problem: {parts} differ; the file "
                 "was not changed. Give another path, or remove the file to start again"
             )
 
@@ -117,8 +119,3 @@ def digest(things: Iterable[str | bytes]) -> str:
         whole.update(len(data).to_bytes(8, "little"))
         whole.update(data)
     return whole.hexdigest()
-
-
-def _listed(parts: list[str]) -> str:
-    """Return words joined as in a sentence."""
-    return " and ".join(filter(None, [", ".join(parts[:-1]), parts[-1]]))

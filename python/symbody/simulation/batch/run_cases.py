@@ -13,7 +13,7 @@ from symbody.simulation.integrate.diagnosis import diagnosis
 from symbody.simulation.integrate.initial_state import initial_state
 from symbody.simulation.integrate.integrated import Integrated, run_motions
 from symbody.simulation.integrate.notices import deficiency_findings, findings_of
-from symbody.simulation.integrate.outcome import with_deficiencies
+from symbody.simulation.integrate.outcome import FailureKind, with_deficiencies
 from symbody.simulation.integrate.task import KeepGoing, Task
 from symbody.symbolic.numeric.deficiency import noting
 
@@ -85,7 +85,7 @@ def _record(results: Results, case: int, motion: Integrated) -> None:
     """Store the result of the integration of one case."""
     task, outcome = motion.task, motion.outcome
     failure, size, reached = outcome.failure, len(task.model.state), len(outcome.states)
-    if failure is not None and failure.kind == "interrupted":
+    if failure is not None and failure.kind is FailureKind.INTERRUPTED:
         return
     is_early = outcome.end[0] < task.instants[-1]
     results.status[case] = (

@@ -14,15 +14,15 @@ from numpy.typing import NDArray
 from symbody.errors import ArgumentError, ModelNotice, ParameterError
 from symbody.multibody import System
 from symbody.simulation.batch.case_arrays import Results, Status
-from symbody.simulation.given.reading import Reading
 from symbody.simulation.integrate.integrated import Integrated
 from symbody.simulation.integrate.notices import Finding, deficiency_findings, notices_of_batch
-from symbody.simulation.integrate.outcome import Failure, Outcome, Statistics
+from symbody.simulation.integrate.outcome import Failure, FailureKind, Outcome, Statistics
 from symbody.simulation.integrate.task import Task
 from symbody.simulation.model.named_constraint import shortened
 from symbody.simulation.model.unknown import explain_unknown
 from symbody.simulation.motion.motion import Motion
 from symbody.simulation.motion.motion_of import motion_of
+from symbody.simulation.motion.reading import Reading
 from symbody.symbolic import Expr, ExprLike
 from symbody.symbolic.given.arguments import counted, described
 from symbody.symbolic.numeric.deficiency import noting
@@ -227,7 +227,7 @@ class Runs:
             states,
             occurrences,
             end,
-            Failure("failed", t_reached, str(results.messages[index])) if failed else None,
+            Failure(FailureKind.EXPLAINED, t_reached, str(results.messages[index])) if failed else None,
             Statistics(steps, rejected, evaluations, jacobians, bool(is_stiff)),
         )
 

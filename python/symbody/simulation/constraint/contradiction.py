@@ -7,7 +7,8 @@ from collections.abc import Iterable, Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from symbody.simulation.model.named_constraint import listed, named_constraints
+from symbody.simulation.given.wording import joined_by_and
+from symbody.simulation.model.named_constraint import named_constraints
 from symbody.symbolic import Expr
 
 from .vanishing_combinations import vanishing_combinations
@@ -49,6 +50,6 @@ def contradiction_between(constraints: Sequence[Expr], rows: Iterable[int]) -> s
     if len(names) == 1:
         return f"constraint {names[0]} can't be satisfied there by any motion; correct it"
     return (
-        f"constraints {listed(names)} contradict each other: they require different motions of the same coordinates; "
-        "correct them, or leave out those that should follow from the others"
+        f"constraints {joined_by_and(names)} contradict each other: they require different motions of the same "
+        "coordinates; correct them, or leave out those that should follow from the others"
     )

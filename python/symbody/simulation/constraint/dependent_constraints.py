@@ -9,8 +9,9 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from symbody.dynamics import Equations
+from symbody.simulation.given.wording import joined_by_and
 from symbody.simulation.model.model import Model
-from symbody.simulation.model.named_constraint import listed, named_constraints
+from symbody.simulation.model.named_constraint import named_constraints
 from symbody.symbolic import Expr, Matrix, pi, substitute
 
 from .constraint_directions import masses_and_jacobians
@@ -148,7 +149,7 @@ def named_dependence(groups: Sequence[DependentConstraints]) -> str:
 def _named(group: DependentConstraints) -> str:
     if len(group.rows) == 1:
         return f"constraint {group.names[0]} restrains no motion there"
-    return f"constraints {listed(group.names)} depend on each other there"
+    return f"constraints {joined_by_and(group.names)} depend on each other there"
 
 
 def described_dependence(groups: Sequence[DependentConstraints]) -> str:
@@ -166,4 +167,4 @@ def _listed(group: DependentConstraints) -> str:
     if len(group.rows) == 1:
         return f"constraint {group.names[0]} restrains no motion there, or hardly any ({share})"
     how = "dependent" if group.ratio < 1e-10 else "nearly dependent"
-    return f"constraints {listed(group.names)} are {how} there ({share})"
+    return f"constraints {joined_by_and(group.names)} are {how} there ({share})"

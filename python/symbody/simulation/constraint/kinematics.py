@@ -14,7 +14,7 @@ from symbody.dynamics import Equations
 from symbody.errors import ModelError
 from symbody.multibody import System
 from symbody.multibody.frames import all_frames
-from symbody.simulation.given.given_input import Given, with_given
+from symbody.simulation.given.given_input import Given, substitute_inputs
 from symbody.simulation.given.parameter import parameters_among
 from symbody.symbolic import Abs, Expr, ExprLike, derivation, free_symbols, jacobian, number, substitute, t
 
@@ -81,7 +81,7 @@ class Kinematics:
         return [t, state, list(self.parameters)]
 
     def _with_inputs(self, expressions: Iterable[Expr]) -> tuple[Expr, ...]:
-        return with_given(self.system, self.given, tuple(expressions))
+        return substitute_inputs(self.system, self.given, tuple(expressions))
 
     def check_inputs(self, where: str) -> None:
         """Check that all functions of time in the constraints have values.

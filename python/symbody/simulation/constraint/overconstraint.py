@@ -13,8 +13,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from symbody.errors import ConstraintError
+from symbody.simulation.given.wording import joined_by_and
 from symbody.simulation.model.model import Model
-from symbody.simulation.model.named_constraint import listed
 from symbody.symbolic import Expr, Matrix, number, t
 
 from .kinematics import kinematics_of
@@ -126,7 +126,7 @@ def _values(model: Model, rows: Sequence[int], parameters: Mapping[Expr, float])
     """Return the values of the parameters in some constraints."""
     leaves = {leaf for row in rows for leaf in model.constraints[row].free_symbols}
     named = [f"{name} = {parameters[name]:.6g}" for name in model.parameters if name in leaves]
-    return listed(named) if named else "these values"
+    return joined_by_and(named) if named else "these values"
 
 
 def _is_locked(model: Model, speed: Expr) -> bool:

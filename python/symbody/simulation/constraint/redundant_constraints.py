@@ -17,14 +17,15 @@ from numpy.typing import ArrayLike, NDArray
 from symbody.errors import SymbodyError
 from symbody.multibody import System
 from symbody.simulation.given.values import parameter_values, state_values
-from symbody.simulation.model.named_constraint import listed, named_constraints
+from symbody.simulation.given.wording import joined_by_and
+from symbody.simulation.model.named_constraint import named_constraints
 from symbody.symbolic import Expr, ExprLike, number
 from symbody.symbolic.numeric.deficiency import noting, reporting
 
 from .consistent_position import positions
 from .kinematics import Kinematics
 from .vanishing_combinations import vanishing_combinations
-from .walk import CANCELLED, scaled, walk
+from .walk import CANCELLED, scaled, walk_configurations
 
 __all__ = ["Redundancy", "advice", "redundancy", "redundant_constraints"]
 
@@ -69,7 +70,7 @@ class Redundancy:
         """Return what is redundant, and what to leave out."""
         if not self.count:
             return "the constraints are independent where the mechanism moves"
-        names = listed(named_constraints(self.constraints, self.rows, most=_SHOWN), most=8)
+        names = joined_by_and(named_constraints(self.constraints, self.rows, most=_SHOWN), most=8)
         amount = "one" if self.count == 1 else str(self.count)
         return (
             f"the mechanism is overconstrained: constraints {names} depend on each other wherever it moves, {amount} "
@@ -141,7 +142,9 @@ def redundant_constraints(
     )
     with reporting(where):
         begin = positions(kinematics, p, t, fixed, near, where)
-        return redundancy(kinematics.constraints, [scaled(J) for J in walk(kinematics, p, t, begin, STEPS)])
+        return redundancy(
+            kinematics.constraints, [scaled(J) for J in walk_configurations(kinematics, p, t, begin, STEPS)]
+        )
 
 
 def advice(system: System) -> str:

@@ -122,7 +122,7 @@ def _divided(begin: Array, end: Array, parts: int) -> Array:
 def _finite(model: Model, parameters: Array, trail: Array) -> tuple[Array, Array, Array]:
     """Return instants, states and rates of the coordinates at the ends of steps where all of them are finite."""
     t, states = trail[:, 0], trail[:, 1 : 1 + len(model.state)]
-    function = model.function(model.kinematics, (*model.parameters, *model.damping))
+    function = model.function(model.coordinate_rates, (*model.parameters, *model.damping))
     with np.errstate(all="ignore"):
         rates = np.asarray(function(t, *states.T, *parameters)).T
     is_finite = np.isfinite(t) & np.isfinite(states).all(axis=1) & np.isfinite(rates).all(axis=1)

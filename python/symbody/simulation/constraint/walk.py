@@ -17,7 +17,7 @@ from .gauss_newton import gauss_newton
 from .kinematics import Kinematics
 from .vanishing_combinations import vanishing_combinations
 
-__all__ = ["CANCELLED", "ConfigurationSpace", "free_directions", "scaled", "walk"]
+__all__ = ["CANCELLED", "ConfigurationSpace", "free_directions", "scaled", "walk_configurations"]
 
 Array = NDArray[np.float64]
 
@@ -35,7 +35,9 @@ TRIES, DEPARTURES = 48, 12
 """The number of directions in which a walk may start, and the number of successful ones that is enough."""
 
 
-def walk(kinematics: Kinematics, p: Array, t: float, begin: Array, steps: int) -> Iterator[Array]:
+def walk_configurations(
+    kinematics: Kinematics, p: Array, t: float, begin: Array, steps: int
+) -> Iterator[Array]:
     """Yield the Jacobian of the constraints with respect to the speeds at positions that a mechanism reaches.
 
     The walk goes from the first position in both directions. If that is singular, walks start at neighbouring positions

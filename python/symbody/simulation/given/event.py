@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import dataclass
 
 from symbody.errors import SimulationError
 from symbody.symbolic import Expr
 from symbody.symbolic.given.arguments import described
 
-__all__ = ["Event", "Occurrence"]
+__all__ = ["Event"]
 
 
 @dataclass(frozen=True)
@@ -52,25 +51,3 @@ class Event:
 
     def __str__(self) -> str:
         return self.name or str(self.expression)
-
-
-@dataclass(frozen=True)
-class Occurrence:
-    """An event that occurred.
-
-    Attributes:
-        event: the event.
-        t: the instant, in s.
-        state: the coordinates and speeds at that instant.
-
-    >>> from symbody import Body, System, functions_of_time, newton_euler, simulate, time_derivative, translate
-    >>> x = functions_of_time("x")
-    >>> body = newton_euler(System([Body(translate(x, 0, 0), 1)], coordinates=[x]))
-    >>> motion = simulate(body, {}, {time_derivative(x): 2}, t=(0, 1), events=[Event(x - 1)])
-    >>> [round(occurrence.t, 9) for occurrence in motion.events]
-    [0.5]
-    """
-
-    event: Event
-    t: float
-    state: Mapping[Expr, float]

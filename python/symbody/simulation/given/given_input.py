@@ -10,13 +10,13 @@ from symbody.errors import ModelError
 from symbody.multibody import System
 from symbody.symbolic import Expr, free_symbols, substitute
 
-__all__ = ["Given", "check_explicit", "check_no_circle", "with_given"]
+__all__ = ["Given", "check_explicit", "check_no_circle", "substitute_inputs"]
 
 Given: TypeAlias = tuple[tuple[Expr, Expr], ...]
 """Functions of time, each with the expression that is substituted for it."""
 
 
-def with_given(system: System, given: Given, expressions: Sequence[Expr]) -> tuple[Expr, ...]:
+def substitute_inputs(system: System, given: Given, expressions: Sequence[Expr]) -> tuple[Expr, ...]:
     """Substitute the given inputs in expressions, and the rates of coordinates as functions of the speeds.
 
     Each may bring in the other: the kinematics of a moving frame contain the velocities that are given for it, and an
@@ -37,7 +37,7 @@ def check_no_circle(system: System, given: Mapping[Expr, Expr], where: str) -> N
         ModelError: an input depends on itself.
     """
     for function, formula in given.items():
-        (value,) = with_given(system, tuple(given.items()), [formula])
+        (value,) = substitute_inputs(system, tuple(given.items()), [formula])
         left = sorted(str(leaf) for leaf in free_symbols([value]) & {*given})
         if left:
             raise ModelError(
@@ -53,7 +53,7 @@ def check_explicit(eqs: Equations, given: Given, where: str) -> None:
         ModelError: the equations contain a rate of an input that is given in terms of coordinates or speeds.
     """
     for leaf in eqs.inputs:
-        (value,) = with_given(eqs.system, given, [leaf])
+        (value,) = substitute_inputs(eqs.system, given, [leaf])
         found = sorted(map(str, free_symbols([value]) & {*eqs.accelerations}))
         if found:
             formula = next(formula for function, formula in given if function.name == leaf.name)

@@ -30,7 +30,7 @@ from symbody.symbolic import Expr
 from symbody.symbolic.numeric.deficiency import Deficiency
 
 from .massless_speeds import unbalanced_speeds
-from .outcome import Failure, Outcome
+from .outcome import Failure, FailureKind, Outcome
 
 __all__ = ["contradictory_constraints", "with_contradictions"]
 
@@ -38,7 +38,14 @@ Array = NDArray[np.float64]
 
 LOOKS = 64
 """The number of states of a motion that are checked first."""
-_SUSPECT = {"projection", "stalled", "step_collapse", "library", "ida"}
+_SUSPECT = {
+    FailureKind.PROJECTION,
+    FailureKind.STALLED,
+    FailureKind.STEP_COLLAPSE,
+    FailureKind.LIBRARY,
+    FailureKind.EXPLAINED,
+}
+"""The kinds of failure that contradictory equations cause."""
 
 
 def with_contradictions(
@@ -69,7 +76,9 @@ def with_contradictions(
         states=outcome.states[:reached],
         occurrences=[event for event in outcome.occurrences if event[1] <= t],
         end=(t, outcome.states[place].tolist() if place < len(outcome.states) else outcome.end[1]),
-        failure=Failure("contradiction", t, f"at t = {t:.9g} s: {contradiction_at(t, states[place])}"),
+        failure=Failure(
+            FailureKind.CONTRADICTION, t, f"at t = {t:.9g} s: {contradiction_at(t, states[place])}"
+        ),
         deficiencies=outcome.deficiencies - of_model,
     )
 

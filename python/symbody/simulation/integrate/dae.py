@@ -83,7 +83,7 @@ class DifferentialAlgebraicEquations:
             kinematics = [
                 rate - by_speeds - correction
                 for rate, by_speeds, correction in zip(
-                    self.rates, model.kinematics, self._corrections, strict=False
+                    self.rates, model.coordinate_rates, self._corrections, strict=False
                 )
             ]
             return model.with_inputs([*kinematics, *model.equations.residuals, *velocities, *phi])
@@ -143,7 +143,7 @@ class DifferentialAlgebraicEquations:
         equations = model.with_inputs([*eqs.residuals, *second])
         rest = substitute(equations, dict.fromkeys(unknown, number(0)))
         arguments: list[Expr | list[Expr]] = [t, list(model.state), list(self.parameters)]
-        outputs = [[*model.with_inputs(model.kinematics)], jacobian(list(equations), unknown), [*rest]]
+        outputs = [[*model.with_inputs(model.coordinate_rates)], jacobian(list(equations), unknown), [*rest]]
         return lambdify(arguments, outputs, compile=False)
 
     def observed(self, expressions: Sequence[Expr]) -> PreparedCode:

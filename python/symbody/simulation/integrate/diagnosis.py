@@ -13,7 +13,8 @@ from symbody.simulation.constraint.dependent_constraints import (
 from symbody.simulation.model.model import Model
 
 from .integrated import Integrated
-from .outcome import Failure, Outcome
+from .methods import DEFAULT, methods_that
+from .outcome import Failure, FailureKind, Outcome
 from .task import Task
 
 __all__ = ["diagnosis"]
@@ -27,16 +28,16 @@ def diagnosis(motion: Integrated) -> str:
     failure = outcome.failure
     assert failure is not None, "only motions that failed have a diagnosis"
     parameters = np.array([motion.parameters[name] for name in (*model.parameters, *model.damping)])
-    if failure.kind == "contradiction":
+    if failure.kind is FailureKind.CONTRADICTION:
         return failure.message.removeprefix("simulate: ")
-    if failure.kind == "ida":
-        return _of_ida(failure, outcome, model, parameters)
+    if failure.kind is FailureKind.EXPLAINED:
+        return _explained(failure, outcome, model, parameters)
     t, state = outcome.end[0], np.array(outcome.end[1][: len(model.state)])
     when = f"at t = {t:.9g} s"
     singular = _singular(model, parameters, t, state)
     if singular:
         return f"{when}: {singular}"
-    if failure.kind == "not_finite":
+    if failure.kind is FailureKind.NOT_FINITE:
         return f"{when}: {_out_of_domain(model, parameters, t, state)}"
     near = _BY_CONSTRAINTS.get(failure.kind, 0.0)
     dependent = _dependent(model, parameters, t, state, near) if near else ""
@@ -49,20 +50,20 @@ def _failure_and_cause(failure: Failure, cause: str) -> str:
     return f"the method gave up ({failure.message}); {cause}"
 
 
-def _possible_cause(kind: str, task: Task) -> str:
+def _possible_cause(kind: FailureKind, task: Task) -> str:
     """Return the likely cause of a failure that the constraints did not cause, and the way out."""
     stiff = "; for stiff equations use method='bdf'" if task.method.is_explicit else ""
-    if kind == "projection":
+    if kind is FailureKind.PROJECTION:
         return (
             "the constraints can't be satisfied beyond this position, or it is singular; look at the motion up to "
             "there; smaller tolerances or constraints='baumgarte' may pass it"
         )
-    if kind == "stalled":
+    if kind is FailureKind.STALLED:
         return (
             "a force may jump back and forth, such as dry friction by sign(v): smooth it, for example by "
             f"tanh(v/v0), or end the motion by an event{stiff}"
         )
-    if kind == "step_collapse":
+    if kind is FailureKind.STEP_COLLAPSE:
         held = "the constraints may allow no further motion, " if task.model.constraints else ""
         return (
             f"{held}the motion may go to infinity there, or a force jumps: smooth it, or end the motion by an "
@@ -70,23 +71,31 @@ def _possible_cause(kind: str, task: Task) -> str:
         )
     return (
         "use other tolerances"
-        if task.options.method == "dop853"
-        else "use method='dop853', or other tolerances"
+        if task.options.method == DEFAULT
+        else f"use method={DEFAULT!r}, or other tolerances"
     )
 
 
-def _of_ida(failure: Failure, outcome: Outcome, model: Model, parameters: Array) -> str:
-    """Return the message of IDA, and which constraints are dependent at the end of its last step."""
+def _explained(failure: Failure, outcome: Outcome, model: Model, parameters: Array) -> str:
+    """Return the message of the method, and which constraints are dependent at the end of its last step."""
     message = failure.message.removeprefix("simulate: ")
     t, state = outcome.end
     known = outcome.trail[np.isfinite(outcome.trail).all(axis=1)]
     if len(known):
         t, *state = known[-1]
-    dependent = _dependent(model, parameters, t, np.array(state)[: len(model.state)], _BY_CONSTRAINTS["ida"])
+    dependent = _dependent(
+        model, parameters, t, np.array(state)[: len(model.state)], _BY_CONSTRAINTS[failure.kind]
+    )
     return f"{message.partition('; expected')[0]}; {dependent}" if dependent else message
 
 
-_BY_CONSTRAINTS = {"projection": NEAR, "stalled": NEAR, "step_collapse": NEAR, "singular": 0.3, "ida": 0.1}
+_BY_CONSTRAINTS = {
+    FailureKind.PROJECTION: NEAR,
+    FailureKind.STALLED: NEAR,
+    FailureKind.STEP_COLLAPSE: NEAR,
+    FailureKind.SINGULAR: 0.3,
+    FailureKind.EXPLAINED: 0.1,
+}
 """The kinds of failure that dependent constraints cause, and how close to singular the state may be.
 
 A method that finds no step past a singular position stops one step before it."""
@@ -103,9 +112,10 @@ def _dependent(model: Model, parameters: Array, t: float, state: Array, near: fl
         near: the ratio of singular values below which constraints are nearly dependent.
     """
     found = described_dependence(dependent_constraints(model, parameters, t, state, near))
+    keep_branch = " or ".join(methods_that(lambda method: method.keeps_branch))
     return found and (
         f"{found}: the motion is at or near a singular position, from which several motions may continue; "
-        "method='dop853' or 'tsit5' with constraints='projection' passes most such positions; or start from another "
+        f"method={keep_branch} with constraints='projection' passes most such positions; or start from another "
         "state, change the dimensions, or end the motion by an event before it; leave out constraints that depend on "
         "each other wherever the mechanism moves"
     )

@@ -25,7 +25,14 @@ PLACES = 9
 
 
 def imbalance_of(
-    model: Model, parameters: Array, t: Array, states: Array, options: Options, steps: int
+    model: Model,
+    parameters: Array,
+    t: Array,
+    states: Array,
+    options: Options,
+    steps: int,
+    *,
+    are_speeds_tested: bool = True,
 ) -> tuple[float, float] | None:
     """Return since when the energy has been off, and by which part of the largest varying energy.
 
@@ -33,11 +40,12 @@ def imbalance_of(
 
     Args:
         model: the model, without loads that do work.
-        parameters: the values of its parameters.
+        parameters: the values of its parameters, then those of Baumgarte's stabilisation if it is used.
         t: the instants, shape (N,), in s.
         states: coordinates and speeds, shape (N, n).
         options: the tolerances.
         steps: the number of steps that were taken.
+        are_speeds_tested: whether the errors of speeds limit the steps.
     """
     code = model.energies_code
     if code is None or model.power is not None:
@@ -61,7 +69,7 @@ def imbalance_of(
 
     tolerances = options.atol + options.rtol * np.abs(states[some])
     once, step = spread(tolerances), (float(t[-1]) - float(t[0])) / max(steps, 1)
-    each = spread(_of_steps(model, tolerances, step)) if options.method == "ida3" and step > 0 else once
+    each = once if are_speeds_tested or step <= 0 else spread(_of_steps(model, tolerances, step))
     off = np.abs(kinetic + potential - kinetic[0] - potential[0])
     largest = float((np.abs(kinetic) + np.abs(potential)).max())
     moving = max(float(kinetic.max()), float(np.abs(potential - potential[0]).max()), np.finfo(float).tiny)
@@ -72,7 +80,7 @@ def imbalance_of(
 
 
 def _of_steps(model: Model, tolerances: Array, step: float) -> Array:
-    """Return the errors of one step at index 3: untested speeds err by the coordinates over the step length."""
+    """Return the errors of one step: untested speeds err by the coordinates over the step length."""
     errors, q = tolerances.copy(), len(model.coordinates)
     errors[:, q:] = np.maximum(errors[:, q:], errors[:, :q].max(axis=1, keepdims=True) / step)
     return errors

@@ -23,12 +23,9 @@ from symbody.symbolic.given.arguments import brief
 
 from .dae import DifferentialAlgebraicEquations, dae_of
 from .dae_start import Start, start_of
-from .ida_problem import Evaluated, IdaProblem, KeepGoing, StoppedError
+from .ida_problem import Evaluated, GoesOnAt, IdaProblem, StoppedError
 
-__all__ = ["IDA_FORMS", "IdaOccurrence", "IdaRun", "IdaStatistics", "integrate_ida"]
-
-IDA_FORMS = {"ida": "stabilized", "ida2": "2", "ida3": "3"}
-"""The methods of `simulate` that IDA runs, and their forms of the equations."""
+__all__ = ["IdaOccurrence", "IdaRun", "IdaStatistics", "integrate_ida"]
 
 Array = NDArray[np.float64]
 
@@ -88,7 +85,7 @@ def integrate_ida(
     atol: float = 1e-10,
     inputs: Mapping[Expr, ExprLike] | None = None,
     events: Sequence[Event] = (),
-    keep_going: KeepGoing | None = None,
+    keep_going: GoesOnAt | None = None,
     max_step: float = inf,
 ) -> IdaRun:
     """Integrate ``F(t, y, y') = 0`` by backward differences of variable order and step [Hindmarsh et al. 2005].

@@ -17,10 +17,11 @@ from symbody.codegen import PreparedCode
 
 from .dae import DifferentialAlgebraicEquations
 
-__all__ = ["Evaluated", "IdaProblem", "KeepGoing", "StoppedError"]
+__all__ = ["Evaluated", "GoesOnAt", "IdaProblem", "StoppedError"]
 
 Array = NDArray[np.float64]
-KeepGoing = Callable[[float], bool]
+GoesOnAt = Callable[[float], bool]
+"""Called from time to time with the time reached, in s; False ends the motion."""
 
 
 def _c_function(code: PreparedCode) -> Callable[[int, int], None]:
@@ -71,7 +72,7 @@ class IdaProblem:
     dae: DifferentialAlgebraicEquations
     parameters: Array
     watched: Evaluated | None
-    keep_going: KeepGoing | None
+    keep_going: GoesOnAt | None
     span: float
     calls: int = 0
     since: float = -inf

@@ -14,7 +14,7 @@ from symbody.simulation.given.parameter import parameters_in
 from symbody.simulation.model.model import Model
 from symbody.symbolic.numeric.deficiency import Deficiency, deficiencies_of, noting
 
-from .outcome import Failure, Outcome, Statistics, with_deficiencies
+from .outcome import Failure, FailureKind, Outcome, Statistics, with_deficiencies
 from .problem import Problem
 from .task import Columns, Integrate, KeepGoing, Task
 
@@ -89,7 +89,7 @@ def _integrate(
         parameters: values by name, one for each of the k motions.
         states: the initial states, shape (k, width).
         threads: how many motions to integrate at a time.
-        keep_going: called from time to time with the number of finished motions; False ends all of them.
+        keep_going: see `KeepGoing`; False ends all of them.
     """
     rows = np.empty((len(states), len(problem.parameters)))
     for place, name in enumerate(problem.parameters):
@@ -125,7 +125,7 @@ def run(
         constants: what the functions need of the parameters; see `Problem.constants`.
         instants: the instants of the results, shape (N,), in s.
         options: the method by name and its tolerances.
-        keep_going: called from time to time with the part of the time that is done; False ends the motion.
+        keep_going: called from time to time with the time reached, in s; False ends the motion.
     """
     states = np.empty((len(instants), problem.width))
     given = problem.native.integrate(
@@ -148,18 +148,18 @@ def run_many(
     instants: NDArray[np.float64],
     options: Options,
     threads: int = 1,
-    keep_going: Callable[[float], bool] | None = None,
+    keep_going: KeepGoing | None = None,
 ) -> list[Outcome | None]:
     """Integrate many motions in threads outside the interpreter.
 
     Args:
         problem: the compiled functions.
-        parameters: the values of the parameters, one row for each of the k motions.
-        states: the vectors at the first instant, shape (k, width).
+        states: the vectors at the first instant of the k motions, shape (k, width).
+        parameters: the values of the parameters, one row for each motion.
         instants: the instants of the results, shape (N,), in s.
         options: the method by name and its tolerances.
         threads: how many motions to integrate at a time.
-        keep_going: called from time to time with the number of finished motions; False ends all of them.
+        keep_going: see `KeepGoing`; False ends all of them.
 
     Returns:
         An outcome for each motion; None for those that were not started.
@@ -207,12 +207,16 @@ _Given = tuple[
 
 
 def _outcome(given: _Given, states: NDArray[np.float64], deficiencies: Iterable[Deficiency] = ()) -> Outcome:
-    reached, occurrences, end, failure, statistics, imbalance, trail, uncertain = given
+    reached, occurrences, end, failed, statistics, imbalance, trail, uncertain = given
+    failure = None
+    if failed is not None:
+        kind, t, message = failed
+        failure = Failure(FailureKind(kind), t, message)
     return Outcome(
         states[:reached],
         occurrences,
         end,
-        None if failure is None else Failure(*failure),
+        failure,
         Statistics(*statistics),
         frozenset(deficiencies),
         imbalance,

@@ -18,6 +18,8 @@ from symbody.simulation.model.named_constraint import named_constraints
 from symbody.symbolic.numeric.deficiency import Deficiency, strongest
 
 from .integrated import Integrated
+from .methods import DEFAULT, methods_that
+from .outcome import FailureKind
 
 __all__ = [
     "Finding",
@@ -74,7 +76,7 @@ def _deficiencies(motion: Integrated) -> Iterable[Finding]:
 def _imbalance(motion: Integrated) -> Iterable[Finding]:
     found, failure = motion.outcome.imbalance, motion.outcome.failure
     # A motion that diverges takes its energy with it.
-    is_failed = failure is not None and failure.kind != "interrupted"
+    is_failed = failure is not None and failure.kind is not FailureKind.INTERRUPTED
     return (
         []
         if found is None or is_failed
@@ -87,8 +89,8 @@ def _better_way(motion: Integrated) -> str:
     task = motion.task
     if task.method.is_explicit and not task.trail:
         return "use smaller tolerances or a smaller max_step, or begin at another position"
-    way = "method='dop853' with constraints='projection'" if task.model.constraints else "method='dop853'"
-    return f"use smaller tolerances, or {way}"
+    projected = " with constraints='projection'" if task.model.constraints else ""
+    return f"use smaller tolerances, or method={DEFAULT!r}{projected}"
 
 
 def _singular_start(motion: Integrated) -> Iterable[Finding]:
@@ -159,8 +161,8 @@ ROWS: dict[str, _Row] = {
     "passage": _Row(
         _passages,
         "the motion passes singular positions ({size:.0f}, the first at about t = {t:.4g} s), where the constraints "
-        "depend on each other and branches meet; it may have changed its branch there: only method='dop853' or "
-        "'tsit5' with constraints='projection' prevent this",
+        "depend on each other and branches meet; it may have changed its branch there: only method="
+        f"{' or '.join(methods_that(lambda method: method.keeps_branch))} with constraints='projection' prevent this",
     ),
     "uncertain": _Row(
         _uncertainty,

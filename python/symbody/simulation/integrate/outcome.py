@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass, field, replace
+from enum import StrEnum
 
 import numpy as np
 from numpy.typing import NDArray
 
 from symbody.symbolic.numeric.deficiency import Deficiency
 
-__all__ = ["Failure", "Outcome", "Statistics", "with_deficiencies"]
+__all__ = ["Failure", "FailureKind", "Outcome", "Statistics", "with_deficiencies"]
 
 
 @dataclass(frozen=True)
@@ -27,11 +28,34 @@ class Statistics:
     is_stiff: bool
 
 
+class FailureKind(StrEnum):
+    """How a motion ended early. The native integrator reports the first seven, by these words."""
+
+    NOT_FINITE = "not_finite"
+    """A rate of the state is not a finite number."""
+    STEP_COLLAPSE = "step_collapse"
+    """No step, however short, meets the tolerances."""
+    STALLED = "stalled"
+    """The steps are so short that they would never reach the end."""
+    PROJECTION = "projection"
+    """The state can't be put back onto the constraints."""
+    SINGULAR = "singular"
+    """The constraints would change a speed by more than the error of a step."""
+    INTERRUPTED = "interrupted"
+    """`KeepGoing` returned False; what was computed is kept."""
+    LIBRARY = "library"
+    """A library gave up; its message is part of a sentence."""
+    EXPLAINED = "explained"
+    """The method gave up, and its message says all: when, why, and the way out."""
+    CONTRADICTION = "contradiction"
+    """Equations contradict each other; the message says when, and which."""
+
+
 @dataclass(frozen=True)
 class Failure:
-    """Why a motion ended early: a word for the kind, the last known instant, and a sentence."""
+    """Why a motion ended early: the kind, the last known instant, and a message."""
 
-    kind: str
+    kind: FailureKind
     t: float
     message: str
 

@@ -27,7 +27,9 @@ Columns = Mapping[Expr, Array]
 """Values of parameters by name, one for each motion: arrays of shape (k,)."""
 
 KeepGoing = Callable[[float], bool]
-"""Called from time to time with the number of finished motions, or the part of one motion; False ends them."""
+"""Called before each motion and from time to time within it, for progress and Ctrl-C. Its argument is the number of
+motions that are done; a motion in progress counts by the part of its duration that is done, if that is known. If it
+returns False, the motions in progress end as `FailureKind.INTERRUPTED`, and no other is started."""
 
 Integrate = Callable[[Columns, Array, int, KeepGoing], Iterable[Outcome | None]]
 """Integrates motions. Its arguments are the parameters, the initial states, the number of threads, and `KeepGoing`; it
@@ -39,16 +41,24 @@ TRAIL = 2**14
 
 @dataclass(frozen=True)
 class Method:
-    """A method of integration.
+    """A method of integration, and what it can do. A task that needs more of it is refused.
 
     Attributes:
         prepare: derives and compiles what the method needs, and returns the function that integrates the motions.
-        is_explicit: whether the method is explicit: stiff equations then limit its steps, and with projection it keeps
-            a motion on its branch of the constraints.
+        is_explicit: whether the method is explicit, so that stiff equations limit its steps.
+        keeps_branch: whether the method keeps a motion on its branch of the constraints, if it projects.
+        enforces_constraints: whether the method enforces constraints by itself: with constraints="projection", by
+            projection or in another way. Baumgarte's stabilisation is part of the rates, and needs nothing of a method.
+        locates_events: whether the method finds the events of the task, and ends at terminal ones.
+        integrates_work: whether the states of the outcome contain the work of loads, where the model has it.
     """
 
     prepare: Callable[[Task], Integrate]
     is_explicit: bool = False
+    keeps_branch: bool = False
+    enforces_constraints: bool = False
+    locates_events: bool = False
+    integrates_work: bool = False
 
 
 @dataclass(frozen=True, eq=False)
@@ -104,7 +114,7 @@ class Task:
     @property
     def trail(self) -> int:
         """The most states at the ends of steps that are kept of a motion; 0 if steps stay on the branch."""
-        stays = self.is_projected and self.method.is_explicit
+        stays = self.is_projected and self.method.keeps_branch
         return TRAIL if self.model.constraints and not stays else 0
 
     @cached_property

@@ -15,8 +15,8 @@ from symbody.simulation.given.values import given_inputs, state_values, zero_par
 from symbody.simulation.model.model import model_of
 from symbody.symbolic import Expr, ExprLike
 
-from .methods import METHODS, method_name
-from .observed import check_observed, given_events, given_outputs
+from .methods import METHODS, check_abilities, method_name
+from .outputs_and_events import check_observed, given_events, given_outputs
 from .task import Task
 
 __all__ = ["task_of", "warn_of_odd_values"]
@@ -61,13 +61,20 @@ def task_of(
         ArgumentError: an argument has the wrong type.
         ModelError: an input has no expression, or an expression is given for something that is not an input.
         ParameterError: a key of the guess is neither a coordinate nor a speed.
-        SimulationError: an option is unknown, or an output or event contains a variable without values.
+        SimulationError: an option is unknown, the method cannot do what is asked for, or an output or event contains a
+            variable without values.
     """
     instants, name = instants_of(t, where), method_name(method, where)
     check_options(rtol, atol, max_step, where)
     kept = constraint_handling(constraints, where)
     named_outputs, watched = given_outputs(outputs, where), given_events(events, where)
     formulas = given_inputs(eqs, inputs, where=where)
+    check_abilities(
+        name,
+        has_events=bool(watched),
+        is_projected=bool(eqs.constraints) and kept == "projection",
+        where=where,
+    )
     is_damped = bool(eqs.constraints) and kept not in {"projection", "free"}
     task = Task(
         model=model_of(eqs, formulas, is_stabilized=is_damped, zeros=zero_parameters(parameters)),

@@ -14,7 +14,7 @@ from symbody.dynamics import Equations
 from symbody.errors import ModelError, SimulationError
 from symbody.simulation.constraint.kinematics import magnitude
 from symbody.simulation.constraint.least_norm import least_norm_many
-from symbody.simulation.given.given_input import Given, with_given
+from symbody.simulation.given.given_input import Given, substitute_inputs
 from symbody.simulation.given.parameter import parameters_among
 from symbody.symbolic import Expr, Matrix, free_symbols, jacobian, number, substitute, t, time_derivative
 
@@ -56,7 +56,7 @@ class DrivingLoads:
     @cached_property
     def residuals(self) -> tuple[Expr, ...]:
         """The residuals of the equations of motion, of time, coordinates, speeds and accelerations."""
-        return with_given(self.equations.system, self.given, self.equations.residuals)
+        return substitute_inputs(self.equations.system, self.given, self.equations.residuals)
 
     @cached_property
     def parameters(self) -> tuple[Expr, ...]:
@@ -88,7 +88,7 @@ class DrivingLoads:
         """Return ``-K^T``: K has the derivatives, with respect to the speeds, of the rates along which forces act."""
         eqs = self.equations
         rates = [eqs.kinematics.get(time_derivative(name), name) for name in self.along]
-        return -jacobian(list(with_given(eqs.system, self.given, rates)), list(eqs.speeds)).T
+        return -jacobian(list(substitute_inputs(eqs.system, self.given, rates)), list(eqs.speeds)).T
 
     def _check_linear(self, slopes: Sequence[Sequence[Expr]]) -> None:
         leaves = free_symbols(self.residuals)

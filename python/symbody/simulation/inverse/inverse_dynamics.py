@@ -14,13 +14,13 @@ from symbody.dynamics import Equations
 from symbody.errors import ArgumentError, ModelError, SimulationError
 from symbody.multibody import System
 from symbody.simulation.constraint.kinematics import Kinematics, kinematics_of
-from symbody.simulation.given.given_input import with_given
+from symbody.simulation.given.given_input import substitute_inputs
 from symbody.simulation.given.parameter import parameters_among
-from symbody.simulation.given.reading import Reading
 from symbody.simulation.given.unused import warn_of_unused
 from symbody.simulation.given.values import given_inputs
 from symbody.simulation.model.unknown import unknown_variables
 from symbody.simulation.motion.motion import Motion
+from symbody.simulation.motion.reading import Reading
 from symbody.symbolic import Expr, ExprLike, free_symbols
 from symbody.symbolic import t as symbolic_time
 from symbody.symbolic.given.arguments import counted, described
@@ -123,7 +123,7 @@ class InverseDynamics:
             return np.asarray(function(self.t, rows, forces, _column(self.parameters.values())))
 
     def _by_state(self, expressions: Sequence[Expr]) -> tuple[Expr, ...]:
-        return with_given(self.system, tuple(self.inputs.items()), expressions)
+        return substitute_inputs(self.system, tuple(self.inputs.items()), expressions)
 
     def _check_known(self, asked: Sequence[Expr], known: set[Expr]) -> None:
         strange = [leaf for leaf in free_symbols(asked) if not free_symbols(self._by_state([leaf])) <= known]

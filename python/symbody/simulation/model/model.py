@@ -15,7 +15,7 @@ from symbody.dynamics import Equations, ForwardDynamics, forward_dynamics
 from symbody.errors import ModelError
 from symbody.multibody import System, gravitational_energy, kinetic_energy
 from symbody.multibody.load import action_power
-from symbody.simulation.given.given_input import with_given
+from symbody.simulation.given.given_input import substitute_inputs
 from symbody.simulation.given.parameter import parameters_among
 from symbody.symbolic import Expr, ExprLike, cost, derivation, free_symbols, number, substitute, symbols, t
 from symbody.symbolic import jacobian as jacobian_of
@@ -55,7 +55,7 @@ class Model:
     inputs: tuple[tuple[Expr, Expr], ...] = ()
     is_stabilized: bool = False
     method: str = "auto"
-    _functions: dict[tuple[tuple[Expr, ...], ...], AlongMotion] = field(default_factory=dict, repr=False)
+    _functions: dict[tuple[tuple[Expr, ...], ...], MotionFunction] = field(default_factory=dict, repr=False)
 
     @property
     def system(self) -> System:
@@ -148,7 +148,7 @@ class Model:
         return list(self.solution.equation_names)
 
     @cached_property
-    def kinematics(self) -> tuple[Expr, ...]:
+    def coordinate_rates(self) -> tuple[Expr, ...]:
         """The rates of the coordinates as functions of the speeds."""
         return tuple(self.equations.kinematics.values())
 
@@ -171,7 +171,7 @@ class Model:
 
     def _rates(self, solution: ForwardDynamics) -> tuple[Expr, ...]:
         work = () if self.power is None else self._along(solution, [self.power])
-        return (*self.with_inputs(self.kinematics), *solution.accelerations, *work)
+        return (*self.with_inputs(self.coordinate_rates), *solution.accelerations, *work)
 
     @property
     def width(self) -> int:
@@ -193,7 +193,7 @@ class Model:
 
     def with_inputs(self, expressions: Sequence[Expr]) -> tuple[Expr, ...]:
         """Substitute the inputs in expressions, and the rates of coordinates as functions of the speeds."""
-        return with_given(self.system, self.inputs, expressions)
+        return substitute_inputs(self.system, self.inputs, expressions)
 
     def along_motion(self, expressions: Sequence[Expr]) -> tuple[Expr, ...]:
         """Substitute the accelerations and multipliers that the equations of motion give.
@@ -219,7 +219,7 @@ class Model:
         return substitute(self.with_inputs(expressions), values)
 
     @cached_property
-    def integrated(self) -> tuple[Expr, ...]:
+    def code_variables(self) -> tuple[Expr, ...]:
         """The variables of compiled code: time, the state, and the work, on which nothing depends."""
         return (t, *self.state, *([_WORK] if self.power is not None else []))
 
@@ -228,7 +228,7 @@ class Model:
     ) -> PreparedCode:
         """Return the machine code of expressions of time and state; it may take more parameters than the equations."""
         parameters = (*self.parameters, *self.damping, *more)
-        return PreparedCode(parameters, self.integrated, tuple(expressions), shortcut)
+        return PreparedCode(parameters, self.code_variables, tuple(expressions), shortcut)
 
     @cached_property
     def rates_code(self) -> PreparedCode:
@@ -279,13 +279,13 @@ class Model:
         """Return the accelerations and multipliers in expressions; none if these contain higher rates."""
         found = free_symbols(self.with_inputs(expressions))
         unknowns = (*self.accelerations, *self.multipliers)
-        if any(leaf.depends_on_time for leaf in found - {*self.integrated, *unknowns}):
+        if any(leaf.depends_on_time for leaf in found - {*self.code_variables, *unknowns}):
             return ()
         return tuple(name for name in unknowns if name in found)
 
     def function(
         self, expressions: Sequence[Expr], parameters: tuple[Expr, ...], known: tuple[Expr, ...] = ()
-    ) -> AlongMotion:
+    ) -> MotionFunction:
         """Return a function of time, state and parameters that evaluates expressions along motions.
 
         Args:
@@ -298,12 +298,12 @@ class Model:
         if key not in self._functions:
             values = list((self.with_inputs if known else self.along_motion)(key[0]))
             arguments = [t, *self.state, *known, *parameters]
-            self._functions[key] = AlongMotion(lambdify(arguments, values), tuple(self.equation_names))
+            self._functions[key] = MotionFunction(lambdify(arguments, values), tuple(self.equation_names))
         return self._functions[key]
 
 
 @dataclass(frozen=True, eq=False)
-class AlongMotion:
+class MotionFunction:
     """A function along motions that reports deficient linear systems in the words of a model.
 
     Attributes:

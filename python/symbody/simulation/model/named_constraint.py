@@ -6,7 +6,7 @@ from collections.abc import Iterable, Sequence
 
 from symbody.symbolic import Expr
 
-__all__ = ["listed", "named_constraints", "shortened"]
+__all__ = ["named_constraints", "shortened"]
 
 _SHOWN = 80
 
@@ -25,13 +25,3 @@ def named_constraints(constraints: Sequence[Expr], rows: Iterable[int], most: in
     ['2 (y = 0)']
     """
     return [f"{row + 1} ({shortened(constraints[row], most)} = 0)" for row in rows]
-
-
-def listed(names: Sequence[str], most: int = 6) -> str:
-    """Return names as a sentence lists them, and how many more there are.
-
-    >>> listed(["1", "2", "3"]), listed(["1", "2", "3"], most=1)
-    ('1, 2 and 3', '1 and 2 more')
-    """
-    shown = [*names[:most], *([f"{len(names) - most} more"] if len(names) > most else [])]
-    return " and ".join(filter(None, [", ".join(shown[:-1]), shown[-1]]))

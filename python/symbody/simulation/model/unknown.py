@@ -6,11 +6,11 @@ from collections.abc import Iterable, Sequence
 
 from symbody.errors import ParameterError, SimulationError
 from symbody.multibody import System
+from symbody.simulation.given.wording import joined_by_and
 from symbody.symbolic import Expr, free_symbols
 from symbody.symbolic.given.namesake import namesake_note
 
 from .model import Model
-from .named_constraint import listed
 
 __all__ = ["explain_unknown", "unknown_variables"]
 
@@ -30,7 +30,7 @@ def explain_unknown(place: str, wanted: Sequence[Expr], model: Model, parameters
         ParameterError: a parameter has no value.
         SimulationError: another variable has no values.
     """
-    known = {*model.integrated, *model.accelerations, *model.multipliers, *model.damping, *parameters}
+    known = {*model.code_variables, *model.accelerations, *model.multipliers, *model.damping, *parameters}
     strange = [leaf for leaf in free_symbols(wanted) if not free_symbols(model.along_motion([leaf])) <= known]
     note = namesake_note(strange, known, ("asked for", "of the motion"))
     symbols = sorted(str(leaf) for leaf in strange if leaf.kind == "symbol")
@@ -84,4 +84,4 @@ def _way_out(names: Sequence[Expr], system: System) -> str:
 
 
 def _shown(names: Sequence[Expr]) -> str:
-    return listed([str(name) for name in names], most=_LISTED)
+    return joined_by_and([str(name) for name in names], most=_LISTED)

@@ -14,8 +14,8 @@ from numpy.typing import NDArray
 
 from symbody.errors import ArgumentError, ModelError, SimulationError, SymbodyError
 from symbody.multibody import System
-from symbody.simulation.given.event import Occurrence
-from symbody.simulation.given.reading import Reading
+from symbody.simulation.given.wording import joined_by_and
+from symbody.simulation.integrate.methods import methods_that
 from symbody.simulation.integrate.outcome import Statistics
 from symbody.simulation.model.model import Model
 from symbody.simulation.model.unknown import explain_unknown
@@ -23,7 +23,9 @@ from symbody.symbolic import Expr, ExprLike, free_symbols
 from symbody.symbolic.given.arguments import counted, described
 
 from .drawing import drawing_function
+from .occurrence import Occurrence
 from .rates_along import accelerations_along
+from .reading import Reading
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -187,8 +189,9 @@ class Motion:
         """
         model = self.model
         if np.isnan(self.work).any():
+            unable = methods_that(lambda method: not method.integrates_work)
             raise ModelError(
-                "motion: loads do work, which the methods 'ida', 'ida2' and 'ida3' don't integrate; use another method"
+                f"motion: loads do work, which the methods {joined_by_and(unable)} don't integrate; use another method"
             )
         energies = [
             model.kinetic_energy,

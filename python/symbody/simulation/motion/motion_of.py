@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 
-from symbody.simulation.given.event import Occurrence
 from symbody.simulation.integrate.integrated import Integrated
 
 from .motion import Motion
+from .occurrence import Occurrence
 
 __all__ = ["motion_of"]
 

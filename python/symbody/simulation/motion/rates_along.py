@@ -26,7 +26,7 @@ def accelerations_along(model: Model, parameters: Mapping[Expr, float], t: Array
         states: coordinates, then speeds, shape (N, n).
     """
     code, first = model.rates_code, len(model.coordinates)
-    rows = np.zeros((len(t), len(model.integrated)))
+    rows = np.zeros((len(t), len(model.code_variables)))
     rows[:, 0], rows[:, 1 : 1 + states.shape[1]] = t, states
     with noting() as found:
         rates = code.evaluate_rows(np.array([parameters[name] for name in code.parameters]), rows)

@@ -18,7 +18,7 @@ from symbody.simulation.integrate.diagnosis import diagnosis
 from symbody.simulation.integrate.initial_state import initial_state
 from symbody.simulation.integrate.integrated import Integrated, run_motions
 from symbody.simulation.integrate.notices import findings_of, notices_of_motion
-from symbody.simulation.integrate.outcome import with_deficiencies
+from symbody.simulation.integrate.outcome import FailureKind, with_deficiencies
 from symbody.simulation.integrate.task import Task
 from symbody.simulation.integrate.task_of import task_of, warn_of_odd_values
 from symbody.simulation.terminal.interruption import Interruption
@@ -146,7 +146,7 @@ def _report(motion: Integrated) -> Motion:
         warnings.warn(notice, ModelNotice, stacklevel=3)
     if failure is None:
         return motion_of(motion, "the last instant was reached")
-    if failure.kind == "interrupted":
+    if failure.kind is FailureKind.INTERRUPTED:
         kept = motion_of(motion, f"interrupted at t = {motion.outcome.end[0]:.6g} s")
         warnings.warn(f"simulate: {kept.message}; what was computed is kept", ModelNotice, stacklevel=3)
         return kept

@@ -11,7 +11,8 @@ from numpy.typing import NDArray
 
 from symbody.simulation.constraint.kinematics import Kinematics
 from symbody.simulation.constraint.singular_position import dependent_rows, is_singular
-from symbody.simulation.model.named_constraint import listed, named_constraints
+from symbody.simulation.given.wording import joined_by_and
+from symbody.simulation.model.named_constraint import named_constraints
 from symbody.simulation.statics.force_balance import Balance
 from symbody.symbolic import Matrix
 
@@ -119,8 +120,8 @@ class RestPosition:
         if len(names) == 1:
             return f"{names[0]} is not determined here: it moves nothing at this position"
         return (
-            f"{listed(names)} are not determined here, as they act in directions that depend on each other at this "
-            "position: other values balance as well"
+            f"{joined_by_and(names)} are not determined here, as they act in directions that depend on each other at "
+            "this position: other values balance as well"
         )
 
 

@@ -8,7 +8,7 @@ from functools import cached_property, lru_cache
 from symbody.codegen import CompiledFunction, lambdify
 from symbody.dynamics import Equations
 from symbody.simulation.constraint.kinematics import magnitude, quaternions
-from symbody.simulation.given.given_input import Given, with_given
+from symbody.simulation.given.given_input import Given, substitute_inputs
 from symbody.simulation.given.parameter import parameters_among
 from symbody.symbolic import Expr, free_symbols, gradient, jacobian, number, substitute, symbol, t
 
@@ -53,7 +53,7 @@ class Statics:
         power = sum((h * rate for h, rate in zip(self.holding, self._rates, strict=True)), start=number(0))
         along = gradient(power, self.equations.speeds)
         residuals = substitute([r - h for r, h in zip(self._residuals, along, strict=True)], at_rest)
-        constraints = self._with_given(self.equations.constraints)
+        constraints = self._substitute_inputs(self.equations.constraints)
         norms = [sum((e * e for e in four), start=number(-1)) for four in self.quaternions]
         return (*residuals, *constraints, *norms)
 
@@ -83,14 +83,14 @@ class Statics:
 
     @cached_property
     def _rates(self) -> tuple[Expr, ...]:
-        return self._with_given(tuple(self.equations.kinematics.values()))
+        return self._substitute_inputs(tuple(self.equations.kinematics.values()))
 
     @cached_property
     def _residuals(self) -> tuple[Expr, ...]:
-        return self._with_given(self.equations.residuals)
+        return self._substitute_inputs(self.equations.residuals)
 
-    def _with_given(self, expressions: tuple[Expr, ...]) -> tuple[Expr, ...]:
-        return with_given(self.equations.system, self.given, expressions)
+    def _substitute_inputs(self, expressions: tuple[Expr, ...]) -> tuple[Expr, ...]:
+        return substitute_inputs(self.equations.system, self.given, expressions)
 
 
 @lru_cache(maxsize=32)

@@ -64,7 +64,7 @@ def check_observed(
     check_explicit(model.equations, model.inputs, where)
     wanted = {f"the output {name!r}": value for name, value in outputs.items()}
     wanted |= {f"the event {event}": event.expression for event in events}
-    known = {*model.integrated, *model.accelerations, *model.multipliers}
+    known = {*model.code_variables, *model.accelerations, *model.multipliers}
     for name, value in wanted.items():
         strange = {
             leaf for leaf in free_symbols([*model.along_motion([value])]) if leaf.depends_on_time

@@ -1,0 +1,33 @@
+"""Occurrences: the events that occurred along a motion."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+from symbody.simulation.given.event import Event
+from symbody.symbolic import Expr
+
+__all__ = ["Occurrence"]
+
+
+@dataclass(frozen=True)
+class Occurrence:
+    """An event that occurred.
+
+    Attributes:
+        event: the event.
+        t: the instant, in s.
+        state: the coordinates and speeds at that instant.
+
+    >>> from symbody import Body, System, functions_of_time, newton_euler, simulate, time_derivative, translate
+    >>> x = functions_of_time("x")
+    >>> body = newton_euler(System([Body(translate(x, 0, 0), 1)], coordinates=[x]))
+    >>> motion = simulate(body, {}, {time_derivative(x): 2}, t=(0, 1), events=[Event(x - 1)])
+    >>> [round(occurrence.t, 9) for occurrence in motion.events]
+    [0.5]
+    """
+
+    event: Event
+    t: float
+    state: Mapping[Expr, float]
