@@ -4,7 +4,7 @@
  * by reflections, with the largest columns first (Golub & Van Loan, Matrix Computations, 4th ed., 3.4 and 5.4.2): of
  * the x that fit best the least is taken, by removing its part along the directions in which nothing changes, and
  * symbody_factor returns how many equations follow from the others: those with 1 in the n places from 2 n n + 4 n on.
- * Coefficients that are no numbers make solutions that are no numbers. */
+ * NaN in, NaN out. */
 #include <float.h>
 #include <math.h>
 
@@ -15,7 +15,7 @@ static double symbody_weight(double size)
     return size <= DBL_MAX ? ldexp(1.0, -ilogb(size)) : NAN;
 }
 
-/* The largest magnitude, in four lanes; what is no number is passed over. */
+/* The largest magnitude, in four lanes; NaN is passed over. */
 static double symbody_largest(int n, const double *x)
 {
     double most[4] = {0.0, 0.0, 0.0, 0.0};
@@ -269,7 +269,7 @@ static void symbody_solve_orthogonal(int n, int rank, const double *work, double
         x[k] -= tau[k] * sum;
         for (int i = k + 1; i < n; i++) x[i] -= tau[k] * sum * f[i * n + k];
     }
-    /* What is no number in b is not lost with the equations that are left out. */
+    /* NaN in b must survive, although equations are left out. */
     for (int i = rank; i < n; i++) lost += 0.0 * x[i];
     for (int i = rank; i < n; i++) x[i] = lost;
     symbody_back_substitute(n, rank, f, x);

@@ -4,7 +4,7 @@
 ! by reflections, with the largest columns first (Golub & Van Loan, Matrix Computations, 4th ed., 3.4 and 5.4.2): of
 ! the x that fit best the least is taken, by removing its part along the directions in which nothing changes. The last
 ! number is then the rank; where it is less than n, the n numbers before it mark with 1 the equations that follow from
-! the others. Coefficients that are no numbers make solutions that are no numbers. In what follows f(:, i) is row i.
+! the others. NaN in, NaN out. In what follows f(:, i) is row i.
 pure subroutine symbody_factor(n, work)
     integer, intent(in) :: n
     real(dp), intent(inout) :: work(2*n*n + 5*n + 1)
@@ -297,7 +297,7 @@ pure subroutine symbody_solve_orthogonal(n, rank, direction, f, swap, tau, unit,
         x(k) = x(k) - along
         x(k + 1:) = x(k + 1:) - along*f(k, k + 1:)
     end do
-    ! What is no number in b is not lost with the equations that are left out.
+    ! NaN in b must survive, although equations are left out.
     x(rank + 1:) = sum(0.0_dp*x(rank + 1:))
     call symbody_back_substitute(n, rank, f, x)
     x = x*unit
