@@ -42,8 +42,9 @@
 //! # Invariants
 //!
 //! * The table only grows. Nodes are never changed or removed, and a node comes after its children.
-//! * Equal rows are one node. Sums, products and functions enter the table through one function. It returns a number
-//!   for a row that has the value of zero or of another simple number.
+//! * Equal rows are one node. Sums, products and functions enter the table through one function, which is in the
+//!   module `canonical::build`. It returns a number for a row that has the value of zero or of another simple
+//!   number.
 //! * The value of a node is the value of the mathematics that it shows. What the field can't express, such as
 //!   `log(x*y)`, has a value of its own that is drawn from its parts. Such an expression equals itself only.
 //! * Within a derivation ([`Graph::enter`], [`Graph::leave`]) a node whose value is known is not made again, so that

@@ -87,7 +87,7 @@ fn determinants_agree_with_elimination() -> Result<(), Error> {
         let g = &mut Graph::new();
         let matrix = symbols(g, size, size)?;
         let determinant = g.determinant(&matrix)?;
-        let numbers: Vec<f64> = (0..size * size).map(|i| ((i * i + 3 * i) as u32 % 17).into()).collect();
+        let numbers: Vec<f64> = (0_u32..).take(size * size).map(|i| ((i * i + 3 * i) % 17).into()).collect();
         let numbers: Vec<f64> = numbers.iter().map(|x: &f64| x.sin()).collect();
         let tape = g.tape(matrix.entries(), &[determinant])?;
         let found = Evaluator::new(&tape).evaluate(&numbers)?[0];

@@ -52,7 +52,7 @@ fn dense_systems_up_to_six_unknowns() -> Result<(), Error> {
         let solution = g.solve(&equations, &unknowns)?;
         assert!(satisfies(g, &equations, &unknowns, &solution)?, "{n} unknowns");
         let cost = g.cost(&solution);
-        assert!(cost.divisions as usize <= n && cost.total() < 1500, "{n} unknowns: {cost:?}");
+        assert!(cost.divisions <= n as u64 && cost.total() < 1500, "{n} unknowns: {cost:?}");
     }
     Ok(())
 }

@@ -8,7 +8,8 @@ use std::time::Duration;
 use crate::dynamics::Dynamics;
 use crate::integrate::{Record, Run, integrate};
 use crate::machine_code::MachineCode;
-use crate::method::{Method, Tolerances};
+use crate::method::Method;
+use crate::tolerances::Tolerances;
 
 /// The time between two calls of `keep_going`.
 const LOOK: Duration = Duration::from_millis(50);

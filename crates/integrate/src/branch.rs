@@ -5,7 +5,8 @@
 //! lead onto another branch, and removes the speeds that this branch does not allow. A correction that the error of a
 //! step explains is small; a larger one is a leap between branches.
 
-use crate::method::{Method, Tolerances};
+use crate::method::Method;
+use crate::tolerances::Tolerances;
 
 /// Changes of a speed up to this many tolerances, at the largest value of any speed so far, are explained by the errors
 /// of explicit methods, and of implicit ones.

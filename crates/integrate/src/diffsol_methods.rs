@@ -10,8 +10,8 @@ use diffsol::{
 use crate::dynamics::Dynamics;
 use crate::failure::Failure;
 use crate::machine_code::BoundCode;
-use crate::method::{INTEGRAL, Method, Tolerances};
 use crate::stepper::{Statistics, Stepper};
+use crate::tolerances::{INTEGRAL, Tolerances};
 
 type Matrix = NalgebraMat<f64>;
 type Vector = NalgebraVec<f64>;
@@ -67,9 +67,20 @@ impl<'a> Jacobian<'a> {
     }
 }
 
+/// The methods of the library that are used; all of them are implicit.
+#[derive(Clone, Copy, Debug)]
+pub enum Formula {
+    /// Backward differentiation formulae of variable order.
+    Bdf,
+    /// A singly diagonally implicit Runge–Kutta method of order 3.
+    Esdirk34,
+    /// The trapezoidal rule with a backward differentiation formula, of order 2.
+    TrBdf2,
+}
+
 /// Run `then` with a stepper of the library.
 pub fn start<R>(
-    method: Method,
+    formula: Formula,
     dynamics: &Dynamics,
     t: f64,
     state: &[f64],
@@ -103,16 +114,14 @@ pub fn start<R>(
     problem.ode_options.min_timestep = 1e-16 * t.abs().max(1e-3);
     problem.ode_options.max_nonlinear_solver_failures = usize::MAX;
     let (rates, calls) = (&dynamics.rates, &calls);
-    Ok(match method {
-        Method::Esdirk34 => {
+    Ok(match formula {
+        Formula::Esdirk34 => {
             run(problem.esdirk34::<Solver>().map_err(failed)?, true, rates, calls, tolerances, then)
         }
-        Method::TrBdf2 => {
+        Formula::TrBdf2 => {
             run(problem.tr_bdf2::<Solver>().map_err(failed)?, true, rates, calls, tolerances, then)
         }
-        Method::Bdf | Method::Dop853 | Method::Tsit5 => {
-            run(problem.bdf::<Solver>().map_err(failed)?, false, rates, calls, tolerances, then)
-        }
+        Formula::Bdf => run(problem.bdf::<Solver>().map_err(failed)?, false, rates, calls, tolerances, then),
     })
 }
 

@@ -2,7 +2,7 @@
 
 use crate::dynamics::Dynamics;
 use crate::machine_code::BoundCode;
-use crate::method::Tolerances;
+use crate::tolerances::Tolerances;
 
 /// The number of steps between two checks of the energy, and of checks between two updates of the effect of errors.
 const LOOK: (usize, usize) = (4, 8);

@@ -5,10 +5,11 @@ use crate::dynamics::Dynamics;
 use crate::energy_balance::{Balance, Imbalance};
 use crate::event::{Occurrence, Watch};
 use crate::failure::Failure;
-use crate::method::{Method, Tolerances};
+use crate::method::Method;
 use crate::projection::Projection;
 use crate::start::start;
 use crate::stepper::{Statistics, Stepper};
+use crate::tolerances::Tolerances;
 use crate::trail::Trail;
 
 /// The number of steps between two calls of `keep_going`.

@@ -1,20 +1,7 @@
-//! The methods of integration, by name, and the tolerances that they keep.
+//! The table of the methods of integration.
 
-/// The error of an integral along the motion that is allowed in a step, in tolerances: nothing else depends on it.
-pub const INTEGRAL: f64 = 10.0;
-
-/// The accuracy and the longest step of an integration.
-#[derive(Clone, Copy, Debug)]
-pub struct Tolerances {
-    /// The error of a step relative to the state.
-    pub relative: f64,
-    /// The error of a step where the state is small.
-    pub absolute: f64,
-    /// The longest step.
-    pub max_step: f64,
-    /// The number of entries of the state that are controlled; those after them are integrals along the motion.
-    pub controlled: usize,
-}
+use crate::diffsol_methods::Formula;
+use crate::runge_kutta::{DOP853, TSIT5, Tableau};
 
 /// A method of integration.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -31,21 +18,55 @@ pub enum Method {
     TrBdf2,
 }
 
+/// What advances a state by a method.
+#[derive(Clone, Copy)]
+pub enum Family {
+    /// The explicit Runge–Kutta method with these coefficients.
+    RungeKutta(&'static Tableau),
+    /// An implicit method of the library diffsol.
+    Diffsol(Formula),
+}
+
+/// A row of the table.
+struct Entry {
+    method: Method,
+    name: &'static str,
+    family: Family,
+}
+
+const fn entry(method: Method, name: &'static str, family: Family) -> Entry {
+    Entry { method, name, family }
+}
+
+const TABLE: [Entry; 5] = [
+    entry(Method::Dop853, "dop853", Family::RungeKutta(&DOP853)),
+    entry(Method::Tsit5, "tsit5", Family::RungeKutta(&TSIT5)),
+    entry(Method::Bdf, "bdf", Family::Diffsol(Formula::Bdf)),
+    entry(Method::Esdirk34, "esdirk34", Family::Diffsol(Formula::Esdirk34)),
+    entry(Method::TrBdf2, "tr_bdf2", Family::Diffsol(Formula::TrBdf2)),
+];
+
+// `Method::family` finds the row of a method at its place.
+const _: () = {
+    let mut place = 0;
+    while place < TABLE.len() {
+        assert!(TABLE[place].method as usize == place);
+        place += 1;
+    }
+};
+
 impl Method {
     /// The method with a name.
     pub fn named(name: &str) -> Option<Self> {
-        Some(match name {
-            "dop853" => Self::Dop853,
-            "tsit5" => Self::Tsit5,
-            "bdf" => Self::Bdf,
-            "esdirk34" => Self::Esdirk34,
-            "tr_bdf2" => Self::TrBdf2,
-            _ => return None,
-        })
+        TABLE.iter().find(|entry| entry.name == name).map(|entry| entry.method)
     }
 
     /// Whether it needs the Jacobian.
     pub fn is_implicit(self) -> bool {
-        !matches!(self, Self::Dop853 | Self::Tsit5)
+        matches!(self.family(), Family::Diffsol(_))
+    }
+
+    pub(crate) const fn family(self) -> Family {
+        TABLE[self as usize].family
     }
 }

@@ -3,9 +3,10 @@
 use crate::diffsol_methods;
 use crate::dynamics::Dynamics;
 use crate::failure::Failure;
-use crate::method::{Method, Tolerances};
+use crate::method::{Family, Method};
 use crate::runge_kutta::RungeKutta;
 use crate::stepper::Stepper;
+use crate::tolerances::Tolerances;
 
 /// Run `then` with the stepper of a method, at the start of a motion that ends at `end`.
 pub fn start<R>(
@@ -16,8 +17,10 @@ pub fn start<R>(
     tolerances: Tolerances,
     then: impl FnOnce(&mut dyn Stepper) -> R,
 ) -> Result<R, Failure> {
-    if let Some(mut stepper) = RungeKutta::new(method, dynamics, (t, end), state, tolerances) {
-        return Ok(then(&mut stepper));
+    match method.family() {
+        Family::RungeKutta(tableau) => {
+            Ok(then(&mut RungeKutta::new(tableau, dynamics, (t, end), state, tolerances)))
+        }
+        Family::Diffsol(formula) => diffsol_methods::start(formula, dynamics, t, state, tolerances, then),
     }
-    diffsol_methods::start(method, dynamics, t, state, tolerances, then)
 }

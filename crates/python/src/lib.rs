@@ -18,6 +18,7 @@ mod leaves;
 mod matrix;
 mod namesake;
 mod nary;
+mod operators;
 mod print;
 mod rewrite;
 mod session;

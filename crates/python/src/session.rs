@@ -1,11 +1,16 @@
 //! The one graph of a process, the derivation of each thread, and errors as Python exceptions.
 
 use std::cell::RefCell;
-use std::sync::{LazyLock, Mutex, PoisonError};
+use std::sync::{LazyLock, Mutex, MutexGuard, PoisonError};
 
 use pyo3::prelude::*;
 use symbody_core::{Classes, Error, Graph};
 
+/// The graph, also after a panic.
+///
+/// A panic leaves the graph sound, because rows are only added, and each is entered whole with its value: all that can
+/// panic, such as a full table, comes before the first change. Expressions that Python holds therefore stay right. At
+/// most the classes of a derivation are lost, and then equal expressions may have different forms.
 static GRAPH: LazyLock<Mutex<Graph>> = LazyLock::new(|| Mutex::new(Graph::new()));
 
 thread_local! {
@@ -23,9 +28,13 @@ impl Drop for Deriving<'_> {
     }
 }
 
+fn lock() -> MutexGuard<'static, Graph> {
+    GRAPH.lock().unwrap_or_else(PoisonError::into_inner)
+}
+
 /// Run work on the graph within the derivation of this thread, if there is one.
 pub fn with_graph<T>(work: impl FnOnce(&mut Graph) -> T) -> T {
-    let mut graph = GRAPH.lock().unwrap_or_else(PoisonError::into_inner);
+    let mut graph = lock();
     let Some(classes) = CLASSES.with_borrow_mut(Vec::pop) else {
         return work(&mut graph);
     };
@@ -36,7 +45,7 @@ pub fn with_graph<T>(work: impl FnOnce(&mut Graph) -> T) -> T {
 
 /// Run work on the graph outside any derivation, so that rewrites keep the forms that they make.
 pub fn with_forms<T>(work: impl FnOnce(&mut Graph) -> T) -> T {
-    let mut graph = GRAPH.lock().unwrap_or_else(PoisonError::into_inner);
+    let mut graph = lock();
     work(&mut graph)
 }
 

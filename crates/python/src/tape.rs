@@ -141,12 +141,11 @@ impl Tape {
 
 impl Tape {
     fn place(&self, operand: Operand) -> u32 {
-        let tape = &self.staged.tape;
-        let first_input = tape.constants.len() as u32;
+        let (first_input, first_value) = self.staged.tape.first_places();
         match operand {
             Operand::Constant(constant) => constant,
             Operand::Input(input) => first_input + input,
-            Operand::Value(value) => first_input + tape.inputs.len() as u32 + value,
+            Operand::Value(value) => first_value + value,
         }
     }
 

@@ -3,7 +3,7 @@
 use rustc_hash::FxHashMap;
 
 use crate::error::Error;
-use crate::graph::{Graph, Id, NumberId};
+use crate::graph::{Graph, Id, NumberId, word};
 
 impl Graph {
     /// The system of the derivative, dx = A^-1 (db - dA x); `Id::ZERO` if the derivative vanishes.
@@ -41,7 +41,7 @@ impl Graph {
         let multipliers = self.linear_solve(&transposed, &collected)?;
         let mut shares = Vec::new();
         for (k, &entry) in matrix.iter().enumerate() {
-            let component = self.solution(id, (k % n) as u32);
+            let component = self.solution(id, word(k % n));
             let product = self.mul(multipliers[k / n], component)?;
             shares.push((entry, self.neg(product)));
         }

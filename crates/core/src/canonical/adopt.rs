@@ -57,7 +57,8 @@ impl Graph {
                 let map = |graph: &Self, child: Id| {
                     graph.classes.as_ref().and_then(|classes| classes.representative(child)).unwrap_or(child)
                 };
-                // A division that was possible before stays possible.
+                // A division that was possible before stays possible. If a constructor refuses all the same, the
+                // node itself is as right.
                 self.rebuild(id, &map).unwrap_or(id)
             };
             if adopted == id {

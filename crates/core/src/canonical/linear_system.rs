@@ -6,7 +6,7 @@
 //! `dx = A^-1 (db - dA x)`.
 
 use crate::error::Error;
-use crate::graph::{Graph, Id, Kind, LONGEST, View};
+use crate::graph::{Graph, Id, Kind, LONGEST, View, word};
 use crate::value::{Element, Key};
 
 /// Whether a linear system of n rows is small enough for a node.
@@ -41,7 +41,7 @@ impl Graph {
     }
 
     fn components(&mut self, system: Id, count: usize) -> Vec<Id> {
-        (0..count as u32).map(|index| self.solution(system, index)).collect()
+        (0..word(count)).map(|index| self.solution(system, index)).collect()
     }
 
     /// The system with numbers for the components that are known, so that its minimum-norm solution, where the matrix

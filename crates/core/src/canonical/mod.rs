@@ -10,7 +10,16 @@
 //!
 //! The files of this chapter call one another in circles, because the forms are defined in terms of one another: a sum
 //! of equal terms is a product, a power of a product is a product of powers, and a function of a negative argument is a
-//! multiple of a function.
+//! multiple of a function. Who calls whom:
+//!
+//! * [`sum`] takes common factors out ([`distribute`]), which makes products.
+//! * [`product`] sorts factors into a [`collector`], takes roots of numbers out ([`root`]), merges moduli by [`apply`],
+//!   groups factors ([`associate`]), and leaves numbers and signs to `scale` in [`sum`].
+//! * [`apply`] looks for a simpler form ([`exact`]), which may be a sum, a product or another function, and reads
+//!   values of arguments from [`angle`].
+//! * [`linear_system`] adds and multiplies where it removes known components.
+//! * [`adopt`], which all of them call for their arguments, calls [`rebuild`], and that the constructor of each kind.
+//! * All end in [`build`], which calls none of them.
 
 mod adopt;
 mod angle;

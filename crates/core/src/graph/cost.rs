@@ -68,6 +68,7 @@ impl Graph {
     pub fn tree_cost(&self, roots: &[Id]) -> Cost {
         let mut known: FxHashMap<Id, Cost> = FxHashMap::default();
         let mut children = Vec::new();
+        // Constants are not visited: they cost nothing.
         for id in self.post_order_where(roots, |id| !self.is_constant(id)) {
             let mut cost = Count::tree(self).of_node(id);
             children.clear();

@@ -21,4 +21,4 @@ pub(crate) use function::Parity;
 pub use node::{Assumption, Factors, Id, Ids, NumberId, Terms, View};
 pub(crate) use node::{Flags, Kind};
 pub use table::{Graph, LARGEST_ORDER};
-pub(crate) use table::{LONGEST, check_order};
+pub(crate) use table::{LONGEST, check_order, word};

@@ -38,13 +38,13 @@ pub(crate) fn check_order(order: u64) -> Result<(), Error> {
     Err(Error::Limit { what: "derivatives of one function", limit: LARGEST_ORDER as usize, found })
 }
 
-/// The next number of a table whose entries are numbered with 32 bits.
+/// A place in a table, or the length of one, in 32 bits: of expressions, and of the code and the parts made from them.
 ///
 /// # Panics
 /// If the table is full, before anything is changed: an id that stood for two entries would make `==` wrong. Four
 /// billion rows take 200 GB. Every operation makes rows, so every operation would have to return this error.
-fn next_number(length: usize) -> u32 {
-    u32::try_from(length).expect("the table of expressions is full: it holds 2**32 words")
+pub(crate) fn word(length: usize) -> u32 {
+    u32::try_from(length).expect("the table is full: its places have 32 bits")
 }
 
 /// All expressions of a process.
@@ -231,7 +231,7 @@ impl Graph {
         if let Some(&id) = self.number_index.get(number) {
             return NumberId(id);
         }
-        let id = next_number(self.numbers.len());
+        let id = word(self.numbers.len());
         let mut value = Element::from_number(number);
         if value.is_singular() && !number.is_zero() {
             // A multiple of one of the primes: its image could not be distinguished from zero, so draw one.
@@ -247,7 +247,7 @@ impl Graph {
         if let Some(&id) = self.name_index.get(name) {
             return id;
         }
-        let id = next_number(self.names.len());
+        let id = word(self.names.len());
         self.names.push(name.into());
         self.name_kinds.push(0);
         self.name_index.insert(name.into(), id);
@@ -328,11 +328,11 @@ impl Graph {
         if let Some(&id) = self.index.find(hash, same) {
             return Id(id);
         }
-        let (id, start) = (next_number(self.rows.len()), next_number(self.words.len()));
+        let (id, start) = (word(self.rows.len()), word(self.words.len()));
         // Every word has a number of 32 bits, so `start` and `len` of this row and of the next one fit.
-        next_number(self.words.len() + words.len());
+        word(self.words.len() + words.len());
         self.words.extend_from_slice(words);
-        self.rows.push(Row { start, len: words.len() as u32, flags, kind });
+        self.rows.push(Row { start, len: word(words.len()), flags, kind });
         self.values.push(value);
         let (rows, table) = (&self.rows, &self.words);
         self.index.insert_unique(hash, id, |&id| {

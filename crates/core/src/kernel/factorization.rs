@@ -4,8 +4,7 @@
 //! units it is written. Then A = P L U by partial pivoting [Golub & Van Loan 2013, sec. 3.4]. Where a pivot
 //! vanishes against its column, A P = Q [R S; 0 0] by reflections instead, with the largest columns first
 //! [sec. 5.4.2]: of the solutions that fit the equations best the least is taken, by removing its part along the
-//! directions in which nothing changes, and the equations that follow from the others are named. Coefficients that
-//! are no numbers give solutions that are no numbers.
+//! directions in which nothing changes, and the equations that follow from the others are named. NaN in, NaN out.
 
 /// A pivot so small against its column may be a rounding error: the decomposition with column pivoting decides.
 const DOUBTFUL: f64 = 1e-11;
@@ -175,7 +174,7 @@ fn eliminate(n: usize, factors: &mut [f64], swaps: &mut [f64], pivots: &mut [f64
                 (pivot, size) = (row, entries[k].abs());
             }
         }
-        // A pivot that is no number is not greater either.
+        // A pivot that is NaN is not greater either.
         let certain = size > DOUBTFUL * columns[k];
         if !certain {
             return false;
@@ -280,7 +279,7 @@ fn fit(n: usize, rank: usize, factors: &[f64], taus: &[f64], x: &mut [f64]) {
         x[k] -= sum;
         x[k + 1..].iter_mut().zip(below()).for_each(|(entry, v)| *entry -= sum * v);
     }
-    // What is no number in the right side is not lost with the equations that are left out.
+    // NaN in the right side must survive, although equations are left out.
     let lost = x[rank..].iter().map(|entry| 0.0 * entry).sum::<f64>();
     x[rank..].fill(lost);
     back_substitute(n, rank, factors, x);
@@ -351,7 +350,8 @@ fn name_dependent(
         let share = |row: &[f64]| largest(&row[c..]);
         let most = combinations.chunks_exact(count).map(share).fold(0.0, greater);
         let late = combinations.chunks_exact(count).rposition(|row| share(row) >= SHARE * most);
-        let equation = late.unwrap_or(n - 1);
+        let equation =
+            late.expect("the largest share is that of an equation, because `largest` passes over NaN");
         marks[equation] = 1.0;
         remove_equation(count, c, equation, combinations);
     }
@@ -361,6 +361,7 @@ fn name_dependent(
 fn remove_equation(count: usize, c: usize, equation: usize, combinations: &mut [f64]) {
     let row = &combinations[equation * count..][..count];
     let size = largest(&row[c..]);
+    // If all shares are NaN, any of them does: it makes the other combinations NaN, too.
     let pivot = c + row[c..].iter().position(|share| share.abs() >= size).unwrap_or(0);
     combinations.chunks_exact_mut(count).for_each(|row| row.swap(c, pivot));
     for other in c + 1..count {
@@ -387,7 +388,7 @@ fn dot(x: &[f64], y: &[f64]) -> f64 {
     (sums[0] + sums[2]) + (sums[1] + sums[3]) + rest
 }
 
-/// The largest magnitude; what is no number is passed over.
+/// The largest magnitude; NaN is passed over.
 fn largest(entries: &[f64]) -> f64 {
     let fours = entries.chunks_exact(4);
     let rest = fours.remainder().iter().fold(0.0, |most, entry| greater(most, entry.abs()));
@@ -418,7 +419,7 @@ fn to_double(index: usize) -> f64 {
     index as f64
 }
 
-#[allow(clippy::cast_sign_loss, reason = "written by to_double")]
+#[allow(clippy::cast_possible_truncation, clippy::cast_sign_loss, reason = "written by to_double")]
 fn to_index(number: f64) -> usize {
     number as usize
 }

@@ -35,7 +35,7 @@ impl Graph {
         for block in blocks(&pattern, unknowns.len()) {
             self.solve_block(&block, &forms, &mut solution)?;
         }
-        Ok(solution.into_iter().map(|value| value.unwrap_or(Id::ZERO)).collect())
+        Ok(solution.into_iter().map(solved).collect())
     }
 
     fn check_distinct(&self, unknowns: &[Id]) -> Result<(), Error> {
@@ -135,6 +135,11 @@ impl Graph {
         row.push(self.sum(&right));
         Ok(row)
     }
+}
+
+/// The value of an unknown after all blocks.
+fn solved(value: Option<Id>) -> Id {
+    value.expect("the blocks cover all unknowns, because the rank leaves none free")
 }
 
 /// "equation 2", "equations 1 and 2", "equations 1, 2 and 3"

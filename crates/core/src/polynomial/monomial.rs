@@ -2,6 +2,9 @@
 
 use std::cmp::Ordering;
 
+/// Expansions open exponents below a few hundred only, and the budget of terms bounds how often they are multiplied.
+const EXPONENT: &str = "an exponent of an expanded term has fewer than 63 bits";
+
 /// A product of integer powers of atoms.
 ///
 /// Invariants: atoms ascend; no exponent is zero.
@@ -49,7 +52,7 @@ impl Monomial {
                     right = right_rest;
                 }
                 Ordering::Equal => {
-                    let sum = e.saturating_add(*f);
+                    let sum = e.checked_add(*f).expect(EXPONENT);
                     if sum != 0 {
                         out.push((*a, sum));
                     }
@@ -66,7 +69,7 @@ impl Monomial {
         if n == 0 {
             return Self::default();
         }
-        Self(self.0.iter().map(|&(a, e)| (a, e.saturating_mul(n))).collect())
+        Self(self.0.iter().map(|&(a, e)| (a, e.checked_mul(n).expect(EXPONENT))).collect())
     }
 
     pub(crate) fn over(&self, divisor: &Self) -> Self {

@@ -158,7 +158,7 @@ fn function_of(function: Function, args: &[Sum]) -> String {
             format!("{base}^{{{}}}", write(&args[1]))
         }
         Function::Piecewise => piecewise(args),
-        _ => latex_name(function).unwrap_or_default() + &arguments(args),
+        _ => latex_name(function).expect("a function without a name has a notation above") + &arguments(args),
     }
 }
 

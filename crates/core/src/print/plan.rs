@@ -160,7 +160,7 @@ fn uses(graph: &Graph, order: &[Id], roots: &[Id]) -> FxHashMap<Id, usize> {
     let mut children = Vec::new();
     for &id in order.iter().rev() {
         let times = match graph.view(id) {
-            View::Scale(..) | View::LinearSystem { .. } => uses.get(&id).copied().unwrap_or(1),
+            View::Scale(..) | View::LinearSystem { .. } => uses[&id],
             _ => 1,
         };
         children.clear();

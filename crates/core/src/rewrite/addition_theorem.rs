@@ -25,7 +25,7 @@ pub(super) fn update_units(units: &mut FxHashMap<Monomial, Number>, angle: &Poly
 }
 
 impl Ring<'_> {
-    /// sin, cos or tan of a sum of multiples of units, by the addition theorems.
+    /// sin, cos or tan of a sum of multiples of units, by the addition theorems. Each atomic angle has its unit.
     pub(super) fn expand_wave(
         &mut self,
         id: Id,
@@ -35,7 +35,7 @@ impl Ring<'_> {
     ) -> Result<Polynomial, Error> {
         let mut multiples = Vec::new();
         for (monomial, coefficient) in angle.iter() {
-            let unit = units.get(monomial).cloned().unwrap_or_else(|| coefficient.abs());
+            let unit = units[monomial].clone();
             let Some(n) = coefficient.mul(&unit.recip()?).to_i64() else { return Ok(self.leaf(id)) };
             if n.abs() > LARGEST_MULTIPLE || coefficient.is_decimal() {
                 return Ok(self.leaf(id));

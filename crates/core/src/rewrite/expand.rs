@@ -81,7 +81,8 @@ impl Ring<'_> {
         opening: Opening,
         leaves: FxHashSet<Id>,
     ) -> Result<Polynomial, Error> {
-        let (memo, uses, units) = (FxHashMap::default(), FxHashMap::default(), FxHashMap::default());
+        let (memo, units) = (FxHashMap::default(), FxHashMap::default());
+        let uses = FxHashMap::from_iter([(root, 1)]);
         let mut state = Expansion { opening, leaves, memo, uses, units };
         let order = self.opened_nodes(root, &state.leaves)?;
         for &id in &order {
@@ -185,7 +186,7 @@ impl Ring<'_> {
 
     /// The polynomial of a child; the last use takes it without a copy.
     fn operand(&mut self, id: Id, state: &mut Expansion) -> Result<Polynomial, Error> {
-        let left = state.uses.get(&id).copied().unwrap_or(1);
+        let left = state.uses[&id];
         if left <= 1 {
             return Ok(state.memo.remove(&id).expect(EXPANDED));
         }

@@ -3,7 +3,7 @@
 use rustc_hash::FxHashMap;
 
 use crate::error::Error;
-use crate::graph::{Function, Graph, Id, NumberId, View};
+use crate::graph::{Function, Graph, Id, NumberId, View, word};
 use crate::polynomial::{Budget, Monomial, Polynomial};
 use crate::value::{Element, Number};
 
@@ -41,7 +41,7 @@ impl<'g> Ring<'g> {
     /// The atom of a node, and whether the atom has the opposite value.
     pub(crate) fn atom(&mut self, id: Id) -> (u32, bool) {
         let value = self.graph.value(id);
-        let next = self.nodes.len() as u32;
+        let next = word(self.nodes.len());
         let atom = *self.index.entry(value.unsigned().0).or_insert(next);
         if atom == next {
             self.nodes.push(id);

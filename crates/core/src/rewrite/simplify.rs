@@ -218,10 +218,10 @@ impl Graph {
     ) -> Result<(Number, Id), Error> {
         let mut coefficients = Polynomial::default();
         let mut parts = Vec::new();
-        for (position, (coefficient, node)) in terms.iter().enumerate() {
+        for (position, (coefficient, node)) in (0..).zip(terms) {
             let (inner, node) = look_up(*node);
             let coefficient = coefficient.mul(&inner);
-            coefficients.add_term(Monomial::power(position as u32, 1), &coefficient);
+            coefficients.add_term(Monomial::power(position, 1), &coefficient);
             parts.push((coefficient, node));
         }
         let is_fraction = |(c, _): &(Number, Id)| !c.is_integer() && !c.is_decimal();

@@ -2,6 +2,8 @@
 
 use rustc_hash::{FxHashMap, FxHashSet};
 
+use crate::graph::word;
+
 use super::sign::uses;
 use super::straight_line::{Instruction, Operand, Tape};
 
@@ -28,7 +30,7 @@ impl Tape {
             .map(|multiple| multiple.product)
             .collect();
         let (mut sequence, mut placed) = (Vec::new(), FxHashSet::default());
-        for place in 0..self.instructions.len() as u32 {
+        for place in 0..word(self.instructions.len()) {
             if dropped.contains(&place) || !placed.insert(place) {
                 continue;
             }
@@ -37,7 +39,7 @@ impl Tape {
             {
                 let coefficient = *known.entry((multiple.constant, factor)).or_insert_with(|| {
                     tape.instructions.push(Instruction::Mul(multiple.constant, factor));
-                    tape.instructions.len() as u32 - 1
+                    word(tape.instructions.len()) - 1
                 });
                 if placed.insert(coefficient) {
                     sequence.push(coefficient);
@@ -68,7 +70,7 @@ impl Tape {
 
     /// For each product: the factor that takes the constant, as it does in other products, and the other factor.
     fn shared_pairs(&self, multiples: &FxHashMap<u32, Multiple>) -> FxHashMap<u32, Pair> {
-        let places = || (0..self.instructions.len() as u32).filter_map(|place| multiples.get(&place));
+        let places = || (0..word(self.instructions.len())).filter_map(|place| multiples.get(&place));
         let mut counts: FxHashMap<Pair, u32> = FxHashMap::default();
         for pair in places().flat_map(|m| m.factors.map(|factor| (m.constant, factor))) {
             *counts.entry(pair).or_default() += 1;

@@ -3,10 +3,12 @@
 use rustc_hash::FxHashMap;
 use std::cmp::Reverse;
 
-const STORED: &str = "that the operand is a number was seen before";
+use crate::graph::word;
 
 use super::schedule::need;
 use super::straight_line::{Factorization, Instruction, Operand, Solution, Tape};
+
+const STORED: &str = "that the operand is a number was seen before";
 
 /// An operand, or its opposite.
 #[derive(Clone, Copy)]
@@ -47,7 +49,7 @@ impl Emitter {
         let constants = &mut self.tape.constants;
         Operand::Constant(*self.constants.entry(value.to_bits()).or_insert_with(|| {
             constants.push(value);
-            constants.len() as u32 - 1
+            word(constants.len()) - 1
         }))
     }
 
@@ -135,7 +137,7 @@ impl Emitter {
         }
         let needs = self.need_of_all(&entries);
         self.tape.factorizations.push(Factorization { size, entries: entries.clone() });
-        let result = self.append(Instruction::Factor(self.tape.factorizations.len() as u32 - 1), needs);
+        let result = self.append(Instruction::Factor(word(self.tape.factorizations.len()) - 1), needs);
         self.factorized.insert(entries, result);
         result
     }
@@ -144,7 +146,7 @@ impl Emitter {
     pub fn solve(&mut self, factorization: Operand, right: Vec<Operand>) -> Operand {
         let needs = self.need_of_all(&right);
         self.tape.solutions.push(Solution { factorization, right });
-        self.append(Instruction::Solve(self.tape.solutions.len() as u32 - 1), needs)
+        self.append(Instruction::Solve(word(self.tape.solutions.len()) - 1), needs)
     }
 
     /// A component of a solution.
@@ -155,11 +157,11 @@ impl Emitter {
     /// The number of values that a list holds: all its entries live until the last one is computed.
     fn need_of_all(&self, operands: &[Operand]) -> u32 {
         let needs = operands.iter().map(|&operand| self.need_of(Signed::plus(operand)));
-        needs.max().unwrap_or(0) + operands.len() as u32
+        needs.max().unwrap_or(0) + word(operands.len())
     }
 
     fn append(&mut self, instruction: Instruction, need: u32) -> Operand {
-        let result = Operand::Value(self.tape.instructions.len() as u32);
+        let result = Operand::Value(word(self.tape.instructions.len()));
         self.needs.push(need);
         self.tape.instructions.push(instruction);
         result

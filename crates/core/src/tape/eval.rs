@@ -55,8 +55,7 @@ impl Evaluator {
     #[must_use]
     pub fn new(tape: &Tape) -> Self {
         let registers = tape.registers();
-        let (first_input, first_register) =
-            (tape.constants.len() as u32, (tape.constants.len() + tape.inputs.len()) as u32);
+        let (first_input, first_register) = tape.first_places();
         let slot = |operand| match operand {
             Operand::Constant(constant) => constant,
             Operand::Input(input) => first_input + input,

@@ -2,6 +2,7 @@
 
 use std::collections::BTreeSet;
 
+use crate::graph::word;
 use crate::kernel::Deficiency;
 use crate::kernel::factorization::{factor, solve, workspace};
 
@@ -10,18 +11,18 @@ use super::straight_line::{Instruction, Operand, Tape};
 /// The linear systems of a tape, over the slots of its evaluator.
 #[derive(Clone, Debug, Default)]
 pub(super) struct LinearSystems {
-    matrices: Vec<Matrix>,
-    solutions: Vec<Solution>,
+    matrices: Vec<GatheredMatrix>,
+    solutions: Vec<GatheredSolution>,
 }
 
 #[derive(Clone, Debug)]
-struct Matrix {
+struct GatheredMatrix {
     size: usize,
     entries: Vec<u32>,
 }
 
 #[derive(Clone, Debug)]
-struct Solution {
+struct GatheredSolution {
     matrix: usize,
     right: Vec<u32>,
 }
@@ -39,9 +40,12 @@ impl LinearSystems {
         let matrices = tape.factorizations.iter();
         let solutions = tape.solutions.iter();
         Self {
-            matrices: matrices.map(|m| Matrix { size: m.size, entries: slots(&m.entries) }).collect(),
+            matrices: matrices.map(|m| GatheredMatrix { size: m.size, entries: slots(&m.entries) }).collect(),
             solutions: solutions
-                .map(|s| Solution { matrix: matrix_of(tape, s.factorization), right: slots(&s.right) })
+                .map(|s| GatheredSolution {
+                    matrix: matrix_of(tape, s.factorization),
+                    right: slots(&s.right),
+                })
                 .collect(),
         }
     }
@@ -63,7 +67,7 @@ impl LinearSystems {
         memory: &mut Memory,
         read: impl Fn(u32, usize) -> f64,
     ) {
-        let Matrix { size, entries } = &self.matrices[number as usize];
+        let GatheredMatrix { size, entries } = &self.matrices[number as usize];
         let areas = memory.factorizations[number as usize].chunks_exact_mut(workspace(*size));
         for (lane, area) in areas.take(lanes).enumerate() {
             for (place, &slot) in area.iter_mut().zip(entries) {
@@ -81,7 +85,7 @@ impl LinearSystems {
         memory: &mut Memory,
         read: impl Fn(u32, usize) -> f64,
     ) {
-        let Solution { matrix, right } = &self.solutions[number as usize];
+        let GatheredSolution { matrix, right } = &self.solutions[number as usize];
         let size = right.len();
         let factors = memory.factorizations[*matrix].chunks_exact_mut(workspace(size));
         let results = memory.solutions[number as usize].chunks_exact_mut(size);
@@ -89,7 +93,7 @@ impl LinearSystems {
             for (place, &slot) in result.iter_mut().zip(right) {
                 *place = read(slot, lane);
             }
-            memory.deficiencies.extend(Deficiency::of(*matrix as u32, size, area, result));
+            memory.deficiencies.extend(Deficiency::of(word(*matrix), size, area, result));
             solve(size, area, result);
         }
     }

@@ -2,6 +2,8 @@
 
 use rustc_hash::{FxHashMap, FxHashSet};
 
+use crate::graph::word;
+
 use super::straight_line::{Instruction, Operand, Tape};
 
 impl Tape {
@@ -21,7 +23,7 @@ impl Tape {
             {
                 let reciprocal = *reciprocals.entry(divisor).or_insert_with(|| {
                     tape.instructions.push(Instruction::Div(one, divisor));
-                    tape.instructions.len() as u32 - 1
+                    word(tape.instructions.len()) - 1
                 });
                 if placed.insert(reciprocal) {
                     sequence.push(reciprocal);
@@ -38,10 +40,10 @@ impl Tape {
 
     fn one(&mut self) -> Operand {
         let known = self.constants.iter().position(|constant| constant.to_bits() == 1f64.to_bits());
-        Operand::Constant(known.unwrap_or_else(|| {
+        Operand::Constant(word(known.unwrap_or_else(|| {
             self.constants.push(1.0);
             self.constants.len() - 1
-        }) as u32)
+        })))
     }
 
     /// The reciprocals that the tape already has, by divisor.

@@ -3,7 +3,7 @@
 //! Parameters change rarely, accelerations at every call: the first instructions of the code can leave the hot path.
 
 use crate::error::Error;
-use crate::graph::Cost;
+use crate::graph::{Cost, word};
 
 use super::straight_line::{Operand, Tape};
 
@@ -36,7 +36,7 @@ impl Tape {
         let stages = tape.stages(inputs);
         let tape = tape.with_reciprocals(|operand| stage_of(operand, inputs, &stages));
         let mut stages = tape.stages(inputs);
-        let mut sequence: Vec<u32> = (0..tape.instructions.len() as u32).collect();
+        let mut sequence: Vec<u32> = (0..word(tape.instructions.len())).collect();
         sequence.sort_by_key(|&value| stages[value as usize]);
         stages.sort_unstable();
         Ok(Staged { tape: tape.reordered(&sequence), stages })

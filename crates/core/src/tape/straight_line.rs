@@ -3,7 +3,7 @@
 //! An instruction defines one value and refers to earlier ones (static single assignment). The order keeps
 //! live ranges short, and [`Tape::registers`] maps the values onto few registers.
 
-use crate::graph::{Cost, Function, factoring, solving};
+use crate::graph::{Cost, Function, factoring, solving, word};
 
 /// The source of an argument of an instruction.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
@@ -173,6 +173,12 @@ pub struct Registers {
 }
 
 impl Tape {
+    /// The places of the first input and of the first value, where constants, inputs and values are counted as one list.
+    #[must_use]
+    pub fn first_places(&self) -> (u32, u32) {
+        (word(self.constants.len()), word(self.constants.len() + self.inputs.len()))
+    }
+
     /// The operations of the code, counted like those of expressions: a change of sign on its own is an addition.
     #[must_use]
     pub fn operations(&self) -> Cost {
@@ -209,13 +215,13 @@ impl Tape {
                     let Factorization { size, entries } = &self.factorizations[number as usize];
                     let entries = entries.iter().map(|&entry| places.of(entry)).collect();
                     tape.factorizations.push(Factorization { size: *size, entries });
-                    Instruction::Factor(tape.factorizations.len() as u32 - 1)
+                    Instruction::Factor(word(tape.factorizations.len()) - 1)
                 }
                 Instruction::Solve(number) => {
                     let Solution { factorization, right } = &self.solutions[number as usize];
                     let right = right.iter().map(|&entry| places.of(entry)).collect();
                     tape.solutions.push(Solution { factorization: places.of(*factorization), right });
-                    Instruction::Solve(tape.solutions.len() as u32 - 1)
+                    Instruction::Solve(word(tape.solutions.len()) - 1)
                 }
                 other => other.map(|operand| places.of(operand)),
             };
@@ -315,7 +321,7 @@ impl<'a> Places<'a> {
             Operand::Constant(constant) => {
                 Operand::Constant(*self.kept[constant as usize].get_or_insert_with(|| {
                     self.constants.push(self.tape.constants[constant as usize]);
-                    self.constants.len() as u32 - 1
+                    word(self.constants.len()) - 1
                 }))
             }
         }

@@ -34,6 +34,7 @@ struct Prime {
     exp_order: u64,
 }
 
+#[expect(clippy::cast_possible_truncation, reason = "remainders by a word are below it")]
 const fn prime(p: u64, angle_order: u64, exp_order: u64) -> Prime {
     let mut inverse: u64 = 1;
     let mut i = 0;
@@ -52,6 +53,10 @@ const PRIMES: [Prime; 2] = [
 ];
 
 impl Prime {
+    #[expect(
+        clippy::cast_possible_truncation,
+        reason = "Montgomery's m is a remainder by 2^64, and u is below 2 p"
+    )]
     const fn reduce(&self, t: u128) -> u64 {
         let m = (t as u64).wrapping_mul(self.neg_inverse);
         let u = ((t + m as u128 * self.p as u128) >> 64) as u64;
@@ -292,6 +297,7 @@ fn residue(value: &Number, order: u64) -> u64 {
     mul_mod(num, pow_mod(den, order - 2, order), order)
 }
 
+#[expect(clippy::cast_possible_truncation, reason = "a remainder by a word is below it")]
 fn mul_mod(a: u64, b: u64, m: u64) -> u64 {
     (u128::from(a) * u128::from(b) % u128::from(m)) as u64
 }

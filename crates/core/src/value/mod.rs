@@ -7,6 +7,7 @@
 //! Invariant: sums, products and quotients of elements are the elements of the sums, products and quotients of numbers,
 //! except for the rare numbers that are multiples of a prime: these have drawn elements.
 
+mod double;
 mod field;
 mod gcd;
 mod number;

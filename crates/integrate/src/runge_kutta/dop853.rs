@@ -6,7 +6,7 @@
 use super::tableau::{Row, Tableau};
 
 /// The method.
-pub(super) static DOP853: Tableau = Tableau {
+pub static DOP853: Tableau = Tableau {
     order: 8,
     stages: 12,
     evaluates_end: false,

@@ -4,9 +4,9 @@
 //! the rates contain parts that do not belong to the motion. Steps should start, and states be read, elsewhere.
 
 use crate::failure::Failure;
-use crate::method::Tolerances;
 use crate::projection::Tangent;
 use crate::stepper::Stepper;
+use crate::tolerances::Tolerances;
 
 use super::{BESIDE, First, RungeKutta, difference};
 

@@ -1,10 +1,10 @@
-//! What tells one explicit Runge–Kutta method from another: its coefficients.
+//! Coefficients that distinguish one explicit Runge–Kutta method from another.
 
 /// The places and values of what is not zero among the weights of the stages.
 pub(super) type Row = &'static [(usize, f64)];
 
 /// The coefficients of a method with an error estimate and a dense output.
-pub(super) struct Tableau {
+pub struct Tableau {
     /// The power of the step that the error estimate is proportional to.
     pub(super) order: i32,
     /// How many stages make a step; the stage after them is at its end, and further ones serve the dense output.

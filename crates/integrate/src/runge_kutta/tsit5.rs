@@ -6,7 +6,7 @@
 use super::tableau::{Row, Tableau};
 
 /// The method.
-pub(super) static TSIT5: Tableau = Tableau {
+pub static TSIT5: Tableau = Tableau {
     order: 5,
     stages: 6,
     evaluates_end: true,

@@ -13,13 +13,13 @@ mod tsit5;
 use crate::dynamics::Dynamics;
 use crate::failure::Failure;
 use crate::machine_code::BoundCode;
-use crate::method::{INTEGRAL, Method, Tolerances};
 use crate::projection::{Projection, Tangent};
 use crate::stepper::{Statistics, Stepper};
-use dop853::DOP853;
+use crate::tolerances::{INTEGRAL, Tolerances};
+pub use dop853::DOP853;
 use stages::Stages;
-use tableau::Tableau;
-use tsit5::TSIT5;
+pub use tableau::Tableau;
+pub use tsit5::TSIT5;
 
 /// The next step depends on the error of the last one and, with a small weight, on that of the one before, so that few
 /// steps are rejected. These two numbers take a sixth fewer evaluations than 0.9 and 0 on a double pendulum and on
@@ -94,16 +94,14 @@ pub struct RungeKutta<'a> {
 }
 
 impl<'a> RungeKutta<'a> {
-    /// The method at the start of a motion that ends at `end`; `None` if it is not an explicit Runge–Kutta method of
-    /// ours.
+    /// The method at the start of a motion that ends at `end`.
     pub fn new(
-        method: Method,
+        tableau: &'static Tableau,
         dynamics: &'a Dynamics,
         (t, end): (f64, f64),
         state: &[f64],
         tolerances: Tolerances,
-    ) -> Option<Self> {
-        let tableau = tableau_of(method)?;
+    ) -> Self {
         let n = state.len();
         let mut new = Self {
             tableau,
@@ -137,7 +135,7 @@ impl<'a> RungeKutta<'a> {
             statistics: Statistics::default(),
         };
         new.step = new.first_step(end);
-        Some(new)
+        new
     }
 
     /// Guess the first step from the rates and their change.
@@ -436,14 +434,6 @@ impl Stepper for RungeKutta<'_> {
 
     fn statistics(&self) -> Statistics {
         self.statistics
-    }
-}
-
-fn tableau_of(method: Method) -> Option<&'static Tableau> {
-    match method {
-        Method::Dop853 => Some(&DOP853),
-        Method::Tsit5 => Some(&TSIT5),
-        Method::Bdf | Method::Esdirk34 | Method::TrBdf2 => None,
     }
 }
 
