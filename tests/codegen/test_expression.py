@@ -10,8 +10,8 @@ import pytest
 
 from symbody.codegen.languages.fortran import LANGUAGE as FORTRAN
 from symbody.codegen.languages.python import LANGUAGE as PYTHON
+from symbody.codegen.layout.code_text import expression_text, wrap_line
 from symbody.codegen.layout.language import Language
-from symbody.codegen.layout.lines import expression_text, wrap_line
 from symbody.codegen.layout.tree import Application, Entry, Name, Number, Tree
 from symbody.codegen.straight_line.instruction import Operation
 

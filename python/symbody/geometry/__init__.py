@@ -1,7 +1,7 @@
 """Frames, points and vectors, their velocities and accelerations."""
 
 from symbody.geometry.component.triple import Scalar, Triple
-from symbody.geometry.frame.elementary import floating_frame, moving_frame, rotate, translate
+from symbody.geometry.frame.constructors import floating_frame, moving_frame, rotate, translate
 from symbody.geometry.frame.frame import Frame, ground
 from symbody.geometry.point.point import Point, origin
 from symbody.geometry.point.project import project

@@ -6,8 +6,8 @@ from collections.abc import Sequence
 
 from symbody.codegen.languages.heads import comparisons, head, head_of_function, mark
 from symbody.codegen.languages.target import Target
+from symbody.codegen.layout.code_text import part_lines, wrap_line, wrap_lines
 from symbody.codegen.layout.language import Language, functions, number_text
-from symbody.codegen.layout.lines import part_lines, wrap_line, wrap_lines
 from symbody.codegen.layout.module import Array, Function, Module
 from symbody.codegen.runtime.linear_solve import kernel_text
 from symbody.codegen.straight_line.instruction import Operation

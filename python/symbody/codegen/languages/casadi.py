@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from symbody.codegen.languages.python import Library, check_text, module_text, python_language
 from symbody.codegen.languages.target import Target
-from symbody.codegen.layout.lines import wrap_line
+from symbody.codegen.layout.code_text import wrap_line
 from symbody.codegen.layout.module import Function, Module
 from symbody.codegen.runtime.snippets import SNIPPETS
 from symbody.codegen.straight_line.instruction import Operation

@@ -16,8 +16,8 @@ from symbody.codegen.languages.heads import (
     with_own_result_names,
 )
 from symbody.codegen.languages.target import Target
+from symbody.codegen.layout.code_text import part_lines, wrap_line
 from symbody.codegen.layout.language import Language, functions, number_text
-from symbody.codegen.layout.lines import part_lines, wrap_line
 from symbody.codegen.layout.module import Array, Function, Module
 from symbody.codegen.runtime.snippets import SNIPPETS
 from symbody.codegen.straight_line.instruction import Operation

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+from symbody.codegen.layout.code_text import expression_text
 from symbody.codegen.layout.language import Language
-from symbody.codegen.layout.lines import expression_text
 from symbody.codegen.layout.tree import Application, Name, Number, Tree
 from symbody.codegen.straight_line.code import Code
 from symbody.codegen.straight_line.instruction import LINEAR_SYSTEMS

@@ -1,4 +1,4 @@
-"""The default choice to compile a call: it depends on the size of the function and on the points of the call."""
+"""The size from which a call is compiled; `lambdify` decides, and also considers linear systems and `compile=`."""
 
 from __future__ import annotations
 
@@ -14,9 +14,9 @@ size, and compiling pays within some fifty calls of so many points; it would tak
 
 
 def is_worth_compiling(operations: int, points: int) -> bool:
-    """Return whether a call is compiled: ``points operations >= 2000 operations + 200 000``.
+    """Return whether the size of a call is worth compiling it: ``points operations >= 2000 operations + 200 000``.
 
-    Nothing else matters, neither the clock nor earlier calls, so that equal calls give equal digits.
+    Neither the clock nor earlier calls matter, so that equal calls give equal digits.
 
     >>> is_worth_compiling(10_000, 20), is_worth_compiling(10_000, 2020)
     (False, True)

@@ -14,7 +14,7 @@ from typing import NamedTuple, final
 from symbody.geometry import Frame, Triple
 from symbody.geometry.component.triple import is_null
 from symbody.geometry.motion.frame_motion import FrameMotion
-from symbody.geometry.motion.rotation import along
+from symbody.geometry.motion.principal_rotation import along
 from symbody.geometry.motion.translation import Translation
 from symbody.symbolic import add3, cross3, dot3, number, sub3
 

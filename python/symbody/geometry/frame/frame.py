@@ -22,7 +22,7 @@ from symbody.geometry.matrix.orientation import (
 from symbody.geometry.matrix.rounded_matrix import without_rounding
 from symbody.geometry.motion.frame_motion import FrameMotion, Rows, Substitution
 from symbody.geometry.motion.placement import Placement, is_rotation
-from symbody.geometry.motion.rotation import Rotation
+from symbody.geometry.motion.principal_rotation import Rotation
 from symbody.geometry.motion.translation import Translation
 from symbody.symbolic import Expr, Matrix, add3, derivation, dot3, number
 from symbody.symbolic.given.arguments import brief

@@ -7,10 +7,10 @@ from typing import final
 
 from symbody.geometry.component.triple import Rate, Triple, is_null, rates
 from symbody.geometry.given.angle import substituted
+from symbody.geometry.motion.principal_rotation import Rotation
 from symbody.symbolic import Expr, add3, cos, cross3, dot3, matvec3, scale3, sin
 
 from .frame_motion import FrameMotion, Substitution
-from .rotation import Rotation
 
 
 @final

@@ -13,10 +13,10 @@ from numpy.typing import NDArray
 from symbody.simulation.given.event import Event
 from symbody.simulation.given.options import Options
 from symbody.simulation.given.parameter import parameters_in
+from symbody.simulation.integrate.baumgarte_parameters import chosen_damping
 from symbody.simulation.model.model import DAMPING, Model, without_stabilization
 from symbody.symbolic import Expr
 
-from .baumgarte_damping import chosen_damping
 from .outcome import Outcome
 
 __all__ = ["Columns", "Integrate", "KeepGoing", "Method", "Task"]

@@ -1,7 +1,7 @@
 """The correction of constraint violations: the smallest changes of a state that lead back onto the constraints.
 
 This file derives them as expressions. The integration loop applies them after each step (coordinate projection,
-`crates/integrate/src/projection.rs`). Baumgarte's stabilisation (`baumgarte_damping`) is the other way: it damps
+`crates/integrate/src/projection.rs`). Baumgarte's stabilisation (`baumgarte_parameters`) is the other way: it damps
 violations instead of removing them.
 """
 

@@ -8,19 +8,18 @@ from typing import Annotated, Protocol, TypeAlias, runtime_checkable
 from symbody.errors import FrameError
 from symbody.geometry.component.triple import Scalar, Triple, triple
 from symbody.geometry.component.twist import Twist
+from symbody.geometry.frame.frame import Frame, ground
+from symbody.geometry.frame.tracking import tracking
 from symbody.geometry.given.angle import angle as angle_in_radians
 from symbody.geometry.given.argument import checked
 from symbody.geometry.matrix.orientation import ROUGH, exact_axis, report_rounding
 from symbody.geometry.motion.axis_rotation import is_unit, rotation_about
 from symbody.geometry.motion.floating import floating
 from symbody.geometry.motion.frame_motion import FrameMotion
-from symbody.geometry.motion.rotation import AXES, Rotation
+from symbody.geometry.motion.principal_rotation import AXES, Rotation
 from symbody.geometry.motion.translation import Translation
 from symbody.symbolic import Expr, functions_of_time
 from symbody.symbolic.given.arguments import brief, counted
-
-from .frame import Frame, ground
-from .tracking import tracking
 
 Functions: TypeAlias = Annotated[
     Sequence[Expr], "a list of functions of time, such as functions_of_time('x y z')"

@@ -12,9 +12,8 @@ from typing import final
 from symbody.geometry.component.triple import NULL, Rate, Triple, is_null, rates
 from symbody.geometry.component.turning import Column, Nine, Turning, nine
 from symbody.geometry.given.angle import substituted
+from symbody.geometry.motion.frame_motion import FrameMotion, Substitution, Symmetric
 from symbody.symbolic import Expr, add3, cos, cross3, number, rotate3, rotate_back3, sin, time_derivatives
-
-from .frame_motion import FrameMotion, Substitution, Symmetric
 
 AXES = "XYZ"
 
