@@ -121,9 +121,9 @@ def test_displacements_along_parallel_axes_vanish() -> None:
         frame = frame * translate(0, 0.5, 0.25) * rotate("Y", angle)
         bodies.append(Body(frame, 1, 1, 1, 1))
     tree = tree_of(System(bodies, coordinates=q))
-    turning = [place for place in range(2, len(tree.frames)) if tree.motion(place).rotates]
-    assert [tree.motion(tree.parents[place]).displacement for place in turning] == [(0, 0, 0.25)] * 2
-    assert tree.motion(tree.index(frame)).displacement == (0, 1, 0)
+    turning = [place for place in range(2, len(tree.frames)) if tree.motions[place].rotates]
+    assert [tree.motions[tree.parents[place]].displacement for place in turning] == [(0, 0, 0.25)] * 2
+    assert tree.motions[tree.index(frame)].displacement == (0, 1, 0)
 
 
 def test_what_joins_nothing_stays() -> None:

@@ -32,7 +32,7 @@ class Selection:
 
     @property
     def root(self) -> Frame:
-        """The frame on which all bodies hang: ground, or a moving master frame."""
+        """The frame to which all bodies are attached: ground, or a moving master frame."""
         return self.bodies[0].frame.ancestor
 
     def actions(self, where: str) -> list[Action]:

@@ -98,9 +98,9 @@ class System:
         self.inputs = tuple(expression(each) for each in inputs)
         self._check()
 
-    @property
+    @cached_property
     def root(self) -> Frame:
-        """The frame on which all bodies hang: ground, or a moving master frame."""
+        """The frame to which all bodies are attached: ground, or a moving master frame."""
         return self.bodies[0].frame.ancestor
 
     @cached_property

@@ -79,7 +79,7 @@ class Equations:
         """The rates of the coordinates, each by the speeds: the rates are the keys."""
         return self.system.kinematics
 
-    @property
+    @cached_property
     def constraints(self) -> tuple[Expr, ...]:
         """The constraints phi, expressions that are zero."""
         return self.system.constraints

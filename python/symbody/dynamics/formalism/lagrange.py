@@ -135,7 +135,7 @@ def _mass_moment(tree: FrameTree, bodies: Sequence[Body]) -> Triple:
     for body in bodies:
         masses[tree.index(body.frame)] += body.mass
     for k in range(len(tree.frames) - 1, 0, -1):
-        motion, parent = tree.motion(k), tree.parents[k]
+        motion, parent = tree.motions[k], tree.parents[k]
         masses[parent] += masses[k]
         moved = add3(motion.to_parent(moments[k]), scale3(masses[k], motion.displacement))
         moments[parent] = add3(moments[parent], moved)

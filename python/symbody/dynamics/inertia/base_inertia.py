@@ -117,7 +117,7 @@ class _Regrouping:
         if inertia.is_null:
             return
         while place != self._groups.home[place]:
-            inertia = inertia.to_parent(self._tree.motion(place))
+            inertia = inertia.to_parent(self._tree.motions[place])
             place = self._tree.parents[place]
         known = self.result.composites.get(place)
         self.result.composites[place] = inertia if known is None else known.plus(inertia)
@@ -127,7 +127,7 @@ class _Regrouping:
         before = self._groups.before(place)
         if place == 0 or (self._tree.carried[before] and before not in self._owners):
             return _NOTHING
-        motion = self._tree.motion(place)
+        motion = self._tree.motions[place]
         if motion.turn_axis is not None:
             return _on_axis(whole, motion.turn_axis)
         return _NOTHING if motion.rotates else rotor(whole.inertia)
@@ -142,7 +142,7 @@ class _Regrouping:
             center = Particle(whole.mass, scale3(1 / whole.mass, whole.moment))
             yield self._without(place, center.position, place, center)
         for branch in self._groups.branches(place):
-            d = self._tree.motion(branch).displacement
+            d = self._tree.motions[branch].displacement
             for h, r in zip(whole.moment, d, strict=True):
                 if not h.is_zero and not r.is_zero and abs(float(h / r)) <= self._mass:
                     yield self._without(place, d, branch, Particle(h / r, NULL))

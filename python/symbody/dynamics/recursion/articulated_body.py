@@ -116,7 +116,7 @@ class _ArticulatedBodies:
         parent = self._tree.parents[place]
         if place == 0 or not self._tree.carried[parent]:
             return
-        motion = self._tree.motion(place)
+        motion = self._tree.motions[place]
         p[parent] = p[parent].plus(p[place].to_parent(motion))
         rigid, articulated = self._rigid[place], self._articulated[place]
         if rigid is not None:
@@ -138,7 +138,7 @@ class _ArticulatedBodies:
         for place in range(len(a)):
             angular, linear = a[0]
             if place > 0:
-                angular, linear = _carried(a[self._tree.parents[place]], self._tree.motion(place))
+                angular, linear = _carried(a[self._tree.parents[place]], self._tree.motions[place])
             for joint in reversed(self._joints[place]):
                 result[joint.speed] = rate = _response(joint, angular, linear)
                 angular = add3(angular, scale3(rate, joint.S.spin))

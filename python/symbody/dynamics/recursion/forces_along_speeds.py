@@ -35,5 +35,5 @@ def forces_along_speeds(tree: FrameTree, wrenches: Sequence[Wrench]) -> tuple[Ex
                 tau[k] += F[i].power(S)
         parent = tree.parents[i]
         if i > 0 and tree.carried[parent]:
-            F[parent] = F[parent].plus(F[i].to_parent(tree.motion(i)))
+            F[parent] = F[parent].plus(F[i].to_parent(tree.motions[i]))
     return tuple(tau)

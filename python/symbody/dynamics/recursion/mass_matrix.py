@@ -84,7 +84,7 @@ class _CompositeRigidBodies:
         if slides(self._tree, i):
             for k, S in self._tree.partial_twists(i).items():
                 self._add_wrench(i, k, composite.wrench(S.spin, S.drift))
-        motion = self._tree.motion(i)
+        motion = self._tree.motions[i]
         self._add_inertia(parent, composite.to_parent(motion))
         for k, F in self._F[i].items():
             self._add_wrench(parent, k, F.to_parent(motion))

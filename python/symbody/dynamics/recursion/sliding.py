@@ -39,7 +39,7 @@ class Share(NamedTuple):
 
 def slides(tree: FrameTree, place: int) -> bool:
     """Return whether speeds move a frame in its parent, and none of them turns it."""
-    return bool(tree.moved_by[place]) and place > 0 and not tree.motion(place).rotates
+    return bool(tree.moved_by[place]) and place > 0 and not tree.motions[place].rotates
 
 
 def sliding_children(tree: FrameTree) -> list[list[int]]:

@@ -4,11 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
+from functools import cached_property
 
 from symbody.errors import ModelError
 from symbody.geometry import Frame
+from symbody.geometry.component.triple import NULL
 from symbody.geometry.component.twist import Twist
 from symbody.geometry.motion.frame_motion import FrameMotion
+from symbody.geometry.motion.translation import Translation
 from symbody.multibody import Action, Body, System
 from symbody.symbolic import derivation, free_symbols
 from symbody.symbolic.given.arguments import brief
@@ -44,11 +47,11 @@ class FrameTree:
         """Return the place of a frame in the list."""
         return self.places[frame.key]
 
-    def motion(self, place: int) -> FrameMotion:
-        """Return the motion that takes the parent to the frame."""
-        motion = self.frames[place].motion
-        assert motion is not None, "only the root has no motion"
-        return motion
+    @cached_property
+    def motions(self) -> tuple[FrameMotion, ...]:
+        """The motions that take parents to the frames; the identity for the root, which has none."""
+        identity = Translation(NULL)
+        return tuple(frame.motion or identity for frame in self.frames)
 
     def partial_twists(self, place: int) -> dict[int, PartialTwist]:
         """Return what each speed, by its place, does to the motion of a frame in its parent."""
@@ -62,7 +65,7 @@ class FrameTree:
             return []
         if given is not None:
             return partial_twists_by_speeds(given, [self.system.speeds[k] for k in moving])
-        return partial_twists(self.motion(place), [self.system.driving[k] for k in moving])
+        return partial_twists(self.motions[place], [self.system.driving[k] for k in moving])
 
     @property
     def is_rigid(self) -> bool:

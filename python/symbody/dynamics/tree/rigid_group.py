@@ -24,7 +24,7 @@ class RigidGroups:
         self.home, self.travels = [0], [tree.carried[0]]
         self._bears = [False] * len(tree.frames)
         for place in range(1, len(tree.frames)):
-            motion, parent = tree.motion(place), tree.parents[place]
+            motion, parent = tree.motions[place], tree.parents[place]
             fixed = all(variable.is_constant for variable in motion.variables)
             self.home.append(self.home[parent] if fixed else place)
             displaced = tree.carried[place] and not is_null(motion.displacement)
@@ -41,5 +41,5 @@ class RigidGroups:
         """Return the frames fixed in the first one of a group, at another origin, that bear other groups."""
         for place in range(home + 1, len(self.home)):
             joined = self._tree.parents[place] == home and self.home[place] == home
-            if joined and self._bears[place] and not is_null(self._tree.motion(place).displacement):
+            if joined and self._bears[place] and not is_null(self._tree.motions[place].displacement):
                 yield place

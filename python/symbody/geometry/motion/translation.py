@@ -16,17 +16,14 @@ class Translation(FrameMotion):
 
     tag = b"translation"
     rotates = False
+    displacement: Triple = NULL
 
     def __init__(self, displacement: Triple) -> None:
-        self._displacement = displacement
+        self.displacement = displacement
 
     @property
     def variables(self) -> tuple[Expr, ...]:
-        return self._displacement
-
-    @property
-    def displacement(self) -> Triple:
-        return self._displacement
+        return self.displacement
 
     def to_parent(self, v: Triple) -> Triple:
         return v
@@ -39,22 +36,22 @@ class Translation(FrameMotion):
         return NULL
 
     def inverse(self) -> tuple[FrameMotion, ...]:
-        return (Translation(scale3(number(-1), self._displacement)),)
+        return (Translation(scale3(number(-1), self.displacement)),)
 
     def subs(self, substitution: Substitution) -> FrameMotion:
-        x, y, z = self._displacement
+        x, y, z = self.displacement
         return Translation((x.subs(substitution), y.subs(substitution), z.subs(substitution)))
 
     def __repr__(self) -> str:
-        return f"translate({', '.join(map(str, self._displacement))})"
+        return f"translate({', '.join(map(str, self.displacement))})"
 
     def merged(self, following: FrameMotion) -> FrameMotion | None:
         """Merge only translations that cancel: any other sum would hide the frame in between, which may be shared."""
         if not isinstance(following, Translation):
             return None
-        total = tuple(a + b for a, b in zip(self._displacement, following.displacement, strict=True))
+        total = tuple(a + b for a, b in zip(self.displacement, following.displacement, strict=True))
         return None if any(not component.is_zero for component in total) else Translation(NULL)
 
     @property
     def is_identity(self) -> bool:
-        return is_null(self._displacement)
+        return is_null(self.displacement)
