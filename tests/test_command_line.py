@@ -27,17 +27,17 @@ def lines_of(found: list[doctor.Finding]) -> dict[str, str]:
 
 def test_without_a_command_it_says_what_it_can_do(capsys: pytest.CaptureFixture[str]) -> None:
     assert main([]) == 0
-    told = capsys.readouterr().out
-    assert told.startswith("usage: python -m symbody ")
-    assert all(f"    {command} " in told for command in COMMANDS)
+    reported = capsys.readouterr().out
+    assert reported.startswith("usage: python -m symbody ")
+    assert all(f"    {command} " in reported for command in COMMANDS)
 
 
 def test_help_is_the_same(capsys: pytest.CaptureFixture[str]) -> None:
     main([])
-    told = capsys.readouterr().out
+    reported = capsys.readouterr().out
     with pytest.raises(SystemExit) as ended:
         main(["--help"])
-    assert (ended.value.code, capsys.readouterr().out) == (0, told)
+    assert (ended.value.code, capsys.readouterr().out) == (0, reported)
 
 
 def test_version(capsys: pytest.CaptureFixture[str]) -> None:
@@ -110,9 +110,9 @@ def test_packages_that_symbody_needs(
 ) -> None:
     versions(monkeypatch, {name: found})
     assert main(["doctor"]) == 1
-    told = capsys.readouterr().out
-    assert line in told.splitlines()
-    assert told.endswith(f"\nsymbody can't work as it is: look at {name}.\n")
+    reported = capsys.readouterr().out
+    assert line in reported.splitlines()
+    assert reported.endswith(f"\nsymbody can't work as it is: look at {name}.\n")
 
 
 def test_extras_that_are_missing_are_no_fault(monkeypatch: pytest.MonkeyPatch) -> None:

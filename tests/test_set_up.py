@@ -71,7 +71,7 @@ class Machine:
             check=False,
         )
 
-    def told(self, **environment: str) -> str:
+    def notices_of(self, **environment: str) -> str:
         """What it says where there is no Python to run."""
         done = self.run("scripts/tools.py", **environment)
         assert (done.returncode, done.stdout) == (1, "")
@@ -126,7 +126,7 @@ def test_one_comes_from_the_package_manager(machine: Machine) -> None:
 def test_the_package_manager_has_none(machine: Machine) -> None:
     machine.add_python("python3", "3.9.2")
     machine.add_apt()
-    assert machine.told() == (
+    assert machine.notices_of() == (
         f"Python 3.11 or newer is needed, found 3.9.2 at {machine.folder}/python3.\n{ELSEWHERE}"
     )
     assert machine.calls == ["update -qq"]
@@ -136,7 +136,8 @@ def test_the_package_manager_has_none(machine: Machine) -> None:
 def test_nothing_is_installed_where_that_is_not_wanted(machine: Machine, word: str) -> None:
     machine.add_apt(12)
     assert (
-        machine.told(INSTALL=word) == f"Python 3.11 or newer is needed, found none on the PATH.\n{ELSEWHERE}"
+        machine.notices_of(INSTALL=word)
+        == f"Python 3.11 or newer is needed, found none on the PATH.\n{ELSEWHERE}"
     )
     assert machine.calls == []
 
@@ -145,7 +146,7 @@ def test_a_user_who_is_not_root_installs_nothing(machine: Machine) -> None:
     machine.add_apt(12)
     machine.add("id", "echo 1000")
     machine.add("sudo", "exit 1")
-    assert machine.told().startswith("Python 3.11 or newer is needed, found none on the PATH.")
+    assert machine.notices_of().startswith("Python 3.11 or newer is needed, found none on the PATH.")
     assert machine.calls == []
 
 
@@ -160,11 +161,11 @@ def test_the_one_that_is_named_is_too_old_or_missing(machine: Machine) -> None:
     machine.add_python("python3", "3.11.7")
     machine.add_python("python3.9", "3.9.18")
     machine.add_apt(12)
-    assert machine.told(PYTHON="python3.9") == (
+    assert machine.notices_of(PYTHON="python3.9") == (
         f"Python 3.11 or newer is needed, found 3.9.18 at {machine.folder}/python3.9: PYTHON=python3.9 names it.\n"
         f"{ANOTHER}"
     )
-    assert machine.told(PYTHON="python3.8") == (
+    assert machine.notices_of(PYTHON="python3.8") == (
         f"Python 3.11 or newer is needed, found no program python3.8 that runs: PYTHON=python3.8 names it.\n{ANOTHER}"
     )
     assert machine.calls == []
@@ -223,11 +224,11 @@ def steps(*words: str) -> str:
 @pytest.mark.needs("make")
 @pytest.mark.parametrize("word", ["no", "NO", "No", "0", "false", "off"])
 def test_make_takes_any_no(word: str) -> None:
-    told = steps(f"INSTALL={word}")
-    calls = [line for line in told.splitlines() if "scripts/tools.py" in line]
+    reported = steps(f"INSTALL={word}")
+    calls = [line for line in reported.splitlines() if "scripts/tools.py" in line]
     assert len(calls) == 4
     assert all("--no-install" in call for call in calls)
-    assert "INSTALL=no sh scripts/python.sh" in told
+    assert "INSTALL=no sh scripts/python.sh" in reported
 
 
 @pytest.mark.needs("make")
@@ -235,7 +236,7 @@ def test_make_takes_any_no(word: str) -> None:
     "words", [(), ("INSTALL=yes",), ("INSTALL=/usr/bin/install -c",), ("PYTHON=python3.12",)]
 )
 def test_make_installs_otherwise(words: tuple[str, ...]) -> None:
-    told = steps(*words)
-    assert "INSTALL=yes sh scripts/python.sh" in told
-    assert told.count("--no-install") == 1
-    assert ("PYTHON='python3.12'" in told) == (words == ("PYTHON=python3.12",))
+    reported = steps(*words)
+    assert "INSTALL=yes sh scripts/python.sh" in reported
+    assert reported.count("--no-install") == 1
+    assert ("PYTHON='python3.12'" in reported) == (words == ("PYTHON=python3.12",))

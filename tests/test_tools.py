@@ -91,7 +91,7 @@ def user(machine: Machine, monkeypatch: pytest.MonkeyPatch) -> Machine:
     return machine
 
 
-def told(target: str, **options: bool) -> str:
+def message_for(target: str, **options: bool) -> str:
     with pytest.raises(SetupError) as error:
         tools.set_up(target, **options)
     return str(error.value)
@@ -193,11 +193,11 @@ def test_a_machine_without_rust_is_told_how_to_get_it(user: Machine) -> None:
         "Install Rust from https://rustup.rs (no root needed). If rustup is there already: "
         "rustup update stable && rustup default stable"
     )
-    assert told("build") == (
+    assert message_for("build") == (
         f"cargo, which builds the Rust extension, is missing; 1.85 or newer is needed.\n{way_out}"
     )
     user.add("cargo", CARGO % "1.63.0")
-    assert told("build") == (
+    assert message_for("build") == (
         "cargo, which builds the Rust extension, is too old (cargo 1.63.0 (f2d3ce0bd 2026-03-21)); "
         f"1.85 or newer is needed.\n{way_out}"
     )
@@ -207,12 +207,14 @@ def test_a_machine_without_network_has_no_packages(machine: Machine) -> None:
     machine.add("apt-get", "exit 100")
     machine.add("apt-cache", 'echo "  Candidate: (none)"')
     machine.add("cargo", CARGO % "1.85.0")
-    assert told("build").startswith("cc, which links the Rust extension, is missing.\nInstall a C compiler")
+    assert message_for("build").startswith(
+        "cc, which links the Rust extension, is missing.\nInstall a C compiler"
+    )
     tools.set_up("lint")
 
 
 def test_ci_leaves_nothing_out(user: Machine) -> None:
-    assert told("test", is_ci=True).splitlines()[:2] == [
+    assert message_for("test", is_ci=True).splitlines()[:2] == [
         "g++, which compiles the rivals of the benchmarks, is missing.",
         "Packages: apt-get: g++",
     ]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 
-from .scan import BOUND, MECHANISMS, Loss, Told
+from .scan import BOUND, MECHANISMS, Loss, Passages
 
 TEXT = """\
 # The scan of singular positions
@@ -38,9 +38,9 @@ the energy that a single bar loses with the same method.
 """
 
 
-def written(found: Sequence[Loss], told: Iterable[Told]) -> str:
+def written(found: Sequence[Loss], reported: Iterable[Passages]) -> str:
     """Return the report."""
-    return TEXT.format(losses="\n".join(map(_row, found)), others="\n".join(map(_other, told)))
+    return TEXT.format(losses="\n".join(map(_row, found)), others="\n".join(map(_other, reported)))
 
 
 def _row(loss: Loss) -> str:
@@ -53,9 +53,9 @@ def _row(loss: Loss) -> str:
     )
 
 
-def _other(told: Told) -> str:
-    kinds = told.kinds
+def _other(reported: Passages) -> str:
+    kinds = reported.kinds
     return (
-        f"| {told.method} | {told.constraints} | {kinds['passed']} | {kinds['noticed']} | {kinds['ended']} | "
+        f"| {reported.method} | {reported.constraints} | {kinds['passed']} | {kinds['noticed']} | {kinds['ended']} | "
         f"{kinds['silent']} |"
     )

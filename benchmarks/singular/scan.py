@@ -98,7 +98,7 @@ def _regular(speeds: tuple[float, ...], method: str, rtol: float) -> float:
 
 
 @dataclass(frozen=True)
-class Told:
+class Passages:
     """What became of motions by one of the other ways: how many of each kind.
 
     Attributes:
@@ -112,10 +112,10 @@ class Told:
     kinds: Counter[str]
 
 
-def others(names: Iterable[str] = ("one", "two", "kite", "slider_crank"), speeds: int = 5) -> list[Told]:
+def others(names: Iterable[str] = ("one", "two", "kite", "slider_crank"), speeds: int = 5) -> list[Passages]:
     """Move mechanisms by the other ways, at two tolerances and with two asked instants."""
     return [
-        Told(
+        Passages(
             method,
             constraints,
             Counter(

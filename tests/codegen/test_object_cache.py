@@ -291,9 +291,9 @@ def test_processes_at_the_same_time_share_it(home: Path):
     root = Path(__file__).parents[2]
     command = [sys.executable, "-c", PROCESS]
     started = [subprocess.Popen(command, stdout=subprocess.PIPE, text=True, cwd=root) for _ in range(3)]
-    told = {process.communicate()[0] for process in started}
-    assert len(told) == 1
-    assert len(told.pop().split()) == 6
+    reported = {process.communicate()[0] for process in started}
+    assert len(reported) == 1
+    assert len(reported.pop().split()) == 6
     assert len(list(home.iterdir())) == 6
     assert all(object_cache._read(file) for file in home.iterdir())
 

@@ -16,7 +16,7 @@ VALUES = np.array([2.0, 3.0])
 
 
 def code() -> PreparedCode:
-    """Return a function whose two ways differ, so that they can be told apart."""
+    """Return a function whose two ways differ, so that they can be distinguished."""
     shortcut = Shortcut((p * x, sin(q) * y), (x - p, sqrt(y)))
     solution = linear_solve(Matrix([[p, x], [x, q]]), [1, y])
     return PreparedCode((p, q), (x, y), (-solution[0], -solution[1] * sin(q)), shortcut)

@@ -109,7 +109,7 @@ def slider_crank() -> Linkage:
 
 
 def pendulum_on_rail(*, twice: bool = False) -> Linkage:
-    """A bob at (x, y) on a rod of length l about a pivot that moves by a sin(w t); the rod may be told twice."""
+    """A bob at (x, y) on a rod of length l about a pivot that moves by a sin(w t); the rod may be given twice."""
     m, l, g, a, w = symbols("m l g a w")
     x, y = functions_of_time("x y")
     rod = (x - a * sin(w * t)) ** 2 + y**2 - l**2

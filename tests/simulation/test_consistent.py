@@ -1,4 +1,4 @@
-"""Consistent states: constraints hold, what is given stays, the rest changes least; what can't be is told."""
+"""Consistent states: constraints hold, what is given stays, the rest changes least; what can't be is reported."""
 
 import numpy as np
 import pytest

@@ -29,7 +29,7 @@ from symbody.errors import ConstraintError, ModelNotice, SimulationError
 from symbody.simulation.constraint.kinematics import kinematics_of
 from symbody.simulation.integrate.contradictory_constraints import contradictory_constraints
 from tests.simulation.singular_mechanisms import cranks
-from tests.simulation.test_notices import told
+from tests.simulation.test_notices import notices_of
 
 x, y, z = functions_of_time("x y z")
 m, a, b, g = symbols("m a b g")
@@ -97,7 +97,7 @@ def test_forward_dynamics_tells_contradictions_from_dependences() -> None:
     def notices(*constraints: Expr) -> list[str]:
         found = forward_dynamics(beads(*constraints))
         function = lambdify([t, m, x, y], [*found.accelerations], equation_names=found.equation_names)
-        return told(lambda: function(0.3, 1.0, 0.0, 0.0))
+        return notices_of(lambda: function(0.3, 1.0, 0.0, 0.0))
 
     (contradiction,) = notices(x - sin(t), x - cos(t))
     assert contradiction == (
@@ -115,7 +115,7 @@ def test_forward_dynamics_tells_contradictions_from_dependences() -> None:
 def test_redundant_constraints_that_rounding_parts_go_on(off: float) -> None:
     equations = beads(x - a * sin(t), x - b * sin(t))
     values = {m: 1, a: 1.0, b: 1.0 + off}
-    notices = told(lambda: simulate(equations, values, t=(0, 5)))
+    notices = notices_of(lambda: simulate(equations, values, t=(0, 5)))
     assert len(notices) == 1
     assert "equation x - b*sin(t) follows from the others there" in notices[0]
 
@@ -141,10 +141,10 @@ def test_a_motion_that_leaves_its_constraints_says_so() -> None:
     gap = x - y**2 - sin(t)
     twice = beads(gap, gap * (3 + x))
     with pytest.raises(SimulationError, match=r"constraints 1 .* and 2 .* are dependent there"):
-        told(lambda: simulate(twice, {m: 1}, t=(0, 5)))
+        notices_of(lambda: simulate(twice, {m: 1}, t=(0, 5)))
     linkage = cranks(1)
     begin = linkage.begin(-1.3026755852842808)
-    notices = told(
+    notices = notices_of(
         lambda: simulate(
             linkage.equations, linkage.parameters, begin, (0, 10), method="bdf", rtol=1e-4, constraints="free"
         )
@@ -153,7 +153,7 @@ def test_a_motion_that_leaves_its_constraints_says_so() -> None:
         notice.startswith("simulate: the motion has left its constraints: at its end constraint")
         for notice in notices
     )
-    assert told(lambda: simulate(beads(gap), {m: 1}, {time_derivative(y): 0.5}, t=(0, 1))) == []
+    assert notices_of(lambda: simulate(beads(gap), {m: 1}, {time_derivative(y): 0.5}, t=(0, 1))) == []
 
 
 def equal_bars(*more: Expr) -> Equations:

@@ -103,13 +103,13 @@ def test_failures_name_them(kind: FailureKind) -> None:
     state = [gap - np.pi, gap - np.pi, np.pi - gap, 1.0, 1.0, -1.0]
     failure = Failure(kind, 4.25, "steps of about 2e-14 would never reach the end")
     outcome = Outcome(np.array([state]), [], (4.25, state), failure, Statistics(1, 0, 1, 0, is_stiff=False))
-    told = diagnosis(Integrated(task, values, outcome))
-    assert told.startswith(f"at t = 4.25 s: {failure.message}; constraint 1 (")
-    assert "restrains no motion there, or hardly any (ratio of singular values 1." in told
-    assert "friction" not in told
+    reported = diagnosis(Integrated(task, values, outcome))
+    assert reported.startswith(f"at t = 4.25 s: {failure.message}; constraint 1 (")
+    assert "restrains no motion there, or hardly any (ratio of singular values 1." in reported
+    assert "friction" not in reported
     regular = [1.0, 1.0, -1.0, 1.0, 1.0, -1.0]
     outcome = Outcome(
         np.array([regular]), [], (4.25, regular), failure, Statistics(1, 0, 1, 0, is_stiff=False)
     )
-    told = diagnosis(Integrated(task, values, outcome))
-    assert "ratio of singular values" not in told
+    reported = diagnosis(Integrated(task, values, outcome))
+    assert "ratio of singular values" not in reported

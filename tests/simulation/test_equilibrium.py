@@ -1,4 +1,4 @@
-"""Equilibria: against published numbers, least energy, formulas of small oscillations; what has none is told."""
+"""Equilibria: against published numbers, least energy, formulas of small oscillations; what has none is reported."""
 
 import numpy as np
 import pytest
@@ -262,9 +262,9 @@ def test_forces_that_the_position_does_not_determine_are_the_least_ones_and_are_
 
 def test_a_singular_position_has_no_eigenvalues() -> None:
     eqs, named, values = parallelogram()
-    with pytest.warns(ModelNotice) as told:
+    with pytest.warns(ModelNotice) as reported:
         found = equilibrium(eqs, values, fixed={named["a"]: 0, named["b"]: 0})
-    first, second = (str(notice.message) for notice in told)
+    first, second = (str(notice.message) for notice in reported)
     assert "lambda1 of constraint 1" in first
     assert (
         "is not determined here: it moves nothing at this position; those of minimum norm are given" in first
@@ -293,7 +293,7 @@ def test_a_mechanism_that_moves_by_its_dimensions_has_eigenvalues() -> None:
     constraints = [part for gap in gaps for part in gap.components[:2]]
     weight = Vector(ground, 0, -g, 0)
     eqs = newton_euler(System([*bodies, platform], (), [a, b, c, x, y], constraints, weight))
-    with pytest.warns(ModelNotice, match="are not determined here") as told:
+    with pytest.warns(ModelNotice, match="are not determined here") as reported:
         found = equilibrium(eqs, {m: 1, l: 1, g: 9.81}, guess={a: 0.2, b: 0.2, c: -0.1, x: 0.1, y: -1})
-    assert len(told) == 1
+    assert len(reported) == 1
     np.testing.assert_allclose(np.abs(found.eigenvalues.imag), [np.sqrt(9.81)] * 4, rtol=1e-6)

@@ -47,7 +47,7 @@ CIRCLE = newton_euler(
 
 
 class Mistake(NamedTuple):
-    """A case that fails, one of the same equations that does not, and what is told, as a pattern."""
+    """A case that fails, one of the same equations that does not, and what is reported, as a pattern."""
 
     equations: Equations
     bad: dict[Expr, float]
@@ -121,13 +121,15 @@ def parted(values: dict[Expr, float]) -> tuple[dict[Expr, float], dict[Expr, flo
 @pytest.mark.parametrize("name", MISTAKES)
 def test_one_motion_ends_with_a_word_and_keeps_what_was_computed(name: str) -> None:
     case = MISTAKES[name]
-    with pytest.raises(case.error) as told:
+    with pytest.raises(case.error) as reported:
         simulate(case.equations, *parted(case.bad), t=(0, 2))
     if np.isnan(case.end):
-        assert re.fullmatch(case.message, str(told.value))
+        assert re.fullmatch(case.message, str(reported.value))
         return
-    assert re.fullmatch(f"simulate: {case.message}; what was computed is the error's motion", str(told.value))
-    motion = told.value.motion  # type: ignore[attr-defined]
+    assert re.fullmatch(
+        f"simulate: {case.message}; what was computed is the error's motion", str(reported.value)
+    )
+    motion = reported.value.motion  # type: ignore[attr-defined]
     assert motion.t[-1] == pytest.approx(case.end, abs=1e-5)
     assert np.isfinite(motion.states).all()
     assert not motion.completed

@@ -28,7 +28,7 @@ def rotor(*, joined: bool = False) -> Equations:
     return newton_euler(System(bodies, (), [angle]))
 
 
-def told_of(equations: Equations, values: dict[str, object], *, many: bool = False) -> list[str]:
+def notices_of(equations: Equations, values: dict[str, object], *, many: bool = False) -> list[str]:
     numbers = {name: values[str(name)] for name in equations.system.leaves if str(name) in values}
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always")
@@ -40,31 +40,31 @@ def told_of(equations: Equations, values: dict[str, object], *, many: bool = Fal
 
 def test_inertias_that_come_with_the_values_are_checked() -> None:
     body = {"M": 1.0, "I1": 1.0, "I2": 1.0, "I3": 2.0}
-    assert told_of(rotor(), body) == []
-    (notice,) = told_of(rotor(), body | {"I3": 5.0})
+    assert notices_of(rotor(), body) == []
+    (notice,) = notices_of(rotor(), body | {"I3": 5.0})
     assert notice == (
         "simulate: disc: no body has these moments of inertia: the principal moments are 1, 1 and 5, and 5 is more "
         "than 1 + 1; check the numbers, their units, and that they are about the centre of mass"
     )
-    assert told_of(rotor(), body | {"M": -1.0})[0].startswith(
+    assert notices_of(rotor(), body | {"M": -1.0})[0].startswith(
         "simulate: disc has a negative mass or moment of inertia"
     )
 
 
 def test_cases_with_such_inertias_are_counted() -> None:
     body = {"M": 1.0, "I1": 1.0, "I2": 1.0, "I3": [2.0, 5.0, 1.0, 6.0]}
-    (notice,) = told_of(rotor(), body, many=True)
+    (notice,) = notices_of(rotor(), body, many=True)
     assert notice.startswith(
         "simulate_many: in 2 of 4 cases, first case 1: disc: no body has these moments of inertia"
     )
-    (notice,) = told_of(rotor(), body | {"I3": 1.0, "M": [1.0, -1.0, -2.0]}, many=True)
+    (notice,) = notices_of(rotor(), body | {"I3": 1.0, "M": [1.0, -1.0, -2.0]}, many=True)
     assert notice.startswith("simulate_many: first case 1: disc has a negative mass or moment of inertia")
 
 
 def test_a_hole_by_values_belongs_to_its_body() -> None:
     body = {"M": 1.0, "I1": 1.0, "I2": 1.0, "I3": 1.0, "hole": 0.1}
-    assert told_of(rotor(joined=True), body) == []
-    (notice,) = told_of(rotor(joined=True), body | {"hole": 1.5, "I3": 1.6})
+    assert notices_of(rotor(joined=True), body) == []
+    (notice,) = notices_of(rotor(joined=True), body | {"hole": 1.5, "I3": 1.6})
     assert (
         notice
         == "simulate: disc, hole: joined rigidly, these bodies make an impossible one: their masses add up to -0.5"

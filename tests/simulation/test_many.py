@@ -286,8 +286,8 @@ def interrupt_after(monkeypatch: pytest.MonkeyPatch, least: int) -> None:
 
     @contextmanager
     def impatient(*_: object, **__: object) -> Iterator[Callable[[float], None]]:
-        told = iter([interrupt])
-        yield lambda done: next(told, int)() if done >= least else None
+        reported = iter([interrupt])
+        yield lambda done: next(reported, int)() if done >= least else None
 
     monkeypatch.setattr(many, "progress_bar", impatient)
 
@@ -511,9 +511,9 @@ def test_a_process_killed_as_it_writes_leaves_a_whole_file(tmp_path: Path) -> No
 
 
 def test_lengths_differ() -> None:
-    with pytest.raises(ParameterError) as told:
+    with pytest.raises(ParameterError) as reported:
         simulate_many(PENDULUM, {m: [1, 2], l: 1, g: 9.81}, {q1: [1, 2, 3]})
-    assert str(told.value) == (
+    assert str(reported.value) == (
         "simulate_many: arrays of different lengths (m has 2, q1 has 3); expected one value for each case in every "
         "array, or a number for all cases. For all combinations use cases=grid({...})"
     )
@@ -558,18 +558,18 @@ def test_a_list_of_dictionaries_is_a_dictionary_of_rows() -> None:
 @pytest.mark.parametrize("kind", ["parameters", "initial", "cases"])
 @pytest.mark.parametrize("given", [5, "mass", [1.0, 2.0], [], [{m: 1.0}, 2.0], m, np.array([1.0, 2.0])])
 def test_what_is_no_dictionary_and_no_list_of_them(kind: str, given: Any) -> None:
-    with pytest.raises(ArgumentError) as told:
+    with pytest.raises(ArgumentError) as reported:
         simulate_many(PENDULUM, **{kind: given})
-    assert str(told.value) == (
+    assert str(reported.value) == (
         f"simulate_many, {kind}: {described(given)}; expected a dictionary of variables and their values, or a list of "
         "dictionaries, one for each motion"
     )
 
 
 def test_dictionaries_that_differ() -> None:
-    with pytest.raises(ParameterError) as told:
+    with pytest.raises(ParameterError) as reported:
         simulate_many(PENDULUM, [{m: 1, l: 1, g: 1}, {m: 1, l: 1}, {m: 1, q1: 1}])
-    assert str(told.value) == (
+    assert str(reported.value) == (
         "simulate_many, parameters: the dictionaries of cases 0 and 1 differ by g; expected the same variables in "
         "all of them"
     )

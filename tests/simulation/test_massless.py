@@ -19,7 +19,7 @@ from symbody import (
     translate,
 )
 from symbody.errors import ModelNotice, SimulationError
-from tests.simulation.test_notices import told
+from tests.simulation.test_notices import notices_of
 
 x, y, z = functions_of_time("x y z")
 m, k, g = symbols("m k g")
@@ -72,6 +72,6 @@ def test_massless_speeds_that_constraints_determine() -> None:
 
 
 def test_massless_speeds_without_a_force_stay() -> None:
-    notices = told(lambda: simulate(bead(y - z, coordinates=(x, y, z)), VALUES, {z: 0.5}, t=(0, 1)))
+    notices = notices_of(lambda: simulate(bead(y - z, coordinates=(x, y, z)), VALUES, {z: 0.5}, t=(0, 1)))
     assert len(notices) == 1
     assert ": equation of x' follows from the others there" in notices[0]

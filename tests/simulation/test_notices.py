@@ -63,7 +63,7 @@ BY_STATE = driven(-linear_solve([[1, A + 0 * x], [A * (1 + x - x), 1 + 1e-30 * x
 DAMPED = driven(-k * time_derivative(x) - x)
 
 
-def told(call: Callable[[], object]) -> list[str]:
+def notices_of(call: Callable[[], object]) -> list[str]:
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always")
         call()
@@ -79,10 +79,10 @@ BATCH = [f"simulate_many: in 3 of 20 cases, first case 3: {DEFICIENT}"]
 @pytest.mark.parametrize("method", ["dop853", "bdf", "ida"])
 def test_a_deficiency_belongs_to_its_run(equations: Equations, method: str) -> None:
     def one(a: float) -> list[str]:
-        return told(lambda: simulate(equations, {m: 1, k: 4, A: a}, {x: 1}, t=(0, 0.2), method=method))
+        return notices_of(lambda: simulate(equations, {m: 1, k: 4, A: a}, {x: 1}, t=(0, 0.2), method=method))
 
     def many() -> list[str]:
-        return told(lambda: simulate_many(equations, VALUES, {x: 1}, t=(0, 0.2), method=method))
+        return notices_of(lambda: simulate_many(equations, VALUES, {x: 1}, t=(0, 0.2), method=method))
 
     assert [one(0.5), one(1.0), one(0.5)] == [[], [f"simulate: {DEFICIENT}"], []]
     assert [many(), one(0.5), one(1.0)] == [BATCH, [], [f"simulate: {DEFICIENT}"]]
@@ -91,7 +91,7 @@ def test_a_deficiency_belongs_to_its_run(equations: Equations, method: str) -> N
 @pytest.mark.parametrize("workers", [ThreadPoolExecutor, ProcessPoolExecutor])
 def test_workers_report_to_the_batch(workers: type[Executor], capfd: pytest.CaptureFixture[str]) -> None:
     with workers(2) as executor:  # type: ignore[call-arg]
-        notices = told(
+        notices = notices_of(
             lambda: simulate_many(
                 BY_PARAMETERS, VALUES, {x: 1}, t=(0, 0.2), executor=executor, progress=False
             )
@@ -104,7 +104,7 @@ def test_results_of_a_file_are_reported_again(tmp_path: Path) -> None:
     def run() -> Any:
         return simulate_many(BY_PARAMETERS, VALUES, {x: 1}, t=(0, 0.2), path=tmp_path / "runs.npz")
 
-    assert [told(run), told(run)] == [BATCH, BATCH]
+    assert [notices_of(run), notices_of(run)] == [BATCH, BATCH]
     with pytest.warns(ModelNotice):
         runs = run()
     assert [case for case, findings in enumerate(runs.findings) if findings] == SINGULAR
@@ -118,22 +118,24 @@ def test_outputs_of_a_batch_are_reported_once() -> None:
     def many() -> Any:
         return simulate_many(DAMPED, {**VALUES, k: 1.0}, {x: 1}, t=(0, 0.2), outputs=outputs)
 
-    assert told(many) == BATCH
+    assert notices_of(many) == BATCH
 
 
 def test_what_is_read_from_runs_is_reported_with_its_cases() -> None:
     with pytest.warns(ModelNotice):
         runs = simulate_many(BY_PARAMETERS, VALUES, {x: 1}, t=(0, 0.2))
     acceleration = time_derivative(time_derivative(x))
-    assert told(lambda: runs[acceleration]) == [f"runs[x'']: in 3 of 20 cases, first case 3: {DEFICIENT}"]
+    assert notices_of(lambda: runs[acceleration]) == [
+        f"runs[x'']: in 3 of 20 cases, first case 3: {DEFICIENT}"
+    ]
 
 
 def test_stiff_cases_are_counted() -> None:
     stiffness = [1.0, 1e4, 1.0, 2e4]
-    assert told(lambda: simulate_many(DAMPED, {m: 1, k: stiffness}, {x: 1}, t=(0, 10))) == [
+    assert notices_of(lambda: simulate_many(DAMPED, {m: 1, k: stiffness}, {x: 1}, t=(0, 10))) == [
         f"simulate_many: in 2 of 4 cases, first case 1: {STIFF}"
     ]
-    assert told(lambda: simulate(DAMPED, {m: 1, k: 1e4}, {x: 1}, t=(0, 10))) == [f"simulate: {STIFF}"]
+    assert notices_of(lambda: simulate(DAMPED, {m: 1, k: 1e4}, {x: 1}, t=(0, 10))) == [f"simulate: {STIFF}"]
 
 
 def test_two_simulations_at_once_keep_their_deficiencies() -> None:
@@ -159,15 +161,15 @@ def test_two_simulations_at_once_keep_their_deficiencies() -> None:
 def test_functions_report_systems_of_parameters(options: dict[str, Any]) -> None:
     stiffness = lambdify([A, k], linear_solve([[1, A], [A, 1]], [k, k]), **options)
     points = np.linspace(0.0, 0.5, 40)
-    assert told(lambda: stiffness(points, 4.0)) == []
-    assert told(lambda: stiffness(np.append(points, 1.0), 4.0)) == [f"lambdify: {DEFICIENT}"]
-    assert told(lambda: stiffness(points, 4.0)) == []
+    assert notices_of(lambda: stiffness(points, 4.0)) == []
+    assert notices_of(lambda: stiffness(np.append(points, 1.0), 4.0)) == [f"lambdify: {DEFICIENT}"]
+    assert notices_of(lambda: stiffness(points, 4.0)) == []
 
 
 def test_evaluation_of_one_expression_reports() -> None:
     value = linear_solve([[1, A], [A, 1]], [k, k])[0]
-    assert told(lambda: value.evaluate({A: 1.0, k: 4.0})) == [f"evaluate: {DEFICIENT}"]
-    assert told(lambda: value.evaluate({A: 0.5, k: 4.0})) == []
+    assert notices_of(lambda: value.evaluate({A: 1.0, k: 4.0})) == [f"evaluate: {DEFICIENT}"]
+    assert notices_of(lambda: value.evaluate({A: 0.5, k: 4.0})) == []
 
 
 def test_the_worst_of_many_cases_is_named() -> None:
@@ -248,12 +250,12 @@ SOLVED = linear_solve([[1, A], [A, 1]], [k, k])[0]
     ],
 )
 def test_a_function_reports_once_under_its_own_name(where: str, call: Callable[[], object]) -> None:
-    assert told(call) == [f"{where}: {DEFICIENT}"]
+    assert notices_of(call) == [f"{where}: {DEFICIENT}"]
 
 
 @pytest.mark.parametrize("method", ["dop853", "bdf", "ida"])
 def test_what_contradicts_does_not_follow_as_well(method: str) -> None:
     """Right sides of a Jacobian's systems may fit each other where those of the rates don't."""
     pushed = driven(linear_solve([[x, x], [x, A * x]], [1, 2])[0])
-    (notice,) = told(lambda: simulate(pushed, {m: 1.0, A: 1.0}, {x: 1.0}, t=(0, 1), method=method))
+    (notice,) = notices_of(lambda: simulate(pushed, {m: 1.0, A: 1.0}, {x: 1.0}, t=(0, 1), method=method))
     assert "equation number 2 contradicts equation number 1 there" in notice

@@ -62,9 +62,9 @@ GUESS = {b: 0.8, c: 0.8, x: 0.35, y: -0.35}
 
 @pytest.mark.parametrize("constraints", ["projection", "free", "baumgarte"])
 def test_special_dimensions_are_told(constraints: str) -> None:
-    with pytest.raises(ConstraintError) as told:
+    with pytest.raises(ConstraintError) as reported:
         simulate(parallel_cranks(drops=0), VALUES, START, t=(0, 1), guess=GUESS, constraints=constraints)
-    assert str(told.value) == (
+    assert str(reported.value) == (
         "simulate: the constraints let a', b', c', x', y' be other than zero at this position, but at almost no "
         "other one: constraints 1, 2, 3, 4, 5, 6 depend on each other here. If they do so wherever the mechanism "
         "moves, because of its special dimensions, it is overconstrained: leave out 1 of them, best 2, 3, 4 or 6 "
@@ -96,9 +96,9 @@ def test_a_parameter_that_takes_a_constraint_away(constraints, method) -> None:
     settings = {"t": (0, 1), "constraints": constraints, "method": method}
     closed = simulate(clutch(), {m: 1, g: 1, d: 0.5}, {a: 0.0, time_derivative(a): 0.15}, **settings)
     np.testing.assert_allclose(closed.states[-1], [0.4, 0.4, 0.65, 0.65], atol=1e-6)
-    with pytest.raises(ConstraintError) as told:
+    with pytest.raises(ConstraintError) as reported:
         simulate(clutch(), {m: 1, g: 1, d: 0.0}, {a: 0.0}, **settings)
-    assert str(told.value) == (
+    assert str(reported.value) == (
         "simulate: with d = 0 fewer constraints are independent than in the equations, which were derived for "
         "other values; leave out of the system the constraints that then follow from the others: d*(a - b)"
     )
@@ -108,9 +108,9 @@ def test_parameters_by_which_constraints_agree_everywhere() -> None:
     """x + g y = 0 and x + d y = 0 leave x and y no motion, unless g = d."""
     disc = Body(translate(x, y, 0) * rotate("Z", a), m, 0, 0, m)
     equations = newton_euler(System([disc], (), [x, y, a], [x + g * y, x + d * y]))
-    with pytest.raises(ConstraintError) as told:
+    with pytest.raises(ConstraintError) as reported:
         simulate(equations, {m: 1, g: 1, d: 1}, {x: 0.0}, t=(0, 1))
-    assert str(told.value).startswith(
+    assert str(reported.value).startswith(
         "simulate: with d = 1 and g = 1 constraints 1, 2 depend on each other at every position; the equations were "
         "derived for other values, for which x', y' can only be zero: leave out 1 of them"
     )

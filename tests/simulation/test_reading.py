@@ -137,7 +137,7 @@ STRANGE_LISTS: list[tuple[object, str]] = [
 ]
 
 
-def told(call: Callable[[], object]) -> str:
+def error_text(call: Callable[[], object]) -> str:
     with pytest.raises(ArgumentError) as caught:
         call()
     return str(caught.value)
@@ -146,7 +146,7 @@ def told(call: Callable[[], object]) -> str:
 @pytest.mark.parametrize("name", RESULTS)
 @pytest.mark.parametrize("index", INDICES)
 def test_numbers_are_no_expressions_here(name: str, index: Any) -> None:
-    message = told(lambda: RESULTS[name][index])
+    message = error_text(lambda: RESULTS[name][index])
     kind = type(index).__name__
     article = "an" if kind.startswith("i") else "a"
     assert message == (
@@ -157,7 +157,7 @@ def test_numbers_are_no_expressions_here(name: str, index: Any) -> None:
 @pytest.mark.parametrize("name", RESULTS)
 @pytest.mark.parametrize("through", [list, iter, reversed, lambda result: [*zip(result, [1], strict=False)]])
 def test_no_loop_goes_on_for_ever(name: str, through: Callable[[object], object]) -> None:
-    message = told(lambda: list(through(RESULTS[name])))  # type: ignore[call-overload]
+    message = error_text(lambda: list(through(RESULTS[name])))  # type: ignore[call-overload]
     assert message.startswith(f"{name}")
     assert message.endswith(ROWS[name])
 
@@ -165,13 +165,15 @@ def test_no_loop_goes_on_for_ever(name: str, through: Callable[[object], object]
 @pytest.mark.parametrize("name", RESULTS)
 @pytest.mark.parametrize(("asked", "message"), STRANGE)
 def test_what_is_no_expression(name: str, asked: Any, message: str) -> None:
-    assert told(lambda: RESULTS[name][asked]) == f"{name}[...]: {message.format(name=name)}"
+    assert error_text(lambda: RESULTS[name][asked]) == f"{name}[...]: {message.format(name=name)}"
 
 
 @pytest.mark.parametrize("name", RESULTS)
 @pytest.mark.parametrize(("asked", "message"), STRANGE_LISTS)
 def test_what_is_no_list_of_expressions(name: str, asked: Any, message: str) -> None:
-    assert told(lambda: RESULTS[name].evaluate(asked)) == f"{name}.evaluate: {message.format(name=name)}"
+    assert (
+        error_text(lambda: RESULTS[name].evaluate(asked)) == f"{name}.evaluate: {message.format(name=name)}"
+    )
 
 
 @pytest.mark.parametrize("name", RESULTS)
@@ -208,7 +210,7 @@ def test_runs_name_what_has_no_values(read: Callable[[object], object]) -> None:
 
 @pytest.mark.parametrize(("instant", "what"), [(3, "3 is an int"), (-4, "-4 is an int"), (x, "x is an Expr")])
 def test_states_at_instants_that_there_are_not(instant: Any, what: str) -> None:
-    assert told(lambda: MOTION.state_at(instant)) == (
+    assert error_text(lambda: MOTION.state_at(instant)) == (
         f"motion.state_at: {what}; expected the index of one of the 3 instants, from 0"
     )
     assert MOTION.state_at(-3) == {x: 1.0, time_derivative(x): 0.0}

@@ -104,9 +104,9 @@ def closed_folder() -> Iterator[Path]:
 
 
 def message(error: type[Exception], write: Writer, folder: Path) -> str:
-    with pytest.raises(error) as told:
+    with pytest.raises(error) as reported:
         write(folder)
-    return str(told.value)
+    return str(reported.value)
 
 
 # --- full disks and closed folders -----------------------------------------------------------------------------------
@@ -119,8 +119,8 @@ def test_a_figure_on_a_full_disk(ending: str, left: int, tmp_path: Path) -> None
     figure(ending)(tmp_path)
     before = (tmp_path / f"figure.{ending}").read_bytes()
     with full_disk(left):
-        told = message(PictureError, figure(ending), tmp_path)
-    assert told == (
+        reported = message(PictureError, figure(ending), tmp_path)
+    assert reported == (
         f"view: {tmp_path}/figure.{ending} can't be written (File too large); nothing was changed there. "
         "Choose another path"
     )
@@ -129,8 +129,8 @@ def test_a_figure_on_a_full_disk(ending: str, left: int, tmp_path: Path) -> None
 
 def test_a_page_and_code_on_a_full_disk(tmp_path: Path) -> None:
     with full_disk(1000):
-        told = [message(PictureError, page, tmp_path), message(CodegenError, code, tmp_path)]
-    assert told == [
+        reported = [message(PictureError, page, tmp_path), message(CodegenError, code, tmp_path)]
+    assert reported == [
         (
             f"view: {tmp_path}/page.html can't be written (File too large); nothing was changed there. "
             "Choose another path"
@@ -171,9 +171,9 @@ def test_folders_that_are_closed(
 ) -> None:
     write(tmp_path)  # imports what it needs, which may be out of reach for whom the folder is closed
     with closed_folder() as closed:
-        told = message(error, write, closed / below)
+        reported = message(error, write, closed / below)
         way_out = "Choose another folder as path" if write is code else "Choose another path"
-        assert told == (
+        assert reported == (
             expected.format(closed / below, "Permission denied") + f"nothing was changed there. {way_out}"
         )
 
@@ -224,7 +224,7 @@ def test_a_name_that_has_just_room(tmp_path: Path) -> None:
 # --- the file of results ---------------------------------------------------------------------------------------------
 
 
-def told_of(file: Path) -> str:
+def refusal_of(file: Path) -> str:
     return message(ResultsError, lambda folder: six(path=folder / file.name), file.parent)
 
 
@@ -240,7 +240,7 @@ def test_results_that_were_cut_or_changed(tmp_path: Path) -> None:
         (bytes(changed), "Bad CRC-32 for file 'states.npy'"),
     ):
         file.write_bytes(content)
-        assert told_of(file) == (
+        assert refusal_of(file) == (
             f"simulate_many: {file} can't be read as a results file ({reason}); the file was not changed. Give "
             "another path, or remove the file"
         )
@@ -298,12 +298,12 @@ many.progress_bar = lambda *_, **__: nullcontext(lambda _: mark("call"))
 
 if __name__ == "__main__":
     if sys.argv[1] == "native":
-        told = long(threads=2)
+        reported = long(threads=2)
     else:
         kind = ThreadPoolExecutor(2) if sys.argv[1] == "threads" else ProcessPoolExecutor(2, get_context("spawn"))
         with kind as executor:
-            told = long(executor=executor)
-    print(*told, sep="\\n")
+            reported = long(executor=executor)
+    print(*reported, sep="\\n")
 """
 
 
@@ -339,11 +339,11 @@ def test_ctrl_c_in_a_terminal_ends_motions_that_take_long(
                 assert process.poll() is None
                 time.sleep(0.01)
             reach(process.pid, signal.SIGINT)
-            told, errors = process.communicate()
+            reported, errors = process.communicate()
         finally:
             if process.poll() is None:
                 os.killpg(process.pid, signal.SIGKILL)
-    assert told == (
+    assert reported == (
         "Runs(4 cases, 3 instants, 4 not run)\n"
         "simulate_many: 4 of 4 motions were not run (interrupted); they are in .not_run, and their values are NaN; "
         "give a path to keep results for another call\n"

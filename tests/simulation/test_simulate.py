@@ -179,9 +179,9 @@ def test_dependent_constraints_are_told_once(method):
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always")
         motion = simulate(rail.equations, rail.parameters, {rail["x"]: 1.0}, t=(0, 1), method=method)
-    told = [str(each.message) for each in caught if "deficient rank" in str(each.message)]
-    assert len(told) == 1
-    assert "follows from the others there; the minimum-norm solution is returned" in told[0]
+    reported = [str(each.message) for each in caught if "deficient rank" in str(each.message)]
+    assert len(reported) == 1
+    assert "follows from the others there; the minimum-norm solution is returned" in reported[0]
     assert motion.constraint_drift < 1e-12
 
 

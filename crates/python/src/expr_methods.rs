@@ -444,7 +444,7 @@ fn parts(graph: &mut Graph, id: Id) -> Result<Vec<Id>, Error> {
             return Ok(vec![graph.number(&number), child]);
         }
         View::Product(factors) => factors.iter().collect(),
-        // The system is no expression: its parts follow the number of the component.
+        // The system is not an expression: its parts follow the number of the component.
         View::Solution(system, index) => {
             let parts = graph.children(system);
             return Ok(std::iter::once(graph.integer(i64::from(index))).chain(parts).collect());

@@ -45,7 +45,7 @@ def gravitational_energy(objects: Objects, gravity: Vector | None = None) -> Exp
         gravity: the acceleration; by default that of the system.
 
     Raises:
-        ModelError: there is no gravity, or the bodies hang on a moving master frame, whose height is unknown.
+        ModelError: there is no gravity, or the bodies are attached to a moving master frame, whose height is unknown.
 
     >>> from symbody import Body, Vector, functions_of_time, gravitational_energy, ground, symbols, translate
     >>> z, (m, g) = functions_of_time("z"), symbols("m g")

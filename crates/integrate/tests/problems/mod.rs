@@ -138,7 +138,7 @@ pub unsafe extern "C" fn along_circle(inputs: *const f64, out: *mut f64) {
     out.copy_from_slice(&[part * x, part * y]);
 }
 
-/// A rate that is no number from t = 1 on: `x' = sqrt(1 - t)`; reads t, x.
+/// A rate that is NaN from t = 1 on: `x' = sqrt(1 - t)`; reads t, x.
 pub unsafe extern "C" fn ends_at_one(inputs: *const f64, out: *mut f64) {
     // SAFETY: lengths as documented.
     unsafe { *out = (1.0 - *inputs).sqrt() };

@@ -21,7 +21,7 @@ from .frame import Frame, frames_without_state
 
 @final
 class AccelerationField:
-    """The accelerations of all frames that hang on one root.
+    """The accelerations of all frames of one root.
 
     Args:
         offset: an acceleration added to the root's, in its axes; minus gravity makes weight an inertia force.

@@ -150,7 +150,7 @@ class DifferentialAlgebraicEquations:
         """Return the machine code of expressions of time, state, accelerations, multipliers and parameters."""
         values = self.model.with_inputs(expressions)
         if any(leaf.depends_on_time for leaf in free_symbols(values) - {*self.inputs}):
-            values = self.model.along_motion(expressions)  # rates of accelerations are no unknowns
+            values = self.model.along_motion(expressions)  # rates of accelerations are not unknowns
         return PreparedCode(parameters_in(values), self.inputs, values)
 
 
