@@ -24,6 +24,7 @@ from symbody import (
     symbols,
     translate,
 )
+from symbody.errors import LoadError
 from symbody.multibody import Action, Load
 
 m, a, F = symbols("m a F")
@@ -122,3 +123,20 @@ def test_system_and_equations() -> None:
         "    constraint: x - 2*y = 0",
     ]
     assert equations.latex().count(r"\\") == 2
+
+
+class Computed(Load):
+    """A load whose actions are computed at each use."""
+
+    @property
+    def actions(self) -> tuple[Action, ...]:
+        return (Action(body, Vector(ground, F, 0, 0), A),)
+
+
+def test_actions_that_cannot_be_replaced_are_not_projected_in_silence() -> None:
+    with pytest.raises(LoadError) as caught:
+        project(Computed(), T)
+    assert str(caught.value) == (
+        "project: Computed.actions is computed at each use; expected a cached_property, whose value can be replaced by "
+        "the projected actions"
+    )

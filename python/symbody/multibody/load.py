@@ -106,9 +106,18 @@ class Load(ABC):
 
     @checked(LoadError)
     def projected(self, frame: Frame) -> Self:
-        """Return the same load, by the components of its actions in another frame."""
-        same = copy(self)
-        vars(same)["actions"] = tuple(action.projected(frame) for action in self.actions)
+        """Return the same load, by the components of its actions in another frame.
+
+        Raises:
+            LoadError: the class of the load computes its actions at each use, so that others cannot be stored.
+        """
+        same, actions = copy(self), tuple(action.projected(frame) for action in self.actions)
+        vars(same)["actions"] = actions
+        if same.actions is not actions:
+            raise LoadError(
+                f"project: {type(self).__name__}.actions is computed at each use; expected a cached_property, whose "
+                "value can be replaced by the projected actions"
+            )
         return same
 
     def __repr__(self) -> str:
