@@ -65,6 +65,7 @@
 //! | `polynomial` | sparse polynomials with exact coefficients |
 //! | `kernel` | linear systems in doubles |
 //! | `graph` | the table of nodes, the table of functions, orders of traversal, operation counts |
+//! | `evaluate` | the exact values of nodes at the random points, and equality |
 //! | `print` | plain text, LaTeX, Maple |
 //! | `canonical` | the constructors: here `x + 0` becomes `x` |
 //! | `calculus` | derivatives, gradients, substitution |
@@ -79,6 +80,7 @@
 mod calculus;
 mod canonical;
 mod error;
+mod evaluate;
 mod graph;
 mod kernel;
 mod linear;

@@ -54,7 +54,7 @@ impl Graph {
         let ids: Vec<Id> = ids.iter().map(|&id| self.adopt(id)).collect();
         let dependence = self.dependence(&ids, &[variable]);
         self.tangents(&ids, dependence.on(0), &mut |graph, id| {
-            Ok((graph.value(id) == graph.value(variable)).then_some(Id::ONE))
+            Ok(graph.same(id, variable).then_some(Id::ONE))
         })
     }
 
@@ -354,9 +354,8 @@ impl Graph {
         let dependence = self.dependence(&ids, variables);
         let mut rows = vec![vec![Id::ZERO; variables.len()]; ids.len()];
         for (j, &variable) in variables.iter().enumerate() {
-            let value = self.value(variable);
             let column = self.tangents(&ids, dependence.on(j), &mut |graph, id| {
-                Ok((graph.value(id) == value).then_some(Id::ONE))
+                Ok(graph.same(id, variable).then_some(Id::ONE))
             })?;
             for (row, derivative) in rows.iter_mut().zip(column) {
                 row[j] = derivative;

@@ -3,8 +3,7 @@
 use rustc_hash::FxHashMap;
 
 use crate::error::Error;
-use crate::graph::{Function, Graph, Id, Kind, View};
-use crate::value::Element;
+use crate::graph::{ByValue, Function, Graph, Id, Kind, View};
 
 impl Graph {
     /// The expressions with every target replaced, all at once.
@@ -16,7 +15,7 @@ impl Graph {
     /// # Errors
     /// If a target is a number, or a divisor becomes zero.
     pub fn substitute(&mut self, roots: &[Id], pairs: &[(Id, Id)]) -> Result<Vec<Id>, Error> {
-        let mut targets: FxHashMap<Element, Id> = FxHashMap::default();
+        let mut targets: ByValue<Id> = ByValue::default();
         let mut time = None;
         for &(target, replacement) in pairs {
             match self.kind(target) {
@@ -24,12 +23,12 @@ impl Graph {
                 Kind::Time => time = Some(replacement),
                 _ => {}
             }
-            targets.insert(self.value(target), replacement);
+            targets.push(self, target, replacement);
         }
         let order = self.post_order_where(roots, |_| true);
         let mut done: FxHashMap<Id, Id> = FxHashMap::default();
         for id in order {
-            let replaced = match targets.get(&self.value(id)) {
+            let replaced = match targets.get(self, id) {
                 Some(&replacement) => replacement,
                 None => self.substitute_in(id, &targets, time, &done)?,
             };
@@ -41,7 +40,7 @@ impl Graph {
     fn substitute_in(
         &mut self,
         id: Id,
-        targets: &FxHashMap<Element, Id>,
+        targets: &ByValue<Id>,
         time: Option<Id>,
         done: &FxHashMap<Id, Id>,
     ) -> Result<Id, Error> {
@@ -49,7 +48,7 @@ impl Graph {
             let name = name.to_owned();
             for lower in (0..order).rev() {
                 let base = self.time_function(&name, lower)?;
-                if let Some(&replacement) = targets.get(&self.value(base)) {
+                if let Some(&replacement) = targets.get(self, base) {
                     let mut derivative = replacement;
                     for _ in lower..order {
                         derivative = self.time_derivative(derivative)?;

@@ -3,14 +3,26 @@
 //! The classes belong to one derivation, so a result depends on the model alone and never on what else the process has
 //! computed. Nodes from outside are rebuilt on their first use.
 
-use crate::graph::{Graph, Id, Kind, View};
+use crate::evaluate::Pending;
+use crate::graph::{Flags, Graph, Id, Kind, View};
 use crate::value::Element;
 
 impl Graph {
-    /// The node of the derivation in progress that has this value, if there is one.
-    pub(super) fn known_value(&mut self, value: Element) -> Option<Id> {
-        let (id, negated) = self.classes.as_ref()?.find(value)?;
+    /// The node of the derivation in progress that has the value of something with this fingerprint, if there is one.
+    pub(super) fn known_value(&mut self, value: Element, pending: Pending<'_>) -> Option<Id> {
+        let classes = self.classes.as_ref()?;
+        let (id, negated) = classes
+            .candidates(value)
+            .map(|id| (id, self.value(id) != value))
+            .find(|&(id, negated)| self.agrees(pending, id, negated))?;
         Some(if negated { self.opposite(id) } else { id })
+    }
+
+    /// The node without signs and roots of the derivation in progress that has this fingerprint, if there is one.
+    pub(super) fn known_plain(&mut self, value: Element) -> Option<Id> {
+        let classes = self.classes.as_ref()?;
+        let id = classes.candidates(value).find(|&id| !self.flags(id).has(Flags::BRANCH))?;
+        Some(if self.value(id) == value { id } else { self.opposite(id) })
     }
 
     /// Record that nodes became parts of another one.
@@ -52,7 +64,9 @@ impl Graph {
                 continue;
             }
             let adopted = if self.is_leaf(id) {
-                self.known_value(self.value(id)).filter(|_| self.kind(id) != Kind::Number).unwrap_or(id)
+                self.known_value(self.value(id), Pending::Node(id))
+                    .filter(|_| self.kind(id) != Kind::Number)
+                    .unwrap_or(id)
             } else {
                 let map = |graph: &Self, child: Id| {
                     graph.classes.as_ref().and_then(|classes| classes.representative(child)).unwrap_or(child)

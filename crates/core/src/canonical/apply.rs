@@ -3,9 +3,9 @@
 use std::cmp::Ordering;
 
 use crate::error::Error;
+use crate::evaluate::Pending;
 use crate::graph::{Flags, Function, Graph, Id, Kind, LONGEST, NumberId, Parity, View, check_order};
 use crate::print::compare_names;
-use crate::value::{Element, Key, Number};
 
 /// The most nodes of a term that are searched for names, because arguments may be graphs of any size.
 const NAMES_SEARCH: usize = 64;
@@ -19,14 +19,16 @@ impl Graph {
         function.check_arity(args.len())?;
         check_count(args.len())?;
         let args: Vec<Id> = args.iter().map(|&id| self.adopt(id)).collect();
-        if let Some(exact) = self.exact_value(function, &args)? {
+        if let Some(exact) = self.exact_value(function, &args)?
+            && self.keeps_value_of_function(function, &args, exact)
+        {
             return Ok(exact);
         }
         if let Some(result) = self.by_parity(function, &args)? {
             return Ok(result);
         }
-        let value = self.function_value(function, &args);
-        let flags = self.joined_flags(args.iter().copied());
+        let value = self.function_fingerprint(function, &args);
+        let flags = self.flags_of_function(function, &args);
         let words: Vec<u32> = args.iter().map(|id| id.0).collect();
         Ok(self.finish(Kind::Function(function), flags, &words, value))
     }
@@ -48,17 +50,13 @@ impl Graph {
             return self.time_function(name, *order);
         }
         let name_id = self.name_id(name);
-        let mut key = Key::new("application").text(name);
-        let mut flags = Flags::default();
-        for (&arg, &order) in args.iter().zip(orders) {
-            key = key.element(self.value(arg)).word(order.into());
-            flags = flags.join(self.flags(arg));
-        }
+        let flags = args.iter().fold(Flags::default(), |flags, &arg| flags.join(self.flags(arg)));
+        let value = self.application_fingerprint(name, args, orders);
         let words: Vec<u32> = std::iter::once(name_id)
             .chain(args.iter().map(|id| id.0))
             .chain(orders.iter().copied())
             .collect();
-        Ok(self.finish(Kind::Application, flags, &words, Element::draw(&key)))
+        Ok(self.finish(Kind::Application, flags, &words, value))
     }
 
     /// f(-x) = -f(x) or f(x): choose the sign of the argument so that its first term, as printed, is positive.
@@ -104,91 +102,36 @@ impl Graph {
         names
     }
 
-    /// The value at the random point: by the group laws where there are any; opaque functions have drawn values.
-    fn function_value(&mut self, function: Function, args: &[Id]) -> Element {
-        let first = args[0];
-        let half = || Element::from_number(&Number::rational(1, 2));
+    /// Whether a rule has kept the value: those of signs and moduli of roots, which may be complex in some lanes, need not.
+    fn keeps_value_of_function(&self, function: Function, args: &[Id], result: Id) -> bool {
+        !matches!(function, Function::Abs | Function::Sign)
+            || !self.flags(args[0]).has(Flags::BRANCH)
+            || self.function_fingerprint(function, args) == self.value(result)
+                && self.agrees(Pending::Function(function, args), result, false)
+    }
+
+    /// The facts about a function of arguments that are not those of its arguments.
+    fn flags_of_function(&self, function: Function, args: &[Id]) -> Flags {
+        let flags = self.joined_flags(args.iter().copied());
         match function {
-            Function::Sin => self.circle(first).sin,
-            Function::Cos => self.circle(first).cos,
-            Function::Tan => {
-                let point = self.circle(first);
-                point.sin * point.cos.inverse()
+            Function::Abs | Function::Sign | Function::Min | Function::Max | Function::Piecewise => {
+                flags.with(Flags::BRANCH)
             }
-            Function::Exp => self.exponential(first),
-            Function::Sinh | Function::Cosh | Function::Tanh => {
-                let exponential = self.exponential(first);
-                let inverse = exponential.inverse();
-                let (sinh, cosh) = (exponential - inverse, exponential + inverse);
-                match function {
-                    Function::Sinh => sinh * half(),
-                    Function::Cosh => cosh * half(),
-                    _ => sinh * cosh.inverse(),
-                }
+            Function::Atan2 => flags.with(Flags::BRANCH).with(Flags::INVERSE),
+            Function::Asin | Function::Acos | Function::Atan | Function::Log => flags.with(Flags::INVERSE),
+            Function::Sin | Function::Cos | Function::Tan if self.makes_roots(args[0], false) => {
+                flags.with(Flags::BRANCH)
             }
-            Function::Power => self.general_power(first, args[1]),
-            Function::Piecewise => self.piecewise_value(args),
-            Function::Acos => {
-                // acos x = pi/2 - asin x
-                let quarter = Element::draw(&Key::new("pi")) * half();
-                quarter - self.opaque_value(Function::Asin, args)
+            Function::Exp | Function::Sinh | Function::Cosh | Function::Tanh
+                if self.makes_roots(args[0], true) =>
+            {
+                flags.with(Flags::BRANCH)
             }
-            _ => self.opaque_value(function, args),
-        }
-    }
-
-    /// The values of real functions that derive from the modulus: |u| is the root of u^2, in whatever form.
-    ///
-    /// sign u = u/|u|, max(a, b) = (a + b + |a - b|)/2, min(a, b) = (a + b - |a - b|)/2.
-    fn value_by_modulus(&self, function: Function, args: &[Id]) -> Option<Element> {
-        let modulus = |value: Element| {
-            let key = Key::new("root").element(value.powi(2));
-            Element::draw_exponential(&key).pow_rational(&Number::rational(1, 2))
-        };
-        let first = self.value(args[0]);
-        match (function, args) {
-            (Function::Abs, _) => Some(modulus(first)),
-            (Function::Sign, _) => Some(first * modulus(first).inverse()),
-            (Function::Min | Function::Max, &[_, second]) => {
-                let second = self.value(second);
-                let distance = modulus(first - second);
-                let sum = first + second;
-                let twice = if function == Function::Max { sum + distance } else { sum - distance };
-                Some(twice * Element::from_i64(2).inverse())
+            Function::Power if self.is_branching(args[0], &self.number_in(args[1])) => {
+                flags.with(Flags::BRANCH)
             }
-            _ => None,
+            _ => flags,
         }
-    }
-
-    /// The sum of the branches times indicators of the first positive condition.
-    ///
-    /// Indicators are drawn for the values of the conditions. So the derivative of a piecewise function has the same
-    /// value by branches and by partial derivatives.
-    fn piecewise_value(&self, args: &[Id]) -> Element {
-        let (mut value, mut not_yet) = (Element::ZERO, Element::ONE);
-        for pair in args[..args.len() - 1].chunks_exact(2) {
-            let positive = Element::draw(&Key::new("indicator").element(self.value(pair[1])));
-            value = value + not_yet * positive * self.value(pair[0]);
-            not_yet = not_yet * (Element::ONE - positive);
-        }
-        value + not_yet * self.value(args[args.len() - 1])
-    }
-
-    /// A value drawn for the function and the values of its arguments, with the parity of the function.
-    fn opaque_value(&self, function: Function, args: &[Id]) -> Element {
-        if args.iter().all(|&arg| self.is_real(arg))
-            && let Some(value) = self.value_by_modulus(function, args)
-        {
-            return value;
-        }
-        let parity = function.parity();
-        let key = Key::new("function").text(function.name());
-        if parity == Parity::Neither {
-            return Element::draw(&args.iter().fold(key, |key, &id| key.element(self.value(id))));
-        }
-        let (argument, negated) = self.value(args[0]).unsigned();
-        let value = Element::draw(&key.element(argument));
-        if negated && parity == Parity::Odd { -value } else { value }
     }
 }
 

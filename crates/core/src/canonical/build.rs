@@ -1,31 +1,50 @@
 //! The door into the graph: every new row of a sum, product or function passes here.
 
+use crate::evaluate::Pending;
 use crate::graph::{Flags, Graph, Id, Kind, NumberId};
-use crate::value::Element;
+use crate::value::{Element, Number};
 
 impl Graph {
     /// Enter a row: a value that is a plain number, or that the derivation knows, gives the known node.
     pub(crate) fn finish(&mut self, kind: Kind, flags: Flags, words: &[u32], value: Element) -> Id {
-        if value.is_zero() {
-            return Id::ZERO;
-        }
-        let (unsigned, negated) = value.unsigned();
-        if let Some(&number) = self.plain_values.get(&unsigned) {
-            let number = if negated { self.negated(number) } else { number };
-            return self.number_node(number);
-        }
-        // Outside of derivations, and for constants, any simple number is recognised.
-        if (self.classes.is_none() || flags.has(Flags::CONSTANT))
-            && let Some(number) = value.to_simple_rational()
+        let number = self.number_shown(flags, value);
+        if !flags.has(Flags::BRANCH)
+            && let Some(known) =
+                number.map(|number| self.number_node(number)).or_else(|| self.known_plain(value))
         {
-            return self.number(&number);
-        }
-        if let Some(known) = self.known_value(value) {
             return known;
         }
+        // Only a row has values in other lanes. It stays unused if there is another node of its value.
         let id = self.intern(kind, flags, words, value);
+        if let Some(known) = self.classes.as_ref().and_then(|classes| classes.representative(id)) {
+            return known;
+        }
+        let number =
+            number.filter(|&number| self.is_number_everywhere(Pending::Node(id), self.get_number(number)));
+        if let Some(number) = number {
+            return self.number_node(number);
+        }
+        if let Some(known) = self.known_value(value, Pending::Node(id)) {
+            return known;
+        }
         self.remember(id);
         id
+    }
+
+    /// The number that a fingerprint shows, if it is a simple one.
+    ///
+    /// Outside of derivations, and for constants, any simple number is recognised.
+    fn number_shown(&mut self, flags: Flags, value: Element) -> Option<NumberId> {
+        let (unsigned, negated) = value.unsigned();
+        if value.is_zero() {
+            return Some(self.number_id(&Number::integer(0)));
+        }
+        if let Some(&number) = self.plain_values.get(&unsigned) {
+            return Some(if negated { self.negated(number) } else { number });
+        }
+        let number =
+            value.to_simple_rational().filter(|_| self.classes.is_none() || flags.has(Flags::CONSTANT))?;
+        Some(self.number_id(&number))
     }
 
     pub(super) fn joined_flags(&self, ids: impl Iterator<Item = Id>) -> Flags {

@@ -26,14 +26,16 @@ impl Graph {
             _ => None,
         };
         Ok(match (function, inner) {
-            (Function::Log, Some((Function::Exp, x))) if self.is_real(x) => Some(x),
+            (Function::Log, Some((Function::Exp, x))) if self.is_real(x) && !self.may_be_negative(x) => {
+                Some(x)
+            }
             (Function::Exp, Some((Function::Log, x)))
             | (Function::Sin, Some((Function::Asin, x)))
             | (Function::Cos, Some((Function::Acos, x)))
             | (Function::Tan, Some((Function::Atan, x))) => Some(x),
             (Function::Abs, Some((Function::Abs, _))) => Some(first),
             (Function::Abs, _) if self.is_positive(first) => Some(first),
-            (Function::Abs, _) => match self.view(first) {
+            (Function::Abs, _) if self.is_real(first) => match self.view(first) {
                 View::Scale(factor, child) => {
                     let factor = self.get_number(factor).abs();
                     if factor.is_one() {
@@ -44,11 +46,11 @@ impl Graph {
                         Some(self.scale(factor, modulus))
                     }
                 }
-                View::Product(_) if self.is_real(first) => self.modulus_of_product(first)?,
+                View::Product(_) => self.modulus_of_product(first)?,
                 _ => None,
             },
             (Function::Sign, _) if self.is_positive(first) => Some(Id::ONE),
-            (Function::Sign, _) => match self.view(first) {
+            (Function::Sign, _) if self.is_real(first) => match self.view(first) {
                 View::Scale(factor, child) if !self.get_number(factor).is_negative() => {
                     Some(self.apply(Function::Sign, &[child])?)
                 }
@@ -69,7 +71,7 @@ impl Graph {
         if opened.len() > LONGEST_MODULUS {
             return Ok(None);
         }
-        let mut collected = Collector { coefficient: one.clone(), factors: Vec::new(), radicand: None };
+        let mut collected = Collector::new(Vec::new());
         for (base, exponent) in opened {
             collected.push(self, base, &exponent);
         }
@@ -90,6 +92,9 @@ impl Graph {
             }
         }
         let inside = self.product(&inside)?;
+        if self.same(inside, product) {
+            return Ok(None); // a sign is its own reciprocal
+        }
         outside.push((self.apply(Function::Abs, &[inside])?, NumberId::ONE));
         self.product(&outside).map(Some)
     }
@@ -239,6 +244,24 @@ impl Graph {
         }
     }
 
+    /// The rational number in the sums of an angle, in radians, without the multiple of pi.
+    #[must_use]
+    pub fn radians(&self, angle: Id) -> Number {
+        let mut total = Number::integer(0);
+        let mut waiting = vec![(Number::integer(1), angle)];
+        for _ in 0..PI_SEARCH {
+            let Some((factor, id)) = waiting.pop() else { break };
+            let times = |number: NumberId| self.get_number(number).mul(&factor);
+            match self.view(id) {
+                View::Number(number) => total = total.add(&times(number)),
+                View::Scale(number, child) => waiting.push((times(number), child)),
+                View::Sum(terms) => waiting.extend(terms.iter().map(|(number, node)| (times(number), node))),
+                _ => {}
+            }
+        }
+        total
+    }
+
     /// Exact values at multiples of pi/12, in radicals.
     fn at_multiple_of_pi(&mut self, function: Function, multiple: &Number) -> Result<Option<Id>, Error> {
         let Some(twelfths) = multiple.mul(&Number::integer(12)).to_i64() else {
@@ -335,7 +358,7 @@ impl Graph {
         if let Some(bound) = bound {
             kept.push(self.number(&bound));
         }
-        kept.sort_by_key(|&id| self.value(id));
+        kept.sort_by(|&a, &b| self.compare_values(a, b).then_with(|| self.value(a).cmp(&self.value(b))));
         Ok(match kept[..] {
             [single] => Some(single),
             _ if kept == args => None,
@@ -350,7 +373,10 @@ impl Graph {
         if let Some(number) = self.as_number(exponent).cloned() {
             return self.pow_number(base, &number).map(Some);
         }
-        if let View::Function(Function::Exp, args) = self.view(base) {
+        if let View::Function(Function::Exp, args) = self.view(base)
+            && self.is_real(base)
+            && !self.may_be_negative(args.get(0))
+        {
             let inner = args.get(0);
             let argument = self.mul(inner, exponent)?;
             return self.apply(Function::Exp, &[argument]).map(Some);

@@ -6,8 +6,8 @@
 //! `dx = A^-1 (db - dA x)`.
 
 use crate::error::Error;
-use crate::graph::{Graph, Id, Kind, LONGEST, View, word};
-use crate::value::{Element, Key};
+use crate::graph::{Flags, Graph, Id, Kind, LONGEST, View, word};
+use crate::value::Element;
 
 /// Whether a linear system of n rows is small enough for a node.
 ///
@@ -36,7 +36,7 @@ impl Graph {
         }
         let rest = self.rest_of_system(matrix, right, &known)?;
         let others = self.components(rest, right.len());
-        let are_same = components.iter().zip(&others).all(|(&a, &b)| self.value(a) == self.value(b));
+        let are_same = components.iter().zip(&others).all(|(&a, &b)| self.same(a, b));
         Ok(if are_same { others } else { components })
     }
 
@@ -73,10 +73,9 @@ impl Graph {
         }
         check_rows(n)?;
         let parts: Vec<Id> = matrix.iter().chain(right).map(|&id| self.adopt(id)).collect();
-        let key = parts.iter().fold(Key::new("linear system"), |key, &id| key.element(self.value(id)));
         let flags = self.joined_flags(parts.iter().copied());
         let words: Vec<u32> = parts.iter().map(|id| id.0).collect();
-        Ok(self.finish(Kind::LinearSystem, flags, &words, Element::draw(&key)))
+        Ok(self.finish(Kind::LinearSystem, flags, &words, self.system_fingerprint(&parts)))
     }
 
     /// A component of the solution of a linear system.
@@ -90,21 +89,23 @@ impl Graph {
         if let Some(values) = self.solutions.get(&system) {
             return values[index];
         }
-        let (matrix, right) = self.parts_of_system(system);
-        let values_of = |ids: &[Id]| -> Vec<Element> { ids.iter().map(|&id| self.value(id)).collect() };
-        let (matrix, right) = (values_of(&matrix), values_of(&right));
-        let values = eliminate(matrix, right.clone()).unwrap_or_else(|| self.opaque_solution(system, &right));
+        let values = match self.plain_solution(system) {
+            Some(values) => values,
+            None => self.solution_fingerprints(system),
+        };
         let value = values[index];
         self.solutions.insert(system, values);
         value
     }
 
-    /// Values drawn for a singular matrix; zero is the minimum-norm solution for a right side of zeros.
-    fn opaque_solution(&self, system: Id, right: &[Element]) -> Vec<Element> {
-        let key = Key::new("solution").element(self.value(system));
-        let nothing = right.iter().all(|entry| entry.is_zero());
-        let draw = |k| if nothing { Element::ZERO } else { Element::draw(&key.word(k)) };
-        (0..right.len() as u64).map(draw).collect()
+    /// The values of a solution without signs and roots; `None` for a singular matrix.
+    fn plain_solution(&self, system: Id) -> Option<Vec<Element>> {
+        if self.flags(system).has(Flags::BRANCH) {
+            return None;
+        }
+        let (matrix, right) = self.parts_of_system(system);
+        let values_of = |ids: &[Id]| -> Vec<Element> { ids.iter().map(|&id| self.value(id)).collect() };
+        eliminate(values_of(&matrix), values_of(&right))
     }
 
     /// The matrix of a linear system, row by row, and its right side.

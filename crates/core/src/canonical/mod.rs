@@ -22,7 +22,6 @@
 //! * All end in [`build`], which calls none of them.
 
 mod adopt;
-mod angle;
 mod apply;
 mod associate;
 mod build;

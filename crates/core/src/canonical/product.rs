@@ -1,10 +1,12 @@
 //! Products and powers: equal bases merge by value, and numbers and signs are taken out.
 
 use crate::error::Error;
+use crate::evaluate::Pending;
 use crate::graph::{Factors, Flags, Function, Graph, Id, Kind, LONGEST, NumberId, View};
-use crate::value::{Element, Number, square_part};
+use crate::value::Number;
 
 use super::collector::Collector;
+use super::root::collect_number;
 
 /// Factors up to this count are searched for ones that merge with those of child products.
 const MERGE_SEARCH: usize = 48;
@@ -54,16 +56,61 @@ impl Graph {
         if let Some(known) = self.known_product(&factors) {
             return Ok(known);
         }
-        let factors = if self.classes.is_some() { self.associate(factors) } else { factors };
-        let mut collector =
-            Collector { coefficient: Number::integer(1), factors: Vec::new(), radicand: None };
-        for (base, exponent) in factors {
+        let associated =
+            if self.classes.is_some() { self.associate(factors.clone()) } else { factors.clone() };
+        let mut collector = Collector::new(Vec::new());
+        for (base, exponent) in associated {
             let exponent = self.get_number(exponent).clone();
             self.collect_power(&mut collector, base, &exponent)?;
         }
         self.open_shared_products(&mut collector);
         self.merge_moduli(&mut collector)?;
-        Ok(self.finish_product(collector))
+        let product = self.finish_product(collector);
+        Ok(if self.keeps_value(&factors, product) { product } else { self.plain_product(&factors) })
+    }
+
+    /// Whether the rules that made a product have kept the value: those of roots inside roots, which may be complex in
+    /// some lanes, need not.
+    fn keeps_value(&self, factors: &[Factor], product: Id) -> bool {
+        let is_root_of_root = |&(base, exponent): &Factor| {
+            self.flags(base).has(Flags::BRANCH)
+                && (!self.get_number(exponent).is_integer() || self.is_root_of_root(base))
+        };
+        !factors.iter().any(is_root_of_root)
+            || self.product_fingerprint(factors) == self.value(product)
+                && self.agrees(Pending::Product(factors), product, false)
+    }
+
+    fn is_root_of_root(&self, id: Id) -> bool {
+        let branches = |id: Id| self.flags(id).has(Flags::BRANCH);
+        match self.view(id) {
+            View::Product(factors) => factors.iter().any(|(base, exponent)| {
+                branches(base) && (!self.get_number(exponent).is_integer() || self.is_root_of_root(base))
+            }),
+            View::Function(Function::Abs, args) => branches(args.get(0)),
+            View::Scale(_, child) => self.is_root_of_root(child),
+            _ => false,
+        }
+    }
+
+    /// The product as it is written: each root is a node of its own.
+    fn plain_product(&mut self, factors: &[Factor]) -> Id {
+        let mut collector = Collector::new(Vec::new());
+        for &(base, exponent) in factors {
+            let (factor, node) = self.split_multiple(NumberId::ONE, base);
+            let exponent = self.get_number(exponent).clone();
+            let power = exponent.to_i64().and_then(|n| self.get_number(factor).powi(n).ok());
+            if let Some(power) = power {
+                collector.coefficient = collector.coefficient.mul(&power);
+                if node != Id::ONE {
+                    collector.push(self, node, &exponent);
+                }
+            } else {
+                let root = self.finish_product(Collector::new(vec![(base, exponent)]));
+                collector.push(self, root, &Number::integer(1));
+            }
+        }
+        self.finish_product(collector)
     }
 
     /// The error that names the dividend.
@@ -81,29 +128,22 @@ impl Graph {
         if factors.iter().all(|&(base, _)| self.as_number(base).is_some()) {
             return None;
         }
-        let mut value = Element::ONE;
-        for &(base, exponent) in factors {
-            let exponent = self.get_number(exponent).to_i64().filter(|e| *e > 0)?;
-            value = value * self.value(base).powi(exponent);
+        if factors.iter().any(|&(_, exponent)| self.get_number(exponent).to_i64().is_none_or(|e| e <= 0)) {
+            return None;
         }
-        if value.is_zero() {
+        let value = self.product_fingerprint(factors);
+        if value.is_zero() && self.is_number_everywhere(Pending::Product(factors), &Number::integer(0)) {
             return Some(Id::ZERO);
         }
-        self.known_value(value)
+        self.known_value(value, Pending::Product(factors))
     }
 
-    fn finish_product(&mut self, collector: Collector) -> Id {
-        let Collector { mut coefficient, mut factors, radicand } = collector;
-        if coefficient.is_zero() {
+    fn finish_product(&mut self, mut collector: Collector) -> Id {
+        if collector.coefficient.is_zero() {
             return Id::ZERO;
         }
-        if let Some(radicand) = radicand {
-            let (outside, inside) = square_part(&radicand);
-            coefficient = coefficient.mul(&outside);
-            if !inside.is_one() {
-                factors.push((self.number(&inside), Number::rational(1, 2)));
-            }
-        }
+        self.settle_primes(&mut collector);
+        let Collector { coefficient, mut factors, .. } = collector;
         let coefficient = self.number_id(&coefficient);
         if let [(base, exponent)] = &factors[..]
             && exponent.is_one()
@@ -113,20 +153,16 @@ impl Graph {
         if factors.is_empty() {
             return self.number_node(coefficient);
         }
-        factors.sort_by_key(|&(base, _)| self.value(base).unsigned().0);
+        factors.sort_by(|(a, _), (b, _)| self.compare_values(*a, *b));
         while factors.len() * 2 > LONGEST {
             let factors_of_part = factors.split_off(factors.len() - LONGEST / 4);
-            let part =
-                Collector { coefficient: Number::integer(1), factors: factors_of_part, radicand: None };
-            factors.push((self.finish_product(part), Number::integer(1)));
+            factors.push((self.finish_product(Collector::new(factors_of_part)), Number::integer(1)));
         }
-        let mut value = Element::ONE;
-        let mut root = false;
-        for (base, exponent) in &factors {
-            value = value * self.power_value(*base, exponent);
-            root |= !exponent.is_integer();
-        }
+        let mut root = factors.iter().any(|(_, exponent)| !exponent.is_integer());
         let mut flags = self.joined_flags(factors.iter().map(|&(base, _)| base));
+        if factors.iter().any(|(base, exponent)| self.is_branching(*base, exponent)) {
+            flags = flags.with(Flags::BRANCH);
+        }
         // Moduli merge to squares as roots do.
         root |= factors.iter().any(|&(base, _)| {
             self.flags(base).has(Flags::ROOT) || self.kind(base) == Kind::Function(Function::Abs)
@@ -134,7 +170,9 @@ impl Graph {
         if root {
             flags = flags.with(Flags::ROOT);
         }
-        let words: Vec<u32> = factors.iter().flat_map(|(base, e)| [base.0, self.number_id(e).0]).collect();
+        let factors: Vec<Factor> = factors.into_iter().map(|(base, e)| (base, self.number_id(&e))).collect();
+        let words: Vec<u32> = factors.iter().flat_map(|&(base, e)| [base.0, e.0]).collect();
+        let value = self.product_fingerprint(&factors);
         let id = self.finish(Kind::Product, flags, &words, value);
         self.mark_used(factors.iter().map(|&(base, _)| base));
         self.scale(coefficient, id)
@@ -193,15 +231,20 @@ impl Graph {
         match self.view(base) {
             View::Number(number) => {
                 let number = self.get_number(number).clone();
-                self.collect_number(out, &number, exponent)
+                collect_number(out, &number, exponent)
             }
             View::Scale(number, child) => {
                 let number = self.get_number(number).clone();
                 if exponent.is_integer() {
-                    self.collect_number(out, &number, exponent)?;
+                    collect_number(out, &number, exponent)?;
                     return self.collect_power(out, child, exponent);
                 }
-                self.collect_number(out, &number.abs(), exponent)?;
+                if !self.is_real(child) {
+                    // The branch of the root of a complex number belongs to that number.
+                    out.push(self, base, exponent);
+                    return Ok(());
+                }
+                collect_number(out, &number.abs(), exponent)?;
                 if number.is_negative() {
                     let opposite = self.scale(NumberId::MINUS_ONE, child);
                     out.push(self, opposite, exponent);
@@ -214,7 +257,9 @@ impl Graph {
                     factors.iter().map(|(id, e)| (id, self.get_number(e).clone())).collect();
                 self.collect_product_power(out, base, &inner, exponent)
             }
-            View::Function(Function::Exp, args) if !exponent.is_integer() => {
+            View::Function(Function::Exp, args)
+                if !exponent.is_integer() && self.is_real(base) && !self.may_be_negative(args.get(0)) =>
+            {
                 let argument = args.get(0);
                 let factor = self.number_id(exponent);
                 let argument = self.scale(factor, argument);
@@ -250,6 +295,10 @@ impl Graph {
             for (node, e) in inner {
                 self.collect_power(out, *node, &e.mul(exponent))?;
             }
+            return Ok(());
+        }
+        if !self.is_real(base) {
+            out.push(self, base, exponent);
             return Ok(());
         }
         let mut rest = Vec::new();
@@ -300,12 +349,9 @@ impl Graph {
             let inner: Vec<(Id, Number)> =
                 inner.iter().map(|(id, e)| (id, self.get_number(e).clone())).collect();
             for (node, exponent) in inner {
-                match (self.as_number(node).cloned(), exponent == Number::rational(1, 2)) {
-                    (Some(number), true) => {
-                        out.radicand =
-                            Some(out.radicand.as_ref().map_or_else(|| number.clone(), |r| r.mul(&number)));
-                    }
-                    _ => out.push(self, node, &exponent),
+                match self.as_number(node).cloned() {
+                    Some(number) => out.push_power_of_number(&number, &exponent),
+                    None => out.push(self, node, &exponent),
                 }
             }
         }
@@ -323,12 +369,12 @@ impl Graph {
                 && (self.flags(factor.0).has(Flags::ROOT)
                     || self.inner_factors(factor.0).any(|(node, e)| {
                         factors.iter().any(|(other, other_e)| {
-                            (self.same_base(*other, node) && Self::merges(&e, other_e))
+                            (self.same_up_to_sign(*other, node) && Self::merges(&e, other_e))
                                 || (opens(&(*other, other_e.clone()))
                                     && *other != factor.0
                                     && self
                                         .inner_factors(*other)
-                                        .any(|(n, f)| self.same_base(n, node) && Self::merges(&e, &f)))
+                                        .any(|(n, f)| self.same_up_to_sign(n, node) && Self::merges(&e, &f)))
                         })
                     }))
         })
@@ -340,10 +386,6 @@ impl Graph {
             _ => None,
         };
         factors.into_iter().flat_map(Factors::iter).map(|(id, e)| (id, self.get_number(e).clone()))
-    }
-
-    fn same_base(&self, a: Id, b: Id) -> bool {
-        self.value(a).unsigned().0 == self.value(b).unsigned().0
     }
 
     /// Whether to merge two exponents of one base: they cancel in part, or one is that of a root.

@@ -1,11 +1,11 @@
-//! Roots: the factors that may leave them, and their values at the random point.
+//! Roots: the factors that may leave them.
 //!
-//! A root of a symbolic argument has an opaque value: `sqrt(x**2)` must not become `x`. Square factors of numbers leave
-//! the root, and so do positive symbols.
+//! `sqrt(x**2)` is `Abs(x)`, never `x`. Square factors of numbers leave the root, and so do positive symbols. No rule
+//! here changes a value: that of a root depends on the value of its argument alone (see `evaluate`).
 
 use crate::error::Error;
 use crate::graph::{Assumption, Flags, Function, Graph, Id, Kind, View};
-use crate::value::{Element, Key, Number, exact_root, radical_value};
+use crate::value::Number;
 
 use super::collector::Collector;
 
@@ -20,7 +20,7 @@ impl Graph {
         match self.view(id) {
             View::Number(number) => !self.get_number(number).is_negative() && id != Id::ZERO,
             View::Pi | View::Symbol(_, Assumption::Positive) => true,
-            View::Function(Function::Exp | Function::Cosh, _) => self.is_real(id),
+            View::Function(Function::Exp, args) => self.is_real(id) && !self.may_be_negative(args.get(0)),
             View::Scale(number, child) => {
                 !self.get_number(number).is_negative()
                     && matches!(self.kind(child), Kind::Symbol(Assumption::Positive) | Kind::Pi)
@@ -33,56 +33,47 @@ impl Graph {
         }
     }
 
-    pub(super) fn collect_number(
-        &mut self,
-        out: &mut Collector,
-        number: &Number,
-        exponent: &Number,
-    ) -> Result<(), Error> {
-        if let Some(n) = exponent.to_i64() {
-            out.coefficient = out.coefficient.mul(&number.powi(n)?);
-            return Ok(());
+    /// Move the powers of primes to the coefficient and the factors: exponents lie in [0, 1), and those of 1/2 share a
+    /// square root.
+    pub(super) fn settle_primes(&mut self, out: &mut Collector) {
+        let mut radicand = Number::integer(1);
+        for (prime, exponent) in std::mem::take(&mut out.primes) {
+            let prime = Number::whole(prime);
+            let whole = exponent.floor();
+            let power = whole.to_i64().and_then(|n| prime.powi(n).ok());
+            out.coefficient =
+                out.coefficient.mul(&power.expect("a prime factor of a number that is not too large"));
+            let fraction = exponent.sub(&whole);
+            if fraction == Number::rational(1, 2) {
+                radicand = radicand.mul(&prime);
+            } else if !fraction.is_zero() {
+                out.factors.push((self.number(&prime), fraction));
+            }
         }
-        if number.is_one() {
-            return Ok(());
+        if !radicand.is_one() {
+            out.factors.push((self.number(&radicand), Number::rational(1, 2)));
         }
-        if number.is_negative() {
-            return Err(Error::Domain { function: "the root", argument: number.to_string() });
-        }
-        let Some((num, den)) = exponent.to_small() else {
-            return Err(Error::NumberTooLarge(format!("{number}**({exponent})")));
-        };
-        let whole = num.div_euclid(den);
-        out.coefficient = out.coefficient.mul(&number.powi(whole)?);
-        let fraction = Number::rational(num.rem_euclid(den), den);
-        if den == 2 {
-            out.radicand = Some(out.radicand.as_ref().map_or_else(|| number.clone(), |r| r.mul(number)));
-        } else if let Some(root) = exact_root(number, den) {
-            out.coefficient = out.coefficient.mul(&root.powi(num.rem_euclid(den))?);
-        } else {
-            let base = self.number(number);
-            out.push(self, base, &fraction);
-        }
-        Ok(())
     }
+}
 
-    /// The value of base ** exponent at the random point.
-    pub(super) fn power_value(&self, base: Id, exponent: &Number) -> Element {
-        if exponent.is_integer() {
-            return self.value(base).power(exponent);
-        }
-        if self.is_positive(base) && matches!(self.kind(base), Kind::Symbol(_)) {
-            return self.value(base).pow_rational(exponent);
-        }
-        let whole = exponent.floor();
-        let fraction = exponent.sub(&whole);
-        let integral = self.value(base).power(&whole);
-        if let Some(number) = self.as_number(base)
-            && fraction == Number::rational(1, 2)
-        {
-            return integral * radical_value(number);
-        }
-        let key = Key::new("root").element(self.value(base));
-        integral * Element::draw_exponential(&key).pow_rational(&fraction)
+/// Multiply by a power of a number.
+///
+/// # Errors
+/// If an even root of a negative number is taken, or the power is too large.
+pub(super) fn collect_number(out: &mut Collector, number: &Number, exponent: &Number) -> Result<(), Error> {
+    if let Some(n) = exponent.to_i64() {
+        out.coefficient = out.coefficient.mul(&number.powi(n)?);
+        return Ok(());
     }
+    if number.is_one() {
+        return Ok(());
+    }
+    if number.is_negative() {
+        return Err(Error::Domain { function: "the root", argument: number.to_string() });
+    }
+    let too_large = || Error::NumberTooLarge(format!("{number}**({exponent})"));
+    let whole = exponent.floor().to_i64().ok_or_else(too_large)?;
+    out.coefficient = out.coefficient.mul(&number.powi(whole)?);
+    out.push_power_of_number(number, &exponent.sub(&Number::integer(whole)));
+    Ok(())
 }

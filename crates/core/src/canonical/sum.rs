@@ -4,8 +4,9 @@
 //! one level deep, by value. The first term of a sum is positive: a negative sign moves into a `Scale`. The number 0 is
 //! not a term: `x + 0` is `x`.
 
-use crate::graph::{Graph, Id, Kind, LONGEST, NumberId, View};
-use crate::value::Element;
+use crate::evaluate::Pending;
+use crate::graph::{Flags, Graph, Id, Kind, LONGEST, NumberId, View};
+use crate::value::{Element, Number};
 
 /// The most terms that are searched for cancellations with those of child sums.
 const CANCELLATION_SEARCH: usize = 48;
@@ -75,11 +76,13 @@ impl Graph {
         let terms: Vec<Term> = terms.iter().map(|&(c, id)| (c, self.adopt(id))).collect();
         let value = self.terms_value(&terms);
         let plain = terms.iter().all(|&(_, id)| self.as_number(id).is_some());
-        if value.is_zero() && !plain {
-            return Id::ZERO;
-        }
-        if let Some(known) = self.known_value(value).filter(|_| !plain) {
-            return known;
+        if !plain {
+            if value.is_zero() && self.is_number_everywhere(Pending::Sum(&terms), &Number::integer(0)) {
+                return Id::ZERO;
+            }
+            if let Some(known) = self.known_value(value, Pending::Sum(&terms)) {
+                return known;
+            }
         }
         let terms = self.merge_terms(terms);
         let terms = self.cancel_terms(terms);
@@ -125,32 +128,25 @@ impl Graph {
 
     /// Bring terms into the form (coefficient, node that is not a multiple), ordered by value, with equal nodes merged.
     pub(super) fn merge_terms(&mut self, terms: Vec<Term>) -> Vec<Term> {
-        let mut keyed: Vec<(Element, Term)> = Vec::with_capacity(terms.len());
-        for (factor, id) in terms {
-            let (coefficient, node) = self.split_multiple(factor, id);
-            let (key, opposite) = self.value(node).unsigned();
-            keyed.push((key, (coefficient, node)));
-            debug_assert!(!opposite || key != self.value(node));
-        }
-        keyed.sort_by_key(|&(key, (_, node))| (node != Id::ONE, key));
-        let mut merged: Vec<(Element, Term)> = Vec::with_capacity(keyed.len());
-        for (key, (coefficient, node)) in keyed {
+        let mut terms: Vec<Term> =
+            terms.into_iter().map(|(factor, id)| self.split_multiple(factor, id)).collect();
+        terms.sort_by(|&(_, a), &(_, b)| {
+            (a != Id::ONE).cmp(&(b != Id::ONE)).then_with(|| self.compare_values(a, b))
+        });
+        let mut merged: Vec<Term> = Vec::with_capacity(terms.len());
+        for (coefficient, node) in terms {
             match merged.last_mut() {
-                Some((last_key, (last, kept))) if *last_key == key => {
-                    let same = self.values_equal(*kept, node);
+                Some((last, kept)) if self.compare_values(*kept, node).is_eq() => {
                     let addend = self.get_number(coefficient);
-                    let addend = if same { addend.clone() } else { addend.neg() };
+                    let addend = if self.same(*kept, node) { addend.clone() } else { addend.neg() };
                     let total = self.get_number(*last).add(&addend);
                     *last = self.number_id(&total);
                 }
-                _ => merged.push((key, (coefficient, node))),
+                _ => merged.push((coefficient, node)),
             }
         }
-        merged.into_iter().map(|(_, term)| term).filter(|&(c, _)| !self.get_number(c).is_zero()).collect()
-    }
-
-    fn values_equal(&self, a: Id, b: Id) -> bool {
-        self.value(a) == self.value(b)
+        merged.retain(|&(c, _)| !self.get_number(c).is_zero());
+        merged
     }
 
     /// factor * id as a multiple of a node that is not itself a multiple; numbers are multiples of the node 1.
@@ -185,22 +181,27 @@ impl Graph {
 
     /// The positions of a child sum, and perhaps a second one, with a term that cancels another.
     fn cancelling_sum(&self, terms: &[Term]) -> Option<(usize, Option<usize>)> {
-        let mut seen: Vec<(Element, usize, bool)> = Vec::new();
+        // The scaled value, the node, the position, and whether the term is one of a child sum.
+        let mut seen: Vec<(Element, Id, usize, bool)> = Vec::new();
         for (position, &(factor, id)) in terms.iter().enumerate() {
             let scaled =
                 |c: NumberId, node: Id| self.number_value(factor) * self.number_value(c) * self.value(node);
-            seen.push((scaled(NumberId::ONE, id), position, false));
+            seen.push((scaled(NumberId::ONE, id), id, position, false));
             if let View::Sum(inner) = self.view(id) {
-                seen.extend(inner.iter().map(|(c, node)| (scaled(c, node), position, true)));
+                seen.extend(inner.iter().map(|(c, node)| (scaled(c, node), node, position, true)));
             }
             if seen.len() > CANCELLATION_SEARCH {
                 return None;
             }
         }
-        for (i, &(value, position, inner)) in seen.iter().enumerate() {
+        for (i, &(value, node, position, inner)) in seen.iter().enumerate() {
             let opposite = -value;
-            for &(other, other_position, other_inner) in &seen[..i] {
-                if other == opposite && other_position != position && (inner || other_inner) {
+            for &(other, other_node, other_position, other_inner) in &seen[..i] {
+                if other == opposite
+                    && other_position != position
+                    && (inner || other_inner)
+                    && self.may_cancel(node, other_node)
+                {
                     return Some(match (inner, other_inner) {
                         (true, true) => (other_position, Some(position)),
                         (true, false) => (position, None),
@@ -210,5 +211,11 @@ impl Graph {
             }
         }
         None
+    }
+
+    /// Whether nodes with multiples of opposite fingerprints have multiples of opposite values.
+    fn may_cancel(&self, a: Id, b: Id) -> bool {
+        let branches = |id: Id| self.flags(id).has(Flags::BRANCH);
+        !branches(a) && !branches(b) || self.same_up_to_sign(a, b)
     }
 }

@@ -4,7 +4,9 @@ use rustc_hash::{FxHashMap, FxHashSet};
 
 use crate::value::Element;
 
+use super::by_value::ByValue;
 use super::node::Id;
+use super::table::Graph;
 
 /// The classes of one derivation.
 ///
@@ -12,8 +14,8 @@ use super::node::Id;
 /// stands for it; no two nodes that stand for themselves have equal or opposite values.
 #[derive(Default)]
 pub struct Classes {
-    /// Value up to sign -> the node, and whether the node has the opposite of the key's value.
-    by_value: FxHashMap<Element, (Id, bool)>,
+    /// The nodes that stand for themselves.
+    nodes: ByValue<()>,
     /// Nodes seen by this derivation -> the node that stands for them.
     known: FxHashMap<Id, Id>,
     /// Products that are part of something: taking them apart would not save their multiplications.
@@ -21,10 +23,9 @@ pub struct Classes {
 }
 
 impl Classes {
-    /// The node of this value or of its opposite, if there is one, and whether it has the opposite.
-    pub(crate) fn find(&self, value: Element) -> Option<(Id, bool)> {
-        let (key, negated) = value.unsigned();
-        self.by_value.get(&key).map(|&(id, opposite)| (id, negated != opposite))
+    /// The nodes that have a fingerprint up to sign.
+    pub(crate) fn candidates(&self, value: Element) -> impl Iterator<Item = Id> {
+        self.nodes.candidates(value).map(|&(id, ())| id)
     }
 
     /// The node that stands for `id`, if the derivation has seen `id`.
@@ -33,9 +34,10 @@ impl Classes {
     }
 
     /// Let `id` stand for itself, and for its value if no other node does.
-    pub(crate) fn remember(&mut self, id: Id, value: Element) {
-        let (key, negated) = value.unsigned();
-        self.by_value.entry(key).or_insert((id, negated));
+    pub(crate) fn remember(&mut self, graph: &Graph, id: Id) {
+        if self.nodes.get_up_to_sign(graph, id).is_none() {
+            self.nodes.push(graph, id, ());
+        }
         self.known.insert(id, id);
     }
 

@@ -6,18 +6,22 @@
 //! Invariants: nodes are never changed or removed; equal rows are one node; a node comes after its children. Nothing
 //! here decides which form an expression takes: sums, products and functions are made in `canonical`.
 
+mod by_value;
 mod classes;
 mod cost;
 mod function;
+mod lanes;
 mod node;
 mod table;
 mod traverse;
 
+pub(crate) use by_value::ByValue;
 pub use classes::Classes;
 pub use cost::Cost;
 pub(crate) use cost::{factoring, solving};
 pub use function::Function;
 pub(crate) use function::Parity;
+pub(crate) use lanes::{Atom, Column, Split, draw_logarithm, leaf_in};
 pub use node::{Assumption, Factors, Id, Ids, NumberId, Terms, View};
 pub(crate) use node::{Flags, Kind};
 pub use table::{Graph, LARGEST_ORDER};

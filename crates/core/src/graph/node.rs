@@ -11,6 +11,8 @@ impl Id {
     pub const ZERO: Self = Self(0);
     /// The number 1.
     pub const ONE: Self = Self(1);
+    /// The circle constant, the third node of every graph.
+    pub const PI: Self = Self(2);
 
     pub(crate) const fn index(self) -> usize {
         self.0 as usize
@@ -179,6 +181,13 @@ impl Flags {
     pub(crate) const ROOT: Self = Self(4);
     /// Contains a symbol that may be complex: |z|^2 is not z^2, log(exp z) is not z.
     pub(crate) const COMPLEX: Self = Self(8);
+    /// Contains a sign, a modulus or a root: what is equal to the node is found by all lanes.
+    pub(crate) const BRANCH: Self = Self(16);
+    /// Contains pi, a logarithm or an inverse function, to which the angles and exponents of sums are split.
+    pub(crate) const INVERSE: Self = Self(32);
+
+    /// What a node has if one of its children has it.
+    const INHERITED: u8 = Self::TIME.0 | Self::COMPLEX.0 | Self::BRANCH.0 | Self::INVERSE.0;
 
     pub(crate) const fn has(self, other: Self) -> bool {
         self.0 & other.0 != 0
@@ -189,8 +198,7 @@ impl Flags {
     /// The flags of a node from those of two children.
     pub(crate) const fn join(self, other: Self) -> Self {
         let level = if self.level() > other.level() { self.level() } else { other.level() };
-        let joined =
-            (self.0 & other.0 & Self::CONSTANT.0) | ((self.0 | other.0) & (Self::TIME.0 | Self::COMPLEX.0));
+        let joined = (self.0 & other.0 & Self::CONSTANT.0) | ((self.0 | other.0) & Self::INHERITED);
         Self(joined).at_level(level)
     }
 

@@ -5,9 +5,11 @@ use rustc_hash::{FxHashMap, FxHasher};
 use std::hash::{Hash, Hasher};
 
 use crate::error::Error;
-use crate::value::{Circle, Element, Key, Number};
+use crate::value::{Element, Number};
+use std::cell::RefCell;
 
 use super::classes::Classes;
+use super::lanes::{Lanes, draw_pi, draw_symbol, draw_time, draw_time_function, drawn};
 use super::node::{Assumption, Factors, Flags, Id, Ids, Kind, NumberId, Terms, View};
 
 /// One row of the table.
@@ -66,8 +68,8 @@ pub struct Graph {
     name_kinds: Vec<u8>,
     /// Values that are recognised when they are made: small integers and simple fractions, unsigned.
     pub(crate) plain_values: FxHashMap<Element, NumberId>,
-    /// Points of the circle of arguments seen before; a cache, derived from the graph alone.
-    pub(crate) angles: FxHashMap<Id, Circle>,
+    /// Values in the fields of all lanes, as far as they were asked for; a cache, derived from the graph alone.
+    pub(crate) lanes: RefCell<Lanes>,
     /// Values of solutions of linear systems; a cache, derived from the graph alone.
     pub(crate) solutions: FxHashMap<Id, Vec<Element>>,
     /// The classes of the derivation in progress, if there is one.
@@ -75,7 +77,7 @@ pub struct Graph {
 }
 
 impl Graph {
-    /// A graph that holds the numbers 0 and 1.
+    /// A graph that holds the numbers 0 and 1, and pi.
     #[must_use]
     pub fn new() -> Self {
         let mut graph = Self::default();
@@ -84,6 +86,7 @@ impl Graph {
         }
         graph.number(&Number::integer(0));
         graph.number(&Number::integer(1));
+        graph.pi();
         for den in [1, 2, 3, 4, 6, 8, 12, 16] {
             for num in 1..=24 {
                 let id = graph.number_id(&Number::rational(num, den));
@@ -107,19 +110,12 @@ impl Graph {
         self.rows.is_empty()
     }
 
-    /// The exact value of a node at the random point.
+    /// The fingerprint of a node: a linear image of its exact values in the two hash lanes.
+    ///
+    /// Nodes without signs and roots that have one fingerprint are equal; for others see [`Self::equal`].
     #[must_use]
     pub fn value(&self, id: Id) -> Element {
         self.values[id.index()]
-    }
-
-    /// Whether two nodes are equal as mathematics. Numbers are compared digit by digit.
-    #[must_use]
-    pub fn equal(&self, a: Id, b: Id) -> bool {
-        match (self.as_number(a), self.as_number(b)) {
-            (Some(x), Some(y)) => x.same_value(y),
-            _ => self.value(a) == self.value(b),
-        }
     }
 
     /// A node and its parts.
@@ -235,7 +231,7 @@ impl Graph {
         let mut value = Element::from_number(number);
         if value.is_singular() && !number.is_zero() {
             // A multiple of one of the primes: its image could not be distinguished from zero, so draw one.
-            value = Element::draw(&Key::new("singular number").text(&number.with_decimal(false).to_string()));
+            value = drawn(|field| field.field().number(number));
         }
         self.numbers.push(number.clone());
         self.number_values.push(value);
@@ -281,23 +277,18 @@ impl Graph {
 
     /// The circle constant.
     pub fn pi(&mut self) -> Id {
-        self.intern(Kind::Pi, Flags::CONSTANT, &[], Element::draw(&Key::new("pi")))
+        self.intern(Kind::Pi, Flags::CONSTANT.with(Flags::INVERSE), &[], drawn(draw_pi))
     }
 
     /// The independent variable t.
     pub fn time(&mut self) -> Id {
-        self.intern(Kind::Time, Flags::TIME.at_level(1), &[], Element::draw(&Key::new("time")))
+        self.intern(Kind::Time, Flags::TIME.at_level(1), &[], drawn(draw_time))
     }
 
     /// A symbol. Symbols with one name and different assumptions are different symbols.
     pub fn symbol(&mut self, name: &str, assumption: Assumption) -> Id {
         let name_id = self.name_id(name);
-        let key = Key::new("symbol").text(name).word(assumption as u64);
-        // A positive symbol lives in the group of prime order, where every root exists.
-        let value = match assumption {
-            Assumption::Positive => Element::draw_exponential(&key),
-            Assumption::Real | Assumption::None => Element::draw(&key),
-        };
+        let value = drawn(|field| draw_symbol(field, name, assumption));
         let flags = if assumption == Assumption::None { Flags::COMPLEX } else { Flags::default() };
         self.name_kinds[name_id as usize] |= 2 << assumption as u8;
         self.intern(Kind::Symbol(assumption), flags, &[name_id], value)
@@ -310,7 +301,7 @@ impl Graph {
     pub fn time_function(&mut self, name: &str, order: u32) -> Result<Id, Error> {
         check_order(order.into())?;
         let name_id = self.name_id(name);
-        let value = Element::draw(&Key::new("time function").text(name).word(order.into()));
+        let value = drawn(|field| draw_time_function(field, name, order));
         self.name_kinds[name_id as usize] |= 1;
         // Level 3 is the highest one.
         let level = order.min(2) as u8 + 1;
@@ -354,9 +345,9 @@ impl Graph {
 
     /// Enter a node made by the derivation in progress, if there is one, into its classes.
     pub(crate) fn remember(&mut self, id: Id) {
-        let value = self.value(id);
-        if let Some(classes) = self.classes.as_mut() {
-            classes.remember(id, value);
+        if let Some(mut classes) = self.classes.take() {
+            classes.remember(self, id);
+            self.classes = Some(classes);
         }
     }
 

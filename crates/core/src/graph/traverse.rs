@@ -46,11 +46,4 @@ impl Graph {
     pub fn variables(&self, roots: &[Id]) -> Vec<Id> {
         self.post_order(roots).into_iter().filter(|&id| self.is_variable(id)).collect()
     }
-
-    /// Whether something equal to `part` is below the node (or is the node).
-    #[must_use]
-    pub fn has(&self, id: Id, part: Id) -> bool {
-        let value = self.value(part);
-        self.post_order(&[id]).into_iter().any(|node| self.value(node) == value)
-    }
 }

@@ -76,7 +76,7 @@ impl Graph {
 
     fn common_powers(&self, common: Powers, others: &[(Id, Number)]) -> Powers {
         let shared = |(base, exponent): (Id, Number)| {
-            let (_, other) = others.iter().find(|(known, _)| self.value(*known) == self.value(base))?;
+            let (_, other) = others.iter().find(|(known, _)| self.same(*known, base))?;
             if exponent.is_negative() != other.is_negative() {
                 return None;
             }

@@ -4,8 +4,7 @@ use rustc_hash::FxHashMap;
 use std::collections::BTreeMap;
 
 use crate::error::Error;
-use crate::graph::{Graph, Id, NumberId, View};
-use crate::value::Element;
+use crate::graph::{ByValue, Graph, Id, NumberId, View};
 
 /// constant + sum of coefficient * unknown, with the unknowns by number; no coefficient is zero.
 #[derive(Clone)]
@@ -27,16 +26,16 @@ impl Graph {
         equations: &[Id],
         unknowns: &[Id],
     ) -> Result<Vec<LinearForm>, Error> {
-        let mut numbers: FxHashMap<Element, usize> = FxHashMap::default();
+        let mut numbers: ByValue<usize> = ByValue::default();
         for (number, &unknown) in unknowns.iter().enumerate() {
             if !self.is_variable(unknown) {
                 return Err(Error::NotAVariable(self.to_quotation(unknown)));
             }
-            numbers.insert(self.value(unknown), number);
+            numbers.push(self, unknown, number);
         }
         let mut forms = Forms::default();
         for id in self.post_order_where(equations, |_| true) {
-            let form = match numbers.get(&self.value(id)) {
+            let form = match numbers.get(self, id) {
                 Some(&number) => {
                     let coefficients = BTreeMap::from([(number, Id::ONE)]);
                     Some(LinearForm { constant: Id::ZERO, coefficients })
@@ -139,10 +138,9 @@ impl Graph {
 
     /// The expression where the unknowns are zero; their derivatives are other variables and stay.
     fn without(&mut self, root: Id, unknowns: &[Id]) -> Result<Id, Error> {
-        let zeros: Vec<Element> = unknowns.iter().map(|&id| self.value(id)).collect();
         let mut rebuilt: FxHashMap<Id, Id> = FxHashMap::default();
         for id in self.post_order_where(&[root], |_| true) {
-            let result = if zeros.contains(&self.value(id)) {
+            let result = if unknowns.iter().any(|&unknown| self.same(unknown, id)) {
                 Id::ZERO
             } else {
                 self.rebuild(id, &|_: &Self, child| rebuilt[&child])?

@@ -4,7 +4,7 @@ use crate::error::Error;
 use crate::graph::{Graph, Id, NumberId};
 
 use super::minor::first_columns;
-use super::rank::{Row, rank};
+use super::rank::Equation;
 
 /// The largest matrix that is inverted in symbols.
 const LARGEST_INVERSE: usize = 6;
@@ -86,11 +86,9 @@ impl Matrix {
 impl Graph {
     /// The rank of a matrix at almost every point: the rank of its values at the random point.
     pub fn matrix_rank(&self, matrix: &Matrix) -> usize {
-        let value = |(column, &entry)| (column, self.value(entry));
-        let rows = matrix.entries.chunks(matrix.columns.max(1)).map(|row| {
-            row.iter().enumerate().map(value).filter(|(_, value)| !value.is_zero()).collect::<Row>()
-        });
-        rank(rows.collect(), matrix.columns).independent.len()
+        let rows = matrix.entries.chunks(matrix.columns.max(1));
+        let equations: Vec<Equation> = rows.map(|row| row.iter().copied().enumerate().collect()).collect();
+        self.rank_of(&equations, matrix.columns).independent.len()
     }
 
     /// The product of two matrices.

@@ -5,7 +5,7 @@ use crate::graph::{Graph, Id, NumberId};
 
 use super::block::{Block, blocks};
 use super::form::LinearForm;
-use super::rank::{Dependent, Rank, Row, rank};
+use super::rank::{Dependent, Equation, Rank};
 
 /// The most unknowns that are solved together.
 const MOST_COUPLED: usize = 6;
@@ -25,8 +25,9 @@ impl Graph {
     pub fn solve(&mut self, equations: &[Id], unknowns: &[Id]) -> Result<Vec<Id>, Error> {
         self.check_distinct(unknowns)?;
         let forms = self.linear_forms(equations, unknowns)?;
-        let rows = forms.iter().map(|form| self.row_of(form, unknowns.len())).collect();
-        let rank = rank(rows, unknowns.len());
+        let equations_in_unknowns: Vec<Equation> =
+            forms.iter().map(|form| equation_of(form, unknowns.len())).collect();
+        let rank = self.rank_of(&equations_in_unknowns, unknowns.len());
         self.check_rank(&rank, equations, unknowns)?;
         let forms: Vec<LinearForm> = rank.independent.iter().map(|&i| forms[i].clone()).collect();
         let pattern: Vec<Vec<usize>> =
@@ -45,13 +46,6 @@ impl Graph {
             }
         }
         Ok(())
-    }
-
-    /// The form's values at the random point.
-    fn row_of(&self, form: &LinearForm, unknowns: usize) -> Row {
-        let constant = (unknowns, form.constant);
-        let all = form.coefficients.iter().map(|(&number, &id)| (number, id)).chain([constant]);
-        all.map(|(number, id)| (number, self.value(id))).filter(|(_, value)| !value.is_zero()).collect()
     }
 
     fn check_rank(&self, rank: &Rank, equations: &[Id], unknowns: &[Id]) -> Result<(), Error> {
@@ -150,4 +144,9 @@ fn numbered(equations: &[usize]) -> String {
         [one] => format!("equation {one}"),
         [first @ .., last] => format!("equations {} and {last}", first.join(", ")),
     }
+}
+
+fn equation_of(form: &LinearForm, unknowns: usize) -> Equation {
+    let coefficients = form.coefficients.iter().map(|(&number, &id)| (number, id));
+    coefficients.chain([(unknowns, form.constant)]).collect()
 }

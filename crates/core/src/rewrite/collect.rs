@@ -39,7 +39,7 @@ impl Graph {
             }
             let collected = ring.sum_of(&parts);
             // Products of opaque roots may have merged into what the field cannot compare.
-            Ok(if graph.value(collected) == graph.value(id) { collected } else { id })
+            Ok(if graph.same(collected, id) { collected } else { id })
         })
     }
 

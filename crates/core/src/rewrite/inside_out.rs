@@ -44,7 +44,7 @@ impl Graph {
             }
             // The field must prove each step. It reads an angle term by term, so sin(sin(a + b)) and
             // sin(sin(a)*cos(b) + ...) have unlike values there, and a root is opaque to it.
-            let is_same = |form: &Id| self.value(*form) == self.value(id);
+            let is_same = |form: &Id| self.same(*form, id);
             let last = forms.into_iter().rfind(is_same).expect("the node itself is the first form");
             map.insert(id, last);
         }

@@ -3,9 +3,9 @@
 use rustc_hash::FxHashMap;
 
 use crate::error::Error;
-use crate::graph::{Function, Graph, Id, NumberId, View, word};
+use crate::graph::{ByValue, Function, Graph, Id, NumberId, View, word};
 use crate::polynomial::{Budget, Monomial, Polynomial};
-use crate::value::{Element, Number};
+use crate::value::Number;
 
 /// The atoms found so far, numbered in the order in which the expression shows them.
 ///
@@ -14,8 +14,7 @@ pub(super) struct Ring<'g> {
     pub(crate) graph: &'g mut Graph,
     pub(crate) budget: Budget,
     nodes: Vec<Id>,
-    /// Value up to sign -> atom.
-    index: FxHashMap<Element, u32>,
+    index: ByValue<u32>,
     /// Atoms that are roots: the node under the root and the degree.
     pub(crate) roots: FxHashMap<u32, (Id, i64)>,
     /// Arguments of sines and cosines as sums of atoms.
@@ -28,7 +27,7 @@ impl<'g> Ring<'g> {
             graph,
             budget,
             nodes: Vec::new(),
-            index: FxHashMap::default(),
+            index: ByValue::default(),
             roots: FxHashMap::default(),
             angles: FxHashMap::default(),
         }
@@ -40,13 +39,13 @@ impl<'g> Ring<'g> {
 
     /// The atom of a node, and whether the atom has the opposite value.
     pub(crate) fn atom(&mut self, id: Id) -> (u32, bool) {
-        let value = self.graph.value(id);
-        let next = word(self.nodes.len());
-        let atom = *self.index.entry(value.unsigned().0).or_insert(next);
-        if atom == next {
-            self.nodes.push(id);
+        if let Some((&atom, is_opposite)) = self.index.get_up_to_sign(self.graph, id) {
+            return (atom, is_opposite);
         }
-        (atom, self.graph.value(self.node(atom)) != value)
+        let next = word(self.nodes.len());
+        self.nodes.push(id);
+        self.index.push(self.graph, id, next);
+        (next, false)
     }
 
     /// The polynomial of a node that is not opened: a number, or a multiple of an atom.

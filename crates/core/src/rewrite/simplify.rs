@@ -119,7 +119,7 @@ impl Graph {
         let mut best = (length(bound), part);
         for &candidate in candidates {
             let cost = self.cost(&[candidate]);
-            if self.value(candidate) != self.value(part) || cost.total() > bound.total() {
+            if !self.same(candidate, part) || cost.total() > bound.total() {
                 continue;
             }
             let order = length(cost).cmp(&best.0);
@@ -170,8 +170,7 @@ impl Graph {
     fn without_fractions(&mut self, part: Id) -> Id {
         match self.whole(part) {
             Ok(whole)
-                if self.value(whole) == self.value(part)
-                    && length(self.cost(&[whole])) <= length(self.cost(&[part])) =>
+                if self.same(whole, part) && length(self.cost(&[whole])) <= length(self.cost(&[part])) =>
             {
                 whole
             }

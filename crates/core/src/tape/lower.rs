@@ -3,12 +3,10 @@
 //! Every value is computed once, whatever forms it has. Signs travel with the values and end in subtractions, constants
 //! are folded, and the negative exponents of a product become one division.
 
-use rustc_hash::FxHashMap;
 use std::cmp::Reverse;
 
 use crate::error::Error;
-use crate::graph::{Factors, Function, Graph, Id, Ids, Kind, Terms, View};
-use crate::value::Element;
+use crate::graph::{ByValue, Factors, Function, Graph, Id, Ids, Kind, Terms, View};
 
 use super::emit::{Emitter, Signed};
 use super::schedule::schedule;
@@ -44,8 +42,7 @@ impl Graph {
 
     /// The error that names every variable without a value, except those inside an undefined function.
     fn missing_inputs(&self, inputs: &[Id], outputs: &[Id]) -> Error {
-        let given: Vec<Element> = inputs.iter().map(|&id| self.value(id)).collect();
-        let is_input = |id: Id| given.contains(&self.value(id));
+        let is_input = |id: Id| inputs.iter().any(|&input| self.same(input, id));
         let mut inside: Vec<Id> = Vec::new();
         let mut names: Vec<String> = Vec::new();
         for id in self.post_order_where(outputs, |id| !is_input(id)) {
@@ -70,11 +67,10 @@ impl Graph {
 
 struct Lowering<'a> {
     graph: &'a Graph,
-    /// The operands that are computed, by value up to sign.
-    known: FxHashMap<Element, Signed>,
-    inputs: FxHashMap<Element, u32>,
-    /// Linear systems, by value.
-    systems: FxHashMap<Element, Operand>,
+    /// The operands that are computed.
+    known: ByValue<Signed>,
+    inputs: ByValue<()>,
+    systems: ByValue<Operand>,
     code: Emitter,
 }
 
@@ -82,9 +78,9 @@ impl<'a> Lowering<'a> {
     fn new(graph: &'a Graph, inputs: &[Id]) -> Result<Self, Error> {
         let mut lowering = Self {
             graph,
-            known: FxHashMap::default(),
-            inputs: FxHashMap::default(),
-            systems: FxHashMap::default(),
+            known: ByValue::default(),
+            inputs: ByValue::default(),
+            systems: ByValue::default(),
             code: Emitter::default(),
         };
         for (&input, position) in inputs.iter().zip(0..) {
@@ -92,23 +88,24 @@ impl<'a> Lowering<'a> {
                 return Err(Error::NotAVariable(graph.to_quotation(input)));
             }
             lowering.code.tape.inputs.push(graph.to_text(input));
-            lowering.inputs.entry(graph.value(input)).or_insert(position);
+            lowering.inputs.push(graph, input, ());
             lowering.remember(input, Signed::plus(Operand::Input(position)));
         }
         Ok(lowering)
     }
 
     fn is_input(&self, id: Id) -> bool {
-        self.inputs.contains_key(&self.graph.value(id))
+        self.inputs.get(self.graph, id).is_some()
     }
 
     fn knows(&self, id: Id) -> bool {
-        self.known.contains_key(&self.graph.value(id).unsigned().0)
+        self.known.get_up_to_sign(self.graph, id).is_some()
     }
 
     fn remember(&mut self, id: Id, value: Signed) {
-        let (key, opposite) = self.graph.value(id).unsigned();
-        self.known.entry(key).or_insert(value.flipped_if(opposite));
+        if !self.knows(id) {
+            self.known.push(self.graph, id, value);
+        }
     }
 
     /// The operand of a child, which comes earlier in the order.
@@ -117,8 +114,9 @@ impl<'a> Lowering<'a> {
             // Numbers have more information than their value in the field.
             return self.code.constant(number.to_f64());
         }
-        let (key, opposite) = self.graph.value(id).unsigned();
-        self.known.get(&key).expect("what a node reads is lowered before it").flipped_if(opposite)
+        let (value, is_opposite) =
+            self.known.get_up_to_sign(self.graph, id).expect("what a node reads is lowered before it");
+        value.flipped_if(is_opposite)
     }
 
     fn output(&mut self, id: Id) -> Operand {
@@ -142,11 +140,11 @@ impl<'a> Lowering<'a> {
             View::Function(function, args) => self.call(function, args),
             View::LinearSystem { matrix, right } => {
                 let system = self.linear_system(matrix, right);
-                self.systems.insert(self.graph.value(id), system);
+                self.systems.push(self.graph, id, system);
                 Signed::plus(system)
             }
             View::Solution(system, index) => {
-                let system = *self.systems.get(&self.graph.value(system))?;
+                let system = *self.systems.get(self.graph, system)?;
                 self.code.component(system, index)
             }
         })

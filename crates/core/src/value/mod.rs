@@ -1,19 +1,27 @@
-//! Numbers: the exact ones that expressions hold, and the elements of a finite field that expressions have as values.
+//! Numbers: the exact ones that expressions hold, and the elements of finite fields that expressions have as values.
 //!
-//! A [`Number`] is a fraction of integers of any size. An [`Element`] is a pair of residues modulo two primes of 62
-//! bits: the value that an expression takes at a random point. Symbols, angles and exponents have points that are drawn
-//! from a [`Key`] of their names and parts, so that a value never depends on the order of construction.
+//! A [`Number`] is a fraction of integers of any size. An [`Element`] is the fingerprint of an expression: its values in
+//! the two hash [lanes](lane). A lane is a random point over a finite field, drawn from [`Key`]s of names, so that a
+//! value never depends on the order of construction. [`Quadratic`] is the value in any lane of what holds roots.
 //!
 //! Invariant: sums, products and quotients of elements are the elements of the sums, products and quotients of numbers,
 //! except for the rare numbers that are multiples of a prime: these have drawn elements.
 
+mod circle;
 mod double;
-mod field;
+mod element;
 mod gcd;
+mod key;
+mod lane;
+mod lanes;
 mod number;
+mod prime;
+mod quadratic;
 mod radical;
 
-pub use field::Element;
-pub(crate) use field::{Circle, Key, TORSION};
+pub use element::Element;
+pub(crate) use key::Key;
+pub(crate) use lane::{Field, FieldId, fingerprint, in_hash_lane};
 pub use number::Number;
-pub(crate) use radical::{exact_root, radical_value, square_part};
+pub(crate) use quadratic::Quadratic;
+pub(crate) use radical::prime_factors;

@@ -1,87 +1,136 @@
-//! Roots of numbers: their square and exact parts, and the values of those that are irrational.
+//! Prime factors of numbers: the canonical form of their rational powers.
 
-use super::field::{Circle, Element, Key, TORSION};
+use num_bigint::BigInt;
+use num_integer::Integer;
+use num_traits::{One, ToPrimitive, Zero};
+use std::collections::BTreeMap;
+
 use super::number::Number;
+use super::prime::mul_mod;
 
-const POSITIVE: &str = "the denominator of a number is positive";
+/// Primes below this are found by trial division.
+const TRIALS: u64 = 2000;
 
-/// number = outside^2 * inside, where the integer inside is square-free as far as trial division shows.
-pub(crate) fn square_part(number: &Number) -> (Number, Number) {
-    let decimal = number.is_decimal();
-    let mut inside = number.numerator() * number.denominator();
-    let mut outside = num_bigint::BigInt::from(1);
-    for q in 2u32..2000 {
-        let square = num_bigint::BigInt::from(q) * q;
-        if square > inside {
-            break;
-        }
-        while (&inside % &square).bits() == 0 {
-            inside /= &square;
-            outside *= q;
-        }
-    }
-    let root = inside.sqrt();
-    if &root * &root == inside {
-        outside *= root;
-        inside = num_bigint::BigInt::from(1);
-    }
-    let outside = Number::from_big(outside, number.denominator()).expect(POSITIVE);
-    (outside.with_decimal(decimal), Number::whole(inside))
-}
-
-/// The exact root of a number, if it has one.
-pub(crate) fn exact_root(number: &Number, degree: i64) -> Option<Number> {
-    let degree = u32::try_from(degree).ok()?;
-    let (num, den) = (number.numerator().nth_root(degree), number.denominator().nth_root(degree));
-    let root = Number::from_big(num, den).ok()?.with_decimal(number.is_decimal());
-    root.powi(i64::from(degree)).ok()?.same_value(number).then_some(root)
-}
-
-/// The value of sqrt(number): the product of the roots of its primes.
-pub(crate) fn radical_value(number: &Number) -> Element {
-    if number.is_zero() {
-        return Element::ZERO; // which every prime divides, as often as one tries
-    }
-    let mut rest = number.numerator() * number.denominator();
-    let mut value = Element::from_number(&Number::from_big(1.into(), number.denominator()).expect(POSITIVE));
-    for q in 2u32..2000 {
-        while (&rest % q).bits() == 0 {
-            rest /= q;
-            value = value * prime_root(q);
-        }
-    }
-    if rest == num_bigint::BigInt::from(1) {
-        return value;
-    }
-    value * free_root(&Number::whole(rest))
-}
-
-/// The value of the square root of a prime, in agreement with the values of trigonometric functions.
+/// The prime factors of a positive number, with exponents that are negative for those of the denominator.
 ///
-/// sqrt 2 = 2 cos(pi/4), sqrt 3 = 2 cos(pi/6), sqrt 5 = 4 cos(pi/5) - 1; sqrt 7 and sqrt 11 are Gauss sums:
-/// for a prime q = 3 mod 4, sqrt q is the sum over k of (k/q) sin(2 pi k/q). Others are free.
-fn prime_root(q: u32) -> Element {
-    let cos = |k: u64| Circle::torsion(k).cos;
-    match q {
-        2 => cos(TORSION / 8) * Element::from_i64(2),
-        3 => cos(TORSION / 12) * Element::from_i64(2),
-        5 => cos(TORSION / 10) * Element::from_i64(4) - Element::ONE,
-        7 => gauss_sum(7, &[1, 2, 4]),
-        11 => gauss_sum(11, &[1, 3, 4, 5, 9]),
-        _ => free_root(&Number::integer(q.into())),
+/// Factors beyond 64 bits stay as they are, if they have no small prime factor and are not powers.
+pub(crate) fn prime_factors(number: &Number) -> BTreeMap<BigInt, i64> {
+    let mut factors = BTreeMap::new();
+    for (part, sign) in [(number.numerator(), 1), (number.denominator(), -1)] {
+        split(part, sign, &mut factors);
+    }
+    factors.retain(|_, exponent| *exponent != 0);
+    factors
+}
+
+fn split(mut rest: BigInt, sign: i64, factors: &mut BTreeMap<BigInt, i64>) {
+    let mut q = 2u64;
+    while q < TRIALS && !rest.is_one() && !rest.is_zero() {
+        let (mut quotient, mut remainder) = rest.div_rem(&q.into());
+        while remainder.is_zero() {
+            *factors.entry(q.into()).or_default() += sign;
+            rest = quotient;
+            (quotient, remainder) = rest.div_rem(&q.into());
+        }
+        q += if q == 2 { 1 } else { 2 };
+    }
+    match rest.to_u64() {
+        Some(0 | 1) => {}
+        Some(word) => split_word(word, sign, factors),
+        None => split_large(rest, sign, factors),
     }
 }
 
-fn gauss_sum(q: u64, residues: &[u64]) -> Element {
-    (1..q).fold(Element::ZERO, |sum, k| {
-        let sine = Circle::torsion(TORSION / q * k).sin;
-        if residues.contains(&k) { sum + sine } else { sum - sine }
+fn split_word(word: u64, sign: i64, factors: &mut BTreeMap<BigInt, i64>) {
+    if word < TRIALS * TRIALS || is_prime(word) {
+        *factors.entry(word.into()).or_default() += sign;
+        return;
+    }
+    let divisor = proper_divisor(word);
+    split_word(divisor, sign, factors);
+    split_word(word / divisor, sign, factors);
+}
+
+/// A number of more than 64 bits: the root of a perfect power, or the number itself.
+fn split_large(number: BigInt, sign: i64, factors: &mut BTreeMap<BigInt, i64>) {
+    let bits = u32::try_from(number.bits()).unwrap_or(u32::MAX);
+    // No prime below 2^10 divides the number, so it is no higher power than this.
+    for degree in (2..=(bits / 10).min(100)).rev() {
+        let root = number.nth_root(degree);
+        if root.pow(degree) == number {
+            split(root, sign * i64::from(degree), factors);
+            return;
+        }
+    }
+    *factors.entry(number).or_default() += sign;
+}
+
+/// The test of Miller and Rabin with the first twelve primes as bases, which decides below 2^64 [Sorenson & Webster 2017].
+fn is_prime(n: u64) -> bool {
+    let twos = (n - 1).trailing_zeros();
+    [2u64, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37].iter().all(|&base| {
+        let mut power = pow_mod(base, (n - 1) >> twos, n);
+        if power == 1 || power == n - 1 {
+            return true;
+        }
+        (1..twos).any(|_| {
+            power = mul_mod(power, power, n);
+            power == n - 1
+        })
     })
 }
 
-/// The value of a square root that no identity ties to an angle.
-fn free_root(radicand: &Number) -> Element {
-    let value = Element::from_number(radicand);
-    let opaque = || Element::draw(&Key::new("radical").text(&radicand.with_decimal(false).to_string()));
-    value.sqrt().unwrap_or_else(opaque)
+fn pow_mod(mut base: u64, mut exponent: u64, n: u64) -> u64 {
+    let mut result = 1;
+    while exponent > 0 {
+        if exponent & 1 == 1 {
+            result = mul_mod(result, base, n);
+        }
+        base = mul_mod(base, base, n);
+        exponent >>= 1;
+    }
+    result
+}
+
+/// A divisor of a composite number, by Pollard's rho method [Pollard 1975].
+fn proper_divisor(n: u64) -> u64 {
+    (1..)
+        .find_map(|c| {
+            let next =
+                |x: u64| u64::try_from((u128::from(mul_mod(x, x, n)) + c) % u128::from(n)).unwrap_or(0);
+            let (mut slow, mut fast) = (2, 2);
+            loop {
+                slow = next(slow);
+                fast = next(next(fast));
+                match slow.abs_diff(fast).gcd(&n) {
+                    1 => {}
+                    divisor if divisor == n => return None,
+                    divisor => return Some(divisor),
+                }
+            }
+        })
+        .expect("some constant finds a divisor of a composite number")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn factors_multiply_to_the_number() {
+        for (num, den) in [(1, 1), (12, 35), (2_147_483_647, 4), (1_000_003 * 1_000_033, 9), (i64::MAX, 1)] {
+            let number = Number::rational(num, den);
+            let product = prime_factors(&number).iter().fold(Number::integer(1), |product, (q, &e)| {
+                product.mul(&Number::whole(q.clone()).powi(e).expect("a small power"))
+            });
+            assert_eq!(product, number);
+        }
+    }
+
+    #[test]
+    fn powers_of_large_numbers_are_powers() {
+        let base: BigInt = BigInt::from(10).pow(25) + 13;
+        let factors = prime_factors(&Number::whole(num_traits::Pow::pow(&base, 3u32)));
+        assert!(factors.values().all(|e| e % 3 == 0), "{factors:?}");
+    }
 }

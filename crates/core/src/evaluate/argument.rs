@@ -1,0 +1,248 @@
+//! Arguments of sines and exponentials: what has a known angle or exponential, and the rest.
+//!
+//! The sine of an argument is found from the value of the argument in the field of angles. That does not know that the
+//! sine of pi is 0, and that of atan(x) is x/sqrt(1 + x^2). So the argument is split: it is n1 a1 + n2 a2 + ... + rest
+//! with *atoms* a that have known angles: pi, and inverse functions. In the same way an exponent is split by logarithms.
+//!
+//! The factor n of an atom is found by value: it is half of the argument's growth from a = -1 to a = 1 at a point
+//! of integers (see [`integer_point`](super::integer_point)). Any such choice is right, because it is additive: whatever is
+//! not in the factors stays in the rest.
+
+use std::sync::Arc;
+
+use crate::graph::{Atom, Flags, Function, Graph, Id, Split, View};
+use crate::value::{Field, FieldId, Key, Number, Quadratic};
+
+use super::integer_point::IntegerPoint;
+use super::node::is_large;
+
+/// The most atoms of an argument.
+const MOST_ATOMS: usize = 32;
+
+type Point = (Quadratic, Quadratic);
+
+impl Graph {
+    /// The cosine and the sine of an argument.
+    pub(super) fn angle_in(&self, argument: Id, field: FieldId) -> Point {
+        let f = field.field();
+        let split = self.split_argument(argument, false);
+        let Some(angles) = field.of_angles() else {
+            return f.drawn_angle(Key::new("drawn angle"), &self.value_in(argument, field));
+        };
+        let rest = self.rest_in(argument, &split, angles);
+        let start = f.angle(angles.field().exponent(&rest));
+        split
+            .iter()
+            .fold(start, |sum, (atom, factor)| rotate(f, &sum, &self.known_angle(atom, factor, field)))
+    }
+
+    /// The exponential of an argument.
+    pub(super) fn exponential_in(&self, argument: Id, field: FieldId) -> Quadratic {
+        let f = field.field();
+        let Some(exponents) = field.of_exponents() else {
+            return f.drawn_exponential(&self.value_in(argument, field));
+        };
+        let split = self.split_argument(argument, true);
+        let rest = self.rest_in(argument, &split, exponents);
+        let start = f.exponential(exponents.field().exponent(&rest));
+        split.iter().fold(start, |product, (atom, factor)| {
+            let power = match atom {
+                Atom::Log(argument) => self.power_in(*argument, factor, field),
+                Atom::LogOfPrime(prime) => f.rational_power(&f.number(&Number::whole(prime.clone())), factor),
+                _ => self.power_in(Id::PI, factor, field),
+            };
+            f.mul(&product, &power)
+        })
+    }
+
+    /// base ** exponent, as exp(exponent * log(base)): base ** n for the number n in the exponent, and the rest.
+    pub(super) fn general_power_in(&self, base: Id, exponent: Id, field: FieldId) -> Quadratic {
+        let f = field.field();
+        let Some(exponents) = field.of_exponents() else {
+            let values = [self.value_in(base, field), self.value_in(exponent, field)];
+            return f.opaque(Key::new("power of"), &[&values[0], &values[1]]);
+        };
+        if base == Id::ZERO {
+            let value = self.value_in(exponent, field);
+            return f.opaque(Key::new("power of zero"), &[&value]);
+        }
+        let e = exponents.field();
+        let number = self.number_in(exponent);
+        let rest = e.sub(&self.value_in(exponent, exponents), &e.number(&number));
+        let product = e.mul(&rest, &self.logarithm_in(base, exponents));
+        f.mul(&self.power_in(base, &number, field), &f.exponential(e.exponent(&product)))
+    }
+
+    /// What has to be known before the sine or exponential of an argument can be evaluated.
+    pub(super) fn push_needed_by_argument(
+        &self,
+        argument: Id,
+        field: FieldId,
+        of_exponential: bool,
+        out: &mut Vec<(Id, FieldId)>,
+    ) {
+        let next = if of_exponential { field.of_exponents() } else { field.of_angles() };
+        out.push((argument, next.unwrap_or(field)));
+        if next.is_none() {
+            return;
+        }
+        for (atom, _) in self.split_argument(argument, of_exponential).iter() {
+            let inner: &[Id] = match atom {
+                Atom::Asin(x) | Atom::Atan(x) => &[*x],
+                Atom::Atan2(y, x) => &[*y, *x],
+                Atom::Log(x) => {
+                    out.push((*x, field));
+                    out.extend(next.map(|next| (*x, next)));
+                    continue;
+                }
+                _ => &[],
+            };
+            for &id in inner {
+                out.push((id, field));
+                out.extend(next.map(|next| (id, next)));
+            }
+        }
+    }
+
+    /// Whether the sine or exponential of an argument holds roots that its argument does not hold.
+    pub(crate) fn makes_roots(&self, argument: Id, of_exponential: bool) -> bool {
+        self.split_argument(argument, of_exponential).iter().any(|(atom, factor)| match atom {
+            Atom::Log(base) => self.is_branching(*base, factor),
+            Atom::LogOfPrime(prime) => !factor.is_integer() && is_large(prime),
+            Atom::Pi | Atom::LogOfPi => false,
+            _ => true,
+        })
+    }
+
+    /// Whether the exponential of an argument may be negative, because the argument holds a logarithm of something that
+    /// is not known to be positive.
+    pub(crate) fn may_be_negative(&self, argument: Id) -> bool {
+        self.split_argument(argument, true).iter().any(|(atom, _)| matches!(atom, Atom::Log(_)))
+    }
+
+    /// The number in an exponent, such as the 1 in x + 1: the value at a point of integers.
+    pub(crate) fn number_in(&self, exponent: Id) -> Number {
+        self.at_integers(exponent, IntegerPoint::PLAIN).unwrap_or_else(|| Number::integer(0))
+    }
+
+    fn rest_in(&self, argument: Id, split: &Split, field: FieldId) -> Quadratic {
+        let f = field.field();
+        split.iter().fold(self.value_in(argument, field), |rest, (atom, factor)| {
+            f.sub(&rest, &f.mul(&f.number(factor), &self.atom_in(atom, field)))
+        })
+    }
+
+    /// A multiple of the angle that an atom is.
+    fn known_angle(&self, atom: &Atom, factor: &Number, field: FieldId) -> Point {
+        let f = field.field();
+        let root = |square: Quadratic| f.rational_power(&square, &Number::rational(1, 2));
+        let point = match *atom {
+            Atom::Asin(argument) => {
+                let sin = self.value_in(argument, field);
+                (root(f.sub(&f.one(), &f.mul(&sin, &sin))), sin)
+            }
+            Atom::Atan(argument) => {
+                let tan = self.value_in(argument, field);
+                let scale = f.inverse(&root(f.add(&f.one(), &f.mul(&tan, &tan))));
+                (scale.clone(), f.mul(&tan, &scale))
+            }
+            Atom::Atan2(y, x) => self.unit_vector_in(y, x, field),
+            _ => return f.part_of_turn(&factor.mul(&Number::rational(1, 2))), // pi is half a turn
+        };
+        let halved = if factor.is_integer() { point } else { half_angle(f, &point) };
+        let count = if factor.is_integer() { factor.clone() } else { factor.mul(&Number::integer(2)) };
+        multiple(f, halved, count.to_i64().unwrap_or(0))
+    }
+
+    /// The atoms of an argument with their factors.
+    pub(super) fn split_argument(&self, argument: Id, of_exponential: bool) -> Split {
+        if !self.flags(argument).has(Flags::INVERSE) {
+            return Arc::new([]);
+        }
+        if let Some(known) = self.lanes.borrow().split(argument, of_exponential) {
+            return known;
+        }
+        let factors = self.atoms(argument, of_exponential).into_iter().filter_map(|atom| {
+            let factor = self.growth_at_integers(argument, &atom)?;
+            let is_known =
+                of_exponential || atom == Atom::Pi || factor.mul(&Number::integer(2)).to_i64().is_some();
+            (is_known && !factor.is_zero()).then_some((atom, factor))
+        });
+        let split: Split = factors.collect();
+        self.lanes.borrow_mut().insert_split(argument, of_exponential, Arc::clone(&split));
+        split
+    }
+
+    /// The atoms below an argument.
+    fn atoms(&self, argument: Id, of_exponential: bool) -> Vec<Atom> {
+        let mut atoms: Vec<Atom> = Vec::new();
+        for id in self.post_order_where(&[argument], |id| self.flags(id).has(Flags::INVERSE)) {
+            let mut found = Vec::new();
+            match self.view(id) {
+                View::Pi if !of_exponential => found.push(Atom::Pi),
+                View::Function(Function::Log, args) if of_exponential => {
+                    self.push_atoms_of_logarithm(args.get(0), &mut found);
+                }
+                View::Function(Function::Acos, _)
+                    if !of_exponential && self.flags(id).has(Flags::COMPLEX) =>
+                {
+                    found.push(Atom::Pi);
+                }
+                View::Function(function, args) if !of_exponential && !self.flags(id).has(Flags::COMPLEX) => {
+                    match function {
+                        Function::Asin => found.push(Atom::Asin(args.get(0))),
+                        Function::Acos => found.extend([Atom::Pi, Atom::Asin(args.get(0))]),
+                        Function::Atan => found.push(Atom::Atan(args.get(0))),
+                        Function::Atan2 => found.push(Atom::Atan2(args.get(0), args.get(1))),
+                        _ => {}
+                    }
+                }
+                _ => {}
+            }
+            for atom in found {
+                if atoms.len() < MOST_ATOMS && !atoms.iter().any(|known| self.is_same_atom(known, &atom)) {
+                    atoms.push(atom);
+                }
+            }
+        }
+        atoms
+    }
+
+    fn is_same_atom(&self, a: &Atom, b: &Atom) -> bool {
+        match (a, b) {
+            (Atom::Asin(a), Atom::Asin(b))
+            | (Atom::Atan(a), Atom::Atan(b))
+            | (Atom::Log(a), Atom::Log(b)) => self.same(*a, *b),
+            (Atom::Atan2(y, x), Atom::Atan2(v, u)) => self.same(*y, *v) && self.same(*x, *u),
+            _ => a == b,
+        }
+    }
+}
+
+fn rotate(f: &Field, a: &Point, b: &Point) -> Point {
+    let cos = f.sub(&f.mul(&a.0, &b.0), &f.mul(&a.1, &b.1));
+    let sin = f.add(&f.mul(&a.0, &b.1), &f.mul(&a.1, &b.0));
+    (cos, sin)
+}
+
+/// Half of an angle between -pi and pi: the cosine is sqrt((1 + cos)/2).
+fn half_angle(f: &Field, point: &Point) -> Point {
+    let cos = f.rational_power(&f.half(&f.add(&f.one(), &point.0)), &Number::rational(1, 2));
+    let sin = f.div(&f.half(&point.1), &cos);
+    (cos, sin)
+}
+
+fn multiple(f: &Field, point: Point, count: i64) -> Point {
+    let (cos, sin) = point;
+    let mut base = if count < 0 { (cos, f.neg(&sin)) } else { (cos, sin) };
+    let mut sum = (f.one(), f.number(&Number::integer(0)));
+    let mut count = count.unsigned_abs();
+    while count > 0 {
+        if count & 1 == 1 {
+            sum = rotate(f, &sum, &base);
+        }
+        base = rotate(f, &base, &base);
+        count >>= 1;
+    }
+    sum
+}

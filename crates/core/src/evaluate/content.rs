@@ -1,0 +1,307 @@
+//! The numeric content of a node: the positive rational by which it is a multiple of something without content.
+//!
+//! A prime number may be no square in a lane. So that |67 x| = 67 |x| and sqrt(67 x) = sqrt(67) sqrt(x) hold there, signs
+//! and roots are taken of what is left without the content. The power of a prime q in the content is found by value, so
+//! that it does not depend on the form: it is the usual power of q in the values of the node at points of the q-adic
+//! integers, where variables and functions are drawn.
+
+use num_bigint::{BigInt, BigUint};
+use num_integer::Integer;
+use num_traits::{One, Zero};
+use rustc_hash::FxHashMap;
+use std::collections::{BTreeMap, BTreeSet};
+
+use crate::graph::{Function, Graph, Id, NumberId, View};
+use crate::value::{Element, Key, Number, prime_factors};
+
+use super::integer_point::IntegerPoint;
+
+/// Primes below this are squares in the fields of all lanes.
+const SMALLEST: u64 = 13;
+
+/// Digits of the q-adic numbers, and points at which they are evaluated.
+const DIGITS: u32 = 6;
+const POINTS: u64 = 9;
+
+/// Valuations are counted in parts of one, because those of roots are fractions.
+const PARTS: i64 = 2520;
+
+/// Larger sums and products have no content.
+const SEARCH: usize = 4096;
+
+/// A q-adic number: q^(valuation/PARTS) * unit, where zero has no unit.
+#[derive(Clone)]
+struct Adic {
+    valuation: i64,
+    unit: BigInt,
+}
+
+/// The q-adic numbers of a prime to a relative precision.
+struct Adics {
+    prime: BigInt,
+    modulus: BigInt,
+}
+
+impl Adics {
+    fn new(prime: &BigInt) -> Self {
+        Self { prime: prime.clone(), modulus: num_traits::Pow::pow(prime, DIGITS) }
+    }
+
+    /// The number with this integer part; what is zero to the precision is zero.
+    fn number(&self, integer: &BigInt, valuation: i64) -> Adic {
+        let (mut unit, mut valuation) = (integer.mod_floor(&self.modulus), valuation);
+        while !unit.is_zero() && unit.is_multiple_of(&self.prime) {
+            unit /= &self.prime;
+            valuation += PARTS;
+        }
+        Adic { valuation, unit }
+    }
+
+    fn rational(&self, number: &Number) -> Adic {
+        let denominator = self.number(&number.denominator(), 0);
+        // Numerators may have more digits than the precision.
+        let (mut numerator, mut valuation) = (number.numerator(), 0);
+        while !numerator.is_zero() && numerator.is_multiple_of(&self.prime) {
+            numerator /= &self.prime;
+            valuation += PARTS;
+        }
+        self.mul(&self.number(&numerator, valuation), &self.inverse(&denominator))
+    }
+
+    fn add(&self, a: &Adic, b: &Adic) -> Adic {
+        let (low, high) = if a.valuation <= b.valuation { (a, b) } else { (b, a) };
+        match (low.unit.is_zero(), high.unit.is_zero()) {
+            (true, _) => return high.clone(),
+            (_, true) => return low.clone(),
+            _ => {}
+        }
+        let difference = high.valuation - low.valuation;
+        if difference % PARTS != 0 {
+            return low.clone(); // nothing cancels
+        }
+        let shift = u32::try_from(difference / PARTS).unwrap_or(u32::MAX).min(DIGITS);
+        let shifted = &high.unit * num_traits::Pow::pow(&self.prime, shift);
+        self.number(&(&low.unit + shifted), low.valuation)
+    }
+
+    fn mul(&self, a: &Adic, b: &Adic) -> Adic {
+        Adic { valuation: a.valuation + b.valuation, unit: (&a.unit * &b.unit).mod_floor(&self.modulus) }
+    }
+
+    /// The reciprocal; zero stays zero.
+    fn inverse(&self, a: &Adic) -> Adic {
+        let inverse = a.unit.modinv(&self.modulus).unwrap_or_default();
+        Adic { valuation: -a.valuation, unit: inverse }
+    }
+
+    fn power(&self, base: &Adic, exponent: i64) -> Adic {
+        let base = if exponent < 0 { self.inverse(base) } else { base.clone() };
+        let magnitude = exponent.unsigned_abs();
+        let unit = base.unit.modpow(&BigInt::from(magnitude), &self.modulus);
+        Adic { valuation: base.valuation * i64::try_from(magnitude).unwrap_or(i64::MAX), unit }
+    }
+
+    /// A rational power; the root of the unit is drawn.
+    fn rational_power(&self, base: &Adic, exponent: &Number, key: impl Fn() -> Key) -> Adic {
+        if let Some(n) = exponent.to_i64() {
+            return self.power(base, n);
+        }
+        let (num, den) = exponent.to_small().unwrap_or((0, 1));
+        let valuation = base.valuation.saturating_mul(num) / den;
+        Adic { valuation, unit: self.draw(&key()).unit }
+    }
+
+    /// A unit drawn for a key.
+    fn draw(&self, key: &Key) -> Adic {
+        let words: Vec<u32> = (0..16).map(|salt| key.draw_word(salt)).collect();
+        let drawn = BigInt::from(BigUint::new(words)).mod_floor(&self.modulus);
+        let unit = if drawn.is_multiple_of(&self.prime) { drawn + 1 } else { drawn };
+        self.number(&unit, 0)
+    }
+}
+
+impl Graph {
+    /// The content of a node, without its small primes; `None` if it is one.
+    pub(super) fn numeric_content(&self, id: Id) -> Option<Number> {
+        if let Some(known) = self.lanes.borrow().content(id) {
+            return known.clone();
+        }
+        let order = self.open_parts(id);
+        let contents = self.large_primes(id, &order).into_iter().map(|prime| {
+            let power = self.valuation(id, &order, &prime);
+            (Number::whole(prime), power)
+        });
+        let content = contents.fold(Number::integer(1), |product, (prime, power)| {
+            prime.powi(power).map_or_else(|_| product.clone(), |factor| product.mul(&factor))
+        });
+        let content = (!content.is_one()).then_some(content);
+        self.lanes.borrow_mut().insert_content(id, content.clone());
+        content
+    }
+
+    /// The content that two nodes have in common; `None` if it is one.
+    pub(super) fn common_content(&self, a: Id, b: Id) -> Option<Number> {
+        let (a, b) = (self.numeric_content(a)?, self.numeric_content(b)?);
+        let denominator = a.denominator().lcm(&b.denominator());
+        let whole = |number: &Number| number.numerator() * (&denominator / number.denominator());
+        Number::from_big(whole(&a).gcd(&whole(&b)), denominator).ok().filter(|content| !content.is_one())
+    }
+
+    /// The nodes that a node is made of by sums, products and choices, children first; none if there are too many.
+    fn open_parts(&self, root: Id) -> Vec<Id> {
+        let is_open = |id: Id| match self.view(id) {
+            View::Scale(..) | View::Sum(_) | View::Product(_) => true,
+            View::Function(function, _) => is_choice(function),
+            _ => false,
+        };
+        let (mut order, mut seen) = (Vec::new(), rustc_hash::FxHashSet::default());
+        let mut stack = vec![(root, false)];
+        let mut children = Vec::new();
+        while let Some((id, expanded)) = stack.pop() {
+            if expanded {
+                order.push(id);
+            } else if seen.insert(id) {
+                if seen.len() > SEARCH {
+                    return Vec::new();
+                }
+                stack.push((id, true));
+                if is_open(id) {
+                    children.clear();
+                    self.push_children(id, &mut children);
+                    stack.extend(children.iter().rev().map(|&child| (child, false)));
+                }
+            }
+        }
+        order
+    }
+
+    /// The primes from [`SMALLEST`] up of the numbers in the nodes, and of their sums: those that two values at points of
+    /// integers have in common.
+    fn large_primes(&self, root: Id, nodes: &[Id]) -> BTreeSet<BigInt> {
+        let mut numbers: BTreeSet<u32> = BTreeSet::new();
+        let mut note = |number: NumberId| {
+            let is_small = matches!(self.get_number(number).to_small(), Some((-12..=12, 1..=12)));
+            if !is_small {
+                numbers.insert(number.0);
+            }
+        };
+        for &id in nodes {
+            match self.view(id) {
+                View::Number(number) | View::Scale(number, _) => note(number),
+                View::Sum(terms) => terms.iter().for_each(|(number, _)| note(number)),
+                _ => {}
+            }
+        }
+        if numbers.is_empty() {
+            return BTreeSet::new();
+        }
+        let at = |number| self.at_integers(root, IntegerPoint { atom: None, number });
+        let shared = at(1).zip(at(2)).map(|(a, b)| {
+            let common = |a: BigInt, b: BigInt| Number::whole(a.gcd(&b));
+            [common(a.numerator(), b.numerator()), common(a.denominator(), b.denominator())]
+        });
+        let literals = numbers.into_iter().map(|number| self.get_number(NumberId(number)).clone());
+        let all = literals.chain(shared.into_iter().flatten()).filter(|number| !number.is_zero());
+        let primes = all.flat_map(|number| prime_factors(&number.abs()).into_keys());
+        primes.filter(|prime| *prime >= SMALLEST.into()).collect()
+    }
+
+    /// The power of a prime in the content of a node.
+    fn valuation(&self, id: Id, order: &[Id], prime: &BigInt) -> i64 {
+        let adics = Adics::new(prime);
+        let values = (0..POINTS).map(|point| self.adic_value(id, order, &adics, point));
+        let mut counts: BTreeMap<i64, usize> = BTreeMap::new();
+        for value in values.filter(|value| !value.unit.is_zero()) {
+            *counts.entry(value.valuation).or_default() += 1;
+        }
+        let most_frequent = counts.into_iter().max_by_key(|&(_, count)| count);
+        most_frequent.map_or(0, |(valuation, _)| valuation.div_euclid(PARTS))
+    }
+
+    fn adic_value(&self, id: Id, order: &[Id], adics: &Adics, point: u64) -> Adic {
+        let mut values: FxHashMap<Id, Adic> = FxHashMap::default();
+        for &node in order {
+            let value = match self.view(node) {
+                View::Number(number) => adics.rational(self.get_number(number)),
+                View::Scale(number, child) => {
+                    adics.mul(&adics.rational(self.get_number(number)), &values[&child])
+                }
+                View::Sum(terms) => {
+                    terms.iter().fold(adics.number(&BigInt::zero(), 0), |sum, (number, node)| {
+                        let factor = adics.rational(self.get_number(number));
+                        adics.add(&sum, &adics.mul(&factor, &values[&node]))
+                    })
+                }
+                View::Product(factors) => {
+                    factors.iter().fold(adics.number(&BigInt::one(), 0), |product, (base, exponent)| {
+                        let exponent = self.get_number(exponent);
+                        let key = || self.key_of(base, point).text(&exponent.to_string());
+                        adics.mul(&product, &adics.rational_power(&values[&base], exponent, key))
+                    })
+                }
+                View::Function(function, args) if is_choice(function) => {
+                    let args: Vec<Id> = args.iter().collect();
+                    self.choice(function, &args, &values, adics, point)
+                }
+                _ => {
+                    let drawn = adics.draw(&self.key_of(node, point));
+                    if self.value(node).unsigned().1 {
+                        adics.mul(&drawn, &adics.number(&(-1).into(), 0))
+                    } else {
+                        drawn
+                    }
+                }
+            };
+            values.insert(node, value);
+        }
+        values.remove(&id).expect("a node is the last of its parts")
+    }
+
+    /// A sign, a modulus, an extremum or a piecewise function, by the toss of a coin for the value of its condition.
+    fn choice(
+        &self,
+        function: Function,
+        args: &[Id],
+        values: &FxHashMap<Id, Adic>,
+        adics: &Adics,
+        point: u64,
+    ) -> Adic {
+        let opposite = |value: &Adic| adics.mul(value, &adics.number(&(-1).into(), 0));
+        let is_positive = |value: Element| {
+            let (key, negated) = value.unsigned();
+            (key_of_value(key, point).draw_word(17) & 1 == 0) != negated
+        };
+        let first = args[0];
+        match function {
+            Function::Abs if is_positive(self.value(first)) => values[&first].clone(),
+            Function::Abs => opposite(&values[&first]),
+            Function::Sign if is_positive(self.value(first)) => adics.number(&BigInt::one(), 0),
+            Function::Sign => adics.number(&(-1).into(), 0),
+            Function::Min | Function::Max => {
+                let pair = |a: Id, b: Id| {
+                    let is_a_greater = is_positive(self.value(a) - self.value(b));
+                    if is_a_greater == (function == Function::Max) { a } else { b }
+                };
+                values[&args[1..].iter().copied().fold(first, pair)].clone()
+            }
+            _ => {
+                let mut pairs = args[..args.len() - 1].chunks_exact(2);
+                let chosen = pairs.find(|pair| is_positive(self.value(pair[1])));
+                values[&chosen.map_or(args[args.len() - 1], |pair| pair[0])].clone()
+            }
+        }
+    }
+
+    fn key_of(&self, id: Id, point: u64) -> Key {
+        key_of_value(self.value(id).unsigned().0, point)
+    }
+}
+
+fn key_of_value(value: Element, point: u64) -> Key {
+    let [first, second] = value.words();
+    Key::new("digits").word(first).word(second).word(point)
+}
+
+fn is_choice(function: Function) -> bool {
+    matches!(function, Function::Abs | Function::Sign | Function::Min | Function::Max | Function::Piecewise)
+}

@@ -1,0 +1,295 @@
+//! Exact values at a point of integers where all exponentials are one: additive functions of an expression's value.
+//!
+//! Variables are small integers there, positive symbols, pi and exponentials are 1, sines are 0, and logarithms and
+//! inverse functions are 0. The addition theorems and the laws of roots and signs hold as in any lane, so expressions that are
+//! equal by value are equal at this point. Therefore what is read off here does not depend on the form: by how much an
+//! argument grows with pi, or the 1 in the exponent of x**(y + 1).
+
+use rustc_hash::FxHashMap;
+
+use crate::graph::{Assumption, Atom, Function, Graph, Id, View};
+use crate::value::{Field, FieldId, Key, Number, Quadratic, fingerprint, prime_factors};
+
+use super::logarithm::Part;
+
+/// Larger expressions have no value here.
+const MOST_NODES: usize = 4096;
+
+/// Powers of 4096 that are recognised have exponents up to 40.
+const MOST_DOUBLINGS: i64 = 480;
+
+/// What differs from the point of the module's description.
+#[derive(Clone, Copy)]
+pub(super) struct IntegerPoint<'a> {
+    /// What has another value, and that value.
+    pub atom: Option<(&'a Atom, i64)>,
+    /// Which of several points.
+    pub number: u64,
+}
+
+impl IntegerPoint<'_> {
+    pub(super) const PLAIN: Self = Self { atom: None, number: 0 };
+
+    /// The value of the atom that has another value, if it is this one.
+    fn replaced(&self, is_it: impl Fn(&Atom) -> bool) -> Option<i64> {
+        self.atom.filter(|(atom, _)| is_it(atom)).map(|(_, value)| value)
+    }
+
+    fn pi(&self) -> i64 {
+        self.replaced(|atom| *atom == Atom::Pi).unwrap_or(1)
+    }
+}
+
+type Values = FxHashMap<Id, Quadratic>;
+
+impl Graph {
+    /// The value of a node at an integer point, if it is a simple rational number there.
+    pub(super) fn at_integers(&self, root: Id, point: IntegerPoint<'_>) -> Option<Number> {
+        let order = self.short_order(root)?;
+        let [first, second] = FieldId::HASH.map(|field| self.at_integers_in(&order, point, field));
+        fingerprint([&first?, &second?]).to_simple_rational()
+    }
+
+    /// The square of the value of a node at an integer point, if that is a simple rational number.
+    pub(super) fn square_at_integers(&self, root: Id, point: IntegerPoint<'_>) -> Option<Number> {
+        let order = self.short_order(root)?;
+        let [first, second] = FieldId::HASH.map(|field| {
+            let value = self.at_integers_in(&order, point, field)?;
+            Some(field.field().mul(&value, &value))
+        });
+        fingerprint([&first?, &second?]).to_simple_rational()
+    }
+
+    /// The n for which the value of a node is 2^n times as large if a positive atom is 4096 instead of 1.
+    pub(super) fn doublings_at_integers(&self, root: Id, atom: &Atom) -> Option<i64> {
+        let order = self.short_order(root)?;
+        let [first, second] = FieldId::HASH.map(|field| {
+            let at = |atom| self.at_integers_in(&order, IntegerPoint { atom, number: 0 }, field);
+            let ratio = field.field().div(&at(Some((atom, 4096)))?, &at(None)?);
+            field.field().power_of_two(&ratio, MOST_DOUBLINGS)
+        });
+        first.filter(|_| first == second)
+    }
+
+    /// The growth of a node's value at an integer point with an atom, if that is simple and rational.
+    ///
+    /// It is u(2) - u(1) for pi, which is positive, and (u(1) - u(-1))/2 for others, which may be odd functions.
+    pub(super) fn growth_at_integers(&self, root: Id, atom: &Atom) -> Option<Number> {
+        let order = self.short_order(root)?;
+        let [first, second] = FieldId::HASH.map(|field| {
+            let at = |value| {
+                self.at_integers_in(&order, IntegerPoint { atom: Some((atom, value)), number: 0 }, field)
+            };
+            let f = field.field();
+            Some(match atom {
+                Atom::Pi => f.sub(&at(2)?, &at(1)?),
+                _ => f.half(&f.sub(&at(1)?, &at(-1)?)),
+            })
+        });
+        fingerprint([&first?, &second?]).to_simple_rational()
+    }
+
+    fn short_order(&self, root: Id) -> Option<Vec<Id>> {
+        let order = self.post_order(&[root]);
+        (order.len() <= MOST_NODES).then_some(order)
+    }
+
+    /// The value of the last of the nodes in the first field of a lane; `None` at a pole.
+    fn at_integers_in(&self, order: &[Id], point: IntegerPoint<'_>, field: FieldId) -> Option<Quadratic> {
+        let mut values = Values::default();
+        for &id in order {
+            // A pole does no harm inside functions that do not ask for its value.
+            if let Some(value) = self.value_at(id, point, &values, field) {
+                values.insert(id, value);
+            }
+        }
+        values.remove(order.last()?)
+    }
+
+    fn value_at(
+        &self,
+        id: Id,
+        point: IntegerPoint<'_>,
+        values: &Values,
+        field: FieldId,
+    ) -> Option<Quadratic> {
+        let f = field.field();
+        let integer = |n: i64| Some(f.number(&Number::integer(n)));
+        match self.view(id) {
+            View::Number(number) => Some(f.number(self.get_number(number))),
+            View::Pi => integer(point.pi()),
+            View::Symbol(_, Assumption::Positive) => {
+                integer(point.replaced(|atom| *atom == Atom::Symbol(id)).unwrap_or(1))
+            }
+            View::Time | View::Symbol(..) | View::TimeFunction(..) | View::Application { .. } => {
+                let [first, second] = self.value(id).words();
+                integer(
+                    2 + i64::from(Key::new("integer").word(first).word(second).draw_word(point.number) % 37),
+                )
+            }
+            View::Scale(number, child) => {
+                Some(f.mul(&f.number(self.get_number(number)), values.get(&child)?))
+            }
+            View::Sum(terms) => {
+                terms.iter().try_fold(f.number(&Number::integer(0)), |sum, (number, node)| {
+                    Some(f.add(&sum, &f.mul(&f.number(self.get_number(number)), values.get(&node)?)))
+                })
+            }
+            View::Product(factors) => factors.iter().try_fold(f.one(), |product, (base, exponent)| {
+                let (value, exponent) = (values.get(&base)?, self.get_number(exponent));
+                let is_pole = value.is_zero() && exponent.is_negative();
+                (!is_pole).then(|| f.mul(&product, &self.power_of(base, value, exponent, f)))
+            }),
+            View::Function(function, args) => {
+                let args: Vec<Id> = args.iter().collect();
+                self.function_at(function, &args, point, values, field)
+            }
+            View::LinearSystem { .. } | View::Solution(..) => None,
+        }
+    }
+
+    fn function_at(
+        &self,
+        function: Function,
+        args: &[Id],
+        point: IntegerPoint<'_>,
+        values: &Values,
+        field: FieldId,
+    ) -> Option<Quadratic> {
+        let f = field.field();
+        let of = |id: Id| values.get(&id);
+        let integer = |n: i64| f.number(&Number::integer(n));
+        let same = |a: Id, b: Id| self.same(a, b);
+        Some(match function {
+            Function::Sin => self.angle_at(args[0], field)?.1,
+            Function::Cos => self.angle_at(args[0], field)?.0,
+            Function::Tan => {
+                let (cos, sin) = self.angle_at(args[0], field)?;
+                f.div(&sin, &cos)
+            }
+            Function::Exp => self.exponential_at(args[0], point, values, field)?,
+            Function::Sinh | Function::Cosh | Function::Tanh => {
+                let exponential = self.exponential_at(args[0], point, values, field)?;
+                let inverse = f.inverse(&exponential);
+                let (sinh, cosh) =
+                    (f.half(&f.sub(&exponential, &inverse)), f.half(&f.add(&exponential, &inverse)));
+                match function {
+                    Function::Sinh => sinh,
+                    Function::Cosh => cosh,
+                    _ => f.div(&sinh, &cosh),
+                }
+            }
+            Function::Log => self.logarithm_at(args[0], point, values, field)?,
+            Function::Asin | Function::Acos => {
+                let is_it = |atom: &Atom| matches!(atom, Atom::Asin(argument) if same(*argument, args[0]));
+                let asin = integer(point.replaced(is_it).unwrap_or(0));
+                if function == Function::Asin { asin } else { f.sub(&f.half(&integer(point.pi())), &asin) }
+            }
+            Function::Atan => {
+                let is_it = |atom: &Atom| matches!(atom, Atom::Atan(argument) if same(*argument, args[0]));
+                integer(point.replaced(is_it).unwrap_or(0))
+            }
+            Function::Atan2 => {
+                let is_it =
+                    |atom: &Atom| matches!(atom, Atom::Atan2(y, x) if same(*y, args[0]) && same(*x, args[1]));
+                integer(point.replaced(is_it).unwrap_or(0))
+            }
+            Function::Abs => f.mul(of(args[0])?, &self.sign_of(args[0], of(args[0])?, f)),
+            Function::Sign => self.sign_of(args[0], of(args[0])?, f),
+            Function::Min | Function::Max => {
+                let all: Option<Vec<&Quadratic>> = args.iter().map(|&arg| of(arg)).collect();
+                f.extremum(function == Function::Max, all?.into_iter().cloned())
+            }
+            Function::Power => {
+                let (base, exponent) = (of(args[0])?, of(args[1])?);
+                match f.small_rational(exponent) {
+                    Some(number) => power(base, &number, f)?,
+                    None => f.one(),
+                }
+            }
+            Function::Piecewise => {
+                let all: Option<Vec<&Quadratic>> = args.iter().map(|&arg| of(arg)).collect();
+                let all: Vec<Quadratic> = all?.into_iter().cloned().collect();
+                let signs: Vec<Quadratic> =
+                    args.iter().zip(&all).map(|(&arg, value)| self.sign_of(arg, value, f)).collect();
+                f.piecewise(&all, &signs)
+            }
+        })
+    }
+
+    /// The cosine and the sine of the multiple of pi in an argument.
+    fn angle_at(&self, argument: Id, field: FieldId) -> Option<(Quadratic, Quadratic)> {
+        let f = field.field();
+        match &self.split_argument(argument, false)[..] {
+            [] => Some((f.one(), f.number(&Number::integer(0)))),
+            [(Atom::Pi, multiple)] => Some(f.part_of_turn(&multiple.mul(&Number::rational(1, 2)))),
+            _ => None,
+        }
+    }
+
+    /// The exponential of the logarithms in an argument.
+    fn exponential_at(
+        &self,
+        argument: Id,
+        point: IntegerPoint<'_>,
+        values: &Values,
+        field: FieldId,
+    ) -> Option<Quadratic> {
+        let f = field.field();
+        self.split_argument(argument, true).iter().try_fold(f.one(), |product, (atom, factor)| {
+            let base = match atom {
+                Atom::Log(argument) => values.get(argument)?.clone(),
+                Atom::LogOfPrime(prime) => f.number(&Number::whole(prime.clone())),
+                _ => f.number(&Number::integer(point.pi())),
+            };
+            Some(f.mul(&product, &power(&base, factor, f)?))
+        })
+    }
+
+    /// The sum of the parts of a logarithm: those of positive symbols are zero.
+    fn logarithm_at(
+        &self,
+        argument: Id,
+        point: IntegerPoint<'_>,
+        values: &Values,
+        field: FieldId,
+    ) -> Option<Quadratic> {
+        let f = field.field();
+        let Some(parts) = self.logarithm_parts(argument) else {
+            let is_it = |atom: &Atom| matches!(atom, Atom::Log(known) if self.same(*known, argument));
+            return Some(f.number(&Number::integer(point.replaced(is_it).unwrap_or(0))));
+        };
+        let of_prime = |number: &Number| match point.atom {
+            Some((Atom::LogOfPrime(prime), value)) => {
+                value * prime_factors(number).get(prime).copied().unwrap_or(0)
+            }
+            _ => 0,
+        };
+        let of_base = |base: Id| match self.view(base) {
+            View::Number(number) => of_prime(self.get_number(number)),
+            View::Pi => point.replaced(|atom| *atom == Atom::LogOfPi).unwrap_or(0),
+            _ => 0,
+        };
+        let integer = |n: i64| f.number(&Number::integer(n));
+        parts.iter().try_fold(integer(0), |sum, part| {
+            let (coefficient, value) = match part {
+                Part::Exponent(coefficient, node) => (coefficient, values.get(node)?.clone()),
+                Part::Logarithm(coefficient, node) => (coefficient, integer(of_base(*node))),
+                Part::Number(coefficient, number) => (coefficient, integer(of_prime(number))),
+                Part::Power(coefficient, exponent, base) => match of_base(*base) {
+                    0 => return Some(sum),
+                    logarithm => (coefficient, f.mul(values.get(exponent)?, &integer(logarithm))),
+                },
+            };
+            Some(f.add(&sum, &f.mul(&f.number(coefficient), &value)))
+        })
+    }
+}
+
+/// A rational power; `None` at a pole.
+fn power(base: &Quadratic, exponent: &Number, f: &Field) -> Option<Quadratic> {
+    if base.is_zero() && exponent.is_negative() {
+        return None;
+    }
+    Some(f.rational_power(base, exponent))
+}

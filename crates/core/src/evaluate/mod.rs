@@ -1,0 +1,18 @@
+//! The exact values of nodes at the random points, and the equality that they decide.
+//!
+//! The law: *the value of f(u) depends on the value of u alone*, in each lane. So if A = B, then f(A) = f(B), whatever
+//! the forms of A and B are. [`node`] has the value of each kind of node from those of its children; [`argument`] splits
+//! arguments of sines and exponentials into what has a known angle or exponential and the rest; [`integer_point`] reads the factors of such parts
+//! off; [`logarithm`] knows logarithms of products; [`content`] is the numeric factor of a node; [`same`] compares nodes.
+//!
+//! Invariant: nodes without signs and roots are compared in the two hash lanes, and others in all lanes. Values are
+//! found by loops without recursion, except in arguments of functions inside arguments.
+
+mod argument;
+mod content;
+mod integer_point;
+mod logarithm;
+mod node;
+mod same;
+
+pub(crate) use same::Pending;

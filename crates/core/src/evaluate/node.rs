@@ -1,0 +1,425 @@
+//! The value of a node in a field, from those of its children.
+
+use num_bigint::BigInt;
+use std::sync::Arc;
+
+use crate::graph::{Assumption, Column, Flags, Function, Graph, Id, Kind, NumberId, View, leaf_in};
+use crate::value::{
+    Element, Field, FieldId, Key, Number, Quadratic, fingerprint, in_hash_lane, prime_factors,
+};
+
+/// All prime factors up to this are squares in every lane, so their roots are real there.
+const LARGEST_SQUARE: u64 = 31;
+
+type Point = (Quadratic, Quadratic);
+
+impl Graph {
+    /// The value of a node in a field.
+    pub(crate) fn value_in(&self, id: Id, field: FieldId) -> Quadratic {
+        if let Some(known) = self.known_in(id, field) {
+            return known;
+        }
+        if let Some(lane) = field.other_lane() {
+            return self.column(id)[lane].clone();
+        }
+        let mut stack = vec![(id, field)];
+        let mut needed = Vec::new();
+        while let Some(&(id, field)) = stack.last() {
+            if self.known_in(id, field).is_none() {
+                needed.clear();
+                self.push_needed(id, field, &mut needed);
+                needed.retain(|&(id, field)| self.known_in(id, field).is_none());
+                if !needed.is_empty() {
+                    stack.append(&mut needed);
+                    continue;
+                }
+                let value = self.evaluate(self.view(id), id, field);
+                self.lanes.borrow_mut().insert(id, field, value);
+            }
+            stack.pop();
+        }
+        self.known_in(id, field).expect("the value has just been found")
+    }
+
+    fn known_in(&self, id: Id, field: FieldId) -> Option<Quadratic> {
+        if let Some(lane) = field.hash_lane().filter(|_| !self.flags(id).has(Flags::BRANCH)) {
+            return Some(in_hash_lane(self.value(id), lane));
+        }
+        let lanes = self.lanes.borrow();
+        match field.other_lane() {
+            Some(lane) => lanes.column(id).map(|column| column[lane].clone()),
+            None => lanes.get(id, field).cloned(),
+        }
+    }
+
+    /// The values of a node in all lanes but the hash lanes.
+    pub(super) fn column(&self, id: Id) -> Column {
+        if let Some(known) = self.lanes.borrow().column(id) {
+            return Arc::clone(known);
+        }
+        let is_unknown = |id: Id| self.lanes.borrow().column(id).is_none();
+        for node in self.post_order_where(&[id], is_unknown) {
+            let column = self.column_of(self.view(node), node);
+            self.lanes.borrow_mut().insert_column(node, column);
+        }
+        self.column(id)
+    }
+
+    /// The column of a node from those of its children.
+    fn column_of(&self, view: View<'_>, id: Id) -> Column {
+        match view {
+            View::Sum(terms) => self.column_of_sum(terms.iter()),
+            View::Scale(factor, child) => self.column_of_sum([(factor, child)].into_iter()),
+            View::Product(factors) => {
+                self.column_of_product(factors.iter().map(|(base, e)| (base, self.get_number(e).clone())))
+            }
+            _ => FieldId::others().map(|field| self.evaluate(view, id, field)).collect(),
+        }
+    }
+
+    pub(super) fn column_of_sum(&self, terms: impl Iterator<Item = (NumberId, Id)>) -> Column {
+        let zero = |field: FieldId| field.field().number(&Number::integer(0));
+        let mut sums: Vec<Quadratic> = FieldId::others().map(zero).collect();
+        for (factor, node) in terms {
+            let column = self.column(node);
+            let images = self.lanes.borrow_mut().images(factor, self.get_number(factor));
+            for (((sum, field), value), image) in
+                sums.iter_mut().zip(FieldId::others()).zip(column.iter()).zip(images.iter())
+            {
+                let f = field.field();
+                *sum = if factor == NumberId::ONE {
+                    f.add(sum, value)
+                } else {
+                    f.add(sum, &f.mul(image, value))
+                };
+            }
+        }
+        sums.into()
+    }
+
+    pub(super) fn column_of_product(&self, factors: impl Iterator<Item = (Id, Number)>) -> Column {
+        let mut products: Vec<Quadratic> = FieldId::others().map(|field| field.field().one()).collect();
+        for (base, exponent) in factors {
+            let column = self.column(base);
+            for ((product, field), value) in products.iter_mut().zip(FieldId::others()).zip(column.iter()) {
+                let f = field.field();
+                *product = if exponent.is_one() {
+                    f.mul(product, value)
+                } else {
+                    f.mul(product, &self.power_in(base, &exponent, field))
+                };
+            }
+        }
+        products.into()
+    }
+
+    /// What has to be known before a node can be evaluated in a field.
+    fn push_needed(&self, id: Id, field: FieldId, out: &mut Vec<(Id, FieldId)>) {
+        match self.view(id) {
+            View::Function(Function::Sin | Function::Cos | Function::Tan, args) => {
+                self.push_needed_by_argument(args.get(0), field, false, out);
+            }
+            View::Function(Function::Exp | Function::Sinh | Function::Cosh | Function::Tanh, args) => {
+                self.push_needed_by_argument(args.get(0), field, true, out);
+            }
+            View::Function(Function::Power, args) => {
+                out.push((args.get(0), field));
+                self.push_needed_by_argument(args.get(1), field, true, out);
+                self.push_needed_by_logarithm(args.get(0), field.of_exponents().unwrap_or(field), out);
+            }
+            View::Function(Function::Log, args) => self.push_needed_by_logarithm(args.get(0), field, out),
+            View::Solution(system, _) => {
+                let (matrix, right) = self.parts_of_system(system);
+                out.extend(matrix.into_iter().chain(right).map(|part| (part, field)));
+                out.push((system, field));
+            }
+            _ => {
+                let mut children = Vec::new();
+                self.push_children(id, &mut children);
+                out.extend(children.into_iter().map(|child| (child, field)));
+            }
+        }
+    }
+
+    /// The value of a node from those of its children, which are known. `id` is the node of the view.
+    fn evaluate(&self, view: View<'_>, id: Id, field: FieldId) -> Quadratic {
+        let number = || self.as_number(id).cloned().unwrap_or_else(|| Number::integer(0));
+        if let Some(leaf) = leaf_in(view, number, field) {
+            return leaf;
+        }
+        let f = field.field();
+        match view {
+            View::Scale(factor, child) => {
+                f.mul(&f.number(self.get_number(factor)), &self.value_in(child, field))
+            }
+            View::Sum(terms) => self.sum_in(terms.iter(), field),
+            View::Product(factors) => {
+                self.product_in(factors.iter().map(|(base, e)| (base, self.get_number(e).clone())), field)
+            }
+            View::Function(function, args) => {
+                let args: Vec<Id> = args.iter().collect();
+                self.function_in(function, &args, field)
+            }
+            View::Application { name, args, orders } => {
+                let key = orders
+                    .iter()
+                    .fold(Key::new("application").text(name), |key, &order| key.word(order.into()));
+                self.opaque_in(key, args.iter(), field)
+            }
+            View::LinearSystem { matrix, right } => {
+                self.opaque_in(Key::new("linear system"), matrix.iter().chain(right.iter()), field)
+            }
+            View::Solution(system, index) => self.solution_in(system, field)[index as usize].clone(),
+            View::Number(_) | View::Pi | View::Time | View::Symbol(..) | View::TimeFunction(..) => {
+                unreachable!("leaves have been evaluated")
+            }
+        }
+    }
+
+    fn opaque_in(&self, key: Key, args: impl Iterator<Item = Id>, field: FieldId) -> Quadratic {
+        let values: Vec<Quadratic> = args.map(|arg| self.value_in(arg, field)).collect();
+        field.field().opaque(key, &values.iter().collect::<Vec<_>>())
+    }
+
+    pub(super) fn sum_in(&self, terms: impl Iterator<Item = (NumberId, Id)>, field: FieldId) -> Quadratic {
+        let f = field.field();
+        terms.fold(f.number(&Number::integer(0)), |sum, (factor, node)| {
+            let value = self.value_in(node, field);
+            let term = if factor == NumberId::ONE {
+                value
+            } else {
+                f.mul(&f.number(self.get_number(factor)), &value)
+            };
+            f.add(&sum, &term)
+        })
+    }
+
+    pub(super) fn product_in(
+        &self,
+        factors: impl Iterator<Item = (Id, Number)>,
+        field: FieldId,
+    ) -> Quadratic {
+        let f = field.field();
+        factors.fold(f.one(), |product, (base, exponent)| {
+            f.mul(&product, &self.power_in(base, &exponent, field))
+        })
+    }
+
+    /// The principal power of a node with a rational exponent.
+    pub(super) fn power_in(&self, base: Id, exponent: &Number, field: FieldId) -> Quadratic {
+        self.power_of(base, &self.value_in(base, field), exponent, field.field())
+    }
+
+    /// The principal power of a node that has this value.
+    pub(super) fn power_of(&self, base: Id, value: &Quadratic, exponent: &Number, f: &Field) -> Quadratic {
+        if exponent.is_integer() {
+            return f.power(value, exponent);
+        }
+        if let Some(number) = self.as_number(base) {
+            return power_of_number(number, exponent, f);
+        }
+        if self.flags(base).has(Flags::COMPLEX) {
+            // e^(2 pi i k r) with a k drawn for the value: some branch, the same one for all exponents.
+            let branch = f.exponent(&f.opaque(Key::new("branch"), &[value]));
+            let turns = exponent.mul(&Number::whole(branch.into()));
+            return f.mul(&f.rational_power(value, exponent), &f.unit(&turns));
+        }
+        match self.numeric_content(base) {
+            Some(content) => {
+                let rest = f.div(value, &f.number(&content));
+                f.mul(&power_of_number(&content, exponent, f), &f.rational_power(&rest, exponent))
+            }
+            None => f.rational_power(value, exponent),
+        }
+    }
+
+    fn sign_in(&self, id: Id, field: FieldId) -> Quadratic {
+        self.sign_of(id, &self.value_in(id, field), field.field())
+    }
+
+    /// The sign of a real node that has this value.
+    pub(super) fn sign_of(&self, id: Id, value: &Quadratic, f: &Field) -> Quadratic {
+        let sign = f.sign(value);
+        match self.numeric_content(id) {
+            Some(content) => f.mul(&sign, &f.sign(&f.number(&content))),
+            None => sign,
+        }
+    }
+
+    pub(super) fn function_in(&self, function: Function, args: &[Id], field: FieldId) -> Quadratic {
+        let f = field.field();
+        let first = args[0];
+        let value = |id: Id| self.value_in(id, field);
+        match function {
+            Function::Sin => self.angle_in(first, field).1,
+            Function::Cos => self.angle_in(first, field).0,
+            Function::Tan => {
+                let (cos, sin) = self.angle_in(first, field);
+                f.div(&sin, &cos)
+            }
+            Function::Exp => self.exponential_in(first, field),
+            Function::Sinh | Function::Cosh | Function::Tanh => {
+                let exponential = self.exponential_in(first, field);
+                let inverse = f.inverse(&exponential);
+                let (sinh, cosh) = (f.sub(&exponential, &inverse), f.add(&exponential, &inverse));
+                match function {
+                    Function::Sinh => f.half(&sinh),
+                    Function::Cosh => f.half(&cosh),
+                    _ => f.div(&sinh, &cosh),
+                }
+            }
+            Function::Power => self.general_power_in(first, args[1], field),
+            Function::Log => self.logarithm_in(first, field),
+            Function::Asin | Function::Atan => f.odd(Key::new(function.name()), &value(first)),
+            Function::Acos => {
+                // acos x = pi/2 - asin x
+                let quarter = f.half(&f.draw_positive(&Key::new("pi")));
+                f.sub(&quarter, &f.odd(Key::new(Function::Asin.name()), &value(first)))
+            }
+            Function::Atan2 => self.direction_in(first, args[1], field),
+            Function::Abs | Function::Sign if self.flags(first).has(Flags::COMPLEX) => {
+                let modulus = f.opaque(Key::new("modulus"), &[&f.unsigned(&value(first)).0]);
+                if function == Function::Abs { modulus } else { f.div(&value(first), &modulus) }
+            }
+            Function::Abs => f.mul(&self.sign_in(first, field), &value(first)),
+            Function::Sign => self.sign_in(first, field),
+            Function::Min | Function::Max => {
+                f.extremum(function == Function::Max, args.iter().map(|&arg| value(arg)))
+            }
+            Function::Piecewise => {
+                let values: Vec<Quadratic> = args.iter().map(|&arg| value(arg)).collect();
+                let signs: Vec<Quadratic> = args.iter().map(|&arg| self.sign_in(arg, field)).collect();
+                f.piecewise(&values, &signs)
+            }
+        }
+    }
+
+    /// The point (x, y)/|(x, y)| of the unit circle: the cosine and the sine of atan2(y, x).
+    pub(super) fn unit_vector_in(&self, y: Id, x: Id, field: FieldId) -> Point {
+        let f = field.field();
+        let (mut y_value, mut x_value) = (self.value_in(y, field), self.value_in(x, field));
+        if let Some(content) = self.common_content(y, x) {
+            let inverse = f.inverse(&f.number(&content));
+            (y_value, x_value) = (f.mul(&y_value, &inverse), f.mul(&x_value, &inverse));
+        }
+        let square = f.add(&f.mul(&y_value, &y_value), &f.mul(&x_value, &x_value));
+        let scale = f.inverse(&f.rational_power(&square, &Number::rational(1, 2)));
+        (f.mul(&x_value, &scale), f.mul(&y_value, &scale))
+    }
+
+    pub(super) fn direction_in(&self, y: Id, x: Id, field: FieldId) -> Quadratic {
+        let f = field.field();
+        let (cos, sin) = self.unit_vector_in(y, x, field);
+        let (magnitude, negated) = f.unsigned(&sin);
+        let angle = f.opaque(Key::new("atan2"), &[&cos, &magnitude]);
+        if negated { f.neg(&angle) } else { angle }
+    }
+
+    /// The solution of a linear system in a field, drawn where the matrix is singular.
+    fn solution_in(&self, system: Id, field: FieldId) -> Arc<[Quadratic]> {
+        if let Some(known) = self.lanes.borrow().solution(system, field) {
+            return known;
+        }
+        let (matrix, right) = self.parts_of_system(system);
+        let values =
+            |ids: Vec<Id>| -> Vec<Quadratic> { ids.into_iter().map(|id| self.value_in(id, field)).collect() };
+        let (matrix, right) = (values(matrix), values(right));
+        let f = field.field();
+        let solution: Arc<[Quadratic]> = eliminate(matrix, right.clone(), f)
+            .unwrap_or_else(|| {
+                // Zero is the minimum-norm solution for a right side of zeros.
+                let nothing = right.iter().all(Quadratic::is_zero);
+                let key = |k| Key::new("solution").word(k);
+                let draw = |k| f.opaque(key(k), &[&self.value_in(system, field)]);
+                let count = right.len() as u64;
+                (0..count).map(|k| if nothing { f.number(&Number::integer(0)) } else { draw(k) }).collect()
+            })
+            .into();
+        self.lanes.borrow_mut().insert_solution(system, field, Arc::clone(&solution));
+        solution
+    }
+
+    /// The fingerprint of a function of arguments, before its node is made.
+    pub(crate) fn function_fingerprint(&self, function: Function, args: &[Id]) -> Element {
+        in_hash_lanes(|field| self.function_in(function, args, field))
+    }
+
+    /// The fingerprint of an undefined function, before its node is made.
+    pub(crate) fn application_fingerprint(&self, name: &str, args: &[Id], orders: &[u32]) -> Element {
+        let key =
+            orders.iter().fold(Key::new("application").text(name), |key, &order| key.word(order.into()));
+        in_hash_lanes(|field| self.opaque_in(key, args.iter().copied(), field))
+    }
+
+    /// The fingerprints of the components of a solution.
+    pub(crate) fn solution_fingerprints(&self, system: Id) -> Vec<Element> {
+        let [first, second] = FieldId::HASH.map(|field| {
+            let (matrix, right) = self.parts_of_system(system);
+            for id in matrix.into_iter().chain(right) {
+                self.value_in(id, field);
+            }
+            self.solution_in(system, field)
+        });
+        first.iter().zip(second.iter()).map(|(a, b)| fingerprint([a, b])).collect()
+    }
+
+    /// The fingerprint of a linear system, before its node is made.
+    pub(crate) fn system_fingerprint(&self, parts: &[Id]) -> Element {
+        in_hash_lanes(|field| self.opaque_in(Key::new("linear system"), parts.iter().copied(), field))
+    }
+
+    /// Whether a power has signs that differ from lane to lane: a root of something that is not known to be positive.
+    pub(crate) fn is_branching(&self, base: Id, exponent: &Number) -> bool {
+        if exponent.is_integer() || matches!(self.kind(base), Kind::Symbol(Assumption::Positive) | Kind::Pi) {
+            return false;
+        }
+        self.as_number(base).is_none_or(|number| prime_factors(number).keys().any(is_large))
+    }
+}
+
+/// The fingerprint of what is evaluated in both hash lanes.
+pub(super) fn in_hash_lanes(value: impl Fn(FieldId) -> Quadratic) -> Element {
+    let [first, second] = FieldId::HASH.map(value);
+    fingerprint([&first, &second])
+}
+
+/// Whether a prime may be no square in some lanes.
+pub(super) fn is_large(prime: &BigInt) -> bool {
+    *prime > LARGEST_SQUARE.into()
+}
+
+/// The power of a positive number: the product of the powers of its primes.
+pub(super) fn power_of_number(number: &Number, exponent: &Number, f: &Field) -> Quadratic {
+    prime_factors(&number.abs()).iter().fold(f.one(), |product, (prime, &count)| {
+        let exponent = exponent.mul(&Number::integer(count));
+        f.mul(&product, &f.power_of_prime(&Number::whole(prime.clone()), &exponent))
+    })
+}
+
+/// Gauss's elimination; `None` for a singular matrix.
+fn eliminate(mut matrix: Vec<Quadratic>, mut right: Vec<Quadratic>, f: &Field) -> Option<Vec<Quadratic>> {
+    let n = right.len();
+    for column in 0..n {
+        let pivot = (column..n).find(|&row| !matrix[row * n + column].is_zero())?;
+        for k in 0..n {
+            matrix.swap(pivot * n + k, column * n + k);
+        }
+        right.swap(pivot, column);
+        let inverse = f.inverse(&matrix[column * n + column]);
+        for row in (0..n).filter(|&row| row != column) {
+            let factor = f.mul(&matrix[row * n + column], &inverse);
+            if factor.is_zero() {
+                continue;
+            }
+            for k in column..n {
+                matrix[row * n + k] = f.sub(&matrix[row * n + k], &f.mul(&factor, &matrix[column * n + k]));
+            }
+            right[row] = f.sub(&right[row], &f.mul(&factor, &right[column]));
+        }
+        right[column] = f.mul(&right[column], &inverse);
+        for k in column..n {
+            matrix[column * n + k] = f.mul(&matrix[column * n + k], &inverse);
+        }
+    }
+    Some(right)
+}

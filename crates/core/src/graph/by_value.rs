@@ -1,0 +1,61 @@
+//! A table whose keys are values of nodes up to sign.
+
+use rustc_hash::FxHashMap;
+
+use crate::value::Element;
+
+use super::node::Id;
+use super::table::Graph;
+
+/// Entries by the value of a node, up to sign.
+///
+/// A bucket holds the nodes of one fingerprint up to sign. It has several if signs and roots agree in the hash lanes by
+/// chance, and the first is stored apart because there are seldom more.
+pub(crate) struct ByValue<T> {
+    first: FxHashMap<Element, (Id, T)>,
+    others: FxHashMap<Element, Vec<(Id, T)>>,
+}
+
+impl<T> Default for ByValue<T> {
+    fn default() -> Self {
+        Self { first: FxHashMap::default(), others: FxHashMap::default() }
+    }
+}
+
+impl<T> ByValue<T> {
+    /// The entries whose nodes have a fingerprint up to sign.
+    pub(crate) fn candidates(&self, value: Element) -> impl Iterator<Item = &(Id, T)> {
+        let key = value.unsigned().0;
+        let first = self.first.get(&key);
+        let others = first.filter(|_| !self.others.is_empty()).and_then(|_| self.others.get(&key));
+        first.into_iter().chain(others.into_iter().flatten())
+    }
+
+    /// The entry of the value of a node.
+    pub(crate) fn get(&self, graph: &Graph, id: Id) -> Option<&T> {
+        self.candidates(graph.value(id)).find(|(known, _)| graph.same(*known, id)).map(|(_, item)| item)
+    }
+
+    /// The entry of the value of a node up to sign, and whether its node has the opposite value.
+    pub(crate) fn get_up_to_sign(&self, graph: &Graph, id: Id) -> Option<(&T, bool)> {
+        self.candidates(graph.value(id)).find_map(|(known, item)| {
+            if graph.same(*known, id) {
+                return Some((item, false));
+            }
+            graph.opposite_values(*known, id).then_some((item, true))
+        })
+    }
+
+    /// Add an entry, whether or not there is one of this value.
+    pub(crate) fn push(&mut self, graph: &Graph, id: Id, item: T) {
+        let key = graph.value(id).unsigned().0;
+        match self.first.entry(key) {
+            std::collections::hash_map::Entry::Vacant(entry) => {
+                entry.insert((id, item));
+            }
+            std::collections::hash_map::Entry::Occupied(_) => {
+                self.others.entry(key).or_default().push((id, item));
+            }
+        }
+    }
+}

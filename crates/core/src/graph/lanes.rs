@@ -1,0 +1,172 @@
+//! The coordinates of the random points, and the memory of values in them.
+
+use num_bigint::BigInt;
+use rustc_hash::FxHashMap;
+use std::sync::Arc;
+
+use crate::value::{Element, Field, FieldId, Key, Number, Quadratic, fingerprint};
+
+use super::node::{Assumption, Id, NumberId, View};
+
+/// Values of nodes in the fields of all lanes, as far as they were asked for.
+///
+/// Everything here can be found again from the graph, so it is forgotten when it becomes large.
+#[derive(Default)]
+pub(crate) struct Lanes {
+    values: FxHashMap<(Id, FieldId), Quadratic>,
+    /// The values in the first fields of all lanes but the hash lanes, which are found together.
+    columns: FxHashMap<Id, Column>,
+    /// The same of coefficients.
+    numbers: FxHashMap<NumberId, Column>,
+    /// The solutions of linear systems.
+    solutions: FxHashMap<(Id, FieldId), Arc<[Quadratic]>>,
+    /// The numeric contents of nodes.
+    contents: FxHashMap<Id, Option<Number>>,
+    /// Nodes that are a number times powers of positive symbols.
+    monomials: FxHashMap<Id, Option<Monomial>>,
+    /// How arguments of sines (false) and exponentials (true) are split, see `evaluate::argument`.
+    splits: FxHashMap<(Id, bool), Split>,
+}
+
+/// The values of a node in all lanes but the hash lanes.
+pub(crate) type Column = Arc<[Quadratic]>;
+
+/// A part of an argument that has a known angle or exponential.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) enum Atom {
+    Pi,
+    /// The arcsine of a node; an arccosine is pi/2 less an arcsine.
+    Asin(Id),
+    Atan(Id),
+    /// `atan2(y, x)`
+    Atan2(Id, Id),
+    /// The logarithm of a node that is no product of positive powers.
+    Log(Id),
+    LogOfPrime(BigInt),
+    LogOfPi,
+    /// A positive symbol itself, or pi where that is a factor.
+    Symbol(Id),
+}
+
+/// Atoms of an argument with their factors.
+pub(crate) type Split = Arc<[(Atom, Number)]>;
+
+/// A number and powers of symbols.
+type Monomial = (Number, Vec<(Id, Number)>);
+
+/// About 200 MB of each.
+const MOST_VALUES: usize = 3_000_000;
+const MOST_COLUMNS: usize = 120_000;
+
+impl Lanes {
+    pub(crate) fn get(&self, id: Id, field: FieldId) -> Option<&Quadratic> {
+        self.values.get(&(id, field))
+    }
+
+    pub(crate) fn insert(&mut self, id: Id, field: FieldId, value: Quadratic) {
+        self.values.insert((id, field), value);
+    }
+
+    /// Forget all values if there are too many. Nothing may be under evaluation.
+    pub(crate) fn limit(&mut self) {
+        if self.values.len() > MOST_VALUES || self.columns.len() > MOST_COLUMNS {
+            self.values.clear();
+            self.columns.clear();
+            self.solutions.clear();
+        }
+    }
+
+    pub(crate) fn column(&self, id: Id) -> Option<&Column> {
+        self.columns.get(&id)
+    }
+
+    pub(crate) fn insert_column(&mut self, id: Id, values: Column) {
+        self.columns.insert(id, values);
+    }
+
+    /// The images of a coefficient.
+    pub(crate) fn images(&mut self, id: NumberId, number: &Number) -> Column {
+        let images = || FieldId::others().map(|field| field.field().number(number)).collect();
+        Arc::clone(self.numbers.entry(id).or_insert_with(images))
+    }
+
+    pub(crate) fn solution(&self, id: Id, field: FieldId) -> Option<Arc<[Quadratic]>> {
+        self.solutions.get(&(id, field)).cloned()
+    }
+
+    pub(crate) fn insert_solution(&mut self, id: Id, field: FieldId, values: Arc<[Quadratic]>) {
+        self.solutions.insert((id, field), values);
+    }
+
+    pub(crate) fn content(&self, id: Id) -> Option<&Option<Number>> {
+        self.contents.get(&id)
+    }
+
+    pub(crate) fn insert_content(&mut self, id: Id, content: Option<Number>) {
+        self.contents.insert(id, content);
+    }
+
+    pub(crate) fn monomial(&self, id: Id) -> Option<&Option<Monomial>> {
+        self.monomials.get(&id)
+    }
+
+    pub(crate) fn insert_monomial(&mut self, id: Id, monomial: Option<Monomial>) {
+        self.monomials.insert(id, monomial);
+    }
+
+    pub(crate) fn split(&self, id: Id, of_exponential: bool) -> Option<Split> {
+        self.splits.get(&(id, of_exponential)).cloned()
+    }
+
+    pub(crate) fn insert_split(&mut self, id: Id, of_exponential: bool, parts: Split) {
+        self.splits.insert((id, of_exponential), parts);
+    }
+}
+
+/// The value of a number or variable in a field; `None` for a node that has children.
+pub(crate) fn leaf_in(view: View<'_>, number: impl Fn() -> Number, field: FieldId) -> Option<Quadratic> {
+    Some(match view {
+        View::Number(_) => field.field().number(&number()),
+        View::Pi => draw_pi(field),
+        View::Time => draw_time(field),
+        View::Symbol(name, assumption) => draw_symbol(field, name, assumption),
+        View::TimeFunction(name, order) => draw_time_function(field, name, order),
+        _ => return None,
+    })
+}
+
+/// The fingerprint of what is drawn in both hash lanes.
+pub(crate) fn drawn(draw: impl Fn(FieldId) -> Quadratic) -> Element {
+    let [first, second] = FieldId::HASH.map(draw);
+    fingerprint([&first, &second])
+}
+
+pub(super) fn draw_pi(field: FieldId) -> Quadratic {
+    field.field().draw_positive(&Key::new("pi"))
+}
+
+pub(super) fn draw_time(field: FieldId) -> Quadratic {
+    field.field().draw(&Key::new("time"))
+}
+
+/// A positive symbol is the exponential of a logarithm that is drawn.
+pub(super) fn draw_symbol(field: FieldId, name: &str, assumption: Assumption) -> Quadratic {
+    let key = Key::new("symbol").text(name).word(assumption as u64);
+    match (assumption, field.of_exponents()) {
+        (Assumption::Positive, Some(exponents)) => {
+            let logarithm = draw_logarithm(exponents.field(), name);
+            field.field().exponential(exponents.field().exponent(&logarithm))
+        }
+        (Assumption::Positive, None) => field.field().draw_positive(&key),
+        (Assumption::Real | Assumption::None, _) => field.field().draw(&key),
+    }
+}
+
+/// The value of the logarithm of a positive symbol.
+pub(crate) fn draw_logarithm(field: &Field, name: &str) -> Quadratic {
+    field.draw(&Key::new("logarithm").text(name))
+}
+
+pub(super) fn draw_time_function(field: FieldId, name: &str, order: u32) -> Quadratic {
+    field.field().draw(&Key::new("time function").text(name).word(order.into()))
+}

@@ -1,0 +1,109 @@
+//! Fingerprints: values in the two hash lanes at once.
+
+use std::ops::{Add, Mul, Neg, Sub};
+
+use super::lanes::LANES;
+use super::number::Number;
+use super::prime::Prime;
+
+const PRIMES: [Prime; 2] = [Prime::new(LANES[0][0]), Prime::new(LANES[1][0])];
+
+/// An element of the fields of both hash lanes, in Montgomery form: the fingerprint of a node.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub struct Element([u64; 2]);
+
+impl Element {
+    /// The value of 0.
+    pub const ZERO: Self = Self([0, 0]);
+    /// The value of 1.
+    pub const ONE: Self = Self([PRIMES[0].one, PRIMES[1].one]);
+
+    fn zip(self, other: Self, op: impl Fn(&Prime, u64, u64) -> u64) -> Self {
+        Self([op(&PRIMES[0], self.0[0], other.0[0]), op(&PRIMES[1], self.0[1], other.0[1])])
+    }
+
+    /// Whether the value is zero at both points.
+    #[must_use]
+    pub fn is_zero(self) -> bool {
+        self == Self::ZERO
+    }
+
+    /// Whether the value vanishes at one of the two points (it then has no reciprocal).
+    #[must_use]
+    pub const fn is_singular(self) -> bool {
+        self.0[0] == 0 || self.0[1] == 0
+    }
+
+    /// The reciprocal; zero stays zero.
+    #[must_use]
+    pub fn inverse(self) -> Self {
+        self.zip(self, |prime, a, _| prime.inverse(a))
+    }
+
+    /// A power with an integer exponent (negative: of the reciprocal).
+    #[must_use]
+    pub fn powi(self, exponent: i64) -> Self {
+        let base = if exponent < 0 { self.inverse() } else { self };
+        let n = exponent.unsigned_abs();
+        base.zip(base, |prime, a, _| prime.pow(a, n))
+    }
+
+    /// The simple rational with this value at both points, if there is one.
+    #[must_use]
+    pub fn to_simple_rational(self) -> Option<Number> {
+        const LARGEST: u64 = 1 << 30;
+        let number = PRIMES[0].simple_rational(self.0[0], LARGEST)?;
+        (Self::from_number(&number) == self).then_some(number)
+    }
+
+    /// Return the value or its opposite, whichever represents both, and whether the sign was changed.
+    #[must_use]
+    pub fn unsigned(self) -> (Self, bool) {
+        let opposite = self.neg();
+        if opposite.0 < self.0 { (opposite, true) } else { (self, false) }
+    }
+
+    /// The image of an exact number.
+    #[must_use]
+    pub fn from_number(value: &Number) -> Self {
+        Self([PRIMES[0].number(value), PRIMES[1].number(value)])
+    }
+
+    pub(crate) const fn from_words(words: [u64; 2]) -> Self {
+        Self(words)
+    }
+
+    /// The raw words, for hashing, ordering and keys.
+    #[must_use]
+    pub const fn words(self) -> [u64; 2] {
+        self.0
+    }
+}
+
+impl Add for Element {
+    type Output = Self;
+    fn add(self, other: Self) -> Self {
+        self.zip(other, Prime::add)
+    }
+}
+
+impl Sub for Element {
+    type Output = Self;
+    fn sub(self, other: Self) -> Self {
+        self.zip(other, Prime::sub)
+    }
+}
+
+impl Mul for Element {
+    type Output = Self;
+    fn mul(self, other: Self) -> Self {
+        self.zip(other, Prime::mul)
+    }
+}
+
+impl Neg for Element {
+    type Output = Self;
+    fn neg(self) -> Self {
+        Self::ZERO - self
+    }
+}
