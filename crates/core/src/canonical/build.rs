@@ -1,12 +1,18 @@
 //! The door into the graph: every new row of a sum, product or function passes here.
 
 use crate::evaluate::Pending;
-use crate::graph::{Flags, Graph, Id, Kind, NumberId};
+use crate::graph::{Flags, Function, Graph, Id, Kind, NumberId};
 use crate::value::{Element, Number};
 
 impl Graph {
     /// Enter a row: a value that is a plain number, or that the derivation knows, gives the known node.
     pub(crate) fn finish(&mut self, kind: Kind, flags: Flags, words: &[u32], value: Element) -> Id {
+        if kind == Kind::Function(Function::Piecewise) {
+            // It may differ from what has its value at the corners, and be written so that it is accurate everywhere.
+            let id = self.intern(kind, flags, words, value);
+            self.remember(id);
+            return id;
+        }
         let number = self.number_shown(flags, value);
         if !flags.has(Flags::BRANCH)
             && let Some(known) =
@@ -66,7 +72,7 @@ impl Graph {
 mod tests {
     use super::*;
     use crate::error::Error;
-    use crate::graph::{Assumption, Function};
+    use crate::graph::Assumption;
 
     fn symbols(graph: &mut Graph) -> (Id, Id, Id) {
         let mut symbol = |name| graph.symbol(name, Assumption::Real);

@@ -12,6 +12,9 @@ const LONGEST_MODULUS: usize = 48;
 /// The most parts of an angle that are searched for pi.
 const PI_SEARCH: usize = 64;
 
+/// The most parts of an angle that are searched for numbers.
+const NUMBER_SEARCH: usize = 4096;
+
 impl Graph {
     /// Rules that replace the function by something simpler.
     pub(super) fn exact_value(&mut self, function: Function, args: &[Id]) -> Result<Option<Id>, Error> {
@@ -249,7 +252,7 @@ impl Graph {
     pub fn radians(&self, angle: Id) -> Number {
         let mut total = Number::integer(0);
         let mut waiting = vec![(Number::integer(1), angle)];
-        for _ in 0..PI_SEARCH {
+        for _ in 0..NUMBER_SEARCH {
             let Some((factor, id)) = waiting.pop() else { break };
             let times = |number: NumberId| self.get_number(number).mul(&factor);
             match self.view(id) {
@@ -398,7 +401,7 @@ impl Graph {
                 None => kept.extend(pair),
             }
         }
-        while kept.len() >= 2 && self.equal(kept[kept.len() - 2], otherwise) {
+        while kept.len() >= 2 && kept[kept.len() - 2] == otherwise {
             kept.truncate(kept.len() - 2);
         }
         kept.push(otherwise);

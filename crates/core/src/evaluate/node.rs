@@ -207,7 +207,25 @@ impl Graph {
 
     /// The principal power of a node with a rational exponent.
     pub(super) fn power_in(&self, base: Id, exponent: &Number, field: FieldId) -> Quadratic {
-        self.power_of(base, &self.value_in(base, field), exponent, field.field())
+        let f = field.field();
+        match exponent.to_small() {
+            Some((num, den)) if den > 1 => {
+                let root = self.root_in(base, den * num.signum(), field);
+                f.power(&root, &Number::integer(num).abs())
+            }
+            _ => self.power_of(base, &self.value_in(base, field), exponent, f),
+        }
+    }
+
+    /// The root of a degree, or the reciprocal root of a negative degree. One root serves all powers of a node.
+    fn root_in(&self, base: Id, degree: i64, field: FieldId) -> Quadratic {
+        if let Some(known) = self.lanes.borrow().root(base, degree, field) {
+            return known.clone();
+        }
+        let exponent = Number::rational(1, degree);
+        let root = self.power_of(base, &self.value_in(base, field), &exponent, field.field());
+        self.lanes.borrow_mut().insert_root(base, degree, field, root.clone());
+        root
     }
 
     /// The principal power of a node that has this value.

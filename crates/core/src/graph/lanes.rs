@@ -16,7 +16,9 @@ pub(crate) struct Lanes {
     values: FxHashMap<(Id, FieldId), Quadratic>,
     /// The values in the first fields of all lanes but the hash lanes, which are found together.
     columns: FxHashMap<Id, Column>,
-    /// The same of coefficients.
+    /// Roots by their degrees.
+    roots: FxHashMap<(Id, i64, FieldId), Quadratic>,
+    /// The columns of coefficients.
     numbers: FxHashMap<NumberId, Column>,
     /// The solutions of linear systems.
     solutions: FxHashMap<(Id, FieldId), Arc<[Quadratic]>>,
@@ -72,8 +74,17 @@ impl Lanes {
         if self.values.len() > MOST_VALUES || self.columns.len() > MOST_COLUMNS {
             self.values.clear();
             self.columns.clear();
+            self.roots.clear();
             self.solutions.clear();
         }
+    }
+
+    pub(crate) fn root(&self, id: Id, degree: i64, field: FieldId) -> Option<&Quadratic> {
+        self.roots.get(&(id, degree, field))
+    }
+
+    pub(crate) fn insert_root(&mut self, id: Id, degree: i64, field: FieldId, value: Quadratic) {
+        self.roots.insert((id, degree, field), value);
     }
 
     pub(crate) fn column(&self, id: Id) -> Option<&Column> {

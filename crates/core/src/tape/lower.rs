@@ -3,6 +3,7 @@
 //! Every value is computed once, whatever forms it has. Signs travel with the values and end in subtractions, constants
 //! are folded, and the negative exponents of a product become one division.
 
+use rustc_hash::FxHashMap;
 use std::cmp::Reverse;
 
 use crate::error::Error;
@@ -12,6 +13,8 @@ use super::emit::{Emitter, Signed};
 use super::schedule::schedule;
 use super::sign::absorb_signs;
 use super::straight_line::{Instruction, Operand, Tape};
+
+const EARLIER: &str = "what a node reads is lowered before it";
 
 /// Integer powers up to this one are multiplied out.
 const LARGEST_POWER: u64 = 1024;
@@ -27,6 +30,7 @@ impl Graph {
     pub fn tape(&self, inputs: &[Id], outputs: &[Id]) -> Result<Tape, Error> {
         let mut lowering = Lowering::new(self, inputs)?;
         let order = self.post_order_where(outputs, |id| !lowering.is_input(id));
+        lowering.note_choices(&order);
         for id in order {
             if !lowering.knows(id) {
                 let Some(value) = lowering.lower(id) else {
@@ -69,6 +73,9 @@ struct Lowering<'a> {
     graph: &'a Graph,
     /// The operands that are computed.
     known: ByValue<Signed>,
+    /// Nodes that are computed as they are written: signs and piecewise functions, which may differ at corners from what
+    /// has their value elsewhere, and the branches of those, each of which may be accurate in its own range only.
+    choices: FxHashMap<Id, Option<Signed>>,
     inputs: ByValue<()>,
     systems: ByValue<Operand>,
     code: Emitter,
@@ -79,6 +86,7 @@ impl<'a> Lowering<'a> {
         let mut lowering = Self {
             graph,
             known: ByValue::default(),
+            choices: FxHashMap::default(),
             inputs: ByValue::default(),
             systems: ByValue::default(),
             code: Emitter::default(),
@@ -99,11 +107,16 @@ impl<'a> Lowering<'a> {
     }
 
     fn knows(&self, id: Id) -> bool {
+        if let Some(choice) = self.choices.get(&id) {
+            return choice.is_some();
+        }
         self.known.get_up_to_sign(self.graph, id).is_some()
     }
 
     fn remember(&mut self, id: Id, value: Signed) {
-        if !self.knows(id) {
+        if let Some(choice) = self.choices.get_mut(&id) {
+            *choice = Some(value);
+        } else if !self.knows(id) {
             self.known.push(self.graph, id, value);
         }
     }
@@ -114,9 +127,28 @@ impl<'a> Lowering<'a> {
             // Numbers have more information than their value in the field.
             return self.code.constant(number.to_f64());
         }
-        let (value, is_opposite) =
-            self.known.get_up_to_sign(self.graph, id).expect("what a node reads is lowered before it");
+        if let Some(&choice) = self.choices.get(&id) {
+            return choice.expect(EARLIER);
+        }
+        let (value, is_opposite) = self.known.get_up_to_sign(self.graph, id).expect(EARLIER);
         value.flipped_if(is_opposite)
+    }
+
+    fn note_choices(&mut self, order: &[Id]) {
+        for &id in order {
+            match self.graph.view(id) {
+                View::Function(Function::Sign, _) => {
+                    self.choices.insert(id, None);
+                }
+                View::Function(Function::Piecewise, args) => {
+                    let is_node =
+                        |id: &Id| !self.graph.is_variable(*id) && self.graph.as_number(*id).is_none();
+                    self.choices
+                        .extend(std::iter::once(id).chain(args.iter().filter(is_node)).map(|id| (id, None)));
+                }
+                _ => {}
+            }
+        }
     }
 
     fn output(&mut self, id: Id) -> Operand {
