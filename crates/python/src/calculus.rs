@@ -6,7 +6,7 @@ use pyo3::types::{PyFrozenSet, PyTuple};
 use crate::convert::{keys, operand, operands, pairs};
 use crate::expr::{leaves, tuple};
 use crate::namesake::notice_namesakes;
-use crate::session::{raise, with_forms, with_graph};
+use crate::session::{raise, raise_at, with_forms, with_graph};
 
 /// Several expressions with every key of the mapping replaced by its value, all at once.
 #[pyfunction]
@@ -21,7 +21,7 @@ fn substitute<'py>(
     tuple(py, replaced)
 }
 
-/// The derivatives of several expressions with respect to one variable.
+/// The derivatives of several expressions with respect to one variable: total ones with respect to t.
 #[pyfunction]
 fn diff_all<'py>(
     py: Python<'py>,
@@ -31,6 +31,20 @@ fn diff_all<'py>(
     let (roots, variable) = (operands(expressions, "diff")?, operand(variable, "diff, variable")?);
     notice_namesakes(py, "diff", &roots, &[variable])?;
     tuple(py, raise(py, with_graph(|graph| graph.diff_all(&roots, variable)))?)
+}
+
+/// The partial derivatives of several expressions with respect to one variable, t included.
+#[pyfunction]
+fn partial_derivatives<'py>(
+    py: Python<'py>,
+    expressions: &Bound<'py, PyAny>,
+    variable: &Bound<'py, PyAny>,
+) -> PyResult<Bound<'py, PyTuple>> {
+    let place = "partial_derivative";
+    let roots = operands(expressions, "partial_derivative, expression")?;
+    let variable = operand(variable, "partial_derivative, variable")?;
+    notice_namesakes(py, place, &roots, &[variable])?;
+    tuple(py, raise(py, with_graph(|graph| graph.partial_derivatives(&roots, variable)))?)
 }
 
 /// The total time derivatives of several expressions.
@@ -46,7 +60,7 @@ fn free_symbols<'py>(py: Python<'py>, expressions: &Bound<'py, PyAny>) -> PyResu
     leaves(py, &operands(expressions, "free_symbols")?)
 }
 
-/// The derivatives of one expression with respect to many variables.
+/// The partial derivatives of one expression with respect to many variables.
 #[pyfunction]
 fn gradient<'py>(
     py: Python<'py>,
@@ -56,6 +70,7 @@ fn gradient<'py>(
     let root = operand(expression, "gradient, expression")?;
     let variables = operands(variables, "gradient, variables")?;
     notice_namesakes(py, "gradient", &[root], &variables)?;
+    raise_at(py, "gradient", with_forms(|graph| graph.check_unambiguous(&[root], &variables)))?;
     tuple(py, raise(py, with_graph(|graph| graph.gradient(root, &variables)))?)
 }
 
@@ -69,6 +84,7 @@ fn jacobian<'py>(
     let roots = operands(expressions, "jacobian, expressions")?;
     let variables = operands(variables, "jacobian, variables")?;
     notice_namesakes(py, "jacobian", &roots, &variables)?;
+    raise_at(py, "jacobian", with_forms(|graph| graph.check_unambiguous(&roots, &variables)))?;
     let rows = raise(py, with_graph(|graph| graph.jacobian(&roots, &variables)))?;
     rows.into_iter().map(|row| tuple(py, row)).collect()
 }
@@ -76,6 +92,7 @@ fn jacobian<'py>(
 pub fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(substitute, module)?)?;
     module.add_function(wrap_pyfunction!(diff_all, module)?)?;
+    module.add_function(wrap_pyfunction!(partial_derivatives, module)?)?;
     module.add_function(wrap_pyfunction!(free_symbols, module)?)?;
     module.add_function(wrap_pyfunction!(time_derivatives, module)?)?;
     module.add_function(wrap_pyfunction!(gradient, module)?)?;

@@ -54,13 +54,22 @@ pub fn raise<T>(py: Python<'_>, result: Result<T, Error>) -> PyResult<T> {
     result.map_err(|error| exception(py, &error))
 }
 
+/// The same for an error whose message begins with the function that the user called.
+pub fn raise_at<T>(py: Python<'_>, place: &str, result: Result<T, Error>) -> PyResult<T> {
+    result.map_err(|error| python_exception(py, class(&error), format!("{place}: {error}{}", remedy(&error))))
+}
+
 fn exception(py: Python<'_>, error: &Error) -> PyErr {
-    let class = match error {
+    python_exception(py, class(error), format!("{error}{}", remedy(error)))
+}
+
+/// The name of the exception of `symbody.errors` for an error.
+const fn class(error: &Error) -> &'static str {
+    match error {
         Error::DivisionByZero(_) => "DivisionByZeroError",
         Error::MissingInput(_) => "ParameterError",
         _ => "ExpressionError",
-    };
-    python_exception(py, class, format!("{error}{}", remedy(error)))
+    }
 }
 
 /// The remedy for an error, if its own message does not state it.

@@ -198,7 +198,7 @@ class Matrix:
         return self._like([_core.number(function(entry)) for entry in self.entries])
 
     def diff(self, variable: Expr, n: int = 1) -> Matrix:
-        """Return the matrix of partial derivatives with respect to one variable."""
+        """Return the matrix of derivatives with respect to one variable; for ``t``, they are total."""
         entries = self.entries
         for _ in range(size(n, "Matrix.diff: n", "derivatives")):
             entries = _core.diff_all(entries, variable)
