@@ -51,7 +51,7 @@ pub enum Error {
         what: &'static str,
         /// The limit.
         limit: usize,
-        /// The number that was found.
+        /// The number that was found; the largest one stands for all beyond it.
         found: usize,
     },
     /// Something that is not a variable was given as a variable of differentiation or substitution.
@@ -111,6 +111,9 @@ impl fmt::Display for Error {
             Self::Singular(text) | Self::MissingInput(text) => write!(f, "{text}"),
             Self::NotLinear { equation, unknown } => {
                 write!(f, "the equation {equation} = 0 is not linear in {unknown}")
+            }
+            Self::Limit { what, limit, found: usize::MAX } => {
+                write!(f, "{what}: at most {limit}, found more than can be counted")
             }
             Self::Limit { what, limit, found } => write!(f, "{what}: at most {limit}, found {found}"),
             Self::TwoTimeDerivatives { expression, function } => write!(

@@ -18,6 +18,8 @@ pub(super) struct Ring<'g> {
     index: FxHashMap<Element, u32>,
     /// Atoms that are roots: the node under the root and the degree.
     pub(crate) roots: FxHashMap<u32, (Id, i64)>,
+    /// Whether everything is opened that can be, as a user asks for, or only what may become shorter.
+    pub(super) opens_all: bool,
     /// Arguments of sines and cosines as sums of atoms.
     pub(super) angles: FxHashMap<Id, Polynomial>,
 }
@@ -30,6 +32,7 @@ impl<'g> Ring<'g> {
             nodes: Vec::new(),
             index: FxHashMap::default(),
             roots: FxHashMap::default(),
+            opens_all: false,
             angles: FxHashMap::default(),
         }
     }
