@@ -118,8 +118,8 @@ def expression(seed: int, depth: int = 4, *, only_common: bool = False) -> Expr:
 
 
 def doubling(levels: int) -> Expr:
-    """Return a graph whose tree doubles with every level: s -> s*sin(s) + 1."""
-    s = sym.symbols("s")
+    """Return a graph whose tree doubles with every level: x -> x*sin(x) + 1."""
+    x = sym.symbols("x")
     for _ in range(levels):
-        s = s * sym.sin(s) + 1
-    return s
+        x = x * sym.sin(x) + 1
+    return x

@@ -43,11 +43,9 @@ def test_the_notice_shows_both_and_their_lines(tmp_path: Path) -> None:
     ("text", "lines"),
     [
         ('print(symbols("x") - symbols("x", positive=True))', [2]),
-        ('def length():\n    return symbols("l", positive=True)\nlength()\nl = symbols("l")\n', [5]),
-        (
-            'def length():\n    return symbols("l", positive=True)\nl = symbols("l")\nlength(), length()\n',
-            [3],
-        ),
+        ('def f():\n    x = symbols("x")\n    return x - symbols("x", positive=True)\nf(), f()\n', [4]),
+        ('def f():\n    x = symbols("x y")\n    functions_of_time("x")\nf(), f()\n', [4]),
+        ('all = [symbols("x"), symbols("x", real=False), (lambda: functions_of_time("x"))()]\n', [2, 2]),
         ('x = functions_of_time("x")\nparse("k*x")\nparse("k*x")\n', [3]),
         ('import sympy\nx = symbols("x", positive=True)\nfrom_sympy(sympy.Symbol("x", real=True))\n', [4]),
     ],
@@ -64,6 +62,9 @@ def test_the_notice_is_at_the_line_that_makes_the_second_one(
         'x = symbols("x")\nx = symbols("x")\ny = symbols("y", positive=True), parse("x + k")\n',
         'for p in (True, False):\n    symbols("x", positive=p)\n',
         'def one():\n    return symbols("x")\ndef other():\n    return functions_of_time("x")\none(), other(), one()\n',
+        'def one():\n    return symbols("x")\nx = functions_of_time("x")\none()\n',
+        'def one(p):\n    return symbols("x") if p else functions_of_time("x")\none(True), one(False), one(True)\n',
+        'def one():\n    return str(symbols("x")) == str(functions_of_time("x"))\none()\n',
         'def made(p):\n    return symbols("x", positive=p)\nmade(True), made(False)\n',
         'x = symbols("x", positive=True)\nfrom_sympy(to_sympy(x)), parse("x**2", {"x": x})\n',
         'x = functions_of_time("x")\nparse(str(time_derivative(x) - x))\n',
@@ -130,7 +131,8 @@ def test_other_brackets_are_refused(text: str, message: str) -> None:
 
 def test_the_name_d_is_a_name_too() -> None:
     with pytest.warns(ModelNotice):
-        difference = symbols("D") - symbols("D", positive=True)
+        plain = symbols("D")
+        difference = plain - symbols("D", positive=True)
     assert parse(str(difference)) == difference
 
 

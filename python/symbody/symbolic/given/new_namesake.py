@@ -1,8 +1,8 @@
 """Notices of a second variable of one name, where it is made.
 
 Programs and libraries may use one name for different variables in different places. So a notice compares what one file
-(or one session) makes, within one function, or in a function and at the top of its file; and never what one call
-makes each time that it runs, as in a loop over assumptions.
+(or one session) makes at its top, or what a function makes while it holds the first one; and never what one call makes
+each time that it runs, as in a loop over assumptions.
 """
 
 from __future__ import annotations
@@ -34,22 +34,20 @@ class _Place:
 
     @property
     def scope(self) -> str:
-        """The function around it; the empty text at the top of a file."""
+        """The function around it; the empty text at the top of a file, also in lambdas and comprehensions there."""
         names = [name for name in self.code.co_qualname.split(".") if not name.startswith("<")]
         return ".".join(names)
-
-    def sees(self, other: _Place) -> bool:
-        """Whether what is made in the one place is at hand in the other."""
-        inner, outer = sorted((self.scope, other.scope), key=len, reverse=True)
-        return not outer or inner == outer or inner.startswith(f"{outer}.")
 
     def is_same_call(self, other: _Place) -> bool:
         """Whether one call of the program is in both places."""
         return self.code is other.code and self.instruction == other.instruction
 
 
-_MADE: dict[tuple[str, str], dict[tuple[Expr, str], _Place]] = {}
-"""The variables of each name that a file has made: the first place in each function, and at the top of the file."""
+_MADE: dict[tuple[str, str, str], dict[Expr, _Place]] = {}
+"""The variables that a function of a file has made with a name, each with its first place."""
+
+_NOTICED: set[tuple[Expr, Expr, str, str]] = set()
+"""The pairs of which a function of a file has had a notice."""
 
 
 def notice_namesakes(variables: Iterable[Expr], where: str, frame: FrameType | None) -> None:
@@ -70,19 +68,26 @@ def notice_namesakes(variables: Iterable[Expr], where: str, frame: FrameType | N
     file, scope = _file(frame), here.scope
     for leaf in variables:
         variable = _core.time_function(leaf.name) if leaf.kind == "time_function" else leaf
-        made = _MADE.setdefault((file, variable.name), {})
-        if (variable, scope) in made:
-            continue
-        seen = [
-            (known, at)
-            for (known, _), at in made.items()
-            if known != variable and here.sees(at) and not here.is_same_call(at)
+        made = _MADE.setdefault((file, scope, variable.name), {})
+        others = [
+            (known, at) for known, at in made.items() if known != variable and not here.is_same_call(at)
         ]
-        made[variable, scope] = here
-        if seen:
-            known, at = seen[-1]
+        if scope:  # a later call of the function may mean another variable
+            others = [(known, at) for known, at in others if _holds(frame.f_locals.values(), known)]
+        elif variable in made:
+            continue
+        made.setdefault(variable, here)
+        if others and (variable, others[-1][0], file, scope) not in _NOTICED:
+            known, at = others[-1]
+            _NOTICED.add((variable, known, file, scope))
             before = "made before" if at.is_session else f"made in line {at.line}"
             notify(where + namesake_note([variable], [known], ("made here", before)).replace(";", ":", 1))
+
+
+def _holds(things: Iterable[object], variable: Expr) -> bool:
+    """Whether an expression among some things, or in a list of them, contains the variable."""
+    listed = [each for thing in things for each in (thing if isinstance(thing, list | tuple) else (thing,))]
+    return any(isinstance(thing, Expr) and thing.has(variable) for thing in listed)
 
 
 def _file(frame: FrameType) -> str:
