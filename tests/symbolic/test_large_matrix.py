@@ -40,13 +40,13 @@ def test_a_million_entries_take_no_seconds(make: Callable[[], Matrix]) -> None:
 def test_they_are_what_they_were() -> None:
     a = Matrix([[1, x, 0.5], [0, 2, np.float64(0.5)]])
     assert a.entries == (number(1), x, number(0.5), number(0), number(2), number(0.5))
-    assert a.T == Matrix([[1, 0], [x, 2], [0.5, 0.5]])
-    assert a.T.T == a
+    assert Matrix([[1, 0], [x, 2], [0.5, 0.5]]) == a.T
+    assert a == a.T.T
     assert a + a == 2 * a
     assert -a == a * -1
     assert a - a == zeros(2, 3)
     assert a / 2 == Matrix([[0.5, x / 2, 0.25], [0, 1, 0.25]])
-    assert a @ identity(3) == a
+    assert a == a @ identity(3)
     assert (a @ a.T)[0, 0] == 1 + x**2 + number(0.25)
     assert identity(0).shape == (0, 0)
     assert zeros(0, 3).T.shape == (3, 0)

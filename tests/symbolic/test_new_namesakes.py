@@ -130,8 +130,8 @@ def test_other_brackets_are_refused(text: str, message: str) -> None:
 
 
 def test_the_name_d_is_a_name_too() -> None:
+    plain = symbols("D")
     with pytest.warns(ModelNotice):
-        plain = symbols("D")
         difference = plain - symbols("D", positive=True)
     assert parse(str(difference)) == difference
 

@@ -72,7 +72,7 @@
 //! | `linear` | matrices, vectors, linear systems in symbols |
 //! | `tape` | straight-line code in doubles, and its evaluation |
 //!
-//! No Python, no mechanics, no global state.
+//! No Python, no mechanics, no global state but the watch of a thread over its long work ([`interruptible`]).
 
 #![warn(missing_docs)]
 
@@ -80,6 +80,7 @@ mod calculus;
 mod canonical;
 mod error;
 mod graph;
+mod interrupt;
 mod kernel;
 mod linear;
 mod polynomial;
@@ -95,6 +96,9 @@ pub use value::{Element, Number};
 
 // What can go wrong, and how messages quote an expression.
 pub use error::{Error, quoted};
+
+// Long work that someone waits for.
+pub use interrupt::{Interrupted, interruptible};
 
 // Text.
 pub use print::{Format, Listing};

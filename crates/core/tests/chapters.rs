@@ -6,8 +6,9 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// From the lowest to the highest: a chapter may use those before it.
-const CHAPTERS: [&str; 11] = [
+const CHAPTERS: [&str; 12] = [
     "error",
+    "interrupt",
     "value",
     "polynomial",
     "kernel",
@@ -21,7 +22,7 @@ const CHAPTERS: [&str; 11] = [
 ];
 
 /// Files that are not in a folder: the front page, and the errors that every chapter reports.
-const OUTSIDE: [&str; 2] = ["lib.rs", "error.rs"];
+const OUTSIDE: [&str; 3] = ["lib.rs", "error.rs", "interrupt.rs"];
 
 fn sources() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("src")

@@ -6,7 +6,7 @@ use pyo3::types::{PyFrozenSet, PyTuple};
 use crate::convert::{keys, operand, operands, pairs};
 use crate::expr::{leaves, tuple};
 use crate::namesake::notice_namesakes;
-use crate::session::{raise, raise_at, with_forms, with_graph};
+use crate::session::{long_with_forms, long_with_graph, raise_at, with_forms};
 
 /// Several expressions with every key of the mapping replaced by its value, all at once.
 #[pyfunction]
@@ -17,7 +17,7 @@ fn substitute<'py>(
 ) -> PyResult<Bound<'py, PyTuple>> {
     let (roots, pairs) = (operands(expressions, "subs")?, pairs(mapping)?);
     notice_namesakes(py, "subs", &roots, &keys(&pairs))?;
-    let replaced = raise(py, with_forms(|graph| graph.substitute(&roots, &pairs)))?;
+    let replaced = long_with_forms(py, |graph| graph.substitute(&roots, &pairs))?;
     tuple(py, replaced)
 }
 
@@ -30,7 +30,7 @@ fn diff_all<'py>(
 ) -> PyResult<Bound<'py, PyTuple>> {
     let (roots, variable) = (operands(expressions, "diff")?, operand(variable, "diff, variable")?);
     notice_namesakes(py, "diff", &roots, &[variable])?;
-    tuple(py, raise(py, with_graph(|graph| graph.diff_all(&roots, variable)))?)
+    tuple(py, long_with_graph(py, |graph| graph.diff_all(&roots, variable))?)
 }
 
 /// The partial derivatives of several expressions with respect to one variable, t included.
@@ -44,14 +44,14 @@ fn partial_derivatives<'py>(
     let roots = operands(expressions, "partial_derivative, expression")?;
     let variable = operand(variable, "partial_derivative, variable")?;
     notice_namesakes(py, place, &roots, &[variable])?;
-    tuple(py, raise(py, with_graph(|graph| graph.partial_derivatives(&roots, variable)))?)
+    tuple(py, long_with_graph(py, |graph| graph.partial_derivatives(&roots, variable))?)
 }
 
 /// The total time derivatives of several expressions.
 #[pyfunction]
 fn time_derivatives<'py>(py: Python<'py>, expressions: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyTuple>> {
     let roots = operands(expressions, "time_derivative")?;
-    tuple(py, raise(py, with_graph(|graph| graph.time_derivatives(&roots)))?)
+    tuple(py, long_with_graph(py, |graph| graph.time_derivatives(&roots))?)
 }
 
 /// The leaves of several expressions, found in one walk.
@@ -71,7 +71,7 @@ fn gradient<'py>(
     let variables = operands(variables, "gradient, variables")?;
     notice_namesakes(py, "gradient", &[root], &variables)?;
     raise_at(py, "gradient", with_forms(|graph| graph.check_unambiguous(&[root], &variables)))?;
-    tuple(py, raise(py, with_graph(|graph| graph.gradient(root, &variables)))?)
+    tuple(py, long_with_graph(py, |graph| graph.gradient(root, &variables))?)
 }
 
 /// The rows of the Jacobian of expressions with respect to variables.
@@ -85,7 +85,7 @@ fn jacobian<'py>(
     let variables = operands(variables, "jacobian, variables")?;
     notice_namesakes(py, "jacobian", &roots, &variables)?;
     raise_at(py, "jacobian", with_forms(|graph| graph.check_unambiguous(&roots, &variables)))?;
-    let rows = raise(py, with_graph(|graph| graph.jacobian(&roots, &variables)))?;
+    let rows = long_with_graph(py, |graph| graph.jacobian(&roots, &variables))?;
     rows.into_iter().map(|row| tuple(py, row)).collect()
 }
 

@@ -10,7 +10,7 @@ use symbody_core::{Error, Graph, Id, Matrix};
 use crate::convert::{operand, operands};
 use crate::expr::{Expr, tuple};
 use crate::namesake::notice_namesakes;
-use crate::session::{raise, with_graph};
+use crate::session::{long_with_graph, raise, with_graph};
 
 /// The entries of a matrix with this many columns as expressions; equal integers and doubles are converted once.
 #[pyfunction]
@@ -71,9 +71,10 @@ fn entrywise<'py>(
     };
     let (left, right) = (operands(left, "Matrix")?, operands(right, "Matrix")?);
     let others = right.iter().copied().cycle();
-    let made: Result<Vec<Id>, Error> =
-        with_graph(|graph| left.iter().zip(others).map(|(&a, b)| operation(graph, a, b)).collect());
-    tuple(py, raise(py, made)?)
+    let made: Vec<Id> = long_with_graph(py, |graph| {
+        left.iter().zip(others.clone()).map(|(&a, b)| operation(graph, a, b)).collect()
+    })?;
+    tuple(py, made)
 }
 
 /// The opposites of expressions.
@@ -95,7 +96,7 @@ fn matrix_product<'py>(
 ) -> PyResult<Bound<'py, PyTuple>> {
     let a = raise(py, Matrix::new(rows, inner, operands(a, "Matrix")?))?;
     let b = raise(py, Matrix::new(inner, columns, operands(b, "Matrix")?))?;
-    let product = raise(py, with_graph(|graph| graph.matrix_product(&a, &b)))?;
+    let product = long_with_graph(py, |graph| graph.matrix_product(&a, &b))?;
     tuple(py, product.entries().iter().copied())
 }
 
@@ -103,21 +104,21 @@ fn matrix_product<'py>(
 #[pyfunction]
 fn matrix_rank(py: Python<'_>, rows: usize, columns: usize, entries: &Bound<'_, PyAny>) -> PyResult<usize> {
     let matrix = raise(py, Matrix::new(rows, columns, operands(entries, "Matrix")?))?;
-    Ok(with_graph(|graph| graph.matrix_rank(&matrix)))
+    long_with_graph(py, |graph| Ok(graph.matrix_rank(&matrix)))
 }
 
 /// The determinant of an n x n matrix.
 #[pyfunction]
 fn determinant(py: Python<'_>, n: usize, entries: &Bound<'_, PyAny>) -> PyResult<Expr> {
     let matrix = raise(py, Matrix::new(n, n, operands(entries, "Matrix")?))?;
-    raise(py, with_graph(|graph| graph.determinant(&matrix))).map(Expr)
+    long_with_graph(py, |graph| graph.determinant(&matrix)).map(Expr)
 }
 
 /// The inverse of an n x n matrix.
 #[pyfunction]
 fn inverse<'py>(py: Python<'py>, n: usize, entries: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyTuple>> {
     let matrix = raise(py, Matrix::new(n, n, operands(entries, "Matrix")?))?;
-    let inverse = raise(py, with_graph(|graph| graph.inverse(&matrix)))?;
+    let inverse = long_with_graph(py, |graph| graph.inverse(&matrix))?;
     tuple(py, inverse.entries().iter().copied())
 }
 
@@ -131,7 +132,7 @@ fn solve<'py>(
     let equations = operands(equations, "solve, equations")?;
     let unknowns = operands(unknowns, "solve, unknowns")?;
     notice_namesakes(py, "solve", &equations, &unknowns)?;
-    tuple(py, raise(py, with_graph(|graph| graph.solve(&equations, &unknowns)))?)
+    tuple(py, long_with_graph(py, |graph| graph.solve(&equations, &unknowns))?)
 }
 
 /// The solution of A x = b, A given row by row: solved at run time, by pivoting.
@@ -143,7 +144,7 @@ fn linear_solve<'py>(
 ) -> PyResult<Bound<'py, PyTuple>> {
     let matrix = operands(matrix, "linear_solve, matrix")?;
     let right = operands(right, "linear_solve, right side")?;
-    tuple(py, raise(py, with_graph(|graph| graph.linear_solve(&matrix, &right)))?)
+    tuple(py, long_with_graph(py, |graph| graph.linear_solve(&matrix, &right))?)
 }
 
 pub fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {

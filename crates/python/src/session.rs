@@ -1,8 +1,11 @@
-//! The one graph of a process, the derivation of each thread, and errors as Python exceptions.
+//! The one graph of a process, the derivation of each thread, errors as Python exceptions, and Ctrl-C.
+
+#![expect(unsafe_code, reason = "Python's functions for interrupts have no safe form")]
 
 use std::cell::RefCell;
 use std::sync::{LazyLock, Mutex, MutexGuard, PoisonError};
 
+use pyo3::ffi;
 use pyo3::prelude::*;
 use symbody_core::{Classes, Error, Graph};
 
@@ -47,6 +50,43 @@ pub fn with_graph<T>(work: impl FnOnce(&mut Graph) -> T) -> T {
 pub fn with_forms<T>(work: impl FnOnce(&mut Graph) -> T) -> T {
     let mut graph = lock();
     work(&mut graph)
+}
+
+/// Run work that may take long on the graph, within the derivation of this thread. Ctrl-C ends it.
+pub fn long_with_graph<T>(py: Python<'_>, work: impl FnMut(&mut Graph) -> Result<T, Error>) -> PyResult<T> {
+    let mut work = work;
+    interruptible(py, || with_graph(&mut work))
+}
+
+/// Run work that may take long on the graph, outside any derivation. Ctrl-C ends it.
+pub fn long_with_forms<T>(py: Python<'_>, work: impl FnMut(&mut Graph) -> Result<T, Error>) -> PyResult<T> {
+    let mut work = work;
+    interruptible(py, || with_forms(&mut work))
+}
+
+/// Run work until its end, or until a signal arrives whose handler raises an exception.
+fn interruptible<T>(py: Python<'_>, mut work: impl FnMut() -> Result<T, Error>) -> PyResult<T> {
+    loop {
+        if let Ok(result) = symbody_core::interruptible(is_interrupted, &mut work) {
+            return raise(py, result);
+        }
+        // The handler runs now, as it may use expressions, for which the graph must be free. If it raises nothing, the
+        // work begins again, and finds the nodes that it has made.
+        repeat_interrupt();
+        py.check_signals()?;
+    }
+}
+
+/// Whether Ctrl-C was pressed since the last question. Only the main thread is interrupted.
+fn is_interrupted() -> bool {
+    // SAFETY: the work runs while this thread holds the interpreter, and the function has no other condition.
+    unsafe { ffi::PyOS_InterruptOccurred() != 0 }
+}
+
+/// Let Python see the interrupt that `is_interrupted` took.
+fn repeat_interrupt() {
+    // SAFETY: as above.
+    unsafe { ffi::PyErr_SetInterrupt() }
 }
 
 /// Return the result, or raise the error as the Python exception of its kind.

@@ -5,6 +5,7 @@ use rustc_hash::{FxHashMap, FxHasher};
 use std::hash::{Hash, Hasher};
 
 use crate::error::Error;
+use crate::interrupt::tick;
 use crate::value::{Circle, Element, Key, Number};
 
 use super::classes::Classes;
@@ -319,6 +320,7 @@ impl Graph {
 
     /// The node of this row, made if it is new.
     pub(crate) fn intern(&mut self, kind: Kind, flags: Flags, words: &[u32], value: Element) -> Id {
+        tick(); // before the first change
         let hash = hash_row(kind, words);
         let (rows, table) = (&self.rows, &self.words);
         let same = |&id: &u32| {

@@ -5,6 +5,7 @@
 
 use std::collections::BTreeMap;
 
+use crate::interrupt::tick;
 use crate::value::Element;
 
 /// An equation at the random point: unknowns by number, the constant under the number after the last.
@@ -71,6 +72,7 @@ fn reduce(reduced: &mut Reduced, pivots: &BTreeMap<usize, Reduced>, unknowns: us
 
 fn add_multiple(row: &mut BTreeMap<usize, Element>, other: &BTreeMap<usize, Element>, factor: Element) {
     for (&position, &value) in other {
+        tick();
         let sum = row.get(&position).map_or(Element::ZERO, |&known| known) + value * factor;
         if sum.is_zero() {
             row.remove(&position);

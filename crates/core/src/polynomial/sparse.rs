@@ -5,6 +5,7 @@ use num_integer::Integer;
 use std::collections::BTreeMap;
 
 use crate::error::Error;
+use crate::interrupt::tick;
 use crate::value::Number;
 
 use super::monomial::Monomial;
@@ -98,6 +99,7 @@ impl Polynomial {
 
     pub(crate) fn add_term(&mut self, monomial: Monomial, coefficient: &Number) {
         use std::collections::btree_map::Entry;
+        tick();
         match self.0.entry(monomial) {
             Entry::Vacant(entry) => {
                 if !coefficient.is_zero() {
