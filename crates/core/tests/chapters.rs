@@ -120,7 +120,7 @@ fn in_circles(mut uses: BTreeMap<String, Vec<String>>) -> Vec<String> {
 
 #[test]
 fn no_files_use_one_another_in_a_circle() {
-    for chapter in CHAPTERS.iter().filter(|chapter| **chapter != "error") {
+    for chapter in CHAPTERS.iter().filter(|chapter| !["error", "interrupt"].contains(*chapter)) {
         let prefix = format!("crate::{chapter}::");
         let found = in_circles(uses(&sources().join(chapter), &["super::", &prefix]));
         assert!(found.is_empty(), "{chapter}: a circle among {found:?}");

@@ -48,7 +48,7 @@ const MOST_KNOWN: usize = 1024;
 /// What identifies a plain integer of 64 bits or a double.
 fn simple_key(entry: &Bound<'_, PyAny>) -> Option<(bool, u64)> {
     if entry.is_exact_instance_of::<PyInt>() {
-        return entry.extract::<i64>().ok().map(|value| (true, value.cast_unsigned()));
+        return entry.extract::<i64>().ok().map(|value| (true, u64::from_ne_bytes(value.to_ne_bytes())));
     }
     let is_double = entry.is_instance_of::<PyFloat>(); // NumPy's too
     is_double.then(|| entry.extract::<f64>().ok().map(|value| (false, value.to_bits()))).flatten()

@@ -131,7 +131,9 @@ impl<D: Dialect> Writer<'_, D> {
             Base::Symbol { name, assumption, explicit } => {
                 self.out.push_str(&self.dialect.name(name));
                 if *explicit {
-                    self.out.push_str(&format!("[{}]", assumption_word(*assumption)));
+                    for part in ["[", assumption_word(*assumption), "]"] {
+                        self.out.push_str(part);
+                    }
                 }
             }
             Base::TimeFunction { name, order, explicit } => {
