@@ -26,6 +26,7 @@ from symbody import (
     frozen_velocity,
     functions_of_time,
     generalized_force,
+    gradient,
     gravitational_energy,
     ground,
     kinetic_energy,
@@ -772,6 +773,15 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
         (
             "lambdify, arguments: x and b are given more than once; expected each variable once, by itself or in one "
             "of the lists"
+        ),
+    ),
+    # --- derivatives ---
+    (
+        errors.ExpressionError,
+        lambda: gradient(x * t, [m, t]),
+        (
+            "gradient: t*x contains the function of time x, so it has two derivatives with respect to t: "
+            "time_derivative(e) is the total one, partial_derivative(e, t) the one that holds x fixed"
         ),
     ),
 ]

@@ -6,6 +6,7 @@ Every message says where the mistake is, what was found, what was expected, and 
 
 import inspect
 import warnings
+from types import FrameType
 
 
 class SymbodyError(Exception):
@@ -108,7 +109,18 @@ _OURS = ("symbody", "functools", "contextlib")
 
 def notify(message: str) -> None:
     """Warn with a `ModelNotice` at the user's line, the innermost one outside of symbody."""
-    frame, level = inspect.currentframe(), 1
+    warnings.warn(message, ModelNotice, stacklevel=_user()[1])
+
+
+def user_frame() -> FrameType | None:
+    """Return the frame of the user's line, the innermost one outside of symbody, if there is one."""
+    return _user()[0]
+
+
+def _user() -> tuple[FrameType | None, int]:
+    """Return the frame of the user's line, and its level as the caller counts it."""
+    caller = inspect.currentframe()
+    frame, level = (caller.f_back if caller else None), 1
     while frame is not None and frame.f_globals.get("__name__", "").partition(".")[0] in _OURS:
         frame, level = frame.f_back, level + 1
-    warnings.warn(message, ModelNotice, stacklevel=level)
+    return frame, level

@@ -250,6 +250,16 @@ def test_numbers_beyond_doubles() -> None:
 
 
 @pytest.mark.parametrize("target", run_of_each(["c", "fortran", "matlab", "python", "rust"]))
+def test_coefficients_beyond_doubles(target: str) -> None:
+    """They are applied in parts, so that the result is a double."""
+    (x,) = symbols(["x"])
+    small = x * number(10) ** -320
+    results = [small * number(10) ** 640 * number(10) ** -320, small * 10**20, sin(small) + x]
+    far = Routine("far", "", ("q",), (Result("y", "", tuple(results), (3,)),))
+    check(Program("far", "", (Argument("q", "", (x,), "positions"),), (far,)), target)
+
+
+@pytest.mark.parametrize("target", run_of_each(["c", "fortran", "matlab", "python", "rust"]))
 def test_no_number_outside_of_a_domain(target: str) -> None:
     """What isn't real is no number, and no complex one, for whoever branches on it."""
     (x,) = symbols(["x"])

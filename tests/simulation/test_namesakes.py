@@ -11,6 +11,8 @@ import sympy
 from symbody import (
     Body,
     Equations,
+    Event,
+    Expr,
     Force,
     Matrix,
     Point,
@@ -37,6 +39,7 @@ from symbody import (
     subs,
     symbols,
     t,
+    time_derivative,
     translate,
 )
 from symbody.codegen import source
@@ -52,10 +55,13 @@ from symbody.errors import (
 )
 from symbody.symbolic import Argument, Program, Result, Routine
 
-positive = from_sympy(sympy.Symbol("m", positive=True))
-real, complex_ = symbols("m"), symbols("m", real=False)
-l, g = symbols("l g")
-x, plain_x = functions_of_time("x"), symbols("x")
+with warnings.catch_warnings():
+    warnings.simplefilter("ignore", ModelNotice)  # the notice where the second one is made: see below
+    positive = from_sympy(sympy.Symbol("m", positive=True))
+    real, complex_ = symbols("m"), symbols("m", real=False)
+    l, g = symbols("l g")
+    x, plain_x = functions_of_time("x"), symbols("x")
+    moving_l, force, plain_force = functions_of_time("l"), functions_of_time("F"), symbols("F")
 
 
 def pendulum(mass: object = positive) -> Equations:
@@ -145,7 +151,7 @@ MISTAKES: list[tuple[type[Exception], Callable[[], object], str]] = [
     ),
     (
         ModelError,
-        lambda: simulate(newton_euler(forced()), RIGHT, {x: 1}, t=(0, 1), inputs={symbols("F"): 1}),  # type: ignore[dict-item]
+        lambda: simulate(newton_euler(forced()), RIGHT, {x: 1}, t=(0, 1), inputs={plain_force: 1}),  # type: ignore[dict-item]
         (
             "simulate, inputs: F is not a function of time that the equations contain besides coordinates and speeds; "
             "expected F; the F expected is functions_of_time('F'), the F given is symbols('F'): a symbol is not a "
@@ -154,7 +160,7 @@ MISTAKES: list[tuple[type[Exception], Callable[[], object], str]] = [
     ),
     (
         SimulationError,
-        lambda: simulate(pendulum(), RIGHT, {x: 1}, t=(0, 1))[functions_of_time("l")],
+        lambda: simulate(pendulum(), RIGHT, {x: 1}, t=(0, 1))[moving_l],
         (
             "motion: no values of l; this motion has values of time, the coordinates x, the speeds x', "
             "accelerations, multipliers and parameters; l is neither a coordinate nor a speed of this system: use "
@@ -168,7 +174,7 @@ MISTAKES: list[tuple[type[Exception], Callable[[], object], str]] = [
 def forced() -> System:
     frame = rotate("Z", x) * translate(0, -l, 0)
     bob = Body(frame, positive)
-    push = Force(ground, functions_of_time("F"), 0, 0, at=Point(frame, 0, 0, 0), on=bob)
+    push = Force(ground, force, 0, 0, at=Point(frame, 0, 0, 0), on=bob)
     return System([bob], [push], coordinates=[x])
 
 
@@ -222,6 +228,32 @@ def test_what_is_meant_is_not_noticed() -> None:
         assert l.subs({real: 2}) == l
     with pytest.warns(ModelNotice, match="simulate: the parameter x does not occur in this model"):
         simulate(pendulum(), {**RIGHT, plain_x: 2}, {x: 1}, t=(0, 0.1))
+
+
+@pytest.mark.parametrize("expression", [plain_x, plain_x * l])
+def test_an_output_of_a_symbol_with_the_name_of_a_coordinate(expression: Expr) -> None:
+    for request in ({"outputs": {"a": expression}}, {"events": [Event(expression - 1)]}):
+        with pytest.raises(ParameterError) as caught:
+            simulate(pendulum(), RIGHT, {x: 1}, t=(0, 1), **request)  # type: ignore[arg-type]
+        assert str(caught.value) == (
+            "simulate: no value for x; give parameters={x: ...}; the x without a value is symbols('x'), the x of the "
+            "model is functions_of_time('x'): a symbol is not a function of time; use the same one in both places"
+        )
+
+
+def test_a_rate_of_a_function_of_time_is_no_rate_of_a_symbol() -> None:
+    with pytest.warns(ModelNotice) as caught:
+        assert (time_derivative(x) * l).subs({plain_x: 2}) == time_derivative(x) * l
+    assert str(caught[0].message) == (
+        "subs: the x' in the expression is a derivative of functions_of_time('x'), the x given is symbols('x'): a "
+        "symbol is not a function of time; use the same one in both places"
+    )
+
+
+def test_inverse_dynamics_have_no_values_of_another_variable() -> None:
+    result = inverse_dynamics(pendulum(), {x: sin(t)}, RIGHT, t=[0, 1])
+    with pytest.raises(SimulationError, match=r"no values of m; .*; the m asked for is symbols\('m'\)"):
+        result[real]
 
 
 def test_equations_and_constraints_of_another_variable() -> None:

@@ -10,6 +10,7 @@ from contextlib import AbstractContextManager, nullcontext
 
 import pytest
 
+from symbody import ModelNotice
 from symbody.symbolic import derivation, functions_of_time, symbols
 from tests.symbolic import near_misses, true_identities
 from tests.symbolic.reading import agrees, expression, raised
@@ -73,7 +74,8 @@ def test_a_constant_is_its_number_whatever_was_computed_before() -> None:
 
 
 def test_a_coordinate_is_not_the_symbol_of_its_name() -> None:
-    assert symbols("q") != functions_of_time("q")
+    with pytest.warns(ModelNotice, match=r"the q made here is functions_of_time\('q'\)"):
+        assert symbols("q") != functions_of_time("q")
     assert symbols("q") == symbols("q")
     assert functions_of_time("q") == functions_of_time("q")
 

@@ -34,8 +34,8 @@ def test_names_are_read_as_sympy_reads_them(names: Any) -> None:
 def test_what_is_made() -> None:
     assert all(e.assumption == "positive" for e in symbols("m1:4", positive=True))
     assert all(e.kind == "time_function" for e in functions_of_time("q1:4"))
-    (x,) = functions_of_time("x,")
-    assert isinstance(x, Expr)
+    (z,) = functions_of_time("z,")
+    assert isinstance(z, Expr)
     assert symbols(name for name in ("x", "y")) == list(symbols("x y"))
 
 

@@ -8,7 +8,7 @@ from fractions import Fraction
 import numpy as np
 import pytest
 
-from symbody import Expr, number, parse, symbols
+from symbody import Expr, lambdify, number, parse, symbols
 from symbody.errors import ArgumentError, ExpressionError
 
 x = symbols("x")
@@ -96,3 +96,19 @@ def test_numbers_that_fill_the_memory(value: str | Decimal) -> None:
 def test_what_is_no_number(value: object) -> None:
     with pytest.raises(ArgumentError, match="expected an expression or a number"):
         number(value)  # type: ignore[arg-type]
+
+
+@pytest.mark.parametrize("compiled", [False, True])
+def test_a_coefficient_beyond_the_doubles_is_applied_in_parts(*, compiled: bool) -> None:
+    u = symbols("u")
+    cases = [
+        (u * 10**400, 1e-300, 1e100),
+        (u / 10**400, 1e300, 1e-100),
+        (-u * 10**400 + 1, -1e-300, 1e100),
+        (u * 10**500, 1e-250, 1e250),
+        (u**2 * Fraction(1, 10**350), 1e150, 1e-50),
+    ]
+    for expression, value, expected in cases:
+        assert expression.evaluate({u: value}) == pytest.approx(expected, rel=1e-14)
+        assert lambdify([u], expression, compile=compiled)(value) == pytest.approx(expected, rel=1e-14)
+    assert (u * 10**400).evaluate({u: 1.0}) == float("inf")

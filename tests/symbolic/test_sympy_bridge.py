@@ -342,9 +342,8 @@ def test_a_negative_symbol_has_a_notice() -> None:
     with pytest.warns(ModelNotice, match=r"from_sympy: n is negative, and becomes a real symbol") as notices:
         assert from_sympy(2 * negative) == 2 * symbols("n")
     assert notices[0].filename == __file__
-    assert from_sympy(2 * negative, names={"n": -symbols("n", positive=True)}) == -2 * symbols(
-        "n", positive=True
-    )
+    size = symbols("size", positive=True)
+    assert from_sympy(2 * negative, names={"n": -size}) == -2 * size
 
 
 def test_log1p_is_refused() -> None:

@@ -51,11 +51,18 @@ pub enum Error {
         what: &'static str,
         /// The limit.
         limit: usize,
-        /// The number that was found.
+        /// The number that was found; the largest one stands for all beyond it.
         found: usize,
     },
     /// Something that is not a variable was given as a variable of differentiation or substitution.
     NotAVariable(String),
+    /// A derivative with respect to t that may be the total or the partial one.
+    TwoTimeDerivatives {
+        /// The expression.
+        expression: String,
+        /// A function of time that it contains.
+        function: String,
+    },
     /// An input of a compiled function has no value.
     MissingInput(String),
 }
@@ -105,7 +112,15 @@ impl fmt::Display for Error {
             Self::NotLinear { equation, unknown } => {
                 write!(f, "the equation {equation} = 0 is not linear in {unknown}")
             }
+            Self::Limit { what, limit, found: usize::MAX } => {
+                write!(f, "{what}: at most {limit}, found more than can be counted")
+            }
             Self::Limit { what, limit, found } => write!(f, "{what}: at most {limit}, found {found}"),
+            Self::TwoTimeDerivatives { expression, function } => write!(
+                f,
+                "{expression} contains the function of time {function}, so it has two derivatives with respect to t: \
+                 time_derivative(e) is the total one, partial_derivative(e, t) the one that holds {function} fixed"
+            ),
             Self::NotAVariable(text) => {
                 write!(
                     f,

@@ -73,7 +73,7 @@
 //! | `linear` | matrices, vectors, linear systems in symbols |
 //! | `tape` | straight-line code in doubles, and its evaluation |
 //!
-//! No Python, no mechanics, no global state.
+//! No Python, no mechanics, no global state but the watch of a thread over its long work ([`interruptible`]).
 
 #![warn(missing_docs)]
 
@@ -82,6 +82,7 @@ mod canonical;
 mod error;
 mod evaluate;
 mod graph;
+mod interrupt;
 mod kernel;
 mod linear;
 mod polynomial;
@@ -97,6 +98,9 @@ pub use value::{Element, Number};
 
 // What can go wrong, and how messages quote an expression.
 pub use error::{Error, quoted};
+
+// Long work that someone waits for.
+pub use interrupt::{Interrupted, interruptible};
 
 // Text.
 pub use print::{Format, Listing};

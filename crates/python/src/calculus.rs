@@ -6,7 +6,7 @@ use pyo3::types::{PyFrozenSet, PyTuple};
 use crate::convert::{keys, operand, operands, pairs};
 use crate::expr::{leaves, tuple};
 use crate::namesake::notice_namesakes;
-use crate::session::{raise, with_forms, with_graph};
+use crate::session::{long_with_forms, long_with_graph, raise_at, with_forms};
 
 /// Several expressions with every key of the mapping replaced by its value, all at once.
 #[pyfunction]
@@ -17,11 +17,11 @@ fn substitute<'py>(
 ) -> PyResult<Bound<'py, PyTuple>> {
     let (roots, pairs) = (operands(expressions, "subs")?, pairs(mapping)?);
     notice_namesakes(py, "subs", &roots, &keys(&pairs))?;
-    let replaced = raise(py, with_forms(|graph| graph.substitute(&roots, &pairs)))?;
+    let replaced = long_with_forms(py, |graph| graph.substitute(&roots, &pairs))?;
     tuple(py, replaced)
 }
 
-/// The derivatives of several expressions with respect to one variable.
+/// The derivatives of several expressions with respect to one variable: total ones with respect to t.
 #[pyfunction]
 fn diff_all<'py>(
     py: Python<'py>,
@@ -30,14 +30,28 @@ fn diff_all<'py>(
 ) -> PyResult<Bound<'py, PyTuple>> {
     let (roots, variable) = (operands(expressions, "diff")?, operand(variable, "diff, variable")?);
     notice_namesakes(py, "diff", &roots, &[variable])?;
-    tuple(py, raise(py, with_graph(|graph| graph.diff_all(&roots, variable)))?)
+    tuple(py, long_with_graph(py, |graph| graph.diff_all(&roots, variable))?)
+}
+
+/// The partial derivatives of several expressions with respect to one variable, t included.
+#[pyfunction]
+fn partial_derivatives<'py>(
+    py: Python<'py>,
+    expressions: &Bound<'py, PyAny>,
+    variable: &Bound<'py, PyAny>,
+) -> PyResult<Bound<'py, PyTuple>> {
+    let place = "partial_derivative";
+    let roots = operands(expressions, "partial_derivative, expression")?;
+    let variable = operand(variable, "partial_derivative, variable")?;
+    notice_namesakes(py, place, &roots, &[variable])?;
+    tuple(py, long_with_graph(py, |graph| graph.partial_derivatives(&roots, variable))?)
 }
 
 /// The total time derivatives of several expressions.
 #[pyfunction]
 fn time_derivatives<'py>(py: Python<'py>, expressions: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyTuple>> {
     let roots = operands(expressions, "time_derivative")?;
-    tuple(py, raise(py, with_graph(|graph| graph.time_derivatives(&roots)))?)
+    tuple(py, long_with_graph(py, |graph| graph.time_derivatives(&roots))?)
 }
 
 /// The leaves of several expressions, found in one walk.
@@ -46,7 +60,7 @@ fn free_symbols<'py>(py: Python<'py>, expressions: &Bound<'py, PyAny>) -> PyResu
     leaves(py, &operands(expressions, "free_symbols")?)
 }
 
-/// The derivatives of one expression with respect to many variables.
+/// The partial derivatives of one expression with respect to many variables.
 #[pyfunction]
 fn gradient<'py>(
     py: Python<'py>,
@@ -56,7 +70,8 @@ fn gradient<'py>(
     let root = operand(expression, "gradient, expression")?;
     let variables = operands(variables, "gradient, variables")?;
     notice_namesakes(py, "gradient", &[root], &variables)?;
-    tuple(py, raise(py, with_graph(|graph| graph.gradient(root, &variables)))?)
+    raise_at(py, "gradient", with_forms(|graph| graph.check_unambiguous(&[root], &variables)))?;
+    tuple(py, long_with_graph(py, |graph| graph.gradient(root, &variables))?)
 }
 
 /// The rows of the Jacobian of expressions with respect to variables.
@@ -69,13 +84,15 @@ fn jacobian<'py>(
     let roots = operands(expressions, "jacobian, expressions")?;
     let variables = operands(variables, "jacobian, variables")?;
     notice_namesakes(py, "jacobian", &roots, &variables)?;
-    let rows = raise(py, with_graph(|graph| graph.jacobian(&roots, &variables)))?;
+    raise_at(py, "jacobian", with_forms(|graph| graph.check_unambiguous(&roots, &variables)))?;
+    let rows = long_with_graph(py, |graph| graph.jacobian(&roots, &variables))?;
     rows.into_iter().map(|row| tuple(py, row)).collect()
 }
 
 pub fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(substitute, module)?)?;
     module.add_function(wrap_pyfunction!(diff_all, module)?)?;
+    module.add_function(wrap_pyfunction!(partial_derivatives, module)?)?;
     module.add_function(wrap_pyfunction!(free_symbols, module)?)?;
     module.add_function(wrap_pyfunction!(time_derivatives, module)?)?;
     module.add_function(wrap_pyfunction!(gradient, module)?)?;

@@ -31,6 +31,9 @@ pub fn leaves<'py>(py: Python<'py>, roots: &[Id]) -> PyResult<Bound<'py, PyFroze
 
 /// The ids as a Python tuple of expressions.
 pub fn tuple(py: Python<'_>, ids: impl IntoIterator<Item = Id>) -> PyResult<Bound<'_, PyTuple>> {
-    let items: Vec<Py<Expr>> = ids.into_iter().map(|id| Py::new(py, Expr(id))).collect::<PyResult<_>>()?;
+    // Large results are mostly zeros, which share one object.
+    let zero = Py::new(py, Expr(Id::ZERO))?;
+    let object = |id| if id == Id::ZERO { Ok(zero.clone_ref(py)) } else { Py::new(py, Expr(id)) };
+    let items: Vec<Py<Expr>> = ids.into_iter().map(object).collect::<PyResult<_>>()?;
     PyTuple::new(py, items)
 }

@@ -14,7 +14,7 @@ use crate::deficiency::report;
 use crate::expr::{Expr, leaves};
 use crate::namesake::notice_namesakes;
 use crate::operators::{ADD, SUBTRACT, binary, no_order, power, rational_hash};
-use crate::session::{argument_error, raise, with_forms, with_graph};
+use crate::session::{argument_error, long_with_forms, long_with_graph, raise, with_forms, with_graph};
 
 #[pymethods]
 impl Expr {
@@ -79,7 +79,7 @@ impl Expr {
     }
 
     fn __abs__(&self, py: Python<'_>) -> PyResult<Self> {
-        raise(py, with_graph(|graph| graph.apply(Function::Abs, &[self.0]))).map(Self)
+        long_with_graph(py, |graph| graph.apply(Function::Abs, &[self.0])).map(Self)
     }
 
     fn __richcmp__(slf: &Bound<'_, Self>, other: &Bound<'_, PyAny>, op: CompareOp) -> PyResult<Py<PyAny>> {
@@ -132,7 +132,7 @@ impl Expr {
     }
 
     fn __float__(&self, py: Python<'_>) -> PyResult<f64> {
-        let (value, found) = raise(py, with_forms(|graph| constant_value(graph, self.0)))?;
+        let (value, found) = long_with_forms(py, |graph| constant_value(graph, self.0))?;
         report(py, found, "float")?;
         Ok(value)
     }
@@ -175,7 +175,7 @@ impl Expr {
                 numbers.push(value.extract().map_err(|_| mistake(&value, &place, "a number"))?);
             }
         }
-        let tape = raise(py, with_forms(|graph| graph.tape(&inputs, &[self.0])))?;
+        let tape = long_with_forms(py, |graph| graph.tape(&inputs, &[self.0]))?;
         let (outputs, found) = raise(py, Evaluator::new(&tape).evaluate_noting(&numbers))?;
         report(py, found, "evaluate")?;
         Ok(outputs[0])
@@ -299,7 +299,7 @@ impl Expr {
     /// Terms, factors, base and exponent, or arguments.
     #[getter]
     fn args<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyTuple>> {
-        let parts = raise(py, with_forms(|graph| parts(graph, self.0)))?;
+        let parts = long_with_forms(py, |graph| parts(graph, self.0))?;
         PyTuple::new(py, parts.into_iter().map(Expr))
     }
 
@@ -364,7 +364,7 @@ impl Expr {
     fn diff(&self, py: Python<'_>, variable: &Bound<'_, PyAny>, n: Times) -> PyResult<Self> {
         let variable = operand(variable, "diff, variable")?;
         notice_namesakes(py, "diff", &[self.0], &[variable])?;
-        raise(py, with_graph(|graph| graph.diff_times(self.0, variable, n.0))).map(Self)
+        long_with_graph(py, |graph| graph.diff_times(self.0, variable, n.0)).map(Self)
     }
 
     /// The expression with every key of the mapping replaced by its value, all at once.
@@ -376,7 +376,7 @@ impl Expr {
         }
         let pairs = pairs(mapping)?;
         notice_namesakes(py, "subs", &[self.0], &keys(&pairs))?;
-        let replaced = raise(py, with_forms(|graph| graph.substitute(&[self.0], &pairs)))?;
+        let replaced = long_with_forms(py, |graph| graph.substitute(&[self.0], &pairs))?;
         Ok(Self(replaced[0]))
     }
 }

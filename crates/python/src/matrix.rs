@@ -1,13 +1,88 @@
 //! Matrices given row by row, and linear systems.
 
-use pyo3::prelude::*;
-use pyo3::types::PyTuple;
-use symbody_core::Matrix;
+use std::collections::HashMap;
 
-use crate::convert::operands;
+use pyo3::exceptions::PyValueError;
+use pyo3::prelude::*;
+use pyo3::types::{PyFloat, PyInt, PyTuple};
+use symbody_core::{Error, Graph, Id, Matrix};
+
+use crate::convert::{operand, operands};
 use crate::expr::{Expr, tuple};
 use crate::namesake::notice_namesakes;
-use crate::session::{raise, with_graph};
+use crate::session::{long_with_graph, raise, with_graph};
+
+/// The entries of a matrix with this many columns as expressions; equal integers and doubles are converted once.
+#[pyfunction]
+fn matrix_entries<'py>(
+    py: Python<'py>,
+    entries: &Bound<'py, PyAny>,
+    columns: usize,
+) -> PyResult<Bound<'py, PyTuple>> {
+    let mut known: HashMap<(bool, u64), Py<Expr>> = HashMap::new();
+    let mut made: Vec<Py<Expr>> = Vec::with_capacity(entries.len().unwrap_or(0));
+    for (position, entry) in entries.try_iter()?.enumerate() {
+        let entry = entry?;
+        if let Ok(expr) = entry.cast::<Expr>() {
+            made.push(expr.clone().unbind());
+            continue;
+        }
+        let key = simple_key(&entry);
+        if let Some(expr) = key.and_then(|key| known.get(&key)) {
+            made.push(expr.clone_ref(py));
+            continue;
+        }
+        let (row, column) = (position / columns.max(1) + 1, position % columns.max(1) + 1);
+        let expr = Py::new(py, Expr(operand(&entry, &format!("Matrix, row {row}, column {column}"))?))?;
+        if let Some(key) = key.filter(|_| known.len() < MOST_KNOWN) {
+            known.insert(key, expr.clone_ref(py));
+        }
+        made.push(expr);
+    }
+    PyTuple::new(py, made)
+}
+
+/// The most numbers that are kept while entries are converted.
+const MOST_KNOWN: usize = 1024;
+
+/// What identifies a plain integer of 64 bits or a double.
+fn simple_key(entry: &Bound<'_, PyAny>) -> Option<(bool, u64)> {
+    if entry.is_exact_instance_of::<PyInt>() {
+        return entry.extract::<i64>().ok().map(|value| (true, u64::from_ne_bytes(value.to_ne_bytes())));
+    }
+    let is_double = entry.is_instance_of::<PyFloat>(); // NumPy's too
+    is_double.then(|| entry.extract::<f64>().ok().map(|value| (false, value.to_bits()))).flatten()
+}
+
+/// An operation on the entries of two matrices, or of a matrix and one number or expression.
+#[pyfunction]
+fn entrywise<'py>(
+    py: Python<'py>,
+    operation: &str,
+    left: &Bound<'py, PyAny>,
+    right: &Bound<'py, PyAny>,
+) -> PyResult<Bound<'py, PyTuple>> {
+    let operation: fn(&mut Graph, Id, Id) -> Result<Id, Error> = match operation {
+        "add" => |graph, a, b| Ok(graph.add(a, b)),
+        "sub" => |graph, a, b| Ok(graph.sub(a, b)),
+        "mul" => Graph::mul,
+        "div" => Graph::div,
+        _ => return Err(PyValueError::new_err(format!("{operation} is not an operation on entries"))),
+    };
+    let (left, right) = (operands(left, "Matrix")?, operands(right, "Matrix")?);
+    let others = right.iter().copied().cycle();
+    let made: Vec<Id> = long_with_graph(py, |graph| {
+        left.iter().zip(others.clone()).map(|(&a, b)| operation(graph, a, b)).collect()
+    })?;
+    tuple(py, made)
+}
+
+/// The opposites of expressions.
+#[pyfunction]
+fn opposites<'py>(py: Python<'py>, entries: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyTuple>> {
+    let entries = operands(entries, "Matrix")?;
+    tuple(py, with_graph(|graph| entries.iter().map(|&entry| graph.neg(entry)).collect::<Vec<Id>>()))
+}
 
 /// The product of a rows x inner and an inner x columns matrix.
 #[pyfunction]
@@ -21,7 +96,7 @@ fn matrix_product<'py>(
 ) -> PyResult<Bound<'py, PyTuple>> {
     let a = raise(py, Matrix::new(rows, inner, operands(a, "Matrix")?))?;
     let b = raise(py, Matrix::new(inner, columns, operands(b, "Matrix")?))?;
-    let product = raise(py, with_graph(|graph| graph.matrix_product(&a, &b)))?;
+    let product = long_with_graph(py, |graph| graph.matrix_product(&a, &b))?;
     tuple(py, product.entries().iter().copied())
 }
 
@@ -29,21 +104,21 @@ fn matrix_product<'py>(
 #[pyfunction]
 fn matrix_rank(py: Python<'_>, rows: usize, columns: usize, entries: &Bound<'_, PyAny>) -> PyResult<usize> {
     let matrix = raise(py, Matrix::new(rows, columns, operands(entries, "Matrix")?))?;
-    Ok(with_graph(|graph| graph.matrix_rank(&matrix)))
+    long_with_graph(py, |graph| Ok(graph.matrix_rank(&matrix)))
 }
 
 /// The determinant of an n x n matrix.
 #[pyfunction]
 fn determinant(py: Python<'_>, n: usize, entries: &Bound<'_, PyAny>) -> PyResult<Expr> {
     let matrix = raise(py, Matrix::new(n, n, operands(entries, "Matrix")?))?;
-    raise(py, with_graph(|graph| graph.determinant(&matrix))).map(Expr)
+    long_with_graph(py, |graph| graph.determinant(&matrix)).map(Expr)
 }
 
 /// The inverse of an n x n matrix.
 #[pyfunction]
 fn inverse<'py>(py: Python<'py>, n: usize, entries: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyTuple>> {
     let matrix = raise(py, Matrix::new(n, n, operands(entries, "Matrix")?))?;
-    let inverse = raise(py, with_graph(|graph| graph.inverse(&matrix)))?;
+    let inverse = long_with_graph(py, |graph| graph.inverse(&matrix))?;
     tuple(py, inverse.entries().iter().copied())
 }
 
@@ -57,7 +132,7 @@ fn solve<'py>(
     let equations = operands(equations, "solve, equations")?;
     let unknowns = operands(unknowns, "solve, unknowns")?;
     notice_namesakes(py, "solve", &equations, &unknowns)?;
-    tuple(py, raise(py, with_graph(|graph| graph.solve(&equations, &unknowns)))?)
+    tuple(py, long_with_graph(py, |graph| graph.solve(&equations, &unknowns))?)
 }
 
 /// The solution of A x = b, A given row by row: solved at run time, by pivoting.
@@ -69,10 +144,13 @@ fn linear_solve<'py>(
 ) -> PyResult<Bound<'py, PyTuple>> {
     let matrix = operands(matrix, "linear_solve, matrix")?;
     let right = operands(right, "linear_solve, right side")?;
-    tuple(py, raise(py, with_graph(|graph| graph.linear_solve(&matrix, &right)))?)
+    tuple(py, long_with_graph(py, |graph| graph.linear_solve(&matrix, &right))?)
 }
 
 pub fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
+    module.add_function(wrap_pyfunction!(entrywise, module)?)?;
+    module.add_function(wrap_pyfunction!(opposites, module)?)?;
+    module.add_function(wrap_pyfunction!(matrix_entries, module)?)?;
     module.add_function(wrap_pyfunction!(matrix_product, module)?)?;
     module.add_function(wrap_pyfunction!(matrix_rank, module)?)?;
     module.add_function(wrap_pyfunction!(determinant, module)?)?;

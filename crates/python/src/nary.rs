@@ -5,7 +5,7 @@ use symbody_core::NumberId;
 
 use crate::convert::operands;
 use crate::expr::Expr;
-use crate::session::{raise, with_graph};
+use crate::session::{long_with_graph, with_graph};
 
 /// The sum of expressions.
 #[pyfunction]
@@ -18,7 +18,7 @@ fn sum_of(terms: &Bound<'_, PyAny>) -> PyResult<Expr> {
 #[pyfunction]
 fn product_of(py: Python<'_>, factors: &Bound<'_, PyAny>) -> PyResult<Expr> {
     let factors: Vec<_> = operands(factors, "product")?.into_iter().map(|id| (id, NumberId::ONE)).collect();
-    raise(py, with_graph(|graph| graph.product(&factors))).map(Expr)
+    long_with_graph(py, |graph| graph.product(&factors)).map(Expr)
 }
 
 pub fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {

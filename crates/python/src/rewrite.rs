@@ -7,7 +7,7 @@ use symbody_core::{Error, Graph, Id};
 use crate::convert::{mistake, operand, operands};
 use crate::expr::Expr;
 use crate::namesake::notice_namesakes;
-use crate::session::{raise, with_forms};
+use crate::session::{long_with_forms, with_forms};
 
 /// Additions, multiplications, divisions and functions of expressions: on the graph by what they depend on
 /// (parameters alone, time and positions, speeds, accelerations), or as trees in one sum.
@@ -38,7 +38,7 @@ fn rewrite(py: Python<'_>, name: &str, expression: &Bound<'_, PyAny>) -> PyResul
         _ => return Err(PyValueError::new_err(format!("{name} is not a rewrite"))),
     };
     let root = operand(expression, name)?;
-    raise(py, with_forms(|graph| rewrite(graph, root))).map(Expr)
+    long_with_forms(py, |graph| rewrite(graph, root)).map(Expr)
 }
 
 /// The expression as a polynomial in the variables.
@@ -47,7 +47,7 @@ fn collect(py: Python<'_>, expression: &Bound<'_, PyAny>, variables: &Bound<'_, 
     let root = operand(expression, "collect, expression")?;
     let variables = operands(variables, "collect, variables")?;
     notice_namesakes(py, "collect", &[root], &variables)?;
-    raise(py, with_forms(|graph| graph.collect(root, &variables))).map(Expr)
+    long_with_forms(py, |graph| graph.collect(root, &variables)).map(Expr)
 }
 
 /// The coefficient of a power of a variable.
@@ -61,7 +61,7 @@ fn coeff(
     let (root, variable) = (operand(expression, "coeff, expression")?, operand(variable, "coeff, variable")?);
     notice_namesakes(py, "coeff", &[root], &[variable])?;
     let n = n.extract().map_err(|_| mistake(n, "coeff, n", "a whole number"))?;
-    raise(py, with_forms(|graph| graph.coeff(root, variable, n))).map(Expr)
+    long_with_forms(py, |graph| graph.coeff(root, variable, n)).map(Expr)
 }
 
 pub fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {

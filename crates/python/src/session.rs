@@ -1,8 +1,11 @@
-//! The one graph of a process, the derivation of each thread, and errors as Python exceptions.
+//! The one graph of a process, the derivation of each thread, errors as Python exceptions, and Ctrl-C.
+
+#![expect(unsafe_code, reason = "Python's functions for interrupts have no safe form")]
 
 use std::cell::RefCell;
 use std::sync::{LazyLock, Mutex, MutexGuard, PoisonError};
 
+use pyo3::ffi;
 use pyo3::prelude::*;
 use symbody_core::{Classes, Error, Graph};
 
@@ -49,18 +52,64 @@ pub fn with_forms<T>(work: impl FnOnce(&mut Graph) -> T) -> T {
     work(&mut graph)
 }
 
+/// Run work that may take long on the graph, within the derivation of this thread. Ctrl-C ends it.
+pub fn long_with_graph<T>(py: Python<'_>, work: impl FnMut(&mut Graph) -> Result<T, Error>) -> PyResult<T> {
+    let mut work = work;
+    interruptible(py, || with_graph(&mut work))
+}
+
+/// Run work that may take long on the graph, outside any derivation. Ctrl-C ends it.
+pub fn long_with_forms<T>(py: Python<'_>, work: impl FnMut(&mut Graph) -> Result<T, Error>) -> PyResult<T> {
+    let mut work = work;
+    interruptible(py, || with_forms(&mut work))
+}
+
+/// Run work until its end, or until a signal arrives whose handler raises an exception.
+fn interruptible<T>(py: Python<'_>, mut work: impl FnMut() -> Result<T, Error>) -> PyResult<T> {
+    loop {
+        if let Ok(result) = symbody_core::interruptible(is_interrupted, &mut work) {
+            return raise(py, result);
+        }
+        // The handler runs now, as it may use expressions, for which the graph must be free. If it raises nothing, the
+        // work begins again, and finds the nodes that it has made.
+        repeat_interrupt();
+        py.check_signals()?;
+    }
+}
+
+/// Whether Ctrl-C was pressed since the last question. Only the main thread is interrupted.
+fn is_interrupted() -> bool {
+    // SAFETY: the work runs while this thread holds the interpreter, and the function has no other condition.
+    unsafe { ffi::PyOS_InterruptOccurred() != 0 }
+}
+
+/// Let Python see the interrupt that `is_interrupted` took.
+fn repeat_interrupt() {
+    // SAFETY: as above.
+    unsafe { ffi::PyErr_SetInterrupt() }
+}
+
 /// Return the result, or raise the error as the Python exception of its kind.
 pub fn raise<T>(py: Python<'_>, result: Result<T, Error>) -> PyResult<T> {
     result.map_err(|error| exception(py, &error))
 }
 
+/// The same for an error whose message begins with the function that the user called.
+pub fn raise_at<T>(py: Python<'_>, place: &str, result: Result<T, Error>) -> PyResult<T> {
+    result.map_err(|error| python_exception(py, class(&error), format!("{place}: {error}{}", remedy(&error))))
+}
+
 fn exception(py: Python<'_>, error: &Error) -> PyErr {
-    let class = match error {
+    python_exception(py, class(error), format!("{error}{}", remedy(error)))
+}
+
+/// The name of the exception of `symbody.errors` for an error.
+const fn class(error: &Error) -> &'static str {
+    match error {
         Error::DivisionByZero(_) => "DivisionByZeroError",
         Error::MissingInput(_) => "ParameterError",
         _ => "ExpressionError",
-    };
-    python_exception(py, class, format!("{error}{}", remedy(error)))
+    }
 }
 
 /// The remedy for an error, if its own message does not state it.

@@ -7,7 +7,7 @@ use symbody_core::{Column, Cost, Error, Evaluator, Instruction, Operand, Staged}
 
 use crate::convert::operands;
 use crate::deficiency::note;
-use crate::session::{raise, with_forms};
+use crate::session::{long_with_forms, raise};
 
 /// Additions, multiplications, divisions, functions.
 type Counts = (u64, u64, u64, u64);
@@ -34,7 +34,7 @@ impl Tape {
     ) -> PyResult<Self> {
         let inputs = operands(inputs, &format!("{where_}, arguments"))?;
         let outputs = operands(outputs, &format!("{where_}, expressions"))?;
-        let tape = raise(py, with_forms(|graph| graph.tape(&inputs, &outputs)))?;
+        let tape = long_with_forms(py, |graph| graph.tape(&inputs, &outputs))?;
         let staged = raise(py, tape.staged(&stages.unwrap_or_default()))?;
         Ok(Self { evaluator: Evaluator::new(&staged.tape), staged })
     }

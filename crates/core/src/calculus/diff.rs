@@ -24,8 +24,8 @@ impl Dependence {
 }
 
 impl Graph {
-    /// The partial derivative with respect to a variable: a symbol, t, or a function of time (whose
-    /// derivatives are other variables). The derivative with respect to t is the total one.
+    /// The derivative with respect to a variable: a symbol, t, or a function of time (whose derivatives are other
+    /// variables). It is the partial one, except with respect to t: that derivative is the total one.
     ///
     /// # Errors
     /// If `variable` is not a variable.
@@ -33,7 +33,7 @@ impl Graph {
         Ok(self.diff_all(&[id], variable)?[0])
     }
 
-    /// The n-th partial derivative.
+    /// The n-th derivative: the partial one, and with respect to t the total one.
     ///
     /// # Errors
     /// If `variable` is not a variable, or n is larger than [`LARGEST_ORDER`](crate::LARGEST_ORDER).
@@ -42,7 +42,8 @@ impl Graph {
         (0..n).try_fold(id, |id, _| self.diff(id, variable))
     }
 
-    /// The partial derivatives of several expressions with respect to one variable.
+    /// The derivatives of several expressions with respect to one variable: the partial ones, and with respect to t
+    /// the total ones.
     ///
     /// # Errors
     /// If `variable` is not a variable.
@@ -51,6 +52,16 @@ impl Graph {
         if matches!(self.view(variable), View::Time) {
             return self.time_derivatives(ids);
         }
+        self.partial_derivatives(ids, variable)
+    }
+
+    /// The partial derivatives of several expressions with respect to one variable. All other variables are constants,
+    /// also with respect to t: functions of time are not differentiated.
+    ///
+    /// # Errors
+    /// If `variable` is not a variable.
+    pub fn partial_derivatives(&mut self, ids: &[Id], variable: Id) -> Result<Vec<Id>, Error> {
+        self.check_variable(variable)?;
         let ids: Vec<Id> = ids.iter().map(|&id| self.adopt(id)).collect();
         let dependence = self.dependence(&ids, &[variable]);
         self.tangents(&ids, dependence.on(0), &mut |graph, id| {
@@ -81,6 +92,25 @@ impl Graph {
     /// If a divisor is identically zero.
     pub fn time_derivative(&mut self, id: Id) -> Result<Id, Error> {
         Ok(self.time_derivatives(&[id])?[0])
+    }
+
+    /// Check that derivatives with respect to `variables` have one meaning: with respect to t, those of an expression
+    /// that contains functions of time are total or partial.
+    ///
+    /// # Errors
+    /// If t is among the variables, and a function of time is in one of the expressions.
+    pub fn check_unambiguous(&self, ids: &[Id], variables: &[Id]) -> Result<(), Error> {
+        if !variables.iter().any(|&variable| matches!(self.view(variable), View::Time)) {
+            return Ok(());
+        }
+        for &id in ids.iter().filter(|&&id| self.depends_on_time(id)) {
+            let mut leaves = self.variables(&[id]).into_iter();
+            if let Some(function) = leaves.find(|&leaf| matches!(self.view(leaf), View::TimeFunction(..))) {
+                let (expression, function) = (self.to_quotation(id), self.to_text(function));
+                return Err(Error::TwoTimeDerivatives { expression, function });
+            }
+        }
+        Ok(())
     }
 
     fn check_variable(&self, variable: Id) -> Result<(), Error> {
@@ -285,7 +315,8 @@ impl Graph {
         Ok(if sign > 0 { self.add(Id::ONE, square) } else { self.sub(Id::ONE, square) })
     }
 
-    /// The derivatives of one expression with respect to many variables, by one reverse sweep.
+    /// The partial derivatives of one expression with respect to many variables, by one reverse sweep; with respect to
+    /// t, too.
     ///
     /// # Errors
     /// If one of them is not a variable.
@@ -338,7 +369,7 @@ impl Graph {
         Ok(variables.iter().map(|&v| result.get(&self.value(v)).copied().unwrap_or(Id::ZERO)).collect())
     }
 
-    /// The Jacobian, row by row. It is computed by rows in reverse mode if there are fewer expressions than variables,
+    /// The Jacobian, row by row: partial derivatives, with respect to t, too. It is computed by rows in reverse mode if there are fewer expressions than variables,
     /// and otherwise by columns in forward mode; both visit only nodes that depend on the variables.
     ///
     /// # Errors
@@ -383,6 +414,24 @@ mod tests {
             let forward = g.diff(quotient, variable)?;
             assert!(g.equal(forward, derivative));
         }
+        Ok(())
+    }
+
+    /// q t has the partial derivative q and the total one q + q' t with respect to t.
+    #[test]
+    fn the_derivative_by_time_is_total_and_partial_ones_are_named_so() -> Result<(), Error> {
+        let g = &mut Graph::new();
+        let (q, v, t) = (g.time_function("q", 0)?, g.time_function("q", 1)?, g.time());
+        let product = g.mul(q, t)?;
+        let carried = g.mul(v, t)?;
+        let total = g.add(q, carried);
+        assert_eq!(g.diff(product, t)?, total);
+        assert_eq!(g.partial_derivatives(&[product], t)?, [q]);
+        assert_eq!(g.gradient(product, &[q, t])?, [t, q]);
+        assert_eq!(g.jacobian(&[product, t], &[t])?, [[q], [Id::ONE]]);
+        assert!(matches!(g.check_unambiguous(&[product], &[q, t]), Err(Error::TwoTimeDerivatives { .. })));
+        assert!(g.check_unambiguous(&[product], &[q, v]).is_ok());
+        assert!(g.check_unambiguous(&[t], &[q, t]).is_ok());
         Ok(())
     }
 

@@ -23,7 +23,7 @@ impl Graph {
                 Kind::Time => time = Some(replacement),
                 _ => {}
             }
-            targets.push(self, target, replacement);
+            targets.push(self.value(target), target, replacement);
         }
         let order = self.post_order_where(roots, |_| true);
         let mut done: FxHashMap<Id, Id> = FxHashMap::default();

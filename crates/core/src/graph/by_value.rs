@@ -46,9 +46,9 @@ impl<T> ByValue<T> {
         })
     }
 
-    /// Add an entry, whether or not there is one of this value.
-    pub(crate) fn push(&mut self, graph: &Graph, id: Id, item: T) {
-        let key = graph.value(id).unsigned().0;
+    /// Add an entry for a node of this fingerprint, whether or not there is one of its value.
+    pub(crate) fn push(&mut self, value: Element, id: Id, item: T) {
+        let key = value.unsigned().0;
         match self.first.entry(key) {
             std::collections::hash_map::Entry::Vacant(entry) => {
                 entry.insert((id, item));

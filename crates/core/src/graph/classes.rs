@@ -33,10 +33,15 @@ impl Classes {
         self.known.get(&id).copied()
     }
 
-    /// Let `id` stand for itself, and for its value if no other node does.
-    pub(crate) fn remember(&mut self, graph: &Graph, id: Id) {
-        if self.nodes.get_up_to_sign(graph, id).is_none() {
-            self.nodes.push(graph, id, ());
+    /// Whether no node that stands for itself has the value of a node up to sign.
+    pub(crate) fn is_new(&self, graph: &Graph, id: Id) -> bool {
+        self.nodes.get_up_to_sign(graph, id).is_none()
+    }
+
+    /// Let `id` stand for itself, and for its value if that is new.
+    pub(crate) fn remember(&mut self, id: Id, value: Element, is_new: bool) {
+        if is_new {
+            self.nodes.push(value, id, ());
         }
         self.known.insert(id, id);
     }

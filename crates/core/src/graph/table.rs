@@ -5,6 +5,7 @@ use rustc_hash::{FxHashMap, FxHasher};
 use std::hash::{Hash, Hasher};
 
 use crate::error::Error;
+use crate::interrupt::tick;
 use crate::value::{Element, Number};
 use std::cell::RefCell;
 
@@ -310,6 +311,7 @@ impl Graph {
 
     /// The node of this row, made if it is new.
     pub(crate) fn intern(&mut self, kind: Kind, flags: Flags, words: &[u32], value: Element) -> Id {
+        tick(); // before the first change
         let hash = hash_row(kind, words);
         let (rows, table) = (&self.rows, &self.words);
         let same = |&id: &u32| {
@@ -345,9 +347,10 @@ impl Graph {
 
     /// Enter a node made by the derivation in progress, if there is one, into its classes.
     pub(crate) fn remember(&mut self, id: Id) {
-        if let Some(mut classes) = self.classes.take() {
-            classes.remember(self, id);
-            self.classes = Some(classes);
+        let Some(is_new) = self.classes.as_ref().map(|classes| classes.is_new(self, id)) else { return };
+        let value = self.value(id);
+        if let Some(classes) = self.classes.as_mut() {
+            classes.remember(id, value, is_new);
         }
     }
 

@@ -2,6 +2,8 @@
 
 use rustc_hash::FxHashSet;
 
+use crate::interrupt::tick;
+
 use super::node::Id;
 use super::table::Graph;
 
@@ -23,6 +25,7 @@ impl Graph {
                 stack.push((root, false));
             }
             while let Some((id, expanded)) = stack.pop() {
+                tick();
                 if expanded {
                     order.push(id);
                     continue;

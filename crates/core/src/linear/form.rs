@@ -31,7 +31,7 @@ impl Graph {
             if !self.is_variable(unknown) {
                 return Err(Error::NotAVariable(self.to_quotation(unknown)));
             }
-            numbers.push(self, unknown, number);
+            numbers.push(self.value(unknown), unknown, number);
         }
         let mut forms = Forms::default();
         for id in self.post_order_where(equations, |_| true) {
@@ -122,7 +122,7 @@ impl Graph {
     fn form_by_derivatives(&mut self, equation: Id, unknowns: &[Id]) -> Result<LinearForm, Error> {
         let mut coefficients = BTreeMap::new();
         for (number, &unknown) in unknowns.iter().enumerate() {
-            let slope = self.diff(equation, unknown)?;
+            let slope = self.partial_derivatives(&[equation], unknown)?[0];
             // A slope that has a pole where the unknowns are zero depends on them.
             let coefficient = self.without(slope, unknowns).ok();
             let Some(coefficient) = coefficient.filter(|&coefficient| self.equal(slope, coefficient)) else {

@@ -75,6 +75,12 @@ impl Matrix {
         &self.entries[row * self.columns..(row + 1) * self.columns]
     }
 
+    /// The entries of a row other than zero, with their columns.
+    fn filled(&self, row: usize) -> Vec<(usize, Id)> {
+        let entries = self.row(row).iter().copied().enumerate();
+        entries.filter(|&(_, entry)| entry != Id::ZERO).collect()
+    }
+
     fn check_square(&self, operation: &'static str) -> Result<(), Error> {
         if self.rows == self.columns {
             return Ok(());
@@ -104,14 +110,18 @@ impl Graph {
             return Err(Error::Limit { what: "entries of a matrix", limit: MOST_ENTRIES, found });
         }
         let mut entries = Vec::with_capacity(a.rows * b.columns);
+        let filled: Vec<Vec<(usize, Id)>> = (0..b.rows).map(|row| b.filled(row)).collect();
         for row in 0..a.rows {
-            for column in 0..b.columns {
-                let mut terms = Vec::with_capacity(a.columns);
-                for k in 0..a.columns {
-                    let (left, right) = (a.at(row, k), b.at(k, column));
-                    if left != Id::ZERO && right != Id::ZERO {
-                        terms.push((NumberId::ONE, self.mul(left, right)?));
-                    }
+            let mut factors: Vec<Vec<(Id, Id)>> = vec![Vec::new(); b.columns];
+            for (k, left) in a.filled(row) {
+                for &(column, right) in &filled[k] {
+                    factors[column].push((left, right));
+                }
+            }
+            for pairs in factors {
+                let mut terms = Vec::with_capacity(pairs.len());
+                for (left, right) in pairs {
+                    terms.push((NumberId::ONE, self.mul(left, right)?));
                 }
                 entries.push(self.sum(&terms));
             }

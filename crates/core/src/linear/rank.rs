@@ -6,6 +6,7 @@
 use std::collections::BTreeMap;
 
 use crate::graph::{Flags, Graph, Id};
+use crate::interrupt::tick;
 use crate::value::{Field, FieldId, Quadratic};
 
 /// Signs and roots may make equations dependent in one lane, so the greatest rank in this many lanes counts.
@@ -103,6 +104,7 @@ fn reduce(
 
 fn add_multiple(row: &mut Row, other: &Row, factor: &Quadratic, f: &Field) {
     for (&position, value) in other {
+        tick();
         let addend = f.mul(value, factor);
         let sum = row.get(&position).map_or_else(|| addend.clone(), |known| f.add(known, &addend));
         if sum.is_zero() {

@@ -5,6 +5,7 @@ use num_integer::Integer;
 use std::collections::BTreeMap;
 
 use crate::error::Error;
+use crate::interrupt::tick;
 use crate::value::Number;
 
 use super::monomial::Monomial;
@@ -39,7 +40,10 @@ impl Budget {
     }
 
     fn admit(&self, polynomial: &Polynomial) -> Result<(), Error> {
-        let found = polynomial.len();
+        self.admit_terms(polynomial.len())
+    }
+
+    fn admit_terms(&self, found: usize) -> Result<(), Error> {
         if found > self.terms {
             return Err(Error::Limit { what: TERMS, limit: self.terms, found });
         }
@@ -95,6 +99,7 @@ impl Polynomial {
 
     pub(crate) fn add_term(&mut self, monomial: Monomial, coefficient: &Number) {
         use std::collections::btree_map::Entry;
+        tick();
         match self.0.entry(monomial) {
             Entry::Vacant(entry) => {
                 if !coefficient.is_zero() {
@@ -147,15 +152,63 @@ impl Polynomial {
         Ok(product)
     }
 
+    /// A natural power, by the binomial theorem: the sum of `C(n, k) t**(n - k) r**k` for a term t and the rest r, whose
+    /// powers are built up. The work is near the number of terms of the result, times those of r.
     pub(crate) fn pow(&self, n: u64, budget: &mut Budget) -> Result<Self, Error> {
+        let n = usize::try_from(n).unwrap_or(usize::MAX);
+        let Some((lead, factor)) = self.leading().filter(|_| self.len() > 1 && n > 1) else {
+            return self.small_power(n);
+        };
+        // A root of multiplicity n, other than zero, needs n + 1 terms [Hajos].
+        budget.admit_terms(n.saturating_add(1))?;
+        let words = self.words_of_power(n);
+        let mut factors = vec![Number::integer(1), factor.clone()];
+        while factors.len() <= n {
+            budget.spend(words)?;
+            factors.push(factors[factors.len() - 1].mul(factor));
+        }
+        let mut rest = self.clone();
+        rest.0.remove(lead);
         let mut power = Self::constant(Number::integer(1));
-        for bit in (0..u64::BITS - n.leading_zeros()).rev() {
-            power = power.times(&power, budget)?;
-            if n >> bit & 1 == 1 {
-                power = power.times(self, budget)?;
+        let (mut result, mut binomial) = (Self::default(), BigInt::from(1));
+        for k in 0..=n {
+            budget.spend(power.len().saturating_mul(words))?;
+            let multiple = factors[n - k].mul(&Number::whole(binomial.clone()));
+            let monomial = lead.pow(exponent(n - k));
+            for (m, c) in &power.0 {
+                result.add_term(monomial.times(m), &c.mul(&multiple));
+            }
+            budget.admit(&result)?;
+            if k < n {
+                budget.spend(power.len().saturating_mul(rest.len()).saturating_mul(words - 1))?;
+                power = power.times(&rest, budget)?;
+                binomial = binomial * (n - k) / (k + 1);
             }
         }
-        Ok(power)
+        Ok(result)
+    }
+
+    /// A power that is one term, or the polynomial itself.
+    fn small_power(&self, n: usize) -> Result<Self, Error> {
+        match (self.single(), n) {
+            (_, 0) => Ok(Self::constant(Number::integer(1))),
+            (Some((monomial, coefficient)), _) => {
+                let n = exponent(n);
+                Ok(Self::term(monomial.pow(n), coefficient.powi(n)?))
+            }
+            _ => Ok(self.clone()),
+        }
+    }
+
+    /// A bound on the words of a coefficient of the n-th power. A word has 256 bits, so that the coefficients of usual
+    /// powers count as one.
+    fn words_of_power(&self, n: usize) -> usize {
+        let bits = |number: &Number| number.numerator().bits().max(number.denominator().bits()) - 1;
+        let largest = self.0.values().map(bits).max().unwrap_or_default();
+        let of_factor = usize::try_from(largest)
+            .unwrap_or(usize::MAX)
+            .saturating_add((self.len() - 1).ilog2() as usize + 1);
+        n.saturating_mul(of_factor) / 256 + 1
     }
 
     /// The largest monomial that divides all terms and leaves no negative exponents.
@@ -235,6 +288,10 @@ impl Polynomial {
     }
 }
 
+fn exponent(n: usize) -> i64 {
+    i64::try_from(n).expect("a budget of terms bounds the exponents of sums")
+}
+
 fn rational_root(number: &Number) -> Option<Number> {
     if number.is_negative() {
         return None;
@@ -272,6 +329,39 @@ mod tests {
         near.add_term(Monomial::default(), &Number::integer(1));
         assert_eq!(near.square_root(&mut budget()), None);
         assert_eq!(near.divide_exactly(&b, &mut budget()), None);
+        Ok(())
+    }
+
+    #[test]
+    fn a_power_is_a_repeated_product() -> Result<(), Error> {
+        let sums = [
+            polynomial(&[(3, &[(0, 2)]), (-1, &[(1, 1)]), (2, &[(2, -1)])]),
+            polynomial(&[(1, &[(0, 1)]), (1, &[(0, 2)]), (1, &[]), (-2, &[(0, -3)])]),
+            polynomial(&[(-5, &[(0, 1), (1, 3)])]),
+            polynomial(&[]),
+        ];
+        for sum in sums {
+            let mut product = Polynomial::constant(Number::integer(1));
+            for n in 0..7 {
+                assert_eq!(sum.pow(n, &mut Budget::new(1000, 100_000))?, product);
+                product = product.times(&sum, &mut Budget::new(1000, 100_000))?;
+            }
+        }
+        Ok(())
+    }
+
+    /// A dense power in one atom, a sparse one in four, and coefficients of many digits.
+    #[test]
+    fn the_work_of_a_power_is_near_its_terms() -> Result<(), Error> {
+        let dense = polynomial(&[(1, &[]), (1, &[(0, 1)]), (1, &[(0, 2)])]);
+        assert_eq!(dense.pow(200, &mut Budget::new(401, 1_000_000))?.len(), 401);
+        let four = polynomial(&[(1, &[(0, 1)]), (1, &[(1, 1)]), (1, &[(2, 1)]), (1, &[(3, 1)])]);
+        let mut budget = Budget::new(39_711, 1_000_000);
+        assert_eq!(four.pow(60, &mut budget)?.len(), 39_711);
+        let two = polynomial(&[(1, &[(0, 1)]), (1, &[(1, 1)])]);
+        for n in [200_000, u64::MAX] {
+            assert!(matches!(two.pow(n, &mut Budget::new(200_000, 5_000_000)), Err(Error::Limit { .. })));
+        }
         Ok(())
     }
 

@@ -6,7 +6,7 @@ use crate::value::Number;
 use super::linear::{fraction, indices};
 use super::name;
 use super::order::is_fraction;
-use super::tree::{Base, Factor, Sum, Term};
+use super::tree::{Base, Factor, Sum, Term, assumption_word};
 
 /// The sum in LaTeX.
 pub(super) fn write(sum: &Sum) -> String {
@@ -90,7 +90,7 @@ fn closed(base: &Base) -> String {
         Base::Function(function, _) => !matches!(function, Function::Abs),
         Base::Number(number) => is_fraction(number),
         Base::TimeFunction { order, .. } => *order > DOTS,
-        Base::Pi | Base::Time | Base::Symbol(..) => false,
+        Base::Pi | Base::Time | Base::Symbol { .. } => false,
     };
     if brackets_needed { brackets(&bare(base)) } else { bare(base) }
 }
@@ -113,7 +113,10 @@ fn bare(base: &Base) -> String {
         Base::Number(number) => decimal(&number.to_string()),
         Base::Pi => "\\pi".into(),
         Base::Time => "t".into(),
-        Base::Symbol(name, _) => name::to_latex(name, ""),
+        Base::Symbol { name, assumption, explicit: true } => {
+            format!("{{{}}}_{{\\mathrm{{{}}}}}", name::to_latex(name, ""), assumption_word(*assumption))
+        }
+        Base::Symbol { name, .. } => name::to_latex(name, ""),
         Base::TimeFunction { name, order, explicit } => {
             let argument = if *explicit { "\\left(t\\right)" } else { "" };
             time_function(name, *order) + argument

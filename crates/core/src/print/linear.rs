@@ -4,7 +4,7 @@ use crate::graph::Function;
 use crate::value::Number;
 
 use super::order::is_fraction;
-use super::tree::{Base, Factor, Sum, Term};
+use super::tree::{Base, Factor, Sum, Term, assumption_word};
 
 /// What differs between the notations.
 pub(super) trait Dialect {
@@ -128,7 +128,14 @@ impl<D: Dialect> Writer<'_, D> {
             Base::Number(number) => self.out.push_str(&number.to_string()),
             Base::Pi => self.out.push_str(D::PI),
             Base::Time => self.out.push('t'),
-            Base::Symbol(name, _) => self.out.push_str(&self.dialect.name(name)),
+            Base::Symbol { name, assumption, explicit } => {
+                self.out.push_str(&self.dialect.name(name));
+                if *explicit {
+                    for part in ["[", assumption_word(*assumption), "]"] {
+                        self.out.push_str(part);
+                    }
+                }
+            }
             Base::TimeFunction { name, order, explicit } => {
                 self.out.push_str(&self.dialect.time_function(name, *order, *explicit));
             }

@@ -9,11 +9,16 @@ impl Graph {
     /// For each variable that is needed and not given: a given variable with the same name.
     #[must_use]
     pub fn namesakes(&self, needed: &[Id], given: &[Id]) -> Vec<(Id, Id)> {
-        needed
+        let mut pairs: Vec<(Id, Id)> = needed
             .iter()
             .filter(|id| !given.contains(id))
             .filter_map(|&id| Some((id, *given.iter().find(|&&other| self.is_namesake(id, other))?)))
-            .collect()
+            .collect();
+        // A derivative says nothing more than its function.
+        let explained: Vec<Id> =
+            pairs.iter().filter(|pair| self.plain_name(pair.0).is_some()).map(|pair| pair.1).collect();
+        pairs.retain(|pair| self.plain_name(pair.0).is_some() || !explained.contains(&pair.1));
+        pairs
     }
 
     /// Explain how variables that are needed differ from given ones with the same names; `None` if there are none.
@@ -42,7 +47,14 @@ impl Graph {
     }
 
     fn is_namesake(&self, a: Id, b: Id) -> bool {
-        a != b && self.plain_name(a).is_some_and(|name| self.plain_name(b) == Some(name))
+        if a == b {
+            return false;
+        }
+        match (self.view(a), self.view(b)) {
+            // The rate x' has no symbol x for a variable either.
+            (View::TimeFunction(name, _), View::Symbol(other, _)) => name == other,
+            _ => self.plain_name(a).is_some_and(|name| self.plain_name(b) == Some(name)),
+        }
     }
 
     /// The name of a symbol or a function of time, which its derivatives don't have.
@@ -60,14 +72,14 @@ impl Graph {
     fn explanation(&self, (needed, given): (Id, Id), roles: (&str, &str)) -> Option<String> {
         let ((needed_as, needed_kind), (given_as, given_kind)) =
             (self.constructor(needed)?, self.constructor(given)?);
-        let name = self.plain_name(needed)?;
+        let (name, of) = (self.to_text(needed), self.to_text(given));
         let law = if needed_kind == given_kind {
             "symbols with different assumptions are different symbols"
         } else {
             "a symbol is not a function of time"
         };
         Some(format!(
-            "the {name} {} is {needed_as}, the {name} {} is {given_as}: {law}; use the same one in both places",
+            "the {name} {} is {needed_as}, the {of} {} is {given_as}: {law}; use the same one in both places",
             roles.0, roles.1
         ))
     }
@@ -75,7 +87,10 @@ impl Graph {
     /// How a user makes a variable, and whether it depends on time.
     fn constructor(&self, id: Id) -> Option<(String, bool)> {
         match self.view(id) {
-            View::TimeFunction(name, _) => Some((format!("functions_of_time('{name}')"), true)),
+            View::TimeFunction(name, 0) => Some((format!("functions_of_time('{name}')"), true)),
+            View::TimeFunction(name, _) => {
+                Some((format!("a derivative of functions_of_time('{name}')"), true))
+            }
             View::Symbol(name, assumption) => {
                 let option = match assumption {
                     Assumption::Positive => ", positive=True",

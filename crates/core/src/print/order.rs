@@ -24,7 +24,7 @@ impl Base {
         match self {
             Self::Number(_) => Place::Number,
             Self::Pi => Place::Pi,
-            Self::Symbol(..) => Place::Parameter,
+            Self::Symbol { .. } => Place::Parameter,
             Self::Time | Self::TimeFunction { .. } => Place::Coordinate,
             Self::Application { .. } | Self::Function(..) => Place::Function,
             Self::Group(sum) if sum.place() <= Place::ParameterGroup => Place::ParameterGroup,
@@ -100,7 +100,7 @@ impl Rank {
         let none = Self::default();
         match base {
             Base::Number(_) | Base::Pi => none,
-            Base::Symbol(..) => Self { degree: 1.0, ..none },
+            Base::Symbol { .. } => Self { degree: 1.0, ..none },
             Base::Time => Self { degree: 1.0, coordinates: 1.0, ..none },
             Base::TimeFunction { order, .. } => {
                 Self { derivative: *order, coordinates: 1.0, degree: 1.0, ..none }
@@ -168,7 +168,9 @@ pub(super) fn compare_bases(a: &Base, b: &Base) -> Ordering {
     let place = a.place().cmp(&b.place());
     place.then_with(|| match (a, b) {
         (Base::Number(x), Base::Number(y)) => compare_numbers(x, y),
-        (Base::Symbol(x, p), Base::Symbol(y, q)) => name::compare(x, y).then((*p as u8).cmp(&(*q as u8))),
+        (Base::Symbol { name: x, assumption: p, .. }, Base::Symbol { name: y, assumption: q, .. }) => {
+            name::compare(x, y).then((*p as u8).cmp(&(*q as u8)))
+        }
         (Base::TimeFunction { name: x, order: m, .. }, Base::TimeFunction { name: y, order: n, .. }) => {
             name::compare(x, y).then(m.cmp(n))
         }

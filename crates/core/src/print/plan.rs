@@ -4,7 +4,7 @@ use rustc_hash::{FxHashMap, FxHashSet};
 use std::collections::BTreeSet;
 use std::ops::Range;
 
-use crate::graph::{Graph, Id, View};
+use crate::graph::{Assumption, Graph, Id, View};
 use crate::value::Number;
 
 /// Up to this many printed leaves an expression is written out whole.
@@ -32,6 +32,8 @@ pub(super) struct Plan {
     sliced: FxHashMap<Id, Range<usize>>,
     /// Names of symbols and undefined functions, from which functions of time must be distinguished.
     others: FxHashSet<String>,
+    /// Names that several symbols have, with different assumptions.
+    shared: FxHashSet<String>,
 }
 
 /// The printed extent of a node: leaves, and levels of brackets.
@@ -50,6 +52,7 @@ impl Plan {
             named: FxHashMap::default(),
             sliced: FxHashMap::default(),
             others: names.others,
+            shared: names.shared,
         };
         let large = tree_leaves(graph, &order, roots) > WHOLE;
         let uses = uses(graph, &order, roots);
@@ -128,6 +131,11 @@ impl Plan {
     /// Whether the name of a function of time is also the name of something else.
     pub(super) fn is_ambiguous(&self, name: &str) -> bool {
         self.others.contains(name)
+    }
+
+    /// Whether several symbols with different assumptions have the name.
+    pub(super) fn is_shared(&self, name: &str) -> bool {
+        self.shared.contains(name)
     }
 }
 
@@ -210,6 +218,7 @@ pub(super) fn is_sign(number: &Number) -> bool {
 /// The names in use and one that is free.
 struct Names {
     others: FxHashSet<String>,
+    shared: FxHashSet<String>,
     /// A letter such that no name in use is that letter with a number.
     prefix: String,
 }
@@ -217,8 +226,15 @@ struct Names {
 impl Names {
     fn of(graph: &Graph, order: &[Id]) -> Self {
         let mut others = FxHashSet::default();
+        let mut assumptions: FxHashMap<&str, Assumption> = FxHashMap::default();
+        let mut shared = FxHashSet::default();
         let mut taken = BTreeSet::new();
         for &id in order {
+            if let View::Symbol(name, assumption) = graph.view(id)
+                && *assumptions.entry(name).or_insert(assumption) != assumption
+            {
+                shared.insert(name.to_owned());
+            }
             match graph.view(id) {
                 View::Symbol(name, _) | View::Application { name, .. } => {
                     others.insert(name.to_owned());
@@ -234,7 +250,7 @@ impl Names {
         while taken.iter().any(|name| is_numbered(name, &prefix)) {
             prefix.push('z');
         }
-        Self { others, prefix }
+        Self { others, shared, prefix }
     }
 }
 

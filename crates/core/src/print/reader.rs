@@ -21,7 +21,7 @@ impl<'a> Reader<'a> {
     /// The tree of a node: its name, if it has one.
     pub(super) fn expression(&self, id: Id) -> Sum {
         match self.plan.name(id) {
-            Some(name) => Sum::atom(Base::Symbol(name.to_owned(), Assumption::Real)),
+            Some(name) => Sum::atom(Base::plain(name)),
             None => self.opened(id),
         }
     }
@@ -58,7 +58,11 @@ impl<'a> Reader<'a> {
             View::Number(number) => Sum::number(self.graph.get_number(number).clone()),
             View::Pi => Sum::atom(Base::Pi),
             View::Time => Sum::atom(Base::Time),
-            View::Symbol(name, assumption) => Sum::atom(Base::Symbol(name.to_owned(), assumption)),
+            View::Symbol(name, assumption) => Sum::atom(Base::Symbol {
+                name: name.to_owned(),
+                assumption,
+                explicit: assumption != Assumption::Real && self.plan.is_shared(name),
+            }),
             View::TimeFunction(name, order) => Sum::atom(Base::TimeFunction {
                 name: name.to_owned(),
                 order,
@@ -80,9 +84,7 @@ impl<'a> Reader<'a> {
                 Sum::atom(Base::Function(function, args))
             }
             View::Solution(system, index) => self.solution(system, index),
-            View::LinearSystem { .. } => {
-                Sum::atom(Base::Symbol(String::from("linear_system"), Assumption::Real))
-            }
+            View::LinearSystem { .. } => Sum::atom(Base::plain("linear_system")),
         }
     }
 
@@ -136,5 +138,5 @@ impl<'a> Reader<'a> {
 }
 
 fn symbol(piece: &Piece) -> Sum {
-    Sum::atom(Base::Symbol(piece.name.clone(), Assumption::Real))
+    Sum::atom(Base::plain(&piece.name))
 }

@@ -31,8 +31,13 @@ pub(super) enum Base {
     Number(Number),
     Pi,
     Time,
-    /// A symbol: of one name there may be several, with other assumptions.
-    Symbol(String, Assumption),
+    /// A symbol: of one name there may be several, with other assumptions. `explicit` where the name alone would mean
+    /// another one of them.
+    Symbol {
+        name: String,
+        assumption: Assumption,
+        explicit: bool,
+    },
     /// A function of time; `explicit` where the name alone would mean something else.
     TimeFunction {
         name: String,
@@ -47,6 +52,22 @@ pub(super) enum Base {
     Function(Function, Vec<Sum>),
     /// A sum in brackets.
     Group(Sum),
+}
+
+impl Base {
+    /// A name for a quantity, with nothing else of that name beside it.
+    pub(super) fn plain(name: &str) -> Self {
+        Self::Symbol { name: name.to_owned(), assumption: Assumption::Real, explicit: false }
+    }
+}
+
+/// The word by which the symbols of one name are distinguished; the real one is written by its name alone.
+pub(super) fn assumption_word(assumption: Assumption) -> &'static str {
+    match assumption {
+        Assumption::Positive => "positive",
+        Assumption::Real => "real",
+        Assumption::None => "complex",
+    }
 }
 
 impl Sum {

@@ -10,12 +10,19 @@ use crate::value::Number;
 
 use super::ring::{Ring, single_power};
 
-/// Angles that are larger multiples of their unit stay closed.
+/// Angles that are larger multiples of their unit stay closed, unless a user requests the expansion.
 const LARGEST_MULTIPLE: i64 = 8;
 
-/// Update, for each atomic angle, the greatest common divisor of its multiples by those in one more angle.
-pub(super) fn update_units(units: &mut FxHashMap<Monomial, Number>, angle: &Polynomial) {
+/// The atom of the imaginary unit: a number that no atom of an expression has.
+const IMAGINARY_UNIT: u32 = u32::MAX;
+
+/// Update, for each atomic angle, the greatest common divisor of its multiples by those in one more angle. If all is
+/// opened, integer multiples are those of the angle itself.
+pub(super) fn update_units(units: &mut FxHashMap<Monomial, Number>, angle: &Polynomial, opens_all: bool) {
+    let one = Number::integer(1);
     for (monomial, coefficient) in angle.iter() {
+        let is_multiple = coefficient.is_integer() && !coefficient.is_decimal() && !monomial.is_one();
+        let coefficient = if opens_all && is_multiple { &one } else { coefficient };
         let unit = match units.get(monomial) {
             Some(known) => common_unit(known, coefficient),
             None => coefficient.abs(),
@@ -37,7 +44,7 @@ impl Ring<'_> {
         for (monomial, coefficient) in angle.iter() {
             let unit = units[monomial].clone();
             let Some(n) = coefficient.mul(&unit.recip()?).to_i64() else { return Ok(self.leaf(id)) };
-            if n.abs() > LARGEST_MULTIPLE || coefficient.is_decimal() {
+            if (n.abs() > LARGEST_MULTIPLE && !self.opens_all) || coefficient.is_decimal() {
                 return Ok(self.leaf(id));
             }
             multiples.push((Polynomial::term(monomial.clone(), unit), n));
@@ -47,6 +54,12 @@ impl Ring<'_> {
         for (angle, n) in multiples {
             let c = self.wave_of(Function::Cos, &angle)?;
             let s = self.wave_of(Function::Sin, &angle)?.scaled(&Number::integer(n.signum()));
+            if n.abs() > LARGEST_MULTIPLE
+                && let Some((c, s)) = self.multiple((&c, &s), n.unsigned_abs())?
+            {
+                (cos, sin) = self.rotate((&cos, &sin), (&c, &s))?;
+                continue;
+            }
             for _ in 0..n.abs() {
                 (cos, sin) = self.rotate((&cos, &sin), (&c, &s))?;
             }
@@ -60,6 +73,27 @@ impl Ring<'_> {
                 Ok(sin.shifted(&monomial, &factor))
             }
         }
+    }
+
+    /// The cosine and the sine of n times an angle: the parts of `(cos + i sin)**n` [de Moivre]; `None` if those of the
+    /// angle are no atoms.
+    fn multiple(
+        &mut self,
+        (c, s): (&Polynomial, &Polynomial),
+        n: u64,
+    ) -> Result<Option<(Polynomial, Polynomial)>, Error> {
+        let (Some(_), Some(_)) = (c.single(), s.single()) else { return Ok(None) };
+        let one = Number::integer(1);
+        let mut both = s.shifted(&Monomial::power(IMAGINARY_UNIT, 1), &one);
+        both.add_scaled(c, &one);
+        let (mut cos, mut sin) = (Polynomial::default(), Polynomial::default());
+        for (monomial, coefficient) in self.power(&both, n)?.iter() {
+            let (turns, rest) = monomial.split(|atom| atom == IMAGINARY_UNIT);
+            let quarter = turns.degree() % 4;
+            let part = if quarter % 2 == 0 { &mut cos } else { &mut sin };
+            part.add_term(rest, &if quarter > 1 { coefficient.neg() } else { coefficient.clone() });
+        }
+        Ok(Some((cos, sin)))
     }
 
     /// The cosine and the sine of the sum of two angles.
@@ -86,6 +120,30 @@ fn common_unit(a: &Number, b: &Number) -> Number {
 mod tests {
     use super::*;
     use crate::graph::{Assumption, Graph, NumberId, View};
+
+    #[test]
+    fn a_request_opens_integer_multiples() -> Result<(), Error> {
+        let g = &mut Graph::new();
+        let a = g.symbol("a", Assumption::Real);
+        let two = g.number_id(&Number::integer(2));
+        let double = g.scale(two, a);
+        let sine = g.apply(Function::Sin, &[double])?;
+        let expanded = g.expand_trig(sine)?;
+        assert_eq!(g.to_text(expanded), "2*sin(a)*cos(a)");
+        for n in [-3, 9, 40, 401] {
+            let factor = g.number_id(&Number::integer(n));
+            let angle = g.scale(factor, a);
+            for shape in [Function::Sin, Function::Cos] {
+                let wave = g.apply(shape, &[angle])?;
+                let expanded = g.expand_trig(wave)?;
+                assert!(g.equal(wave, expanded));
+                for node in g.post_order(&[expanded]) {
+                    assert!(!matches!(g.view(node), View::Function(_, args) if args.get(0) != a));
+                }
+            }
+        }
+        Ok(())
+    }
 
     #[test]
     fn angles_open_to_their_common_unit() -> Result<(), Error> {

@@ -30,6 +30,7 @@ impl Graph {
     pub fn collect(&mut self, id: Id, variables: &[Id]) -> Result<Id, Error> {
         self.choose_form(|graph| {
             let mut ring = Ring::new(graph, BUDGET);
+            ring.opens_all = true;
             let groups = ring.grouped_by_variables(id, variables)?;
             let mut parts = Vec::new();
             for (monomial, coefficient) in groups {
@@ -50,6 +51,7 @@ impl Graph {
     pub fn coeff(&mut self, id: Id, variable: Id, n: i64) -> Result<Id, Error> {
         self.choose_form(|graph| {
             let mut ring = Ring::new(graph, BUDGET);
+            ring.opens_all = true;
             let groups = ring.grouped_by_variables(id, &[variable])?;
             let power = ring.leaf(variable);
             let (monomial, factor) = super::ring::single_power(&power, n)?;

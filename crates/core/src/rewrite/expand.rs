@@ -23,9 +23,10 @@ pub(super) enum Opening {
 
 const EXPANDED: &str = "the parts of a node are expanded before it, and kept for all that ask for them";
 
-/// The limits of an expansion that a user requests.
-const BUDGET: Budget = Budget::new(200_000, 5_000_000);
-/// Exponents beyond this stay closed.
+/// The most terms of an expansion that a user requests, and the limit of its work.
+const TERMS: usize = 200_000;
+const BUDGET: Budget = Budget::new(TERMS, 5_000_000);
+/// Exponents from this one on stay closed, unless a user requests the expansion.
 const LARGEST_EXPONENT: u64 = 257;
 
 impl Graph {
@@ -37,7 +38,7 @@ impl Graph {
         self.expand_to(id, Opening::Products)
     }
 
-    /// Like [`Self::expand`], and sines and cosines of sums and multiples become those of single angles.
+    /// Like [`Self::expand`], and sines and cosines of sums and of integer multiples become those of single angles.
     ///
     /// # Errors
     /// If the result would have too many terms.
@@ -49,6 +50,7 @@ impl Graph {
         self.choose_form(|graph| {
             graph.inside_out(id, Self::push_enclosed, &mut |graph, part| {
                 let mut ring = Ring::new(graph, BUDGET);
+                ring.opens_all = true;
                 let polynomial = ring.polynomial(part, opening)?;
                 ring.node_of(&polynomial)
             })
@@ -117,7 +119,7 @@ impl Ring<'_> {
         for &id in order {
             if let View::Function(Function::Sin | Function::Cos | Function::Tan, args) = self.graph.view(id) {
                 let argument = args.get(0);
-                update_units(units, &self.angle(argument)?);
+                update_units(units, &self.angle(argument)?, self.opens_all);
             }
         }
         Ok(())
@@ -221,6 +223,11 @@ impl Ring<'_> {
         state: &mut Expansion,
     ) -> Result<Polynomial, Error> {
         let polynomial = self.operand(base, state)?;
+        let is_opened = polynomial.len() > 1 && state.opening >= Opening::Products;
+        if self.opens_all && is_opened && exponent.is_integer() && !exponent.is_negative() {
+            let n = exponent.to_i64().map_or(u64::MAX, i64::unsigned_abs);
+            return self.power(&polynomial, n);
+        }
         let Some((num, den)) = exponent.to_small().filter(|(n, _)| n.unsigned_abs() < LARGEST_EXPONENT)
         else {
             let power = self.graph.pow_number(base, exponent)?;
@@ -229,7 +236,7 @@ impl Ring<'_> {
         if den != 1 {
             return self.root_power(base, num, den);
         }
-        if polynomial.len() > 1 && num > 0 && state.opening >= Opening::Products {
+        if is_opened && num > 0 {
             return self.power(&polynomial, num.unsigned_abs());
         }
         let closed = self.closed(&polynomial)?;
@@ -311,6 +318,31 @@ mod tests {
         let expanded = g.expand(chain)?;
         assert!(g.equal(chain, expanded));
         assert!(matches!(g.view(expanded), View::Sum(terms) if terms.len() == 1001));
+        Ok(())
+    }
+
+    /// The work is near the number of terms of the result, which the limits count.
+    #[test]
+    fn large_powers_are_multiplied_out() -> Result<(), Error> {
+        let g = &mut Graph::new();
+        let [a, b, c] = symbols(g);
+        let two = g.add(a, b);
+        let four = g.add(c, Id::ONE);
+        let four = g.add(two, four);
+        for (base, exponent, expected) in [(two, 300, 301), (two, 5000, 5001), (four, 40, 12341)] {
+            let power = g.pow_number(base, &Number::integer(exponent))?;
+            let expanded = g.expand(power)?;
+            let View::Sum(terms) = g.view(expanded) else { panic!("no sum") };
+            assert_eq!(terms.len(), expected);
+            assert!(g.equal(power, expanded));
+        }
+        let power = g.pow_number(four, &Number::integer(60))?;
+        let expanded = g.expand(power)?;
+        assert!(g.equal(power, expanded)); // 39 711 terms, in two levels
+        for exponent in [200_000, 1_000_000_000_000, i64::MAX] {
+            let power = g.pow_number(two, &Number::integer(exponent))?;
+            assert!(matches!(g.expand(power), Err(Error::Limit { .. })));
+        }
         Ok(())
     }
 

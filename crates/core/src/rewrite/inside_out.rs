@@ -1,5 +1,7 @@
 //! Rewriting from the innermost parts outwards, outside any derivation.
 
+use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
+
 use rustc_hash::{FxHashMap, FxHashSet};
 
 use crate::error::Error;
@@ -10,11 +12,11 @@ impl Graph {
     /// Run a rewrite outside the derivation in progress, so that the result keeps the form that the rewrite makes.
     pub(super) fn choose_form<T>(&mut self, rewrite: impl FnOnce(&mut Self) -> T) -> T {
         let classes = self.leave();
-        let result = rewrite(self);
+        let result = catch_unwind(AssertUnwindSafe(|| rewrite(self))); // also if the work is interrupted
         if let Some(classes) = classes {
             self.enter(classes);
         }
-        result
+        result.unwrap_or_else(|payload| resume_unwind(payload))
     }
 
     /// Rewrite the parts that `find` returns from the innermost outwards, and the root last.

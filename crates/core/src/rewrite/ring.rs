@@ -17,6 +17,8 @@ pub(super) struct Ring<'g> {
     index: ByValue<u32>,
     /// Atoms that are roots: the node under the root and the degree.
     pub(crate) roots: FxHashMap<u32, (Id, i64)>,
+    /// Whether everything is opened that can be, as a user asks for, or only what may become shorter.
+    pub(super) opens_all: bool,
     /// Arguments of sines and cosines as sums of atoms.
     pub(super) angles: FxHashMap<Id, Polynomial>,
 }
@@ -29,6 +31,7 @@ impl<'g> Ring<'g> {
             nodes: Vec::new(),
             index: ByValue::default(),
             roots: FxHashMap::default(),
+            opens_all: false,
             angles: FxHashMap::default(),
         }
     }
@@ -44,7 +47,7 @@ impl<'g> Ring<'g> {
         }
         let next = word(self.nodes.len());
         self.nodes.push(id);
-        self.index.push(self.graph, id, next);
+        self.index.push(self.graph.value(id), id, next);
         (next, false)
     }
 

@@ -7,7 +7,8 @@ use rustc_hash::FxHashMap;
 use std::cmp::Reverse;
 
 use crate::error::Error;
-use crate::graph::{ByValue, Factors, Function, Graph, Id, Ids, Kind, Terms, View};
+use crate::graph::{ByValue, Factors, Function, Graph, Id, Ids, Kind, NumberId, Terms, View};
+use crate::value::Number;
 
 use super::emit::{Emitter, Signed};
 use super::schedule::schedule;
@@ -69,6 +70,16 @@ impl Graph {
     }
 }
 
+/// The binary exponent of a part of a number beyond the doubles.
+const PART: i32 = 1000;
+/// The most parts: no double times a number with more is a double.
+const MOST_PARTS: u32 = 3;
+
+fn power_of_two(exponent: i32) -> Number {
+    let power = Number::integer(2).powi(exponent.into());
+    power.expect("a power of two with few digits")
+}
+
 struct Lowering<'a> {
     graph: &'a Graph,
     /// The operands that are computed.
@@ -96,7 +107,7 @@ impl<'a> Lowering<'a> {
                 return Err(Error::NotAVariable(graph.to_quotation(input)));
             }
             lowering.code.tape.inputs.push(graph.to_text(input));
-            lowering.inputs.push(graph, input, ());
+            lowering.inputs.push(graph.value(input), input, ());
             lowering.remember(input, Signed::plus(Operand::Input(position)));
         }
         Ok(lowering)
@@ -117,7 +128,7 @@ impl<'a> Lowering<'a> {
         if let Some(choice) = self.choices.get_mut(&id) {
             *choice = Some(value);
         } else if !self.knows(id) {
-            self.known.push(self.graph, id, value);
+            self.known.push(self.graph.value(id), id, value);
         }
     }
 
@@ -164,15 +175,14 @@ impl<'a> Lowering<'a> {
             View::Pi => self.code.constant(std::f64::consts::PI),
             View::Scale(factor, child) => {
                 let child = self.at(child);
-                let factor = self.code.constant(self.graph.get_number(factor).to_f64());
-                self.code.multiply(factor, child)
+                self.multiple(factor, child)
             }
             View::Sum(terms) => self.sum(terms),
             View::Product(factors) => self.product(factors),
             View::Function(function, args) => self.call(function, args),
             View::LinearSystem { matrix, right } => {
                 let system = self.linear_system(matrix, right);
-                self.systems.push(self.graph, id, system);
+                self.systems.push(self.graph.value(id), id, system);
                 Signed::plus(system)
             }
             View::Solution(system, index) => {
@@ -182,14 +192,32 @@ impl<'a> Lowering<'a> {
         })
     }
 
+    /// A multiple. A factor beyond the doubles is split into factors within them, all above 1 or all below, so that no
+    /// product of some of them is beyond the doubles unless the multiple is.
+    fn multiple(&mut self, factor: NumberId, node: Signed) -> Signed {
+        let mut rest = self.graph.get_number(factor).clone();
+        let mut multiple = node;
+        for _ in 0..MOST_PARTS {
+            let value = rest.to_f64();
+            if value == 0.0 && rest.is_zero() || value.is_normal() {
+                break;
+            }
+            let (part, inverse) = if value.is_infinite() { (PART, -PART) } else { (-PART, PART) };
+            let part = self.code.constant(2f64.powi(part));
+            multiple = self.code.multiply(part, multiple);
+            rest = rest.mul(&power_of_two(inverse));
+        }
+        let rest = self.code.constant(rest.to_f64());
+        self.code.multiply(rest, multiple)
+    }
+
     /// Terms that need many values come first; constants come last, together.
     fn sum(&mut self, terms: Terms) -> Signed {
         let mut constant = 0.0;
         let mut parts: Vec<Signed> = Vec::with_capacity(terms.len());
         for (coefficient, node) in terms.iter() {
-            let coefficient = self.code.constant(self.graph.get_number(coefficient).to_f64());
             let node = self.at(node);
-            let term = self.code.multiply(coefficient, node);
+            let term = self.multiple(coefficient, node);
             match self.code.number_in(term) {
                 Some(number) => constant += number,
                 None => parts.push(term),

@@ -14,5 +14,5 @@ def check_cases(task: Task, cases: Cases) -> None:
     Raises:
         ParameterError: a parameter has no value, or a key is neither a coordinate, a rate of one nor a speed.
     """
-    check_parameters(task.parameters, cases.parameters, PLACE)
+    check_parameters(task.parameters, cases.parameters, PLACE, task.model.system.state_names)
     check_state_names(task.model.system, cases.initial, f"{PLACE}, initial")

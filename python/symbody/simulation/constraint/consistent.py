@@ -84,7 +84,8 @@ def solved_state(
         t: the time, in s.
     """
     kinematics.check_inputs(_WHERE)
-    p = parameter_values(kinematics.parameters, parameters, where=_WHERE)
+    beside = kinematics.system.state_names
+    p = parameter_values(kinematics.parameters, parameters, where=_WHERE, beside=beside)
     fixed = state_values(kinematics.system, initial, where=_WHERE)
     near = state_values(kinematics.system, guess, where=_WHERE, argument="guess")
     q = positions(kinematics, p, t, fixed, near)

@@ -37,6 +37,7 @@ def parameter_values(
     parameters: Mapping[Expr, ArrayLike] | None,
     *,
     where: str = "simulate",
+    beside: Iterable[Expr] = (),
 ) -> NDArray[np.float64]:
     """Return the values of parameters, in the order of their names. Other parameters may have values, too.
 
@@ -44,6 +45,7 @@ def parameter_values(
         names: the parameters that need values.
         parameters: their values.
         where: the function that the user called, for messages.
+        beside: other variables of the model, which a parameter without a value may be mistaken for.
 
     Raises:
         ParameterError: a parameter has no value, a key is not a symbol, or a value is not finite.
@@ -55,13 +57,24 @@ def parameter_values(
     array([9.81, 2.  ])
     """
     given = _mapping(parameters, where, "parameters")
-    check_parameters(names, given, where)
+    check_parameters(names, given, where, beside)
     values = {name: finite_number(name, value, f"{where}, parameters") for name, value in given.items()}
     return np.array([values[name] for name in names], dtype=np.float64)
 
 
-def check_parameters(names: Sequence[Expr], given: Mapping[Any, ArrayLike], where: str = "simulate") -> None:
+def check_parameters(
+    names: Sequence[Expr],
+    given: Mapping[Any, ArrayLike],
+    where: str = "simulate",
+    beside: Iterable[Expr] = (),
+) -> None:
     """Check that all parameters have values, and that only symbols have values.
+
+    Args:
+        names: the parameters.
+        given: the values.
+        where: the function that the user called, for messages.
+        beside: other variables of the model, which a parameter without a value may be mistaken for.
 
     Raises:
         ParameterError: a parameter has no value, or a key is not a symbol.
@@ -75,7 +88,7 @@ def check_parameters(names: Sequence[Expr], given: Mapping[Any, ArrayLike], wher
         unused = f"; the equations don't contain {_listed(more)}, which you gave" if more else ""
         raise ParameterError(
             f"{where}: no value for {_listed(missing)}; give parameters={{{_examples(missing)}}}"
-            f"{namesake_note(missing, given) or unused}"
+            f"{namesake_note(missing, given) or namesake_note(missing, beside, _OF_THE_MODEL) or unused}"
         )
 
 
@@ -230,7 +243,8 @@ def check_known(given: Iterable[object], known: Sequence[Expr], place: str, expe
 
 
 _EXPECTED = ("expected", "given")
-"""The two descriptions by which `namesake_note` distinguishes variables of one name."""
+_OF_THE_MODEL = ("without a value", "of the model")
+"""The descriptions by which `namesake_note` distinguishes variables of one name."""
 
 
 def _mapping(given: object, where: str, argument: str) -> Mapping[Any, ArrayLike]:

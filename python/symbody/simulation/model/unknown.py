@@ -69,7 +69,7 @@ def unknown_variables(place: str, unknown: Iterable[Expr], system: System, more:
 
 def _way_out(names: Sequence[Expr], system: System) -> str:
     own = {coordinate.name for coordinate in (*system.coordinates, *system.speeds)}
-    rates = [name for name in names if name.order and name.name in own]
+    rates = [name for name in names if name.kind == "time_function" and name.order and name.name in own]
     if rates:
         verb = "is" if len(rates) == 1 else "are"
         return (

@@ -108,7 +108,7 @@ def simulate(
         guess=guess,
         max_step=max_step,
     )
-    parameter_values(task.parameters, parameters)
+    parameter_values(task.parameters, parameters, beside=task.model.system.state_names)
     given = {name: float(value) for name, value in (parameters or {}).items()}
     warn_of_odd_values(task, given)
     with preparation_bar(is_shown=progress), noting() as met:

@@ -162,7 +162,7 @@ def _place(
     given = given_inputs(eqs, inputs, where=_WHERE)
     kinematics = kinematics_of(eqs, given)
     statics = statics_of(eqs, kinematics.given)
-    p = parameter_values(statics.parameters, parameters, where=_WHERE)
+    p = parameter_values(statics.parameters, parameters, where=_WHERE, beside=eqs.system.state_names)
     held = state_values(eqs.system, fixed, where=_WHERE, argument="fixed", has_speeds=False)
     near = state_values(eqs.system, guess, where=_WHERE, argument="guess", has_speeds=False)
     warn_of_unused(eqs, parameters or {}, list(given.values()), _WHERE, stacklevel=4)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any, overload
 
 import numpy as np
@@ -19,6 +19,7 @@ __all__ = [
     "free_symbols",
     "gradient",
     "jacobian",
+    "partial_derivative",
     "subs",
     "substitute",
     "time_derivative",
@@ -27,11 +28,13 @@ __all__ = [
 
 
 def diff(expression: ExprLike, variable: Expr, n: int = 1) -> Expr:
-    """Return the n-th partial derivative; x, x', x'' are variables of their own.
+    """Return the n-th derivative: the partial one, and with respect to ``t`` the total one.
+
+    x, x', x'' are variables of their own, linked by d/dt. `partial_derivative` holds them fixed for ``t``, too.
 
     Args:
         expression: the expression.
-        variable: a symbol, a function of time or one of its derivatives; for ``t``, the derivative is the total one.
+        variable: a symbol, a function of time or one of its derivatives, or ``t``.
         n: the order of the derivative.
 
     Raises:
@@ -77,25 +80,66 @@ def time_derivative(expression: Any, n: int = 1) -> Any:
     >>> time_derivative([x, x * y])
     [x', x*y' + x'*y]
     """
+    return _entry_by_entry(expression, _core.time_derivatives, n, "time_derivative")
+
+
+@overload
+def partial_derivative(expression: ExprLike, variable: Expr, n: int = 1) -> Expr: ...
+@overload
+def partial_derivative(expression: Matrix, variable: Expr, n: int = 1) -> Matrix: ...
+@overload
+def partial_derivative(expression: NDArray[Any], variable: Expr, n: int = 1) -> NDArray[Any]: ...
+@overload
+def partial_derivative(expression: list[Any], variable: Expr, n: int = 1) -> list[Any]: ...
+@overload
+def partial_derivative(expression: tuple[Any, ...], variable: Expr, n: int = 1) -> tuple[Any, ...]: ...
+def partial_derivative(expression: Any, variable: Expr, n: int = 1) -> Any:
+    """Return the n-th partial derivative with all other variables fixed, also for ``t``; lists, matrices by entry.
+
+    For ``t``, the functions of time are fixed: ``time_derivative(e) = de/dt + de/dx x' + de/dx' x'' + ...``. For any
+    other variable, `diff` gives the same.
+
+    Args:
+        expression: the expression, or a list, an array or a matrix of expressions.
+        variable: a symbol, a function of time or one of its derivatives, or ``t``.
+        n: the order of the derivative.
+
+    Raises:
+        ExpressionError: ``variable`` is not a variable.
+
+    >>> from symbody import diff, functions_of_time, partial_derivative, t
+    >>> x = functions_of_time("x")
+    >>> partial_derivative(x * t**2, t), diff(x * t**2, t)
+    (2*t*x, x'*t**2 + 2*t*x)
+    """
+
+    def derive(expressions: Sequence[ExprLike]) -> tuple[Expr, ...]:
+        return _core.partial_derivatives(expressions, variable)
+
+    return _entry_by_entry(expression, derive, n, "partial_derivative")
+
+
+def _entry_by_entry(
+    expression: Any, derive: Callable[[Sequence[ExprLike]], tuple[Expr, ...]], n: int, place: str
+) -> Any:
+    """Return the n-th derivatives of an expression, or of the entries of a list, an array or a matrix."""
     if isinstance(expression, list | tuple):
-        return type(expression)([time_derivative(each, n) for each in expression])
-    times = size(n, "time_derivative: n", "derivatives")
+        return type(expression)([_entry_by_entry(each, derive, n, place) for each in expression])
+    times = size(n, f"{place}: n", "derivatives")
+
+    def derived(entries: Sequence[ExprLike]) -> Sequence[Any]:
+        for _ in range(times):
+            entries = derive(entries)
+        return entries
+
     if isinstance(expression, np.ndarray) and expression.ndim:
         made = np.empty(expression.shape, dtype=object)
-        for index, rate in zip(np.ndindex(made.shape), _derived(list(expression.flat), times), strict=True):
+        for index, rate in zip(np.ndindex(made.shape), derived(list(expression.flat)), strict=True):
             made[index] = rate
         return made
     if isinstance(expression, Matrix):
-        entries = _derived(expression.entries, times)
-        return Matrix.from_entries(expression.rows, expression.columns, entries)
-    return _derived((_core.number(expression, "time_derivative, expression"),), times)[0]
-
-
-def _derived(expressions: Sequence[ExprLike], times: int) -> Sequence[Any]:
-    """Return the time derivatives of several expressions, computed in shared sweeps."""
-    for _ in range(times):
-        expressions = _core.time_derivatives(expressions)
-    return expressions
+        return Matrix.from_entries(expression.rows, expression.columns, derived(expression.entries))
+    return derived((_core.number(expression, f"{place}, expression"),))[0]
 
 
 def time_derivatives(expressions: Sequence[ExprLike]) -> tuple[Expr, ...]:
@@ -112,6 +156,10 @@ def time_derivatives(expressions: Sequence[ExprLike]) -> tuple[Expr, ...]:
 def gradient(expression: ExprLike, variables: Expr | Sequence[Expr]) -> tuple[Expr, ...]:
     """Return the partial derivatives with respect to one or many variables, by one reverse sweep.
 
+    Raises:
+        ExpressionError: one of ``variables`` is not a variable, or it is ``t`` and the expression contains functions of
+            time: `time_derivative` gives the total derivative, `partial_derivative` the partial one.
+
     >>> from symbody import gradient, symbols
     >>> x, y = symbols("x y")
     >>> gradient(x * y**2, [x, y])
@@ -124,6 +172,10 @@ def jacobian(expressions: Expr | Sequence[ExprLike], variables: Expr | Sequence[
     """Return the matrix of partial derivatives: one row per expression, one column per variable.
 
     A single expression or variable needs no list.
+
+    Raises:
+        ExpressionError: one of ``variables`` is not a variable, or it is ``t`` and an expression contains functions of
+            time: `time_derivative` gives the total derivative, `partial_derivative` the partial one.
 
     >>> from symbody import jacobian, symbols
     >>> x, y = symbols("x y")

@@ -15,7 +15,7 @@ def expand(expression: ExprLike) -> Expr:
     """Multiply out products of sums.
 
     Raises:
-        ExpressionError: the result would have too many terms.
+        ExpressionError: the result would have more than 200 000 terms, or numbers of too many digits.
 
     >>> from symbody import expand, symbols
     >>> a, b = symbols("a b")
@@ -26,12 +26,15 @@ def expand(expression: ExprLike) -> Expr:
 
 
 def expand_trig(expression: ExprLike) -> Expr:
-    """Write sines and cosines of sums with those of the terms, and multiply out.
+    """Write sines and cosines of sums and integer multiples with those of single angles, and multiply out.
 
-    >>> from symbody import expand_trig, cos, symbols
+    Raises:
+        ExpressionError: the result would have too many terms.
+
+    >>> from symbody import expand_trig, cos, sin, symbols
     >>> a, b = symbols("a b")
-    >>> expand_trig(cos(a - b))
-    sin(a)*sin(b) + cos(a)*cos(b)
+    >>> expand_trig(cos(a - b)), expand_trig(sin(2 * a))
+    (sin(a)*sin(b) + cos(a)*cos(b), 2*sin(a)*cos(a))
     """
     return _core.rewrite("expand_trig", expression)
 

@@ -9,11 +9,12 @@ from decimal import Decimal
 from fractions import Fraction
 from typing import Any, TypeAlias
 
-from symbody.errors import ArgumentError, ExpressionError
+from symbody.errors import ArgumentError, ExpressionError, user_frame
 from symbody.symbolic import _core
 from symbody.symbolic._core import Expr
 from symbody.symbolic.given.arguments import counted, described, size
 from symbody.symbolic.given.name_list import is_list_of_names, names_in
+from symbody.symbolic.given.new_namesake import notice_namesakes
 
 __all__ = [
     "ExprLike",
@@ -96,6 +97,19 @@ def check_name(name: str) -> None:
         raise ExpressionError(f"the name {name!r} stands for {_TAKEN[name]}; choose another name")
 
 
+def _noticed(names: object, make: Callable[[str], Expr], place: str) -> Any:
+    """Return what ``_named`` returns, after notices of variables with a name that others have."""
+    made: list[Expr] = []
+
+    def made_too(name: str) -> Expr:
+        made.append(make(name))
+        return made[-1]
+
+    result = _named(names, made_too, place)
+    notice_namesakes(made, place, user_frame())
+    return result
+
+
 def _named(names: object, make: Callable[[str], Expr], place: str) -> Any:
     """Return what ``make`` returns for each name, in the same nested structure as the names."""
     if isinstance(names, str):
@@ -139,7 +153,7 @@ def symbols(
     for option, value in (("positive", positive), ("real", real)):
         if not isinstance(value, bool):
             raise ArgumentError(f"symbols: {option} is {value!r}; expected True or False")
-    return _named(names, lambda name: _core.symbol(name, positive=positive, real=real), "symbols")
+    return _noticed(names, lambda name: _core.symbol(name, positive=positive, real=real), "symbols")
 
 
 def functions_of_time(names: str | Iterable[str], **unknown: object) -> Any:
@@ -160,7 +174,7 @@ def functions_of_time(names: str | Iterable[str], **unknown: object) -> Any:
                 f"functions_of_time: unknown assumption {assumption}; functions of time are real and have no other "
                 "assumptions: leave it out"
             )
-    return _named(names, _core.time_function, "functions_of_time")
+    return _noticed(names, _core.time_function, "functions_of_time")
 
 
 @dataclass(frozen=True)

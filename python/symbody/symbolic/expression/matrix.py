@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from itertools import chain
 from typing import Any, overload
 
 import numpy as np
@@ -48,7 +49,8 @@ class Matrix:
                     f"row {i + 1} of the matrix has {counted(len(row), 'entry')}, the first has {width}; "
                     "all rows need the same number"
                 )
-        _fill(self, len(listed), width, _numbers([entry for row in listed for entry in row], width))
+        entries = _core.matrix_entries(list(chain.from_iterable(listed)), width)
+        _fill(self, len(listed), width, entries)
 
     @classmethod
     def from_entries(cls, rows: int, columns: int, entries: Sequence[ExprLike]) -> Matrix:
@@ -57,9 +59,7 @@ class Matrix:
             raise ExpressionError(
                 f"a {rows}x{columns} matrix has {rows * columns} entries, found {len(entries)}"
             )
-        matrix = cls.__new__(cls)
-        _fill(matrix, rows, columns, _numbers(entries, columns))
-        return matrix
+        return _made(rows, columns, _core.matrix_entries(entries, columns))
 
     @classmethod
     def column(cls, entries: Sequence[ExprLike]) -> Matrix:
@@ -74,8 +74,8 @@ class Matrix:
     @property
     def T(self) -> Matrix:
         """The transpose."""
-        entries = [self.entries[i * self.columns + j] for j in range(self.columns) for i in range(self.rows)]
-        return Matrix.from_entries(self.columns, self.rows, entries)
+        columns = (self.entries[j :: self.columns] for j in range(self.columns))
+        return _made(self.columns, self.rows, tuple(chain.from_iterable(columns)))
 
     def row(self, i: int) -> tuple[Expr, ...]:
         """Return row i."""
@@ -135,28 +135,28 @@ class Matrix:
         if not isinstance(other, Matrix):
             return NotImplemented
         self._same_shape(other, "sum")
-        return self._like([a + b for a, b in zip(self.entries, other.entries, strict=True)])
+        return self._with(_core.entrywise("add", self.entries, other.entries))
 
     def __sub__(self, other: Matrix) -> Matrix:
         if not isinstance(other, Matrix):
             return NotImplemented
         self._same_shape(other, "difference")
-        return self._like([a - b for a, b in zip(self.entries, other.entries, strict=True)])
+        return self._with(_core.entrywise("sub", self.entries, other.entries))
 
     def __neg__(self) -> Matrix:
-        return self._like([-a for a in self.entries])
+        return self._with(_core.opposites(self.entries))
 
     def __mul__(self, factor: ExprLike) -> Matrix:
         if isinstance(factor, Matrix):
             raise ExpressionError("the product of two matrices is written A @ B")
         scalar = _core.number(factor, "Matrix * factor")
-        return self._like([a * scalar for a in self.entries])
+        return self._with(_core.entrywise("mul", self.entries, scalar))
 
     __rmul__ = __mul__
 
     def __truediv__(self, divisor: ExprLike) -> Matrix:
         scalar = _core.number(divisor, "Matrix / divisor")
-        return self._like([a / scalar for a in self.entries])
+        return self._with(_core.entrywise("div", self.entries, scalar))
 
     def __matmul__(self, other: Matrix) -> Matrix:
         if not isinstance(other, Matrix):
@@ -167,10 +167,11 @@ class Matrix:
                 f"the first has {counted(self.columns, 'column')}, the second {counted(other.rows, 'row')}"
             )
         entries = _core.matrix_product(self.rows, self.columns, other.columns, self.entries, other.entries)
-        return Matrix.from_entries(self.rows, other.columns, entries)
+        return _made(self.rows, other.columns, entries)
 
-    def _like(self, entries: Sequence[Expr]) -> Matrix:
-        return Matrix.from_entries(self.rows, self.columns, entries)
+    def _with(self, entries: tuple[Expr, ...]) -> Matrix:
+        """Return the matrix of the same shape with these entries."""
+        return _made(self.rows, self.columns, entries)
 
     def _square(self, operation: str) -> int:
         if self.rows != self.columns:
@@ -191,26 +192,26 @@ class Matrix:
         Raises:
             ExpressionError: the matrix is singular or larger.
         """
-        return self._like(_core.inverse(self._square("inverse"), self.entries))
+        return self._with(_core.inverse(self._square("inverse"), self.entries))
 
     def map(self, function: Callable[[Expr], ExprLike]) -> Matrix:
         """Return the matrix of the function's values at the entries."""
-        return self._like([_core.number(function(entry)) for entry in self.entries])
+        return self._with(tuple(_core.number(function(entry)) for entry in self.entries))
 
     def diff(self, variable: Expr, n: int = 1) -> Matrix:
-        """Return the matrix of partial derivatives with respect to one variable."""
+        """Return the matrix of derivatives with respect to one variable; for ``t``, they are total."""
         entries = self.entries
         for _ in range(size(n, "Matrix.diff: n", "derivatives")):
             entries = _core.diff_all(entries, variable)
-        return self._like(entries)
+        return self._with(entries)
 
     def time_derivative(self) -> Matrix:
         """Return the matrix of total time derivatives."""
-        return self._like(_core.time_derivatives(self.entries))
+        return self._with(_core.time_derivatives(self.entries))
 
     def subs(self, mapping: Mapping[Expr, ExprLike]) -> Matrix:
         """Return the matrix with every key of the mapping replaced, all at once."""
-        return self._like(_core.substitute(self.entries, mapping))
+        return self._with(_core.substitute(self.entries, mapping))
 
     def equals(self, other: Matrix) -> bool:
         """Return whether all entries are equal as mathematics."""
@@ -236,6 +237,13 @@ class Matrix:
         return f"$\\displaystyle {self.latex()}$"
 
 
+def _made(rows: int, columns: int, entries: tuple[Expr, ...]) -> Matrix:
+    """Return the matrix of entries that are expressions already, in the right number."""
+    matrix = Matrix.__new__(Matrix)
+    _fill(matrix, rows, columns, entries)
+    return matrix
+
+
 def _fill(matrix: Matrix, rows: int, columns: int, entries: tuple[Expr, ...]) -> None:
     for name, value in (("rows", rows), ("columns", columns), ("entries", entries)):
         object.__setattr__(matrix, name, value)  # only here is a frozen matrix written
@@ -253,16 +261,10 @@ def _rows(rows: object) -> list[Sequence[ExprLike]]:
                 f"Matrix, row {i + 1}: {described(row)}; expected a list of entries. "
                 "One column is Matrix.column([a, b]), one row Matrix([[a, b]])"
             )
-    return listed
-
-
-def _numbers(entries: Sequence[ExprLike], columns: int) -> tuple[Expr, ...]:
-    return tuple(
-        entry
-        if isinstance(entry, Expr)
-        else _core.number(entry, f"Matrix, row {k // columns + 1}, column {k % columns + 1}")
-        for k, entry in enumerate(entries)
-    )
+    return [
+        row.tolist() if isinstance(row, np.ndarray) and row.ndim == 1 and row.dtype.kind in "fiu" else row
+        for row in listed
+    ]
 
 
 def _place(index: int, count: int, what: str) -> int:
@@ -290,7 +292,8 @@ def identity(n: int) -> Matrix:
     (2 - x)*(a - x) - b
     """
     n = size(n, "identity: n", "rows")
-    return Matrix([[int(i == j) for j in range(n)] for i in range(n)])
+    zero, one = _core.number(0), _core.number(1)
+    return _made(n, n, ((one, *(zero,) * n) * n)[: n * n])
 
 
 def zeros(rows: int, columns: int) -> Matrix:
@@ -302,4 +305,4 @@ def zeros(rows: int, columns: int) -> Matrix:
     True
     """
     rows, columns = size(rows, "zeros: rows", "rows"), size(columns, "zeros: columns", "columns")
-    return Matrix.from_entries(rows, columns, [0] * (rows * columns))
+    return _made(rows, columns, (_core.number(0),) * (rows * columns))

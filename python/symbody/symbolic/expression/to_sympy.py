@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import sys
+from collections import Counter
 from collections.abc import Mapping, Sequence
 from typing import Any
 
@@ -27,9 +29,19 @@ class ToSympy:
         Raises:
             ExpressionError: the expression is nested deeper than SymPy's recursion allows.
         """
+        parts: dict[int, Sequence[Expr]] = {}
+
+        def parts_of(e: Expr) -> Sequence[Expr]:
+            return parts.setdefault(e.id, e.args)
+
+        order = post_order([root], parts_of, lambda e: e.id)
+        opened = _opened(order, parts)
+        _check_depth(order, parts, opened)
         try:
-            for node in post_order([root], lambda e: e.args, lambda e: e.id):
-                self._made[node.id] = self._node(node, [self._made[arg.id] for arg in node.args])
+            for node in order:
+                if node.id not in opened:
+                    args = _with_terms(parts[node.id], parts, opened)
+                    self._made[node.id] = self._node(node, [self._made[arg.id] for arg in args])
         except RecursionError:
             raise ExpressionError(
                 "to_sympy: the expression is nested deeper than SymPy, which recurses, can go; "
@@ -109,6 +121,41 @@ class ToSympy:
             for value, condition in zip(args[:-1:2], args[1::2], strict=True)
         ]
         return sympy.Piecewise(*branches, (args[-1], True), evaluate=False)
+
+
+def _opened(order: Sequence[Expr], parts: Mapping[int, Sequence[Expr]]) -> set[int]:
+    """Return the sums that are terms of one other sum and nothing else: SymPy has one sum for both."""
+    uses = Counter(arg.id for node in order for arg in parts[node.id])
+    terms = (arg for node in order if node.kind == "sum" for arg in parts[node.id])
+    return {term.id for term in terms if term.kind == "sum" and uses[term.id] == 1}
+
+
+def _with_terms(
+    args: Sequence[Expr], parts: Mapping[int, Sequence[Expr]], opened: set[int]
+) -> Sequence[Expr]:
+    """Return the arguments with the terms of opened sums in their places."""
+    found, stack = [], [*reversed(args)]
+    while stack:
+        arg = stack.pop()
+        if arg.id in opened:
+            stack.extend(reversed(parts[arg.id]))
+        else:
+            found.append(arg)
+    return found
+
+
+def _check_depth(order: Sequence[Expr], parts: Mapping[int, Sequence[Expr]], opened: set[int]) -> None:
+    """Raise an error at once for an expression that is nested deeper than any function of SymPy can recurse."""
+    levels: dict[int, int] = {}
+    for node in order:
+        below = max((levels[arg.id] for arg in parts[node.id]), default=0)
+        levels[node.id] = below + (node.id not in opened)
+    found, limit = levels[order[-1].id], sys.getrecursionlimit()
+    if found > limit:
+        raise ExpressionError(
+            f"to_sympy: the expression is nested {found} levels deep; SymPy recurses, and Python's limit is {limit} "
+            "calls; raise it with sys.setrecursionlimit, or convert parts of it"
+        )
 
 
 def import_sympy() -> Any:

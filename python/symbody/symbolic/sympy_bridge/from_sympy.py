@@ -6,12 +6,13 @@ from collections.abc import Iterable, Mapping, Sequence
 from decimal import Decimal
 from typing import Any
 
-from symbody.errors import ExpressionError, notify
+from symbody.errors import ExpressionError, notify, user_frame
 from symbody.symbolic import _core
 from symbody.symbolic._core import Expr
 from symbody.symbolic.expression.derived_functions import DERIVED, WITHOUT_COUNTERPART, heaviside
 from symbody.symbolic.expression.leaves import check_name
 from symbody.symbolic.expression.traverse import post_order
+from symbody.symbolic.given.new_namesake import notice_namesakes
 
 __all__ = ["FromSympy", "no_counterpart"]
 
@@ -42,6 +43,7 @@ class FromSympy:
         self._sympy, self._names = sympy, names
         self._made: dict[int, Expr] = {}
         self._roots: list[Any] = []
+        self._before = _core.node_count()
 
     def convert(self, root: Any) -> Expr:
         """Return one expression of SymPy as an expression here."""
@@ -49,7 +51,11 @@ class FromSympy:
         self._roots.append(root)
         for node in post_order([root], self._parts, id):
             self._made[id(node)] = self._node(node)
-        return self._of(root)
+        result = self._of(root)
+        # What existed before has been noticed, or comes from here by way of SymPy.
+        made = [leaf for leaf in result.free_symbols if leaf.id >= self._before]
+        notice_namesakes(sorted(made, key=str), "from_sympy", user_frame())
+        return result
 
     def _of(self, s: Any) -> Expr:
         return self._made[id(s)]

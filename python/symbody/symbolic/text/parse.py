@@ -5,11 +5,12 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Mapping
 
-from symbody.errors import ArgumentError
+from symbody.errors import ArgumentError, user_frame
 from symbody.symbolic import _core
 from symbody.symbolic._core import Expr
 from symbody.symbolic.expression.leaves import Meaning, pi, t
 from symbody.symbolic.given.arguments import described
+from symbody.symbolic.given.new_namesake import notice_namesakes
 
 __all__ = ["parse"]
 
@@ -38,6 +39,7 @@ def parse(text: str, names: Mapping[str, Meaning] | None = None) -> Expr:
         raise ArgumentError(f"parse: {described(text)}; expected a text, such as 'm*x + k*x'")
     from symbody.symbolic.text.syntax import Source  # noqa: PLC0415 - the first text loads the parser
 
+    before = _core.node_count()
     known: dict[str, Meaning] = {"pi": pi, "t": t}
     known |= {name: _core.time_function(name) for name in _functions_of_time(text)}
     known |= names or {}
@@ -45,7 +47,11 @@ def parse(text: str, names: Mapping[str, Meaning] | None = None) -> Expr:
     for row, line in enumerate(lines):
         definition = _DEFINITION.match(line)
         if definition is None:
-            return Source(lines, row, 0, len(lines)).parse(known)
+            result = Source(lines, row, 0, len(lines)).parse(known)
+            # What existed before has been noticed, or was printed in another place.
+            made = [leaf for leaf in result.free_symbols if leaf.id >= before]
+            notice_namesakes(sorted(made, key=str), "parse", user_frame())
+            return result
         value = Source(lines, row, definition.end(), row + 1)
         known[definition[1]] = value.parse(known)
     raise Source(lines, len(lines), 0, len(lines)).error(

@@ -127,6 +127,14 @@ class _Builder(Transformer_NonRecursive[Token, Expr]):
             raise _Mistake(token, f"{token} is a function; it needs arguments, as in {token}(x)")
         return _core.number(meaning, f"parse, the meaning of {token}")
 
+    def assumed(self, token: Token, word: Token) -> Expr:
+        """Return the symbol that prints as ``x[positive]`` beside the real x."""
+        if word not in _ASSUMPTIONS:
+            raise _Mistake(
+                word, f"expected an assumption about {token}: {token}[positive] or {token}[complex]"
+            )
+        return _core.symbol(str(token), **_ASSUMPTIONS[word])
+
     def derivative(self, token: Token, primes: Token) -> Expr:
         function = self.name(token)
         if not function.depends_on_time:
@@ -220,6 +228,8 @@ class _Builder(Transformer_NonRecursive[Token, Expr]):
             flat += [value, condition]
         return _core.apply("Piecewise", (*flat, 0))
 
+
+_ASSUMPTIONS = {"positive": {"positive": True}, "complex": {"real": False}}
 
 _FUNCTIONS = frozenset(_core.function_names()) - {"Power", "Piecewise"}
 

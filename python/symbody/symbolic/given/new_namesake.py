@@ -1,0 +1,101 @@
+"""Notices of a second variable of one name, where it is made.
+
+Programs and libraries may use one name for different variables in different places. So a notice compares what one file
+(or one session) makes at its top, or what a function makes while it holds the first one; and never what one call makes
+each time that it runs, as in a loop over assumptions.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable
+from dataclasses import dataclass
+from types import CodeType, FrameType
+
+from symbody.errors import notify
+from symbody.symbolic import _core
+from symbody.symbolic._core import Expr
+from symbody.symbolic.given.namesake import namesake_note
+
+__all__ = ["notice_namesakes"]
+
+_EXAMPLE = re.compile(r"\[\d+\]>$")
+"""The number of an example, at the end of the name that a doctest gives to its code."""
+
+
+@dataclass(frozen=True)
+class _Place:
+    """Where a variable was made: the instruction, and what is around it."""
+
+    code: CodeType
+    instruction: int
+    line: int
+    is_session: bool
+
+    @property
+    def scope(self) -> str:
+        """The function around it; the empty text at the top of a file, also in lambdas and comprehensions there."""
+        names = [name for name in self.code.co_qualname.split(".") if not name.startswith("<")]
+        return ".".join(names)
+
+    def is_same_call(self, other: _Place) -> bool:
+        """Whether one call of the program is in both places."""
+        return self.code is other.code and self.instruction == other.instruction
+
+
+_MADE: dict[tuple[str, str, str], dict[Expr, _Place]] = {}
+"""The variables that a function of a file has made with a name, each with its first place."""
+
+_NOTICED: set[tuple[Expr, Expr, str, str]] = set()
+"""The pairs of which a function of a file has had a notice."""
+
+
+def notice_namesakes(variables: Iterable[Expr], where: str, frame: FrameType | None) -> None:
+    """Warn, at the user's line, of variables that differ from one of their name that was made before.
+
+    Args:
+        variables: variables that were just made; a derivative stands for its function.
+        where: the function that the user called, for the notice.
+        frame: the frame of the user's line.
+
+    >>> from symbody import symbols
+    >>> symbols("u_1") - symbols("u_1", positive=True)  # a notice, outside of doctests
+    u_1 - u_1[positive]
+    """
+    if frame is None or frame.f_globals.get("__name__") == "doctest":
+        return
+    here = _Place(frame.f_code, frame.f_lasti, frame.f_lineno, "__file__" not in frame.f_globals)
+    file, scope = _file(frame), here.scope
+    for leaf in variables:
+        variable = _core.time_function(leaf.name) if leaf.kind == "time_function" else leaf
+        made = _MADE.setdefault((file, scope, variable.name), {})
+        others = [
+            (known, at) for known, at in made.items() if known != variable and not here.is_same_call(at)
+        ]
+        if scope:  # a later call of the function may mean another variable
+            others = [(known, at) for known, at in others if _holds(frame.f_locals.values(), known)]
+        elif variable in made:
+            continue
+        made.setdefault(variable, here)
+        if others and (variable, others[-1][0], file, scope) not in _NOTICED:
+            known, at = others[-1]
+            _NOTICED.add((variable, known, file, scope))
+            before = "made before" if at.is_session else f"made in line {at.line}"
+            notify(where + namesake_note([variable], [known], ("made here", before)).replace(";", ":", 1))
+
+
+def _holds(things: Iterable[object], variable: Expr) -> bool:
+    """Whether an expression among some things, or in a list of them, contains the variable."""
+    listed = [each for thing in things for each in (thing if isinstance(thing, list | tuple) else (thing,))]
+    return any(isinstance(thing, Expr) and thing.has(variable) for thing in listed)
+
+
+def _file(frame: FrameType) -> str:
+    """Return what keeps the names of one program together: its file, or the session."""
+    names = frame.f_globals
+    if "__file__" in names:
+        return str(names["__file__"])
+    code = frame.f_code.co_filename
+    if code.startswith("<doctest"):
+        return _EXAMPLE.sub("", code)
+    return "__main__" if names.get("__name__") == "__main__" else code

@@ -1,0 +1,82 @@
+"""Ctrl-C ends long calls of the compiled core at once, and the process can go on."""
+
+from __future__ import annotations
+
+import signal
+import subprocess
+import sys
+from time import sleep
+
+import pytest
+
+BEGIN = """
+import signal, sys
+from symbody import *
+signal.signal(signal.SIGINT, {handler})
+v = symbols("v1:1001")
+{setup}
+print("ready", flush=True)
+try:
+    {call}
+except KeyboardInterrupt:
+    print("interrupted", flush=True)
+x, y = symbols("x y")
+assert expand((x + y) ** 2) == x**2 + 2 * x * y + y**2
+print("sound", flush=True)
+"""
+
+LONG = {
+    "product of matrices": (
+        "A = Matrix.from_entries(400, 400, list(symbols('w1:90001')) + [v[0]] * 70000)",
+        "A @ A",
+    ),
+    "jacobian": ("total = sum(v); rows = [sin(total + x) * x for x in v * 4]", "jacobian(rows, v)"),
+    "rank": (
+        "import random; n = 1200; A = Matrix([[random.randint(-9, 9) for _ in range(n)] for _ in range(n)])",
+        "A.rank()",
+    ),
+    "diff": ("e = sin(v[0] * v[1]) * exp(v[0]**2) / (1 + v[0]**4)", "diff(e, v[0], 200)"),
+    "time_derivative": ("q = functions_of_time('q')", "sin(q).diff(t, 400)"),
+    "within a derivation": (
+        "from symbody.symbolic import derivation\nq = functions_of_time('q')\nd = derivation().__enter__()",
+        "sin(q).diff(t, 400)",
+    ),
+}
+"""Calls that take minutes: what they need, and the call."""
+
+GENEROUS = 20
+"""Seconds in which an interrupted process ends, on a busy machine; the calls answer within 0.02 s on a free one."""
+
+
+def process(setup: str, call: str, handler: str = "signal.default_int_handler") -> subprocess.Popen[str]:
+    """Return a process that has begun the call."""
+    text = BEGIN.format(setup=setup, call=call, handler=handler)
+    child = subprocess.Popen([sys.executable, "-c", text], stdout=subprocess.PIPE, text=True)
+    assert child.stdout is not None
+    assert child.stdout.readline() == "ready\n"
+    sleep(0.5)
+    assert child.poll() is None
+    return child
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="Windows has no SIGINT for one process")
+@pytest.mark.parametrize("name", LONG)
+def test_ctrl_c_ends_a_long_call(name: str) -> None:
+    with process(*LONG[name]) as child:
+        child.send_signal(signal.SIGINT)
+        out, _ = child.communicate(timeout=GENEROUS)
+    assert out.splitlines() == ["interrupted", "sound"]
+    assert child.returncode == 0
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="Windows has no SIGINT for one process")
+def test_a_handler_may_use_expressions_and_go_on() -> None:
+    """The call begins again if the handler raises nothing."""
+    handler = "lambda *_: print(str(v[0] + v[1]), flush=True)"
+    with process(*LONG["product of matrices"], handler) as child:
+        assert child.stdout is not None
+        child.send_signal(signal.SIGINT)
+        assert child.stdout.readline() == "v1 + v2\n"
+        sleep(0.5)
+        assert child.poll() is None
+        child.kill()

@@ -1,0 +1,81 @@
+"""Rewrites that a user requests do what they promise, or say why not."""
+
+from __future__ import annotations
+
+from math import comb
+
+import pytest
+
+from symbody import Expr, coeff, collect, cos, expand, expand_trig, functions_of_time, sin, sqrt, symbols
+from symbody.errors import ExpressionError
+
+a, b, c, d, x, y = symbols("a b c d x y")
+q = functions_of_time("q")
+
+
+@pytest.mark.parametrize("n", [256, 257, 300, 1000])
+def test_a_power_of_any_exponent_is_expanded(n: int) -> None:
+    expanded = expand((x + y) ** n)
+    assert expanded.kind == "sum"
+    assert len(expanded.args) == n + 1
+    assert expanded == (x + y) ** n
+    assert coeff((x + y) ** n, x, 2) == comb(n, 2) * y ** (n - 2)
+    assert collect((x + 1) ** n + y * x, x) == (x + 1) ** n + x * y
+
+
+def test_limits_count_the_result() -> None:
+    power = (a + b + c + d) ** 60
+    expanded = expand(power)
+    assert expanded == power
+    assert expanded.kind == "sum"
+    assert expand((sqrt(a) + b) ** 300) == (sqrt(a) + b) ** 300
+    assert expand((1 + sqrt(2)) ** 300) == (1 + sqrt(2)) ** 300
+
+
+@pytest.mark.parametrize(
+    ("n", "message"),
+    [
+        (30_000, "terms handled while expanding an expression: at most 5000000, found "),
+        (200_000, "terms of an expanded expression: at most 200000, found 200001"),
+        (10**30, "terms of an expanded expression: at most 200000, found more than can be counted"),
+    ],
+)
+def test_what_is_too_large_is_refused(n: int, message: str) -> None:
+    for request in (expand, lambda e: collect(e, x)):
+        with pytest.raises(ExpressionError, match=message):
+            request((x + y) ** n)
+
+
+@pytest.mark.parametrize(
+    ("wave", "text"),
+    [
+        (sin(2 * x), "2*sin(x)*cos(x)"),
+        (cos(2 * q), "cos(q)**2 - sin(q)**2"),
+        (cos(3 * x), "cos(x)**3 - 3*sin(x)**2*cos(x)"),
+        (sin(a + 2 * b), "sin(a)*cos(b)**2 - sin(a)*sin(b)**2 + 2*cos(a)*sin(b)*cos(b)"),
+        (sin(2 * x) / cos(x), "2*sin(x)"),
+        (sin(x / 2) + sin(x), "sin(x/2) + 2*sin(x/2)*cos(x/2)"),
+        (sin(x + 2), "sin(2)*cos(x) + cos(2)*sin(x)"),
+        (sin(3 * x / 2), "sin(3*x/2)"),
+        (sin(0.5 * x), "sin(0.5*x)"),
+    ],
+)
+def test_integer_multiples_of_angles_are_expanded(wave: Expr, text: str) -> None:
+    assert str(expand_trig(wave)) == text
+    assert expand_trig(wave) == wave
+
+
+@pytest.mark.parametrize("n", [9, 20, 300])
+def test_large_multiples_of_angles_are_expanded(n: int) -> None:
+    for wave in (sin(n * x), cos(n * x + a)):
+        expanded = expand_trig(wave)
+        assert expanded == wave
+        assert not expanded.has(n * x)
+        assert expanded.has(sin(x))
+
+
+def test_multiples_beyond_the_limit_are_refused() -> None:
+    with pytest.raises(
+        ExpressionError, match="terms of an expanded expression: at most 200000, found 1000001"
+    ):
+        expand_trig(cos(10**6 * x))
