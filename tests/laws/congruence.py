@@ -26,7 +26,7 @@ from symbody import symbolic
 from symbody.errors import SymbodyError
 from symbody.symbolic import Expr, derivation, diff, gradient, number, parse, subs, symbols, time_derivative
 from tests.laws.tree_rewrites import random_tree, rewritten
-from tests.laws.trees import SYMBOLS, Tree, build, compare, f, text, tree_of
+from tests.laws.trees import ELEMENTARY, SYMBOLS, Tree, build, compare, f, text, tree_of
 
 EXAMPLES = 3
 LARGEST = 400
