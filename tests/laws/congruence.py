@@ -19,6 +19,7 @@ from dataclasses import dataclass, field
 from fractions import Fraction
 from functools import partial
 from itertools import pairwise
+from multiprocessing import connection
 from time import perf_counter
 from typing import Any
 
@@ -44,27 +45,7 @@ STRANGERS = symbols("stranger"), symbols("alien", positive=True)
 Operation = Callable[[Expr], Any]
 
 FUNCTIONS: dict[str, Operation] = {
-    **{
-        name: getattr(symbolic, name)
-        for name in (
-            [
-                "sin",
-                "cos",
-                "tan",
-                "asin",
-                "acos",
-                "atan",
-                "sinh",
-                "cosh",
-                "tanh",
-                "exp",
-                "log",
-                "sqrt",
-                "Abs",
-                "sign",
-            ]
-        )
-    },
+    **{name: getattr(symbolic, name) for name in (*ELEMENTARY, "sqrt", "Abs", "sign")},
     "f": f,
     "f(u, x)": lambda u: f(u, x),
     "D[1](f)": lambda u: f.derivative([1], u),
@@ -228,6 +209,7 @@ def pair(seed: int, index: int) -> Pair:
 class Report:
     """What a run has found."""
 
+    next_index: int = 0
     counts: Counter[str] = field(default_factory=Counter)
     tried: Counter[str] = field(default_factory=Counter)
     """How often each operation was tried."""
@@ -401,28 +383,79 @@ def _check_law(A: Expr, B: Expr, pair: Pair, report: Report) -> None:
 # --- runs ------------------------------------------------------------------------------------------------------------
 
 
-def run(pairs: int, seed: int, *, start: int = 0) -> Report:
+def run(pairs: int, seed: int, *, start: int = 0, progress: Any = None) -> Report:
     """Try this many pairs that are known as equal, and have different forms."""
-    report = Report()
-    index = start
+    report = Report(start)
     while report.counts["pairs"] < pairs:
-        check(pair(seed, index), report)
-        index += 1
+        if progress is not None:
+            progress.value = report.next_index
+        check(pair(seed, report.next_index), report)
+        report.next_index += 1
     return report
 
 
-def _run_from(task: tuple[int, int, int]) -> Report:
-    pairs, seed, start = task
-    return run(pairs, seed, start=start)
+@dataclass
+class _Child:
+    """A process that tries some pairs. It may crash."""
+
+    pairs: int
+    seed: int
+    start: int
+
+    def __post_init__(self) -> None:
+        context = multiprocessing.get_context("spawn")
+        self.progress = context.Value("q", self.start, lock=False)
+        self.receiver, sender = context.Pipe(duplex=False)
+        task = sender, self.pairs, self.seed, self.start, self.progress
+        self.process = context.Process(target=_send_reports, args=task)
+        self.process.start()
+        sender.close()
+
+    def advance(self, report: Report) -> bool:
+        """Add what the process has found meanwhile, and return whether it is still at work."""
+        try:
+            found = self.receiver.recv()
+        except EOFError:
+            self.process.join()
+            if self.pairs > 0:
+                self._note_crash(report)
+            return False
+        report.add(found)
+        self.pairs -= found.counts["pairs"]
+        return True
+
+    def _note_crash(self, report: Report) -> None:
+        crashed = pair(self.seed, self.progress.value)
+        report.broken["crash"] += 1
+        report.tried["crash"] += 1
+        report.example("crash", crashed.length, str(crashed))
+        self.start = self.progress.value + 1
 
 
-def run_in_processes(pairs: int, seed: int, processes: int, *, chunk: int = 2000) -> Report:
-    """Try pairs in several processes, each of which ends after a chunk: the graph of expressions only grows."""
-    tasks = [(min(chunk, pairs - done), seed, 10**9 * k) for k, done in enumerate(range(0, pairs, chunk))]
+def _send_reports(sender: Any, pairs: int, seed: int, start: int, progress: Any) -> None:
+    while pairs > 0:
+        report = run(min(pairs, 50), seed, start=start, progress=progress)
+        pairs, start = pairs - report.counts["pairs"], report.next_index
+        sender.send(report)
+
+
+def run_in_processes(pairs: int, seed: int, processes: int = 1, *, chunk: int = 2000) -> Report:
+    """Try pairs in processes that end after a chunk: the graph of expressions only grows.
+
+    A crash is reported as a broken operation. The up to 50 pairs before it are tried, but not counted.
+    """
+    waiting = [(min(chunk, pairs - done), seed, 10**9 * k) for k, done in enumerate(range(0, pairs, chunk))]
+    running: list[_Child] = []
     total = Report()
-    with multiprocessing.get_context("spawn").Pool(processes, maxtasksperchild=1) as pool:
-        for report in pool.imap(_run_from, tasks, chunksize=1):
-            total.add(report)
+    while waiting or running:
+        while waiting and len(running) < processes:
+            running.append(_Child(*waiting.pop(0)))
+        connection.wait([child.receiver for child in running])
+        for child in [child for child in running if child.receiver.poll()]:
+            if not child.advance(total):
+                running.remove(child)
+                if child.pairs > 0:
+                    waiting.insert(0, (child.pairs, child.seed, child.start))
     return total
 
 
@@ -441,10 +474,8 @@ def main() -> int:
         report = Report()
         print(pair(seed, index))
         check(pair(seed, index), report)
-    elif options.processes > 1:
-        report = run_in_processes(options.pairs, options.seed, options.processes)
     else:
-        report = run(options.pairs, options.seed)
+        report = run_in_processes(options.pairs, options.seed, options.processes)
     print(report)
     print(f"{perf_counter() - started:.1f} s")
     return 0 if report.is_clean else 1
