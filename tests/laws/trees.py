@@ -13,6 +13,7 @@ Values at a point are floats, or numbers of mpmath with many digits:
 
 from __future__ import annotations
 
+import ast
 import random
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
@@ -33,7 +34,7 @@ Value = Any
 
 REAL = ("x", "y", "x0", "x1")
 LEAVES = (*REAL, "a", "b", *COMPLEX)
-SYMBOLS: Mapping[str, Expr] = {name: expression(name) for name in (*LEAVES, "z")}
+SYMBOLS: Mapping[str, Expr] = {name: expression(name) for name in (*LEAVES, "z", "c")}
 f = symbolic.function("f")
 
 PI: Tree = ("pi",)
@@ -146,6 +147,40 @@ def text(tree: Tree) -> str:
 def _bracketed(tree: Tree) -> str:
     written = text(tree)
     return written if tree[0] in ("number", "leaf", "+", "*", "/") else f"({written})"
+
+
+def tree_in(text: str) -> Tree:
+    """Return the tree of a text."""
+    return _tree_of_node(ast.parse(text.strip(), mode="eval").body)
+
+
+OPERATORS = {ast.Add: "+", ast.Sub: "-", ast.Mult: "*", ast.Div: "/", ast.Pow: "^"}
+
+
+def _tree_of_node(node: ast.AST) -> Tree:
+    match node:
+        case ast.Constant(value=value):
+            return ("number", Fraction(repr(value)))
+        case ast.Name(id="pi"):
+            return PI
+        case ast.Name(id=name):
+            return ("leaf", name)
+        case ast.UnaryOp(op=ast.USub(), operand=operand):
+            return negative(_tree_of_node(operand))
+        case ast.BinOp(left=left, op=operator, right=right):
+            one, two = _tree_of_node(left), _tree_of_node(right)
+            sign = OPERATORS[type(operator)]
+            if sign == "/" and one[0] == two[0] == "number":
+                return ("number", one[1] / two[1])
+            return ("+", one, negative(two)) if sign == "-" else (sign, one, two)
+        case ast.Call(func=ast.Name(id="sqrt"), args=[argument]):
+            return root(_tree_of_node(argument))
+        case ast.Call(func=ast.Name(id=name), args=arguments, keywords=keywords):
+            parts = [
+                part for each in arguments for part in (each.elts if isinstance(each, ast.Tuple) else [each])
+            ]
+            return (name, *map(_tree_of_node, (*parts, *(keyword.value for keyword in keywords))))
+    raise ValueError(ast.dump(node))
 
 
 # --- numbers ---------------------------------------------------------------------------------------------------------
@@ -293,7 +328,7 @@ def points(count: int, seed: int = 0) -> list[dict[str, Any]]:
 
 def _point(draw: random.Random) -> dict[str, Any]:
     def size() -> float:
-        return draw.choice((draw.uniform(0.1, 1), draw.uniform(0.5, 3)))
+        return draw.choice((draw.uniform(0.1, 1), draw.uniform(0.5, 3), draw.uniform(2, 8)))
 
     point: dict[str, Any] = {name: size() * draw.choice((-1, 1)) for name in (*REAL, "z")}
     point |= {name: size() for name in POSITIVE}
