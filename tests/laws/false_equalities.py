@@ -248,14 +248,18 @@ TWOS = ("+", "*", "/", "Max", "Min", "atan2", "^")
 COMMUTE = ("+", "*", "Max", "Min")
 
 
+Task = tuple[str, Known, Known | None]
+"""An operation, its argument, and a second one or None."""
+
+
 def _all_known(trees: Iterable[Tree]) -> list[Known]:
     return [each for each in map(known, trees) if each]
 
 
-def next_level(level: Sequence[Known]) -> list[tuple[str, Known, Known | None]]:
-    """Return all operations on expressions of a level: an operation, its argument, and a second one or None."""
+def next_level(level: Sequence[Known]) -> list[Task]:
+    """Return all operations on expressions of a level."""
     exponents = _all_known(map(number, ROOTS))
-    tasks: list[tuple[str, Known, Known | None]] = [(name, each, None) for name in ONES for each in level]
+    tasks: list[Task] = [(name, each, None) for name in ONES for each in level]
     tasks += [("^", each, exponent) for each in level for exponent in exponents]
     for name in TWOS:
         pairs = combinations_with_replacement(level, 2) if name in COMMUTE else product(level, repeat=2)
@@ -263,7 +267,7 @@ def next_level(level: Sequence[Known]) -> list[tuple[str, Known, Known | None]]:
     return tasks
 
 
-def _done(tasks: Iterable[tuple[str, Known, Known | None]]) -> Iterator[Known]:
+def _done(tasks: Iterable[Task]) -> Iterator[Known]:
     for name, one, two in tasks:
         made = combined(name, one) if two is None else combined(name, one, two)
         if made:
@@ -276,10 +280,23 @@ def enumerated(count: int, draw: random.Random, atoms: Sequence[Tree] = LEAVES) 
     yield from leaves
     ones = list(_done(next_level(leaves)))
     yield from ones
-    forms = {each.expression.id: each for each in (*leaves, *ones)}
-    tasks = next_level(list(forms.values()))
-    draw.shuffle(tasks)
-    yield from _done(tasks[: max(0, count - len(leaves) - len(ones))])
+    forms = list({each.expression.id: each for each in (*leaves, *ones)}.values())
+    left = max(0, count - len(leaves) - len(ones))
+    yield from _done(next_level(forms) if len(forms) ** 2 * 5 < left else _sample(forms, left, draw))
+
+
+def _sample(level: Sequence[Known], count: int, draw: random.Random) -> Iterator[Task]:
+    """Yield operations as `next_level` lists them, at random."""
+    exponents = _all_known(map(number, ROOTS))
+    for _ in range(count):
+        one, two = draw.choice(level), draw.choice(level)
+        kind = draw.random()
+        if kind < 0.1:
+            yield (draw.choice(ONES), one, None)
+        elif kind < 0.25:
+            yield ("^", one, draw.choice(exponents))
+        else:
+            yield (draw.choice(TWOS), one, two)
 
 
 def grown(count: int, draw: random.Random) -> Iterator[Known]:
