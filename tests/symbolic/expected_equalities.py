@@ -212,6 +212,11 @@ class Difference:
 DIFFERENCES: tuple[Difference, ...] = (
     Difference("abs(x)", "x", "x < 0"),
     Difference("abs(x)", "-x", "x > 0"),
+    Difference("abs(x) + x", "0", "x > 0"),
+    Difference("abs(x) - x", "0", "x < 0"),
+    Difference("sign(x) + 1", "0", "x > 0"),
+    Difference("sqrt(x**2) - x", "0", "x < 0"),
+    Difference("Max(x, y) - y", "0", "x > y"),
     Difference("abs(67*x)", "-67*abs(x)", "every x"),
     Difference("abs(x + y)", "abs(x) + abs(y)", "x < 0 < y"),
     Difference("sqrt(x**2)", "x", "x < 0"),

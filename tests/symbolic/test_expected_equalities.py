@@ -48,6 +48,13 @@ def test_what_only_looks_equal_is_never_equal(row: Difference) -> None:
     assert not equal(row)
 
 
+@pytest.mark.parametrize("place", ["2*({})", "y + ({})", "y*({})", "y - ({})", "y/({})", "f({})", "f(y, {})"])
+def test_what_only_looks_equal_is_never_equal_inside_a_larger_expression(place: str) -> None:
+    rows = [row for row in DIFFERENCES if "/" not in place or "0" not in (row.left, row.right)]
+    placed = [Difference(place.format(row.left), place.format(row.right), row.reason) for row in rows]
+    assert [row for row in placed if equal(row)] == []
+
+
 def test_the_document_holds_the_tables() -> None:
     document = DOCUMENT.read_text()
     assert document == written(document), "python -m tests.symbolic.expected_equalities writes them"
