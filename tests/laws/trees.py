@@ -14,6 +14,7 @@ Values at a point are floats, or numbers of mpmath with many digits:
 from __future__ import annotations
 
 import ast
+import math
 import random
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
@@ -195,6 +196,8 @@ class Arithmetic:
     """How close to a pole or a jump is undefined."""
     greatest: float
     """The greatest argument of an exponential or of an angle."""
+    largest: Any
+    """The largest value: the digits of a larger one don't suffice where it cancels."""
     is_complex: bool
     """Whether the leaves are complex: then nothing may leave the real line on its own."""
 
@@ -209,7 +212,7 @@ class Arithmetic:
             result = self._apply(operation, values)
         except (ArithmeticError, ValueError, TypeError):
             return None
-        return None if result is None or result != result or abs(result) == self.library.inf else result
+        return None if result is None or not abs(result) < self.largest else result
 
     def _apply(self, operation: str, values: Sequence[Value]) -> Value:
         match operation:
@@ -309,12 +312,12 @@ class Arithmetic:
 
 
 def doubles(*, is_complex: bool) -> Arithmetic:
-    return Arithmetic(mpmath.fp, 1e-9, 300, is_complex)
+    return Arithmetic(mpmath.fp, 1e-9, 300, math.inf, is_complex)
 
 
 def digits(*, is_complex: bool) -> Arithmetic:
     """Return an arithmetic with as many digits as mpmath has when it is used."""
-    return Arithmetic(mpmath.mp, mpmath.mpf(10) ** -24, 1e4, is_complex)
+    return Arithmetic(mpmath.mp, mpmath.mpf(10) ** -24, 1e4, mpmath.mpf(10) ** 60, is_complex)
 
 
 Point = Mapping[str, Value]
