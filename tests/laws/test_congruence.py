@@ -17,15 +17,15 @@ from tests.symbolic.expected_equalities import EQUALITIES
 
 @pytest.mark.parametrize("seed", [1, 2])
 def test_equal_stays_equal(seed: int) -> None:
-    report = congruence.run_in_processes(200, seed)
+    report = congruence.run_in_processes(100, seed)
     assert report.is_clean, str(report)
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("seed", range(100, 120))
+@pytest.mark.parametrize("seed", range(100, 150))
 def test_equal_stays_equal_in_100_000_pairs(seed: int) -> None:
-    report = congruence.run_in_processes(5000, seed, chunk=2500)
-    assert report.counts["pairs"] >= 4900
+    report = congruence.run_in_processes(2000, seed)
+    assert report.counts["pairs"] >= 2000
     assert report.is_clean, str(report)
 
 
