@@ -15,7 +15,8 @@ Doubles decide that two values agree; that they differ, numbers of 60 and 200 di
 the trees, not from the forms that symbody gives them, so a wrong simplification is found as well.
 
 The reverse is counted for information: classes whose values agree at all points although they are not known as equal
-("not known as equal"), and expressions with equal fingerprints that are not equal.
+("not known as equal"), and expressions with equal fingerprints that are not equal. The latter are tried in a few larger
+expressions too, which must not be equal either.
 """
 
 from __future__ import annotations
@@ -29,6 +30,7 @@ from array import array
 from collections import Counter
 from collections.abc import Iterable, Iterator, Sequence
 from concurrent.futures import ProcessPoolExecutor
+from contextlib import nullcontext
 from dataclasses import dataclass, field
 from fractions import Fraction
 from itertools import chain, combinations_with_replacement, product
@@ -38,7 +40,7 @@ from typing import Any
 import mpmath
 
 from symbody.errors import SymbodyError
-from symbody.symbolic import Expr
+from symbody.symbolic import Expr, derivation
 from tests.laws.tree_rewrites import random_tree, rewritten
 from tests.laws.trees import (
     EXACT_POINTS,
@@ -46,11 +48,13 @@ from tests.laws.trees import (
     MINUS_ONE,
     PI,
     POINTS,
+    SYMBOLS,
     TWO,
     Tree,
     build,
     digits,
     doubles,
+    f,
     holds_complex_leaf,
     leaf,
     number,
@@ -63,6 +67,7 @@ COUNT = 12
 """How many points are looked at."""
 
 SMALL = 1e-6
+y = SYMBOLS["y"]
 
 
 Real = float | complex | None
@@ -77,6 +82,10 @@ class Known:
     expression: Expr
     values: tuple[Real, ...]
     is_complex: bool
+
+    @property
+    def fingerprint(self) -> bytes:
+        return self.expression.fingerprint
 
 
 @dataclass(slots=True)
@@ -102,7 +111,7 @@ class Hunt:
     """Classes of equal expressions, and what was found wrong in them."""
 
     classes: dict[Expr, Class] = field(default_factory=dict)
-    fingerprints: dict[bytes, Expr] = field(default_factory=dict)
+    fingerprints: dict[bytes, Known] = field(default_factory=dict)
     by_values: dict[bytes, Known] = field(default_factory=dict)
     counts: Counter[str] = field(default_factory=Counter)
     false: list[tuple[int, str]] = field(default_factory=list)
@@ -117,7 +126,7 @@ class Hunt:
         found = self.classes.get(known.expression)
         if found is None:
             self.classes[known.expression] = Class(known)
-            self._note_fingerprint(known.expression)
+            self._note_fingerprint(known)
             self._note_values(known)
             return
         self.counts["in a class that was there"] += 1
@@ -132,21 +141,27 @@ class Hunt:
                 found.note(known, k)
                 continue
             theirs = other.values[k]
-            assert theirs is not None
-            if not abs(mine - theirs) <= SMALL * (1 + abs(mine) + abs(theirs)):
+            if _are_apart(mine, theirs):
                 self.counts["judged with many digits"] += 1
                 if _differ(known.tree, other.tree, k):
                     self._note_false(known.tree, other.tree, k)
                     return
 
-    def _note_false(self, one: Tree, two: Tree, k: int) -> None:
+    def _note_false(self, one: Tree, two: Tree, k: int, where: str = "") -> None:
         self.counts["false equalities"] += 1
-        written = f"{text(one)}  ==  {text(two)}  at {_printed(POINTS[k])}"
+        written = f"{text(one)}  ==  {text(two)}{where}  at {_printed(POINTS[k])}"
         _keep(self.false, len(text(one)) + len(text(two)), written)
 
-    def _note_fingerprint(self, expression: Expr) -> None:
-        other = self.fingerprints.setdefault(expression.fingerprint, expression)
-        self.counts["equal fingerprints, not equal"] += other is not expression
+    def _note_fingerprint(self, known: Known) -> None:
+        """Look closely at two expressions that a fingerprint alone would confuse."""
+        other = self.fingerprints.setdefault(known.fingerprint, known)
+        if other is known:
+            return
+        self.counts["equal fingerprints, not equal"] += 1
+        places = [k for k in range(len(known.values)) if _are_apart(known.values[k], other.values[k])]
+        confused = [name for name, is_so in confusions(known.expression, other.expression) if is_so]
+        if places and confused and _differ(known.tree, other.tree, places[0]):
+            self._note_false(known.tree, other.tree, places[0], f" ({', '.join(confused)})")
 
     def _note_values(self, known: Known) -> None:
         """Note which classes have the same values: all of them, at no less than half of the points."""
@@ -169,6 +184,27 @@ class Hunt:
         for title, examples in (("FALSE EQUALITIES", self.false), ("Not known as equal", self.unknown)):
             lines += [f"\n{title}:" * bool(examples), *(f"    {written}" for _, written in examples)]
         return "\n".join(lines)
+
+
+def _are_apart(one: Real, two: Real) -> bool:
+    if one is None or two is None:
+        return False
+    return not abs(one - two) <= SMALL * (1 + abs(one) + abs(two))
+
+
+def confusions(one: Expr, two: Expr) -> Iterator[tuple[str, bool]]:
+    """Yield relations of two expressions that are not equal, and whether they hold."""
+    yield "A - B == 0", (one - two).is_zero
+    yield "A.equals(B)", one.equals(two)
+    yield "A + y == B + y", one + y == two + y
+    yield "A*y == B*y", one * y == two * y
+    yield "f(A) == f(B)", f(one) == f(two)
+    with derivation():
+        yield "A - B == 0 in a derivation", (one - two).is_zero
+        yield "A + y == B + y in a derivation", one + y == two + y
+        yield "-3*A == -3*B in a derivation", -3 * one == -3 * two
+        yield "y/A == y/B in a derivation", not one.is_zero and not two.is_zero and y / one == y / two
+        yield "f(A) == f(B) in a derivation", f(one) == f(two)
 
 
 def _keep(examples: list[tuple[int, str]], length: int, written: str) -> None:
@@ -332,14 +368,18 @@ def rewritings(count: int, draw: random.Random) -> Iterator[Known]:
         yield from _all_known(each for each in trees if len(text(each)) < 400)
 
 
-def hunt(count: int, seed: int) -> Hunt:
-    """Return what is found among about this many expressions."""
+def hunt(count: int, seed: int, *, in_derivation: bool = False) -> Hunt:
+    """Return what is found among about this many expressions.
+
+    In a derivation, an expression is the first node of its class, so a false equality can't be undone by `==`.
+    """
     draw = random.Random(f"hunt {seed}")
     found = Hunt()
     atoms = LEAVES if seed % 2 else MORE_LEAVES
     shares = enumerated(count // 2, draw, atoms), grown(count * 3 // 10, draw), rewritings(count // 5, draw)
-    for each in chain(*shares):
-        found.add(each)
+    with derivation() if in_derivation else nullcontext():
+        for each in chain(*shares):
+            found.add(each)
     return found
 
 
@@ -352,15 +392,15 @@ class Summary:
     report: str
 
 
-def _summary(count: int, seed: int) -> Summary:
-    found = hunt(count, seed)
+def _summary(count: int, seed: int, in_derivation: bool) -> Summary:
+    found = hunt(count, seed, in_derivation=in_derivation)
     return Summary(found.counts["expressions"], found.counts["false equalities"], str(found))
 
 
-def hunt_in_a_process(count: int, seed: int) -> Summary:
+def hunt_in_a_process(count: int, seed: int, *, in_derivation: bool = False) -> Summary:
     """Hunt in a process of its own, which gives the memory back; one that crashes raises an error."""
     with ProcessPoolExecutor(1, multiprocessing.get_context("spawn")) as pool:
-        return pool.submit(_summary, count, seed).result()
+        return pool.submit(_summary, count, seed, in_derivation).result()
 
 
 def main() -> int:
@@ -369,9 +409,10 @@ def main() -> int:
     )
     parser.add_argument("--expressions", type=int, default=40_000)
     parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--derivation", action="store_true", help="make the expressions inside derivation()")
     options = parser.parse_args()
     started = perf_counter()
-    found = hunt(options.expressions, options.seed)
+    found = hunt(options.expressions, options.seed, in_derivation=options.derivation)
     print(found)
     print(f"{perf_counter() - started:.1f} s")
     return 0 if found.is_clean else 1
