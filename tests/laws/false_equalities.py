@@ -29,7 +29,6 @@ import sys
 from array import array
 from collections import Counter
 from collections.abc import Iterable, Iterator, Sequence
-from concurrent.futures import ProcessPoolExecutor
 from contextlib import nullcontext
 from dataclasses import dataclass, field
 from fractions import Fraction
@@ -174,10 +173,6 @@ class Hunt:
             one, two = text(same.tree), text(known.tree)
             _keep(self.unknown, len(one) + len(two), f"{one}  !=  {two}")
 
-    @property
-    def is_clean(self) -> bool:
-        return not self.counts["false equalities"]
-
     def __str__(self) -> str:
         self.counts["classes"] = len(self.classes)
         lines = [f"{count:>9}  {name}" for name, count in self.counts.items()]
@@ -239,8 +234,21 @@ def _differ(one: Tree, two: Tree, k: int) -> bool:
 # --- expressions -----------------------------------------------------------------------------------------------------
 
 
+class Trace:
+    """The text of the last expression that was made, for the parent of a process that crashes; off by default."""
+
+    last: Any = None
+    last_length = 4000
+
+    @classmethod
+    def note(cls, tree: Tree) -> None:
+        if cls.last is not None:
+            cls.last.value = text(tree).encode()[: cls.last_length]
+
+
 def known(tree: Tree) -> Known | None:
     """Return what is known of a tree, or None where symbody refuses it."""
+    Trace.note(tree)
     try:
         expression = build(tree)
     except SymbodyError:
@@ -259,6 +267,8 @@ def _kept(number: Any, *, is_complex: bool) -> Real:
 
 def combined(operation: str, *parts: Known) -> Known | None:
     """Return what is known of an operation on what is known."""
+    tree = (operation, *(part.tree for part in parts))
+    Trace.note(tree)
     try:
         expression = MAKERS[operation](*(part.expression for part in parts))
     except SymbodyError:
@@ -267,7 +277,7 @@ def combined(operation: str, *parts: Known) -> Known | None:
     arithmetic = doubles(is_complex=is_complex)
     columns = zip(*(part.values for part in parts), strict=True)
     values = (_kept(arithmetic.apply(operation, column), is_complex=is_complex) for column in columns)
-    return Known((operation, *(part.tree for part in parts)), expression, tuple(values), is_complex)
+    return Known(tree, expression, tuple(values), is_complex)
 
 
 LEAVES = (leaf("x"), leaf("y"), leaf("a"), MINUS_ONE, TWO)
@@ -392,15 +402,30 @@ class Summary:
     report: str
 
 
-def _summary(count: int, seed: int, in_derivation: bool) -> Summary:
+def _send_summary(sender: Any, last: Any, count: int, seed: int, in_derivation: bool) -> None:
+    Trace.last = last
     found = hunt(count, seed, in_derivation=in_derivation)
-    return Summary(found.counts["expressions"], found.counts["false equalities"], str(found))
+    sender.send(Summary(found.counts["expressions"], found.counts["false equalities"], str(found)))
 
 
-def hunt_in_a_process(count: int, seed: int, *, in_derivation: bool = False) -> Summary:
-    """Hunt in a process of its own, which gives the memory back; one that crashes raises an error."""
-    with ProcessPoolExecutor(1, multiprocessing.get_context("spawn")) as pool:
-        return pool.submit(_summary, count, seed, in_derivation).result()
+def hunt_in_a_process(count: int, seed: int, *, in_derivation: bool = False, traced: bool = False) -> Summary:
+    """Hunt in a process of its own, which gives the memory back. A crash is tried again, and its expression named."""
+    context = multiprocessing.get_context("spawn")
+    receiver, sender = context.Pipe(duplex=False)
+    last = context.Array("c", Trace.last_length, lock=False) if traced else None
+    task = sender, last, count, seed, in_derivation
+    process = context.Process(target=_send_summary, args=task)
+    process.start()
+    sender.close()
+    try:
+        summary: Summary = receiver.recv()
+    except EOFError:
+        process.join()
+        if last is None:
+            return hunt_in_a_process(count, seed, in_derivation=in_derivation, traced=True)
+        raise RuntimeError(f"the process crashed ({process.exitcode}) at {last.value.decode()}") from None
+    process.join()
+    return summary
 
 
 def main() -> int:
@@ -412,10 +437,10 @@ def main() -> int:
     parser.add_argument("--derivation", action="store_true", help="make the expressions inside derivation()")
     options = parser.parse_args()
     started = perf_counter()
-    found = hunt(options.expressions, options.seed, in_derivation=options.derivation)
-    print(found)
+    found = hunt_in_a_process(options.expressions, options.seed, in_derivation=options.derivation)
+    print(found.report)
     print(f"{perf_counter() - started:.1f} s")
-    return 0 if found.is_clean else 1
+    return 1 if found.false else 0
 
 
 if __name__ == "__main__":
