@@ -2,6 +2,7 @@
 
 Texts are Python expressions, so one text gives both readings: integers and decimals are exact (0.1 is one tenth),
 ``D(e, x)`` is a derivative, ``x1`` and ``x2`` are the first and second time derivatives of the coordinate ``x0``.
+``s`` is a complex symbol, declared with ``real=False``.
 """
 
 from __future__ import annotations
@@ -21,6 +22,8 @@ AGREEMENT = mpmath.mpf(10) ** -330
 
 REAL = ("x", "y", "z", "u", "v", "w")
 POSITIVE = ("a", "b", "c")
+COMPLEX = ("s",)
+REWRITES = ("expand", "expand_trig", "combine_trig", "factor_terms", "simplify")
 FUNCTIONS = (
     "sin",
     "cos",
@@ -66,9 +69,11 @@ def _value(text: str, reader: ast.NodeTransformer, names: Mapping[str, Any]) -> 
 
 def _symbolic_names() -> dict[str, Any]:
     x0 = symbolic.functions_of_time("x0")
-    names = {name: getattr(symbolic, name) for name in (*FUNCTIONS, "number", "pi", "sign", "Min", "Max")}
+    others = ("number", "pi", "sign", "Min", "Max", "Piecewise", *REWRITES)
+    names = {name: getattr(symbolic, name) for name in (*FUNCTIONS, *others)}
     names |= {name: symbolic.symbols(name) for name in REAL}
     names |= {name: symbolic.symbols(name, positive=True) for name in POSITIVE}
+    names |= {name: symbolic.symbols(name, real=False) for name in COMPLEX}
     names |= {
         "abs": symbolic.Abs,
         "D": symbolic.diff,
@@ -86,6 +91,10 @@ def _sign(value: mpmath.mpf) -> mpmath.mpf:
     return mpmath.mpf((value > 0) - (value < 0))
 
 
+def _piecewise(*branches: tuple[mpmath.mpf, mpmath.mpf], otherwise: mpmath.mpf) -> mpmath.mpf:
+    return next((result for result, condition in branches if condition > 0), otherwise)
+
+
 def _unknown_function(seed: int) -> Callable[..., mpmath.mpf]:
     """An arbitrary smooth function of any number of arguments, without symmetry between them."""
     return lambda *args: mpmath.sin(sum((seed + k) * argument for k, argument in enumerate(args)) + seed)
@@ -96,7 +105,9 @@ def _numeric_names(seed: int, spread: float) -> dict[str, Any]:
     names: dict[str, Any] = {name: getattr(mpmath, name) for name in FUNCTIONS}
     names |= {name: _number(draw.uniform(-spread, spread)) for name in (*REAL, "x0", "x1", "x2")}
     names |= {name: _number(draw.uniform(0.1, spread)) for name in POSITIVE}
+    names |= {name: mpmath.mpc(*(draw.uniform(-spread, spread) for _ in range(2))) for name in COMPLEX}
     names |= {"number": _number, "pi": +mpmath.pi, "abs": abs, "sign": _sign, "Min": min, "Max": max}
+    names |= {"Piecewise": _piecewise, **{name: lambda e: e for name in REWRITES}}
     return names | {"D": mpmath.diff, "f": _unknown_function(3), "h": _unknown_function(5)}
 
 

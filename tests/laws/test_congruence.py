@@ -1,0 +1,52 @@
+"""Equality is a congruence, and never false: on pairs from rewrites of random expressions, and by enumeration.
+
+    python -m tests.laws.congruence
+    python -m tests.laws.false_equalities
+
+print the same for any seed.
+"""
+
+from __future__ import annotations
+
+import pytest
+
+from tests.laws import congruence, false_equalities
+from tests.laws.trees import tree_in
+from tests.symbolic.expected_equalities import EQUALITIES
+
+
+@pytest.mark.parametrize("seed", [1, 2])
+def test_equal_stays_equal(seed: int) -> None:
+    report = congruence.run_in_processes(100, seed)
+    assert report.is_clean, str(report)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("seed", range(100, 150))
+def test_equal_stays_equal_in_100_000_pairs(seed: int) -> None:
+    report = congruence.run_in_processes(2000, seed)
+    assert report.counts["pairs"] >= 2000
+    assert report.is_clean, str(report)
+
+
+def test_expected_equalities_stay_equal() -> None:
+    report = congruence.Report()
+    for row in EQUALITIES:
+        congruence.check(congruence.Pair("row", tree_in(row.left), tree_in(row.right)), report)
+    assert report.is_clean, str(report)
+
+
+@pytest.mark.parametrize("in_derivation", [False, True])
+@pytest.mark.parametrize("seed", [1, 2])
+def test_no_equality_is_false(seed: int, in_derivation: bool) -> None:
+    found = false_equalities.hunt_in_a_process(8_000, seed, in_derivation=in_derivation)
+    assert found.expressions > 7_000
+    assert found.false == 0, found.report
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("seed", range(100, 110))
+def test_no_equality_is_false_in_a_million_expressions(seed: int) -> None:
+    found = false_equalities.hunt_in_a_process(110_000, seed, in_derivation=seed % 3 == 0)
+    assert found.expressions >= 100_000
+    assert found.false == 0, found.report

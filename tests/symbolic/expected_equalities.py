@@ -1,0 +1,294 @@
+"""Equalities that users expect, whether `==` knows them, and why not; and pairs that only look equal.
+
+`test_expected_equalities.py` checks each row, and that `docs/values.md` holds the tables. After a change of the rows
+
+    python -m tests.symbolic.expected_equalities
+
+writes them there. Texts are read by `reading.py`: x, y, z are real, a, b, c positive, and s is complex.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+
+DOCUMENT = Path(__file__).parents[2] / "docs/values.md"
+BEGIN, END = "<!-- table of equalities: begin -->", "<!-- table of equalities: end -->"
+
+
+@dataclass(frozen=True)
+class Equality:
+    """Two texts of the same value."""
+
+    left: str
+    right: str
+    is_known: bool
+    reason: str
+
+
+def known(reason: str, *pairs: tuple[str, str]) -> tuple[Equality, ...]:
+    return tuple(Equality(left, right, is_known=True, reason=reason) for left, right in pairs)
+
+
+def missed(reason: str, *pairs: tuple[str, str]) -> tuple[Equality, ...]:
+    return tuple(Equality(left, right, is_known=False, reason=reason) for left, right in pairs)
+
+
+EQUALITIES: tuple[Equality, ...] = (
+    *known(
+        "a root depends on the value of its argument alone",
+        ("4*(x**2 + 1)", "4*x**2 + 4"),
+        ("sqrt(4*(x**2 + 1))", "sqrt(4*x**2 + 4)"),
+        ("sqrt(4*(x**2 + 1))", "2*sqrt(x**2 + 1)"),
+        ("sqrt((2*x)**2 + (2*y)**2)", "2*sqrt(x**2 + y**2)"),
+        ("sqrt((a*x)**2 + (a*y)**2)", "a*sqrt(x**2 + y**2)"),
+        ("sqrt((x/a)**2 + (y/a)**2)", "sqrt(x**2 + y**2)/a"),
+        ("sqrt(67*x**2 + 67*y**2)", "sqrt(67)*sqrt(x**2 + y**2)"),
+        ("sqrt(x**2)", "abs(x)"),
+        ("sqrt(x**2 + 2*x*y + y**2)", "abs(x + y)"),
+        ("sqrt(a*cos(x)**2 + a*sin(x)**2)", "sqrt(a)"),
+        ("sqrt(-a*(a + (-1 - x)))", "sqrt(a*x + a - a**2)"),
+        ("sqrt(a**2*b)", "a*sqrt(b)"),
+        ("sqrt(a)*sqrt(b)", "sqrt(a*b)"),
+    ),
+    *known(
+        "a root squares to its argument",
+        ("sqrt(x**2 + y**2 + 1)**2", "x**2 + y**2 + 1"),
+        (
+            "x**2/sqrt(x**2 + y**2 + 1) + y**2/sqrt(x**2 + y**2 + 1) + 1/sqrt(x**2 + y**2 + 1)",
+            "sqrt(x**2 + y**2 + 1)",
+        ),
+        (
+            "(x**2/sqrt(x**2 + y**2 + 1) + y**2/sqrt(x**2 + y**2 + 1) + 1/sqrt(x**2 + y**2 + 1))**2",
+            "x**2 + y**2 + 1",
+        ),
+        ("(x - y)/sqrt(x)", "sqrt(x) - y/sqrt(x)"),
+        ("1/((x - y)/sqrt(x))", "1/(sqrt(x) - y/sqrt(x))"),
+        ("((x - y)/sqrt(x))**2", "(sqrt(x) - y/sqrt(x))**2"),
+        ("(sqrt(x) + 1)*(sqrt(x) - 1)", "x - 1"),
+        ("1/(sqrt(x + 1) - sqrt(x))", "sqrt(x + 1) + sqrt(x)"),
+        ("sqrt(sqrt(a))**4", "a"),
+        ("sqrt(sqrt(x**2 + 1) + 2)**2", "sqrt(x**2 + 1) + 2"),
+    ),
+    *known(
+        "the modulus and the sign are multiplicative",
+        ("abs(a*x)", "a*abs(x)"),
+        ("abs(67*x)", "67*abs(x)"),
+        ("abs(-x)", "abs(x)"),
+        ("abs(x*y)", "abs(x)*abs(y)"),
+        ("abs(a*cos(x)**2 + a*sin(x)**2)", "a"),
+        ("abs(x**2 + 2*x + 1)", "(x + 1)**2"),
+        ("sign(x)**2", "1"),
+        ("sign(x)**3", "sign(x)"),
+        ("sign(x*y)", "sign(x)*sign(y)"),
+        ("sign(a*x)", "sign(x)"),
+        ("sign(1/x)", "sign(x)"),
+        ("abs(x)/x", "sign(x)"),
+        ("(abs(x) - 1)*(abs(x) + 1)", "x**2 - 1"),
+    ),
+    *known(
+        "sums of squares and of positive terms are positive",
+        ("abs(x**2 + 1)", "x**2 + 1"),
+        ("sign(x**2 + y**2 + 1)", "1"),
+        ("abs(a + b)", "a + b"),
+        ("sign(exp(x))", "1"),
+        ("sqrt((a + 1)**2*x)", "(a + 1)*sqrt(x)"),
+        ("Max(a, -b)", "a"),
+    ),
+    *missed(
+        "that a difference is positive takes more than the signs of its terms",
+        ("abs(x**2 - x + 1)", "x**2 - x + 1"),
+        ("abs(2 - sin(x))", "2 - sin(x)"),
+        ("Max(x**2 + 1, 2*x - 1)", "x**2 + 1"),
+    ),
+    *known(
+        "the maximum and the minimum are half the sum and the distance",
+        ("Max(x, y)*Min(x, y)", "x*y"),
+        ("Max(x, y) + Min(x, y)", "x + y"),
+        ("Max(2*x, 2*y)", "2*Max(x, y)"),
+        ("Max(a*x, a*y)", "a*Max(x, y)"),
+        ("-Max(x, y)", "Min(-x, -y)"),
+        ("Max(x, -x)", "abs(x)"),
+        ("Max(x + z, y + z)", "Max(x, y) + z"),
+        ("Max(Max(x, y), z)", "Max(x, Max(y, z))"),
+        ("Max(Max(2*x, 2*y), 2*z)", "2*Max(x, y, z)"),
+        ("Max(x, Min(x, y))", "x"),
+    ),
+    *known(
+        "powers of numbers have one form",
+        ("sqrt(2**(3/2))", "2**(3/4)"),
+        ("2**(1/3)*4**(1/3)", "2"),
+        ("2**(1/3)*2**(2/3)", "2"),
+        ("6**(1/3)", "2**(1/3)*3**(1/3)"),
+        ("(8/27)**(1/3)", "2/3"),
+        ("sqrt(8)", "2*sqrt(2)"),
+        ("sqrt(67)**2", "67"),
+        ("sqrt(67)*sqrt(109)", "sqrt(7303)"),
+        ("7303**(1/3)", "67**(1/3)*109**(1/3)"),
+        ("4**x", "2**(2*x)"),
+        ("6**x", "2**x*3**x"),
+        ("(1/2)**x", "2**(-x)"),
+        ("8**(x/3)", "2**x"),
+    ),
+    *known(
+        "odd roots of positive values are unique in the field",
+        ("(8*a)**(1/3)", "2*a**(1/3)"),
+        ("(a**3)**(1/3)", "a"),
+        ("((a**2*b)**(1/3))**3", "a**2*b"),
+        ("(8*x**2 + 8)**(1/3)", "2*(x**2 + 1)**(1/3)"),
+        ("a**(2/5)*a**(3/5)", "a"),
+    ),
+    *known(
+        "nested radicals of numbers are numbers of the field",
+        ("sqrt(3 + 2*sqrt(2))", "1 + sqrt(2)"),
+        ("sqrt(6 - 2*sqrt(5))", "sqrt(5) - 1"),
+        ("sin(pi/5)", "sqrt(10 - 2*sqrt(5))/4"),
+        ("cos(pi/8)", "sqrt(2 + sqrt(2))/2"),
+    ),
+    *known(
+        "the logarithm of a positive monomial is a sum",
+        ("log(a*b)", "log(a) + log(b)"),
+        ("log(a/b)", "log(a) - log(b)"),
+        ("log(a**2)", "2*log(a)"),
+        ("log(sqrt(a))", "log(a)/2"),
+        ("log(a**x)", "x*log(a)"),
+        ("log(2*a)", "log(2) + log(a)"),
+        ("log(8)", "3*log(2)"),
+        ("log(1/a)", "-log(a)"),
+        ("log(a*exp(x))", "log(a) + x"),
+        ("exp(2*log(a))", "a**2"),
+        ("exp(log(a)/3)", "a**(1/3)"),
+        ("exp(x*log(a))", "a**x"),
+        ("2**x", "exp(x*log(2))"),
+        ("exp(2*log(3))", "9"),
+    ),
+    *missed(
+        "sums are no monomials: their logarithms are not related to those of their factors",
+        ("log(a**2 + 2*a + 1)", "2*log(a + 1)"),
+        ("log(a**2 + a*b)", "log(a) + log(a + b)"),
+    ),
+    *known(
+        "arc functions are points of the circle",
+        ("cos(asin(x))", "sqrt(1 - x**2)"),
+        ("sin(acos(x))", "sqrt(1 - x**2)"),
+        ("sin(atan(x))", "x/sqrt(1 + x**2)"),
+        ("cos(atan(x))", "1/sqrt(1 + x**2)"),
+        ("cos(2*atan(x))", "(1 - x**2)/(1 + x**2)"),
+        ("tan(atan2(y, x))", "y/x"),
+        ("cos(atan2(y, x))", "x/sqrt(x**2 + y**2)"),
+        ("sin(atan2(y, x))", "y/sqrt(x**2 + y**2)"),
+        ("atan2(2*y, 2*x)", "atan2(y, x)"),
+        ("atan2(a*y, a*x)", "atan2(y, x)"),
+        ("atan2(-y, x)", "-atan2(y, x)"),
+        ("asin(x) + acos(x)", "pi/2"),
+        ("atan2(x, a)", "atan(x/a)"),
+    ),
+    *missed(
+        "an arc function of another function needs its range",
+        ("atan(x) + atan(1/x)", "pi*sign(x)/2"),
+        ("acos(cos(asin(x)))", "abs(asin(x))"),
+    ),
+    *known(
+        "a condition enters with its sign",
+        ("Piecewise((x, 2*y), otherwise=z)", "Piecewise((x, y), otherwise=z)"),
+        ("Piecewise((x, a*y), otherwise=z)", "Piecewise((x, y), otherwise=z)"),
+        ("Piecewise((2*x, y), otherwise=2*z)", "2*Piecewise((x, y), otherwise=z)"),
+        ("Piecewise((x, x), otherwise=-x)", "abs(x)"),
+        ("Piecewise((x, x - y), otherwise=y)", "Max(x, y)"),
+    ),
+)
+
+
+@dataclass(frozen=True)
+class Difference:
+    """Two texts that look alike, and where they differ."""
+
+    left: str
+    right: str
+    reason: str
+
+
+DIFFERENCES: tuple[Difference, ...] = (
+    Difference("abs(x)", "x", "x < 0"),
+    Difference("abs(x)", "-x", "x > 0"),
+    Difference("abs(x) + x", "0", "x > 0"),
+    Difference("abs(x) - x", "0", "x < 0"),
+    Difference("sign(x) + 1", "0", "x > 0"),
+    Difference("sqrt(x**2) - x", "0", "x < 0"),
+    Difference("Max(x, y) - y", "0", "x > y"),
+    Difference("abs(67*x)", "-67*abs(x)", "every x"),
+    Difference("abs(x + y)", "abs(x) + abs(y)", "x < 0 < y"),
+    Difference("sqrt(x**2)", "x", "x < 0"),
+    Difference("sqrt(x*y)", "sqrt(x)*sqrt(y)", "x and y < 0"),
+    Difference("sqrt(x + y)", "sqrt(x) + sqrt(y)", "almost everywhere"),
+    Difference("sqrt(-x)", "sqrt(x)", "almost everywhere"),
+    Difference("(x**3)**(1/3)", "x", "x < 0"),
+    Difference("(x**6)**(1/3)", "x**3", "x < 0"),
+    Difference("sqrt(x**4 - 2*x**2 + 1)", "x**2 - 1", "-1 < x < 1"),
+    Difference("sign(x)", "1", "x < 0"),
+    Difference("sign(x)", "sign(y)", "x < 0 < y"),
+    Difference("sign(x*y)", "sign(x)", "y < 0"),
+    Difference("Max(x, y)", "x", "x < y"),
+    Difference("Max(x, y)", "Max(x, z)", "y > x, z"),
+    Difference("Max(-2*x, -2*y)", "-2*Max(x, y)", "almost everywhere"),
+    Difference("log(x**2)", "2*log(x)", "x < 0"),
+    Difference("log(x*y)", "log(x) + log(y)", "x and y < 0"),
+    Difference("exp(log(x**2)/2)", "x", "x < 0"),
+    Difference("atan2(2*y, -2*x)", "atan2(y, x)", "almost everywhere"),
+    Difference("atan2(y*z, x*z)", "atan2(y, x)", "z < 0"),
+    Difference("atan2(y, x)", "atan(y/x)", "x < 0"),
+    Difference("asin(sin(x))", "x", "x > pi/2"),
+    Difference("cos(asin(x))", "-sqrt(1 - x**2)", "-1 < x < 1"),
+    Difference("Piecewise((x, -y), otherwise=z)", "Piecewise((x, y), otherwise=z)", "almost everywhere"),
+    Difference("Piecewise((x, y*z), otherwise=z)", "Piecewise((x, y), otherwise=z)", "z < 0"),
+    Difference("sqrt(exp(s))", "exp(s/2)", "complex s with an imaginary part beyond pi"),
+    Difference("sqrt(s**2)", "s", "complex s with a negative real part"),
+    Difference("log(exp(s))", "s", "complex s with an imaginary part beyond pi"),
+    Difference("abs(s)**2", "s**2", "complex s"),
+    Difference("sqrt(s*a)**2", "a*abs(s)", "complex s"),
+    Difference("sqrt(3 - 2*sqrt(2))", "1 - sqrt(2)", "the number is positive"),
+    Difference("67**(1/3)", "109**(1/3)", "the numbers differ"),
+)
+
+
+# --- the tables of the document --------------------------------------------------------------------------------------
+
+
+def tables() -> str:
+    """Return the rows as the document shows them."""
+    rows = (
+        (_code(each.left, each.right, "=="), "known" if each.is_known else "**missed**", each.reason)
+        for each in EQUALITIES
+    )
+    differences = ((_code(each.left, each.right, "!="), each.reason) for each in DIFFERENCES)
+    return "\n".join(
+        (
+            *_table(("equality", "`==`", "why"), rows),
+            "",
+            "These pairs look alike, are never equal, and differ where the second column says:",
+            "",
+            *_table(("pair", "differs for"), differences),
+        )
+    )
+
+
+def _code(left: str, right: str, sign: str) -> str:
+    return f"`{left} {sign} {right}`".replace("|", "\\|")
+
+
+def _table(titles: tuple[str, ...], rows: Iterator[tuple[str, ...]]) -> Iterator[str]:
+    yield f"| {' | '.join(titles)} |"
+    yield f"|{'---|' * len(titles)}"
+    yield from (f"| {' | '.join(row)} |" for row in rows)
+
+
+def written(document: str) -> str:
+    """Return the document with the present tables."""
+    before, rest = document.split(BEGIN)
+    after = rest.split(END)[1]
+    return f"{before}{BEGIN}\n\n{tables()}\n\n{END}{after}"
+
+
+if __name__ == "__main__":
+    DOCUMENT.write_text(written(DOCUMENT.read_text()))
