@@ -19,21 +19,21 @@ def _symbody(name: str) -> Contender:
 FROM_ENERGIES = Contender(SYMBODY, "T - V differentiated", by_symbody.from_energies)
 
 
-def _newton(algebra: Algebra, largest: int | None = None) -> Contender:
+def _newton(algebra: Algebra) -> Contender:
     def derive(n: int) -> list[Expression]:
         return by_hand.newton(algebra, by_hand.net(algebra, n))
 
-    return Contender(algebra, "Newton by hand", derive, largest)
+    return Contender(algebra, "Newton by hand", derive)
 
 
-def _lagrange(algebra: Algebra, largest: int | None = None) -> Contender:
+def _lagrange(algebra: Algebra) -> Contender:
     def derive(n: int) -> list[Expression]:
         net = by_hand.net(algebra, n)
         return lagrange.residuals(
             algebra, by_hand.lagrangian(algebra, net), net.coordinates(net.acceleration)
         )
 
-    return Contender(algebra, "Lagrange by hand", derive, largest)
+    return Contender(algebra, "Lagrange by hand", derive)
 
 
 PROBLEM = Problem(
@@ -51,11 +51,8 @@ PROBLEM = Problem(
     contenders=(
         *map(_symbody, FORMALISMS),
         FROM_ENERGIES,
-        _newton(SYMPY, largest=100),
-        _newton(SYMENGINE),
-        _newton(CASADI),
-        _lagrange(SYMENGINE, largest=100),
-        _lagrange(CASADI),
+        *map(_newton, (SYMPY, SYMENGINE, CASADI)),
+        *map(_lagrange, (SYMENGINE, CASADI)),
     ),
     targets=(
         joint_time_target("both formalisms", BOTH, 100, 0.5),
