@@ -5,12 +5,14 @@ Times are for `make bench`: a test of them would fail on a busy machine.
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import replace
 from fractions import Fraction
 from math import cos, isclose, sin, sqrt
 
 import pytest
 
+from benchmarks.derive.by_symbody import net
 from benchmarks.derive.engines import ENGINES, SYMBODY, Algebra
 from benchmarks.derive.problem import Problem, Target
 from benchmarks.derive.problems import PROBLEMS
@@ -18,6 +20,7 @@ from benchmarks.derive.report import section, targets
 from benchmarks.derive.rounds import agree, in_this_process
 from benchmarks.derive.tape import Operations, Tape
 from benchmarks.derive.trial import from_json, main, to_json, trial
+from symbody import Expr, derivation, lagrange_equations, newton_euler
 
 OPERATION_TARGETS = [
     pytest.param(problem, target, id=f"{problem.name}: {target.quantity}")
@@ -38,6 +41,11 @@ def subject_only(problem: Problem) -> Problem:
     return replace(problem, contenders=tuple(c for c in problem.contenders if c.engine is SYMBODY))
 
 
+def ids(expressions: Iterable[Expr]) -> list[int]:
+    """Return what tells nodes apart."""
+    return [expression.id for expression in expressions]
+
+
 def test_contenders_agree(problem: Problem) -> None:
     results = in_this_process(problem, problem.quick_sizes)
     for size in problem.quick_sizes:
@@ -55,6 +63,16 @@ def test_symbody_needs_the_fewest_operations_on_trees_of_bodies(name: str) -> No
     for size in problem.quick_sizes:
         totals = {label: result.operations.total for (label, n), result in results.items() if n == size}
         assert totals[problem.contenders[0].label] == min(totals.values())
+
+
+def test_a_net_of_springs_has_the_same_nodes_by_all_derivations() -> None:
+    system = net.system(100)
+    assert (len(system.bodies), len(system.loads), len(system.coordinates)) == (100, 300, 300)
+    residuals = newton_euler(system).residuals
+    assert ids(lagrange_equations(system).residuals) == ids(residuals)
+    with derivation():
+        known = [residual + 0 for residual in residuals]  # the nodes of these values, from here on
+        assert ids(net.from_energies(100)) == ids(known) == ids(residuals)
 
 
 @pytest.mark.parametrize(("problem", "target"), OPERATION_TARGETS)

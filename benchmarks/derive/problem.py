@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Collection, Sequence
 from dataclasses import dataclass
 
 from .engines import Engine, Expression
@@ -79,6 +79,24 @@ def operations_target(label: str, size: int, bound: int) -> Target:
     """Bound the operations of a contender."""
     quantity = f"{label}, n = {size}: operations"
     return Target(quantity, bound, (size,), lambda results: results[label, size].operations.total)
+
+
+def joint_time_target(who: str, labels: Collection[str], size: int, bound: float) -> Target:
+    """Bound the seconds of several contenders together."""
+    measured = _seconds_of(labels, size)
+    return Target(f"{who}, n = {size}: time", bound, (size,), measured, "s", is_timed=True)
+
+
+def growth_target(who: str, labels: Collection[str], sizes: tuple[int, int], bound: float) -> Target:
+    """Bound the seconds of several contenders at the larger size, over those at the smaller."""
+    smaller, larger = sizes
+    quantity = f"{who}: time of n = {larger} over n = {smaller}"
+    below, above = _seconds_of(labels, smaller), _seconds_of(labels, larger)
+    return Target(quantity, bound, sizes, lambda results: above(results) / below(results), is_timed=True)
+
+
+def _seconds_of(labels: Collection[str], size: int) -> Callable[[Results], float]:
+    return lambda results: sum(results[label, size].seconds for label in labels)
 
 
 @dataclass(frozen=True)

@@ -52,8 +52,8 @@ class Algebra(Engine):
         """Return the cosine."""
 
     @abstractmethod
-    def sqrt(self, number: int) -> Expression:
-        """Return the exact square root of an integer (a double where there is no such thing)."""
+    def sqrt(self, radicand: Expression | int) -> Expression:
+        """Return the square root; that of an integer is exact (a double where there is no such thing)."""
 
     @abstractmethod
     def jacobian(

@@ -31,8 +31,8 @@ class CasADi(Algebra):
     def cos(self, angle: Expression) -> Expression:
         return casadi.cos(angle)
 
-    def sqrt(self, number: int) -> Expression:
-        return math.sqrt(number)
+    def sqrt(self, radicand: Expression | int) -> Expression:
+        return math.sqrt(radicand) if isinstance(radicand, int) else casadi.sqrt(radicand)
 
     def jacobian(
         self, expressions: Sequence[Expression], symbols: Sequence[Expression]
@@ -111,4 +111,6 @@ def _emit(tape: Tape, operation: int, operands: Sequence[Operand]) -> Operand:
             return tape.emit("sin", a)
         case casadi.OP_COS:
             return tape.emit("cos", a)
+        case casadi.OP_SQRT:
+            return tape.emit("sqrt", a)
     raise NotImplementedError(f"CasADi operation {operation}")

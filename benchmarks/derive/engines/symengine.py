@@ -31,8 +31,8 @@ class SymEngine(Algebra):
     def cos(self, angle: Expression) -> Expression:
         return symengine.cos(angle)
 
-    def sqrt(self, number: int) -> Expression:
-        return symengine.sqrt(number)
+    def sqrt(self, radicand: Expression | int) -> Expression:
+        return symengine.sqrt(radicand)
 
     def jacobian(
         self, expressions: Sequence[Expression], symbols: Sequence[Expression]

@@ -32,8 +32,8 @@ class SymPy(Algebra):
     def cos(self, angle: Expression) -> Expression:
         return sympy.cos(angle)
 
-    def sqrt(self, number: int) -> Expression:
-        return sympy.sqrt(number)
+    def sqrt(self, radicand: Expression | int) -> Expression:
+        return sympy.sqrt(radicand)
 
     def jacobian(
         self, expressions: Sequence[Expression], symbols: Sequence[Expression]

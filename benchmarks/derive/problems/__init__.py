@@ -1,7 +1,7 @@
 """One file a problem: its statement, who solves it, and the targets."""
 
 from ..problem import Problem
-from . import cart_pendulum, chain3d, euler_chain, trifilar
+from . import cart_pendulum, chain3d, euler_chain, net, trifilar
 
 PROBLEMS: dict[str, Problem] = {
     problem.name: problem
@@ -11,5 +11,6 @@ PROBLEMS: dict[str, Problem] = {
         cart_pendulum.PROBLEM,
         trifilar.WORKSHEET,
         trifilar.OWN_FRAME,
+        net.PROBLEM,
     )
 }

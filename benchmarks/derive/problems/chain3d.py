@@ -9,9 +9,9 @@ from ..by_hand import lagrange
 from ..by_symbody import chain as by_symbody
 from ..by_symbody.formalism import FORMALISMS, residuals
 from ..engines import CASADI, SYMBODY, SYMENGINE, SYMPY, Algebra, Expression
-from ..problem import Contender, Problem, Results, Target
+from ..problem import Contender, Problem, Results, Target, growth_target, joint_time_target
 
-NEWTON_EULER, LAGRANGE = (f"symbody, {formalism}" for formalism in FORMALISMS)
+BOTH = tuple(f"symbody, {formalism}" for formalism in FORMALISMS)
 
 
 def _axes(n: int) -> list[str]:
@@ -35,14 +35,6 @@ def _lagrange(algebra: Algebra, largest: int | None = None) -> Contender:
         return lagrange.residuals(algebra, by_hand.lagrangian(chain), chain.a)
 
     return Contender(algebra, "Lagrange by hand", derive, largest)
-
-
-def _both(n: int) -> Callable[[Results], float]:
-    return lambda results: results[NEWTON_EULER, n].seconds + results[LAGRANGE, n].seconds
-
-
-def _growth(results: Results) -> float:
-    return _both(200)(results) / _both(100)(results)
 
 
 def _additions_and_multiplications(label: str, n: int) -> Callable[[Results], float]:
@@ -71,8 +63,8 @@ PROBLEM = Problem(
         _lagrange(CASADI),
     ),
     targets=(
-        Target("both formalisms, n = 100: time", 0.5, (100,), _both(100), "s", is_timed=True),
-        Target("both formalisms: time of n = 200 over n = 100", 2.6, (100, 200), _growth, is_timed=True),
+        joint_time_target("both formalisms", BOTH, 100, 0.5),
+        growth_target("both formalisms", BOTH, (100, 200), 2.6),
         *(
             Target(
                 f"{label}, n = 100: additions and multiplications",
@@ -80,7 +72,7 @@ PROBLEM = Problem(
                 (100,),
                 _additions_and_multiplications(label, 100),
             )
-            for label in (NEWTON_EULER, LAGRANGE)
+            for label in BOTH
         ),
     ),
 )
