@@ -64,7 +64,9 @@ impl Graph {
                 }
             }
         }
-        let (factor, count) = counted.into_iter().max_by_key(|&((id, _), count)| (count, self.value(id)))?;
+        let (factor, count) = counted
+            .into_iter()
+            .max_by_key(|&((id, _), count)| (count, !self.is_constant(id), self.value(id)))?;
         (count >= 2).then_some(factor)
     }
 

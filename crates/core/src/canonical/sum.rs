@@ -136,7 +136,7 @@ impl Graph {
         let mut merged: Vec<Term> = Vec::with_capacity(terms.len());
         for (coefficient, node) in terms {
             match merged.last_mut() {
-                Some((last, kept)) if self.compare_values(*kept, node).is_eq() => {
+                Some((last, kept)) if self.same_up_to_sign(*kept, node) => {
                     let addend = self.get_number(coefficient);
                     let addend = if self.same(*kept, node) { addend.clone() } else { addend.neg() };
                     let total = self.get_number(*last).add(&addend);

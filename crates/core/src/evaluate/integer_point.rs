@@ -45,17 +45,20 @@ type Values = FxHashMap<Id, Quadratic>;
 impl Graph {
     /// The value of a node at an integer point, if it is a simple rational number there.
     pub(super) fn at_integers(&self, root: Id, point: IntegerPoint<'_>) -> Option<Number> {
-        let order = self.short_order(root)?;
-        let [first, second] = FieldId::HASH.map(|field| self.at_integers_in(&order, point, field));
-        fingerprint([&first?, &second?]).to_simple_rational()
+        self.power_at_integers(root, 1, point)
     }
 
-    /// The square of the value of a node at an integer point, if that is a simple rational number.
-    pub(super) fn square_at_integers(&self, root: Id, point: IntegerPoint<'_>) -> Option<Number> {
+    /// A power of the value of a node at an integer point, if that is a simple rational number.
+    pub(super) fn power_at_integers(
+        &self,
+        root: Id,
+        exponent: i64,
+        point: IntegerPoint<'_>,
+    ) -> Option<Number> {
         let order = self.short_order(root)?;
         let [first, second] = FieldId::HASH.map(|field| {
             let value = self.at_integers_in(&order, point, field)?;
-            Some(field.field().mul(&value, &value))
+            Some(field.field().power(&value, &Number::integer(exponent)))
         });
         fingerprint([&first?, &second?]).to_simple_rational()
     }

@@ -1,6 +1,6 @@
 //! Logarithms: log of a product of powers of positive symbols, numbers and exponentials is the sum of their logarithms.
 
-use crate::graph::{Assumption, Atom, Flags, Function, Graph, Id, View, draw_logarithm};
+use crate::graph::{Assumption, Atom, Flags, Function, Graph, Id, Monomial, View, draw_logarithm};
 use crate::value::{Field, FieldId, Key, Number, Quadratic, prime_factors};
 
 use super::integer_point::IntegerPoint;
@@ -11,6 +11,9 @@ const DEPTH: u32 = 16;
 
 /// The most positive symbols of a product of powers.
 const MOST_SYMBOLS: usize = 16;
+
+/// The degrees of roots of numbers in such a product that are tried.
+const ROOTS: [i64; 6] = [1, 2, 3, 4, 6, 12];
 
 /// A part of a logarithm: its coefficient, and whether the node is the part itself or its argument.
 pub(super) enum Part {
@@ -104,8 +107,8 @@ impl Graph {
         if self.split_logarithm(id, &Number::integer(1), DEPTH, &mut parts) {
             return Some(parts);
         }
-        let (square, powers) = self.monomial(id)?;
-        let numbers = std::iter::once(Part::Number(Number::rational(1, 2), square));
+        let (number, root, powers) = self.monomial(id)?;
+        let numbers = std::iter::once(Part::Number(root, number));
         Some(
             numbers
                 .chain(powers.into_iter().map(|(symbol, exponent)| Part::Logarithm(exponent, symbol)))
@@ -113,11 +116,10 @@ impl Graph {
         )
     }
 
-    /// The square of the number, and the powers of positive symbols, whose product has the value of a node, if there are
-    /// such.
+    /// The root of a number and the powers of positive symbols whose product has the value of a node, if there are such.
     ///
     /// The powers are read off at a point of integers, and the product is compared in all lanes.
-    fn monomial(&self, id: Id) -> Option<(Number, Vec<(Id, Number)>)> {
+    fn monomial(&self, id: Id) -> Option<Monomial> {
         if let Some(known) = self.lanes.borrow().monomial(id) {
             return known.clone();
         }
@@ -126,13 +128,14 @@ impl Graph {
         monomial
     }
 
-    fn find_monomial(&self, id: Id) -> Option<(Number, Vec<(Id, Number)>)> {
+    fn find_monomial(&self, id: Id) -> Option<Monomial> {
         if self.flags(id).has(Flags::COMPLEX) || self.as_number(id).is_some() {
             return None;
         }
-        let square = self
-            .square_at_integers(id, IntegerPoint::PLAIN)
-            .filter(|square| !square.is_zero() && !square.is_negative())?;
+        let (degree, number) = ROOTS.into_iter().find_map(|degree| {
+            let power = self.power_at_integers(id, degree, IntegerPoint::PLAIN)?;
+            (!power.is_zero() && !power.is_negative()).then_some((degree, power))
+        })?;
         let symbols = self
             .variables(&[id])
             .into_iter()
@@ -145,23 +148,23 @@ impl Graph {
                 powers.push((symbol, Number::rational(exponent, 12)));
             }
         }
-        let half = Number::rational(1, 2);
+        let root = Number::rational(1, degree);
         let product = |field: FieldId| {
             let f = field.field();
-            let start = power_of_number(&square, &half, f);
+            let start = power_of_number(&number, &root, f);
             powers.iter().fold(start, |product, (symbol, exponent)| {
                 f.mul(&product, &self.power_in(*symbol, exponent, field))
             })
         };
         let same_in_hash_lanes =
             FieldId::HASH.into_iter().all(|field| self.value_in(id, field) == product(field));
-        (same_in_hash_lanes && self.is_everywhere(id, product)).then_some((square, powers))
+        (same_in_hash_lanes && self.is_everywhere(id, product)).then_some((number, root, powers))
     }
 
     fn atomic_logarithm(&self, id: Id, field: FieldId) -> Quadratic {
         let f = field.field();
         match self.view(id) {
-            View::Symbol(name, _) => draw_logarithm(f, name),
+            View::Symbol(name, _) => draw_logarithm(field, name),
             View::Number(number) => logarithm_of_number(self.get_number(number), f),
             _ => f.draw(&Key::new("logarithm of pi")),
         }

@@ -19,8 +19,8 @@ impl Graph {
         if let Some(known) = self.known_in(id, field) {
             return known;
         }
-        if let Some(lane) = field.other_lane() {
-            return self.column(id)[lane].clone();
+        if let Some((lane, point)) = field.other_lane() {
+            return self.column(id, point)[lane].clone();
         }
         let mut stack = vec![(id, field)];
         let mut needed = Vec::new();
@@ -47,45 +47,43 @@ impl Graph {
         }
         let lanes = self.lanes.borrow();
         match field.other_lane() {
-            Some(lane) => lanes.column(id).map(|column| column[lane].clone()),
+            Some((lane, point)) => lanes.column(id, point).map(|column| column[lane].clone()),
             None => lanes.get(id, field).cloned(),
         }
     }
 
-    /// The values of a node in all lanes but the hash lanes.
-    pub(super) fn column(&self, id: Id) -> Column {
-        if let Some(known) = self.lanes.borrow().column(id) {
+    /// The values of a node in all lanes but the hash lanes, at one of their points.
+    pub(super) fn column(&self, id: Id, point: u16) -> Column {
+        if let Some(known) = self.lanes.borrow().column(id, point) {
             return Arc::clone(known);
         }
-        let is_unknown = |id: Id| self.lanes.borrow().column(id).is_none();
+        let is_unknown = |id: Id| self.lanes.borrow().column(id, point).is_none();
         for node in self.post_order_where(&[id], is_unknown) {
-            let column = self.column_of(self.view(node), node);
-            self.lanes.borrow_mut().insert_column(node, column);
+            let column = self.column_of(self.view(node), node, point);
+            self.lanes.borrow_mut().insert_column(node, point, column);
         }
-        self.column(id)
+        self.column(id, point)
     }
 
     /// The column of a node from those of its children.
-    fn column_of(&self, view: View<'_>, id: Id) -> Column {
+    fn column_of(&self, view: View<'_>, id: Id, point: u16) -> Column {
         match view {
-            View::Sum(terms) => self.column_of_sum(terms.iter()),
-            View::Scale(factor, child) => self.column_of_sum([(factor, child)].into_iter()),
-            View::Product(factors) => {
-                self.column_of_product(factors.iter().map(|(base, e)| (base, self.get_number(e).clone())))
-            }
-            _ => FieldId::others().map(|field| self.evaluate(view, id, field)).collect(),
+            View::Sum(terms) => self.column_of_sum(terms.iter(), point),
+            View::Scale(factor, child) => self.column_of_sum([(factor, child)].into_iter(), point),
+            View::Product(factors) => self
+                .column_of_product(factors.iter().map(|(base, e)| (base, self.get_number(e).clone())), point),
+            _ => FieldId::others(point).map(|field| self.evaluate(view, id, field)).collect(),
         }
     }
 
-    pub(super) fn column_of_sum(&self, terms: impl Iterator<Item = (NumberId, Id)>) -> Column {
+    pub(super) fn column_of_sum(&self, terms: impl Iterator<Item = (NumberId, Id)>, point: u16) -> Column {
         let zero = |field: FieldId| field.field().number(&Number::integer(0));
-        let mut sums: Vec<Quadratic> = FieldId::others().map(zero).collect();
+        let mut sums: Vec<Quadratic> = FieldId::others(point).map(zero).collect();
         for (factor, node) in terms {
-            let column = self.column(node);
+            let column = self.column(node, point);
             let images = self.lanes.borrow_mut().images(factor, self.get_number(factor));
-            for (((sum, field), value), image) in
-                sums.iter_mut().zip(FieldId::others()).zip(column.iter()).zip(images.iter())
-            {
+            let parts = FieldId::others(point).zip(column.iter()).zip(images.iter());
+            for (sum, ((field, value), image)) in sums.iter_mut().zip(parts) {
                 let f = field.field();
                 *sum = if factor == NumberId::ONE {
                     f.add(sum, value)
@@ -97,17 +95,20 @@ impl Graph {
         sums.into()
     }
 
-    pub(super) fn column_of_product(&self, factors: impl Iterator<Item = (Id, Number)>) -> Column {
-        let mut products: Vec<Quadratic> = FieldId::others().map(|field| field.field().one()).collect();
+    pub(super) fn column_of_product(
+        &self,
+        factors: impl Iterator<Item = (Id, Number)>,
+        point: u16,
+    ) -> Column {
+        let mut products: Vec<Quadratic> = FieldId::others(point).map(|field| field.field().one()).collect();
         for (base, exponent) in factors {
-            let column = self.column(base);
-            for ((product, field), value) in products.iter_mut().zip(FieldId::others()).zip(column.iter()) {
+            let column = self.column(base, point);
+            for (product, (field, value)) in
+                products.iter_mut().zip(FieldId::others(point).zip(column.iter()))
+            {
                 let f = field.field();
-                *product = if exponent.is_one() {
-                    f.mul(product, value)
-                } else {
-                    f.mul(product, &self.power_in(base, &exponent, field))
-                };
+                let power = if exponent.is_one() { value } else { &self.power_in(base, &exponent, field) };
+                *product = f.mul(product, power);
             }
         }
         products.into()
@@ -291,7 +292,7 @@ impl Graph {
             Function::Asin | Function::Atan => f.odd(Key::new(function.name()), &value(first)),
             Function::Acos => {
                 // acos x = pi/2 - asin x
-                let quarter = f.half(&f.draw_positive(&Key::new("pi")));
+                let quarter = f.half(&field.draw_positive(&Key::new("pi")));
                 f.sub(&quarter, &f.odd(Key::new(Function::Asin.name()), &value(first)))
             }
             Function::Atan2 => self.direction_in(first, args[1], field),

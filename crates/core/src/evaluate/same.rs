@@ -2,10 +2,11 @@
 
 use std::cmp::Ordering;
 
-use crate::graph::{Column, Flags, Function, Graph, Id, NumberId};
+use crate::graph::{Column, Flags, Function, Graph, Id, NumberId, View};
 use crate::value::{Element, FieldId, Number, Quadratic};
 
 use super::node::in_hash_lanes;
+use super::sign_degree::points_for;
 
 /// Something with a value: a node, or a sum or product of nodes that has none yet.
 #[derive(Clone, Copy)]
@@ -48,6 +49,8 @@ impl Graph {
     }
 
     /// Whether what has the fingerprint of a node, or its opposite, has its value in the other lanes as well.
+    ///
+    /// Where the signs are too many for the lanes, equality is that of the parts.
     pub(crate) fn agrees(&self, pending: Pending<'_>, id: Id, is_opposite: bool) -> bool {
         if !self.branches(pending) && !self.flags(id).has(Flags::BRANCH) {
             return true;
@@ -55,44 +58,98 @@ impl Graph {
         if matches!(pending, Pending::Node(node) if node == id) {
             return !is_opposite;
         }
-        self.everywhere(pending, |field, value| {
-            let other = self.value_in(id, field);
-            *value == if is_opposite { field.field().neg(&other) } else { other }
-        })
+        let degree = self.signs_of(pending).degree.max(self.signs(id).degree);
+        match points_for(degree) {
+            Some(points) => self.everywhere(pending, points, |field, value| {
+                let other = self.value_in(id, field);
+                *value == if is_opposite { field.field().neg(&other) } else { other }
+            }),
+            None => !is_opposite && self.has_equal_parts(pending, id),
+        }
+    }
+
+    /// Whether something is made of equal parts in the same way as a node.
+    fn has_equal_parts(&self, pending: Pending<'_>, id: Id) -> bool {
+        let equal = |a: Id, b: Id| self.value(a) == self.value(b) && self.same(a, b);
+        match (pending, self.view(id)) {
+            (Pending::Node(node), view) => match (self.view(node), view) {
+                (View::Scale(a, x), View::Scale(b, y)) => a == b && equal(x, y),
+                (View::Sum(terms), View::Sum(_)) => {
+                    self.has_equal_parts(Pending::Sum(&terms.iter().collect::<Vec<_>>()), id)
+                }
+                (View::Product(factors), View::Product(_)) => {
+                    self.has_equal_parts(Pending::Product(&factors.iter().collect::<Vec<_>>()), id)
+                }
+                (View::Function(f, args), View::Function(..)) => {
+                    self.has_equal_parts(Pending::Function(f, &args.iter().collect::<Vec<_>>()), id)
+                }
+                _ => false,
+            },
+            (Pending::Sum(terms), View::Sum(others)) => {
+                terms.len() == others.len()
+                    && terms.iter().zip(others.iter()).all(|(&(a, x), (b, y))| a == b && equal(x, y))
+            }
+            (Pending::Product(factors), View::Product(others)) => {
+                factors.len() == others.len()
+                    && factors.iter().zip(others.iter()).all(|(&(x, a), (y, b))| a == b && equal(x, y))
+            }
+            (Pending::Function(f, args), View::Function(g, others)) => {
+                f == g
+                    && args.len() == others.len()
+                    && args.iter().zip(others.iter()).all(|(&x, y)| equal(x, y))
+            }
+            _ => false,
+        }
     }
 
     /// Whether a node has a value in all lanes.
     pub(super) fn is_everywhere(&self, id: Id, value: impl Fn(FieldId) -> Quadratic) -> bool {
-        !self.branches(Pending::Node(id))
-            || self.everywhere(Pending::Node(id), |field, found| *found == value(field))
+        if !self.branches(Pending::Node(id)) {
+            return true;
+        }
+        let points = points_for(self.signs(id).degree);
+        points.is_some_and(|points| {
+            self.everywhere(Pending::Node(id), points, |field, found| *found == value(field))
+        })
     }
 
-    /// The number that something is, given the number that its fingerprint shows.
+    /// Whether something is the number that its fingerprint shows.
     pub(crate) fn is_number_everywhere(&self, pending: Pending<'_>, number: &Number) -> bool {
-        !self.branches(pending)
-            || self.everywhere(pending, |field, value| field.field().is_number(value, number))
+        if !self.branches(pending) {
+            return true;
+        }
+        let points = points_for(self.signs_of(pending).degree);
+        points.is_some_and(|points| {
+            self.everywhere(pending, points, |field, value| field.field().is_number(value, number))
+        })
     }
 
-    fn everywhere(&self, pending: Pending<'_>, test: impl Fn(FieldId, &Quadratic) -> bool) -> bool {
+    fn everywhere(
+        &self,
+        pending: Pending<'_>,
+        points: u16,
+        test: impl Fn(FieldId, &Quadratic) -> bool,
+    ) -> bool {
         let agrees = FieldId::HASH.into_iter().all(|field| test(field, &self.pending_in(pending, field)))
-            && {
-                let column = self.pending_column(pending);
-                FieldId::others().zip(column.iter()).all(|(field, value)| test(field, value))
-            };
+            && (0..points).all(|point| {
+                let column = self.pending_column(pending, point);
+                FieldId::others(point).zip(column.iter()).all(|(field, value)| test(field, value))
+            });
         self.lanes.borrow_mut().limit();
         agrees
     }
 
-    fn pending_column(&self, pending: Pending<'_>) -> Column {
+    fn pending_column(&self, pending: Pending<'_>, point: u16) -> Column {
         match pending {
-            Pending::Node(id) => self.column(id),
-            Pending::Sum(terms) => self.column_of_sum(terms.iter().copied()),
+            Pending::Node(id) => self.column(id, point),
+            Pending::Sum(terms) => self.column_of_sum(terms.iter().copied(), point),
             Pending::Function(function, args) => {
-                FieldId::others().map(|field| self.function_in(function, args, field)).collect()
+                FieldId::others(point).map(|field| self.function_in(function, args, field)).collect()
             }
-            Pending::Product(factors) => self.column_of_product(
-                factors.iter().map(|&(base, exponent)| (base, self.get_number(exponent).clone())),
-            ),
+            Pending::Product(factors) => {
+                let factors = factors.iter().map(|&(base, e)| (base, self.get_number(e).clone()));
+                self.column_of_product(factors, point)
+            }
         }
     }
 
@@ -139,7 +196,7 @@ impl Graph {
         })
     }
 
-    /// A canonical order by value up to sign: equal and opposite values are equal in it.
+    /// A canonical order by value up to sign: equal and opposite values are equal in it, and seldom others.
     pub(crate) fn compare_values(&self, a: Id, b: Id) -> Ordering {
         let ((key_a, negated_a), (key_b, negated_b)) = (self.value(a).unsigned(), self.value(b).unsigned());
         let plain = !self.flags(a).has(Flags::BRANCH) && !self.flags(b).has(Flags::BRANCH);
@@ -153,7 +210,7 @@ impl Graph {
         };
         FieldId::HASH
             .into_iter()
-            .chain(FieldId::others())
+            .chain(FieldId::others(0))
             .map(|field| signed(a, negated_a, field).words().cmp(signed(b, negated_b, field).words()))
             .find(|order| order.is_ne())
             .unwrap_or(Ordering::Equal)
@@ -172,7 +229,7 @@ mod tests {
         let x = g.symbol("x", Assumption::Real);
         let sign = g.apply(Function::Sign, &[x])?;
         let positive =
-            FieldId::others().filter(|&field| g.value_in(sign, field) == field.field().one()).count();
+            FieldId::others(0).filter(|&field| g.value_in(sign, field) == field.field().one()).count();
         assert!((16..48).contains(&positive), "{positive} of 62");
         for sign in [sign, g.neg(sign)] {
             let sum = g.add(sign, Id::ONE);

@@ -4,7 +4,7 @@ use num_bigint::BigInt;
 use rustc_hash::FxHashMap;
 use std::sync::Arc;
 
-use crate::value::{Element, Field, FieldId, Key, Number, Quadratic, fingerprint};
+use crate::value::{Element, FieldId, Key, Number, Quadratic, fingerprint};
 
 use super::node::{Assumption, Id, NumberId, View};
 
@@ -14,14 +14,16 @@ use super::node::{Assumption, Id, NumberId, View};
 #[derive(Default)]
 pub(crate) struct Lanes {
     values: FxHashMap<(Id, FieldId), Quadratic>,
-    /// The values in the first fields of all lanes but the hash lanes, which are found together.
-    columns: FxHashMap<Id, Column>,
+    /// The values in the first fields of all lanes but the hash lanes, which are found together, by point.
+    columns: FxHashMap<(Id, u16), Column>,
     /// Roots by their degrees.
     roots: FxHashMap<(Id, i64, FieldId), Quadratic>,
     /// The columns of coefficients.
     numbers: FxHashMap<NumberId, Column>,
     /// The solutions of linear systems.
     solutions: FxHashMap<(Id, FieldId), Arc<[Quadratic]>>,
+    /// The signs that nodes depend on.
+    signs: FxHashMap<Id, Signs>,
     /// The numeric contents of nodes.
     contents: FxHashMap<Id, Option<Number>>,
     /// Nodes that are a number times powers of positive symbols.
@@ -50,11 +52,20 @@ pub(crate) enum Atom {
     Symbol(Id),
 }
 
+/// The signs and roots below a node: `None` if they are many.
+///
+/// The degree is that of the node as a polynomial in signs, which are 1 or -1; see `evaluate::sign_degree`.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct Signs {
+    pub(crate) all: Option<Arc<[u64]>>,
+    pub(crate) degree: usize,
+}
+
 /// Atoms of an argument with their factors.
 pub(crate) type Split = Arc<[(Atom, Number)]>;
 
-/// A number and powers of symbols.
-type Monomial = (Number, Vec<(Id, Number)>);
+/// A power of a number, as the number and the exponent, and powers of symbols.
+pub(crate) type Monomial = (Number, Number, Vec<(Id, Number)>);
 
 /// About 200 MB of each.
 const MOST_VALUES: usize = 3_000_000;
@@ -87,17 +98,17 @@ impl Lanes {
         self.roots.insert((id, degree, field), value);
     }
 
-    pub(crate) fn column(&self, id: Id) -> Option<&Column> {
-        self.columns.get(&id)
+    pub(crate) fn column(&self, id: Id, point: u16) -> Option<&Column> {
+        self.columns.get(&(id, point))
     }
 
-    pub(crate) fn insert_column(&mut self, id: Id, values: Column) {
-        self.columns.insert(id, values);
+    pub(crate) fn insert_column(&mut self, id: Id, point: u16, values: Column) {
+        self.columns.insert((id, point), values);
     }
 
     /// The images of a coefficient.
     pub(crate) fn images(&mut self, id: NumberId, number: &Number) -> Column {
-        let images = || FieldId::others().map(|field| field.field().number(number)).collect();
+        let images = || FieldId::others(0).map(|field| field.field().number(number)).collect();
         Arc::clone(self.numbers.entry(id).or_insert_with(images))
     }
 
@@ -107,6 +118,14 @@ impl Lanes {
 
     pub(crate) fn insert_solution(&mut self, id: Id, field: FieldId, values: Arc<[Quadratic]>) {
         self.solutions.insert((id, field), values);
+    }
+
+    pub(crate) fn signs(&self, id: Id) -> Option<&Signs> {
+        self.signs.get(&id)
+    }
+
+    pub(crate) fn insert_signs(&mut self, id: Id, signs: Signs) {
+        self.signs.insert(id, signs);
     }
 
     pub(crate) fn content(&self, id: Id) -> Option<&Option<Number>> {
@@ -153,11 +172,11 @@ pub(crate) fn drawn(draw: impl Fn(FieldId) -> Quadratic) -> Element {
 }
 
 pub(super) fn draw_pi(field: FieldId) -> Quadratic {
-    field.field().draw_positive(&Key::new("pi"))
+    field.draw_positive(&Key::new("pi"))
 }
 
 pub(super) fn draw_time(field: FieldId) -> Quadratic {
-    field.field().draw(&Key::new("time"))
+    field.draw(&Key::new("time"))
 }
 
 /// A positive symbol is the exponential of a logarithm that is drawn.
@@ -165,19 +184,19 @@ pub(super) fn draw_symbol(field: FieldId, name: &str, assumption: Assumption) ->
     let key = Key::new("symbol").text(name).word(assumption as u64);
     match (assumption, field.of_exponents()) {
         (Assumption::Positive, Some(exponents)) => {
-            let logarithm = draw_logarithm(exponents.field(), name);
+            let logarithm = draw_logarithm(exponents, name);
             field.field().exponential(exponents.field().exponent(&logarithm))
         }
-        (Assumption::Positive, None) => field.field().draw_positive(&key),
-        (Assumption::Real | Assumption::None, _) => field.field().draw(&key),
+        (Assumption::Positive, None) => field.draw_positive(&key),
+        (Assumption::Real | Assumption::None, _) => field.draw(&key),
     }
 }
 
 /// The value of the logarithm of a positive symbol.
-pub(crate) fn draw_logarithm(field: &Field, name: &str) -> Quadratic {
+pub(crate) fn draw_logarithm(field: FieldId, name: &str) -> Quadratic {
     field.draw(&Key::new("logarithm").text(name))
 }
 
 pub(super) fn draw_time_function(field: FieldId, name: &str, order: u32) -> Quadratic {
-    field.field().draw(&Key::new("time function").text(name).word(order.into()))
+    field.draw(&Key::new("time function").text(name).word(order.into()))
 }

@@ -54,7 +54,7 @@ impl Graph {
             };
             rank(equations.iter().map(values).collect(), unknowns, field.field())
         };
-        let ranks = FieldId::HASH.into_iter().chain(FieldId::others()).take(lanes).map(in_field);
+        let ranks = FieldId::HASH.into_iter().chain(FieldId::others(0)).take(lanes).map(in_field);
         ranks
             .reduce(|best, rank| if rank.independent.len() > best.independent.len() { rank } else { best })
             .expect("there is a lane")

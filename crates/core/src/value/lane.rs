@@ -45,25 +45,30 @@ const FIELDS_OF_A_LANE_WORD: u16 = FIELDS_OF_A_LANE as u16;
 
 /// A field of a lane.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
-pub(crate) struct FieldId(u16);
+pub(crate) struct FieldId {
+    index: u16,
+    /// Which of the random points over the same primes.
+    point: u16,
+}
 
 impl FieldId {
     /// The first fields of the lanes that fingerprints show.
-    pub(crate) const HASH: [Self; 2] = [Self::of_lane(0), Self::of_lane(1)];
+    pub(crate) const HASH: [Self; 2] = [Self::of_lane(0, 0), Self::of_lane(1, 0)];
 
-    const fn of_lane(lane: u16) -> Self {
-        Self(lane * FIELDS_OF_A_LANE_WORD)
+    const fn of_lane(lane: u16, point: u16) -> Self {
+        Self { index: lane * FIELDS_OF_A_LANE_WORD, point }
     }
 
-    /// The first fields of the other lanes.
-    pub(crate) fn others() -> impl Iterator<Item = Self> {
-        (2..NUMBER_OF_LANES).map(Self::of_lane)
+    /// The first fields of the other lanes, at one of the points over their primes.
+    pub(crate) fn others(point: u16) -> impl Iterator<Item = Self> {
+        (2..NUMBER_OF_LANES).map(move |lane| Self::of_lane(lane, point))
     }
 
-    /// Which of the other lanes this field begins, if it begins one.
-    pub(crate) fn other_lane(self) -> Option<usize> {
-        let lane = self.0 as usize / FIELDS_OF_A_LANE;
-        (self.0 as usize % FIELDS_OF_A_LANE == 0 && lane >= Self::HASH.len()).then(|| lane - Self::HASH.len())
+    /// Which of the other lanes this field begins, if it begins one, and the point.
+    pub(crate) fn other_lane(self) -> Option<(usize, u16)> {
+        let lane = self.index as usize / FIELDS_OF_A_LANE;
+        let is_other = self.index as usize % FIELDS_OF_A_LANE == 0 && lane >= Self::HASH.len();
+        is_other.then(|| (lane - Self::HASH.len(), self.point))
     }
 
     /// Which of the hash lanes this field begins, if it begins one.
@@ -72,22 +77,36 @@ impl FieldId {
     }
 
     pub(crate) fn field(self) -> &'static Field {
-        &FIELDS[self.0 as usize]
+        &FIELDS[self.index as usize]
+    }
+
+    /// The coordinate of the random point that is drawn for a key.
+    pub(crate) fn draw(self, key: &Key) -> Quadratic {
+        self.field().draw(&self.at_point(key))
+    }
+
+    /// A positive coordinate.
+    pub(crate) fn draw_positive(self, key: &Key) -> Quadratic {
+        self.field().draw_positive(&self.at_point(key))
+    }
+
+    fn at_point(self, key: &Key) -> Key {
+        if self.point == 0 { *key } else { key.word(self.point.into()) }
     }
 
     /// The field in which the argument of a sine or cosine is evaluated.
     pub(crate) fn of_angles(self) -> Option<Self> {
-        let next = match self.0 as usize % FIELDS_OF_A_LANE {
+        let next = match self.index as usize % FIELDS_OF_A_LANE {
             0..=3 | 5 | 6 => 1,
             _ => return None,
         };
-        Some(Self(self.0 + next))
+        Some(Self { index: self.index + next, point: self.point })
     }
 
     /// The field in which the argument of an exponential is evaluated.
     pub(crate) fn of_exponents(self) -> Option<Self> {
-        match self.0 as usize % FIELDS_OF_A_LANE {
-            0 => Some(Self(self.0 + 5)),
+        match self.index as usize % FIELDS_OF_A_LANE {
+            0 => Some(Self { index: self.index + 5, point: self.point }),
             _ => self.of_angles(),
         }
     }
@@ -98,10 +117,11 @@ static FIELDS: LazyLock<Vec<Field>> = LazyLock::new(|| {
     primes
         .enumerate()
         .map(|(k, p)| {
-            let id = FieldId(u16::try_from(k).expect("there are some hundred fields"));
+            let index = u16::try_from(k).expect("there are some hundred fields");
+            let id = FieldId { index, point: 0 };
             let order = |field: Option<FieldId>| {
                 field.map(|field| {
-                    LANES[field.0 as usize / FIELDS_OF_A_LANE][field.0 as usize % FIELDS_OF_A_LANE]
+                    LANES[field.index as usize / FIELDS_OF_A_LANE][field.index as usize % FIELDS_OF_A_LANE]
                 })
             };
             Field {
