@@ -56,7 +56,8 @@ def test_start_and_end(description: Callable[[], Problem]) -> None:
 @description
 def test_the_height_repeats_after_the_nutation_period(description: Callable[[], Problem]) -> None:
     period = NUMBERS["nutation_period"]
-    z = moved(description, [0, 0.1, 0.2, period, period + 0.1, period + 0.2]).outputs["z"]
+    instants = [0, 0.1, 0.2, period, period + 0.1, period + 0.2]
+    z = moved(description, instants, rtol=1e-11).outputs["z"]  # beyond, rounding grows with the steps
     assert_allclose(z[3:], z[:3], rtol=0, atol=1e-9)
 
 

@@ -144,8 +144,8 @@ MISTAKES: list[tuple[type[Exception], Callable[[], object], str]] = [
         ProgramError,
         lambda: source(pendulum(positive + real)),
         (
-            "the variables have the name m 2 times; the m in one place is symbols('m'), the m in another is "
-            "symbols('m', positive=True): symbols with different "
+            "the variables have the name m 2 times; the m in one place is symbols('m', positive=True), the m in "
+            "another is symbols('m'): symbols with different "
             "assumptions are different symbols; use the same one in both places"
         ),
     ),

@@ -157,7 +157,7 @@ def test_nothing_is_lost_in_silence(method: str, constraints: str) -> None:
 
 def test_what_can_not_pass_names_the_position_and_the_constraints() -> None:
     found, _ = mechanism("one")
-    _, said = moved(found, -1.0, method="bdf")
+    _, said = moved(found, -1.01, method="bdf")  # at other speeds it may pass them all
     assert "constraint 1 (cos(theta0)*(L + d*cos(phi1)) - d -" in said[0]
     assert "ratio of singular values" in said[0]
     assert "singular position" in said[0]

@@ -13,7 +13,7 @@ from itertools import pairwise
 
 from tests.symbolic.true_identities import Pair
 
-P, Q = 4611685641547390559, 4611684925650116159  # the primes of the two fingerprint words
+P, Q = 8546917643721182879, 8422212890407821119  # the primes of the two fingerprint words
 ANGLES = (41591681471387, 20795837507441)  # orders of the groups of atomic angles, factors of P + 1 and Q + 1
 EXPONENTS = (
     2305842820773695279,

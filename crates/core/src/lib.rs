@@ -7,13 +7,14 @@
 //! holds. Expressions share their parts, so an expression that takes megabytes when it is written out may be a few
 //! hundred nodes.
 //!
-//! Each node carries its *value*: the result of evaluating it exactly at a random point, in two finite fields. Every
-//! symbol has fixed coordinates there, derived from its name. Sines and cosines take points of the circle group, so
-//! that addition theorems hold exactly. Exponentials, and symbols that are positive, take members of a group in which
-//! every root exists. So expressions that are equal by these laws have equal values. The fields have primes near 2^62:
-//! two different rational expressions of degree d have equal values with a probability of at most about (d / 2^62)^2,
-//! 5e-32 for a degree of 1000 [Schwartz 1980; Gonnet 1984]. Hence `==` compares two values without any simplification,
-//! and a zero is recognised when it is made:
+//! Each node carries its *fingerprint*: the result of evaluating it exactly in two *lanes*, which are random points
+//! over finite fields. Every symbol has fixed coordinates there, derived from its name. Sines and cosines take points
+//! of the circle group, so that addition theorems hold exactly. Exponentials, and symbols that are positive, take
+//! members of a group in which every root exists. The value of a function of u depends on the value of u alone, so what
+//! is equal by these laws stays equal inside functions. The fields have primes near 2^63: two different rational
+//! expressions of degree d have equal values with a probability of at most about (d / 2^63)^2, 1e-32 for a degree of
+//! 1000 [Schwartz 1980; Gonnet 1984]. Hence equality compares two values without any simplification, and a zero is
+//! recognised when it is made:
 //!
 //! ```
 //! use symbody_core::{Assumption, Error, Function, Graph, Id, Number};
@@ -39,14 +40,20 @@
 //! # Ok::<(), Error>(())
 //! ```
 //!
+//! The sign of a value is its quadratic character: whether it is a square. Roots of what is no square lie in larger
+//! fields. In one lane the sign of a symbol is as random as a coin, so nodes that hold signs or roots are found by
+//! their fingerprints and compared in 64 lanes, on demand.
+//!
 //! # Invariants
 //!
 //! * The table only grows. Nodes are never changed or removed, and a node comes after its children.
 //! * Equal rows are one node. Sums, products and functions enter the table through one function, which is in the
 //!   module `canonical::build`. It returns a number for a row that has the value of zero or of another simple
 //!   number.
-//! * The value of a node is the value of the mathematics that it shows. What the field can't express, such as
-//!   `log(x*y)`, has a value of its own that is drawn from its parts. Such an expression equals itself only.
+//! * The value of a node is the value of the mathematics that it shows, and in each lane it depends on the values of
+//!   its children alone. What has no law in the field, such as `log(x*y)`, is drawn for the values of its arguments: it
+//!   equals itself, and the same function of equal arguments. (`docs/values.md` has the exceptions that remain.)
+//! * A form never changes a value: a rule by form that would is not applied.
 //! * Within a derivation ([`Graph::enter`], [`Graph::leave`]) a node whose value is known is not made again, so that
 //!   two derivations of one quantity meet in one node.
 //! * Results depend on the arguments alone: never on ids, addresses, the order of a hash table, or what else the
@@ -61,11 +68,11 @@
 //!
 //! | chapter | what lives there |
 //! |---|---|
-//! | `value` | exact numbers, and the finite field at the random point |
+//! | `value` | exact numbers, and the finite fields of the lanes |
 //! | `polynomial` | sparse polynomials with exact coefficients |
 //! | `kernel` | linear systems in doubles |
 //! | `graph` | the table of nodes, the table of functions, orders of traversal, operation counts |
-//! | `evaluate` | the exact values of nodes at the random points, and equality |
+//! | `evaluate` | the exact values of nodes in the lanes, and equality |
 //! | `print` | plain text, LaTeX, Maple |
 //! | `canonical` | the constructors: here `x + 0` becomes `x` |
 //! | `calculus` | derivatives, gradients, substitution |

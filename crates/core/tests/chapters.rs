@@ -6,13 +6,14 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 /// From the lowest to the highest: a chapter may use those before it.
-const CHAPTERS: [&str; 12] = [
+const CHAPTERS: [&str; 13] = [
     "error",
     "interrupt",
     "value",
     "polynomial",
     "kernel",
     "graph",
+    "evaluate",
     "print",
     "canonical",
     "calculus",

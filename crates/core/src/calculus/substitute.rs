@@ -28,7 +28,7 @@ impl Graph {
         let order = self.post_order_where(roots, |_| true);
         let mut done: FxHashMap<Id, Id> = FxHashMap::default();
         for id in order {
-            let replaced = match targets.get(self, id) {
+            let replaced = match self.find(&targets, id) {
                 Some(&replacement) => replacement,
                 None => self.substitute_in(id, &targets, time, &done)?,
             };
@@ -48,7 +48,7 @@ impl Graph {
             let name = name.to_owned();
             for lower in (0..order).rev() {
                 let base = self.time_function(&name, lower)?;
-                if let Some(&replacement) = targets.get(self, base) {
+                if let Some(&replacement) = self.find(targets, base) {
                     let mut derivative = replacement;
                     for _ in lower..order {
                         derivative = self.time_derivative(derivative)?;

@@ -15,8 +15,8 @@
 //! * [`sum`] takes common factors out ([`distribute`]), which makes products.
 //! * [`product`] sorts factors into a [`collector`], takes roots of numbers out ([`root`]), merges moduli by [`apply`],
 //!   groups factors ([`associate`]), and leaves numbers and signs to `scale` in [`sum`].
-//! * [`apply`] looks for a simpler form ([`exact`]), which may be a sum, a product or another function, and reads
-//!   values of arguments from [`angle`].
+//! * [`apply`] looks for a simpler form ([`exact`]), which may be a sum, a product or another function. Values come from
+//!   the chapter `evaluate`.
 //! * [`linear_system`] adds and multiplies where it removes known components.
 //! * [`adopt`], which all of them call for their arguments, calls [`rebuild`], and that the constructor of each kind.
 //! * All end in [`build`], which calls none of them.

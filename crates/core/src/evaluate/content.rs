@@ -16,7 +16,7 @@ use crate::value::{Element, Key, Number, prime_factors};
 
 use super::integer_point::IntegerPoint;
 
-/// Primes below this are squares in the fields of all lanes.
+/// Primes below this are squares in the fields of all lanes but the last ones of the towers, A4 and B3.
 const SMALLEST: u64 = 13;
 
 /// Digits of the q-adic numbers, and points at which they are evaluated.

@@ -10,7 +10,7 @@ use rustc_hash::FxHashMap;
 use crate::graph::{Assumption, Atom, Function, Graph, Id, View};
 use crate::value::{Field, FieldId, Key, Number, Quadratic, fingerprint, prime_factors};
 
-use super::logarithm::Part;
+use super::logarithm_part::Part;
 
 /// Larger expressions have no value here.
 const MOST_NODES: usize = 4096;

@@ -4,6 +4,7 @@ use crate::graph::{Assumption, Atom, Flags, Function, Graph, Id, Monomial, View,
 use crate::value::{Field, FieldId, Key, Number, Quadratic, prime_factors};
 
 use super::integer_point::IntegerPoint;
+use super::logarithm_part::Part;
 use super::node::power_of_number;
 
 /// How many factors of factors are opened.
@@ -14,18 +15,6 @@ const MOST_SYMBOLS: usize = 16;
 
 /// The degrees of roots of numbers in such a product that are tried.
 const ROOTS: [i64; 6] = [1, 2, 3, 4, 6, 12];
-
-/// A part of a logarithm: its coefficient, and whether the node is the part itself or its argument.
-pub(super) enum Part {
-    /// coefficient * node, for an exponential of the node.
-    Exponent(Number, Id),
-    /// coefficient * log(node), for a positive symbol or pi.
-    Logarithm(Number, Id),
-    /// coefficient * log(number)
-    Number(Number, Number),
-    /// exponent * log(node)
-    Power(Number, Id, Id),
-}
 
 impl Graph {
     /// What the logarithm of a node needs to be known in a field.

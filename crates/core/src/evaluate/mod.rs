@@ -13,8 +13,10 @@ mod argument;
 mod content;
 mod integer_point;
 mod logarithm;
+mod logarithm_part;
 mod node;
+mod pending;
 mod same;
 mod sign_degree;
 
-pub(crate) use same::Pending;
+pub(crate) use pending::Pending;

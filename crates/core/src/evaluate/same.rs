@@ -2,20 +2,12 @@
 
 use std::cmp::Ordering;
 
-use crate::graph::{Column, Flags, Function, Graph, Id, NumberId, View};
+use crate::graph::{ByValue, Column, Flags, Graph, Id, NumberId, View};
 use crate::value::{Element, FieldId, Number, Quadratic};
 
 use super::node::in_hash_lanes;
+use super::pending::Pending;
 use super::sign_degree::points_for;
-
-/// Something with a value: a node, or a sum or product of nodes that has none yet.
-#[derive(Clone, Copy)]
-pub(crate) enum Pending<'a> {
-    Node(Id),
-    Sum(&'a [(NumberId, Id)]),
-    Product(&'a [(Id, NumberId)]),
-    Function(Function, &'a [Id]),
-}
 
 impl Graph {
     /// Whether two nodes are equal as mathematics. Numbers are compared digit by digit.
@@ -41,6 +33,21 @@ impl Graph {
     /// Whether two nodes have opposite values in all lanes.
     pub(crate) fn opposite_values(&self, a: Id, b: Id) -> bool {
         self.value(a) == -self.value(b) && self.agrees(Pending::Node(a), b, true)
+    }
+
+    /// The entry of a table that has the value of a node.
+    pub(crate) fn find<'t, T>(&self, table: &'t ByValue<T>, id: Id) -> Option<&'t T> {
+        table.candidates(self.value(id)).find(|(known, _)| self.same(*known, id)).map(|(_, item)| item)
+    }
+
+    /// The entry of a table that has the value of a node up to sign, and whether it has the opposite value.
+    pub(crate) fn find_up_to_sign<'t, T>(&self, table: &'t ByValue<T>, id: Id) -> Option<(&'t T, bool)> {
+        table.candidates(self.value(id)).find_map(|(known, item)| {
+            if self.same(*known, id) {
+                return Some((item, false));
+            }
+            self.opposite_values(*known, id).then_some((item, true))
+        })
     }
 
     /// Whether two nodes have the same value up to the sign.
@@ -221,7 +228,7 @@ impl Graph {
 mod tests {
     use super::*;
     use crate::error::Error;
-    use crate::graph::Assumption;
+    use crate::graph::{Assumption, Function};
 
     #[test]
     fn signs_differ_from_lane_to_lane() -> Result<(), Error> {

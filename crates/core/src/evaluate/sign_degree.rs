@@ -11,7 +11,7 @@ use std::sync::Arc;
 
 use crate::graph::{Flags, Function, Graph, Id, NumberId, Signs, View};
 
-use super::same::Pending;
+use super::pending::Pending;
 
 /// More signs are not counted.
 const MOST_SIGNS: usize = 24;
@@ -82,7 +82,7 @@ impl Graph {
             match power {
                 Some(n) => signs.degree = signs.degree.saturating_mul(n),
                 None if self.is_branching(base, exponent) => {
-                    signs = with_signs(signs, u64::from(base.0) << 8 | 255, 1)
+                    signs = with_signs(&signs, u64::from(base.0) << 8 | 255, 1);
                 }
                 None => signs = closed(signs),
             }
@@ -96,17 +96,16 @@ impl Graph {
     fn signs_of_function(&self, function: Function, args: &[Id], token: u64) -> Signs {
         let all = args.iter().fold(none(), |all, &arg| union(&all, &self.signs(arg)));
         let own = match function {
-            Function::Abs | Function::Sign | Function::Atan2 => 1,
+            Function::Abs | Function::Sign | Function::Atan2 | Function::Power => 1,
             Function::Min | Function::Max => args.len() - 1,
             Function::Piecewise => args.len() / 2,
             Function::Sin | Function::Cos | Function::Tan => usize::from(self.makes_roots(args[0], false)),
             Function::Exp | Function::Sinh | Function::Cosh | Function::Tanh => {
                 usize::from(self.makes_roots(args[0], true))
             }
-            Function::Power => 1,
             _ => 0,
         };
-        with_signs(all, token, own)
+        with_signs(&all, token, own)
     }
 }
 
@@ -140,9 +139,9 @@ fn closed(signs: Signs) -> Signs {
 }
 
 /// The signs of a function of signs that has some of its own.
-fn with_signs(signs: Signs, token: u64, own: usize) -> Signs {
+fn with_signs(signs: &Signs, token: u64, own: usize) -> Signs {
     let own: Arc<[u64]> = (0..own as u64).map(|k| token.wrapping_add(k)).collect();
-    closed(union(&signs, &Signs { all: Some(own), degree: 0 }))
+    closed(union(signs, &Signs { all: Some(own), degree: 0 }))
 }
 
 #[cfg(test)]

@@ -5,7 +5,6 @@ use rustc_hash::FxHashMap;
 use crate::value::Element;
 
 use super::node::Id;
-use super::table::Graph;
 
 /// Entries by the value of a node, up to sign.
 ///
@@ -29,21 +28,6 @@ impl<T> ByValue<T> {
         let first = self.first.get(&key);
         let others = first.filter(|_| !self.others.is_empty()).and_then(|_| self.others.get(&key));
         first.into_iter().chain(others.into_iter().flatten())
-    }
-
-    /// The entry of the value of a node.
-    pub(crate) fn get(&self, graph: &Graph, id: Id) -> Option<&T> {
-        self.candidates(graph.value(id)).find(|(known, _)| graph.same(*known, id)).map(|(_, item)| item)
-    }
-
-    /// The entry of the value of a node up to sign, and whether its node has the opposite value.
-    pub(crate) fn get_up_to_sign(&self, graph: &Graph, id: Id) -> Option<(&T, bool)> {
-        self.candidates(graph.value(id)).find_map(|(known, item)| {
-            if graph.same(*known, id) {
-                return Some((item, false));
-            }
-            graph.opposite_values(*known, id).then_some((item, true))
-        })
     }
 
     /// Add an entry for a node of this fingerprint, whether or not there is one of its value.

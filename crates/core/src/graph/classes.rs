@@ -6,7 +6,6 @@ use crate::value::Element;
 
 use super::by_value::ByValue;
 use super::node::Id;
-use super::table::Graph;
 
 /// The classes of one derivation.
 ///
@@ -33,9 +32,9 @@ impl Classes {
         self.known.get(&id).copied()
     }
 
-    /// Whether no node that stands for itself has the value of a node up to sign.
-    pub(crate) fn is_new(&self, graph: &Graph, id: Id) -> bool {
-        self.nodes.get_up_to_sign(graph, id).is_none()
+    /// The nodes that stand for themselves.
+    pub(crate) const fn nodes(&self) -> &ByValue<()> {
+        &self.nodes
     }
 
     /// Let `id` stand for itself, and for its value if that is new.

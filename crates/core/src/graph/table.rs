@@ -53,7 +53,7 @@ pub(crate) fn word(length: usize) -> u32 {
 /// All expressions of a process.
 ///
 /// Invariants: rows are never changed or removed; equal rows are one row; children precede parents;
-/// `values[i]` is the exact value of row i at the random point; nothing depends on ids but identity.
+/// `values[i]` is the fingerprint of row i; nothing depends on ids but identity.
 #[derive(Default)]
 pub struct Graph {
     rows: Vec<Row>,
@@ -347,7 +347,8 @@ impl Graph {
 
     /// Enter a node made by the derivation in progress, if there is one, into its classes.
     pub(crate) fn remember(&mut self, id: Id) {
-        let Some(is_new) = self.classes.as_ref().map(|classes| classes.is_new(self, id)) else { return };
+        let Some(classes) = self.classes.as_ref() else { return };
+        let is_new = self.find_up_to_sign(classes.nodes(), id).is_none();
         let value = self.value(id);
         if let Some(classes) = self.classes.as_mut() {
             classes.remember(id, value, is_new);

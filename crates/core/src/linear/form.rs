@@ -35,7 +35,7 @@ impl Graph {
         }
         let mut forms = Forms::default();
         for id in self.post_order_where(equations, |_| true) {
-            let form = match numbers.get(self, id) {
+            let form = match self.find(&numbers, id) {
                 Some(&number) => {
                     let coefficients = BTreeMap::from([(number, Id::ONE)]);
                     Some(LinearForm { constant: Id::ZERO, coefficients })

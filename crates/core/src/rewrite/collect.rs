@@ -39,7 +39,7 @@ impl Graph {
                 parts.push(ring.product_of(&[power, coefficient])?);
             }
             let collected = ring.sum_of(&parts);
-            // Products of opaque roots may have merged into what the field cannot compare.
+            // Products of roots may have merged into what has another value in some lanes (docs/values.md).
             Ok(if graph.same(collected, id) { collected } else { id })
         })
     }

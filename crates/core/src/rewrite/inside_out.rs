@@ -44,8 +44,8 @@ impl Graph {
             if enclosed.contains(&id) && !children.is_empty() {
                 forms.push(rewrite(self, forms[forms.len() - 1])?);
             }
-            // The field must prove each step. It reads an angle term by term, so sin(sin(a + b)) and
-            // sin(sin(a)*cos(b) + ...) have unlike values there, and a root is opaque to it.
+            // The lanes must prove each step: functions nested deeper than the tower of fields, and some roots, have
+            // drawn values there (docs/values.md).
             let is_same = |form: &Id| self.same(*form, id);
             let last = forms.into_iter().rfind(is_same).expect("the node itself is the first form");
             map.insert(id, last);

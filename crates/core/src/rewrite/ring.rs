@@ -42,7 +42,7 @@ impl<'g> Ring<'g> {
 
     /// The atom of a node, and whether the atom has the opposite value.
     pub(crate) fn atom(&mut self, id: Id) -> (u32, bool) {
-        if let Some((&atom, is_opposite)) = self.index.get_up_to_sign(self.graph, id) {
+        if let Some((&atom, is_opposite)) = self.graph.find_up_to_sign(&self.index, id) {
             return (atom, is_opposite);
         }
         let next = word(self.nodes.len());

@@ -114,14 +114,14 @@ impl<'a> Lowering<'a> {
     }
 
     fn is_input(&self, id: Id) -> bool {
-        self.inputs.get(self.graph, id).is_some()
+        self.graph.find(&self.inputs, id).is_some()
     }
 
     fn knows(&self, id: Id) -> bool {
         if let Some(choice) = self.choices.get(&id) {
             return choice.is_some();
         }
-        self.known.get_up_to_sign(self.graph, id).is_some()
+        self.graph.find_up_to_sign(&self.known, id).is_some()
     }
 
     fn remember(&mut self, id: Id, value: Signed) {
@@ -138,10 +138,10 @@ impl<'a> Lowering<'a> {
             // Numbers have more information than their value in the field.
             return self.code.constant(number.to_f64());
         }
-        if let Some(&choice) = self.choices.get(&id) {
-            return choice.expect(EARLIER);
+        if let Some(&Some(choice)) = self.choices.get(&id) {
+            return choice;
         }
-        let (value, is_opposite) = self.known.get_up_to_sign(self.graph, id).expect(EARLIER);
+        let (value, is_opposite) = self.graph.find_up_to_sign(&self.known, id).expect(EARLIER);
         value.flipped_if(is_opposite)
     }
 
@@ -186,7 +186,7 @@ impl<'a> Lowering<'a> {
                 Signed::plus(system)
             }
             View::Solution(system, index) => {
-                let system = *self.systems.get(self.graph, system)?;
+                let system = *self.graph.find(&self.systems, system)?;
                 self.code.component(system, index)
             }
         })

@@ -26,7 +26,7 @@ use std::sync::{LazyLock, OnceLock};
 use super::circle::{self, Point};
 use super::element::Element;
 use super::key::Key;
-use super::lanes::LANES;
+use super::lanes::{FIELDS_OF_A_LANE, LANES};
 use super::number::Number;
 use super::prime::{Prime, fraction_modulo};
 use super::quadratic::{Closure, Quadratic};
@@ -34,9 +34,6 @@ use super::radical::prime_factors;
 
 /// The exact angles are multiples of 2 pi over this number, as far as it divides p + 1.
 const TORSION: u64 = 110_880;
-
-/// The fields of a lane: p, A1 to A4, B1 to B3.
-pub(super) const FIELDS_OF_A_LANE: usize = 8;
 
 #[expect(clippy::cast_possible_truncation, reason = "there are 64 lanes of 8 fields")]
 const NUMBER_OF_LANES: u16 = LANES.len() as u16;
@@ -546,4 +543,40 @@ pub(crate) fn fingerprint(values: [&Quadratic; 2]) -> Element {
 /// The value of a real element in a hash lane.
 pub(crate) fn in_hash_lane(element: Element, lane: usize) -> Quadratic {
     Quadratic::Real(element.words()[lane])
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_primes_are_what_the_description_says() {
+        for &[p, a1, a2, a3, a4, b1, b2, b3] in &LANES {
+            for prime in [p, a1, a2, a3, a4, b1, b2, b3] {
+                assert_eq!(prime_factors(&Number::whole(prime.into())).len(), 1, "{prime}");
+                assert_eq!(prime % 4, 3);
+            }
+            assert!(p % TORSION == TORSION - 1 && (p + 1) % a1 == 0 && p - 1 == 2 * b1);
+            assert!(a1 == 2 * a2 + 1 && a2 == 2 * a3 + 1 && (a3 - 1) % a4 == 0);
+            assert!(b1 == 2 * b2 + 1 && (b2 - 1) % b3 == 0);
+            for q in [2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31] {
+                let prime = Prime::new(p);
+                assert!(prime.is_square(prime.natural(q)), "{q} modulo {p}");
+            }
+        }
+    }
+
+    #[test]
+    fn angles_and_exponentials_are_homomorphisms() {
+        for id in FieldId::HASH.into_iter().chain(FieldId::others(0)) {
+            let f = id.field();
+            let ((c1, s1), (c2, s2)) = (f.angle(5), f.angle(7));
+            assert_eq!(f.angle(12).1, f.add(&f.mul(&s1, &c2), &f.mul(&c1, &s2)));
+            assert_eq!(f.exponential(12), f.mul(&f.exponential(5), &f.exponential(7)));
+            let half = Number::rational(1, 2);
+            assert_eq!(f.rational_power(&f.exponential(10), &half), f.exponential(5));
+            let (cos, sin) = f.part_of_turn(&Number::rational(1, 4));
+            assert!(cos.is_zero() && sin == f.one());
+        }
+    }
 }

@@ -1,9 +1,10 @@
 //! The primes of the lanes: p, A1, A2, A3, A4, B1, B2, B3 (see `lane`).
 //!
-//! A search over A1 = 110880 k - 1 found them, and the tests below check what `lane` says of them. The first two are the
-//! hash lanes.
+//! A search over A1 = 110880 k - 1 found them. The primes up to 31 are squares modulo every p, and those up to 11 modulo
+//! every A1, A2, A3, B1 and B2. The first two rows are the hash lanes.
 
-use super::lane::FIELDS_OF_A_LANE;
+/// The fields of a lane: p, A1 to A4, B1 to B3.
+pub(super) const FIELDS_OF_A_LANE: usize = 8;
 
 #[rustfmt::skip]
 pub(super) const LANES: [[u64; FIELDS_OF_A_LANE]; 64] = [
