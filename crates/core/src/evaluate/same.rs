@@ -9,6 +9,25 @@ use super::node::in_hash_lanes;
 use super::pending::Pending;
 use super::sign_degree::points_for;
 
+/// How deep comparisons of parts are nested.
+const DEEPEST: usize = 200;
+
+/// One level of comparisons of parts, which ends also if the comparison is interrupted.
+struct Deeper<'g>(&'g Graph);
+
+impl<'g> Deeper<'g> {
+    fn new(graph: &'g Graph) -> Self {
+        graph.lanes.borrow_mut().depth += 1;
+        Self(graph)
+    }
+}
+
+impl Drop for Deeper<'_> {
+    fn drop(&mut self) {
+        self.0.lanes.borrow_mut().depth -= 1;
+    }
+}
+
 impl Graph {
     /// Whether two nodes are equal as mathematics. Numbers are compared digit by digit.
     #[must_use]
@@ -71,8 +90,17 @@ impl Graph {
                 let other = self.value_in(id, field);
                 *value == if is_opposite { field.field().neg(&other) } else { other }
             }),
-            None => !is_opposite && self.has_equal_parts(pending, id),
+            None => !is_opposite && self.deeper(|| self.has_equal_parts(pending, id)),
         }
+    }
+
+    /// The result of a comparison of parts, which is false where they are nested too deep for the stack.
+    fn deeper(&self, compare: impl FnOnce() -> bool) -> bool {
+        if self.lanes.borrow().depth >= DEEPEST {
+            return false;
+        }
+        let _one_deeper = Deeper::new(self);
+        compare()
     }
 
     /// Whether something is made of equal parts in the same way as a node.

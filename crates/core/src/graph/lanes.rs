@@ -13,6 +13,8 @@ use super::node::{Assumption, Id, NumberId, View};
 /// Everything here can be found again from the graph, so it is forgotten when it becomes large.
 #[derive(Default)]
 pub(crate) struct Lanes {
+    /// How deep comparisons of parts are nested at the moment.
+    pub(crate) depth: usize,
     values: FxHashMap<(Id, FieldId), Quadratic>,
     /// The values in the first fields of all lanes but the hash lanes, which are found together, by point.
     columns: FxHashMap<(Id, u16), Column>,

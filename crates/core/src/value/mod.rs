@@ -10,6 +10,7 @@
 mod circle;
 mod double;
 mod element;
+mod field;
 mod gcd;
 mod key;
 mod lane;
@@ -20,8 +21,9 @@ mod quadratic;
 mod radical;
 
 pub use element::Element;
+pub(crate) use field::Field;
 pub(crate) use key::Key;
-pub(crate) use lane::{Field, FieldId, fingerprint, in_hash_lane};
+pub(crate) use lane::{FieldId, fingerprint, in_hash_lane};
 pub use number::Number;
 pub(crate) use quadratic::Quadratic;
 pub(crate) use radical::prime_factors;

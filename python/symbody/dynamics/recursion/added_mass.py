@@ -97,9 +97,11 @@ def _union(values: Iterable[Expr]) -> frozenset[Expr]:
 
 def _rate(leaves: Iterable[Expr], system: System, order: int) -> Expr | None:
     """Return the first rate of a coordinate, by name, of at least a given order; a quasi-velocity is a first rate."""
+    functions = [x for x in leaves if x.kind == "time_function" and x.order >= order - 1]
+    if not functions:
+        return None
     orders = {q.name: order for q in system.coordinates} | {
         u.name: order - 1 for u in system.quasi_velocities
     }
-    functions = (x for x in leaves if x.kind == "time_function")
     rates = (x for x in functions if x.name in orders and x.order >= orders[x.name])
     return min(rates, key=lambda rate: (rate.name, rate.order), default=None)

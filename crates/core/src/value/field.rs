@@ -1,0 +1,424 @@
+//! A finite field of a lane, with its groups of angles and exponentials, and the functions that have values there.
+
+use num_bigint::BigInt;
+use num_integer::Integer;
+use num_traits::{One, Zero};
+use std::sync::OnceLock;
+
+use super::circle::{self, Point};
+use super::key::Key;
+use super::number::Number;
+use super::prime::{Prime, fraction_modulo};
+use super::quadratic::{Closure, Quadratic};
+use super::radical::prime_factors;
+
+/// The exact angles are multiples of 2 pi over this number, as far as it divides p + 1.
+pub(super) const TORSION: u64 = 110_880;
+
+/// A field with its groups of angles and exponentials.
+pub(crate) struct Field {
+    closure: Closure,
+    /// Whether the field is the first of its lane: the group of angles is then that of the circle.
+    is_first: bool,
+    angle_order: Option<u64>,
+    exponent_order: Option<u64>,
+    groups: OnceLock<Groups>,
+}
+
+/// Generators of the groups of a field.
+struct Groups {
+    /// The order of the exact angles, and the smallest of them.
+    torsion: (u64, Point),
+    /// The atomic angle of prime order: a point of the circle.
+    angle: Point,
+    /// The members of the multiplicative group that serve as angle and as exponential.
+    wave: u64,
+    exponential: u64,
+}
+
+impl Field {
+    /// The field of a prime, with the orders of its groups of angles and exponentials, if these have values.
+    pub(super) fn new(p: u64, is_first: bool, angle_order: Option<u64>, exponent_order: Option<u64>) -> Self {
+        let closure = Closure::new(Prime::new(p));
+        Self { closure, is_first, angle_order, exponent_order, groups: OnceLock::new() }
+    }
+
+    fn prime(&self) -> &Prime {
+        &self.closure.prime
+    }
+
+    fn groups(&self) -> &Groups {
+        self.groups.get_or_init(|| {
+            let prime = self.prime();
+            let torsion = num_integer::gcd(TORSION, prime.p + 1);
+            let member = |name: &str, order: Option<u64>| {
+                let order = order.unwrap_or(1);
+                prime.pow(self.word(&Key::new(name)), (prime.p - 1) / order)
+            };
+            let angle = self.angle_order.filter(|_| self.is_first).map_or(circle::identity(prime), |order| {
+                circle::times(
+                    prime,
+                    circle::point(prime, self.word(&Key::new("angle"))),
+                    (prime.p + 1) / order,
+                )
+            });
+            let wave = if self.is_first { prime.one } else { member("wave", self.angle_order) };
+            Groups {
+                torsion: (torsion, circle::turn_over(prime, torsion)),
+                angle,
+                wave,
+                exponential: member("exponential", self.exponent_order),
+            }
+        })
+    }
+
+    fn word(&self, key: &Key) -> u64 {
+        key.draw(self.prime().p) % self.prime().p
+    }
+
+    /// A value drawn for a key: the same on every machine, as good as random.
+    pub(crate) fn draw(&self, key: &Key) -> Quadratic {
+        Quadratic::Real(self.word(key))
+    }
+
+    /// A positive value drawn for a key.
+    pub(crate) fn draw_positive(&self, key: &Key) -> Quadratic {
+        let word = self.word(key);
+        Quadratic::Real(self.prime().mul(word, word))
+    }
+
+    /// The image of a number; a value is drawn where the prime divides the numerator or the denominator.
+    pub(crate) fn number(&self, number: &Number) -> Quadratic {
+        if number.is_zero() {
+            return Quadratic::ZERO;
+        }
+        let image = self.prime().number(number);
+        if image == 0 {
+            return self.draw(&Key::new("singular number").text(&number.with_decimal(false).to_string()));
+        }
+        Quadratic::Real(image)
+    }
+
+    pub(crate) fn one(&self) -> Quadratic {
+        self.closure.one()
+    }
+
+    pub(crate) fn add(&self, a: &Quadratic, b: &Quadratic) -> Quadratic {
+        self.closure.add(a, b)
+    }
+
+    pub(crate) fn sub(&self, a: &Quadratic, b: &Quadratic) -> Quadratic {
+        self.closure.sub(a, b)
+    }
+
+    pub(crate) fn neg(&self, a: &Quadratic) -> Quadratic {
+        self.closure.neg(a)
+    }
+
+    pub(crate) fn mul(&self, a: &Quadratic, b: &Quadratic) -> Quadratic {
+        self.closure.mul(a, b)
+    }
+
+    pub(crate) fn half(&self, a: &Quadratic) -> Quadratic {
+        self.closure.half(a)
+    }
+
+    /// The reciprocal; zero stays zero.
+    pub(crate) fn inverse(&self, a: &Quadratic) -> Quadratic {
+        self.closure.inverse(a)
+    }
+
+    pub(crate) fn div(&self, a: &Quadratic, b: &Quadratic) -> Quadratic {
+        self.mul(a, &self.inverse(b))
+    }
+
+    /// An integer power.
+    pub(crate) fn power(&self, base: &Quadratic, exponent: &Number) -> Quadratic {
+        let base = if exponent.is_negative() { self.inverse(base) } else { base.clone() };
+        let magnitude = exponent.abs();
+        match (magnitude.to_i64(), &base) {
+            (Some(n), _) => self.closure.power(&base, n.unsigned_abs()),
+            // Fermat: exponents count modulo p - 1.
+            (None, Quadratic::Real(_)) => {
+                self.closure.power(&base, fraction_modulo(&magnitude, self.prime().p - 1).unwrap_or(0))
+            }
+            (None, Quadratic::Wide(_)) => {
+                self.opaque(Key::new("power").text(&magnitude.to_string()), &[&base])
+            }
+        }
+    }
+
+    /// The sign of an element, 1 or -1, and 0 of zero.
+    pub(crate) fn sign(&self, a: &Quadratic) -> Quadratic {
+        match a {
+            _ if a.is_zero() => Quadratic::ZERO,
+            _ if self.closure.is_positive(a) => self.one(),
+            _ => self.neg(&self.one()),
+        }
+    }
+
+    /// The modulus |u|, the positive one of u and -u.
+    pub(crate) fn modulus(&self, a: &Quadratic) -> Quadratic {
+        if self.closure.is_positive(a) { a.clone() } else { self.neg(a) }
+    }
+
+    /// max(a, b) = (a + b + |a - b|)/2, min(a, b) = (a + b - |a - b|)/2, taken from the first value to the last.
+    pub(crate) fn extremum(&self, is_greatest: bool, values: impl Iterator<Item = Quadratic>) -> Quadratic {
+        let pair = |a: Quadratic, b: Quadratic| {
+            let (sum, distance) = (self.add(&a, &b), self.modulus(&self.sub(&a, &b)));
+            self.half(&if is_greatest { self.add(&sum, &distance) } else { self.sub(&sum, &distance) })
+        };
+        values.reduce(pair).expect("an extremum is that of one value or more")
+    }
+
+    /// The first value whose condition is positive, as the sum of the values times indicators (1 + sign)/2.
+    ///
+    /// Values and conditions alternate, as in the arguments of the function, and `signs` has the signs of all of them.
+    pub(crate) fn piecewise(&self, values: &[Quadratic], signs: &[Quadratic]) -> Quadratic {
+        let (mut sum, mut not_yet) = (Quadratic::ZERO, self.one());
+        for (value, sign) in values.chunks_exact(2).zip(signs.chunks_exact(2)) {
+            let positive = self.half(&self.add(&self.one(), &sign[1]));
+            sum = self.add(&sum, &self.mul(&self.mul(&not_yet, &positive), &value[0]));
+            not_yet = self.mul(&not_yet, &self.sub(&self.one(), &positive));
+        }
+        self.add(&sum, &self.mul(&not_yet, &values[values.len() - 1]))
+    }
+
+    /// The n of 2^n with |n| up to a bound, if a value is that.
+    pub(crate) fn power_of_two(&self, value: &Quadratic, bound: i64) -> Option<i64> {
+        let (mut doubled, mut halved) = (self.one(), self.one());
+        for n in 0..=bound {
+            if *value == doubled {
+                return Some(n);
+            }
+            if *value == halved {
+                return Some(-n);
+            }
+            (doubled, halved) = (self.add(&doubled, &doubled), self.half(&halved));
+        }
+        None
+    }
+
+    /// The rational number of small numerator and denominator that has this value, if there is one.
+    pub(crate) fn small_rational(&self, value: &Quadratic) -> Option<Number> {
+        const LARGEST: u64 = 1 << 20;
+        let &Quadratic::Real(word) = value else { return None };
+        self.prime().simple_rational(word, LARGEST)
+    }
+
+    /// The principal power with a rational exponent r: |u|^r for a positive u, |u|^r e^(i pi r) for a negative one.
+    ///
+    /// Positive elements of GF(p) form a group of odd order, in which r counts modulo the order. In larger fields
+    /// there are square roots only; other roots are drawn.
+    pub(crate) fn rational_power(&self, base: &Quadratic, exponent: &Number) -> Quadratic {
+        if exponent.is_integer() {
+            return self.power(base, exponent);
+        }
+        match base {
+            Quadratic::Real(0) => Quadratic::ZERO,
+            &Quadratic::Real(word) => self.power_of_real(word, exponent),
+            Quadratic::Wide(_) => self.power_of_wide(base, exponent),
+        }
+    }
+
+    fn power_of_real(&self, word: u64, exponent: &Number) -> Quadratic {
+        let prime = self.prime();
+        let is_positive = prime.is_square(word);
+        let magnitude = if is_positive { word } else { prime.neg(word) };
+        let power = match fraction_modulo(exponent, (prime.p - 1) / 2) {
+            Some(e) => Quadratic::Real(prime.pow(magnitude, e)),
+            None => self.drawn_root(&Quadratic::Real(magnitude), exponent),
+        };
+        if is_positive {
+            return power;
+        }
+        self.mul(&power, &self.unit(&exponent.mul(&Number::rational(1, 2))))
+    }
+
+    /// A power of a prime number: powers with odd denominators are real, also where the prime is no square.
+    ///
+    /// (-1)^(m/(2^k n)) is the power of -1 with the exponent m/n mod 2^(k + 1) over 2^k.
+    pub(crate) fn power_of_prime(&self, number: &Number, exponent: &Number) -> Quadratic {
+        let value = self.number(number);
+        let Some((_, den)) = exponent.to_small() else { return self.drawn_root(&value, exponent) };
+        let two_part = 1u64 << den.trailing_zeros();
+        let Some(numerator) = fraction_modulo(&exponent.mul(&Number::whole(two_part.into())), 2 * two_part)
+        else {
+            return self.drawn_root(&value, exponent);
+        };
+        let magnitude = self.rational_power(&self.modulus(&value), exponent);
+        if self.closure.is_positive(&value) {
+            return magnitude;
+        }
+        let turns = Number::whole(numerator.into())
+            .mul(&Number::whole((2 * two_part).into()).recip().expect("not 0"));
+        self.mul(&magnitude, &self.unit(&turns))
+    }
+
+    fn power_of_wide(&self, base: &Quadratic, exponent: &Number) -> Quadratic {
+        let Some((num, den)) = exponent.to_small() else { return self.drawn_root(base, exponent) };
+        let halvings = den.trailing_zeros();
+        let mut root = base.clone();
+        for _ in 0..halvings {
+            let Some(next) = self.closure.sqrt(&root) else { return self.drawn_root(base, exponent) };
+            root = next;
+        }
+        self.rational_or_drawn(&root, num, den >> halvings)
+    }
+
+    fn rational_or_drawn(&self, root: &Quadratic, num: i64, odd: i64) -> Quadratic {
+        match root {
+            _ if odd == 1 => self.power(root, &Number::integer(num)),
+            &Quadratic::Real(word) => self.power_of_real(word, &Number::rational(num, odd)),
+            Quadratic::Wide(_) => self.drawn_root(root, &Number::rational(num, odd)),
+        }
+    }
+
+    /// A power of a root that the closure does not hold: the root is drawn for its degree and radicand.
+    fn drawn_root(&self, base: &Quadratic, exponent: &Number) -> Quadratic {
+        let key = Key::new("root").text(&exponent.denominator().to_string());
+        let root = self.opaque(key, &[base]);
+        self.power(&self.mul(&root, &root), &Number::whole(exponent.numerator()))
+    }
+
+    /// The unit cos + i sin of a fraction of a turn.
+    pub(crate) fn unit(&self, turns: &Number) -> Quadratic {
+        let (cos, sin) = self.part_of_turn(turns);
+        let imaginary = self.closure.sqrt(&self.neg(&self.one())).expect("-1 has a root in GF(p^2)");
+        self.add(&cos, &self.mul(&sin, &imaginary))
+    }
+
+    /// The angle that is a fraction of a turn.
+    ///
+    /// It is the sum of a fraction whose denominator divides the torsion, which is exact, and one b/d with other primes
+    /// in d, which is b times an angle drawn for d, where b lies between -d/2 and d/2.
+    pub(crate) fn part_of_turn(&self, turns: &Number) -> (Quadratic, Quadratic) {
+        let (exact, other) = self.split_turns(turns);
+        let prime = self.prime();
+        let (order, step) = self.groups().torsion;
+        let steps = exact.mul(&Number::whole(order.into()));
+        let mut point = circle::times(prime, step, fraction_modulo(&steps, order).unwrap_or(0));
+        if !other.is_zero() {
+            let key = Key::new("part of a turn").text(&other.denominator().to_string());
+            let drawn = circle::point(prime, self.word(&key));
+            let count = fraction_modulo(&Number::whole(other.numerator()), prime.p + 1).unwrap_or(0);
+            point = circle::rotate(prime, point, circle::times(prime, drawn, count));
+        }
+        (Quadratic::Real(point.0), Quadratic::Real(point.1))
+    }
+
+    /// A fraction of a turn as the sum of one whose denominator divides the torsion and one between -1/2 and 1/2.
+    fn split_turns(&self, turns: &Number) -> (Number, Number) {
+        let order = self.groups().torsion.0;
+        let (mut exact, mut other) = (BigInt::one(), BigInt::one());
+        for (prime, count) in prime_factors(&Number::whole(turns.denominator())) {
+            let power: BigInt = num_traits::Pow::pow(prime, count.unsigned_abs());
+            if (BigInt::from(order) % &power).is_zero() {
+                exact *= power;
+            } else {
+                other *= power;
+            }
+        }
+        // turns = a/exact + b/other
+        let inverse = exact.modinv(&other).unwrap_or_default();
+        let mut b = (turns.numerator() * inverse).mod_floor(&other);
+        if &b * 2 > other {
+            b -= &other;
+        }
+        let rest = Number::from_big(b, other).expect("a denominator is positive");
+        (turns.sub(&rest), rest)
+    }
+
+    /// The cosine and the sine of an argument, given by its value in the field of angles.
+    pub(crate) fn angle(&self, argument: u64) -> (Quadratic, Quadratic) {
+        let (prime, groups) = (self.prime(), self.groups());
+        if self.is_first {
+            let (cos, sin) = circle::times(prime, groups.angle, argument);
+            return (Quadratic::Real(cos), Quadratic::Real(sin));
+        }
+        self.wave(&Quadratic::Real(prime.pow(groups.wave, argument)))
+    }
+
+    /// The cosine (z + 1/z)/2 and the sine (z - 1/z)/2i.
+    fn wave(&self, z: &Quadratic) -> (Quadratic, Quadratic) {
+        let inverse = self.inverse(z);
+        let imaginary = self.closure.sqrt(&self.neg(&self.one())).expect("-1 has a root in GF(p^2)");
+        let cos = self.half(&self.add(z, &inverse));
+        // 1/i = -i
+        let sin = self.mul(&self.half(&self.sub(&inverse, z)), &imaginary);
+        (cos, sin)
+    }
+
+    /// An angle drawn for values, odd in the first of them.
+    pub(crate) fn drawn_angle(&self, key: Key, argument: &Quadratic) -> (Quadratic, Quadratic) {
+        let (magnitude, negated) = self.unsigned(argument);
+        if magnitude.is_zero() {
+            return (self.one(), Quadratic::ZERO);
+        }
+        let z = self.opaque(key, &[&magnitude]);
+        let (cos, sin) = self.wave(&z);
+        (cos, if negated { self.neg(&sin) } else { sin })
+    }
+
+    /// The exponential of an argument, given by its value in the field of exponents.
+    pub(crate) fn exponential(&self, argument: u64) -> Quadratic {
+        Quadratic::Real(self.prime().pow(self.groups().exponential, argument))
+    }
+
+    /// The exponential drawn for a value: exp(-u) = 1/exp(u).
+    pub(crate) fn drawn_exponential(&self, argument: &Quadratic) -> Quadratic {
+        let (magnitude, negated) = self.unsigned(argument);
+        if magnitude.is_zero() {
+            return self.one();
+        }
+        let root = self.opaque(Key::new("drawn exponential"), &[&magnitude]);
+        let value = self.mul(&root, &root);
+        if negated { self.inverse(&value) } else { value }
+    }
+
+    /// A value drawn for a key and values.
+    pub(crate) fn opaque(&self, key: Key, values: &[&Quadratic]) -> Quadratic {
+        let key = values.iter().fold(key, |key, value| {
+            let words = value.words();
+            words.iter().fold(key.word(words.len() as u64), |key, &word| key.word(word))
+        });
+        self.draw(&key)
+    }
+
+    /// A value drawn for a key and a value, odd in that.
+    pub(crate) fn odd(&self, key: Key, argument: &Quadratic) -> Quadratic {
+        let (magnitude, negated) = self.unsigned(argument);
+        if magnitude.is_zero() {
+            return Quadratic::ZERO;
+        }
+        let value = self.opaque(key, &[&magnitude]);
+        if negated { self.neg(&value) } else { value }
+    }
+
+    /// The value or its opposite, whichever represents both, and whether the sign was changed.
+    pub(crate) fn unsigned(&self, value: &Quadratic) -> (Quadratic, bool) {
+        let opposite = self.neg(value);
+        if opposite.words() < value.words() { (opposite, true) } else { (value.clone(), false) }
+    }
+
+    /// A linear image in GF(p): x + k y for the coordinates x, y with a fixed k, so that sums and multiples stay sums and
+    /// multiples.
+    pub(super) fn linear_image(&self, value: &Quadratic) -> u64 {
+        let prime = self.prime();
+        let coordinates = value.words().iter().enumerate();
+        coordinates.fold(0, |sum, (k, &word)| {
+            let factor = if k == 0 { prime.one } else { self.word(&Key::new("coordinate").word(k as u64)) };
+            prime.add(sum, prime.mul(factor, word))
+        })
+    }
+
+    /// The linear image as an exponent: an integer below p.
+    pub(crate) fn exponent(&self, value: &Quadratic) -> u64 {
+        self.prime().residue(self.linear_image(value))
+    }
+
+    /// Whether a number has this value.
+    pub(crate) fn is_number(&self, value: &Quadratic, number: &Number) -> bool {
+        *value == self.number(number)
+    }
+}
