@@ -11,7 +11,7 @@ from contextlib import AbstractContextManager, nullcontext
 import pytest
 
 from symbody import ModelNotice
-from symbody.symbolic import derivation, functions_of_time, symbols
+from symbody.symbolic import Abs, derivation, functions_of_time, symbols
 from tests.symbolic import near_misses, true_identities
 from tests.symbolic.reading import agrees, expression, raised
 
@@ -78,6 +78,14 @@ def test_a_coordinate_is_not_the_symbol_of_its_name() -> None:
         assert symbols("q") != functions_of_time("q")
     assert symbols("q") == symbols("q")
     assert functions_of_time("q") == functions_of_time("q")
+
+
+def test_fingerprints_tell_moduli_from_what_they_hold() -> None:
+    """Also where the hash lanes do not: frames and digests of problems are compared by fingerprints."""
+    for name in (f"k{i}" for i in range(100)):
+        x = symbols(name)
+        assert Abs(x).fingerprint not in {x.fingerprint, (-x).fingerprint}
+        assert Abs(2 * x).fingerprint == (2 * Abs(x)).fingerprint
 
 
 def test_there_are_hundreds_of_each() -> None:

@@ -229,10 +229,10 @@ impl Expr {
         self.0.0
     }
 
-    /// The exact value at the random point, as 16 bytes.
+    /// The exact value at the random point, as 16 bytes; a digest of the values in all lanes for what holds signs or roots.
     #[getter]
     fn fingerprint<'py>(&self, py: Python<'py>) -> Bound<'py, PyBytes> {
-        let [a, b] = with_forms(|graph| graph.value(self.0).words());
+        let [a, b] = with_forms(|graph| graph.digest(self.0));
         PyBytes::new(py, &[a.to_le_bytes(), b.to_le_bytes()].concat())
     }
 

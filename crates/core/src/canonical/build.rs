@@ -48,8 +48,10 @@ impl Graph {
         if let Some(&number) = self.plain_values.get(&unsigned) {
             return Some(if negated { self.negated(number) } else { number });
         }
-        let number =
-            value.to_simple_rational().filter(|_| self.classes.is_none() || flags.has(Flags::CONSTANT))?;
+        if self.classes.is_some() && !flags.has(Flags::CONSTANT) {
+            return None;
+        }
+        let number = value.to_simple_rational()?;
         Some(self.number_id(&number))
     }
 

@@ -3,7 +3,7 @@
 use std::cmp::Ordering;
 
 use crate::graph::{ByValue, Column, Flags, Graph, Id, NumberId, View};
-use crate::value::{Element, FieldId, Number, Quadratic};
+use crate::value::{Element, FieldId, Key, Number, Quadratic};
 
 use super::node::in_hash_lanes;
 use super::pending::Pending;
@@ -210,6 +210,25 @@ impl Graph {
                 field,
             ),
         }
+    }
+
+    /// Two words that tell nodes of different values apart: the fingerprint, or a digest of the values in all lanes for what
+    /// holds signs or roots.
+    ///
+    /// Equal nodes have equal words, unless one of them holds signs or roots that cancel.
+    #[must_use]
+    pub fn digest(&self, id: Id) -> [u64; 2] {
+        let words = self.value(id).words();
+        if !self.flags(id).has(Flags::BRANCH) {
+            return words;
+        }
+        let start = Key::new("digest").word(words[0]).word(words[1]);
+        let key = self
+            .column(id, 0)
+            .iter()
+            .fold(start, |key, value| value.words().iter().fold(key, |key, &word| key.word(word)));
+        self.lanes.borrow_mut().limit();
+        [key.draw(0), key.draw(1)]
     }
 
     /// The fingerprint of a product, before its node is made.

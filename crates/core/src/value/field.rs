@@ -232,7 +232,19 @@ impl Field {
         if is_positive {
             return power;
         }
-        self.mul(&power, &self.unit(&exponent.mul(&Number::rational(1, 2))))
+        self.mul(&power, &self.power_of_minus_one(exponent))
+    }
+
+    /// e^(i pi r), which is i^n for r = n/2.
+    fn power_of_minus_one(&self, exponent: &Number) -> Quadratic {
+        match exponent.mul(&Number::integer(2)).to_i64() {
+            Some(n) => self.closure.power(&self.imaginary(), n.rem_euclid(4).unsigned_abs()),
+            None => self.unit(&exponent.mul(&Number::rational(1, 2))),
+        }
+    }
+
+    fn imaginary(&self) -> Quadratic {
+        self.closure.sqrt(&self.neg(&self.one())).expect("-1 has a root in GF(p^2)")
     }
 
     /// A power of a prime number: powers with odd denominators are real, also where the prime is no square.
@@ -284,8 +296,7 @@ impl Field {
     /// The unit cos + i sin of a fraction of a turn.
     pub(crate) fn unit(&self, turns: &Number) -> Quadratic {
         let (cos, sin) = self.part_of_turn(turns);
-        let imaginary = self.closure.sqrt(&self.neg(&self.one())).expect("-1 has a root in GF(p^2)");
-        self.add(&cos, &self.mul(&sin, &imaginary))
+        self.add(&cos, &self.mul(&sin, &self.imaginary()))
     }
 
     /// The angle that is a fraction of a turn.
@@ -342,10 +353,9 @@ impl Field {
     /// The cosine (z + 1/z)/2 and the sine (z - 1/z)/2i.
     fn wave(&self, z: &Quadratic) -> (Quadratic, Quadratic) {
         let inverse = self.inverse(z);
-        let imaginary = self.closure.sqrt(&self.neg(&self.one())).expect("-1 has a root in GF(p^2)");
         let cos = self.half(&self.add(z, &inverse));
         // 1/i = -i
-        let sin = self.mul(&self.half(&self.sub(&inverse, z)), &imaginary);
+        let sin = self.mul(&self.half(&self.sub(&inverse, z)), &self.imaginary());
         (cos, sin)
     }
 

@@ -39,7 +39,7 @@ impl Key {
     }
 
     /// A word below 2^62, different for every salt.
-    pub(super) const fn draw(&self, salt: u64) -> u64 {
+    pub(crate) const fn draw(&self, salt: u64) -> u64 {
         let a = mix(self.0 ^ salt);
         mix(a.wrapping_add(self.1)) >> 2
     }

@@ -14,7 +14,7 @@ from symbody.symbolic import _core
 from symbody.symbolic._core import Expr
 from symbody.symbolic.given.arguments import counted, described, size
 from symbody.symbolic.given.name_list import is_list_of_names, names_in
-from symbody.symbolic.given.new_namesake import notice_namesakes
+from symbody.symbolic.given.new_namesake import notice_named
 
 __all__ = [
     "ExprLike",
@@ -99,14 +99,15 @@ def check_name(name: str) -> None:
 
 def _noticed(names: object, make: Callable[[str], Expr], place: str) -> Any:
     """Return what ``_named`` returns, after notices of variables with a name that others have."""
-    made: list[Expr] = []
+    made: list[tuple[str, Expr]] = []
 
     def made_too(name: str) -> Expr:
-        made.append(make(name))
-        return made[-1]
+        variable = make(name)
+        made.append((name, variable))
+        return variable
 
     result = _named(names, made_too, place)
-    notice_namesakes(made, place, user_frame())
+    notice_named(made, place, user_frame())
     return result
 
 

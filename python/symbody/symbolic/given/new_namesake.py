@@ -9,22 +9,21 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable
-from dataclasses import dataclass
 from types import CodeType, FrameType
+from typing import NamedTuple
 
 from symbody.errors import notify
 from symbody.symbolic import _core
 from symbody.symbolic._core import Expr
 from symbody.symbolic.given.namesake import namesake_note
 
-__all__ = ["notice_namesakes"]
+__all__ = ["notice_named", "notice_namesakes"]
 
 _EXAMPLE = re.compile(r"\[\d+\]>$")
 """The number of an example, at the end of the name that a doctest gives to its code."""
 
 
-@dataclass(frozen=True)
-class _Place:
+class _Place(NamedTuple):
     """Where a variable was made: the instruction, and what is around it."""
 
     code: CodeType
@@ -32,21 +31,25 @@ class _Place:
     line: int
     is_session: bool
 
-    @property
-    def scope(self) -> str:
-        """The function around it; the empty text at the top of a file, also in lambdas and comprehensions there."""
-        names = [name for name in self.code.co_qualname.split(".") if not name.startswith("<")]
-        return ".".join(names)
-
     def is_same_call(self, other: _Place) -> bool:
         """Whether one call of the program is in both places."""
         return self.code is other.code and self.instruction == other.instruction
 
 
-_MADE: dict[tuple[str, str, str], dict[Expr, _Place]] = {}
+class _Scope(NamedTuple):
+    """A function of a file; its name is the empty text at the top, also in lambdas and comprehensions there."""
+
+    file: str
+    function: str
+
+
+_SCOPES: dict[int, tuple[CodeType, _Scope]] = {}
+"""The scopes of code that has made variables, by its id: to hash code takes long, and models make many variables."""
+
+_MADE: dict[_Scope, dict[str, dict[Expr, _Place]]] = {}
 """The variables that a function of a file has made with a name, each with its first place."""
 
-_NOTICED: set[tuple[Expr, Expr, str, str]] = set()
+_NOTICED: set[tuple[Expr, Expr, _Scope]] = set()
 """The pairs of which a function of a file has had a notice."""
 
 
@@ -62,26 +65,52 @@ def notice_namesakes(variables: Iterable[Expr], where: str, frame: FrameType | N
     >>> symbols("u_1") - symbols("u_1", positive=True)  # a notice, outside of doctests
     u_1 - u_1[positive]
     """
+    bases = (_core.time_function(leaf.name) if leaf.kind == "time_function" else leaf for leaf in variables)
+    notice_named((((base.name, base) for base in bases)), where, frame)
+
+
+def notice_named(variables: Iterable[tuple[str, Expr]], where: str, frame: FrameType | None) -> None:
+    """Do what ``notice_namesakes`` does for variables with their names."""
     if frame is None or frame.f_globals.get("__name__") == "doctest":
         return
     here = _Place(frame.f_code, frame.f_lasti, frame.f_lineno, "__file__" not in frame.f_globals)
-    file, scope = _file(frame), here.scope
-    for leaf in variables:
-        variable = _core.time_function(leaf.name) if leaf.kind == "time_function" else leaf
-        made = _MADE.setdefault((file, scope, variable.name), {})
-        others = [
-            (known, at) for known, at in made.items() if known != variable and not here.is_same_call(at)
-        ]
-        if scope:  # a later call of the function may mean another variable
-            others = [(known, at) for known, at in others if _holds(frame.f_locals.values(), known)]
-        elif variable in made:
-            continue
-        made.setdefault(variable, here)
-        if others and (variable, others[-1][0], file, scope) not in _NOTICED:
-            known, at = others[-1]
-            _NOTICED.add((variable, known, file, scope))
-            before = "made before" if at.is_session else f"made in line {at.line}"
-            notify(where + namesake_note([variable], [known], ("made here", before)).replace(";", ":", 1))
+    scope = _scope(frame)
+    by_name = _MADE.setdefault(scope, {})
+    for name, variable in variables:
+        made = by_name.get(name)
+        if made is None:
+            by_name[name] = {variable: here}
+        else:
+            _compare(variable, made, here, scope, where, frame)
+
+
+def _compare(
+    variable: Expr, made: dict[Expr, _Place], here: _Place, scope: _Scope, where: str, frame: FrameType
+) -> None:
+    """Warn if one of the variables of this name that the scope has made before is another one."""
+    others = [(known, at) for known, at in made.items() if known != variable and not here.is_same_call(at)]
+    if scope.function:  # a later call of the function may mean another variable
+        others = [(known, at) for known, at in others if _holds(frame.f_locals.values(), known)]
+    elif variable in made:
+        return
+    made.setdefault(variable, here)
+    if others and (variable, others[-1][0], scope) not in _NOTICED:
+        known, at = others[-1]
+        _NOTICED.add((variable, known, scope))
+        before = "made before" if at.is_session else f"made in line {at.line}"
+        notify(where + namesake_note([variable], [known], ("made here", before)).replace(";", ":", 1))
+
+
+def _scope(frame: FrameType) -> _Scope:
+    """Return the scope of the user's line."""
+    code = frame.f_code
+    known = _SCOPES.get(id(code))
+    if known is not None and known[0] is code:
+        return known[1]
+    names = [name for name in code.co_qualname.split(".") if not name.startswith("<")]
+    scope = _Scope(_file(frame), ".".join(names))
+    _SCOPES[id(code)] = (code, scope)
+    return scope
 
 
 def _holds(things: Iterable[object], variable: Expr) -> bool:
