@@ -160,10 +160,8 @@ class Hunt:
         places = [k for k in range(len(known.values)) if _are_apart(known.values[k], other.values[k])]
         try:
             confused = [name for name, is_so in confusions(known.expression, other.expression) if is_so]
-        except (
-            SymbodyError
-        ):  # what is zero but at corners keeps its form, and is no divisor inside a derivation
-            continue
+        except SymbodyError:  # what is zero but at corners is no divisor inside a derivation
+            confused = []
         if places and confused and _differ(known.tree, other.tree, places[0]):
             self._note_false(known.tree, other.tree, places[0], f" ({', '.join(confused)})")
 
