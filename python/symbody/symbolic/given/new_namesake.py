@@ -87,7 +87,16 @@ def notice_named(variables: Iterable[tuple[str, Expr]], where: str, frame: Frame
 def _compare(
     variable: Expr, made: dict[Expr, _Place], here: _Place, scope: _Scope, where: str, frame: FrameType
 ) -> None:
-    """Warn if one of the variables of this name that the scope has made before is another one."""
+    """Warn if one of the variables of this name that the scope has made before is another one.
+
+    Args:
+        variable: the variable that was just made.
+        made: the variables of its name, each with its first place.
+        here: the place of this one.
+        scope: the function of a file around the place.
+        where: the function that the user called.
+        frame: the frame of the user's line.
+    """
     others = [(known, at) for known, at in made.items() if known != variable and not here.is_same_call(at)]
     if scope.function:  # a later call of the function may mean another variable
         others = [(known, at) for known, at in others if _holds(frame.f_locals.values(), known)]
