@@ -195,7 +195,7 @@ impl Graph {
         if numbers.is_empty() {
             return BTreeSet::new();
         }
-        let at = |number| self.at_integers(root, IntegerPoint { atom: None, number });
+        let at = |number| self.at_integers(root, IntegerPoint::numbered(number));
         let shared = at(1).zip(at(2)).map(|(a, b)| {
             let common = |a: BigInt, b: BigInt| Number::whole(a.gcd(&b));
             [common(a.numerator(), b.numerator()), common(a.denominator(), b.denominator())]

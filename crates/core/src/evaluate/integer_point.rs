@@ -7,7 +7,7 @@
 
 use rustc_hash::FxHashMap;
 
-use crate::graph::{Assumption, Atom, Function, Graph, Id, View};
+use crate::graph::{Assumption, Atom, Function, Generator, Graph, Id, View};
 use crate::value::{Field, FieldId, Key, Number, Quadratic, fingerprint, prime_factors};
 
 use super::logarithm_part::Part;
@@ -18,21 +18,58 @@ const MOST_NODES: usize = 4096;
 /// Powers of 4096 that are recognised have exponents up to 40.
 const MOST_DOUBLINGS: i64 = 480;
 
+/// The n of the powers 2^n by which generators are larger than at the plain point.
+pub(super) type Doublings = FxHashMap<Generator, i64>;
+
+/// Values at the plain point, and by how much generators are larger than there.
+#[derive(Clone, Copy)]
+struct Grown<'a> {
+    plain: &'a Values,
+    doublings: &'a Doublings,
+}
+
 /// What differs from the point of the module's description.
 #[derive(Clone, Copy)]
 pub(super) struct IntegerPoint<'a> {
+    grown: Option<Grown<'a>>,
     /// What has another value, and that value.
     pub atom: Option<(&'a Atom, i64)>,
     /// Which of several points.
     pub number: u64,
 }
 
-impl IntegerPoint<'_> {
-    pub(super) const PLAIN: Self = Self { atom: None, number: 0 };
+impl<'a> IntegerPoint<'a> {
+    pub(super) const PLAIN: Self = Self::numbered(0);
+
+    pub(super) const fn numbered(number: u64) -> Self {
+        Self { grown: None, atom: None, number }
+    }
+
+    fn with(atom: &'a Atom, value: i64) -> Self {
+        Self { atom: Some((atom, value)), ..Self::PLAIN }
+    }
+
+    /// The values that generators have times a power of two.
+    fn grow(&self, generator: Generator, plain: Quadratic, f: &Field) -> Quadratic {
+        let doublings = self.grown.and_then(|grown| grown.doublings.get(&generator).copied()).unwrap_or(0);
+        let factor = f.power(&f.number(&Number::integer(2)), &Number::integer(doublings));
+        f.mul(&factor, &plain)
+    }
 
     /// The value of the atom that has another value, if it is this one.
     fn replaced(&self, is_it: impl Fn(&Atom) -> bool) -> Option<i64> {
         self.atom.filter(|(atom, _)| is_it(atom)).map(|(_, value)| value)
+    }
+
+    /// The values from which that of a generator is found: those at the plain point if the generator is larger by itself.
+    fn values_for<'v>(&self, generator: &Generator, values: &'v Values) -> &'v Values
+    where
+        'a: 'v,
+    {
+        match self.grown {
+            Some(grown) if grown.doublings.contains_key(generator) => grown.plain,
+            _ => values,
+        }
     }
 
     fn pi(&self) -> i64 {
@@ -57,18 +94,21 @@ impl Graph {
     ) -> Option<Number> {
         let order = self.short_order(root)?;
         let [first, second] = FieldId::HASH.map(|field| {
-            let value = self.at_integers_in(&order, point, field)?;
+            let value = self.values_at(&order, point, field).remove(&root)?;
             Some(field.field().power(&value, &Number::integer(exponent)))
         });
         fingerprint([&first?, &second?]).to_simple_rational()
     }
 
-    /// The n for which the value of a node is 2^n times as large if a positive atom is 4096 instead of 1.
-    pub(super) fn doublings_at_integers(&self, root: Id, atom: &Atom) -> Option<i64> {
+    /// The n for which the value of a node is 2^n times as large if generators are larger than at the plain point.
+    pub(super) fn doublings_at_integers(&self, root: Id, doublings: &Doublings) -> Option<i64> {
         let order = self.short_order(root)?;
         let [first, second] = FieldId::HASH.map(|field| {
-            let at = |atom| self.at_integers_in(&order, IntegerPoint { atom, number: 0 }, field);
-            let ratio = field.field().div(&at(Some((atom, 4096)))?, &at(None)?);
+            let plain = self.values_at(&order, IntegerPoint::PLAIN, field);
+            let point =
+                IntegerPoint { grown: Some(Grown { plain: &plain, doublings }), ..IntegerPoint::PLAIN };
+            let grown = self.values_at(&order, point, field);
+            let ratio = field.field().div(grown.get(&root)?, plain.get(&root)?);
             field.field().power_of_two(&ratio, MOST_DOUBLINGS)
         });
         first.filter(|_| first == second)
@@ -80,9 +120,7 @@ impl Graph {
     pub(super) fn growth_at_integers(&self, root: Id, atom: &Atom) -> Option<Number> {
         let order = self.short_order(root)?;
         let [first, second] = FieldId::HASH.map(|field| {
-            let at = |value| {
-                self.at_integers_in(&order, IntegerPoint { atom: Some((atom, value)), number: 0 }, field)
-            };
+            let at = |value| self.values_at(&order, IntegerPoint::with(atom, value), field).remove(&root);
             let f = field.field();
             Some(match atom {
                 Atom::Pi => f.sub(&at(2)?, &at(1)?),
@@ -92,13 +130,14 @@ impl Graph {
         fingerprint([&first?, &second?]).to_simple_rational()
     }
 
-    fn short_order(&self, root: Id) -> Option<Vec<Id>> {
+    /// The nodes below a node and itself, children first, if they are not many.
+    pub(super) fn short_order(&self, root: Id) -> Option<Vec<Id>> {
         let order = self.post_order(&[root]);
         (order.len() <= MOST_NODES).then_some(order)
     }
 
-    /// The value of the last of the nodes in the first field of a lane; `None` at a pole.
-    fn at_integers_in(&self, order: &[Id], point: IntegerPoint<'_>, field: FieldId) -> Option<Quadratic> {
+    /// The values of nodes in the first field of a lane, but of those that have a pole.
+    fn values_at(&self, order: &[Id], point: IntegerPoint<'_>, field: FieldId) -> Values {
         let mut values = Values::default();
         for &id in order {
             // A pole does no harm inside functions that do not ask for its value.
@@ -106,7 +145,7 @@ impl Graph {
                 values.insert(id, value);
             }
         }
-        values.remove(order.last()?)
+        values
     }
 
     fn value_at(
@@ -117,18 +156,15 @@ impl Graph {
         field: FieldId,
     ) -> Option<Quadratic> {
         let f = field.field();
-        let integer = |n: i64| Some(f.number(&Number::integer(n)));
+        let integer = |n: i64| f.number(&Number::integer(n));
         match self.view(id) {
             View::Number(number) => Some(f.number(self.get_number(number))),
-            View::Pi => integer(point.pi()),
-            View::Symbol(_, Assumption::Positive) => {
-                integer(point.replaced(|atom| *atom == Atom::Symbol(id)).unwrap_or(1))
-            }
+            View::Pi => Some(point.grow(Generator::Symbol(id), integer(point.pi()), f)),
+            View::Symbol(_, Assumption::Positive) => Some(point.grow(Generator::Symbol(id), f.one(), f)),
             View::Time | View::Symbol(..) | View::TimeFunction(..) | View::Application { .. } => {
                 let [first, second] = self.value(id).words();
-                integer(
-                    2 + i64::from(Key::new("integer").word(first).word(second).draw_word(point.number) % 37),
-                )
+                let drawn = Key::new("integer").word(first).word(second).draw_word(point.number) % 37;
+                Some(integer(2 + i64::from(drawn)))
             }
             View::Scale(number, child) => {
                 Some(f.mul(&f.number(self.get_number(number)), values.get(&child)?))
@@ -204,11 +240,14 @@ impl Graph {
                 f.extremum(function == Function::Max, all?.into_iter().cloned())
             }
             Function::Power => {
-                let (base, exponent) = (of(args[0])?, of(args[1])?);
-                match f.small_rational(exponent) {
+                let generator = Generator::Power { base: args[0], exponent: args[1] };
+                let values = point.values_for(&generator, values);
+                let (base, exponent) = (values.get(&args[0])?, values.get(&args[1])?);
+                let plain = match f.small_rational(exponent) {
                     Some(number) => power(base, &number, f)?,
                     None => f.one(),
-                }
+                };
+                point.grow(generator, plain, f)
             }
             Function::Piecewise => {
                 let all: Option<Vec<&Quadratic>> = args.iter().map(|&arg| of(arg)).collect();
@@ -239,14 +278,18 @@ impl Graph {
         field: FieldId,
     ) -> Option<Quadratic> {
         let f = field.field();
-        self.split_argument(argument, true).iter().try_fold(f.one(), |product, (atom, factor)| {
+        let generator = Generator::Exponential(argument);
+        let values = point.values_for(&generator, values);
+        let split = self.split_argument(argument, true);
+        let plain = split.iter().try_fold(f.one(), |product, (atom, factor)| {
             let base = match atom {
                 Atom::Log(argument) => values.get(argument)?.clone(),
                 Atom::LogOfPrime(prime) => f.number(&Number::whole(prime.clone())),
                 _ => f.number(&Number::integer(point.pi())),
             };
             Some(f.mul(&product, &power(&base, factor, f)?))
-        })
+        });
+        Some(point.grow(generator, plain?, f))
     }
 
     /// The sum of the parts of a logarithm: those of positive symbols are zero.
@@ -268,9 +311,8 @@ impl Graph {
             }
             _ => 0,
         };
-        let of_base = |base: Id| match self.view(base) {
-            View::Number(number) => of_prime(self.get_number(number)),
-            View::Pi => point.replaced(|atom| *atom == Atom::LogOfPi).unwrap_or(0),
+        let of_base = |base: Id| match base {
+            Id::PI => point.replaced(|atom| *atom == Atom::LogOfPi).unwrap_or(0),
             _ => 0,
         };
         let integer = |n: i64| f.number(&Number::integer(n));
@@ -279,10 +321,13 @@ impl Graph {
                 Part::Exponent(coefficient, node) => (coefficient, values.get(node)?.clone()),
                 Part::Logarithm(coefficient, node) => (coefficient, integer(of_base(*node))),
                 Part::Number(coefficient, number) => (coefficient, integer(of_prime(number))),
-                Part::Power(coefficient, exponent, base) => match of_base(*base) {
-                    0 => return Some(sum),
-                    logarithm => (coefficient, f.mul(values.get(exponent)?, &integer(logarithm))),
-                },
+                Part::Power(coefficient, exponent, base) => {
+                    let logarithm = self.logarithm_at(*base, point, values, field)?;
+                    if logarithm.is_zero() {
+                        return Some(sum); // whatever the exponent is
+                    }
+                    (coefficient, f.mul(values.get(exponent)?, &logarithm))
+                }
             };
             Some(f.add(&sum, &f.mul(&f.number(coefficient), &value)))
         })

@@ -11,6 +11,6 @@ pub(super) enum Part {
     Logarithm(Number, Id),
     /// coefficient * log(number)
     Number(Number, Number),
-    /// exponent * log(node)
+    /// coefficient * exponent * log(base), for a positive base.
     Power(Number, Id, Id),
 }

@@ -3,7 +3,7 @@
 //! The law: *the value of f(u) depends on the value of u alone*, in each lane. So if A = B, then f(A) = f(B), whatever
 //! the forms of A and B are. [`node`] has the value of each kind of node from those of its children; [`argument`] splits
 //! arguments of sines and exponentials into what has a known angle or exponential and the rest; [`integer_point`] reads the factors of such parts
-//! off; [`logarithm`] knows logarithms of products; [`content`] is the numeric factor of a node; [`same`] compares
+//! off; [`logarithm`] knows logarithms of products, also of those that [`monomial`] finds; [`content`] is the numeric factor of a node; [`same`] compares
 //! nodes, in as many lanes as [`sign_degree`] says.
 //!
 //! Invariant: nodes without signs and roots are compared in the two hash lanes, and others in all lanes. Values are
@@ -14,6 +14,7 @@ mod content;
 mod integer_point;
 mod logarithm;
 mod logarithm_part;
+mod monomial;
 mod node;
 mod pending;
 mod same;

@@ -28,7 +28,7 @@ pub(crate) struct Lanes {
     signs: FxHashMap<Id, Signs>,
     /// The numeric contents of nodes.
     contents: FxHashMap<Id, Option<Number>>,
-    /// Nodes that are a number times powers of positive symbols.
+    /// Nodes that are a number times powers of positive factors.
     monomials: FxHashMap<Id, Option<Monomial>>,
     /// How arguments of sines (false) and exponentials (true) are split, see `evaluate::argument`.
     splits: FxHashMap<(Id, bool), Split>,
@@ -50,8 +50,6 @@ pub(crate) enum Atom {
     Log(Id),
     LogOfPrime(BigInt),
     LogOfPi,
-    /// A positive symbol itself, or pi where that is a factor.
-    Symbol(Id),
 }
 
 /// The signs and roots below a node: `None` if they are many.
@@ -66,8 +64,26 @@ pub(crate) struct Signs {
 /// Atoms of an argument with their factors.
 pub(crate) type Split = Arc<[(Atom, Number)]>;
 
-/// A power of a number, as the number and the exponent, and powers of symbols.
-pub(crate) type Monomial = (Number, Number, Vec<(Id, Number)>);
+/// A positive factor that an expression may hold.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+pub(crate) enum Generator {
+    /// A positive symbol or pi.
+    Symbol(Id),
+    /// The exponential of a node.
+    Exponential(Id),
+    Power {
+        base: Id,
+        exponent: Id,
+    },
+}
+
+/// A power of a positive number times powers of generators.
+#[derive(Clone, Debug)]
+pub(crate) struct Monomial {
+    pub(crate) number: Number,
+    pub(crate) root: Number,
+    pub(crate) powers: Vec<(Generator, Number)>,
+}
 
 /// About 200 MB of each.
 const MOST_VALUES: usize = 3_000_000;

@@ -422,6 +422,11 @@ impl Field {
         })
     }
 
+    /// The linear image as an element of GF(p).
+    pub(crate) fn real_image(&self, value: &Quadratic) -> Quadratic {
+        Quadratic::Real(self.linear_image(value))
+    }
+
     /// The linear image as an exponent: an integer below p.
     pub(crate) fn exponent(&self, value: &Quadratic) -> u64 {
         self.prime().residue(self.linear_image(value))

@@ -68,6 +68,11 @@ impl FieldId {
         &FIELDS[self.index as usize]
     }
 
+    /// The same field at another point.
+    pub(crate) fn at(self, point: u16) -> Self {
+        Self { point, ..self }
+    }
+
     /// The coordinate of the random point that is drawn for a key.
     pub(crate) fn draw(self, key: &Key) -> Quadratic {
         self.field().draw(&self.at_point(key))

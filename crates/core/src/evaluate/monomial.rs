@@ -1,0 +1,172 @@
+//! Monomials: nodes that are a number times powers of positive factors, also where the form does not show it.
+//!
+//! The *generators* below a node are positive symbols, exponentials, and powers with symbolic exponents. Their logarithms
+//! may depend on each other, as that of exp(x + y) on those of exp(x) and exp(y). Values at several points show how,
+//! and which generators form a basis. The power of each of these in the node is read off at a point of integers, where
+//! this generator is 4096 and the others of the basis are 1. Then the product is compared with the node in all lanes.
+
+use crate::graph::{Assumption, Flags, Function, Generator, Graph, Id, Monomial, View};
+use crate::value::{Field, FieldId, Number, Quadratic, fingerprint};
+
+use super::integer_point::Doublings;
+use super::logarithm::DEPTH;
+use super::node::power_of_number;
+
+/// The most generators below a node.
+const MOST_GENERATORS: usize = 24;
+
+/// A generator is 2 to this power at a point of integers, so powers whose exponents have these denominators are found.
+const TWELVE: i64 = 12;
+
+/// The degrees of roots of numbers that are tried.
+const ROOTS: [i64; 6] = [1, 2, 3, 4, 6, 12];
+
+impl Graph {
+    /// The root of a number and the powers of generators whose product has the value of a node, if there are such.
+    pub(super) fn monomial(&self, id: Id) -> Option<Monomial> {
+        if let Some(known) = self.lanes.borrow().monomial(id) {
+            return known.clone();
+        }
+        let monomial = self.find_monomial(id);
+        self.lanes.borrow_mut().insert_monomial(id, monomial.clone());
+        monomial
+    }
+
+    fn find_monomial(&self, id: Id) -> Option<Monomial> {
+        if self.flags(id).has(Flags::COMPLEX) || self.as_number(id).is_some() {
+            return None;
+        }
+        let generators = self.generators(id)?;
+        let mut powers = Vec::new();
+        for (generator, doublings) in self.basis(&generators)? {
+            let exponent = self.doublings_at_integers(id, &doublings)?;
+            if exponent != 0 {
+                powers.push((generator, Number::rational(exponent, TWELVE)));
+            }
+        }
+        let product = |field: FieldId| {
+            powers.iter().fold(field.field().one(), |product, (generator, exponent)| {
+                let power = field.field().rational_power(&self.generator_in(generator, field), exponent);
+                field.field().mul(&product, &power)
+            })
+        };
+        let (root, number) =
+            self.root_of_number(|field| field.field().div(&self.value_in(id, field), &product(field)))?;
+        let whole = |field: FieldId| {
+            let f = field.field();
+            f.mul(&power_of_number(&number, &root, f), &product(field))
+        };
+        let in_hash_lanes = FieldId::HASH.into_iter().all(|field| self.value_in(id, field) == whole(field));
+        (in_hash_lanes && self.is_everywhere(id, whole)).then_some(Monomial { root, number, powers })
+    }
+
+    /// The exponent 1/n and the positive number of a root that has a value in the hash lanes.
+    fn root_of_number(&self, value: impl Fn(FieldId) -> Quadratic) -> Option<(Number, Number)> {
+        let [first, second] = FieldId::HASH.map(|field| (value(field), field.field()));
+        ROOTS.into_iter().find_map(|degree| {
+            let power = |(value, f): &(Quadratic, &Field)| f.power(value, &Number::integer(degree));
+            let number = fingerprint([&power(&first), &power(&second)]).to_simple_rational()?;
+            let is_positive = !number.is_zero() && !number.is_negative();
+            is_positive.then(|| (Number::rational(1, degree), number))
+        })
+    }
+
+    /// The positive factors that the value of a node may hold; `None` if they are many.
+    fn generators(&self, id: Id) -> Option<Vec<Generator>> {
+        let mut generators = Vec::new();
+        for node in self.short_order(id)? {
+            let generator = match self.view(node) {
+                View::Pi | View::Symbol(_, Assumption::Positive) => Generator::Symbol(node),
+                View::Function(Function::Exp | Function::Sinh | Function::Cosh | Function::Tanh, args)
+                    if !self.flags(node).has(Flags::COMPLEX) && !self.may_be_negative(args.get(0)) =>
+                {
+                    Generator::Exponential(args.get(0))
+                }
+                View::Function(Function::Power, args)
+                    if !self.flags(node).has(Flags::COMPLEX) && self.is_monomial(args.get(0), DEPTH) =>
+                {
+                    Generator::Power { base: args.get(0), exponent: args.get(1) }
+                }
+                _ => continue,
+            };
+            if !generators.contains(&generator) {
+                generators.push(generator);
+            }
+        }
+        (generators.len() <= MOST_GENERATORS).then_some(generators)
+    }
+
+    /// A basis of the generators, each with the doublings of all of them at the point of integers for it.
+    fn basis(&self, generators: &[Generator]) -> Option<Vec<(Generator, Doublings)>> {
+        let columns = generators.len();
+        let exponents = FieldId::HASH[0].of_exponents()?;
+        let f = exponents.field();
+        let points = u16::try_from(columns).ok()? + 2;
+        let mut matrix: Vec<Vec<Quadratic>> = (0..points)
+            .map(|point| {
+                let field = exponents.at(point);
+                let real = |value: &Quadratic| f.real_image(value);
+                generators
+                    .iter()
+                    .map(|generator| real(&self.logarithm_of_generator(generator, field)))
+                    .collect()
+            })
+            .collect();
+        let pivots = reduce(&mut matrix, columns, f);
+        let doublings = |row: &[Quadratic]| {
+            let counts = generators.iter().zip(row).map(|(&generator, coefficient)| {
+                let count = f.small_rational(coefficient)?.mul(&Number::integer(TWELVE)).to_i64()?;
+                Some((generator, count))
+            });
+            counts.collect::<Option<Doublings>>()
+        };
+        pivots
+            .into_iter()
+            .zip(&matrix)
+            .map(|(pivot, row)| Some((generators[pivot], doublings(row)?)))
+            .collect()
+    }
+
+    /// The value of a generator in a field.
+    fn generator_in(&self, generator: &Generator, field: FieldId) -> Quadratic {
+        match *generator {
+            Generator::Symbol(id) => self.value_in(id, field),
+            Generator::Exponential(argument) => self.exponential_in(argument, field),
+            Generator::Power { base, exponent } => self.general_power_in(base, exponent, field),
+        }
+    }
+
+    /// The value of the logarithm of a generator in a field.
+    pub(super) fn logarithm_of_generator(&self, generator: &Generator, field: FieldId) -> Quadratic {
+        match *generator {
+            Generator::Symbol(id) => self.atomic_logarithm(id, field),
+            Generator::Exponential(argument) => self.value_in(argument, field),
+            Generator::Power { base, exponent } => {
+                field.field().mul(&self.value_in(exponent, field), &self.logarithm_in(base, field))
+            }
+        }
+    }
+}
+
+/// Bring a matrix to its reduced row echelon form; the columns of the pivots, which are those of the first rows.
+fn reduce(matrix: &mut [Vec<Quadratic>], columns: usize, f: &Field) -> Vec<usize> {
+    let mut pivots = Vec::new();
+    for column in 0..columns {
+        let top = pivots.len();
+        let Some(found) = (top..matrix.len()).find(|&row| !matrix[row][column].is_zero()) else { continue };
+        matrix.swap(top, found);
+        let inverse = f.inverse(&matrix[top][column]);
+        let pivot: Vec<Quadratic> = matrix[top].iter().map(|value| f.mul(value, &inverse)).collect();
+        for (k, row) in matrix.iter_mut().enumerate() {
+            if k != top && !row[column].is_zero() {
+                let factor = row[column].clone();
+                for (value, above) in row.iter_mut().zip(&pivot) {
+                    *value = f.sub(value, &f.mul(&factor, above));
+                }
+            }
+        }
+        matrix[top] = pivot;
+        pivots.push(column);
+    }
+    pivots
+}
