@@ -18,7 +18,10 @@ impl Graph {
     pub fn apply(&mut self, function: Function, args: &[Id]) -> Result<Id, Error> {
         function.check_arity(args.len())?;
         check_count(args.len())?;
-        let args: Vec<Id> = args.iter().map(|&id| self.adopt(id)).collect();
+        let mut args: Vec<Id> = args.iter().map(|&id| self.adopt(id)).collect();
+        if function != Function::Piecewise {
+            args.iter_mut().for_each(|arg| *arg = self.settled(*arg));
+        }
         if let Some(exact) = self.exact_value(function, &args)?
             && self.keeps_value_of_function(function, &args, exact)
         {

@@ -37,6 +37,19 @@ impl Graph {
         id
     }
 
+    /// The number that a piecewise function is in all its branches, or the node itself.
+    pub(super) fn settled(&mut self, id: Id) -> Id {
+        if self.kind(id) != Kind::Function(Function::Piecewise) {
+            return id;
+        }
+        match self.number_shown(self.flags(id), self.value(id)) {
+            Some(number) if self.is_number_everywhere(Pending::Node(id), self.get_number(number)) => {
+                self.number_node(number)
+            }
+            _ => id,
+        }
+    }
+
     /// The number that a fingerprint shows, if it is a simple one.
     ///
     /// Outside of derivations, and for constants, any simple number is recognised.

@@ -60,11 +60,36 @@ impl Graph {
                 _ => None,
             },
             (Function::Sin | Function::Cos | Function::Tan, _) => self.quarter_turns(function, first)?,
+            (Function::Exp, _) => self.powers_of_logarithms(first)?,
             (Function::Min | Function::Max, _) => self.extremum(function, args)?,
             (Function::Power, _) => self.simple_power(first, args[1])?,
             (Function::Piecewise, _) => self.decided_piecewise(args)?,
             _ => None,
         })
+    }
+
+    /// exp(u + 2*log(x)) = x**2*exp(u)
+    fn powers_of_logarithms(&mut self, exponent: Id) -> Result<Option<Id>, Error> {
+        let terms: Vec<(NumberId, Id)> = match self.view(exponent) {
+            View::Scale(factor, child) => vec![(factor, child)],
+            View::Sum(terms) => terms.iter().collect(),
+            _ => return Ok(None),
+        };
+        let (mut powers, mut rest) = (Vec::new(), Vec::new());
+        for (factor, node) in terms {
+            match self.view(node) {
+                View::Function(Function::Log, args) if self.is_real(node) => {
+                    powers.push((args.get(0), factor))
+                }
+                _ => rest.push((factor, node)),
+            }
+        }
+        if powers.is_empty() {
+            return Ok(None);
+        }
+        let rest = self.sum(&rest);
+        powers.push((self.apply(Function::Exp, &[rest])?, NumberId::ONE));
+        self.product(&powers).map(Some)
     }
 
     /// |a**2 b| = a**2 |b|: even powers leave a modulus.

@@ -49,7 +49,13 @@ impl Graph {
     /// # Errors
     /// When a divisor is identically zero, or an even root of a negative number is taken.
     pub fn product(&mut self, factors: &[Factor]) -> Result<Id, Error> {
-        let factors: Vec<Factor> = factors.iter().map(|&(id, e)| (self.adopt(id), e)).collect();
+        let factors: Vec<Factor> = factors
+            .iter()
+            .map(|&(id, e)| {
+                let id = self.adopt(id);
+                (if e == NumberId::ONE { id } else { self.settled(id) }, e)
+            })
+            .collect();
         if factors.iter().any(|&(id, e)| id == Id::ZERO && self.get_number(e).is_negative()) {
             return Err(self.zero_divisor(&factors));
         }

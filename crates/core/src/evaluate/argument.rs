@@ -122,7 +122,15 @@ impl Graph {
 
     /// The number in an exponent, such as the 1 in x + 1: the value at a point of integers.
     pub(crate) fn number_in(&self, exponent: Id) -> Number {
-        self.at_integers(exponent, IntegerPoint::PLAIN).unwrap_or_else(|| Number::integer(0))
+        if let Some(number) = self.as_number(exponent) {
+            return number.clone();
+        }
+        if let Some(known) = self.lanes.borrow().exponent(exponent) {
+            return known.clone();
+        }
+        let number = self.at_integers(exponent, IntegerPoint::PLAIN).unwrap_or_else(|| Number::integer(0));
+        self.lanes.borrow_mut().insert_exponent(exponent, number.clone());
+        number
     }
 
     fn rest_in(&self, argument: Id, split: &Split, field: FieldId) -> Quadratic {

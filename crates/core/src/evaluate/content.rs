@@ -3,7 +3,7 @@
 //! A prime number may be no square in a lane. So that |67 x| = 67 |x| and sqrt(67 x) = sqrt(67) sqrt(x) hold there, signs
 //! and roots are taken of what is left without the content. The power of a prime q in the content is found by value, so
 //! that it does not depend on the form: it is the usual power of q in the values of the node at points of the q-adic
-//! integers, where variables and functions are drawn.
+//! integers, where variables and functions are drawn, and signs are those of a lane.
 
 use num_bigint::{BigInt, BigUint};
 use num_integer::Integer;
@@ -11,17 +11,17 @@ use num_traits::{One, Zero};
 use rustc_hash::FxHashMap;
 use std::collections::{BTreeMap, BTreeSet};
 
-use crate::graph::{Function, Graph, Id, NumberId, View};
-use crate::value::{Element, Key, Number, prime_factors};
+use crate::graph::{Flags, Function, Graph, Id, NumberId, View};
+use crate::value::{FieldId, Key, Number, prime_factors};
 
-use super::integer_point::IntegerPoint;
+use super::integer_point::Rationals;
 
 /// Primes below this are squares in the fields of all lanes but the last ones of the towers, A4 and B3.
 const SMALLEST: u64 = 13;
 
 /// Digits of the q-adic numbers, and points at which they are evaluated.
 const DIGITS: u32 = 6;
-const POINTS: u64 = 9;
+const POINTS: u16 = 9;
 
 /// Valuations are counted in parts of one, because those of roots are fractions.
 const PARTS: i64 = 2520;
@@ -126,16 +126,18 @@ impl Graph {
         if let Some(known) = self.lanes.borrow().content(id) {
             return known.clone();
         }
-        let order = self.open_parts(id);
-        let contents = self.large_primes(id, &order).into_iter().map(|prime| {
-            let power = self.valuation(id, &order, &prime);
-            (Number::whole(prime), power)
-        });
-        let content = contents.fold(Number::integer(1), |product, (prime, power)| {
-            prime.powi(power).map_or_else(|_| product.clone(), |factor| product.mul(&factor))
-        });
-        let content = (!content.is_one()).then_some(content);
+        let content = self.content_of(&[(1, id)]);
         self.lanes.borrow_mut().insert_content(id, content.clone());
+        content
+    }
+
+    /// The content of a - b; `None` if it is one.
+    pub(super) fn content_of_difference(&self, a: Id, b: Id) -> Option<Number> {
+        if let Some(known) = self.lanes.borrow().content_of_difference(a, b) {
+            return known.clone();
+        }
+        let content = self.content_of(&[(1, a), (-1, b)]);
+        self.lanes.borrow_mut().insert_content_of_difference(a, b, content.clone());
         content
     }
 
@@ -147,15 +149,23 @@ impl Graph {
         Number::from_big(whole(&a).gcd(&whole(&b)), denominator).ok().filter(|content| !content.is_one())
     }
 
-    /// The nodes that a node is made of by sums, products and choices, children first; none if there are too many.
-    fn open_parts(&self, root: Id) -> Vec<Id> {
-        let is_open = |id: Id| match self.view(id) {
-            View::Scale(..) | View::Sum(_) | View::Product(_) => true,
-            View::Function(function, _) => is_choice(function),
-            _ => false,
-        };
+    /// The content of a sum of multiples.
+    fn content_of(&self, terms: &[(i64, Id)]) -> Option<Number> {
+        let order = self.open_parts(terms);
+        let contents = self.large_primes(terms, &order).into_iter().map(|prime| {
+            let power = self.valuation(terms, &order, &prime);
+            (Number::whole(prime), power)
+        });
+        let content = contents.fold(Number::integer(1), |product, (prime, power)| {
+            prime.powi(power).map_or_else(|_| product.clone(), |factor| product.mul(&factor))
+        });
+        (!content.is_one()).then_some(content)
+    }
+
+    /// The nodes that terms are made of by sums, products and choices, children first; none if there are too many.
+    fn open_parts(&self, terms: &[(i64, Id)]) -> Vec<Id> {
         let (mut order, mut seen) = (Vec::new(), rustc_hash::FxHashSet::default());
-        let mut stack = vec![(root, false)];
+        let mut stack: Vec<(Id, bool)> = terms.iter().rev().map(|&(_, id)| (id, false)).collect();
         let mut children = Vec::new();
         while let Some((id, expanded)) = stack.pop() {
             if expanded {
@@ -165,7 +175,7 @@ impl Graph {
                     return Vec::new();
                 }
                 stack.push((id, true));
-                if is_open(id) {
+                if self.is_open(id) {
                     children.clear();
                     self.push_children(id, &mut children);
                     stack.extend(children.iter().rev().map(|&child| (child, false)));
@@ -175,50 +185,79 @@ impl Graph {
         order
     }
 
-    /// The primes from [`SMALLEST`] up of the numbers in the nodes, and of their sums: those that two values at points of
-    /// integers have in common.
-    fn large_primes(&self, root: Id, nodes: &[Id]) -> BTreeSet<BigInt> {
+    fn is_open(&self, id: Id) -> bool {
+        match self.view(id) {
+            View::Scale(..) | View::Sum(_) | View::Product(_) => true,
+            View::Function(function, _) => is_choice(function) && !self.flags(id).has(Flags::COMPLEX),
+            _ => false,
+        }
+    }
+
+    /// The primes from [`SMALLEST`] up that the content may hold: those of the numbers in the nodes, and those that two
+    /// values at points of integers have in common, because sums make new ones.
+    fn large_primes(&self, terms: &[(i64, Id)], nodes: &[Id]) -> BTreeSet<BigInt> {
         let mut numbers: BTreeSet<u32> = BTreeSet::new();
+        let mut sums: Vec<Id> = Vec::new();
         let mut note = |number: NumberId| {
-            let is_small = matches!(self.get_number(number).to_small(), Some((-12..=12, 1..=12)));
-            if !is_small {
+            if !self.get_number(number).abs().is_one() {
                 numbers.insert(number.0);
             }
         };
         for &id in nodes {
             match self.view(id) {
                 View::Number(number) | View::Scale(number, _) => note(number),
-                View::Sum(terms) => terms.iter().for_each(|(number, _)| note(number)),
+                View::Sum(terms) => {
+                    sums.push(id);
+                    terms.iter().for_each(|(number, _)| note(number));
+                }
                 _ => {}
             }
         }
         if numbers.is_empty() {
             return BTreeSet::new();
         }
-        let at = |number| self.at_integers(root, IntegerPoint::numbered(number));
-        let shared = at(1).zip(at(2)).map(|(a, b)| {
-            let common = |a: BigInt, b: BigInt| Number::whole(a.gcd(&b));
-            [common(a.numerator(), b.numerator()), common(a.denominator(), b.denominator())]
-        });
         let literals = numbers.into_iter().map(|number| self.get_number(NumberId(number)).clone());
-        let all = literals.chain(shared.into_iter().flatten()).filter(|number| !number.is_zero());
+        let all = literals.chain(self.shared_numbers(terms, &sums)).filter(|number| !number.is_zero());
         let primes = all.flat_map(|number| prime_factors(&number.abs()).into_keys());
         primes.filter(|prime| *prime >= SMALLEST.into()).collect()
     }
 
-    /// The power of a prime in the content of a node.
-    fn valuation(&self, id: Id, order: &[Id], prime: &BigInt) -> i64 {
+    /// What the values of nodes at two points of integers have in common, in numerators and in denominators.
+    fn shared_numbers(&self, terms: &[(i64, Id)], nodes: &[Id]) -> Vec<Number> {
+        let roots: Vec<Id> = terms.iter().map(|&(_, id)| id).collect();
+        let Some([first, second]) = self.at_two_points(&roots) else { return Vec::new() };
+        let of_terms = |values: &Rationals| {
+            terms.iter().try_fold(Number::integer(0), |sum, &(factor, id)| {
+                Some(sum.add(&values.get(id)?.mul(&Number::integer(factor))))
+            })
+        };
+        let pairs = nodes.iter().map(|&id| first.get(id).zip(second.get(id)));
+        let shared = pairs.chain([of_terms(&first).zip(of_terms(&second))]).flatten().map(|(a, b)| {
+            let common = |a: BigInt, b: BigInt| Number::whole(a.gcd(&b));
+            [common(a.numerator(), b.numerator()), common(a.denominator(), b.denominator())]
+        });
+        shared.flatten().collect()
+    }
+
+    /// The power of a prime in the content of a sum of multiples.
+    fn valuation(&self, terms: &[(i64, Id)], order: &[Id], prime: &BigInt) -> i64 {
         let adics = Adics::new(prime);
-        let values = (0..POINTS).map(|point| self.adic_value(id, order, &adics, point));
         let mut counts: BTreeMap<i64, usize> = BTreeMap::new();
-        for value in values.filter(|value| !value.unit.is_zero()) {
-            *counts.entry(value.valuation).or_default() += 1;
+        for point in 0..POINTS {
+            let values = self.adic_values(order, &adics, point);
+            let sum = terms.iter().fold(adics.number(&BigInt::zero(), 0), |sum, (factor, id)| {
+                adics.add(&sum, &adics.mul(&adics.number(&(*factor).into(), 0), &values[id]))
+            });
+            if !sum.unit.is_zero() {
+                *counts.entry(sum.valuation).or_default() += 1;
+            }
         }
         let most_frequent = counts.into_iter().max_by_key(|&(_, count)| count);
         most_frequent.map_or(0, |(valuation, _)| valuation.div_euclid(PARTS))
     }
 
-    fn adic_value(&self, id: Id, order: &[Id], adics: &Adics, point: u64) -> Adic {
+    /// The values of nodes at a point of the q-adic integers.
+    fn adic_values(&self, order: &[Id], adics: &Adics, point: u16) -> FxHashMap<Id, Adic> {
         let mut values: FxHashMap<Id, Adic> = FxHashMap::default();
         for &node in order {
             let value = match self.view(node) {
@@ -239,7 +278,7 @@ impl Graph {
                         adics.mul(&product, &adics.rational_power(&values[&base], exponent, key))
                     })
                 }
-                View::Function(function, args) if is_choice(function) => {
+                View::Function(function, args) if self.is_open(node) => {
                     let args: Vec<Id> = args.iter().collect();
                     self.choice(function, &args, &values, adics, point)
                 }
@@ -254,52 +293,41 @@ impl Graph {
             };
             values.insert(node, value);
         }
-        values.remove(&id).expect("a node is the last of its parts")
+        values
     }
 
-    /// A sign, a modulus, an extremum or a piecewise function, by the toss of a coin for the value of its condition.
+    /// A sign, a modulus, an extremum or a piecewise function, as it is chosen in a lane.
     fn choice(
         &self,
         function: Function,
         args: &[Id],
         values: &FxHashMap<Id, Adic>,
         adics: &Adics,
-        point: u64,
+        point: u16,
     ) -> Adic {
-        let opposite = |value: &Adic| adics.mul(value, &adics.number(&(-1).into(), 0));
-        let is_positive = |value: Element| {
-            let (key, negated) = value.unsigned();
-            (key_of_value(key, point).draw_word(17) & 1 == 0) != negated
-        };
-        let first = args[0];
+        let lane = FieldId::other(point);
+        let is_positive = |id: Id| self.sign_in(id, lane) == lane.field().one();
+        let of_one = |sign: i64| adics.number(&sign.into(), 0);
         match function {
-            Function::Abs if is_positive(self.value(first)) => values[&first].clone(),
-            Function::Abs => opposite(&values[&first]),
-            Function::Sign if is_positive(self.value(first)) => adics.number(&BigInt::one(), 0),
-            Function::Sign => adics.number(&(-1).into(), 0),
+            Function::Abs if is_positive(args[0]) => values[&args[0]].clone(),
+            Function::Abs => adics.mul(&values[&args[0]], &of_one(-1)),
+            Function::Sign => of_one(if is_positive(args[0]) { 1 } else { -1 }),
             Function::Min | Function::Max => {
-                let pair = |a: Id, b: Id| {
-                    let is_a_greater = is_positive(self.value(a) - self.value(b));
-                    if is_a_greater == (function == Function::Max) { a } else { b }
-                };
-                values[&args[1..].iter().copied().fold(first, pair)].clone()
+                let in_lane = |id: Id| self.value_in(id, lane);
+                values[&self.extremum_in(function, args, in_lane, lane.field())].clone()
             }
             _ => {
                 let mut pairs = args[..args.len() - 1].chunks_exact(2);
-                let chosen = pairs.find(|pair| is_positive(self.value(pair[1])));
+                let chosen = pairs.find(|pair| is_positive(pair[1]));
                 values[&chosen.map_or(args[args.len() - 1], |pair| pair[0])].clone()
             }
         }
     }
 
-    fn key_of(&self, id: Id, point: u64) -> Key {
-        key_of_value(self.value(id).unsigned().0, point)
+    fn key_of(&self, id: Id, point: u16) -> Key {
+        let [first, second] = self.value(id).unsigned().0.words();
+        Key::new("digits").word(first).word(second).word(point.into())
     }
-}
-
-fn key_of_value(value: Element, point: u64) -> Key {
-    let [first, second] = value.words();
-    Key::new("digits").word(first).word(second).word(point)
 }
 
 fn is_choice(function: Function) -> bool {

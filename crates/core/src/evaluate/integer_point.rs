@@ -79,30 +79,35 @@ impl<'a> IntegerPoint<'a> {
 
 type Values = FxHashMap<Id, Quadratic>;
 
+/// The values of nodes at an integer point in both hash lanes.
+pub(super) struct Rationals([Values; 2]);
+
+impl Rationals {
+    /// The value of a node if it is a simple rational number.
+    pub(super) fn get(&self, id: Id) -> Option<Number> {
+        fingerprint([self.0[0].get(&id)?, self.0[1].get(&id)?]).to_simple_rational()
+    }
+}
+
 impl Graph {
     /// The value of a node at an integer point, if it is a simple rational number there.
     pub(super) fn at_integers(&self, root: Id, point: IntegerPoint<'_>) -> Option<Number> {
-        self.power_at_integers(root, 1, point)
+        self.rationals(&self.short_order(&[root])?, point).get(root)
     }
 
-    /// A power of the value of a node at an integer point, if that is a simple rational number.
-    pub(super) fn power_at_integers(
-        &self,
-        root: Id,
-        exponent: i64,
-        point: IntegerPoint<'_>,
-    ) -> Option<Number> {
-        let order = self.short_order(root)?;
-        let [first, second] = FieldId::HASH.map(|field| {
-            let value = self.values_at(&order, point, field).remove(&root)?;
-            Some(field.field().power(&value, &Number::integer(exponent)))
-        });
-        fingerprint([&first?, &second?]).to_simple_rational()
+    /// The values of nodes and of what is below them at two points of integers.
+    pub(super) fn at_two_points(&self, roots: &[Id]) -> Option<[Rationals; 2]> {
+        let order = self.short_order(roots)?;
+        Some([1, 2].map(|number| self.rationals(&order, IntegerPoint::numbered(number))))
+    }
+
+    fn rationals(&self, order: &[Id], point: IntegerPoint<'_>) -> Rationals {
+        Rationals(FieldId::HASH.map(|field| self.values_at(order, point, field)))
     }
 
     /// The n for which the value of a node is 2^n times as large if generators are larger than at the plain point.
     pub(super) fn doublings_at_integers(&self, root: Id, doublings: &Doublings) -> Option<i64> {
-        let order = self.short_order(root)?;
+        let order = self.short_order(&[root])?;
         let [first, second] = FieldId::HASH.map(|field| {
             let plain = self.values_at(&order, IntegerPoint::PLAIN, field);
             let point =
@@ -118,7 +123,7 @@ impl Graph {
     ///
     /// It is u(2) - u(1) for pi, which is positive, and (u(1) - u(-1))/2 for others, which may be odd functions.
     pub(super) fn growth_at_integers(&self, root: Id, atom: &Atom) -> Option<Number> {
-        let order = self.short_order(root)?;
+        let order = self.short_order(&[root])?;
         let [first, second] = FieldId::HASH.map(|field| {
             let at = |value| self.values_at(&order, IntegerPoint::with(atom, value), field).remove(&root);
             let f = field.field();
@@ -131,8 +136,8 @@ impl Graph {
     }
 
     /// The nodes below a node and itself, children first, if they are not many.
-    pub(super) fn short_order(&self, root: Id) -> Option<Vec<Id>> {
-        let order = self.post_order(&[root]);
+    pub(super) fn short_order(&self, roots: &[Id]) -> Option<Vec<Id>> {
+        let order = self.post_order(roots);
         (order.len() <= MOST_NODES).then_some(order)
     }
 
@@ -236,18 +241,14 @@ impl Graph {
             Function::Abs => f.mul(of(args[0])?, &self.sign_of(args[0], of(args[0])?, f)),
             Function::Sign => self.sign_of(args[0], of(args[0])?, f),
             Function::Min | Function::Max => {
-                let all: Option<Vec<&Quadratic>> = args.iter().map(|&arg| of(arg)).collect();
-                f.extremum(function == Function::Max, all?.into_iter().cloned())
+                args.iter().try_for_each(|&arg| of(arg).map(drop))?;
+                values[&self.extremum_in(function, args, |arg| values[&arg].clone(), f)].clone()
             }
             Function::Power => {
                 let generator = Generator::Power { base: args[0], exponent: args[1] };
                 let values = point.values_for(&generator, values);
-                let (base, exponent) = (values.get(&args[0])?, values.get(&args[1])?);
-                let plain = match f.small_rational(exponent) {
-                    Some(number) => power(base, &number, f)?,
-                    None => f.one(),
-                };
-                point.grow(generator, plain, f)
+                let base = values.get(&args[0])?;
+                point.grow(generator, power(base, &self.number_in(args[1]), f)?, f)
             }
             Function::Piecewise => {
                 let all: Option<Vec<&Quadratic>> = args.iter().map(|&arg| of(arg)).collect();

@@ -74,7 +74,7 @@ impl Graph {
     /// The positive factors that the value of a node may hold; `None` if they are many.
     fn generators(&self, id: Id) -> Option<Vec<Generator>> {
         let mut generators = Vec::new();
-        for node in self.short_order(id)? {
+        for node in self.short_order(&[id])? {
             let generator = match self.view(node) {
                 View::Pi | View::Symbol(_, Assumption::Positive) => Generator::Symbol(node),
                 View::Function(Function::Exp | Function::Sinh | Function::Cosh | Function::Tanh, args)

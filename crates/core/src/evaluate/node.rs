@@ -252,17 +252,30 @@ impl Graph {
         }
     }
 
-    fn sign_in(&self, id: Id, field: FieldId) -> Quadratic {
+    pub(super) fn sign_in(&self, id: Id, field: FieldId) -> Quadratic {
         self.sign_of(id, &self.value_in(id, field), field.field())
     }
 
     /// The sign of a real node that has this value.
     pub(super) fn sign_of(&self, id: Id, value: &Quadratic, f: &Field) -> Quadratic {
-        let sign = f.sign(value);
-        match self.numeric_content(id) {
-            Some(content) => f.mul(&sign, &f.sign(&f.number(&content))),
-            None => sign,
-        }
+        signed_by_content(value, self.numeric_content(id), f)
+    }
+
+    /// Which of several nodes is the greatest or the least where they have these values: the first two are compared, the
+    /// one that stays is compared with the third, and so on.
+    pub(super) fn extremum_in(
+        &self,
+        function: Function,
+        nodes: &[Id],
+        value: impl Fn(Id) -> Quadratic,
+        f: &Field,
+    ) -> Id {
+        let pair = |a: Id, b: Id| {
+            let difference = f.sub(&value(a), &value(b));
+            let sign = signed_by_content(&difference, self.content_of_difference(a, b), f);
+            if (sign == f.one()) == (function == Function::Max) { a } else { b }
+        };
+        nodes.iter().copied().reduce(pair).expect("an extremum is that of one value or more")
     }
 
     pub(super) fn function_in(&self, function: Function, args: &[Id], field: FieldId) -> Quadratic {
@@ -302,9 +315,7 @@ impl Graph {
             }
             Function::Abs => f.mul(&self.sign_in(first, field), &value(first)),
             Function::Sign => self.sign_in(first, field),
-            Function::Min | Function::Max => {
-                f.extremum(function == Function::Max, args.iter().map(|&arg| value(arg)))
-            }
+            Function::Min | Function::Max => value(self.extremum_in(function, args, value, f)),
             Function::Piecewise => {
                 let values: Vec<Quadratic> = args.iter().map(|&arg| value(arg)).collect();
                 let signs: Vec<Quadratic> = args.iter().map(|&arg| self.sign_in(arg, field)).collect();
@@ -393,6 +404,15 @@ impl Graph {
             return false;
         }
         self.as_number(base).is_none_or(|number| prime_factors(number).keys().any(is_large))
+    }
+}
+
+/// The sign of a value that has a content, which is positive.
+fn signed_by_content(value: &Quadratic, content: Option<Number>, f: &Field) -> Quadratic {
+    let sign = f.sign(value);
+    match content {
+        Some(content) => f.mul(&sign, &f.sign(&f.number(&content))),
+        None => sign,
     }
 }
 

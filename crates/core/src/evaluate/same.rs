@@ -2,7 +2,7 @@
 
 use std::cmp::Ordering;
 
-use crate::graph::{ByValue, Column, Flags, Graph, Id, NumberId, View};
+use crate::graph::{ByValue, Column, Flags, Function, Graph, Id, NumberId, View};
 use crate::value::{Element, FieldId, Key, Number, Quadratic};
 
 use super::node::in_hash_lanes;
@@ -106,7 +106,16 @@ impl Graph {
     /// Whether something is made of equal parts in the same way as a node.
     fn has_equal_parts(&self, pending: Pending<'_>, id: Id) -> bool {
         let equal = |a: Id, b: Id| self.value(a) == self.value(b) && self.same(a, b);
+        let every_branch = |args: &[Id], other: Id| {
+            args.iter().enumerate().all(|(k, &arg)| (k % 2 == 1 && k + 1 < args.len()) || equal(arg, other))
+        };
         match (pending, self.view(id)) {
+            (Pending::Function(Function::Piecewise, args), _) if every_branch(args, id) => true,
+            (Pending::Node(node), View::Function(Function::Piecewise, args))
+                if every_branch(&args.iter().collect::<Vec<_>>(), node) =>
+            {
+                true
+            }
             (Pending::Node(node), view) => match (self.view(node), view) {
                 (View::Scale(a, x), View::Scale(b, y)) => a == b && equal(x, y),
                 (View::Sum(terms), View::Sum(_)) => {
@@ -115,7 +124,7 @@ impl Graph {
                 (View::Product(factors), View::Product(_)) => {
                     self.has_equal_parts(Pending::Product(&factors.iter().collect::<Vec<_>>()), id)
                 }
-                (View::Function(f, args), View::Function(..)) => {
+                (View::Function(f, args), _) => {
                     self.has_equal_parts(Pending::Function(f, &args.iter().collect::<Vec<_>>()), id)
                 }
                 _ => false,

@@ -28,6 +28,10 @@ pub(crate) struct Lanes {
     signs: FxHashMap<Id, Signs>,
     /// The numeric contents of nodes.
     contents: FxHashMap<Id, Option<Number>>,
+    /// The numeric contents of differences.
+    contents_of_differences: FxHashMap<(Id, Id), Option<Number>>,
+    /// The numbers in exponents, such as the 1 in x + 1.
+    exponents: FxHashMap<Id, Number>,
     /// Nodes that are a number times powers of positive factors.
     monomials: FxHashMap<Id, Option<Monomial>>,
     /// How arguments of sines (false) and exponentials (true) are split, see `evaluate::argument`.
@@ -152,6 +156,22 @@ impl Lanes {
 
     pub(crate) fn insert_content(&mut self, id: Id, content: Option<Number>) {
         self.contents.insert(id, content);
+    }
+
+    pub(crate) fn content_of_difference(&self, a: Id, b: Id) -> Option<&Option<Number>> {
+        self.contents_of_differences.get(&(a, b))
+    }
+
+    pub(crate) fn insert_content_of_difference(&mut self, a: Id, b: Id, content: Option<Number>) {
+        self.contents_of_differences.insert((a, b), content);
+    }
+
+    pub(crate) fn exponent(&self, id: Id) -> Option<&Number> {
+        self.exponents.get(&id)
+    }
+
+    pub(crate) fn insert_exponent(&mut self, id: Id, number: Number) {
+        self.exponents.insert(id, number);
     }
 
     pub(crate) fn monomial(&self, id: Id) -> Option<&Option<Monomial>> {

@@ -158,17 +158,8 @@ impl Field {
     }
 
     /// The modulus |u|, the positive one of u and -u.
-    pub(crate) fn modulus(&self, a: &Quadratic) -> Quadratic {
+    fn modulus(&self, a: &Quadratic) -> Quadratic {
         if self.closure.is_positive(a) { a.clone() } else { self.neg(a) }
-    }
-
-    /// max(a, b) = (a + b + |a - b|)/2, min(a, b) = (a + b - |a - b|)/2, taken from the first value to the last.
-    pub(crate) fn extremum(&self, is_greatest: bool, values: impl Iterator<Item = Quadratic>) -> Quadratic {
-        let pair = |a: Quadratic, b: Quadratic| {
-            let (sum, distance) = (self.add(&a, &b), self.modulus(&self.sub(&a, &b)));
-            self.half(&if is_greatest { self.add(&sum, &distance) } else { self.sub(&sum, &distance) })
-        };
-        values.reduce(pair).expect("an extremum is that of one value or more")
     }
 
     /// The first value whose condition is positive, as the sum of the values times indicators (1 + sign)/2.

@@ -52,6 +52,11 @@ impl FieldId {
         (2..NUMBER_OF_LANES).map(move |lane| Self::of_lane(lane, point))
     }
 
+    /// The first field of one of the other lanes.
+    pub(crate) fn other(lane: u16) -> Self {
+        Self::of_lane(lane + 2, 0)
+    }
+
     /// Which of the other lanes this field begins, if it begins one, and the point.
     pub(crate) fn other_lane(self) -> Option<(usize, u16)> {
         let lane = self.index as usize / FIELDS_OF_A_LANE;
