@@ -324,8 +324,22 @@ impl Graph {
             out.push(self, base, exponent);
         } else if !rest.is_empty() {
             let rest = self.product(&rest)?;
-            self.collect_power(out, rest, exponent)?;
+            self.collect_rest(out, rest, exponent)?;
         }
+        Ok(())
+    }
+
+    /// Add the root of what its positive factors have left. A derivation may know it as a product with positive factors
+    /// again, and these stay.
+    fn collect_rest(&mut self, out: &mut Collector, rest: Id, exponent: &Number) -> Result<(), Error> {
+        let (factor, node) = self.split_multiple(NumberId::ONE, rest);
+        if self.kind(node) != Kind::Product {
+            return self.collect_power(out, rest, exponent);
+        }
+        let factor = self.get_number(factor).clone();
+        collect_number(out, &factor.abs(), exponent)?;
+        let node = if factor.is_negative() { self.scale(NumberId::MINUS_ONE, node) } else { node };
+        out.push(self, node, exponent);
         Ok(())
     }
 

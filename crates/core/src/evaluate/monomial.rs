@@ -170,3 +170,22 @@ fn reduce(matrix: &mut [Vec<Quadratic>], columns: usize, f: &Field) -> Vec<usize
     }
     pivots
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::error::Error;
+
+    #[test]
+    fn exponentials_are_found_in_quotients() -> Result<(), Error> {
+        let g = &mut Graph::new();
+        let (x, y) = (g.symbol("x", Assumption::Real), g.symbol("y", Assumption::Real));
+        let e = g.apply(Function::Exp, &[x])?;
+        let (product, next) = (g.mul(e, y)?, g.add(y, Id::ONE));
+        let sum = g.add(product, e);
+        let quotient = g.div(sum, next)?;
+        let logarithm = g.apply(Function::Log, &[quotient])?;
+        assert!(g.equal(logarithm, x));
+        Ok(())
+    }
+}
