@@ -15,8 +15,8 @@ use super::logarithm_part::Part;
 /// Larger expressions have no value here.
 const MOST_NODES: usize = 4096;
 
-/// Powers of 4096 that are recognised have exponents up to 40.
-const MOST_DOUBLINGS: i64 = 480;
+/// The largest power of two that is recognised.
+const MOST_DOUBLINGS: i64 = 20_000;
 
 /// The n of the powers 2^n by which generators are larger than at the plain point.
 pub(super) type Doublings = FxHashMap<Generator, i64>;

@@ -3,7 +3,9 @@
 //! The *generators* below a node are positive symbols, exponentials, and powers with symbolic exponents. Their logarithms
 //! may depend on each other, as that of exp(x + y) on those of exp(x) and exp(y). Values at several points show how,
 //! and which generators form a basis. The power of each of these in the node is read off at a point of integers, where
-//! this generator is 4096 and the others of the basis are 1. Then the product is compared with the node in all lanes.
+//! this generator is a large power of two and the others of the basis are 1. Then the product is compared with the node in all lanes.
+
+use num_integer::Integer;
 
 use crate::graph::{Assumption, Flags, Function, Generator, Graph, Id, Monomial, View};
 use crate::value::{Field, FieldId, Number, Quadratic, fingerprint};
@@ -15,8 +17,12 @@ use super::node::power_of_number;
 /// The most generators below a node.
 const MOST_GENERATORS: usize = 24;
 
-/// A generator is 2 to this power at a point of integers, so powers whose exponents have these denominators are found.
-const TWELVE: i64 = 12;
+/// Generators are at least 2 to this power at a point of integers. Powers whose exponents have denominators that divide
+/// this, or the denominators of the exponents below a node, are found.
+const DOUBLINGS: i64 = 12;
+
+/// The most doublings of a generator.
+const MOST_DOUBLINGS: i64 = 5040;
 
 /// The degrees of roots of numbers that are tried.
 const ROOTS: [i64; 6] = [1, 2, 3, 4, 6, 12];
@@ -37,11 +43,12 @@ impl Graph {
             return None;
         }
         let generators = self.generators(id)?;
+        let unit = self.doublings_of_a_generator(id)?;
         let mut powers = Vec::new();
-        for (generator, doublings) in self.basis(&generators)? {
+        for (generator, doublings) in self.basis(&generators, unit)? {
             let exponent = self.doublings_at_integers(id, &doublings)?;
             if exponent != 0 {
-                powers.push((generator, Number::rational(exponent, TWELVE)));
+                powers.push((generator, Number::rational(exponent, unit)));
             }
         }
         let product = |field: FieldId| {
@@ -50,8 +57,10 @@ impl Graph {
                 field.field().mul(&product, &power)
             })
         };
-        let (root, number) =
-            self.root_of_number(|field| field.field().div(&self.value_in(id, field), &product(field)))?;
+        let content = self.numeric_content(id).unwrap_or_else(|| Number::integer(1));
+        let (root, number) = self.root_of_number(&content, |field| {
+            field.field().div(&self.value_in(id, field), &product(field))
+        })?;
         let whole = |field: FieldId| {
             let f = field.field();
             f.mul(&power_of_number(&number, &root, f), &product(field))
@@ -60,15 +69,39 @@ impl Graph {
         (in_hash_lanes && self.is_everywhere(id, whole)).then_some(Monomial { root, number, powers })
     }
 
-    /// The exponent 1/n and the positive number of a root that has a value in the hash lanes.
-    fn root_of_number(&self, value: impl Fn(FieldId) -> Quadratic) -> Option<(Number, Number)> {
-        let [first, second] = FieldId::HASH.map(|field| (value(field), field.field()));
+    /// The exponent 1/n and the positive number of a root that has a value in the hash lanes, and this content.
+    fn root_of_number(
+        &self,
+        content: &Number,
+        value: impl Fn(FieldId) -> Quadratic,
+    ) -> Option<(Number, Number)> {
+        let [first, second] = FieldId::HASH.map(|field| {
+            let f = field.field();
+            (f.div(&value(field), &f.number(content)), f)
+        });
         ROOTS.into_iter().find_map(|degree| {
             let power = |(value, f): &(Quadratic, &Field)| f.power(value, &Number::integer(degree));
             let number = fingerprint([&power(&first), &power(&second)]).to_simple_rational()?;
             let is_positive = !number.is_zero() && !number.is_negative();
-            is_positive.then(|| (Number::rational(1, degree), number))
+            let whole = content.powi(degree).ok()?.mul(&number);
+            is_positive.then(|| (Number::rational(1, degree), whole))
         })
+    }
+
+    /// By how many doublings a generator is larger at its point of integers: a multiple of all denominators of exponents.
+    fn doublings_of_a_generator(&self, id: Id) -> Option<i64> {
+        let mut unit = DOUBLINGS;
+        for node in self.short_order(&[id])? {
+            if let View::Product(factors) = self.view(node) {
+                for (_, exponent) in factors.iter() {
+                    unit = unit.lcm(&self.get_number(exponent).to_small()?.1);
+                }
+            }
+            if unit > MOST_DOUBLINGS {
+                return None;
+            }
+        }
+        Some(unit)
     }
 
     /// The positive factors that the value of a node may hold; `None` if they are many.
@@ -97,7 +130,7 @@ impl Graph {
     }
 
     /// A basis of the generators, each with the doublings of all of them at the point of integers for it.
-    fn basis(&self, generators: &[Generator]) -> Option<Vec<(Generator, Doublings)>> {
+    fn basis(&self, generators: &[Generator], unit: i64) -> Option<Vec<(Generator, Doublings)>> {
         let columns = generators.len();
         let exponents = FieldId::HASH[0].of_exponents()?;
         let f = exponents.field();
@@ -115,7 +148,7 @@ impl Graph {
         let pivots = reduce(&mut matrix, columns, f);
         let doublings = |row: &[Quadratic]| {
             let counts = generators.iter().zip(row).map(|(&generator, coefficient)| {
-                let count = f.small_rational(coefficient)?.mul(&Number::integer(TWELVE)).to_i64()?;
+                let count = f.small_rational(coefficient)?.mul(&Number::integer(unit)).to_i64()?;
                 Some((generator, count))
             });
             counts.collect::<Option<Doublings>>()
