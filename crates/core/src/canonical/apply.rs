@@ -6,6 +6,7 @@ use crate::error::Error;
 use crate::evaluate::Pending;
 use crate::graph::{Flags, Function, Graph, Id, Kind, LONGEST, NumberId, Parity, View, check_order};
 use crate::print::compare_names;
+use crate::value::Number;
 
 /// The most nodes of a term that are searched for names, because arguments may be graphs of any size.
 const NAMES_SEARCH: usize = 64;
@@ -20,7 +21,7 @@ impl Graph {
         check_count(args.len())?;
         let mut args: Vec<Id> = args.iter().map(|&id| self.adopt(id)).collect();
         if function != Function::Piecewise {
-            args.iter_mut().for_each(|arg| *arg = self.settled(*arg));
+            args = args.into_iter().map(|arg| self.settled(arg)).collect();
         }
         if let Some(exact) = self.exact_value(function, &args)?
             && self.keeps_value_of_function(function, &args, exact)
@@ -29,6 +30,10 @@ impl Graph {
         }
         if let Some(result) = self.by_parity(function, &args)? {
             return Ok(result);
+        }
+        if function == Function::Tan && self.is_pole_of_tangent(args[0]) {
+            let argument = self.to_quotation(args[0]);
+            return Err(Error::Domain { function: function.name(), argument });
         }
         let value = self.function_fingerprint(function, &args);
         let flags = self.flags_of_function(function, &args);
@@ -105,12 +110,24 @@ impl Graph {
         names
     }
 
-    /// Whether a rule has kept the value: those of signs and moduli of roots, which may be complex in some lanes, need not.
+    /// Whether a rule has kept the value. Those of signs and moduli of roots, which may be complex in some lanes, need not,
+    /// nor those that take pi from an angle that holds it elsewhere in a root.
     fn keeps_value_of_function(&self, function: Function, args: &[Id], result: Id) -> bool {
-        !matches!(function, Function::Abs | Function::Sign)
-            || !self.flags(args[0]).has(Flags::BRANCH)
+        let is_certain = match function {
+            Function::Abs | Function::Sign => !self.flags(args[0]).has(Flags::BRANCH),
+            Function::Sin | Function::Cos | Function::Tan => !self.flags(result).has(Flags::INVERSE),
+            _ => true,
+        };
+        is_certain
             || self.function_fingerprint(function, args) == self.value(result)
                 && self.agrees(Pending::Function(function, args), result, false)
+    }
+
+    /// Whether an angle is an odd multiple of pi/2 though it does not look like one.
+    fn is_pole_of_tangent(&self, angle: Id) -> bool {
+        self.flags(angle).has(Flags::INVERSE)
+            && self.function_fingerprint(Function::Cos, &[angle]).is_zero()
+            && self.is_number_everywhere(Pending::Function(Function::Cos, &[angle]), &Number::integer(0))
     }
 
     /// The facts about a function of arguments that are not those of its arguments.

@@ -6,6 +6,9 @@ use crate::value::Number;
 
 use super::collector::Collector;
 
+/// Larger powers stay exponentials of logarithms.
+const LARGEST_POWER: i64 = 100;
+
 /// Longer products stay inside their modulus unchanged.
 const LONGEST_MODULUS: usize = 48;
 
@@ -78,8 +81,8 @@ impl Graph {
         let (mut powers, mut rest) = (Vec::new(), Vec::new());
         for (factor, node) in terms {
             match self.view(node) {
-                View::Function(Function::Log, args) if self.is_real(node) => {
-                    powers.push((args.get(0), factor))
+                View::Function(Function::Log, args) if self.is_real(node) && self.is_short_power(factor) => {
+                    powers.push((args.get(0), factor));
                 }
                 _ => rest.push((factor, node)),
             }
@@ -90,6 +93,11 @@ impl Graph {
         let rest = self.sum(&rest);
         powers.push((self.apply(Function::Exp, &[rest])?, NumberId::ONE));
         self.product(&powers).map(Some)
+    }
+
+    fn is_short_power(&self, exponent: NumberId) -> bool {
+        let largest = Number::integer(LARGEST_POWER);
+        self.get_number(exponent).abs().compare(&largest).is_le()
     }
 
     /// |a**2 b| = a**2 |b|: even powers leave a modulus.

@@ -208,7 +208,9 @@ impl Graph {
                 _ => {}
             }
             for atom in found {
-                if atoms.len() < MOST_ATOMS && !atoms.iter().any(|known| self.is_same_atom(known, &atom)) {
+                if atoms.len() < MOST_ATOMS
+                    && !atoms.iter().any(|known| self.sign_of_atom(known, &atom).is_some())
+                {
                     atoms.push(atom);
                 }
             }
@@ -216,13 +218,18 @@ impl Graph {
         atoms
     }
 
-    fn is_same_atom(&self, a: &Atom, b: &Atom) -> bool {
+    /// 1 if two atoms are equal, and -1 if they are opposite.
+    pub(super) fn sign_of_atom(&self, a: &Atom, b: &Atom) -> Option<i64> {
+        let of_odd = |a: Id, b: Id| match (self.same(a, b), self.opposite_values(a, b)) {
+            (true, _) => Some(1),
+            (_, true) => Some(-1),
+            _ => None,
+        };
         match (a, b) {
-            (Atom::Asin(a), Atom::Asin(b))
-            | (Atom::Atan(a), Atom::Atan(b))
-            | (Atom::Log(a), Atom::Log(b)) => self.same(*a, *b),
-            (Atom::Atan2(y, x), Atom::Atan2(v, u)) => self.same(*y, *v) && self.same(*x, *u),
-            _ => a == b,
+            (Atom::Asin(a), Atom::Asin(b)) | (Atom::Atan(a), Atom::Atan(b)) => of_odd(*a, *b),
+            (Atom::Atan2(y, x), Atom::Atan2(v, u)) => of_odd(*y, *v).filter(|_| self.same(*x, *u)),
+            (Atom::Log(a), Atom::Log(b)) => self.same(*a, *b).then_some(1),
+            _ => (a == b).then_some(1),
         }
     }
 }

@@ -5,120 +5,25 @@
 //! that it does not depend on the form: it is the usual power of q in the values of the node at points of the q-adic
 //! integers, where variables and functions are drawn, and signs are those of a lane.
 
-use num_bigint::{BigInt, BigUint};
+use num_bigint::BigInt;
 use num_integer::Integer;
-use num_traits::{One, Zero};
+use num_traits::One;
 use rustc_hash::FxHashMap;
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::graph::{Flags, Function, Graph, Id, NumberId, View};
-use crate::value::{FieldId, Key, Number, prime_factors};
+use crate::value::{Adic, Adics, FieldId, Key, Number, PARTS, prime_factors};
 
 use super::integer_point::Rationals;
 
 /// Primes below this are squares in the fields of all lanes but the last ones of the towers, A4 and B3.
 const SMALLEST: u64 = 13;
 
-/// Digits of the q-adic numbers, and points at which they are evaluated.
-const DIGITS: u32 = 6;
+/// Points at which the q-adic values of nodes are found.
 const POINTS: u16 = 9;
-
-/// Valuations are counted in parts of one, because those of roots are fractions.
-const PARTS: i64 = 2520;
 
 /// Larger sums and products have no content.
 const SEARCH: usize = 4096;
-
-/// A q-adic number: q^(valuation/PARTS) * unit, where zero has no unit.
-#[derive(Clone)]
-struct Adic {
-    valuation: i64,
-    unit: BigInt,
-}
-
-/// The q-adic numbers of a prime to a relative precision.
-struct Adics {
-    prime: BigInt,
-    modulus: BigInt,
-}
-
-impl Adics {
-    fn new(prime: &BigInt) -> Self {
-        Self { prime: prime.clone(), modulus: num_traits::Pow::pow(prime, DIGITS) }
-    }
-
-    /// The number with this integer part; what is zero to the precision is zero.
-    fn number(&self, integer: &BigInt, valuation: i64) -> Adic {
-        let (mut unit, mut valuation) = (integer.mod_floor(&self.modulus), valuation);
-        while !unit.is_zero() && unit.is_multiple_of(&self.prime) {
-            unit /= &self.prime;
-            valuation += PARTS;
-        }
-        Adic { valuation, unit }
-    }
-
-    fn rational(&self, number: &Number) -> Adic {
-        let denominator = self.number(&number.denominator(), 0);
-        // Numerators may have more digits than the precision.
-        let (mut numerator, mut valuation) = (number.numerator(), 0);
-        while !numerator.is_zero() && numerator.is_multiple_of(&self.prime) {
-            numerator /= &self.prime;
-            valuation += PARTS;
-        }
-        self.mul(&self.number(&numerator, valuation), &self.inverse(&denominator))
-    }
-
-    fn add(&self, a: &Adic, b: &Adic) -> Adic {
-        let (low, high) = if a.valuation <= b.valuation { (a, b) } else { (b, a) };
-        match (low.unit.is_zero(), high.unit.is_zero()) {
-            (true, _) => return high.clone(),
-            (_, true) => return low.clone(),
-            _ => {}
-        }
-        let difference = high.valuation - low.valuation;
-        if difference % PARTS != 0 {
-            return low.clone(); // nothing cancels
-        }
-        let shift = u32::try_from(difference / PARTS).unwrap_or(u32::MAX).min(DIGITS);
-        let shifted = &high.unit * num_traits::Pow::pow(&self.prime, shift);
-        self.number(&(&low.unit + shifted), low.valuation)
-    }
-
-    fn mul(&self, a: &Adic, b: &Adic) -> Adic {
-        Adic { valuation: a.valuation + b.valuation, unit: (&a.unit * &b.unit).mod_floor(&self.modulus) }
-    }
-
-    /// The reciprocal; zero stays zero.
-    fn inverse(&self, a: &Adic) -> Adic {
-        let inverse = a.unit.modinv(&self.modulus).unwrap_or_default();
-        Adic { valuation: -a.valuation, unit: inverse }
-    }
-
-    fn power(&self, base: &Adic, exponent: i64) -> Adic {
-        let base = if exponent < 0 { self.inverse(base) } else { base.clone() };
-        let magnitude = exponent.unsigned_abs();
-        let unit = base.unit.modpow(&BigInt::from(magnitude), &self.modulus);
-        Adic { valuation: base.valuation * i64::try_from(magnitude).unwrap_or(i64::MAX), unit }
-    }
-
-    /// A rational power; the root of the unit is drawn.
-    fn rational_power(&self, base: &Adic, exponent: &Number, key: impl Fn() -> Key) -> Adic {
-        if let Some(n) = exponent.to_i64() {
-            return self.power(base, n);
-        }
-        let (num, den) = exponent.to_small().unwrap_or((0, 1));
-        let valuation = base.valuation.saturating_mul(num) / den;
-        Adic { valuation, unit: self.draw(&key()).unit }
-    }
-
-    /// A unit drawn for a key.
-    fn draw(&self, key: &Key) -> Adic {
-        let words: Vec<u32> = (0..16).map(|salt| key.draw_word(salt)).collect();
-        let drawn = BigInt::from(BigUint::new(words)).mod_floor(&self.modulus);
-        let unit = if drawn.is_multiple_of(&self.prime) { drawn + 1 } else { drawn };
-        self.number(&unit, 0)
-    }
-}
 
 impl Graph {
     /// The content of a node, without its small primes; `None` if it is one.
@@ -245,11 +150,11 @@ impl Graph {
         let mut counts: BTreeMap<i64, usize> = BTreeMap::new();
         for point in 0..POINTS {
             let values = self.adic_values(order, &adics, point);
-            let sum = terms.iter().fold(adics.number(&BigInt::zero(), 0), |sum, (factor, id)| {
+            let sum = terms.iter().fold(Adics::zero(), |sum, (factor, id)| {
                 adics.add(&sum, &adics.mul(&adics.number(&(*factor).into(), 0), &values[id]))
             });
-            if !sum.unit.is_zero() {
-                *counts.entry(sum.valuation).or_default() += 1;
+            if let Some(leading) = sum.leading() {
+                *counts.entry(leading.valuation).or_default() += 1;
             }
         }
         let most_frequent = counts.into_iter().max_by_key(|&(_, count)| count);
@@ -265,12 +170,10 @@ impl Graph {
                 View::Scale(number, child) => {
                     adics.mul(&adics.rational(self.get_number(number)), &values[&child])
                 }
-                View::Sum(terms) => {
-                    terms.iter().fold(adics.number(&BigInt::zero(), 0), |sum, (number, node)| {
-                        let factor = adics.rational(self.get_number(number));
-                        adics.add(&sum, &adics.mul(&factor, &values[&node]))
-                    })
-                }
+                View::Sum(terms) => terms.iter().fold(Adics::zero(), |sum, (number, node)| {
+                    let factor = adics.rational(self.get_number(number));
+                    adics.add(&sum, &adics.mul(&factor, &values[&node]))
+                }),
                 View::Product(factors) => {
                     factors.iter().fold(adics.number(&BigInt::one(), 0), |product, (base, exponent)| {
                         let exponent = self.get_number(exponent);

@@ -50,15 +50,20 @@ impl<'a> IntegerPoint<'a> {
     }
 
     /// The values that generators have times a power of two.
-    fn grow(&self, generator: Generator, plain: Quadratic, f: &Field) -> Quadratic {
+    fn grow(&self, generator: Generator, plain: &Quadratic, f: &Field) -> Quadratic {
         let doublings = self.grown.and_then(|grown| grown.doublings.get(&generator).copied()).unwrap_or(0);
         let factor = f.power(&f.number(&Number::integer(2)), &Number::integer(doublings));
-        f.mul(&factor, &plain)
+        f.mul(&factor, plain)
     }
 
     /// The value of the atom that has another value, if it is this one.
     fn replaced(&self, is_it: impl Fn(&Atom) -> bool) -> Option<i64> {
         self.atom.filter(|(atom, _)| is_it(atom)).map(|(_, value)| value)
+    }
+
+    /// The value of an inverse function, which is an odd function of its first argument.
+    fn inverse(&self, graph: &Graph, atom: &Atom) -> i64 {
+        self.atom.and_then(|(known, value)| Some(graph.sign_of_atom(known, atom)? * value)).unwrap_or(0)
     }
 
     /// The values from which that of a generator is found: those at the plain point if the generator is larger by itself.
@@ -164,8 +169,8 @@ impl Graph {
         let integer = |n: i64| f.number(&Number::integer(n));
         match self.view(id) {
             View::Number(number) => Some(f.number(self.get_number(number))),
-            View::Pi => Some(point.grow(Generator::Symbol(id), integer(point.pi()), f)),
-            View::Symbol(_, Assumption::Positive) => Some(point.grow(Generator::Symbol(id), f.one(), f)),
+            View::Pi => Some(point.grow(Generator::Symbol(id), &integer(point.pi()), f)),
+            View::Symbol(_, Assumption::Positive) => Some(point.grow(Generator::Symbol(id), &f.one(), f)),
             View::Time | View::Symbol(..) | View::TimeFunction(..) | View::Application { .. } => {
                 let [first, second] = self.value(id).words();
                 let drawn = Key::new("integer").word(first).word(second).draw_word(point.number) % 37;
@@ -203,7 +208,6 @@ impl Graph {
         let f = field.field();
         let of = |id: Id| values.get(&id);
         let integer = |n: i64| f.number(&Number::integer(n));
-        let same = |a: Id, b: Id| self.same(a, b);
         Some(match function {
             Function::Sin => self.angle_at(args[0], field)?.1,
             Function::Cos => self.angle_at(args[0], field)?.0,
@@ -224,20 +228,13 @@ impl Graph {
                 }
             }
             Function::Log => self.logarithm_at(args[0], point, values, field)?,
-            Function::Asin | Function::Acos => {
-                let is_it = |atom: &Atom| matches!(atom, Atom::Asin(argument) if same(*argument, args[0]));
-                let asin = integer(point.replaced(is_it).unwrap_or(0));
-                if function == Function::Asin { asin } else { f.sub(&f.half(&integer(point.pi())), &asin) }
+            Function::Asin => integer(point.inverse(self, &Atom::Asin(args[0]))),
+            Function::Acos => {
+                let asin = integer(point.inverse(self, &Atom::Asin(args[0])));
+                f.sub(&f.half(&integer(point.pi())), &asin)
             }
-            Function::Atan => {
-                let is_it = |atom: &Atom| matches!(atom, Atom::Atan(argument) if same(*argument, args[0]));
-                integer(point.replaced(is_it).unwrap_or(0))
-            }
-            Function::Atan2 => {
-                let is_it =
-                    |atom: &Atom| matches!(atom, Atom::Atan2(y, x) if same(*y, args[0]) && same(*x, args[1]));
-                integer(point.replaced(is_it).unwrap_or(0))
-            }
+            Function::Atan => integer(point.inverse(self, &Atom::Atan(args[0]))),
+            Function::Atan2 => integer(point.inverse(self, &Atom::Atan2(args[0], args[1]))),
             Function::Abs => f.mul(of(args[0])?, &self.sign_of(args[0], of(args[0])?, f)),
             Function::Sign => self.sign_of(args[0], of(args[0])?, f),
             Function::Min | Function::Max => {
@@ -248,7 +245,7 @@ impl Graph {
                 let generator = Generator::Power { base: args[0], exponent: args[1] };
                 let values = point.values_for(&generator, values);
                 let base = values.get(&args[0])?;
-                point.grow(generator, power(base, &self.number_in(args[1]), f)?, f)
+                point.grow(generator, &power(base, &self.number_in(args[1]), f)?, f)
             }
             Function::Piecewise => {
                 let all: Option<Vec<&Quadratic>> = args.iter().map(|&arg| of(arg)).collect();
@@ -290,7 +287,7 @@ impl Graph {
             };
             Some(f.mul(&product, &power(&base, factor, f)?))
         });
-        Some(point.grow(generator, plain?, f))
+        Some(point.grow(generator, &plain?, f))
     }
 
     /// The sum of the parts of a logarithm: those of positive symbols are zero.

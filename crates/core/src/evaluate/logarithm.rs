@@ -55,7 +55,7 @@ impl Graph {
         for part in parts {
             match part {
                 Part::Number(_, number) => {
-                    out.extend(prime_factors(&number).into_keys().map(Atom::LogOfPrime))
+                    out.extend(prime_factors(&number).into_keys().map(Atom::LogOfPrime));
                 }
                 Part::Logarithm(_, Id::PI) => out.push(Atom::LogOfPi),
                 Part::Power(_, _, base) => self.push_atoms_of_logarithm(base, out),

@@ -58,34 +58,14 @@ impl Graph {
             })
         };
         let content = self.numeric_content(id).unwrap_or_else(|| Number::integer(1));
-        let (root, number) = self.root_of_number(&content, |field| {
-            field.field().div(&self.value_in(id, field), &product(field))
-        })?;
+        let (root, number) =
+            root_of_number(&content, |field| field.field().div(&self.value_in(id, field), &product(field)))?;
         let whole = |field: FieldId| {
             let f = field.field();
             f.mul(&power_of_number(&number, &root, f), &product(field))
         };
         let in_hash_lanes = FieldId::HASH.into_iter().all(|field| self.value_in(id, field) == whole(field));
-        (in_hash_lanes && self.is_everywhere(id, whole)).then_some(Monomial { root, number, powers })
-    }
-
-    /// The exponent 1/n and the positive number of a root that has a value in the hash lanes, and this content.
-    fn root_of_number(
-        &self,
-        content: &Number,
-        value: impl Fn(FieldId) -> Quadratic,
-    ) -> Option<(Number, Number)> {
-        let [first, second] = FieldId::HASH.map(|field| {
-            let f = field.field();
-            (f.div(&value(field), &f.number(content)), f)
-        });
-        ROOTS.into_iter().find_map(|degree| {
-            let power = |(value, f): &(Quadratic, &Field)| f.power(value, &Number::integer(degree));
-            let number = fingerprint([&power(&first), &power(&second)]).to_simple_rational()?;
-            let is_positive = !number.is_zero() && !number.is_negative();
-            let whole = content.powi(degree).ok()?.mul(&number);
-            is_positive.then(|| (Number::rational(1, degree), whole))
-        })
+        (in_hash_lanes && self.is_everywhere(id, whole)).then_some(Monomial { number, root, powers })
     }
 
     /// By how many doublings a generator is larger at its point of integers: a multiple of all denominators of exponents.
@@ -179,6 +159,21 @@ impl Graph {
             }
         }
     }
+}
+
+/// The exponent 1/n and the positive number of a root that has a value in the hash lanes, and this content.
+fn root_of_number(content: &Number, value: impl Fn(FieldId) -> Quadratic) -> Option<(Number, Number)> {
+    let [first, second] = FieldId::HASH.map(|field| {
+        let f = field.field();
+        (f.div(&value(field), &f.number(content)), f)
+    });
+    ROOTS.into_iter().find_map(|degree| {
+        let power = |(value, f): &(Quadratic, &Field)| f.power(value, &Number::integer(degree));
+        let number = fingerprint([&power(&first), &power(&second)]).to_simple_rational()?;
+        let is_positive = !number.is_zero() && !number.is_negative();
+        let whole = content.powi(degree).ok()?.mul(&number);
+        is_positive.then(|| (Number::rational(1, degree), whole))
+    })
 }
 
 /// Bring a matrix to its reduced row echelon form; the columns of the pivots, which are those of the first rows.

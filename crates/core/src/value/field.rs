@@ -263,7 +263,7 @@ impl Field {
         let halvings = den.trailing_zeros();
         let mut root = base.clone();
         for _ in 0..halvings {
-            let Some(next) = self.closure.sqrt(&root) else { return self.drawn_root(base, exponent) };
+            let Some(next) = self.closure.sqrt(&root) else { return self.power_of_unrooted(base, exponent) };
             root = next;
         }
         self.rational_or_drawn(&root, num, den >> halvings)
@@ -273,11 +273,20 @@ impl Field {
         match root {
             _ if odd == 1 => self.power(root, &Number::integer(num)),
             &Quadratic::Real(word) => self.power_of_real(word, &Number::rational(num, odd)),
-            Quadratic::Wide(_) => self.drawn_root(root, &Number::rational(num, odd)),
+            Quadratic::Wide(_) => self.power_of_unrooted(root, &Number::rational(num, odd)),
         }
     }
 
-    /// A power of a root that the closure does not hold: the root is drawn for its degree and radicand.
+    /// A power of a root that the closure does not hold: the positive factor that makes the leading coordinate 1 or -1 has
+    /// a root, and that of the rest is drawn for its degree and radicand.
+    fn power_of_unrooted(&self, base: &Quadratic, exponent: &Number) -> Quadratic {
+        let leading = Quadratic::Real(base.leading());
+        let magnitude = self.modulus(&leading);
+        let Quadratic::Real(word) = magnitude else { unreachable!("a coordinate is real") };
+        let rest = self.div(base, &magnitude);
+        self.mul(&self.power_of_real(word, exponent), &self.drawn_root(&rest, exponent))
+    }
+
     fn drawn_root(&self, base: &Quadratic, exponent: &Number) -> Quadratic {
         let key = Key::new("root").text(&exponent.denominator().to_string());
         let root = self.opaque(key, &[base]);

@@ -7,6 +7,7 @@
 //! Invariant: sums, products and quotients of elements are the elements of the sums, products and quotients of numbers,
 //! except for the rare numbers that are multiples of a prime: these have drawn elements.
 
+mod adic;
 mod circle;
 mod double;
 mod element;
@@ -20,6 +21,7 @@ mod prime;
 mod quadratic;
 mod radical;
 
+pub(crate) use adic::{Adic, Adics, PARTS};
 pub use element::Element;
 pub(crate) use field::Field;
 pub(crate) use key::Key;

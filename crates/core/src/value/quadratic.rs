@@ -48,7 +48,7 @@ impl Quadratic {
         *self == Self::ZERO
     }
 
-    fn leading(&self) -> u64 {
+    pub(super) fn leading(&self) -> u64 {
         self.coordinates().iter().copied().find(|&word| word != 0).unwrap_or(0)
     }
 }
