@@ -19,7 +19,8 @@ use super::integer_point::Rationals;
 /// Primes below this are squares in the fields of all lanes but the last ones of the towers, A4 and B3.
 const SMALLEST: u64 = 13;
 
-/// Points at which the q-adic values of nodes are found.
+/// Points at which the q-adic values of nodes are found: sines are 0 at these, and drawn at as many others, which serve
+/// where a value is 0 at these.
 const POINTS: u16 = 9;
 
 /// Larger sums and products have no content.
@@ -147,18 +148,22 @@ impl Graph {
     /// The power of a prime in the content of a sum of multiples.
     fn valuation(&self, terms: &[(i64, Id)], order: &[Id], prime: &BigInt) -> i64 {
         let adics = Adics::new(prime);
-        let mut counts: BTreeMap<i64, usize> = BTreeMap::new();
-        for point in 0..POINTS {
+        let at = |point: u16| {
             let values = self.adic_values(order, &adics, point);
             let sum = terms.iter().fold(Adics::zero(), |sum, (factor, id)| {
                 adics.add(&sum, &adics.mul(&adics.number(&(*factor).into(), 0), &values[id]))
             });
-            if let Some(leading) = sum.leading() {
-                *counts.entry(leading.valuation).or_default() += 1;
+            sum.leading().map(|leading| leading.valuation)
+        };
+        let most_frequent = |points: std::ops::Range<u16>| {
+            let mut counts: BTreeMap<i64, usize> = BTreeMap::new();
+            for valuation in points.filter_map(at) {
+                *counts.entry(valuation).or_default() += 1;
             }
-        }
-        let most_frequent = counts.into_iter().max_by_key(|&(_, count)| count);
-        most_frequent.map_or(0, |(valuation, _)| valuation.div_euclid(PARTS))
+            counts.into_iter().max_by_key(|&(_, count)| count).map(|(valuation, _)| valuation)
+        };
+        let found = most_frequent(0..POINTS).or_else(|| most_frequent(POINTS..2 * POINTS));
+        found.map_or(0, |valuation| valuation.div_euclid(PARTS))
     }
 
     /// The values of nodes at a point of the q-adic integers.
@@ -185,6 +190,12 @@ impl Graph {
                     let args: Vec<Id> = args.iter().collect();
                     self.choice(function, &args, &values, adics, point)
                 }
+                View::Function(function, args) if point < POINTS && self.is_plain(function, args.get(0)) => {
+                    match function {
+                        Function::Cos | Function::Cosh | Function::Exp => adics.number(&BigInt::one(), 0),
+                        _ => Adics::zero(),
+                    }
+                }
                 _ => {
                     let drawn = adics.draw(&self.key_of(node, point));
                     if self.value(node).unsigned().1 {
@@ -199,6 +210,16 @@ impl Graph {
         values
     }
 
+    /// Whether a function is that of an argument that may be 0 at the first points, so that the addition theorems hold.
+    fn is_plain(&self, function: Function, argument: Id) -> bool {
+        let of_exponential = match function {
+            Function::Sin | Function::Cos | Function::Tan => false,
+            Function::Exp | Function::Sinh | Function::Cosh | Function::Tanh => true,
+            _ => return false,
+        };
+        !self.flags(argument).has(Flags::COMPLEX) && self.split_argument(argument, of_exponential).is_empty()
+    }
+
     /// A sign, a modulus, an extremum or a piecewise function, as it is chosen in a lane.
     fn choice(
         &self,
@@ -208,7 +229,7 @@ impl Graph {
         adics: &Adics,
         point: u16,
     ) -> Adic {
-        let lane = FieldId::other(point);
+        let lane = FieldId::other(point % POINTS);
         let is_positive = |id: Id| self.sign_in(id, lane) == lane.field().one();
         let of_one = |sign: i64| adics.number(&sign.into(), 0);
         match function {
