@@ -5,7 +5,7 @@ use pyo3::prelude::*;
 use pyo3::types::{PyFrozenSet, PyTuple};
 use symbody_core::{Id, View};
 
-use crate::session::with_forms;
+use crate::session::long_with_forms;
 
 /// An immutable expression. Comparison is by value: equal mathematics is equal.
 ///
@@ -21,11 +21,11 @@ pub struct Expr(pub Id);
 
 /// The symbols, functions of time and their derivatives in several expressions.
 pub fn leaves<'py>(py: Python<'py>, roots: &[Id]) -> PyResult<Bound<'py, PyFrozenSet>> {
-    let variables = with_forms(|graph| {
+    let variables = long_with_forms(py, |graph| {
         let mut variables = graph.variables(roots);
         variables.retain(|&id| !matches!(graph.view(id), View::Application { .. }));
-        variables
-    });
+        Ok(variables)
+    })?;
     PyFrozenSet::new(py, variables.into_iter().map(|id| Py::new(py, Expr(id))).collect::<PyResult<Vec<_>>>()?)
 }
 

@@ -10,7 +10,7 @@ use symbody_core::{Error, Graph, Id, Matrix};
 use crate::convert::{operand, operands};
 use crate::expr::{Expr, tuple};
 use crate::namesake::notice_namesakes;
-use crate::session::{long_with_graph, raise, with_graph};
+use crate::session::{long_with_graph, raise};
 
 /// The entries of a matrix with this many columns as expressions; equal integers and doubles are converted once.
 #[pyfunction]
@@ -81,7 +81,9 @@ fn entrywise<'py>(
 #[pyfunction]
 fn opposites<'py>(py: Python<'py>, entries: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyTuple>> {
     let entries = operands(entries, "Matrix")?;
-    tuple(py, with_graph(|graph| entries.iter().map(|&entry| graph.neg(entry)).collect::<Vec<Id>>()))
+    let made: Vec<Id> =
+        long_with_graph(py, |graph| Ok(entries.iter().map(|&entry| graph.neg(entry)).collect()))?;
+    tuple(py, made)
 }
 
 /// The product of a rows x inner and an inner x columns matrix.

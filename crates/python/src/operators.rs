@@ -6,7 +6,7 @@ use symbody_core::{Error, Function, Graph, Id, Number};
 
 use crate::convert::{is_sympy, mistake, optional};
 use crate::expr::Expr;
-use crate::session::{argument_error, raise, with_forms, with_graph};
+use crate::session::{argument_error, long_with_graph, with_forms};
 
 pub type Binary = fn(&mut Graph, Id, Id) -> Result<Id, Error>;
 
@@ -22,7 +22,7 @@ pub fn binary(left: &Bound<'_, PyAny>, right: &Bound<'_, PyAny>, operation: Bina
         }
         return Ok(py.NotImplemented());
     };
-    let id = raise(py, with_graph(|graph| operation(graph, a, b)))?;
+    let id = long_with_graph(py, |graph| operation(graph, a, b))?;
     Ok(Expr(id).into_pyobject(py)?.into_any().unbind())
 }
 
