@@ -19,6 +19,12 @@ use crate::session::long_with_forms;
 #[derive(Clone, Copy)]
 pub struct Expr(pub Id);
 
+/// Any Python object, as an argument.
+pub type Object<'py> = Bound<'py, PyAny>;
+
+/// A Python tuple of expressions, as a result.
+pub type Tuple<'py> = PyResult<Bound<'py, PyTuple>>;
+
 /// The symbols, functions of time and their derivatives in several expressions.
 pub fn leaves<'py>(py: Python<'py>, roots: &[Id]) -> PyResult<Bound<'py, PyFrozenSet>> {
     let variables = long_with_forms(py, |graph| {
@@ -30,7 +36,7 @@ pub fn leaves<'py>(py: Python<'py>, roots: &[Id]) -> PyResult<Bound<'py, PyFroze
 }
 
 /// The ids as a Python tuple of expressions.
-pub fn tuple(py: Python<'_>, ids: impl IntoIterator<Item = Id>) -> PyResult<Bound<'_, PyTuple>> {
+pub fn tuple(py: Python<'_>, ids: impl IntoIterator<Item = Id>) -> Tuple<'_> {
     // Large results are mostly zeros, which share one object.
     let zero = Py::new(py, Expr(Id::ZERO))?;
     let object = |id| if id == Id::ZERO { Ok(zero.clone_ref(py)) } else { Py::new(py, Expr(id)) };
