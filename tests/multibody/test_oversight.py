@@ -149,3 +149,22 @@ def test_code_of_a_declared_input(tmp_path: object) -> None:
         (phi, time_derivative(phi), time_derivative(phi, 2))
     ]
     assert generate(program, "c", str(tmp_path))
+
+
+def test_different_variables_of_one_name_that_move_bodies_are_named() -> None:
+    """A library may make its variables in a file of its own, so that no notice is given there."""
+    other: dict[str, object] = {}
+    text = "from symbody import symbols; phi = symbols('phi'); l = symbols('l', positive=True)"
+    exec(compile(text, "a_library", "exec"), other)
+    turned = Body(rotate("Z", other["phi"]) * translate(l, 0, 0), m)  # type: ignore[arg-type]
+    _, found = notices_of([cart, bob, turned], (), [x, phi])
+    assert found == [
+        (
+            "System: different variables move bodies under the name phi; the phi in one place is symbols('phi'), the "
+            "phi in another is functions_of_time('phi'): a symbol is not a function of time; use the same one in both "
+            "places"
+        )
+    ]
+    longer = Body(translate(other["l"], x, 0), m)  # type: ignore[arg-type]
+    _, found = notices_of([cart, bob, longer], (), [x, phi])
+    assert [text[:61] for text in found] == ["System: different variables move bodies under the name l; the"]

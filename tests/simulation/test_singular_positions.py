@@ -81,10 +81,6 @@ def test_motions_pass_singular_positions(name: str, method: str, rtol: float) ->
 @pytest.mark.parametrize("method", ["dop853", "tsit5"])
 @pytest.mark.parametrize("name", ["one", "two", "ten", "forty", "parallelogram", "kite", "slider_crank"])
 def test_scan_of_singular_positions(name: str, method: str, rtol: float) -> None:
-    if (name, rtol) == ("kite", 1e-11):
-        pytest.xfail(
-            "since terms have a new order, one motion of 300 ends in a named error at this tolerance"
-        )
     check_passed(name, mechanism(name)[1], method=method, rtol=rtol)
 
 

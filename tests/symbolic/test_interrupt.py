@@ -80,3 +80,50 @@ def test_a_handler_may_use_expressions_and_go_on() -> None:
         sleep(0.5)
         assert child.poll() is None
         child.kill()
+
+
+MEASURED = """
+import os, subprocess, time
+from symbody import *
+from symbody.symbolic import _core
+v = symbols("v1:601")
+{setup}
+begin = time.perf_counter()
+{call}
+whole = time.perf_counter() - begin
+subprocess.Popen(["sh", "-c", f"sleep {{0.1 * whole}}; kill -INT {{os.getpid()}}"])
+begin = time.perf_counter()
+try:
+    {call}
+except KeyboardInterrupt:
+    print(whole, time.perf_counter() - begin, flush=True)
+"""
+
+PRODUCTS = "products = [a * b for i, a in enumerate(v) for b in v[i:]]"
+SIGNS = "; terms = [abs(p + 1) for p in products[:60000]]; up, down = (_core.sum_of(o) for o in (terms, terms[::-1]))"
+TOWER = """
+x, y, q = symbols("x y q")
+for _ in range(20): x = sin(x * y) + q
+def request():
+    try: expand_trig(x)
+    except errors.ExpressionError: pass
+from symbody import errors
+"""
+ONCE = {
+    "text": (f"{PRODUCTS}; total = _core.sum_of(products)", "str(total)"),
+    "LaTeX": (f"{PRODUCTS}; total = _core.sum_of(products)", "total.latex()"),
+    "difference of sums of moduli": (PRODUCTS + SIGNS, "up - down"),
+    "angles within angles": (TOWER, "request()"),
+}
+"""Calls that take a second or more: what they need, and the call."""
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="Windows has no SIGINT for one process")
+@pytest.mark.parametrize("name", ONCE)
+def test_ctrl_c_ends_a_call_before_its_end(name: str) -> None:
+    """On a free machine the calls answer within 0.03 s."""
+    setup, call = ONCE[name]
+    text = MEASURED.format(setup=setup, call=call)
+    done = subprocess.run([sys.executable, "-c", text], capture_output=True, text=True, check=True)
+    whole, interrupted = map(float, done.stdout.split())
+    assert interrupted < 0.6 * whole

@@ -3,13 +3,33 @@
 from __future__ import annotations
 
 from math import comb
+from random import Random
 
 import pytest
 
-from symbody import Expr, coeff, collect, cos, expand, expand_trig, functions_of_time, sin, sqrt, symbols
+from symbody import (
+    Expr,
+    atan,
+    coeff,
+    collect,
+    cos,
+    cosh,
+    expand,
+    expand_trig,
+    from_sympy,
+    functions_of_time,
+    number,
+    pi,
+    sin,
+    sinh,
+    sqrt,
+    symbols,
+    tan,
+    tanh,
+)
 from symbody.errors import ExpressionError
 
-a, b, c, d, x, y = symbols("a b c d x y")
+a, b, c, d, x, y, z = symbols("a b c d x y z")
 q = functions_of_time("q")
 
 
@@ -58,6 +78,19 @@ def test_what_is_too_large_is_refused(n: int, message: str) -> None:
         (sin(x + 2), "sin(2)*cos(x) + cos(2)*sin(x)"),
         (sin(3 * x / 2), "sin(3*x/2)"),
         (sin(0.5 * x), "sin(0.5*x)"),
+        (tan(x), "tan(x)"),
+        (tan(2 * x), "2*tan(x)/(1 - tan(x)**2)"),
+        (tan(x + y), "(tan(x) + tan(y))/(1 - tan(x)*tan(y))"),
+        (tan(x - y) ** 2, "(tan(x) - tan(y))**2/(1 + tan(x)*tan(y))**2"),
+        (tan(x + pi / 4), "(1 + tan(x))/(1 - tan(x))"),
+        (tan(2 * atan(x)), "2*x/(1 - x**2)"),
+        (sinh(x + y), "sinh(x)*cosh(y) + cosh(x)*sinh(y)"),
+        (cosh(2 * x), "sinh(x)**2 + cosh(x)**2"),
+        (cosh(x - y), "cosh(x)*cosh(y) - sinh(x)*sinh(y)"),
+        (tanh(x + y), "(tanh(x) + tanh(y))/(1 + tanh(x)*tanh(y))"),
+        (tanh(3 * x), "(tanh(x)**3 + 3*tanh(x))/(1 + 3*tanh(x)**2)"),
+        (sin(x / 2) + cosh(x), "sin(x/2) + cosh(x)"),
+        (tanh(3 * x / 2), "tanh(3*x/2)"),
     ],
 )
 def test_integer_multiples_of_angles_are_expanded(wave: Expr, text: str) -> None:
@@ -67,11 +100,35 @@ def test_integer_multiples_of_angles_are_expanded(wave: Expr, text: str) -> None
 
 @pytest.mark.parametrize("n", [9, 20, 300])
 def test_large_multiples_of_angles_are_expanded(n: int) -> None:
-    for wave in (sin(n * x), cos(n * x + a)):
+    for wave in (sin(n * x), cos(n * x + a), tan(n * x), sinh(n * x + a), cosh(n * x), tanh(n * x)):
         expanded = expand_trig(wave)
         assert expanded == wave
         assert not expanded.has(n * x)
-        assert expanded.has(sin(x))
+        assert any(expanded.has(f(x)) for f in (sin, tan, sinh, cosh, tanh))
+
+
+def test_expanded_waves_are_those_of_sympy() -> None:
+    sympy = pytest.importorskip("sympy")
+    random = Random(5)
+    for function in (sin, cos, tan, sinh, cosh, tanh):
+        for _ in range(20):
+            angle = sum((random.randint(-4, 4) * s for s in (x, y, z)), number(0))
+            wave = function(angle)
+            expanded = expand_trig(wave)
+            assert expanded == wave
+            other = from_sympy(sympy.expand_trig(wave.to_sympy()))
+            assert expanded == other
+            point = {s: random.uniform(0.1, 0.9) for s in (x, y, z)}
+            assert expanded.evaluate(point) == pytest.approx(other.evaluate(point), rel=1e-9)
+
+
+def test_angles_within_angles_share_the_limit() -> None:
+    """Each level has exponentially more terms than the one inside it."""
+    nested = x
+    for _ in range(100):
+        nested = sin(nested * y) + q
+    with pytest.raises(ExpressionError, match="terms handled while expanding an expression: at most 5000000"):
+        expand_trig(nested)
 
 
 def test_multiples_beyond_the_limit_are_refused() -> None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from decimal import Decimal
 from fractions import Fraction
+from random import Random
 
 import numpy as np
 import pytest
@@ -112,3 +113,33 @@ def test_a_coefficient_beyond_the_doubles_is_applied_in_parts(*, compiled: bool)
         assert expression.evaluate({u: value}) == pytest.approx(expected, rel=1e-14)
         assert lambdify([u], expression, compile=compiled)(value) == pytest.approx(expected, rel=1e-14)
     assert (u * 10**400).evaluate({u: 1.0}) == float("inf")
+
+
+def test_products_with_coefficients_beyond_the_doubles_neither_overflow_nor_underflow() -> None:
+    random = Random(2)
+    u, v, w = symbols("u v w")
+    for _ in range(300):
+        factor = Fraction(3 * 10 ** random.choice([350, 400, 900])) ** random.choice([-1, 1])
+        powers = {name: random.choice([1, 1, 2, -1, -2, 3]) for name in (u, v, w)}
+        point = {name: random.choice([-1, 1]) * 10 ** random.uniform(-300, 300) for name in powers}
+        exact = factor
+        expression = number(factor)
+        for name, power in powers.items():
+            exact *= Fraction(point[name]) ** power
+            expression *= name**power
+        found = expression.evaluate(point)
+        if abs(exact) > Fraction(1.7e308):
+            assert abs(found) == float("inf")
+        elif abs(exact) < Fraction(2.3e-308):
+            assert abs(found) < 2.3e-308
+        else:
+            assert found == pytest.approx(float(exact), rel=1e-14)
+
+
+def test_such_products_in_compiled_code() -> None:
+    u, v = symbols("u v")
+    for compiled in (False, True):
+        product = lambdify([u, v], [u * v * 10**400, 1 + u * v * 10**400, u / v / 10**400], compile=compiled)
+        assert product(1e-200, 1e-250) == pytest.approx([1e-50, 1.0, 0.0], rel=1e-15)
+        assert product(1e-80, 1e-80) == pytest.approx([1e240, 1e240, 0.0], rel=1e-15)
+        assert product(1e100, 1e-300)[[0, 2]] == pytest.approx([1e200, 1.0], rel=1e-15)

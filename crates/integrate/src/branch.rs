@@ -14,6 +14,10 @@ const TOLERANCES: (f64, f64) = (30.0, 1000.0);
 /// Changes are also explained if they take at most this fraction of a relative tolerance from the kinetic energy; the
 /// correction is orthogonal in that metric.
 const ENERGY: f64 = 0.01;
+/// Rounding errors explain changes that take up to this fraction of the kinetic energy, whatever the tolerance: a stage
+/// at a distance x from a singular position, relative to the size of the coordinates, changes a speed by rounding errors
+/// divided by the square of x.
+const ROUNDING: f64 = 6e-13;
 
 /// The largest speeds of a motion so far, which bound its corrections.
 pub struct Branch {
@@ -34,6 +38,6 @@ impl Branch {
         let here = before.iter().chain(after).fold(0.0, |size: f64, speed| size.max(speed.abs()));
         self.largest = self.largest.max(here);
         let least = self.explained * (absolute + relative * self.largest);
-        least.max((ENERGY * relative).sqrt() * here)
+        least.max((ENERGY * relative).max(ROUNDING).sqrt() * here)
     }
 }

@@ -2,19 +2,16 @@
 
 use pyo3::prelude::*;
 use pyo3::types::{PyFrozenSet, PyTuple};
+use symbody_core::{Error, Graph, Id};
 
 use crate::convert::{keys, operand, operands, pairs};
-use crate::expr::{leaves, tuple};
+use crate::expr::{Object, Tuple, leaves, tuple};
 use crate::namesake::notice_namesakes;
 use crate::session::{long_with_forms, long_with_graph, raise_at, with_forms};
 
 /// Several expressions with every key of the mapping replaced by its value, all at once.
 #[pyfunction]
-fn substitute<'py>(
-    py: Python<'py>,
-    expressions: &Bound<'py, PyAny>,
-    mapping: &Bound<'py, PyAny>,
-) -> PyResult<Bound<'py, PyTuple>> {
+fn substitute<'py>(py: Python<'py>, expressions: &Object<'py>, mapping: &Object<'py>) -> Tuple<'py> {
     let (roots, pairs) = (operands(expressions, "subs")?, pairs(mapping)?);
     notice_namesakes(py, "subs", &roots, &keys(&pairs))?;
     let replaced = long_with_forms(py, |graph| graph.substitute(&roots, &pairs))?;
@@ -23,50 +20,53 @@ fn substitute<'py>(
 
 /// The derivatives of several expressions with respect to one variable: total ones with respect to t.
 #[pyfunction]
-fn diff_all<'py>(
-    py: Python<'py>,
-    expressions: &Bound<'py, PyAny>,
-    variable: &Bound<'py, PyAny>,
-) -> PyResult<Bound<'py, PyTuple>> {
-    let (roots, variable) = (operands(expressions, "diff")?, operand(variable, "diff, variable")?);
-    notice_namesakes(py, "diff", &roots, &[variable])?;
-    tuple(py, long_with_graph(py, |graph| graph.diff_all(&roots, variable))?)
+fn diff_all<'py>(py: Python<'py>, expressions: &Object<'py>, variable: &Object<'py>) -> Tuple<'py> {
+    derivatives(py, ["diff", "diff"], expressions, variable, Graph::diff_all)
 }
 
 /// The partial derivatives of several expressions with respect to one variable, t included.
 #[pyfunction]
 fn partial_derivatives<'py>(
     py: Python<'py>,
-    expressions: &Bound<'py, PyAny>,
-    variable: &Bound<'py, PyAny>,
-) -> PyResult<Bound<'py, PyTuple>> {
-    let place = "partial_derivative";
-    let roots = operands(expressions, "partial_derivative, expression")?;
-    let variable = operand(variable, "partial_derivative, variable")?;
+    expressions: &Object<'py>,
+    variable: &Object<'py>,
+) -> Tuple<'py> {
+    let places = ["partial_derivative", "partial_derivative, expression"];
+    derivatives(py, places, expressions, variable, Graph::partial_derivatives)
+}
+
+type Derive = fn(&mut Graph, &[Id], Id) -> Result<Vec<Id>, Error>;
+
+/// The derivatives of expressions of some kind. The names are those of the function, and of its first argument.
+fn derivatives<'py>(
+    py: Python<'py>,
+    [place, argument]: [&str; 2],
+    expressions: &Object<'py>,
+    variable: &Object<'py>,
+    derive: Derive,
+) -> Tuple<'py> {
+    let roots = operands(expressions, argument)?;
+    let variable = operand(variable, &format!("{place}, variable"))?;
     notice_namesakes(py, place, &roots, &[variable])?;
-    tuple(py, long_with_graph(py, |graph| graph.partial_derivatives(&roots, variable))?)
+    tuple(py, long_with_graph(py, |graph| derive(graph, &roots, variable))?)
 }
 
 /// The total time derivatives of several expressions.
 #[pyfunction]
-fn time_derivatives<'py>(py: Python<'py>, expressions: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyTuple>> {
+fn time_derivatives<'py>(py: Python<'py>, expressions: &Object<'py>) -> Tuple<'py> {
     let roots = operands(expressions, "time_derivative")?;
     tuple(py, long_with_graph(py, |graph| graph.time_derivatives(&roots))?)
 }
 
 /// The leaves of several expressions, found in one walk.
 #[pyfunction]
-fn free_symbols<'py>(py: Python<'py>, expressions: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyFrozenSet>> {
+fn free_symbols<'py>(py: Python<'py>, expressions: &Object<'py>) -> PyResult<Bound<'py, PyFrozenSet>> {
     leaves(py, &operands(expressions, "free_symbols")?)
 }
 
 /// The partial derivatives of one expression with respect to many variables.
 #[pyfunction]
-fn gradient<'py>(
-    py: Python<'py>,
-    expression: &Bound<'py, PyAny>,
-    variables: &Bound<'py, PyAny>,
-) -> PyResult<Bound<'py, PyTuple>> {
+fn gradient<'py>(py: Python<'py>, expression: &Object<'py>, variables: &Object<'py>) -> Tuple<'py> {
     let root = operand(expression, "gradient, expression")?;
     let variables = operands(variables, "gradient, variables")?;
     notice_namesakes(py, "gradient", &[root], &variables)?;
@@ -78,8 +78,8 @@ fn gradient<'py>(
 #[pyfunction]
 fn jacobian<'py>(
     py: Python<'py>,
-    expressions: &Bound<'py, PyAny>,
-    variables: &Bound<'py, PyAny>,
+    expressions: &Object<'py>,
+    variables: &Object<'py>,
 ) -> PyResult<Vec<Bound<'py, PyTuple>>> {
     let roots = operands(expressions, "jacobian, expressions")?;
     let variables = operands(variables, "jacobian, variables")?;

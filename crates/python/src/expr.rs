@@ -5,7 +5,7 @@ use pyo3::prelude::*;
 use pyo3::types::{PyFrozenSet, PyTuple};
 use symbody_core::{Id, View};
 
-use crate::session::with_forms;
+use crate::session::long_with_forms;
 
 /// An immutable expression. Comparison is by value: equal mathematics is equal.
 ///
@@ -19,18 +19,24 @@ use crate::session::with_forms;
 #[derive(Clone, Copy)]
 pub struct Expr(pub Id);
 
+/// Any Python object, as an argument.
+pub type Object<'py> = Bound<'py, PyAny>;
+
+/// A Python tuple of expressions, as a result.
+pub type Tuple<'py> = PyResult<Bound<'py, PyTuple>>;
+
 /// The symbols, functions of time and their derivatives in several expressions.
 pub fn leaves<'py>(py: Python<'py>, roots: &[Id]) -> PyResult<Bound<'py, PyFrozenSet>> {
-    let variables = with_forms(|graph| {
+    let variables = long_with_forms(py, |graph| {
         let mut variables = graph.variables(roots);
         variables.retain(|&id| !matches!(graph.view(id), View::Application { .. }));
-        variables
-    });
+        Ok(variables)
+    })?;
     PyFrozenSet::new(py, variables.into_iter().map(|id| Py::new(py, Expr(id))).collect::<PyResult<Vec<_>>>()?)
 }
 
 /// The ids as a Python tuple of expressions.
-pub fn tuple(py: Python<'_>, ids: impl IntoIterator<Item = Id>) -> PyResult<Bound<'_, PyTuple>> {
+pub fn tuple(py: Python<'_>, ids: impl IntoIterator<Item = Id>) -> Tuple<'_> {
     // Large results are mostly zeros, which share one object.
     let zero = Py::new(py, Expr(Id::ZERO))?;
     let object = |id| if id == Id::ZERO { Ok(zero.clone_ref(py)) } else { Py::new(py, Expr(id)) };

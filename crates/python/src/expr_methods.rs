@@ -85,7 +85,9 @@ impl Expr {
     fn __richcmp__(slf: &Bound<'_, Self>, other: &Bound<'_, PyAny>, op: CompareOp) -> PyResult<Py<PyAny>> {
         let py = slf.py();
         let equal = match (op, optional(other)) {
-            (CompareOp::Eq | CompareOp::Ne, Ok(Some(id))) => with_forms(|graph| graph.equal(slf.get().0, id)),
+            (CompareOp::Eq | CompareOp::Ne, Ok(Some(id))) => {
+                long_with_forms(py, |graph| Ok(graph.equal(slf.get().0, id)))?
+            }
             (_, Ok(Some(id))) => return Err(no_order(py, slf.get().0, id, op)),
             _ => return Ok(py.NotImplemented()),
         };
@@ -152,11 +154,16 @@ impl Expr {
     fn __int__(&self, py: Python<'_>) -> PyResult<BigInt> {
         let number =
             with_forms(|graph| graph.as_number(self.0).filter(|n| n.is_integer()).map(Number::numerator));
-        number.ok_or_else(|| argument_error(py, format!("int: {} is not an integer", self.__str__())))
+        number.ok_or_else(|| {
+            argument_error(
+                py,
+                format!("int: {} is not an integer", with_forms(|graph| graph.to_text(self.0))),
+            )
+        })
     }
 
-    fn __str__(&self) -> String {
-        with_forms(|graph| graph.to_text(self.0))
+    fn __str__(&self, py: Python<'_>) -> PyResult<String> {
+        long_with_forms(py, |graph| Ok(graph.to_text(self.0)))
     }
 
     /// The value of the expression, given a mapping of its variables to numbers.
@@ -187,21 +194,21 @@ impl Expr {
     }
 
     /// LaTeX without the dollar signs.
-    fn latex(&self) -> String {
-        with_forms(|graph| graph.to_latex(self.0))
+    fn latex(&self, py: Python<'_>) -> PyResult<String> {
+        long_with_forms(py, |graph| Ok(graph.to_latex(self.0)))
     }
 
     /// Maple's one-dimensional notation.
-    fn maple(&self) -> String {
-        with_forms(|graph| graph.to_maple(self.0))
+    fn maple(&self, py: Python<'_>) -> PyResult<String> {
+        long_with_forms(py, |graph| Ok(graph.to_maple(self.0)))
     }
 
-    fn _repr_latex_(&self) -> String {
-        format!("$\\displaystyle {}$", self.latex())
+    fn _repr_latex_(&self, py: Python<'_>) -> PyResult<String> {
+        Ok(format!("$\\displaystyle {}$", self.latex(py)?))
     }
 
-    fn __repr__(&self) -> String {
-        self.__str__()
+    fn __repr__(&self, py: Python<'_>) -> PyResult<String> {
+        self.__str__(py)
     }
 
     const fn __copy__(&self) -> Self {
@@ -213,9 +220,9 @@ impl Expr {
     }
 
     /// Whether two expressions are equal as mathematics.
-    fn equals(&self, other: &Bound<'_, PyAny>) -> PyResult<bool> {
+    fn equals(&self, py: Python<'_>, other: &Bound<'_, PyAny>) -> PyResult<bool> {
         let other = operand(other, "equals")?;
-        Ok(with_forms(|graph| graph.equal(self.0, other)))
+        long_with_forms(py, |graph| Ok(graph.equal(self.0, other)))
     }
 
     /// Whether two expressions are one node: the same value in the same form.
@@ -231,9 +238,9 @@ impl Expr {
 
     /// The exact value at the random point, as 16 bytes; a digest of the values in all lanes for what holds signs or roots.
     #[getter]
-    fn fingerprint<'py>(&self, py: Python<'py>) -> Bound<'py, PyBytes> {
-        let [a, b] = with_forms(|graph| graph.digest(self.0));
-        PyBytes::new(py, &[a.to_le_bytes(), b.to_le_bytes()].concat())
+    fn fingerprint<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyBytes>> {
+        let [a, b] = long_with_forms(py, |graph| Ok(graph.digest(self.0)))?;
+        Ok(PyBytes::new(py, &[a.to_le_bytes(), b.to_le_bytes()].concat()))
     }
 
     /// What the node is: number, constant, symbol, `time_function`, application, sum, product, power, function,
@@ -349,9 +356,9 @@ impl Expr {
     }
 
     /// Whether something equal to `part` occurs in the expression.
-    fn has(&self, part: &Bound<'_, PyAny>) -> PyResult<bool> {
+    fn has(&self, py: Python<'_>, part: &Bound<'_, PyAny>) -> PyResult<bool> {
         let part = operand(part, "has")?;
-        Ok(with_forms(|graph| graph.has(self.0, part)))
+        long_with_forms(py, |graph| Ok(graph.has(self.0, part)))
     }
 
     /// Pickled node by node: the form is built again, in whatever process.

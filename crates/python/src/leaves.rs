@@ -6,7 +6,7 @@ use symbody_core::{Assumption, Function};
 
 use crate::convert::{operand, operands};
 use crate::expr::Expr;
-use crate::session::{raise, with_graph};
+use crate::session::{long_with_graph, raise, with_graph};
 
 /// The symbol with a name.
 #[pyfunction]
@@ -55,14 +55,14 @@ fn apply(py: Python<'_>, name: &str, args: &Bound<'_, PyAny>) -> PyResult<Expr> 
     let Some(function) = Function::by_name(name) else {
         return Err(PyValueError::new_err(format!("{name} is not a function of the table")));
     };
-    raise(py, with_graph(|graph| graph.apply(function, &args))).map(Expr)
+    long_with_graph(py, |graph| graph.apply(function, &args)).map(Expr)
 }
 
 /// The square root.
 #[pyfunction]
 fn sqrt(py: Python<'_>, value: &Bound<'_, PyAny>) -> PyResult<Expr> {
     let root = operand(value, "sqrt")?;
-    raise(py, with_graph(|graph| graph.sqrt(root))).map(Expr)
+    long_with_graph(py, |graph| graph.sqrt(root)).map(Expr)
 }
 
 /// The independent variable t.

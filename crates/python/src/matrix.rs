@@ -8,17 +8,13 @@ use pyo3::types::{PyFloat, PyInt, PyTuple};
 use symbody_core::{Error, Graph, Id, Matrix};
 
 use crate::convert::{operand, operands};
-use crate::expr::{Expr, tuple};
+use crate::expr::{Expr, Object, Tuple, tuple};
 use crate::namesake::notice_namesakes;
-use crate::session::{long_with_graph, raise, with_graph};
+use crate::session::{long_with_graph, raise};
 
 /// The entries of a matrix with this many columns as expressions; equal integers and doubles are converted once.
 #[pyfunction]
-fn matrix_entries<'py>(
-    py: Python<'py>,
-    entries: &Bound<'py, PyAny>,
-    columns: usize,
-) -> PyResult<Bound<'py, PyTuple>> {
+fn matrix_entries<'py>(py: Python<'py>, entries: &Object<'py>, columns: usize) -> Tuple<'py> {
     let mut known: HashMap<(bool, u64), Py<Expr>> = HashMap::new();
     let mut made: Vec<Py<Expr>> = Vec::with_capacity(entries.len().unwrap_or(0));
     for (position, entry) in entries.try_iter()?.enumerate() {
@@ -46,7 +42,7 @@ fn matrix_entries<'py>(
 const MOST_KNOWN: usize = 1024;
 
 /// What identifies a plain integer of 64 bits or a double.
-fn simple_key(entry: &Bound<'_, PyAny>) -> Option<(bool, u64)> {
+fn simple_key(entry: &Object<'_>) -> Option<(bool, u64)> {
     if entry.is_exact_instance_of::<PyInt>() {
         return entry.extract::<i64>().ok().map(|value| (true, u64::from_ne_bytes(value.to_ne_bytes())));
     }
@@ -56,12 +52,7 @@ fn simple_key(entry: &Bound<'_, PyAny>) -> Option<(bool, u64)> {
 
 /// An operation on the entries of two matrices, or of a matrix and one number or expression.
 #[pyfunction]
-fn entrywise<'py>(
-    py: Python<'py>,
-    operation: &str,
-    left: &Bound<'py, PyAny>,
-    right: &Bound<'py, PyAny>,
-) -> PyResult<Bound<'py, PyTuple>> {
+fn entrywise<'py>(py: Python<'py>, operation: &str, left: &Object<'py>, right: &Object<'py>) -> Tuple<'py> {
     let operation: fn(&mut Graph, Id, Id) -> Result<Id, Error> = match operation {
         "add" => |graph, a, b| Ok(graph.add(a, b)),
         "sub" => |graph, a, b| Ok(graph.sub(a, b)),
@@ -79,9 +70,11 @@ fn entrywise<'py>(
 
 /// The opposites of expressions.
 #[pyfunction]
-fn opposites<'py>(py: Python<'py>, entries: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyTuple>> {
+fn opposites<'py>(py: Python<'py>, entries: &Object<'py>) -> Tuple<'py> {
     let entries = operands(entries, "Matrix")?;
-    tuple(py, with_graph(|graph| entries.iter().map(|&entry| graph.neg(entry)).collect::<Vec<Id>>()))
+    let made: Vec<Id> =
+        long_with_graph(py, |graph| Ok(entries.iter().map(|&entry| graph.neg(entry)).collect()))?;
+    tuple(py, made)
 }
 
 /// The product of a rows x inner and an inner x columns matrix.
@@ -91,9 +84,9 @@ fn matrix_product<'py>(
     rows: usize,
     inner: usize,
     columns: usize,
-    a: &Bound<'py, PyAny>,
-    b: &Bound<'py, PyAny>,
-) -> PyResult<Bound<'py, PyTuple>> {
+    a: &Object<'py>,
+    b: &Object<'py>,
+) -> Tuple<'py> {
     let a = raise(py, Matrix::new(rows, inner, operands(a, "Matrix")?))?;
     let b = raise(py, Matrix::new(inner, columns, operands(b, "Matrix")?))?;
     let product = long_with_graph(py, |graph| graph.matrix_product(&a, &b))?;
@@ -102,21 +95,21 @@ fn matrix_product<'py>(
 
 /// The rank of a matrix.
 #[pyfunction]
-fn matrix_rank(py: Python<'_>, rows: usize, columns: usize, entries: &Bound<'_, PyAny>) -> PyResult<usize> {
+fn matrix_rank(py: Python<'_>, rows: usize, columns: usize, entries: &Object<'_>) -> PyResult<usize> {
     let matrix = raise(py, Matrix::new(rows, columns, operands(entries, "Matrix")?))?;
     long_with_graph(py, |graph| Ok(graph.matrix_rank(&matrix)))
 }
 
 /// The determinant of an n x n matrix.
 #[pyfunction]
-fn determinant(py: Python<'_>, n: usize, entries: &Bound<'_, PyAny>) -> PyResult<Expr> {
+fn determinant(py: Python<'_>, n: usize, entries: &Object<'_>) -> PyResult<Expr> {
     let matrix = raise(py, Matrix::new(n, n, operands(entries, "Matrix")?))?;
     long_with_graph(py, |graph| graph.determinant(&matrix)).map(Expr)
 }
 
 /// The inverse of an n x n matrix.
 #[pyfunction]
-fn inverse<'py>(py: Python<'py>, n: usize, entries: &Bound<'py, PyAny>) -> PyResult<Bound<'py, PyTuple>> {
+fn inverse<'py>(py: Python<'py>, n: usize, entries: &Object<'py>) -> Tuple<'py> {
     let matrix = raise(py, Matrix::new(n, n, operands(entries, "Matrix")?))?;
     let inverse = long_with_graph(py, |graph| graph.inverse(&matrix))?;
     tuple(py, inverse.entries().iter().copied())
@@ -124,11 +117,7 @@ fn inverse<'py>(py: Python<'py>, n: usize, entries: &Bound<'py, PyAny>) -> PyRes
 
 /// The values of the unknowns that make the linear equations zero.
 #[pyfunction]
-fn solve<'py>(
-    py: Python<'py>,
-    equations: &Bound<'py, PyAny>,
-    unknowns: &Bound<'py, PyAny>,
-) -> PyResult<Bound<'py, PyTuple>> {
+fn solve<'py>(py: Python<'py>, equations: &Object<'py>, unknowns: &Object<'py>) -> Tuple<'py> {
     let equations = operands(equations, "solve, equations")?;
     let unknowns = operands(unknowns, "solve, unknowns")?;
     notice_namesakes(py, "solve", &equations, &unknowns)?;
@@ -137,11 +126,7 @@ fn solve<'py>(
 
 /// The solution of A x = b, A given row by row: solved at run time, by pivoting.
 #[pyfunction]
-fn linear_solve<'py>(
-    py: Python<'py>,
-    matrix: &Bound<'py, PyAny>,
-    right: &Bound<'py, PyAny>,
-) -> PyResult<Bound<'py, PyTuple>> {
+fn linear_solve<'py>(py: Python<'py>, matrix: &Object<'py>, right: &Object<'py>) -> Tuple<'py> {
     let matrix = operands(matrix, "linear_solve, matrix")?;
     let right = operands(right, "linear_solve, right side")?;
     tuple(py, long_with_graph(py, |graph| graph.linear_solve(&matrix, &right))?)

@@ -5,13 +5,13 @@ use symbody_core::NumberId;
 
 use crate::convert::operands;
 use crate::expr::Expr;
-use crate::session::{long_with_graph, with_graph};
+use crate::session::long_with_graph;
 
 /// The sum of expressions.
 #[pyfunction]
-fn sum_of(terms: &Bound<'_, PyAny>) -> PyResult<Expr> {
+fn sum_of(py: Python<'_>, terms: &Bound<'_, PyAny>) -> PyResult<Expr> {
     let terms: Vec<_> = operands(terms, "sum")?.into_iter().map(|id| (NumberId::ONE, id)).collect();
-    Ok(Expr(with_graph(|graph| graph.sum(&terms))))
+    long_with_graph(py, |graph| Ok(graph.sum(&terms))).map(Expr)
 }
 
 /// The product of expressions.

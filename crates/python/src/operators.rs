@@ -2,11 +2,11 @@
 
 use pyo3::basic::CompareOp;
 use pyo3::prelude::*;
-use symbody_core::{Error, Function, Graph, Id, Number};
+use symbody_core::{Error, Format, Function, Graph, Id, Number};
 
 use crate::convert::{is_sympy, mistake, optional};
 use crate::expr::Expr;
-use crate::session::{argument_error, raise, with_forms, with_graph};
+use crate::session::{argument_error, long_with_graph, with_forms};
 
 pub type Binary = fn(&mut Graph, Id, Id) -> Result<Id, Error>;
 
@@ -22,7 +22,7 @@ pub fn binary(left: &Bound<'_, PyAny>, right: &Bound<'_, PyAny>, operation: Bina
         }
         return Ok(py.NotImplemented());
     };
-    let id = raise(py, with_graph(|graph| operation(graph, a, b)))?;
+    let id = long_with_graph(py, |graph| operation(graph, a, b))?;
     Ok(Expr(id).into_pyobject(py)?.into_any().unbind())
 }
 
@@ -45,7 +45,11 @@ pub fn no_order(py: Python<'_>, left: Id, right: Id, op: CompareOp) -> PyErr {
         CompareOp::Gt => ">",
         _ => ">=",
     };
-    let (left, right) = with_forms(|graph| (shortened(graph, left), shortened(graph, right)));
+    // Printed together, different variables with one name are told apart.
+    let texts = with_forms(|graph| graph.listing(&[left, right], Format::Text));
+    let whole = || with_forms(|graph| [left, right].map(|side| graph.to_text(side)).to_vec());
+    let texts = if texts.definitions.is_empty() { texts.results } else { whole() };
+    let (left, right) = (shortened(&texts[0]), shortened(&texts[1]));
     let message = format!(
         "{left} {sign} {right}: expressions have no order; use Max(a, b) or Min(a, b) to choose one, a positive expression \
          as a condition, as in Piecewise((value, a - b)) for a > b, or float(e) to compare numbers"
@@ -54,11 +58,10 @@ pub fn no_order(py: Python<'_>, left: Id, right: Id, op: CompareOp) -> PyErr {
 }
 
 /// The beginning of an expression, for a message.
-fn shortened(graph: &Graph, id: Id) -> String {
+fn shortened(text: &str) -> String {
     const SHOWN: usize = 40;
-    let text = graph.to_text(id);
     if text.chars().count() <= SHOWN {
-        text
+        text.to_owned()
     } else {
         format!("{}...", text.chars().take(SHOWN).collect::<String>())
     }

@@ -4,7 +4,7 @@ use pyo3::prelude::*;
 use symbody_core::{Format, Listing};
 
 use crate::convert::operands;
-use crate::session::{argument_error, with_forms};
+use crate::session::{argument_error, long_with_forms};
 
 /// Names, and the expressions that they stand for.
 type Definitions = Vec<(String, String)>;
@@ -24,7 +24,8 @@ fn listing(expressions: &Bound<'_, PyAny>, notation: &str) -> PyResult<(Definiti
             ));
         }
     };
-    let Listing { definitions, results } = with_forms(|graph| graph.listing(&roots, format));
+    let Listing { definitions, results } =
+        long_with_forms(expressions.py(), |graph| Ok(graph.listing(&roots, format)))?;
     Ok((definitions, results))
 }
 

@@ -7,19 +7,16 @@ use symbody_core::{Error, Graph, Id};
 use crate::convert::{mistake, operand, operands};
 use crate::expr::Expr;
 use crate::namesake::notice_namesakes;
-use crate::session::{long_with_forms, with_forms};
+use crate::session::long_with_forms;
 
 /// Additions, multiplications, divisions and functions of expressions: on the graph by what they depend on
 /// (parameters alone, time and positions, speeds, accelerations), or as trees in one sum.
 #[pyfunction]
-fn cost(expressions: &Bound<'_, PyAny>, tree: bool) -> PyResult<Vec<(u64, u64, u64, u64)>> {
+fn cost(py: Python<'_>, expressions: &Bound<'_, PyAny>, tree: bool) -> PyResult<Vec<(u64, u64, u64, u64)>> {
     let roots = operands(expressions, "cost")?;
-    let costs =
-        with_forms(
-            |graph| {
-                if tree { vec![graph.tree_cost(&roots)] } else { graph.cost_by_level(&roots).to_vec() }
-            },
-        );
+    let costs = long_with_forms(py, |graph| {
+        Ok(if tree { vec![graph.tree_cost(&roots)] } else { graph.cost_by_level(&roots).to_vec() })
+    })?;
     Ok(costs
         .iter()
         .map(|cost| (cost.additions, cost.multiplications, cost.divisions, cost.functions))

@@ -5,7 +5,7 @@ use symbody_core::{Error, Graph, Id, Vector3, vector};
 
 use crate::convert::Operand;
 use crate::expr::Expr;
-use crate::session::{raise, with_graph};
+use crate::session::long_with_graph;
 
 type Triple = (Operand, Operand, Operand);
 type Result3 = (Expr, Expr, Expr);
@@ -18,8 +18,8 @@ fn triple(v: Vector3) -> Result3 {
     (Expr(v[0]), Expr(v[1]), Expr(v[2]))
 }
 
-fn compute(py: Python<'_>, work: impl FnOnce(&mut Graph) -> Result<Vector3, Error>) -> PyResult<Result3> {
-    raise(py, with_graph(work)).map(triple)
+fn compute(py: Python<'_>, work: impl FnMut(&mut Graph) -> Result<Vector3, Error>) -> PyResult<Result3> {
+    long_with_graph(py, work).map(triple)
 }
 
 /// The sum `a + b`.
@@ -43,7 +43,7 @@ fn scale3(py: Python<'_>, s: Operand, a: Triple) -> PyResult<Result3> {
 /// The scalar product `a . b`.
 #[pyfunction]
 fn dot3(py: Python<'_>, a: Triple, b: Triple) -> PyResult<Expr> {
-    raise(py, with_graph(|graph| vector::dot(graph, vector3(&a), vector3(&b)))).map(Expr)
+    long_with_graph(py, |graph| vector::dot(graph, vector3(&a), vector3(&b))).map(Expr)
 }
 
 /// The vector product `a x b`.

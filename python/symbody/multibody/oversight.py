@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection, Iterable, Iterator, Set
 
 from symbody.symbolic import Expr
+from symbody.symbolic.given.namesake import namesake_note
 
 from .body import Body
 from .load import Load
@@ -15,7 +16,7 @@ __all__ = ["notices"]
 def notices(
     bodies: Collection[Body], loads: Iterable[Load], constraints: Iterable[Expr], known: Collection[Expr]
 ) -> Iterator[str]:
-    """Return notices for a user to check: loads on other bodies, and motions that are neither unknown nor given.
+    """Return notices for a user to check: loads on other bodies, motions that are neither unknown nor given, namesakes.
 
     Args:
         bodies: the bodies of a system.
@@ -44,6 +45,7 @@ def _given_motions(bodies: Iterable[Body], constraints: Iterable[Expr], known: S
     """Return the functions of time that move bodies or occur in constraints, and aren't listed."""
     motions = (m for body in bodies for m in body.frame.motions if m.twist is None)
     moving = {leaf for motion in motions for leaf in motion.leaves} - known
+    yield from _namesakes(moving, known)
     constraining = {leaf for constraint in constraints for leaf in constraint.free_symbols} - known
     for leaves, (does, do) in (
         (moving, ("moves bodies", "move bodies")),
@@ -56,6 +58,19 @@ def _given_motions(bodies: Iterable[Body], constraints: Iterable[Expr], known: S
                 f"{', '.join(given)} {acts} and {adds}, so that the motion must be given from outside; add "
                 "what is unknown to coordinates=[...], what is given to inputs=[...]"
             )
+
+
+def _namesakes(moving: Set[Expr], known: Set[Expr]) -> Iterator[str]:
+    """Return notices of symbols in the motions of bodies that share their name with another one, or with an unknown."""
+    symbols = [leaf for leaf in moving if leaf.kind == "symbol"]
+    if len(_named(symbols) | _named(known)) == len(symbols) + len(_named(known)):
+        return
+    first: dict[str, Expr] = {function.name: function for function in known}
+    for symbol in sorted(symbols, key=lambda symbol: (symbol.name, str(symbol.assumption))):
+        other = first.setdefault(symbol.name, symbol)
+        note = namesake_note([symbol], [other], ("in one place", "in another"))
+        if note:
+            yield f"different variables move bodies under the name {symbol.name}{note}"
 
 
 def _named(functions: Iterable[Expr]) -> set[str]:

@@ -6,10 +6,14 @@
 
 use crate::evaluate::Pending;
 use crate::graph::{Flags, Graph, Id, Kind, LONGEST, NumberId, View};
+use crate::interrupt::tick;
 use crate::value::{Element, Number};
 
 /// The most terms that are searched for cancellations with those of child sums.
 const CANCELLATION_SEARCH: usize = 48;
+
+/// The work on more terms than these may be interrupted.
+const LONG: usize = 1000;
 
 type Term = (NumberId, Id);
 
@@ -130,7 +134,11 @@ impl Graph {
     pub(super) fn merge_terms(&mut self, terms: Vec<Term>) -> Vec<Term> {
         let mut terms: Vec<Term> =
             terms.into_iter().map(|(factor, id)| self.split_multiple(factor, id)).collect();
+        let is_long = terms.len() > LONG;
         terms.sort_by(|&(_, a), &(_, b)| {
+            if is_long {
+                tick();
+            }
             (a != Id::ONE).cmp(&(b != Id::ONE)).then_with(|| self.compare_values(a, b))
         });
         let mut merged: Vec<Term> = Vec::with_capacity(terms.len());

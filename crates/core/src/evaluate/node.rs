@@ -4,6 +4,7 @@ use num_bigint::BigInt;
 use std::sync::Arc;
 
 use crate::graph::{Assumption, Column, Flags, Function, Graph, Id, Kind, NumberId, View, leaf_in};
+use crate::interrupt::tick;
 use crate::value::{
     Element, Field, FieldId, Key, Number, Quadratic, fingerprint, in_hash_lane, prime_factors,
 };
@@ -25,6 +26,7 @@ impl Graph {
         let mut stack = vec![(id, field)];
         let mut needed = Vec::new();
         while let Some(&(id, field)) = stack.last() {
+            tick();
             if self.known_in(id, field).is_none() {
                 needed.clear();
                 self.push_needed(id, field, &mut needed);
@@ -80,6 +82,7 @@ impl Graph {
         let zero = |field: FieldId| field.field().number(&Number::integer(0));
         let mut sums: Vec<Quadratic> = FieldId::others(point).map(zero).collect();
         for (factor, node) in terms {
+            tick();
             let column = self.column(node, point);
             let images = self.lanes.borrow_mut().images(factor, self.get_number(factor));
             let parts = FieldId::others(point).zip(column.iter()).zip(images.iter());

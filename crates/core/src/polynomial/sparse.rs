@@ -34,6 +34,11 @@ impl Budget {
         Ok(())
     }
 
+    /// Count up to so much of the work so far as not done.
+    pub(crate) const fn return_work(&mut self, work: usize) {
+        self.spent = self.spent.saturating_sub(work);
+    }
+
     /// The remaining work.
     pub(crate) const fn left(&self) -> usize {
         self.work.saturating_sub(self.spent)
@@ -73,6 +78,11 @@ impl Polynomial {
 
     pub(crate) fn len(&self) -> usize {
         self.0.len()
+    }
+
+    /// The powers of atoms in all terms together.
+    pub(crate) fn factor_count(&self) -> usize {
+        self.0.keys().map(|monomial| monomial.factors().len()).sum()
     }
 
     pub(crate) fn iter(&self) -> impl DoubleEndedIterator<Item = (&Monomial, &Number)> + ExactSizeIterator {

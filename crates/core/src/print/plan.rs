@@ -5,6 +5,7 @@ use std::collections::BTreeSet;
 use std::ops::Range;
 
 use crate::graph::{Assumption, Graph, Id, View};
+use crate::interrupt::tick;
 use crate::value::Number;
 
 /// Up to this many printed leaves an expression is written out whole.
@@ -59,6 +60,7 @@ impl Plan {
         let root_set: FxHashSet<Id> = roots.iter().copied().collect();
         let mut extents: FxHashMap<Id, Extent> = FxHashMap::default();
         for &id in &order {
+            tick();
             let mut extent = extent(graph, id, &extents);
             if large && extent.leaves > 4 * PIECE {
                 extent = plan.slice(graph, id, extent, &extents, &names.prefix);
@@ -151,6 +153,7 @@ fn tree_leaves(graph: &Graph, order: &[Id], roots: &[Id]) -> usize {
     let mut leaves: FxHashMap<Id, usize> = FxHashMap::default();
     let mut children = Vec::new();
     for &id in order {
+        tick();
         children.clear();
         graph.push_children(id, &mut children);
         let total = children.iter().fold(0, |sum: usize, child| sum.saturating_add(leaves[child]));
@@ -167,6 +170,7 @@ fn uses(graph: &Graph, order: &[Id], roots: &[Id]) -> FxHashMap<Id, usize> {
     }
     let mut children = Vec::new();
     for &id in order.iter().rev() {
+        tick();
         let times = match graph.view(id) {
             View::Scale(..) | View::LinearSystem { .. } => uses[&id],
             _ => 1,
@@ -230,6 +234,7 @@ impl Names {
         let mut shared = FxHashSet::default();
         let mut taken = BTreeSet::new();
         for &id in order {
+            tick();
             if let View::Symbol(name, assumption) = graph.view(id)
                 && *assumptions.entry(name).or_insert(assumption) != assumption
             {

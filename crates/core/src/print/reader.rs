@@ -1,6 +1,7 @@
 //! From the graph to the reader's form.
 
 use crate::graph::{Assumption, Factors, Function, Graph, Id, Ids, Terms, View};
+use crate::interrupt::tick;
 use crate::value::Number;
 
 use super::order;
@@ -20,6 +21,7 @@ impl<'a> Reader<'a> {
 
     /// The tree of a node: its name, if it has one.
     pub(super) fn expression(&self, id: Id) -> Sum {
+        tick();
         match self.plan.name(id) {
             Some(name) => Sum::atom(Base::plain(name)),
             None => self.opened(id),

@@ -1,4 +1,4 @@
-//! Sines, cosines and tangents of sums and multiples, expressed by those of single angles.
+//! Sines, cosines and tangents of sums and multiples, circular and hyperbolic, expressed by those of single angles.
 
 use num_integer::Integer;
 use rustc_hash::FxHashMap;
@@ -9,6 +9,31 @@ use crate::polynomial::{Monomial, Polynomial};
 use crate::value::Number;
 
 use super::ring::{Ring, single_power};
+
+/// An even and an odd function with an addition theorem, and their quotient.
+///
+/// With the sign s: `even(a + b) = even(a) even(b) + s odd(a) odd(b)` and `odd(a + b) = odd(a) even(b) + even(a) odd(b)`.
+/// The theorem of the quotient is these two, with 1 for the even function and the quotient for the odd one.
+#[derive(Clone, Copy)]
+pub(super) struct Waves {
+    even: Function,
+    odd: Function,
+    quotient: Function,
+    sign: i64,
+}
+
+const WAVES: [Waves; 2] = [
+    Waves { even: Function::Cos, odd: Function::Sin, quotient: Function::Tan, sign: -1 },
+    Waves { even: Function::Cosh, odd: Function::Sinh, quotient: Function::Tanh, sign: 1 },
+];
+
+/// The place of the circular functions in the table.
+pub(super) const CIRCULAR: usize = 0;
+
+/// Which of the [`WAVES`] a function belongs to.
+pub(super) fn waves_of(function: Function) -> Option<usize> {
+    WAVES.iter().position(|waves| [waves.even, waves.odd, waves.quotient].contains(&function))
+}
 
 /// Angles that are larger multiples of their unit stay closed, unless a user requests the expansion.
 const LARGEST_MULTIPLE: i64 = 8;
@@ -32,7 +57,7 @@ pub(super) fn update_units(units: &mut FxHashMap<Monomial, Number>, angle: &Poly
 }
 
 impl Ring<'_> {
-    /// sin, cos or tan of a sum of multiples of units, by the addition theorems. Each atomic angle has its unit.
+    /// A wave of a sum of multiples of units, by the addition theorems. Each atomic angle has its unit.
     pub(super) fn expand_wave(
         &mut self,
         id: Id,
@@ -40,6 +65,7 @@ impl Ring<'_> {
         angle: &Polynomial,
         units: &FxHashMap<Monomial, Number>,
     ) -> Result<Polynomial, Error> {
+        let Some(waves) = waves_of(shape).map(|place| WAVES[place]) else { return Ok(self.leaf(id)) };
         let mut multiples = Vec::new();
         for (monomial, coefficient) in angle.iter() {
             let unit = units[monomial].clone();
@@ -49,36 +75,64 @@ impl Ring<'_> {
             }
             multiples.push((Polynomial::term(monomial.clone(), unit), n));
         }
-        let mut cos = Polynomial::constant(Number::integer(1));
-        let mut sin = Polynomial::default();
+        let by_quotients = self.opens_all && shape == waves.quotient;
+        let mut even = Polynomial::constant(Number::integer(1));
+        let mut odd = Polynomial::default();
         for (angle, n) in multiples {
-            let c = self.wave_of(Function::Cos, &angle)?;
-            let s = self.wave_of(Function::Sin, &angle)?.scaled(&Number::integer(n.signum()));
+            let (c, s) = if by_quotients {
+                let Some(quotient) = self.quotient_of(waves, &angle)? else { return Ok(self.leaf(id)) };
+                (Polynomial::constant(Number::integer(1)), quotient)
+            } else {
+                (self.wave_of(waves.even, &angle)?, self.wave_of(waves.odd, &angle)?)
+            };
+            let s = s.scaled(&Number::integer(n.signum()));
             if n.abs() > LARGEST_MULTIPLE
-                && let Some((c, s)) = self.multiple((&c, &s), n.unsigned_abs())?
+                && let Some((c, s)) = self.multiple(waves, (&c, &s), n.unsigned_abs())?
             {
-                (cos, sin) = self.rotate((&cos, &sin), (&c, &s))?;
+                (even, odd) = self.rotate(waves, (&even, &odd), (&c, &s))?;
                 continue;
             }
             for _ in 0..n.abs() {
-                (cos, sin) = self.rotate((&cos, &sin), (&c, &s))?;
+                (even, odd) = self.rotate(waves, (&even, &odd), (&c, &s))?;
             }
         }
-        match (shape, cos.single().is_some()) {
-            (Function::Sin, _) => Ok(sin),
-            (Function::Cos, _) => Ok(cos),
-            (_, false) => Ok(self.leaf(id)),
-            (_, true) => {
-                let (monomial, factor) = single_power(&cos, -1)?;
-                Ok(sin.shifted(&monomial, &factor))
-            }
+        if shape == waves.odd {
+            return Ok(odd);
         }
+        if shape == waves.even {
+            return Ok(even);
+        }
+        if by_quotients {
+            (even, odd) = (self.one_term(&even)?, self.one_term(&odd)?);
+        }
+        if even.single().is_none() {
+            return Ok(self.leaf(id));
+        }
+        let (monomial, factor) = single_power(&even, -1)?;
+        Ok(odd.shifted(&monomial, &factor))
     }
 
-    /// The cosine and the sine of n times an angle: the parts of `(cos + i sin)**n` [de Moivre]; `None` if those of the
-    /// angle are no atoms.
+    /// A sum as a multiple of one atom, with integer coefficients under it if its own are rational.
+    fn one_term(&mut self, sum: &Polynomial) -> Result<Polynomial, Error> {
+        if sum.len() < 2 {
+            return Ok(sum.clone());
+        }
+        let content = sum.numeric_content();
+        let node = self.node_of(&sum.clone().scaled(&content.recip()?))?;
+        Ok(self.leaf(node).scaled(&content))
+    }
+
+    /// The tangent of an angle; `None` at a pole.
+    fn quotient_of(&mut self, waves: Waves, angle: &Polynomial) -> Result<Option<Polynomial>, Error> {
+        let is_pole = angle.single().is_some() && self.wave_of(waves.even, angle)?.len() == 0;
+        if is_pole { Ok(None) } else { self.wave_of(waves.quotient, angle).map(Some) }
+    }
+
+    /// The even and the odd wave of n times an angle: the parts of `(even + i odd)**n` [de Moivre], where the square of i is
+    /// the sign of the theorem; `None` if those of the angle are no atoms.
     fn multiple(
         &mut self,
+        waves: Waves,
         (c, s): (&Polynomial, &Polynomial),
         n: u64,
     ) -> Result<Option<(Polynomial, Polynomial)>, Error> {
@@ -86,27 +140,29 @@ impl Ring<'_> {
         let one = Number::integer(1);
         let mut both = s.shifted(&Monomial::power(IMAGINARY_UNIT, 1), &one);
         both.add_scaled(c, &one);
-        let (mut cos, mut sin) = (Polynomial::default(), Polynomial::default());
+        let (mut even, mut odd) = (Polynomial::default(), Polynomial::default());
         for (monomial, coefficient) in self.power(&both, n)?.iter() {
             let (turns, rest) = monomial.split(|atom| atom == IMAGINARY_UNIT);
             let quarter = turns.degree() % 4;
-            let part = if quarter % 2 == 0 { &mut cos } else { &mut sin };
-            part.add_term(rest, &if quarter > 1 { coefficient.neg() } else { coefficient.clone() });
+            let part = if quarter % 2 == 0 { &mut even } else { &mut odd };
+            let sign = if quarter > 1 { waves.sign } else { 1 };
+            part.add_term(rest, &coefficient.mul(&Number::integer(sign)));
         }
-        Ok(Some((cos, sin)))
+        Ok(Some((even, odd)))
     }
 
-    /// The cosine and the sine of the sum of two angles.
+    /// The even and the odd wave of the sum of two angles.
     fn rotate(
         &mut self,
+        waves: Waves,
         (c1, s1): (&Polynomial, &Polynomial),
         (c2, s2): (&Polynomial, &Polynomial),
     ) -> Result<(Polynomial, Polynomial), Error> {
-        let mut cos = self.times(c1, c2)?;
-        cos.add_scaled(&self.times(s1, s2)?, &Number::integer(-1));
-        let mut sin = self.times(s1, c2)?;
-        sin.add_scaled(&self.times(c1, s2)?, &Number::integer(1));
-        Ok((cos, sin))
+        let mut even = self.times(c1, c2)?;
+        even.add_scaled(&self.times(s1, s2)?, &Number::integer(waves.sign));
+        let mut odd = self.times(s1, c2)?;
+        odd.add_scaled(&self.times(c1, s2)?, &Number::integer(1));
+        Ok((even, odd))
     }
 }
 

@@ -1,4 +1,4 @@
-//! From nodes to polynomials: products of sums, and sines and cosines of sums, are multiplied out.
+//! From nodes to polynomials: products of sums, and sines, cosines and tangents of sums, are multiplied out.
 
 use rustc_hash::{FxHashMap, FxHashSet};
 
@@ -7,7 +7,7 @@ use crate::graph::{Function, Graph, Id, View};
 use crate::polynomial::{Budget, Monomial, Polynomial};
 use crate::value::Number;
 
-use super::addition_theorem::update_units;
+use super::addition_theorem::{CIRCULAR, update_units, waves_of};
 use super::ring::{Ring, single_power};
 
 /// The nodes that become part of the polynomial; each choice includes the one before.
@@ -17,7 +17,7 @@ pub(super) enum Opening {
     Sums,
     /// Products and powers of sums.
     Products,
-    /// Sines, cosines and tangents of sums and multiples.
+    /// Sines, cosines and tangents of sums and multiples; the hyperbolic ones as well if a user requests it.
     Angles,
 }
 
@@ -26,6 +26,9 @@ const EXPANDED: &str = "the parts of a node are expanded before it, and kept for
 /// The most terms of an expansion that a user requests, and the limit of its work.
 const TERMS: usize = 200_000;
 const BUDGET: Budget = Budget::new(TERMS, 5_000_000);
+/// With angles the parts of an expression share the budget, because angles within angles make each part far larger than
+/// the one inside it. This much work for a part is free, so that an expression may have many parts.
+const FREE: usize = 1000;
 /// Exponents from this one on stay closed, unless a user requests the expansion.
 const LARGEST_EXPONENT: u64 = 257;
 
@@ -38,7 +41,8 @@ impl Graph {
         self.expand_to(id, Opening::Products)
     }
 
-    /// Like [`Self::expand`], and sines and cosines of sums and of integer multiples become those of single angles.
+    /// Like [`Self::expand`], and sines, cosines and tangents of sums and of integer multiples, circular and hyperbolic,
+    /// become those of single angles.
     ///
     /// # Errors
     /// If the result would have too many terms.
@@ -47,11 +51,21 @@ impl Graph {
     }
 
     fn expand_to(&mut self, id: Id, opening: Opening) -> Result<Id, Error> {
+        let mut budget = BUDGET;
         self.choose_form(|graph| {
             graph.inside_out(id, Self::push_enclosed, &mut |graph, part| {
-                let mut ring = Ring::new(graph, BUDGET);
+                if opening < Opening::Angles {
+                    budget = BUDGET;
+                }
+                budget.return_work(FREE);
+                let mut ring = Ring::new(graph, budget);
                 ring.opens_all = true;
                 let polynomial = ring.polynomial(part, opening)?;
+                if opening == Opening::Angles {
+                    // Each factor is handled twice: the node is made, and its value is compared with that of the part.
+                    ring.budget.spend(2 * polynomial.factor_count())?;
+                }
+                budget = ring.budget;
                 ring.node_of(&polynomial)
             })
         })
@@ -66,8 +80,8 @@ struct Expansion {
     memo: FxHashMap<Id, Polynomial>,
     /// How often the polynomial of a node will still be used; the last use takes it.
     uses: FxHashMap<Id, u32>,
-    /// Atomic angle -> the largest angle of which all its multiples are integer multiples.
-    units: FxHashMap<Monomial, Number>,
+    /// Atomic angle -> the largest angle of which all its multiples are integer multiples, for each kind of waves.
+    units: [FxHashMap<Monomial, Number>; 2],
 }
 
 impl Ring<'_> {
@@ -83,7 +97,7 @@ impl Ring<'_> {
         opening: Opening,
         leaves: FxHashSet<Id>,
     ) -> Result<Polynomial, Error> {
-        let (memo, units) = (FxHashMap::default(), FxHashMap::default());
+        let (memo, units) = (FxHashMap::default(), Default::default());
         let uses = FxHashMap::from_iter([(root, 1)]);
         let mut state = Expansion { opening, leaves, memo, uses, units };
         let order = self.opened_nodes(root, &state.leaves)?;
@@ -115,14 +129,20 @@ impl Ring<'_> {
     }
 
     /// For each atomic angle, find the largest angle of which all its multiples are integer multiples.
-    fn find_units(&mut self, order: &[Id], units: &mut FxHashMap<Monomial, Number>) -> Result<(), Error> {
+    fn find_units(&mut self, order: &[Id], units: &mut [FxHashMap<Monomial, Number>]) -> Result<(), Error> {
         for &id in order {
-            if let View::Function(Function::Sin | Function::Cos | Function::Tan, args) = self.graph.view(id) {
-                let argument = args.get(0);
-                update_units(units, &self.angle(argument)?, self.opens_all);
+            if let Some((_, argument, place)) = self.opened_wave(id) {
+                update_units(&mut units[place], &self.angle(argument)?, self.opens_all);
             }
         }
         Ok(())
+    }
+
+    /// The function of a wave that may be opened, its argument, and its kind.
+    fn opened_wave(&self, id: Id) -> Option<(Function, Id, usize)> {
+        let View::Function(shape, args) = self.graph.view(id) else { return None };
+        let place = waves_of(shape).filter(|&place| place == CIRCULAR || self.opens_all)?;
+        Some((shape, args.get(0), place))
     }
 
     fn is_opened(&self, id: Id, leaves: &FxHashSet<Id>) -> bool {
@@ -151,13 +171,12 @@ impl Ring<'_> {
 
     fn expand_node(&mut self, id: Id, state: &mut Expansion) -> Result<Polynomial, Error> {
         if !self.is_opened(id, &state.leaves) {
-            return match self.graph.view(id) {
-                View::Function(shape @ (Function::Sin | Function::Cos | Function::Tan), args)
+            return match self.opened_wave(id) {
+                Some((shape, argument, place))
                     if state.opening == Opening::Angles && !state.leaves.contains(&id) =>
                 {
-                    let argument = args.get(0);
                     let angle = self.angle(argument)?;
-                    self.expand_wave(id, shape, &angle, &state.units)
+                    self.expand_wave(id, shape, &angle, &state.units[place])
                 }
                 _ => Ok(self.leaf(id)),
             };

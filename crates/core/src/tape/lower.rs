@@ -8,6 +8,7 @@ use std::cmp::Reverse;
 
 use crate::error::Error;
 use crate::graph::{ByValue, Factors, Function, Graph, Id, Ids, Kind, NumberId, Terms, View};
+use crate::print::Format;
 use crate::value::Number;
 
 use super::emit::{Emitter, Signed};
@@ -58,7 +59,8 @@ impl Graph {
         }
         let outside = self.post_order_where(outputs, |id| !is_input(id) && !inside.contains(&id));
         let needed: Vec<Id> = outside.into_iter().filter(|&id| self.is_variable(id)).collect();
-        names.extend(needed.iter().map(|&id| self.to_text(id)));
+        // Together, because different variables may have one name.
+        names.extend(self.listing(&needed, Format::Text).results);
         names.sort_unstable();
         names.dedup();
         let explained = self.explain_namesakes(&needed, inputs, ("without a value", "given"));
@@ -69,6 +71,9 @@ impl Graph {
         ))
     }
 }
+
+/// Powers in products beyond the doubles are multiplied out up to this exponent.
+const MOST_FACTORS: u64 = 16;
 
 /// The binary exponent of a part of a number beyond the doubles.
 const PART: i32 = 1000;
@@ -173,10 +178,7 @@ impl<'a> Lowering<'a> {
             View::Time | View::Symbol(..) | View::TimeFunction(..) | View::Application { .. } => return None,
             View::Number(number) => self.code.constant(self.graph.get_number(number).to_f64()),
             View::Pi => self.code.constant(std::f64::consts::PI),
-            View::Scale(factor, child) => {
-                let child = self.at(child);
-                self.multiple(factor, child)
-            }
+            View::Scale(factor, child) => self.term(factor, child),
             View::Sum(terms) => self.sum(terms),
             View::Product(factors) => self.product(factors),
             View::Function(function, args) => self.call(function, args),
@@ -190,6 +192,40 @@ impl<'a> Lowering<'a> {
                 self.code.component(system, index)
             }
         })
+    }
+
+    /// A multiple of a node.
+    fn term(&mut self, factor: NumberId, node: Id) -> Signed {
+        let number = self.graph.get_number(factor);
+        let is_double = number.is_zero() || number.to_f64().is_normal();
+        if let View::Product(factors) = self.graph.view(node)
+            && !is_double
+        {
+            return self.extended_product(number, factors);
+        }
+        let node = self.at(node);
+        self.multiple(factor, node)
+    }
+
+    /// A product with a number beyond the doubles.
+    fn extended_product(&mut self, number: &Number, factors: Factors) -> Signed {
+        let mut product = self.code.extended_number(number);
+        let factors: Vec<_> =
+            factors.iter().map(|(base, e)| (base, self.graph.get_number(e).clone())).collect();
+        for (base, exponent) in self.graph.opened(&factors) {
+            let base = self.at(base);
+            let whole = exponent.to_i64().map(i64::unsigned_abs).filter(|&n| n <= MOST_FACTORS);
+            let (factor, times) = match whole {
+                Some(n) => (base, n),
+                None => (self.power(base, &exponent), 1),
+            };
+            let factor = self.code.plain(factor);
+            let factor = self.code.extended(factor);
+            for _ in 0..times {
+                product = self.code.combined(product, factor, exponent.is_negative());
+            }
+        }
+        Signed::plus(self.code.rounded(product))
     }
 
     /// A multiple. A factor beyond the doubles is split into factors within them, all above 1 or all below, so that no
@@ -216,8 +252,7 @@ impl<'a> Lowering<'a> {
         let mut constant = 0.0;
         let mut parts: Vec<Signed> = Vec::with_capacity(terms.len());
         for (coefficient, node) in terms.iter() {
-            let node = self.at(node);
-            let term = self.multiple(coefficient, node);
+            let term = self.term(coefficient, node);
             match self.code.number_in(term) {
                 Some(number) => constant += number,
                 None => parts.push(term),
@@ -241,19 +276,23 @@ impl<'a> Lowering<'a> {
         for (base, exponent) in factors.iter() {
             let base = self.at(base);
             let exponent = self.graph.get_number(exponent);
-            let power = match exponent.to_small() {
-                Some((n, d @ (1 | 2))) if n.unsigned_abs() <= LARGEST_POWER => {
-                    self.code.power(base, n.unsigned_abs(), d == 2)
-                }
-                _ => {
-                    let (base, exponent) =
-                        (self.code.plain(base), self.code.constant(exponent.abs().to_f64()));
-                    self.code.emit(Instruction::Binary(Function::Power, base, exponent.operand))
-                }
-            };
+            let power = self.power(base, exponent);
             quotient.push(power, self.code.number_in(power), exponent.is_negative());
         }
         self.quotient(quotient)
+    }
+
+    /// The power of a magnitude of an exponent.
+    fn power(&mut self, base: Signed, exponent: &Number) -> Signed {
+        match exponent.to_small() {
+            Some((n, d @ (1 | 2))) if n.unsigned_abs() <= LARGEST_POWER => {
+                self.code.power(base, n.unsigned_abs(), d == 2)
+            }
+            _ => {
+                let (base, exponent) = (self.code.plain(base), self.code.constant(exponent.abs().to_f64()));
+                self.code.emit(Instruction::Binary(Function::Power, base, exponent.operand))
+            }
+        }
     }
 
     fn quotient(&mut self, parts: Quotient) -> Signed {

@@ -8,6 +8,7 @@
 mod coefficient;
 mod emit;
 mod eval;
+mod extended_product;
 mod linear_systems;
 mod lower;
 mod reciprocal;

@@ -26,15 +26,19 @@ def expand(expression: ExprLike) -> Expr:
 
 
 def expand_trig(expression: ExprLike) -> Expr:
-    """Write sines and cosines of sums and integer multiples with those of single angles, and multiply out.
+    """Write sines, cosines and tangents of sums and integer multiples with those of single angles, and multiply out.
+
+    The same holds for sinh, cosh and tanh. Tangents are expressed by tangents.
 
     Raises:
         ExpressionError: the result would have too many terms.
 
-    >>> from symbody import expand_trig, cos, sin, symbols
+    >>> from symbody import expand_trig, cos, sin, symbols, tan
     >>> a, b = symbols("a b")
     >>> expand_trig(cos(a - b)), expand_trig(sin(2 * a))
     (sin(a)*sin(b) + cos(a)*cos(b), 2*sin(a)*cos(a))
+    >>> expand_trig(tan(a + b))
+    (tan(a) + tan(b))/(1 - tan(a)*tan(b))
     """
     return _core.rewrite("expand_trig", expression)
 
