@@ -99,15 +99,14 @@ def check_name(name: str) -> None:
 
 def _noticed(names: object, make: Callable[[str], Expr], place: str) -> Any:
     """Return what ``_named`` returns, after notices of variables with a name that others have."""
-    made: list[tuple[str, Expr]] = []
+    made: dict[str, Expr] = {}
 
     def made_too(name: str) -> Expr:
-        variable = make(name)
-        made.append((name, variable))
+        made[name] = variable = make(name)
         return variable
 
     result = _named(names, made_too, place)
-    notice_named(made, place, user_frame())
+    notice_named(made.items(), place, user_frame())
     return result
 
 
