@@ -201,9 +201,9 @@ impl Field {
 
     /// The rational number of small numerator and denominator that has this value, if there is one.
     pub(crate) fn small_rational(&self, value: &Quadratic) -> Option<Number> {
-        const LARGEST: u64 = 1 << 20;
+        const LARGEST: u32 = 1 << 20;
         let &Quadratic::Real(word) = value else { return None };
-        self.prime().simple_rational(word, LARGEST)
+        self.prime().simple_fraction(word, LARGEST).map(|(num, den)| Number::rational(num, den))
     }
 
     /// The principal power with a rational exponent r: |u|^r for a positive u, |u|^r e^(i pi r) for a negative one.

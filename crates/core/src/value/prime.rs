@@ -119,19 +119,35 @@ impl Prime {
         self.reduce(u128::from(element))
     }
 
-    /// The rational with this image whose numerator and denominator are not larger than a bound, if there is one.
+    /// The numerator and the denominator, not larger than a bound, of a rational with this image, if there is one.
     ///
-    /// Rational reconstruction [Wang 1981]: Euclid's algorithm on (p, a) stopped half way.
-    pub(super) fn simple_rational(&self, element: u64, largest: u64) -> Option<Number> {
-        let word = |value: u64| i64::try_from(value).expect("primes are below 2^63");
-        let (mut r0, mut r1) = (word(self.p), word(self.residue(element)));
-        let (mut t0, mut t1) = (0i64, 1i64);
-        while r1.unsigned_abs() > largest {
+    /// Rational reconstruction [Wang 1981]: Euclid's algorithm on (p, a) stopped half way. The denominators grow, so it
+    /// ends early for nearly all elements.
+    pub(super) fn simple_fraction(&self, element: u64, largest: u32) -> Option<(i64, i64)> {
+        let largest = u64::from(largest);
+        let (mut r0, mut r1) = (self.p, self.residue(element));
+        let (mut t0, mut t1, mut negative) = (0u64, 1u64, false);
+        while r1 > largest {
             let q = r0 / r1;
             (r0, r1) = (r1, r0 - q * r1);
-            (t0, t1) = (t1, t0 - q * t1);
+            (t0, t1) = (t1, t0 + q * t1);
+            negative = !negative;
+            if t1 > largest {
+                return None;
+            }
         }
-        (t1 != 0 && t1.unsigned_abs() <= largest).then(|| Number::rational(r1, t1))
+        let (num, den) = (i64::try_from(r1).ok()?, i64::try_from(t1).ok()?);
+        Some((if negative { -num } else { num }, den))
+    }
+
+    /// Whether an element is the image of num/den.
+    pub(super) fn is_fraction(&self, element: u64, num: i64, den: i64) -> bool {
+        self.mul(element, self.whole(den)) == self.whole(num)
+    }
+
+    fn whole(&self, value: i64) -> u64 {
+        let element = self.natural(value.unsigned_abs());
+        if value < 0 { self.neg(element) } else { element }
     }
 
     fn integer(&self, value: &BigInt) -> u64 {
@@ -144,13 +160,8 @@ impl Prime {
     pub(super) fn number(&self, value: &Number) -> u64 {
         match value.to_small() {
             Some((num, den)) => {
-                let element = self.natural(num.unsigned_abs());
-                let element = if num < 0 { self.neg(element) } else { element };
-                if den == 1 {
-                    element
-                } else {
-                    self.mul(element, self.inverse(self.natural(den.unsigned_abs())))
-                }
+                let element = self.whole(num);
+                if den == 1 { element } else { self.mul(element, self.inverse(self.whole(den))) }
             }
             None => {
                 self.mul(self.integer(&value.numerator()), self.inverse(self.integer(&value.denominator())))
