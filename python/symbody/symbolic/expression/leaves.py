@@ -113,8 +113,8 @@ def _noticed(names: object, make: Callable[[str], Expr], place: str) -> Any:
 def _named(names: object, make: Callable[[str], Expr], place: str) -> Any:
     """Return what ``make`` returns for each name, in the same nested structure as the names."""
     if isinstance(names, str):
-        made = tuple(make(name) for name in _checked(names_in(names)))
-        return made if is_list_of_names(names) else made[0]
+        made = [make(name) for name in _checked(names_in(names))]
+        return tuple(made) if is_list_of_names(names) else made[0]
     if not isinstance(names, Iterable):
         raise ArgumentError(f"{place}: {described(names)}; expected names in a text, such as 'm g l1'")
     listed = [_named(each, make, place) for each in names]

@@ -10,7 +10,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable
 from types import CodeType, FrameType
-from typing import NamedTuple
+from typing import NamedTuple, TypeAlias
 
 from symbody.errors import notify
 from symbody.symbolic import _core
@@ -23,20 +23,8 @@ _EXAMPLE = re.compile(r"\[\d+\]>$")
 """The number of an example, at the end of the name that a doctest gives to its code."""
 
 
-class _Place(NamedTuple):
-    """Where a variable was made: an instruction."""
-
-    code: CodeType
-    instruction: int
-
-    def is_same_call(self, other: _Place) -> bool:
-        """Whether one call of the program is in both places."""
-        return self.code is other.code and self.instruction == other.instruction
-
-    def line(self) -> int | None:
-        """Return the number of the line. It is needed for notices alone, and frames take long to find it."""
-        lines = self.code.co_lines()
-        return next((line for start, end, line in lines if start <= self.instruction < end), None)
+_Place: TypeAlias = tuple[CodeType, int]
+"""Where a variable was made: the number of an instruction in some code."""
 
 
 class _Scope(NamedTuple):
@@ -85,7 +73,7 @@ def notice_named(variables: Iterable[tuple[str, Expr]], where: str, frame: Frame
     if frame is None or frame.f_globals.get("__name__") == "doctest":
         return
     made = _made_by(frame)
-    here = _Place(frame.f_code, frame.f_lasti)
+    here = frame.f_code, frame.f_lasti
     for name, variable in variables:
         known = made.by_name.get(name)
         if known is None:
@@ -108,7 +96,7 @@ def _compare(
         frame: the frame of the user's line.
     """
     is_new = all(known != variable for known, _ in made)
-    others = [(known, at) for known, at in made if known != variable and not here.is_same_call(at)]
+    others = [(known, at) for known, at in made if known != variable and not _is_same_call(at, here)]
     if scope.function:  # a later call of the function may mean another variable
         others = [(known, at) for known, at in others if _holds(frame.f_locals.values(), known)]
     elif not is_new:
@@ -118,7 +106,7 @@ def _compare(
     if others and (variable, others[-1][0], scope) not in _NOTICED:
         known, at = others[-1]
         _NOTICED.add((variable, known, scope))
-        before = "made before" if scope.is_session else f"made in line {at.line()}"
+        before = "made before" if scope.is_session else f"made in line {_line(at)}"
         notify(where + namesake_note([variable], [known], ("made here", before)).replace(";", ":", 1))
 
 
@@ -133,6 +121,17 @@ def _made_by(frame: FrameType) -> _Made:
     made = _MADE.setdefault(scope, _Made(scope, {}))
     _MADE_BY[id(code)] = (code, made)
     return made
+
+
+def _is_same_call(one: _Place, other: _Place) -> bool:
+    """Whether one call of the program is in both places."""
+    return one[0] is other[0] and one[1] == other[1]
+
+
+def _line(place: _Place) -> int | None:
+    """Return the number of the line of a place. Only notices need it, and frames take long to find it."""
+    code, instruction = place
+    return next((line for start, end, line in code.co_lines() if start <= instruction < end), None)
 
 
 def _holds(things: Iterable[object], variable: Expr) -> bool:
