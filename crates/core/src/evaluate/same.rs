@@ -90,6 +90,9 @@ impl Graph {
         if matches!(pending, Pending::Node(node) if node == id) {
             return !is_opposite;
         }
+        if self.shows(pending, id, is_opposite) {
+            return true;
+        }
         let degree = self.signs_of(pending).degree.max(self.signs(id).degree);
         match points_for(degree) {
             Some(points) => self.everywhere(pending, points, |field, value| {
@@ -156,7 +159,7 @@ impl Graph {
 
     /// Whether something is the number that its fingerprint shows.
     pub(crate) fn is_number_everywhere(&self, pending: Pending<'_>, number: &Number) -> bool {
-        if !self.branches(pending) {
+        if !self.branches(pending) || self.shows_number(pending, number) {
             return true;
         }
         let points = points_for(self.signs_of(pending).degree);

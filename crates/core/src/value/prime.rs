@@ -172,29 +172,37 @@ impl Prime {
 
 /// num / den modulo any odd number that shares no factor with den; `None` if they share one.
 pub(super) fn fraction_modulo(value: &Number, order: u64) -> Option<u64> {
-    let modulo = |big: &BigInt| {
+    let modulo_big = |big: &BigInt| {
         let rest = big % order;
         let rest = if rest.is_negative() { rest + order } else { rest };
         rest.to_u64().expect(RESIDUE)
     };
-    let num = modulo(&value.numerator());
+    let modulo = |small: i64| {
+        let rest = small.unsigned_abs() % order;
+        if small < 0 && rest > 0 { order - rest } else { rest }
+    };
+    let (num, den) = match value.to_small() {
+        Some((num, den)) => (modulo(num), modulo(den)),
+        None => (modulo_big(&value.numerator()), modulo_big(&value.denominator())),
+    };
     if value.is_integer() {
         return Some(num);
     }
-    inverse_modulo(modulo(&value.denominator()), order).map(|inverse| mul_mod(num, inverse, order))
+    inverse_modulo(den, order).map(|inverse| mul_mod(num, inverse, order))
 }
 
 /// The reciprocal modulo any number, by Euclid's algorithm.
 fn inverse_modulo(value: u64, modulus: u64) -> Option<u64> {
-    let (mut r0, mut r1) = (i128::from(modulus), i128::from(value));
-    let (mut t0, mut t1) = (0i128, 1i128);
+    let word = |value: u64| i64::try_from(value).expect("moduli are below 2^63");
+    let (mut r0, mut r1) = (word(modulus), word(value));
+    let (mut t0, mut t1) = (0i64, 1i64);
     while r1 != 0 {
         let q = r0 / r1;
         (r0, r1) = (r1, r0 - q * r1);
         (t0, t1) = (t1, t0 - q * t1);
     }
-    let inverse = t0.rem_euclid(i128::from(modulus));
-    (r0 == 1).then(|| u64::try_from(inverse).expect(RESIDUE))
+    let inverse = t0.rem_euclid(word(modulus)).unsigned_abs();
+    (r0 == 1).then_some(inverse)
 }
 
 #[expect(clippy::cast_possible_truncation, reason = "a remainder by a word is below it")]
