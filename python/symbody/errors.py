@@ -103,24 +103,27 @@ class ModelNotice(UserWarning):
     """
 
 
-_OURS = ("symbody", "functools", "contextlib")
-"""Modules whose lines are not the user's: the package, and the modules that call its properties and contexts."""
+_OURS = ("symbody.", "functools.", "contextlib.")
+"""Modules, with all below them, whose lines are not the user's: the package, and those that call its properties and
+contexts."""
 
 
 def notify(message: str) -> None:
     """Warn with a `ModelNotice` at the user's line, the innermost one outside of symbody."""
-    warnings.warn(message, ModelNotice, stacklevel=_user()[1])
+    frame, level = inspect.currentframe(), 1
+    while frame is not None and _is_ours(frame):
+        frame, level = frame.f_back, level + 1
+    warnings.warn(message, ModelNotice, stacklevel=level)
 
 
 def user_frame() -> FrameType | None:
     """Return the frame of the user's line, the innermost one outside of symbody, if there is one."""
-    return _user()[0]
+    frame = inspect.currentframe()
+    while frame is not None and _is_ours(frame):
+        frame = frame.f_back
+    return frame
 
 
-def _user() -> tuple[FrameType | None, int]:
-    """Return the frame of the user's line, and its level as the caller counts it."""
-    caller = inspect.currentframe()
-    frame, level = (caller.f_back if caller else None), 1
-    while frame is not None and frame.f_globals.get("__name__", "").partition(".")[0] in _OURS:
-        frame, level = frame.f_back, level + 1
-    return frame, level
+def _is_ours(frame: FrameType) -> bool:
+    """Whether a frame is one of symbody, or of what calls its functions for it."""
+    return f"{frame.f_globals.get('__name__')}.".startswith(_OURS)

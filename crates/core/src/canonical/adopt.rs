@@ -7,6 +7,15 @@ use crate::evaluate::Pending;
 use crate::graph::{Flags, Graph, Id, Kind, View};
 use crate::value::Element;
 
+/// What a derivation has made with a fingerprint.
+pub(super) enum Match {
+    None,
+    /// A node without signs and roots that has this value, or the opposite one if the second part is true.
+    Known(Id, bool),
+    /// Nodes with signs and roots only, which may have the value or another one.
+    Branching,
+}
+
 impl Graph {
     /// The node of the derivation in progress that has the value of something with this fingerprint, if there is one.
     pub(super) fn known_value(&mut self, value: Element, pending: Pending<'_>) -> Option<Id> {
@@ -18,11 +27,17 @@ impl Graph {
         Some(if negated { self.opposite(id) } else { id })
     }
 
-    /// The node without signs and roots of the derivation in progress that has this fingerprint, if there is one.
-    pub(super) fn known_plain(&mut self, value: Element) -> Option<Id> {
-        let classes = self.classes.as_ref()?;
-        let id = classes.candidates(value).find(|&id| !self.flags(id).has(Flags::BRANCH))?;
-        Some(if self.value(id) == value { id } else { self.opposite(id) })
+    /// What the derivation in progress has made with the fingerprint of something without signs and roots.
+    pub(super) fn plain_match(&self, value: Element) -> Match {
+        let Some(classes) = self.classes.as_ref() else { return Match::None };
+        let mut found = Match::None;
+        for id in classes.candidates(value) {
+            if !self.flags(id).has(Flags::BRANCH) {
+                return Match::Known(id, self.value(id) != value);
+            }
+            found = Match::Branching;
+        }
+        found
     }
 
     /// Record that nodes became parts of another one.

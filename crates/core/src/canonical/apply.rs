@@ -35,10 +35,13 @@ impl Graph {
             let argument = self.to_quotation(args[0]);
             return Err(Error::Domain { function: function.name(), argument });
         }
-        let value = self.function_fingerprint(function, &args);
-        let flags = self.flags_of_function(function, &args);
         let words: Vec<u32> = args.iter().map(|id| id.0).collect();
-        Ok(self.finish(Kind::Function(function), flags, &words, value))
+        let kind = Kind::Function(function);
+        let (flags, value) = match self.row(kind, &words) {
+            Some(known) => (self.flags(known), self.value(known)),
+            None => (self.flags_of_function(function, &args), self.function_fingerprint(function, &args)),
+        };
+        Ok(self.finish(kind, flags, &words, value))
     }
 
     /// The undefined function `name` of arguments, differentiated `orders[i]` times by argument i.

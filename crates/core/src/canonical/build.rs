@@ -4,6 +4,8 @@ use crate::evaluate::Pending;
 use crate::graph::{Flags, Function, Graph, Id, Kind, NumberId};
 use crate::value::{Element, Number};
 
+use super::adopt::Match;
+
 impl Graph {
     /// Enter a row: a value that is a plain number, or that the derivation knows, gives the known node.
     pub(crate) fn finish(&mut self, kind: Kind, flags: Flags, words: &[u32], value: Element) -> Id {
@@ -14,11 +16,19 @@ impl Graph {
             return id;
         }
         let number = self.number_shown(flags, value);
-        if !flags.has(Flags::BRANCH)
-            && let Some(known) =
-                number.map(|number| self.number_node(number)).or_else(|| self.known_plain(value))
-        {
-            return known;
+        if !flags.has(Flags::BRANCH) {
+            if let Some(number) = number {
+                return self.number_node(number);
+            }
+            match self.plain_match(value) {
+                Match::Known(known, negated) => return if negated { self.opposite(known) } else { known },
+                Match::None => {
+                    let id = self.intern(kind, flags, words, value);
+                    self.remember_new(id, value);
+                    return id;
+                }
+                Match::Branching => {}
+            }
         }
         // Only a row has values in other lanes. It stays unused if there is another node of its value.
         let id = self.intern(kind, flags, words, value);

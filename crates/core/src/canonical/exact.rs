@@ -1,7 +1,7 @@
 //! Exact values: rules that replace a function by something simpler.
 
 use crate::error::Error;
-use crate::graph::{Function, Graph, Id, NumberId, View};
+use crate::graph::{Flags, Function, Graph, Id, NumberId, View};
 use crate::value::Number;
 
 use super::collector::Collector;
@@ -246,6 +246,9 @@ impl Graph {
 
     /// The multiple of pi in an argument, also inside its sums, and the rest of the argument (`None` if there is none).
     fn split_pi(&mut self, argument: Id) -> Option<(Number, Option<Id>)> {
+        if !self.flags(argument).has(Flags::INVERSE) {
+            return None; // no pi is below
+        }
         let mut visits = PI_SEARCH;
         let (multiple, rest) = self.without_pi(argument, &mut visits)?;
         (!multiple.is_zero()).then_some((multiple, Some(rest).filter(|&rest| rest != Id::ZERO)))

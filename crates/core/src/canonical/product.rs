@@ -191,6 +191,9 @@ impl Graph {
                 && graph.is_real(*base)
                 && exponent.is_integer()
         };
+        if !out.factors.iter().any(|factor| is_modulus(self, factor)) {
+            return Ok(());
+        }
         let (moduli, rest): (Vec<_>, Vec<_>) =
             out.factors.drain(..).partition(|factor| is_modulus(self, factor));
         out.factors = rest;

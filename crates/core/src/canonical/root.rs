@@ -36,6 +36,9 @@ impl Graph {
     /// Move the powers of primes to the coefficient and the factors: exponents lie in [0, 1), and those of 1/2 share a
     /// square root.
     pub(super) fn settle_primes(&mut self, out: &mut Collector) {
+        if out.primes.is_empty() {
+            return;
+        }
         let mut radicand = Number::integer(1);
         for (prime, exponent) in std::mem::take(&mut out.primes) {
             let prime = Number::whole(prime);

@@ -213,6 +213,7 @@ impl Graph {
     pub(super) fn power_in(&self, base: Id, exponent: &Number, field: FieldId) -> Quadratic {
         let f = field.field();
         match exponent.to_small() {
+            Some((1, 1)) => self.value_in(base, field),
             Some((num, den)) if den > 1 => {
                 let root = self.root_in(base, den * num.signum(), field);
                 f.power(&root, &Number::integer(num).abs())

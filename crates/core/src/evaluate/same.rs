@@ -45,11 +45,13 @@ impl Graph {
     }
 
     /// Whether two nodes have the same value in all lanes.
+    #[inline]
     pub(crate) fn same(&self, a: Id, b: Id) -> bool {
         a == b || self.value(a) == self.value(b) && self.agrees(Pending::Node(a), b, false)
     }
 
     /// Whether two nodes have opposite values in all lanes.
+    #[inline]
     pub(crate) fn opposite_values(&self, a: Id, b: Id) -> bool {
         self.value(a) == -self.value(b) && self.agrees(Pending::Node(a), b, true)
     }
@@ -70,6 +72,7 @@ impl Graph {
     }
 
     /// Whether two nodes have the same value up to the sign.
+    #[inline]
     pub(crate) fn same_up_to_sign(&self, a: Id, b: Id) -> bool {
         self.same(a, b) || self.opposite_values(a, b)
     }
@@ -77,12 +80,18 @@ impl Graph {
     /// Whether what has the fingerprint of a node, or its opposite, has its value in the other lanes as well.
     ///
     /// Where the signs are too many for the lanes, equality is that of the parts.
+    #[inline]
     pub(crate) fn agrees(&self, pending: Pending<'_>, id: Id, is_opposite: bool) -> bool {
-        if !self.branches(pending) && !self.flags(id).has(Flags::BRANCH) {
-            return true;
-        }
+        !self.flags(id).has(Flags::BRANCH) && !self.branches(pending)
+            || self.agrees_in_all_lanes(pending, id, is_opposite)
+    }
+
+    fn agrees_in_all_lanes(&self, pending: Pending<'_>, id: Id, is_opposite: bool) -> bool {
         if matches!(pending, Pending::Node(node) if node == id) {
             return !is_opposite;
+        }
+        if self.shows(pending, id, is_opposite) {
+            return true;
         }
         let degree = self.signs_of(pending).degree.max(self.signs(id).degree);
         match points_for(degree) {
@@ -159,7 +168,7 @@ impl Graph {
 
     /// Whether something is the number that its fingerprint shows.
     pub(crate) fn is_number_everywhere(&self, pending: Pending<'_>, number: &Number) -> bool {
-        if !self.branches(pending) {
+        if !self.branches(pending) || self.shows_number(pending, number) {
             return true;
         }
         let points = points_for(self.signs_of(pending).degree);
@@ -197,6 +206,7 @@ impl Graph {
         }
     }
 
+    #[inline]
     fn branches(&self, pending: Pending<'_>) -> bool {
         let branches = |id: Id| self.flags(id).has(Flags::BRANCH);
         match pending {
@@ -242,29 +252,28 @@ impl Graph {
 
     /// The fingerprint of a product, before its node is made.
     pub(crate) fn product_fingerprint(&self, factors: &[(Id, NumberId)]) -> Element {
-        let is_rational = |&(base, exponent): &(Id, NumberId)| {
-            self.get_number(exponent).is_integer() && !self.flags(base).has(Flags::BRANCH)
-        };
-        if factors.iter().all(is_rational)
-            && let Some(value) = self.rational_fingerprint(factors)
-        {
-            return value;
-        }
-        in_hash_lanes(|field| self.pending_in(Pending::Product(factors), field))
+        self.rational_fingerprint(factors)
+            .unwrap_or_else(|| in_hash_lanes(|field| self.pending_in(Pending::Product(factors), field)))
     }
 
+    /// The product of fingerprints, if it is that of the product: of integer powers of what holds no signs and roots.
     fn rational_fingerprint(&self, factors: &[(Id, NumberId)]) -> Option<Element> {
         factors.iter().try_fold(Element::ONE, |product, &(base, exponent)| {
-            Some(product * self.value(base).powi(self.get_number(exponent).to_i64()?))
+            if self.flags(base).has(Flags::BRANCH) {
+                return None;
+            }
+            let value = self.value(base);
+            let is_plain = exponent == NumberId::ONE;
+            Some(product * if is_plain { value } else { value.powi(self.get_number(exponent).to_i64()?) })
         })
     }
 
     /// A canonical order by value up to sign: equal and opposite values are equal in it, and seldom others.
     pub(crate) fn compare_values(&self, a: Id, b: Id) -> Ordering {
         let ((key_a, negated_a), (key_b, negated_b)) = (self.value(a).unsigned(), self.value(b).unsigned());
-        let plain = !self.flags(a).has(Flags::BRANCH) && !self.flags(b).has(Flags::BRANCH);
         let by_fingerprint = key_a.cmp(&key_b);
-        if by_fingerprint.is_ne() || plain || a == b {
+        let branches = |id: Id| self.flags(id).has(Flags::BRANCH);
+        if by_fingerprint.is_ne() || a == b || !branches(a) && !branches(b) {
             return by_fingerprint;
         }
         let signed = |id: Id, negated: bool, field: FieldId| {

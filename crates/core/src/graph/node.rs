@@ -1,5 +1,7 @@
 //! The kinds of nodes, and the views that show them.
 
+use crate::value::Number;
+
 use super::function::Function;
 
 /// A node of the graph: an index into its append-only table. Children have smaller ids.
@@ -24,9 +26,21 @@ impl Id {
 pub struct NumberId(pub(crate) u32);
 
 impl NumberId {
+    /// The numbers 0, 1 and -1 are the first three of every graph.
+    pub(crate) const ZERO: Self = Self(0);
     /// The number 1: the coefficient and exponent of a plain term or factor.
     pub const ONE: Self = Self(1);
     pub(crate) const MINUS_ONE: Self = Self(2);
+
+    /// The number of 0, 1 or -1, which are needed most often and have no need of a search.
+    pub(crate) fn of_unit(number: &Number) -> Option<Self> {
+        match number.to_i64() {
+            Some(0) => Some(Self::ZERO), // there is only one zero, so that `is_zero` recognises it
+            Some(1) if !number.is_decimal() => Some(Self::ONE),
+            Some(-1) if !number.is_decimal() => Some(Self::MINUS_ONE),
+            _ => None,
+        }
+    }
 }
 
 /// What the user asserts about a symbol.

@@ -82,8 +82,9 @@ impl Graph {
     #[must_use]
     pub fn new() -> Self {
         let mut graph = Self::default();
-        for value in [0, 1, -1] {
-            graph.number_id(&Number::integer(value));
+        for (value, id) in [(0, NumberId::ZERO), (1, NumberId::ONE), (-1, NumberId::MINUS_ONE)] {
+            let interned = graph.intern_number(&Number::integer(value));
+            debug_assert_eq!(interned, id);
         }
         graph.number(&Number::integer(0));
         graph.number(&Number::integer(1));
@@ -221,10 +222,13 @@ impl Graph {
     }
 
     pub(crate) fn number_id(&mut self, number: &Number) -> NumberId {
-        if number.is_zero() && number.is_decimal() {
-            // There is only one zero, so that `is_zero` recognises it.
-            return self.number_id(&number.with_decimal(false));
+        if let Some(id) = NumberId::of_unit(number) {
+            return id;
         }
+        self.intern_number(number)
+    }
+
+    fn intern_number(&mut self, number: &Number) -> NumberId {
         if let Some(&id) = self.number_index.get(number) {
             return NumberId(id);
         }
@@ -289,10 +293,14 @@ impl Graph {
     /// A symbol. Symbols with one name and different assumptions are different symbols.
     pub fn symbol(&mut self, name: &str, assumption: Assumption) -> Id {
         let name_id = self.name_id(name);
+        let kind = Kind::Symbol(assumption);
+        if let Some(known) = self.row(kind, &[name_id]) {
+            return known;
+        }
         let value = drawn(|field| draw_symbol(field, name, assumption));
         let flags = if assumption == Assumption::None { Flags::COMPLEX } else { Flags::default() };
         self.name_kinds[name_id as usize] |= 2 << assumption as u8;
-        self.intern(Kind::Symbol(assumption), flags, &[name_id], value)
+        self.intern(kind, flags, &[name_id], value)
     }
 
     /// The function of time `name`, differentiated `order` times.
@@ -302,6 +310,9 @@ impl Graph {
     pub fn time_function(&mut self, name: &str, order: u32) -> Result<Id, Error> {
         check_order(order.into())?;
         let name_id = self.name_id(name);
+        if let Some(known) = self.row(Kind::TimeFunction, &[name_id, order]) {
+            return Ok(known);
+        }
         let value = drawn(|field| draw_time_function(field, name, order));
         self.name_kinds[name_id as usize] |= 1;
         // Level 3 is the highest one.
@@ -309,17 +320,22 @@ impl Graph {
         Ok(self.intern(Kind::TimeFunction, Flags::TIME.at_level(level), &[name_id, order], value))
     }
 
+    /// The node of this row, if there is one.
+    pub(crate) fn row(&self, kind: Kind, words: &[u32]) -> Option<Id> {
+        self.find_row(hash_row(kind, words), kind, words)
+    }
+
+    fn find_row(&self, hash: u64, kind: Kind, words: &[u32]) -> Option<Id> {
+        let same = |&id: &u32| self.kind(Id(id)) == kind && self.words_of(Id(id)) == words;
+        self.index.find(hash, same).copied().map(Id)
+    }
+
     /// The node of this row, made if it is new.
     pub(crate) fn intern(&mut self, kind: Kind, flags: Flags, words: &[u32], value: Element) -> Id {
         tick(); // before the first change
         let hash = hash_row(kind, words);
-        let (rows, table) = (&self.rows, &self.words);
-        let same = |&id: &u32| {
-            let row = rows[id as usize];
-            row.kind == kind && &table[row.start as usize..row.start as usize + row.len as usize] == words
-        };
-        if let Some(&id) = self.index.find(hash, same) {
-            return Id(id);
+        if let Some(id) = self.find_row(hash, kind, words) {
+            return id;
         }
         let (id, start) = (word(self.rows.len()), word(self.words.len()));
         // Every word has a number of 32 bits, so `start` and `len` of this row and of the next one fit.
@@ -352,6 +368,13 @@ impl Graph {
         let value = self.value(id);
         if let Some(classes) = self.classes.as_mut() {
             classes.remember(id, value, is_new);
+        }
+    }
+
+    /// Do the same for a node whose fingerprint the derivation has not met.
+    pub(crate) fn remember_new(&mut self, id: Id, value: Element) {
+        if let Some(classes) = self.classes.as_mut() {
+            classes.remember(id, value, true);
         }
     }
 

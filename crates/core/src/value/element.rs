@@ -18,11 +18,13 @@ impl Element {
     /// The value of 1.
     pub const ONE: Self = Self([PRIMES[0].one, PRIMES[1].one]);
 
+    #[inline]
     fn zip(self, other: Self, op: impl Fn(&Prime, u64, u64) -> u64) -> Self {
         Self([op(&PRIMES[0], self.0[0], other.0[0]), op(&PRIMES[1], self.0[1], other.0[1])])
     }
 
     /// Whether the value is zero at both points.
+    #[inline]
     #[must_use]
     pub fn is_zero(self) -> bool {
         self == Self::ZERO
@@ -51,12 +53,13 @@ impl Element {
     /// The simple rational with this value at both points, if there is one.
     #[must_use]
     pub fn to_simple_rational(self) -> Option<Number> {
-        const LARGEST: u64 = 1 << 30;
-        let number = PRIMES[0].simple_rational(self.0[0], LARGEST)?;
-        (Self::from_number(&number) == self).then_some(number)
+        const LARGEST: u32 = 1 << 30;
+        let (num, den) = PRIMES[0].simple_fraction(self.0[0], LARGEST)?;
+        PRIMES[1].is_fraction(self.0[1], num, den).then(|| Number::rational(num, den))
     }
 
     /// Return the value or its opposite, whichever represents both, and whether the sign was changed.
+    #[inline]
     #[must_use]
     pub fn unsigned(self) -> (Self, bool) {
         let opposite = self.neg();
@@ -82,6 +85,7 @@ impl Element {
 
 impl Add for Element {
     type Output = Self;
+    #[inline]
     fn add(self, other: Self) -> Self {
         self.zip(other, Prime::add)
     }
@@ -89,6 +93,7 @@ impl Add for Element {
 
 impl Sub for Element {
     type Output = Self;
+    #[inline]
     fn sub(self, other: Self) -> Self {
         self.zip(other, Prime::sub)
     }
@@ -96,6 +101,7 @@ impl Sub for Element {
 
 impl Mul for Element {
     type Output = Self;
+    #[inline]
     fn mul(self, other: Self) -> Self {
         self.zip(other, Prime::mul)
     }
@@ -103,6 +109,7 @@ impl Mul for Element {
 
 impl Neg for Element {
     type Output = Self;
+    #[inline]
     fn neg(self) -> Self {
         Self::ZERO - self
     }

@@ -192,9 +192,9 @@ impl Field {
 
     /// The rational number of small numerator and denominator that has this value, if there is one.
     pub(crate) fn small_rational(&self, value: &Quadratic) -> Option<Number> {
-        const LARGEST: u64 = 1 << 20;
+        const LARGEST: u32 = 1 << 20;
         let &Quadratic::Real(word) = value else { return None };
-        self.prime().simple_rational(word, LARGEST)
+        self.prime().simple_fraction(word, LARGEST).map(|(num, den)| Number::rational(num, den))
     }
 
     /// The principal power with a rational exponent r: |u|^r for a positive u, |u|^r e^(i pi r) for a negative one.
@@ -229,13 +229,9 @@ impl Field {
     /// e^(i pi r), which is i^n for r = n/2.
     fn power_of_minus_one(&self, exponent: &Number) -> Quadratic {
         match exponent.mul(&Number::integer(2)).to_i64() {
-            Some(n) => self.closure.power(&self.imaginary(), n.rem_euclid(4).unsigned_abs()),
+            Some(n) => self.closure.power(&self.closure.imaginary(), n.rem_euclid(4).unsigned_abs()),
             None => self.unit(&exponent.mul(&Number::rational(1, 2))),
         }
-    }
-
-    fn imaginary(&self) -> Quadratic {
-        self.closure.sqrt(&self.neg(&self.one())).expect("-1 has a root in GF(p^2)")
     }
 
     /// A power of a prime number: powers with odd denominators are real, also where the prime is no square.
@@ -296,7 +292,7 @@ impl Field {
     /// The unit cos + i sin of a fraction of a turn.
     pub(crate) fn unit(&self, turns: &Number) -> Quadratic {
         let (cos, sin) = self.part_of_turn(turns);
-        self.add(&cos, &self.mul(&sin, &self.imaginary()))
+        self.add(&cos, &self.mul(&sin, &self.closure.imaginary()))
     }
 
     /// The angle that is a fraction of a turn.
@@ -355,7 +351,7 @@ impl Field {
         let inverse = self.inverse(z);
         let cos = self.half(&self.add(z, &inverse));
         // 1/i = -i
-        let sin = self.mul(&self.half(&self.sub(&inverse, z)), &self.imaginary());
+        let sin = self.mul(&self.half(&self.sub(&inverse, z)), &self.closure.imaginary());
         (cos, sin)
     }
 

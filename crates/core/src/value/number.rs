@@ -57,8 +57,8 @@ impl Value {
             num = -num;
             den = -den;
         }
-        let common = num.gcd(&den);
-        if common > 1 {
+        if den != 1 {
+            let common = num.gcd(&den);
             num /= common;
             den /= common;
         }

@@ -119,19 +119,35 @@ impl Prime {
         self.reduce(u128::from(element))
     }
 
-    /// The rational with this image whose numerator and denominator are not larger than a bound, if there is one.
+    /// The numerator and the denominator, not larger than a bound, of a rational with this image, if there is one.
     ///
-    /// Rational reconstruction [Wang 1981]: Euclid's algorithm on (p, a) stopped half way.
-    pub(super) fn simple_rational(&self, element: u64, largest: u64) -> Option<Number> {
-        let word = |value: u64| i64::try_from(value).expect("primes are below 2^63");
-        let (mut r0, mut r1) = (word(self.p), word(self.residue(element)));
-        let (mut t0, mut t1) = (0i64, 1i64);
-        while r1.unsigned_abs() > largest {
+    /// Rational reconstruction [Wang 1981]: Euclid's algorithm on (p, a) stopped half way. The denominators grow, so it
+    /// ends early for nearly all elements.
+    pub(super) fn simple_fraction(&self, element: u64, largest: u32) -> Option<(i64, i64)> {
+        let largest = u64::from(largest);
+        let (mut r0, mut r1) = (self.p, self.residue(element));
+        let (mut t0, mut t1, mut negative) = (0u64, 1u64, false);
+        while r1 > largest {
             let q = r0 / r1;
             (r0, r1) = (r1, r0 - q * r1);
-            (t0, t1) = (t1, t0 - q * t1);
+            (t0, t1) = (t1, t0 + q * t1);
+            negative = !negative;
+            if t1 > largest {
+                return None;
+            }
         }
-        (t1 != 0 && t1.unsigned_abs() <= largest).then(|| Number::rational(r1, t1))
+        let (num, den) = (i64::try_from(r1).ok()?, i64::try_from(t1).ok()?);
+        Some((if negative { -num } else { num }, den))
+    }
+
+    /// Whether an element is the image of num/den.
+    pub(super) fn is_fraction(&self, element: u64, num: i64, den: i64) -> bool {
+        self.mul(element, self.whole(den)) == self.whole(num)
+    }
+
+    fn whole(&self, value: i64) -> u64 {
+        let element = self.natural(value.unsigned_abs());
+        if value < 0 { self.neg(element) } else { element }
     }
 
     fn integer(&self, value: &BigInt) -> u64 {
@@ -144,13 +160,8 @@ impl Prime {
     pub(super) fn number(&self, value: &Number) -> u64 {
         match value.to_small() {
             Some((num, den)) => {
-                let element = self.natural(num.unsigned_abs());
-                let element = if num < 0 { self.neg(element) } else { element };
-                if den == 1 {
-                    element
-                } else {
-                    self.mul(element, self.inverse(self.natural(den.unsigned_abs())))
-                }
+                let element = self.whole(num);
+                if den == 1 { element } else { self.mul(element, self.inverse(self.whole(den))) }
             }
             None => {
                 self.mul(self.integer(&value.numerator()), self.inverse(self.integer(&value.denominator())))
@@ -161,29 +172,37 @@ impl Prime {
 
 /// num / den modulo any odd number that shares no factor with den; `None` if they share one.
 pub(super) fn fraction_modulo(value: &Number, order: u64) -> Option<u64> {
-    let modulo = |big: &BigInt| {
+    let modulo_big = |big: &BigInt| {
         let rest = big % order;
         let rest = if rest.is_negative() { rest + order } else { rest };
         rest.to_u64().expect(RESIDUE)
     };
-    let num = modulo(&value.numerator());
+    let modulo = |small: i64| {
+        let rest = small.unsigned_abs() % order;
+        if small < 0 && rest > 0 { order - rest } else { rest }
+    };
+    let (num, den) = match value.to_small() {
+        Some((num, den)) => (modulo(num), modulo(den)),
+        None => (modulo_big(&value.numerator()), modulo_big(&value.denominator())),
+    };
     if value.is_integer() {
         return Some(num);
     }
-    inverse_modulo(modulo(&value.denominator()), order).map(|inverse| mul_mod(num, inverse, order))
+    inverse_modulo(den, order).map(|inverse| mul_mod(num, inverse, order))
 }
 
 /// The reciprocal modulo any number, by Euclid's algorithm.
 fn inverse_modulo(value: u64, modulus: u64) -> Option<u64> {
-    let (mut r0, mut r1) = (i128::from(modulus), i128::from(value));
-    let (mut t0, mut t1) = (0i128, 1i128);
+    let word = |value: u64| i64::try_from(value).expect("moduli are below 2^63");
+    let (mut r0, mut r1) = (word(modulus), word(value));
+    let (mut t0, mut t1) = (0i64, 1i64);
     while r1 != 0 {
         let q = r0 / r1;
         (r0, r1) = (r1, r0 - q * r1);
         (t0, t1) = (t1, t0 - q * t1);
     }
-    let inverse = t0.rem_euclid(i128::from(modulus));
-    (r0 == 1).then(|| u64::try_from(inverse).expect(RESIDUE))
+    let inverse = t0.rem_euclid(word(modulus)).unsigned_abs();
+    (r0 == 1).then_some(inverse)
 }
 
 #[expect(clippy::cast_possible_truncation, reason = "a remainder by a word is below it")]

@@ -108,15 +108,29 @@ impl Closure {
     }
 
     pub(super) fn half(&self, a: &Quadratic) -> Quadratic {
+        if let Quadratic::Real(a) = a {
+            return Quadratic::Real(self.prime.half(*a));
+        }
         Quadratic::new(a.coordinates().iter().map(|&word| self.prime.half(word)).collect())
     }
 
     /// The reciprocal; zero stays zero.
     pub(super) fn inverse(&self, a: &Quadratic) -> Quadratic {
+        if let Quadratic::Real(a) = a {
+            return Quadratic::Real(self.prime.inverse(*a));
+        }
         Quadratic::new(self.reciprocal(a.coordinates()))
     }
 
+    /// The i of i^2 = -1: a root of -1, and the positive one.
+    pub(super) fn imaginary(&self) -> Quadratic {
+        Quadratic::Wide([0, self.prime.one].into())
+    }
+
     pub(super) fn power(&self, base: &Quadratic, mut exponent: u64) -> Quadratic {
+        if exponent == 1 {
+            return base.clone();
+        }
         if let Quadratic::Real(base) = base {
             return Quadratic::Real(self.prime.pow(*base, exponent));
         }
@@ -255,6 +269,13 @@ fn generator_times(a: &[u64]) -> Vec<u64> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn i_is_the_positive_root_of_minus_one() {
+        let closure = Closure::new(Prime::new(4_611_685_641_547_390_559));
+        let minus_one = closure.neg(&closure.one());
+        assert_eq!(closure.sqrt(&minus_one), Some(closure.imaginary()));
+    }
 
     #[test]
     fn every_element_has_a_positive_root() {

@@ -99,23 +99,22 @@ def check_name(name: str) -> None:
 
 def _noticed(names: object, make: Callable[[str], Expr], place: str) -> Any:
     """Return what ``_named`` returns, after notices of variables with a name that others have."""
-    made: list[tuple[str, Expr]] = []
+    made: dict[str, Expr] = {}
 
     def made_too(name: str) -> Expr:
-        variable = make(name)
-        made.append((name, variable))
+        made[name] = variable = make(name)
         return variable
 
     result = _named(names, made_too, place)
-    notice_named(made, place, user_frame())
+    notice_named(made.items(), place, user_frame())
     return result
 
 
 def _named(names: object, make: Callable[[str], Expr], place: str) -> Any:
     """Return what ``make`` returns for each name, in the same nested structure as the names."""
     if isinstance(names, str):
-        made = tuple(make(name) for name in _checked(names_in(names)))
-        return made if is_list_of_names(names) else made[0]
+        made = [make(name) for name in _checked(names_in(names))]
+        return tuple(made) if is_list_of_names(names) else made[0]
     if not isinstance(names, Iterable):
         raise ArgumentError(f"{place}: {described(names)}; expected names in a text, such as 'm g l1'")
     listed = [_named(each, make, place) for each in names]

@@ -10,7 +10,7 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable
 from types import CodeType, FrameType
-from typing import NamedTuple
+from typing import NamedTuple, TypeAlias
 
 from symbody.errors import notify
 from symbody.symbolic import _core
@@ -23,17 +23,8 @@ _EXAMPLE = re.compile(r"\[\d+\]>$")
 """The number of an example, at the end of the name that a doctest gives to its code."""
 
 
-class _Place(NamedTuple):
-    """Where a variable was made: the instruction, and what is around it."""
-
-    code: CodeType
-    instruction: int
-    line: int
-    is_session: bool
-
-    def is_same_call(self, other: _Place) -> bool:
-        """Whether one call of the program is in both places."""
-        return self.code is other.code and self.instruction == other.instruction
+_Place: TypeAlias = tuple[CodeType, int]
+"""Where a variable was made: the number of an instruction in some code."""
 
 
 class _Scope(NamedTuple):
@@ -41,13 +32,21 @@ class _Scope(NamedTuple):
 
     file: str
     function: str
+    is_session: bool
 
 
-_SCOPES: dict[int, tuple[CodeType, _Scope]] = {}
-"""The scopes of code that has made variables, by its id: to hash code takes long, and models make many variables."""
+class _Made(NamedTuple):
+    """What a scope has made: for each name the variables, each with its first place."""
 
-_MADE: dict[_Scope, dict[str, dict[Expr, _Place]]] = {}
-"""The variables that a function of a file has made with a name, each with its first place."""
+    scope: _Scope
+    by_name: dict[str, list[tuple[Expr, _Place]]]
+
+
+_MADE: dict[_Scope, _Made] = {}
+"""What the scopes have made."""
+
+_MADE_BY: dict[int, tuple[CodeType, _Made]] = {}
+"""The same by the id of the code in a scope: to hash code takes long, and models make many variables."""
 
 _NOTICED: set[tuple[Expr, Expr, _Scope]] = set()
 """The pairs of which a function of a file has had a notice."""
@@ -73,19 +72,18 @@ def notice_named(variables: Iterable[tuple[str, Expr]], where: str, frame: Frame
     """Do what ``notice_namesakes`` does for variables with their names."""
     if frame is None or frame.f_globals.get("__name__") == "doctest":
         return
-    here = _Place(frame.f_code, frame.f_lasti, frame.f_lineno, "__file__" not in frame.f_globals)
-    scope = _scope(frame)
-    by_name = _MADE.setdefault(scope, {})
+    made = _made_by(frame)
+    here = frame.f_code, frame.f_lasti
     for name, variable in variables:
-        made = by_name.get(name)
-        if made is None:
-            by_name[name] = {variable: here}
-        else:
-            _compare(variable, made, here, scope, where, frame)
+        known = made.by_name.get(name)
+        if known is None:
+            made.by_name[name] = [(variable, here)]
+        elif len(known) > 1 or known[0][0] != variable:
+            _compare(variable, known, here, made.scope, where, frame)
 
 
 def _compare(
-    variable: Expr, made: dict[Expr, _Place], here: _Place, scope: _Scope, where: str, frame: FrameType
+    variable: Expr, made: list[tuple[Expr, _Place]], here: _Place, scope: _Scope, where: str, frame: FrameType
 ) -> None:
     """Warn if one of the variables of this name that the scope has made before is another one.
 
@@ -97,29 +95,43 @@ def _compare(
         where: the function that the user called.
         frame: the frame of the user's line.
     """
-    others = [(known, at) for known, at in made.items() if known != variable and not here.is_same_call(at)]
+    is_new = all(known != variable for known, _ in made)
+    others = [(known, at) for known, at in made if known != variable and not _is_same_call(at, here)]
     if scope.function:  # a later call of the function may mean another variable
         others = [(known, at) for known, at in others if _holds(frame.f_locals.values(), known)]
-    elif variable in made:
+    elif not is_new:
         return
-    made.setdefault(variable, here)
+    if is_new:
+        made.append((variable, here))
     if others and (variable, others[-1][0], scope) not in _NOTICED:
         known, at = others[-1]
         _NOTICED.add((variable, known, scope))
-        before = "made before" if at.is_session else f"made in line {at.line}"
+        before = "made before" if scope.is_session else f"made in line {_line(at)}"
         notify(where + namesake_note([variable], [known], ("made here", before)).replace(";", ":", 1))
 
 
-def _scope(frame: FrameType) -> _Scope:
-    """Return the scope of the user's line."""
+def _made_by(frame: FrameType) -> _Made:
+    """Return what the scope of the user's line has made."""
     code = frame.f_code
-    known = _SCOPES.get(id(code))
+    known = _MADE_BY.get(id(code))
     if known is not None and known[0] is code:
         return known[1]
     names = [name for name in code.co_qualname.split(".") if not name.startswith("<")]
-    scope = _Scope(_file(frame), ".".join(names))
-    _SCOPES[id(code)] = (code, scope)
-    return scope
+    scope = _Scope(_file(frame), ".".join(names), "__file__" not in frame.f_globals)
+    made = _MADE.setdefault(scope, _Made(scope, {}))
+    _MADE_BY[id(code)] = (code, made)
+    return made
+
+
+def _is_same_call(one: _Place, other: _Place) -> bool:
+    """Whether one call of the program is in both places."""
+    return one[0] is other[0] and one[1] == other[1]
+
+
+def _line(place: _Place) -> int | None:
+    """Return the number of the line of a place. Only notices need it, and frames take long to find it."""
+    code, instruction = place
+    return next((line for start, end, line in code.co_lines() if start <= instruction < end), None)
 
 
 def _holds(things: Iterable[object], variable: Expr) -> bool:
