@@ -134,10 +134,10 @@ impl Graph {
         let Some([first, second]) = self.at_two_points(&roots) else { return Vec::new() };
         let of_terms = |values: &Rationals| {
             terms.iter().try_fold(Number::integer(0), |sum, &(factor, id)| {
-                Some(sum.add(&values.get(id)?.mul(&Number::integer(factor))))
+                Some(sum.add(&values.guess(id)?.mul(&Number::integer(factor))))
             })
         };
-        let pairs = nodes.iter().map(|&id| first.get(id).zip(second.get(id)));
+        let pairs = nodes.iter().map(|&id| first.guess(id).zip(second.guess(id)));
         let shared = pairs.chain([of_terms(&first).zip(of_terms(&second))]).flatten().map(|(a, b)| {
             let common = |a: BigInt, b: BigInt| Number::whole(a.gcd(&b));
             [common(a.numerator(), b.numerator()), common(a.denominator(), b.denominator())]

@@ -8,7 +8,7 @@
 use rustc_hash::FxHashMap;
 
 use crate::graph::{Assumption, Atom, Function, Generator, Graph, Id, View};
-use crate::value::{Field, FieldId, Key, Number, Quadratic, fingerprint, prime_factors};
+use crate::value::{Element, Field, FieldId, Key, Number, Quadratic, fingerprint, prime_factors};
 
 use super::logarithm_part::Part;
 
@@ -90,7 +90,17 @@ pub(super) struct Rationals([Values; 2]);
 impl Rationals {
     /// The value of a node if it is a simple rational number.
     pub(super) fn get(&self, id: Id) -> Option<Number> {
-        fingerprint([self.0[0].get(&id)?, self.0[1].get(&id)?]).to_simple_rational()
+        self.element(id)?.to_simple_rational()
+    }
+
+    /// The value of a node if it is rational, and any number if it is not.
+    pub(super) fn guess(&self, id: Id) -> Option<Number> {
+        let element = self.element(id)?;
+        element.to_simple_rational().or_else(|| element.to_rational())
+    }
+
+    fn element(&self, id: Id) -> Option<Element> {
+        Some(fingerprint([self.0[0].get(&id)?, self.0[1].get(&id)?]))
     }
 }
 

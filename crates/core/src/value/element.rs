@@ -1,5 +1,7 @@
 //! Fingerprints: values in the two hash lanes at once.
 
+use num_bigint::BigInt;
+use num_integer::Integer;
 use std::ops::{Add, Mul, Neg, Sub};
 
 use super::lanes::LANES;
@@ -56,6 +58,23 @@ impl Element {
         const LARGEST: u32 = 1 << 30;
         let (num, den) = PRIMES[0].simple_fraction(self.0[0], LARGEST)?;
         PRIMES[1].is_fraction(self.0[1], num, den).then(|| Number::rational(num, den))
+    }
+
+    /// A rational with this value whose numerator may be large. It is right if there is one, and any number if not.
+    pub(crate) fn to_rational(self) -> Option<Number> {
+        const LARGEST_BITS: u64 = 104;
+        let [(p, a), (q, b)] =
+            [0, 1].map(|k| (BigInt::from(PRIMES[k].p), BigInt::from(PRIMES[k].residue(self.0[k]))));
+        // The number below p q with both residues, then Euclid's algorithm as for one prime.
+        let steps = ((b - &a) * p.modinv(&q)?).mod_floor(&q);
+        let (mut r0, mut r1) = (&p * &q, a + &p * steps);
+        let (mut t0, mut t1) = (BigInt::from(0), BigInt::from(1));
+        while r1.bits() > LARGEST_BITS {
+            let quotient = &r0 / &r1;
+            (r0, r1) = (r1.clone(), r0 - &quotient * r1);
+            (t0, t1) = (t1.clone(), t0 - quotient * t1);
+        }
+        Number::from_big(r1, t1).ok()
     }
 
     /// Return the value or its opposite, whichever represents both, and whether the sign was changed.
