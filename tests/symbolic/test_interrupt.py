@@ -100,7 +100,13 @@ except KeyboardInterrupt:
 """
 
 PRODUCTS = "products = [a * b for i, a in enumerate(v) for b in v[i:]]"
-SIGNS = "; terms = [abs(p + 1) for p in products[:60000]]; up, down = (_core.sum_of(o) for o in (terms, terms[::-1]))"
+SIGNS = """
+def pair(products): return [_core.sum_of([f(p) for p in products]) for f in (abs, lambda u: Max(u, -u))]
+pairs = [pair([p + k for p in products[:12000]]) for k in (1, 2)]
+def difference():
+    up, down = pairs.pop()
+    return up - down
+"""
 TOWER = """
 x, y, q = symbols("x y q")
 for _ in range(20): x = sin(x * y) + q
@@ -112,7 +118,7 @@ from symbody import errors
 ONCE = {
     "text": (f"{PRODUCTS}; total = _core.sum_of(products)", "str(total)"),
     "LaTeX": (f"{PRODUCTS}; total = _core.sum_of(products)", "total.latex()"),
-    "difference of sums of moduli": (PRODUCTS + SIGNS, "up - down"),
+    "difference of equal sums of moduli and maxima": (PRODUCTS + SIGNS, "difference()"),
     "angles within angles": (TOWER, "request()"),
 }
 """Calls that take a second or more: what they need, and the call."""

@@ -31,9 +31,7 @@ impl Graph {
         };
         let rest = self.rest_in(argument, &split, angles);
         let start = f.angle(angles.field().exponent(&rest));
-        split
-            .iter()
-            .fold(start, |sum, (atom, factor)| rotate(f, &sum, &self.known_angle(atom, factor, field)))
+        self.rotated(start, &split, f, |id| self.value_in(id, field))
     }
 
     /// The exponential of an argument.
@@ -87,17 +85,7 @@ impl Graph {
             return;
         }
         for (atom, _) in self.split_argument(argument, of_exponential).iter() {
-            let inner: &[Id] = match atom {
-                Atom::Asin(x) | Atom::Atan(x) => &[*x],
-                Atom::Atan2(y, x) => &[*y, *x],
-                Atom::Log(x) => {
-                    out.push((*x, field));
-                    out.extend(next.map(|next| (*x, next)));
-                    continue;
-                }
-                _ => &[],
-            };
-            for &id in inner {
+            for id in arguments_of_atom(atom) {
                 out.push((id, field));
                 out.extend(next.map(|next| (id, next)));
             }
@@ -140,21 +128,39 @@ impl Graph {
         })
     }
 
+    /// An angle turned by the known angles of atoms, from the values of their arguments.
+    pub(super) fn rotated(
+        &self,
+        start: Point,
+        split: &Split,
+        f: &Field,
+        value: impl Fn(Id) -> Quadratic,
+    ) -> Point {
+        split
+            .iter()
+            .fold(start, |sum, (atom, factor)| rotate(f, &sum, &self.known_angle(atom, factor, f, &value)))
+    }
+
     /// A multiple of the angle that an atom is.
-    fn known_angle(&self, atom: &Atom, factor: &Number, field: FieldId) -> Point {
-        let f = field.field();
+    fn known_angle(
+        &self,
+        atom: &Atom,
+        factor: &Number,
+        f: &Field,
+        value: &impl Fn(Id) -> Quadratic,
+    ) -> Point {
         let root = |square: Quadratic| f.rational_power(&square, &Number::rational(1, 2));
         let point = match *atom {
             Atom::Asin(argument) => {
-                let sin = self.value_in(argument, field);
+                let sin = value(argument);
                 (root(f.sub(&f.one(), &f.mul(&sin, &sin))), sin)
             }
             Atom::Atan(argument) => {
-                let tan = self.value_in(argument, field);
+                let tan = value(argument);
                 let scale = f.inverse(&root(f.add(&f.one(), &f.mul(&tan, &tan))));
                 (scale.clone(), f.mul(&tan, &scale))
             }
-            Atom::Atan2(y, x) => self.unit_vector_in(y, x, field),
+            Atom::Atan2(y, x) => self.unit_vector(y, x, f, value),
             _ => return f.part_of_turn(&factor.mul(&Number::rational(1, 2))), // pi is half a turn
         };
         let halved = if factor.is_integer() { point } else { half_angle(f, &point) };
@@ -231,6 +237,15 @@ impl Graph {
             (Atom::Log(a), Atom::Log(b)) => self.same(*a, *b).then_some(1),
             _ => (a == b).then_some(1),
         }
+    }
+}
+
+/// The nodes that an inverse function or a logarithm is applied to.
+pub(super) fn arguments_of_atom(atom: &Atom) -> Vec<Id> {
+    match *atom {
+        Atom::Asin(x) | Atom::Atan(x) | Atom::Log(x) => vec![x],
+        Atom::Atan2(y, x) => vec![y, x],
+        _ => Vec::new(),
     }
 }
 

@@ -10,6 +10,7 @@ use rustc_hash::FxHashMap;
 use crate::graph::{Assumption, Atom, Function, Generator, Graph, Id, View};
 use crate::value::{Element, Field, FieldId, Key, Number, Quadratic, fingerprint, prime_factors};
 
+use super::argument::arguments_of_atom;
 use super::logarithm_part::Part;
 
 /// Larger expressions have no value here.
@@ -71,14 +72,16 @@ impl<'a> IntegerPoint<'a> {
     where
         'a: 'v,
     {
-        match self.grown {
-            Some(grown) if grown.doublings.contains_key(generator) => grown.plain,
-            _ => values,
-        }
+        self.grown.filter(|_| self.grows(generator)).map_or(values, |grown| grown.plain)
     }
 
-    fn pi(&self) -> i64 {
-        self.replaced(|atom| *atom == Atom::Pi).unwrap_or(1)
+    fn grows(&self, generator: &Generator) -> bool {
+        self.grown.is_some_and(|grown| grown.doublings.contains_key(generator))
+    }
+
+    fn pi(&self, f: &Field) -> Quadratic {
+        let plain = self.replaced(|atom| *atom == Atom::Pi).unwrap_or(1);
+        self.grow(Generator::Symbol(Id::PI), &f.number(&Number::integer(plain)), f)
     }
 }
 
@@ -179,7 +182,7 @@ impl Graph {
         let integer = |n: i64| f.number(&Number::integer(n));
         match self.view(id) {
             View::Number(number) => Some(f.number(self.get_number(number))),
-            View::Pi => Some(point.grow(Generator::Symbol(id), &integer(point.pi()), f)),
+            View::Pi => Some(point.pi(f)),
             View::Symbol(_, Assumption::Positive) => Some(point.grow(Generator::Symbol(id), &f.one(), f)),
             View::Time | View::Symbol(..) | View::TimeFunction(..) | View::Application { .. } => {
                 let [first, second] = self.value(id).words();
@@ -219,10 +222,10 @@ impl Graph {
         let of = |id: Id| values.get(&id);
         let integer = |n: i64| f.number(&Number::integer(n));
         Some(match function {
-            Function::Sin => self.angle_at(args[0], field)?.1,
-            Function::Cos => self.angle_at(args[0], field)?.0,
+            Function::Sin => self.angle_at(args[0], values, field)?.1,
+            Function::Cos => self.angle_at(args[0], values, field)?.0,
             Function::Tan => {
-                let (cos, sin) = self.angle_at(args[0], field)?;
+                let (cos, sin) = self.angle_at(args[0], values, field)?;
                 f.div(&sin, &cos)
             }
             Function::Exp => self.exponential_at(args[0], point, values, field)?,
@@ -241,7 +244,7 @@ impl Graph {
             Function::Asin => integer(point.inverse(self, &Atom::Asin(args[0]))),
             Function::Acos => {
                 let asin = integer(point.inverse(self, &Atom::Asin(args[0])));
-                f.sub(&f.half(&integer(point.pi())), &asin)
+                f.sub(&f.half(&point.pi(f)), &asin)
             }
             Function::Atan => integer(point.inverse(self, &Atom::Atan(args[0]))),
             Function::Atan2 => integer(point.inverse(self, &Atom::Atan2(args[0], args[1]))),
@@ -267,14 +270,14 @@ impl Graph {
         })
     }
 
-    /// The cosine and the sine of the multiple of pi in an argument.
-    fn angle_at(&self, argument: Id, field: FieldId) -> Option<(Quadratic, Quadratic)> {
+    /// The cosine and the sine of the known angles in an argument.
+    fn angle_at(&self, argument: Id, values: &Values, field: FieldId) -> Option<(Quadratic, Quadratic)> {
         let f = field.field();
-        match &self.split_argument(argument, false)[..] {
-            [] => Some((f.one(), f.number(&Number::integer(0)))),
-            [(Atom::Pi, multiple)] => Some(f.part_of_turn(&multiple.mul(&Number::rational(1, 2)))),
-            _ => None,
-        }
+        let split = self.split_argument(argument, false);
+        let needed = split.iter().flat_map(|(atom, _)| arguments_of_atom(atom));
+        let is_known = needed.into_iter().all(|id| values.contains_key(&id));
+        let start = (f.one(), f.number(&Number::integer(0)));
+        is_known.then(|| self.rotated(start, &split, f, |id| values[&id].clone()))
     }
 
     /// The exponential of the logarithms in an argument.
@@ -287,13 +290,15 @@ impl Graph {
     ) -> Option<Quadratic> {
         let f = field.field();
         let generator = Generator::Exponential(argument);
+        let is_generator = point.grows(&generator);
         let values = point.values_for(&generator, values);
         let split = self.split_argument(argument, true);
         let plain = split.iter().try_fold(f.one(), |product, (atom, factor)| {
             let base = match atom {
                 Atom::Log(argument) => values.get(argument)?.clone(),
                 Atom::LogOfPrime(prime) => f.number(&Number::whole(prime.clone())),
-                _ => f.number(&Number::integer(point.pi())),
+                _ if is_generator => f.one(),
+                _ => point.pi(f),
             };
             Some(f.mul(&product, &power(&base, factor, f)?))
         });

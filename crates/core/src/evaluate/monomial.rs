@@ -90,6 +90,7 @@ impl Graph {
         for node in self.short_order(&[id])? {
             let generator = match self.view(node) {
                 View::Pi | View::Symbol(_, Assumption::Positive) => Generator::Symbol(node),
+                View::Function(Function::Acos, _) => Generator::Symbol(Id::PI), // acos x = pi/2 - asin x
                 View::Function(Function::Exp | Function::Sinh | Function::Cosh | Function::Tanh, args)
                     if !self.flags(node).has(Flags::COMPLEX) && !self.may_be_negative(args.get(0)) =>
                 {

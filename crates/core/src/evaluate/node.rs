@@ -329,9 +329,8 @@ impl Graph {
     }
 
     /// The point (x, y)/|(x, y)| of the unit circle: the cosine and the sine of atan2(y, x).
-    pub(super) fn unit_vector_in(&self, y: Id, x: Id, field: FieldId) -> Point {
-        let f = field.field();
-        let (mut y_value, mut x_value) = (self.value_in(y, field), self.value_in(x, field));
+    pub(super) fn unit_vector(&self, y: Id, x: Id, f: &Field, value: impl Fn(Id) -> Quadratic) -> Point {
+        let (mut y_value, mut x_value) = (value(y), value(x));
         if let Some(content) = self.common_content(y, x) {
             let inverse = f.inverse(&f.number(&content));
             (y_value, x_value) = (f.mul(&y_value, &inverse), f.mul(&x_value, &inverse));
@@ -343,7 +342,7 @@ impl Graph {
 
     pub(super) fn direction_in(&self, y: Id, x: Id, field: FieldId) -> Quadratic {
         let f = field.field();
-        let (cos, sin) = self.unit_vector_in(y, x, field);
+        let (cos, sin) = self.unit_vector(y, x, f, |id| self.value_in(id, field));
         let (magnitude, negated) = f.unsigned(&sin);
         let angle = f.opaque(Key::new("atan2"), &[&cos, &magnitude]);
         if negated { f.neg(&angle) } else { angle }
