@@ -11,7 +11,7 @@ use super::root::collect_number;
 /// Factors up to this count are searched for ones that merge with those of child products.
 const MERGE_SEARCH: usize = 48;
 
-type Factor = (Id, NumberId);
+type Factor<E = NumberId> = (Id, E);
 
 impl Graph {
     /// a * b.
@@ -116,7 +116,22 @@ impl Graph {
                 collector.push(self, root, &Number::integer(1));
             }
         }
+        for factor in &mut collector.factors {
+            if let Some(power) = self.power_of_odd_root(factor) {
+                *factor = power;
+            }
+        }
         self.finish_product(collector)
+    }
+
+    /// (u**(m/n))**n = u**m. The lanes do not know it of roots of odd degree where u is complex.
+    fn power_of_odd_root(&self, (root, exponent): &Factor<Number>) -> Option<Factor<Number>> {
+        let View::Product(factors) = self.view(*root) else { return None };
+        let (1, Some((base, inner))) = (factors.iter().count(), factors.iter().next()) else { return None };
+        let inner = self.get_number(inner);
+        let is_odd = inner.to_small().is_some_and(|(_, denominator)| denominator > 1 && denominator % 2 == 1);
+        let power = inner.mul(exponent);
+        (is_odd && power.is_integer()).then_some((base, power))
     }
 
     /// The error that names the dividend.

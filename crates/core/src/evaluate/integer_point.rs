@@ -99,7 +99,7 @@ impl Rationals {
     /// The value of a node if it is rational, and any number if it is not.
     pub(super) fn guess(&self, id: Id) -> Option<Number> {
         let element = self.element(id)?;
-        element.to_simple_rational().or_else(|| element.to_rational())
+        element.to_simple_rational().or_else(|| element.to_rational(104))
     }
 
     fn element(&self, id: Id) -> Option<Element> {

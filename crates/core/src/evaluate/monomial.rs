@@ -8,7 +8,7 @@
 use num_integer::Integer;
 
 use crate::graph::{Assumption, Flags, Function, Generator, Graph, Id, Monomial, View};
-use crate::value::{Field, FieldId, Number, Quadratic, fingerprint};
+use crate::value::{Element, Field, FieldId, Number, Quadratic, fingerprint};
 
 use super::integer_point::Doublings;
 use super::logarithm::DEPTH;
@@ -24,7 +24,7 @@ const DOUBLINGS: i64 = 12;
 /// The most doublings of a generator.
 const MOST_DOUBLINGS: i64 = 5040;
 
-/// The degrees of roots of numbers that are tried.
+/// The degrees of roots of numbers that are tried, besides the denominators of exponents.
 const ROOTS: [i64; 6] = [1, 2, 3, 4, 6, 12];
 
 impl Graph {
@@ -58,8 +58,10 @@ impl Graph {
             })
         };
         let content = self.numeric_content(id).unwrap_or_else(|| Number::integer(1));
-        let (root, number) =
-            root_of_number(&content, |field| field.field().div(&self.value_in(id, field), &product(field)))?;
+        let degrees = ROOTS.into_iter().chain([unit / DOUBLINGS]);
+        let (root, number) = root_of_number(&content, degrees, |field| {
+            field.field().div(&self.value_in(id, field), &product(field))
+        })?;
         let whole = |field: FieldId| {
             let f = field.field();
             f.mul(&power_of_number(&number, &root, f), &product(field))
@@ -163,18 +165,29 @@ impl Graph {
 }
 
 /// The exponent 1/n and the positive number of a root that has a value in the hash lanes, and this content.
-fn root_of_number(content: &Number, value: impl Fn(FieldId) -> Quadratic) -> Option<(Number, Number)> {
+fn root_of_number(
+    content: &Number,
+    mut degrees: impl Iterator<Item = i64>,
+    value: impl Fn(FieldId) -> Quadratic,
+) -> Option<(Number, Number)> {
     let [first, second] = FieldId::HASH.map(|field| {
         let f = field.field();
         (f.div(&value(field), &f.number(content)), f)
     });
-    ROOTS.into_iter().find_map(|degree| {
+    degrees.find_map(|degree| {
         let power = |(value, f): &(Quadratic, &Field)| f.power(value, &Number::integer(degree));
-        let number = fingerprint([&power(&first), &power(&second)]).to_simple_rational()?;
+        let number = likely_rational(fingerprint([&power(&first), &power(&second)]))?;
         let is_positive = !number.is_zero() && !number.is_negative();
         let whole = content.powi(degree).ok()?.mul(&number);
         is_positive.then(|| (Number::rational(1, degree), whole))
     })
+}
+
+/// The rational with numerator and denominator below 2^40 that has a value, which has about 2^126 others to choose from.
+fn likely_rational(element: Element) -> Option<Number> {
+    const BITS: u64 = 40;
+    let number = element.to_rational(BITS)?;
+    (number.numerator().bits() <= BITS && number.denominator().bits() <= BITS).then_some(number)
 }
 
 /// Bring a matrix to its reduced row echelon form; the columns of the pivots, which are those of the first rows.

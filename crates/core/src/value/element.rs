@@ -60,16 +60,15 @@ impl Element {
         PRIMES[1].is_fraction(self.0[1], num, den).then(|| Number::rational(num, den))
     }
 
-    /// A rational with this value whose numerator may be large. It is right if there is one, and any number if not.
-    pub(crate) fn to_rational(self) -> Option<Number> {
-        const LARGEST_BITS: u64 = 104;
+    /// A rational with this value, with a numerator of some bits. It is right if there is one, and any number if not.
+    pub(crate) fn to_rational(self, bits: u64) -> Option<Number> {
         let [(p, a), (q, b)] =
             [0, 1].map(|k| (BigInt::from(PRIMES[k].p), BigInt::from(PRIMES[k].residue(self.0[k]))));
         // The number below p q with both residues, then Euclid's algorithm as for one prime.
         let steps = ((b - &a) * p.modinv(&q)?).mod_floor(&q);
         let (mut r0, mut r1) = (&p * &q, a + &p * steps);
         let (mut t0, mut t1) = (BigInt::from(0), BigInt::from(1));
-        while r1.bits() > LARGEST_BITS {
+        while r1.bits() > bits {
             let quotient = &r0 / &r1;
             (r0, r1) = (r1.clone(), r0 - &quotient * r1);
             (t0, t1) = (t1.clone(), t0 - quotient * t1);
