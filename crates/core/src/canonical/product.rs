@@ -311,7 +311,7 @@ impl Graph {
         exponent: &Number,
     ) -> Result<(), Error> {
         if exponent.is_integer() {
-            let distribute = inner.len() == 1 || self.flags(base).has(Flags::ROOT);
+            let distribute = inner.len() == 1 || (self.flags(base).has(Flags::ROOT) && !exponent.is_one());
             if !distribute {
                 out.push(self, base, exponent);
                 return Ok(());
@@ -404,7 +404,7 @@ impl Graph {
             |&(base, ref exponent): &(Id, Number)| exponent.is_one() && self.kind(base) == Kind::Product;
         factors.iter().position(|factor| {
             opens(factor)
-                && (self.flags(factor.0).has(Flags::ROOT)
+                && (self.holds_number_or_modulus(factor.0)
                     || self.inner_factors(factor.0).any(|(node, e)| {
                         factors.iter().any(|(other, other_e)| {
                             (self.same_up_to_sign(*other, node) && Self::merges(&e, other_e))
@@ -416,6 +416,14 @@ impl Graph {
                         })
                     }))
         })
+    }
+
+    /// Whether a product has factors that merge with others of their kind: roots of numbers, and moduli.
+    fn holds_number_or_modulus(&self, product: Id) -> bool {
+        self.flags(product).has(Flags::ROOT)
+            && self.inner_factors(product).any(|(base, _)| {
+                self.as_number(base).is_some() || self.kind(base) == Kind::Function(Function::Abs)
+            })
     }
 
     fn inner_factors(&self, product: Id) -> impl Iterator<Item = (Id, Number)> {

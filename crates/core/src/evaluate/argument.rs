@@ -85,7 +85,7 @@ impl Graph {
             return;
         }
         for (atom, _) in self.split_argument(argument, of_exponential).iter() {
-            for id in arguments_of_atom(atom) {
+            for id in atom.arguments() {
                 out.push((id, field));
                 out.extend(next.map(|next| (id, next)));
             }
@@ -237,15 +237,6 @@ impl Graph {
             (Atom::Log(a), Atom::Log(b)) => self.same(*a, *b).then_some(1),
             _ => (a == b).then_some(1),
         }
-    }
-}
-
-/// The nodes that an inverse function or a logarithm is applied to.
-pub(super) fn arguments_of_atom(atom: &Atom) -> Vec<Id> {
-    match *atom {
-        Atom::Asin(x) | Atom::Atan(x) | Atom::Log(x) => vec![x],
-        Atom::Atan2(y, x) => vec![y, x],
-        _ => Vec::new(),
     }
 }
 

@@ -10,7 +10,6 @@ use rustc_hash::FxHashMap;
 use crate::graph::{Assumption, Atom, Function, Generator, Graph, Id, View};
 use crate::value::{Element, Field, FieldId, Key, Number, Quadratic, fingerprint, prime_factors};
 
-use super::argument::arguments_of_atom;
 use super::logarithm_part::Part;
 
 /// Larger expressions have no value here.
@@ -274,7 +273,7 @@ impl Graph {
     fn angle_at(&self, argument: Id, values: &Values, field: FieldId) -> Option<(Quadratic, Quadratic)> {
         let f = field.field();
         let split = self.split_argument(argument, false);
-        let needed = split.iter().flat_map(|(atom, _)| arguments_of_atom(atom));
+        let needed = split.iter().flat_map(|(atom, _)| atom.arguments());
         let is_known = needed.into_iter().all(|id| values.contains_key(&id));
         let start = (f.one(), f.number(&Number::integer(0)));
         is_known.then(|| self.rotated(start, &split, f, |id| values[&id].clone()))

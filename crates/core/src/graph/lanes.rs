@@ -68,6 +68,17 @@ pub(crate) struct Signs {
 /// Atoms of an argument with their factors.
 pub(crate) type Split = Arc<[(Atom, Number)]>;
 
+impl Atom {
+    /// The nodes that an inverse function or a logarithm is applied to.
+    pub(crate) fn arguments(&self) -> Vec<Id> {
+        match *self {
+            Self::Asin(x) | Self::Atan(x) | Self::Log(x) => vec![x],
+            Self::Atan2(y, x) => vec![y, x],
+            _ => Vec::new(),
+        }
+    }
+}
+
 /// A positive factor that an expression may hold.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) enum Generator {
