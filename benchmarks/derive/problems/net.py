@@ -57,6 +57,6 @@ PROBLEM = Problem(
     targets=(
         joint_time_target("both formalisms", BOTH, 100, 0.5),
         growth_target("both formalisms", BOTH, (100, 400), 5.2),
-        *(operations_target(label, 100, 7_300) for label in (*BOTH, FROM_ENERGIES.label)),
+        *(operations_target(label, 100, 6_700) for label in (*BOTH, FROM_ENERGIES.label)),
     ),
 )

@@ -26,12 +26,17 @@ impl Graph {
     pub(super) fn angle_in(&self, argument: Id, field: FieldId) -> Point {
         let f = field.field();
         let split = self.split_argument(argument, false);
-        let Some(angles) = field.of_angles() else {
-            return f.drawn_angle(Key::new("drawn angle"), &self.value_in(argument, field));
+        let start = match self.field_of_angle(argument, field) {
+            Some(angles) => f.angle(angles.field().exponent(&self.rest_in(argument, &split, angles))),
+            None => f.drawn_angle(Key::new("drawn angle"), &self.rest_in(argument, &split, field)),
         };
-        let rest = self.rest_in(argument, &split, angles);
-        let start = f.angle(angles.field().exponent(&rest));
         self.rotated(start, &split, f, |id| self.value_in(id, field))
+    }
+
+    /// The field in which the argument of a sine is evaluated. Sines below it are real if it holds signs or roots.
+    fn field_of_angle(&self, argument: Id, field: FieldId) -> Option<FieldId> {
+        let angles = field.of_angles()?;
+        Some(if self.flags(argument).has(Flags::BRANCH) { angles.with_real_sines() } else { angles })
     }
 
     /// The exponential of an argument.
@@ -79,7 +84,7 @@ impl Graph {
         of_exponential: bool,
         out: &mut Vec<(Id, FieldId)>,
     ) {
-        let next = if of_exponential { field.of_exponents() } else { field.of_angles() };
+        let next = if of_exponential { field.of_exponents() } else { self.field_of_angle(argument, field) };
         out.push((argument, next.unwrap_or(field)));
         if next.is_none() {
             return;

@@ -8,7 +8,10 @@ use super::key::Key;
 use super::number::Number;
 
 /// The digits of a number.
-const DIGITS: u32 = 6;
+const DIGITS: u32 = 12;
+
+/// A sum in which so many digits cancel is zero: what is left of it may be what earlier sums have left undecided.
+const CANCELLED: i64 = 6;
 
 /// Valuations are counted in parts of one, because those of roots are fractions.
 pub(crate) const PARTS: i64 = 2520;
@@ -98,7 +101,8 @@ impl Adics {
         let digits = (high.valuation - low.valuation) / PARTS;
         let shift = u32::try_from(digits).unwrap_or(u32::MAX).min(DIGITS);
         let shifted = &high.unit * num_traits::Pow::pow(&self.prime, shift);
-        self.term(&(&low.unit + shifted), low.valuation)
+        let sum = self.term(&(&low.unit + shifted), low.valuation)?;
+        (sum.valuation - low.valuation < CANCELLED * PARTS).then_some(sum)
     }
 
     pub(crate) fn mul(&self, a: &Adic, b: &Adic) -> Adic {

@@ -18,8 +18,8 @@ pub(super) const TORSION: u64 = 110_880;
 /// A field with its groups of angles and exponentials.
 pub(crate) struct Field {
     closure: Closure,
-    /// Whether the field is the first of its lane: the group of angles is then that of the circle.
-    is_first: bool,
+    /// Whether the group of angles is that of the circle.
+    has_circle: bool,
     angle_order: Option<u64>,
     exponent_order: Option<u64>,
     groups: OnceLock<Groups>,
@@ -38,9 +38,14 @@ struct Groups {
 
 impl Field {
     /// The field of a prime, with the orders of its groups of angles and exponentials, if these have values.
-    pub(super) fn new(p: u64, is_first: bool, angle_order: Option<u64>, exponent_order: Option<u64>) -> Self {
+    pub(super) fn new(
+        p: u64,
+        has_circle: bool,
+        angle_order: Option<u64>,
+        exponent_order: Option<u64>,
+    ) -> Self {
         let closure = Closure::new(Prime::new(p));
-        Self { closure, is_first, angle_order, exponent_order, groups: OnceLock::new() }
+        Self { closure, has_circle, angle_order, exponent_order, groups: OnceLock::new() }
     }
 
     fn prime(&self) -> &Prime {
@@ -55,14 +60,15 @@ impl Field {
                 let order = order.unwrap_or(1);
                 prime.pow(self.word(&Key::new(name)), (prime.p - 1) / order)
             };
-            let angle = self.angle_order.filter(|_| self.is_first).map_or(circle::identity(prime), |order| {
-                circle::times(
-                    prime,
-                    circle::point(prime, self.word(&Key::new("angle"))),
-                    (prime.p + 1) / order,
-                )
-            });
-            let wave = if self.is_first { prime.one } else { member("wave", self.angle_order) };
+            let angle =
+                self.angle_order.filter(|_| self.has_circle).map_or(circle::identity(prime), |order| {
+                    circle::times(
+                        prime,
+                        circle::point(prime, self.word(&Key::new("angle"))),
+                        (prime.p + 1) / order,
+                    )
+                });
+            let wave = if self.has_circle { prime.one } else { member("wave", self.angle_order) };
             Groups {
                 torsion: (torsion, circle::turn_over(prime, torsion)),
                 angle,
@@ -339,7 +345,7 @@ impl Field {
     /// The cosine and the sine of an argument, given by its value in the field of angles.
     pub(crate) fn angle(&self, argument: u64) -> (Quadratic, Quadratic) {
         let (prime, groups) = (self.prime(), self.groups());
-        if self.is_first {
+        if self.has_circle {
             let (cos, sin) = circle::times(prime, groups.angle, argument);
             return (Quadratic::Real(cos), Quadratic::Real(sin));
         }
@@ -355,15 +361,16 @@ impl Field {
         (cos, sin)
     }
 
-    /// An angle drawn for values, odd in the first of them.
+    /// A point of the circle drawn for a value: cos(-u) = cos(u), sin(-u) = -sin(u).
     pub(crate) fn drawn_angle(&self, key: Key, argument: &Quadratic) -> (Quadratic, Quadratic) {
         let (magnitude, negated) = self.unsigned(argument);
         if magnitude.is_zero() {
             return (self.one(), Quadratic::ZERO);
         }
-        let z = self.opaque(key, &[&magnitude]);
-        let (cos, sin) = self.wave(&z);
-        (cos, if negated { self.neg(&sin) } else { sin })
+        let drawn = self.linear_image(&self.opaque(key, &[&magnitude]));
+        let (cos, sin) = circle::point(self.prime(), drawn);
+        let sin = Quadratic::Real(sin);
+        (Quadratic::Real(cos), if negated { self.neg(&sin) } else { sin })
     }
 
     /// The exponential of an argument, given by its value in the field of exponents.

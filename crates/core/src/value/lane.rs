@@ -15,8 +15,11 @@
 //! * B1 = (p - 1)/2, for exponentials: all positive elements are members of this group, so every root of them is one,
 //!   too; then B2 = (B1 - 1)/2 and B3, a factor of B2 - 1.
 //!
-//! Functions inside arguments are evaluated one field further up the tower, where the sine is (z - 1/z)/2i for a z of
-//! the multiplicative group. In the last field a function of u is drawn for the value of u.
+//! Functions inside arguments are evaluated one field further up the tower. In the fields of exponents B1 and B2, sines are
+//! coordinates of the circle again, because A1 divides B1 + 1 and B2 + 1. In the fields of angles A1 to A3 the sine is
+//! (z - 1/z)/2i for a z of the multiplicative group. Such a sine is not real, so the squares of sines would be negative
+//! there. Therefore signs and roots do not meet it: where an argument holds any, its sines and cosines are those of
+//! drawn points of the circle. In the last field a function of u is drawn for the value of u.
 
 use std::sync::LazyLock;
 
@@ -35,9 +38,12 @@ const FIELDS_OF_A_LANE_WORD: u16 = FIELDS_OF_A_LANE as u16;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) struct FieldId {
     index: u16,
-    /// Which of the random points over the same primes.
+    /// Which of the random points over the same primes, and whether sines are real there.
     point: u16,
 }
+
+/// The bit of a point that tells that sines are real in the fields of angles.
+const REAL_SINES: u16 = 1 << 15;
 
 impl FieldId {
     /// The first fields of the lanes that fingerprints show.
@@ -89,24 +95,44 @@ impl FieldId {
     }
 
     fn at_point(self, key: &Key) -> Key {
-        if self.point == 0 { *key } else { key.word(self.point.into()) }
+        match self.point & !REAL_SINES {
+            0 => *key,
+            point => key.word(point.into()),
+        }
     }
 
     /// The field in which the argument of a sine or cosine is evaluated.
     pub(crate) fn of_angles(self) -> Option<Self> {
-        let next = match self.index as usize % FIELDS_OF_A_LANE {
-            0..=3 | 5 | 6 => 1,
+        let index = match self.place() {
+            0 | 5 | 6 => self.index - self.index % FIELDS_OF_A_LANE_WORD + 1,
+            1..=3 if self.point & REAL_SINES == 0 => self.index + 1,
             _ => return None,
         };
-        Some(Self { index: self.index + next, point: self.point })
+        Some(Self { index, ..self })
     }
 
     /// The field in which the argument of an exponential is evaluated.
     pub(crate) fn of_exponents(self) -> Option<Self> {
-        match self.index as usize % FIELDS_OF_A_LANE {
-            0 => Some(Self { index: self.index + 5, point: self.point }),
-            _ => self.of_angles(),
-        }
+        let step = match self.place() {
+            0 => 5,
+            1..=3 | 5 | 6 => 1,
+            _ => return None,
+        };
+        Some(Self { index: self.index + step, ..self })
+    }
+
+    /// The same field with real sines, for what holds signs or roots.
+    pub(crate) fn with_real_sines(self) -> Self {
+        Self { point: self.point | REAL_SINES, ..self }
+    }
+
+    fn place(self) -> usize {
+        self.index as usize % FIELDS_OF_A_LANE
+    }
+
+    /// Whether the group of angles is that of the circle, of order p + 1.
+    fn has_circle(self) -> bool {
+        matches!(self.place(), 0 | 5 | 6)
     }
 }
 
@@ -122,7 +148,7 @@ static FIELDS: LazyLock<Vec<Field>> = LazyLock::new(|| {
                     LANES[field.index as usize / FIELDS_OF_A_LANE][field.index as usize % FIELDS_OF_A_LANE]
                 })
             };
-            Field::new(p, k % FIELDS_OF_A_LANE == 0, order(id.of_angles()), order(id.of_exponents()))
+            Field::new(p, id.has_circle(), order(id.of_angles()), order(id.of_exponents()))
         })
         .collect()
 });
@@ -156,6 +182,7 @@ mod tests {
             assert!(p % TORSION == TORSION - 1 && (p + 1) % a1 == 0 && p - 1 == 2 * b1);
             assert!(a1 == 2 * a2 + 1 && a2 == 2 * a3 + 1 && (a3 - 1) % a4 == 0);
             assert!(b1 == 2 * b2 + 1 && (b2 - 1) % b3 == 0);
+            assert!((b1 + 1) % a1 == 0 && (b2 + 1) % a1 == 0);
             for q in [2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31] {
                 let prime = Prime::new(p);
                 assert!(prime.is_square(prime.natural(q)), "{q} modulo {p}");
