@@ -8,6 +8,7 @@
 //! of integers (see [`integer_point`](super::integer_point)). Any such choice is right, because it is additive: whatever is
 //! not in the factors stays in the rest.
 
+use rustc_hash::FxHashSet;
 use std::sync::Arc;
 
 use crate::graph::{Atom, Flags, Function, Graph, Id, Split, View};
@@ -33,10 +34,59 @@ impl Graph {
         self.rotated(start, &split, f, |id| self.value_in(id, field))
     }
 
-    /// The field in which the argument of a sine is evaluated. Sines below it are real if it holds signs or roots.
+    /// The field in which the argument of a sine is evaluated. Sines below it are real if it holds their signs or roots.
     fn field_of_angle(&self, argument: Id, field: FieldId) -> Option<FieldId> {
         let angles = field.of_angles()?;
-        Some(if self.flags(argument).has(Flags::BRANCH) { angles.with_real_sines() } else { angles })
+        Some(if self.has_signs_of_sines(argument) { angles.with_real_sines() } else { angles })
+    }
+
+    /// Whether a node holds a sign or root of something that holds a sine.
+    fn has_signs_of_sines(&self, id: Id) -> bool {
+        if !self.flags(id).has(Flags::BRANCH) {
+            return false;
+        }
+        if let Some(known) = self.lanes.borrow().has_signs_of_sines(id) {
+            return known;
+        }
+        let mut with_sines: FxHashSet<Id> = FxHashSet::default();
+        let mut children = Vec::new();
+        let found = self.post_order(&[id]).into_iter().any(|node| {
+            children.clear();
+            self.push_children(node, &mut children);
+            let is_sine =
+                matches!(self.view(node), View::Function(Function::Sin | Function::Cos | Function::Tan, _));
+            let holds_sine = children.iter().any(|child| with_sines.contains(child));
+            if is_sine || holds_sine {
+                with_sines.insert(node);
+            }
+            holds_sine && self.makes_signs(node)
+        });
+        self.lanes.borrow_mut().insert_has_signs_of_sines(id, found);
+        found
+    }
+
+    /// Whether a node is a sign or root by itself, not by what it holds.
+    fn makes_signs(&self, id: Id) -> bool {
+        match self.view(id) {
+            View::Product(factors) => {
+                factors.iter().any(|(base, exponent)| self.is_branching(base, self.get_number(exponent)))
+            }
+            View::Function(function, args) => match function {
+                Function::Abs
+                | Function::Sign
+                | Function::Min
+                | Function::Max
+                | Function::Piecewise
+                | Function::Atan2
+                | Function::Power => true,
+                Function::Sin | Function::Cos | Function::Tan => self.makes_roots(args.get(0), false),
+                Function::Exp | Function::Sinh | Function::Cosh | Function::Tanh => {
+                    self.makes_roots(args.get(0), true)
+                }
+                Function::Asin | Function::Acos | Function::Atan | Function::Log => false,
+            },
+            _ => false,
+        }
     }
 
     /// The exponential of an argument.

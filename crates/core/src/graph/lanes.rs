@@ -30,6 +30,8 @@ pub(crate) struct Lanes {
     contents: FxHashMap<Id, Option<Number>>,
     /// The numeric contents of differences.
     contents_of_differences: FxHashMap<(Id, Id), Option<Number>>,
+    /// Whether nodes hold signs or roots of sines.
+    signs_of_sines: FxHashMap<Id, bool>,
     /// The numbers in exponents, such as the 1 in x + 1.
     exponents: FxHashMap<Id, Number>,
     /// Nodes that are a number times powers of positive factors.
@@ -175,6 +177,14 @@ impl Lanes {
 
     pub(crate) fn insert_content_of_difference(&mut self, a: Id, b: Id, content: Option<Number>) {
         self.contents_of_differences.insert((a, b), content);
+    }
+
+    pub(crate) fn has_signs_of_sines(&self, id: Id) -> Option<bool> {
+        self.signs_of_sines.get(&id).copied()
+    }
+
+    pub(crate) fn insert_has_signs_of_sines(&mut self, id: Id, found: bool) {
+        self.signs_of_sines.insert(id, found);
     }
 
     pub(crate) fn exponent(&self, id: Id) -> Option<&Number> {
