@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import warnings
-from collections.abc import Collection, Iterable, Iterator, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from functools import cached_property
 from itertools import count, islice
-from typing import Annotated, TypeAlias, TypeVar, final
+from typing import Annotated, Any, TypeAlias, TypeVar, final
 
 from symbody.errors import ConstraintError, ModelError, ModelNotice
 from symbody.geometry import Frame, Scalar, Vector
@@ -14,6 +14,7 @@ from symbody.geometry.component.triple import Rate, expression
 from symbody.geometry.given.argument import checked
 from symbody.geometry.motion.floating import by_speeds, known_rates, rate_by
 from symbody.symbolic import Expr, functions_of_time, time_derivative
+from symbody.symbolic.expression.container import Container, contains
 from symbody.symbolic.given.arguments import brief, counted
 
 from .body import Body
@@ -294,3 +295,42 @@ def _completed(given: Sequence[Expr], needed: Iterable[Expr]) -> tuple[Expr, ...
     """Return what is needed and not given, then what is given."""
     listed = tuple(expression(each) for each in given)
     return (*(each for each in dict.fromkeys(needed) if each not in listed), *listed)
+
+
+def _parts(system: System) -> tuple[Any, ...]:
+    gravity = () if system.gravity is None else (system.gravity,)
+    return system.bodies, system.loads, system.constraints, system.inputs, *gravity
+
+
+def _rebuilt(system: System, parts: Sequence[Any]) -> System:
+    bodies, loads, constraints, inputs, *gravity = parts
+    return System(
+        bodies,
+        loads,
+        system.coordinates,
+        constraints,
+        gravity[0] if gravity else None,
+        speeds=system.quasi_velocities,
+        multipliers=system.multipliers,
+        inputs=[each for each in inputs if each.kind == "time_function"],
+        name=system.name,
+    )
+
+
+def _check_substitution(system: System, mapping: Mapping[Any, Any]) -> None:
+    """Raise an error for a substitution that would leave the system without its unknowns."""
+    unknown = {each.name for each in (*system.coordinates, *system.quasi_velocities, *system.multipliers)}
+    for key in mapping:
+        if isinstance(key, Expr) and key.kind == "time_function" and key.name in unknown:
+            raise ModelError(
+                f"subs: {key} is an unknown of {brief(system)}; expected parameters and inputs. Substitute in "
+                "expressions of the system, such as equations.residuals"
+            )
+
+
+contains(
+    System,
+    Container(
+        _parts, _rebuilt, advice="the residuals of its equations of motion have one", subs=_check_substitution
+    ),
+)
