@@ -14,6 +14,8 @@ _TOKEN = re.compile(r"\\begin\{\w+\}|\\end\{\w+\}|\\[A-Za-z]+|\\.|\s+|.", re.DOT
 _UNSEEN = {
     "left",
     "right",
+    "bigl",
+    "bigr",
     "frac",
     "mathrm",
     "mathtt",
