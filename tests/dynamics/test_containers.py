@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pickle
 from collections.abc import Callable
+from functools import cached_property
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -40,8 +41,10 @@ from symbody import (
     translate,
     velocity,
 )
-from symbody.errors import ArgumentError, ModelError
+from symbody.errors import ArgumentError, LoadError, ModelError
 from symbody.geometry import Frame
+from symbody.multibody import Action, Load
+from tests.symbolic.random_expression import doubling
 
 x, phi = functions_of_time("x phi")
 a, b, m, k, g, l = symbols("a b m k g l")
@@ -236,3 +239,53 @@ def test_unknowns_stay() -> None:
     )
     with pytest.raises(ArgumentError, match=r"which has no derivative; its residuals have one"):
         diff(model(), phi)
+
+
+def test_what_has_no_formula() -> None:
+    with pytest.raises(ArgumentError) as caught:
+        latex([x, model().system])
+    assert str(caught.value) == (
+        "latex: System(pendulum, 1 body, 1 load, 1 coordinate) is a System, which has no formula; expected "
+        "expressions, matrices, vectors, points, frames, bodies, forces, torques, or equations alone"
+    )
+    with pytest.raises(ArgumentError, match=r"^diff: ground is a Frame, which has no derivative"):
+        diff([a, ground], a)
+
+
+class Spring(Load):
+    """A load of a user, with actions that are kept."""
+
+    def __init__(self, body: Body) -> None:
+        self.body = body
+
+    @cached_property
+    def actions(self) -> tuple[Action, ...]:
+        return (Action(self.body, Vector(ground, LONG, 0, 0), self.body.center_of_mass),)
+
+
+class Computed(Load):
+    """A load whose actions are computed at each use."""
+
+    @property
+    def actions(self) -> tuple[Action, ...]:
+        return (Action(BODY, Vector(ground, a, 0, 0)),)
+
+
+def test_loads_of_own_classes() -> None:
+    (action,) = subs(Spring(BODY), {a: 2}).actions
+    assert action.vector.components[0] == subs(LONG, {a: 2})
+    assert isinstance(simplify(Spring(BODY)), Spring)
+    with pytest.raises(LoadError) as caught:
+        simplify(Computed())
+    assert str(caught.value) == (
+        "convert: Computed.actions is computed at each use; expected a cached_property, whose value can be replaced by "
+        "the converted actions"
+    )
+
+
+def test_entries_of_a_large_matrix_share_named_quantities() -> None:
+    big = doubling(40)
+    text = Matrix([[big, big * a], [1, big + b]]).latex()
+    assert text.count(r"\begin{aligned}") == 1
+    assert text.count("z_{1} &=") == 1
+    assert latex([[big]]).count("z_{1} &=") == 1

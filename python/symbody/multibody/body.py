@@ -10,7 +10,7 @@ from symbody.geometry import Frame, Point, Scalar, Triple, origin
 from symbody.geometry.component.triple import expression, triple
 from symbody.geometry.given.argument import checked
 from symbody.geometry.motion.translation import Translation
-from symbody.symbolic import Expr, Matrix, matvec3
+from symbody.symbolic import Expr, Matrix, latex, matvec3
 from symbody.symbolic.expression.container import Container, contains
 from symbody.symbolic.expression.latex_layout import aligned
 from symbody.symbolic.given.arguments import brief
@@ -119,6 +119,9 @@ class Body:
         """The sort key of the bodies of a set."""
         values = (self.mass, *self.moments, *self.products)
         return b"".join((self.name.encode(), self.frame.key, *(value.fingerprint for value in values)))
+
+    def _repr_latex_(self) -> str:
+        return f"$\\displaystyle {latex(self)}$"
 
     def __repr__(self) -> str:
         return self.name or f"Body({self.frame}, {self.mass})"

@@ -15,6 +15,7 @@ from symbody.geometry.frame.frame_velocity import Seen, material_velocity, spin
 from symbody.geometry.given.argument import checked
 from symbody.symbolic import Expr, derivation, dot3, number
 from symbody.symbolic.expression.container import Container, contains
+from symbody.symbolic.expression.html_table import html_table
 from symbody.symbolic.given.arguments import brief, counted
 
 from .body import Body
@@ -95,6 +96,20 @@ class Load(ABC):
     def actions(self) -> tuple[Action, ...]:
         """The actions of the load, body by body."""
 
+    def _repr_html_(self) -> str:
+        rows = [
+            [
+                "force" if action.is_force else "torque",
+                ", ".join(map(brief, action.vector.components)),
+                action.vector.frame,
+                "" if action.point is None else action.point,
+                action.body,
+            ]
+            for action in self.actions
+        ]
+        title = self.name or type(self).__name__
+        return html_table(title, ["kind", "components", "in the axes of", "at", "on"], rows)
+
     @property
     def key(self) -> bytes:
         """The sort key of the loads of a set."""
@@ -112,16 +127,16 @@ class Load(ABC):
         Raises:
             LoadError: the class of the load computes its actions at each use, so that others cannot be stored.
         """
-        return self.acting(tuple(action.projected(frame) for action in self.actions))
+        return self.acting(tuple(action.projected(frame) for action in self.actions), "project")
 
-    def acting(self, actions: tuple[Action, ...]) -> Self:
+    def acting(self, actions: tuple[Action, ...], operation: str) -> Self:
         """Return the same load with its actions in another form."""
         same = copy(self)
         vars(same)["actions"] = actions
         if same.actions is not actions:
             raise LoadError(
-                f"project: {type(self).__name__}.actions is computed at each use; expected a cached_property, whose "
-                "value can be replaced by the projected actions"
+                f"{operation}: {type(self).__name__}.actions is computed at each use; expected a cached_property, "
+                f"whose value can be replaced by the {operation}ed actions"
             )
         return same
 
@@ -278,7 +293,7 @@ class Torque(_Vectorial):
 
 
 def _same_load(load: Load, parts: Sequence[Any]) -> Load:
-    return load.acting(tuple(parts))
+    return load.acting(tuple(parts), "convert")
 
 
 def _action_parts(action: Action) -> tuple[Any, ...]:

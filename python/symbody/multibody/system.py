@@ -15,6 +15,7 @@ from symbody.geometry.given.argument import checked
 from symbody.geometry.motion.floating import by_speeds, known_rates, rate_by
 from symbody.symbolic import Expr, functions_of_time, time_derivative
 from symbody.symbolic.expression.container import Container, contains
+from symbody.symbolic.expression.html_table import html_table
 from symbody.symbolic.given.arguments import brief, counted
 
 from .body import Body
@@ -264,6 +265,31 @@ class System:
             if frame.carrier is not None:
                 yield from (*frame.carrier.angular, *frame.carrier.linear)
 
+    def _repr_html_(self) -> str:
+        """Return tables of the bodies, the loads, the unknowns and the constraints."""
+        bodies = [
+            [_label(body, k), body.frame, body.mass, ", ".join(map(brief, body.moments))]
+            for k, body in enumerate(self.bodies, start=1)
+        ]
+        tables = [html_table(str(self), ["body", "frame", "mass", "moments of inertia"], bodies)]
+        if self.loads:
+            loads = [
+                [_label(load, k), ", ".join(str(action.body) for action in load.actions)]
+                for k, load in enumerate(self.loads, start=1)
+            ]
+            tables.append(html_table("", ["load", "acts on"], loads))
+        unknowns = [("coordinate", q) for q in self.coordinates] + [
+            ("speed", u) for u in self.quasi_velocities
+        ]
+        unknowns += [("input", each) for each in self.inputs]
+        tables.append(html_table("", ["unknown", "name"], unknowns))
+        if self.constraints:
+            pairs = zip(self.constraints, self.multipliers, strict=True)
+            tables.append(
+                html_table("", ["constraint", "multiplier"], [[f"{c} = 0", each] for c, each in pairs])
+            )
+        return "".join(tables)
+
     def __repr__(self) -> str:
         parts = [
             counted(len(self.bodies), "body"),
@@ -275,6 +301,11 @@ class System:
         if self.constraints:
             parts.append(counted(len(self.constraints), "constraint"))
         return f"System({', '.join([self.name, *parts] if self.name else parts)})"
+
+
+def _label(thing: Body | Load, number: int) -> str:
+    """Return the name of a body or a load, or its kind and its number."""
+    return thing.name or f"{type(thing).__name__} {number}"
 
 
 def _ordered(things: Collection[Thing]) -> tuple[Thing, ...]:

@@ -72,7 +72,7 @@ def is_container(value: object) -> bool:
 
 def rewritten(value: Any, operation: Rewrite, place: str) -> Any:
     """Return the container with the operation applied to all its expressions; the place is named in messages."""
-    return _Pass(place, lambda entry: (entry.parts, entry.rebuilt)).run(value, operation)
+    return _Pass(place, lambda entry, _: (entry.parts, entry.rebuilt)).run(value, operation)
 
 
 def substituted(value: Any, mapping: Mapping[Any, Any]) -> Any:
@@ -84,15 +84,17 @@ def substituted(value: Any, mapping: Mapping[Any, Any]) -> Any:
     def whole(entry: Container, part: Any) -> Any:
         return None if entry.subs is None else entry.subs(part, mapping)
 
-    return _Pass("subs", lambda entry: (entry.parts, entry.rebuilt), whole).run(value, replace)
+    return _Pass("subs", lambda entry, _: (entry.parts, entry.rebuilt), whole).run(value, replace)
 
 
 def derived(value: Any, operation: Rewrite, place: str) -> Any:
     """Return the container of the derivatives: of a point a vector, of a frame the derivative of its matrix."""
 
-    def ways(entry: Container) -> tuple[Callable[[Any], Sequence[Any]], Callable[[Any, Sequence[Any]], Any]]:
+    def ways(
+        entry: Container, part: Any
+    ) -> tuple[Callable[[Any], Sequence[Any]], Callable[[Any, Sequence[Any]], Any]]:
         if entry.derivative is None:
-            raise ArgumentError(f"{place}: {described(value)}, which has no derivative; {entry.advice}")
+            raise ArgumentError(f"{place}: {described(part)}, which has no derivative; {entry.advice}")
         return entry.differentiated or entry.parts, entry.derivative
 
     return _Pass(place, ways).run(value, operation)
@@ -108,7 +110,10 @@ def in_latex(value: Any, place: str) -> str:
             leaves.append(_core.number(part, f"{place}, entry {path}" if path else place))
             return
         if entry.layout is None:
-            raise ArgumentError(f"{place}: {described(part)} inside {described(value)}; expected expressions")
+            raise ArgumentError(
+                f"{place}: {described(part)}, which has no formula; expected expressions, matrices, vectors, points, "
+                "frames, bodies, forces, torques, or equations alone"
+            )
         parts = (entry.shown or entry.parts)(part)
         names = [""] * len(parts) if entry.shown else _names(part, parts)
         for each, name in zip(parts, names, strict=True):
@@ -137,7 +142,7 @@ class _Pass:
         self,
         place: str,
         ways: Callable[
-            [Container], tuple[Callable[[Any], Sequence[Any]], Callable[[Any, Sequence[Any]], Any]]
+            [Container, Any], tuple[Callable[[Any], Sequence[Any]], Callable[[Any, Sequence[Any]], Any]]
         ],
         whole: Callable[[Container, Any], Any] = lambda entry, part: None,
     ) -> None:
@@ -172,7 +177,7 @@ class _Pass:
         replaced = self.whole(entry, value)
         if replaced is not None:
             return lambda: replaced
-        parts_of, rebuilt = self.ways(entry)
+        parts_of, rebuilt = self.ways(entry, value)
         parts = parts_of(value)
         makes = [
             self.taken_apart(part, path + name)
