@@ -209,7 +209,7 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
     ),
     # --- rewrites, equations, counts, texts ---
     (ArgumentError, lambda: anything.expand("x"), f"expand: 'x' is a str; {NUMBER}; parse converts it"),
-    (ArgumentError, lambda: anything.simplify(M), f"simplify: {M!r} is a Matrix; {NUMBER}"),
+    (ArgumentError, lambda: anything.simplify({3}), f"simplify: {{3}} is a set; {NUMBER}"),
     (
         ArgumentError,
         lambda: anything.collect(x, 3),
@@ -226,7 +226,17 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
         lambda: cost({"a": x}),
         "cost counts expressions, found the text 'a'; parse it first",
     ),
-    (ArgumentError, lambda: anything.latex([x]), f"latex: [x] is a list; {NUMBER}"),
+    (ArgumentError, lambda: anything.latex({x}), f"latex: {{x}} is a set; {NUMBER}"),
+    (
+        ArgumentError,
+        lambda: anything.latex([x, (1, "y")]),
+        f"latex, entry [1][1]: 'y' is a str; {NUMBER}; parse converts it",
+    ),
+    (
+        ArgumentError,
+        lambda: anything.simplify({"a": [x, "y"]}),
+        f"simplify, entry ['a'][1]: 'y' is a str; {NUMBER}; parse converts it",
+    ),
     (ArgumentError, lambda: anything.maple(M), f"maple: {M!r} is a Matrix; {NUMBER}"),
     (
         ArgumentError,

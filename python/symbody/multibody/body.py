@@ -10,7 +10,9 @@ from symbody.geometry import Frame, Point, Scalar, Triple, origin
 from symbody.geometry.component.triple import expression, triple
 from symbody.geometry.given.argument import checked
 from symbody.geometry.motion.translation import Translation
-from symbody.symbolic import Expr, Matrix, matvec3
+from symbody.symbolic import Expr, Matrix, latex, matvec3
+from symbody.symbolic.expression.container import Container, contains
+from symbody.symbolic.expression.latex_layout import aligned
 from symbody.symbolic.given.arguments import brief
 
 from .physical_inertia import report_impossible_inertia
@@ -118,8 +120,31 @@ class Body:
         values = (self.mass, *self.moments, *self.products)
         return b"".join((self.name.encode(), self.frame.key, *(value.fingerprint for value in values)))
 
+    def _repr_latex_(self) -> str:
+        return f"$\\displaystyle {latex(self)}$"
+
     def __repr__(self) -> str:
         return self.name or f"Body({self.frame}, {self.mass})"
+
+
+def _layout(body: Body, texts: list[str]) -> str:
+    frame, mass, inertia = texts
+    del body
+    return aligned(
+        [rf"\text{{frame}} &: {frame}", rf"\text{{mass}} &: {mass}", rf"\text{{inertia}} &: {inertia}"]
+    )
+
+
+contains(
+    Body,
+    Container(
+        parts=lambda body: (body.frame, body.mass, *body.moments, *body.products),
+        rebuilt=lambda body, parts: Body(*parts, name=body.name),
+        layout=_layout,
+        shown=lambda body: (body.frame, body.mass, body.inertia),
+        advice="its mass, inertia and frame.matrix have one",
+    ),
+)
 
 
 @checked(BodyError)

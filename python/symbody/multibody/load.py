@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from copy import copy
 from dataclasses import dataclass
-from typing import Self, final
+from typing import Any, Self, final
 
 from symbody.errors import LoadError
 from symbody.geometry import Frame, Point, Scalar, Triple, Vector
@@ -14,6 +14,8 @@ from symbody.geometry.frame.coordinates import path
 from symbody.geometry.frame.frame_velocity import Seen, material_velocity, spin
 from symbody.geometry.given.argument import checked
 from symbody.symbolic import Expr, derivation, dot3, number
+from symbody.symbolic.expression.container import Container, contains
+from symbody.symbolic.expression.html_table import html_table
 from symbody.symbolic.given.arguments import brief, counted
 
 from .body import Body
@@ -94,6 +96,20 @@ class Load(ABC):
     def actions(self) -> tuple[Action, ...]:
         """The actions of the load, body by body."""
 
+    def _repr_html_(self) -> str:
+        rows = [
+            [
+                "force" if action.is_force else "torque",
+                ", ".join(map(brief, action.vector.components)),
+                action.vector.frame,
+                "" if action.point is None else action.point,
+                action.body,
+            ]
+            for action in self.actions
+        ]
+        title = self.name or type(self).__name__
+        return html_table(title, ["kind", "components", "in the axes of", "at", "on"], rows)
+
     @property
     def key(self) -> bytes:
         """The sort key of the loads of a set."""
@@ -111,12 +127,16 @@ class Load(ABC):
         Raises:
             LoadError: the class of the load computes its actions at each use, so that others cannot be stored.
         """
-        same, actions = copy(self), tuple(action.projected(frame) for action in self.actions)
+        return self.acting(tuple(action.projected(frame) for action in self.actions), "project")
+
+    def acting(self, actions: tuple[Action, ...], operation: str) -> Self:
+        """Return the same load with its actions in another form."""
+        same = copy(self)
         vars(same)["actions"] = actions
         if same.actions is not actions:
             raise LoadError(
-                f"project: {type(self).__name__}.actions is computed at each use; expected a cached_property, whose "
-                "value can be replaced by the projected actions"
+                f"{operation}: {type(self).__name__}.actions is computed at each use; expected a cached_property, "
+                f"whose value can be replaced by the {operation}ed actions"
             )
         return same
 
@@ -270,6 +290,48 @@ class Torque(_Vectorial):
 
     def __repr__(self) -> str:
         return self.name or f"Torque({self.vector}, on={self.on})"
+
+
+def _same_load(load: Load, parts: Sequence[Any]) -> Load:
+    return load.acting(tuple(parts), "convert")
+
+
+def _action_parts(action: Action) -> tuple[Any, ...]:
+    return action.body, action.vector, *(() if action.point is None else (action.point,))
+
+
+def _vector(load: Force | Torque) -> tuple[Vector]:
+    return (load.vector,)
+
+
+def _force_parts(force: Force) -> tuple[Any, ...]:
+    return force.vector, force.at, force.on, *(() if force.reaction is None else (force.reaction,))
+
+
+def _torque_parts(torque: Torque) -> tuple[Any, ...]:
+    return torque.vector, torque.on, *(() if torque.reaction is None else (torque.reaction,))
+
+
+def _same_force(force: Force, parts: Sequence[Any]) -> Force:
+    vector, at, on, *reaction = parts
+    return Force(vector, at=at, on=on, reaction=reaction[0] if reaction else None, name=force.name)
+
+
+def _same_torque(torque: Torque, parts: Sequence[Any]) -> Torque:
+    vector, on, *reaction = parts
+    return Torque(vector, on=on, reaction=reaction[0] if reaction else None, name=torque.name)
+
+
+def _layout(load: Force | Torque, texts: list[str]) -> str:
+    del load
+    return texts[0]
+
+
+_ADVICE = "its vector has one: diff(load.vector, x)"
+contains(Action, Container(_action_parts, lambda _, parts: Action(*parts), advice=_ADVICE))
+contains(Load, Container(lambda load: load.actions, _same_load, advice="the vectors of its actions have one"))
+contains(Force, Container(_force_parts, _same_force, layout=_layout, shown=_vector, advice=_ADVICE))
+contains(Torque, Container(_torque_parts, _same_torque, layout=_layout, shown=_vector, advice=_ADVICE))
 
 
 @checked(LoadError)

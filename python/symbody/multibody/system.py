@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import warnings
-from collections.abc import Collection, Iterable, Iterator, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from functools import cached_property
 from itertools import count, islice
-from typing import Annotated, TypeAlias, TypeVar, final
+from typing import Annotated, Any, TypeAlias, TypeVar, final
 
 from symbody.errors import ConstraintError, ModelError, ModelNotice
 from symbody.geometry import Frame, Scalar, Vector
@@ -14,6 +14,8 @@ from symbody.geometry.component.triple import Rate, expression
 from symbody.geometry.given.argument import checked
 from symbody.geometry.motion.floating import by_speeds, known_rates, rate_by
 from symbody.symbolic import Expr, functions_of_time, time_derivative
+from symbody.symbolic.expression.container import Container, contains
+from symbody.symbolic.expression.html_table import html_table
 from symbody.symbolic.given.arguments import brief, counted
 
 from .body import Body
@@ -263,6 +265,31 @@ class System:
             if frame.carrier is not None:
                 yield from (*frame.carrier.angular, *frame.carrier.linear)
 
+    def _repr_html_(self) -> str:
+        """Return tables of the bodies, the loads, the unknowns and the constraints."""
+        bodies = [
+            [_label(body, k), body.frame, body.mass, ", ".join(map(brief, body.moments))]
+            for k, body in enumerate(self.bodies, start=1)
+        ]
+        tables = [html_table(str(self), ["body", "frame", "mass", "moments of inertia"], bodies)]
+        if self.loads:
+            loads = [
+                [_label(load, k), ", ".join(str(action.body) for action in load.actions)]
+                for k, load in enumerate(self.loads, start=1)
+            ]
+            tables.append(html_table("", ["load", "acts on"], loads))
+        unknowns = [("coordinate", q) for q in self.coordinates] + [
+            ("speed", u) for u in self.quasi_velocities
+        ]
+        unknowns += [("input", each) for each in self.inputs]
+        tables.append(html_table("", ["unknown", "name"], unknowns))
+        if self.constraints:
+            pairs = zip(self.constraints, self.multipliers, strict=True)
+            tables.append(
+                html_table("", ["constraint", "multiplier"], [[f"{c} = 0", each] for c, each in pairs])
+            )
+        return "".join(tables)
+
     def __repr__(self) -> str:
         parts = [
             counted(len(self.bodies), "body"),
@@ -274,6 +301,11 @@ class System:
         if self.constraints:
             parts.append(counted(len(self.constraints), "constraint"))
         return f"System({', '.join([self.name, *parts] if self.name else parts)})"
+
+
+def _label(thing: Body | Load, number: int) -> str:
+    """Return the name of a body or a load, or its kind and its number."""
+    return thing.name or f"{type(thing).__name__} {number}"
 
 
 def _ordered(things: Collection[Thing]) -> tuple[Thing, ...]:
@@ -294,3 +326,42 @@ def _completed(given: Sequence[Expr], needed: Iterable[Expr]) -> tuple[Expr, ...
     """Return what is needed and not given, then what is given."""
     listed = tuple(expression(each) for each in given)
     return (*(each for each in dict.fromkeys(needed) if each not in listed), *listed)
+
+
+def _parts(system: System) -> tuple[Any, ...]:
+    gravity = () if system.gravity is None else (system.gravity,)
+    return system.bodies, system.loads, system.constraints, system.inputs, *gravity
+
+
+def _rebuilt(system: System, parts: Sequence[Any]) -> System:
+    bodies, loads, constraints, inputs, *gravity = parts
+    return System(
+        bodies,
+        loads,
+        system.coordinates,
+        constraints,
+        gravity[0] if gravity else None,
+        speeds=system.quasi_velocities,
+        multipliers=system.multipliers,
+        inputs=[each for each in inputs if each.kind == "time_function"],
+        name=system.name,
+    )
+
+
+def _check_substitution(system: System, mapping: Mapping[Any, Any]) -> None:
+    """Raise an error for a substitution that would leave the system without its unknowns."""
+    unknown = {each.name for each in (*system.coordinates, *system.quasi_velocities, *system.multipliers)}
+    for key in mapping:
+        if isinstance(key, Expr) and key.kind == "time_function" and key.name in unknown:
+            raise ModelError(
+                f"subs: {key} is an unknown of {brief(system)}; expected parameters and inputs. Substitute in "
+                "expressions of the system, such as equations.residuals"
+            )
+
+
+contains(
+    System,
+    Container(
+        _parts, _rebuilt, advice="the residuals of its equations of motion have one", subs=_check_substitution
+    ),
+)

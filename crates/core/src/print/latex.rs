@@ -3,53 +3,174 @@
 use crate::graph::Function;
 use crate::value::Number;
 
+use super::latex_name::Typeset;
 use super::linear::{fraction, indices};
-use super::name;
 use super::order::is_fraction;
 use super::tree::{Base, Factor, Sum, Term, assumption_word};
 
 /// The sum in LaTeX.
-pub(super) fn write(sum: &Sum) -> String {
-    let mut out = String::new();
-    for (position, written) in sum.terms.iter().enumerate() {
-        out.push_str(match (position, written.coefficient.is_negative()) {
-            (0, true) => "-",
-            (0, false) => "",
-            (_, true) => " - ",
-            (_, false) => " + ",
-        });
-        out.push_str(&term(written));
-    }
-    out
+pub(super) fn write(names: &Typeset, sum: &Sum) -> String {
+    Writer { names }.sum(sum)
 }
 
-/// A term without its sign.
-fn term(term: &Term) -> String {
-    let (below, above): (Vec<&Factor>, Vec<&Factor>) =
-        term.written_factors().into_iter().partition(|factor| factor.exponent.is_negative());
-    let (numerator, denominator) = fraction(&term.coefficient);
-    let top = product(&numerator, &above);
-    if below.is_empty() && denominator.is_none() {
-        return top;
-    }
-    format!("\\frac{{{top}}}{{{}}}", product(&denominator.unwrap_or("1".into()), &below))
+struct Writer<'a> {
+    names: &'a Typeset,
 }
 
-/// A number and powers side by side; a sum alone needs no brackets over or under a bar.
-fn product(number: &str, factors: &[&Factor]) -> String {
-    let mut out = if number == "1" && !factors.is_empty() { String::new() } else { decimal(number) };
-    for factor in factors {
-        let alone = out.is_empty() && factors.len() == 1 && factor.exponent.abs().is_one();
-        let next = match &factor.base {
-            base if alone => bare(base),
-            base => power(base, &factor.exponent.abs()),
-        };
-        if !out.is_empty() {
-            out.push_str(if next.starts_with(|c: char| c.is_ascii_digit()) { " \\cdot " } else { " " });
+impl Writer<'_> {
+    fn sum(&self, sum: &Sum) -> String {
+        let mut out = String::new();
+        for (position, written) in sum.terms.iter().enumerate() {
+            out.push_str(match (position, written.coefficient.is_negative()) {
+                (0, true) => "-",
+                (0, false) => "",
+                (_, true) => " - ",
+                (_, false) => " + ",
+            });
+            out.push_str(&self.term(written));
         }
-        out.push_str(&next);
+        out
     }
-    out
+
+    /// A term without its sign.
+    fn term(&self, term: &Term) -> String {
+        let (below, above): (Vec<&Factor>, Vec<&Factor>) =
+            term.written_factors().into_iter().partition(|factor| factor.exponent.is_negative());
+        let (numerator, denominator) = fraction(&term.coefficient);
+        let top = self.product(&numerator, &above);
+        if below.is_empty() && denominator.is_none() {
+            return top;
+        }
+        format!("\\frac{{{top}}}{{{}}}", self.product(&denominator.unwrap_or("1".into()), &below))
+    }
+
+    /// A number and powers side by side; a sum alone needs no brackets over or under a bar.
+    fn product(&self, number: &str, factors: &[&Factor]) -> String {
+        let mut out = if number == "1" && !factors.is_empty() { String::new() } else { decimal(number) };
+        let mut after_word = false;
+        for factor in factors {
+            let alone = out.is_empty() && factors.len() == 1 && factor.exponent.abs().is_one();
+            let next = match &factor.base {
+                base if alone => self.bare(base),
+                base => self.power(base, &factor.exponent.abs()),
+            };
+            let is_word = begins_with_word(&next);
+            if !out.is_empty() {
+                out.push_str(match next.starts_with(|c: char| c.is_ascii_digit()) {
+                    true => " \\cdot ",
+                    false if is_word || after_word => " \\, ",
+                    false => " ",
+                });
+            }
+            out.push_str(&next);
+            after_word = is_word;
+        }
+        out
+    }
+
+    fn power(&self, base: &Base, exponent: &Number) -> String {
+        if exponent.is_one() {
+            let open = matches!(base, Base::Group(_) | Base::Function(Function::Piecewise, _));
+            return if open { brackets(&self.bare(base)) } else { self.bare(base) };
+        }
+        match exponent.to_small() {
+            Some((1, 2)) => format!("\\sqrt{{{}}}", self.bare(base)),
+            Some((1, degree)) if is_fraction(exponent) => format!("\\sqrt[{degree}]{{{}}}", self.bare(base)),
+            _ => self.raised(base, &exponent.to_string()),
+        }
+    }
+
+    fn raised(&self, base: &Base, exponent: &str) -> String {
+        match base {
+            Base::Function(function, args) => match function_name(*function) {
+                Some(name) => format!("{name}^{{{exponent}}}{}", self.arguments(args)),
+                None => format!("{}^{{{exponent}}}", self.closed(base)),
+            },
+            _ => format!("{}^{{{exponent}}}", self.closed(base)),
+        }
+    }
+
+    /// A base that may carry an exponent.
+    fn closed(&self, base: &Base) -> String {
+        let brackets_needed = match base {
+            Base::Group(_) | Base::Application { .. } => true,
+            Base::Function(function, _) => !matches!(function, Function::Abs),
+            Base::Number(number) => is_fraction(number),
+            Base::TimeFunction { name, order, .. } => self.names.name(name, *order).has_superscript,
+            Base::Symbol { name, .. } => self.names.name(name, 0).has_superscript,
+            Base::Pi | Base::Time => false,
+        };
+        if brackets_needed { brackets(&self.bare(base)) } else { self.bare(base) }
+    }
+
+    fn arguments(&self, args: &[Sum]) -> String {
+        let args: Vec<String> = args.iter().map(|arg| self.sum(arg)).collect();
+        brackets(&args.join(", "))
+    }
+
+    /// A base without brackets around it.
+    fn bare(&self, base: &Base) -> String {
+        match base {
+            Base::Number(number) if is_fraction(number) => {
+                format!("\\frac{{{}}}{{{}}}", number.numerator(), number.denominator())
+            }
+            Base::Number(number) => decimal(&number.to_string()),
+            Base::Pi => "\\pi".into(),
+            Base::Time => "t".into(),
+            Base::Symbol { name, assumption, explicit: true } => {
+                let word = assumption_word(*assumption);
+                format!("{{{}}}_{{\\mathrm{{{word}}}}}", self.names.name(name, 0).text)
+            }
+            Base::Symbol { name, .. } => self.names.name(name, 0).text,
+            Base::TimeFunction { name, order, explicit } => {
+                let argument = if *explicit { "\\left(t\\right)" } else { "" };
+                self.names.name(name, *order).text + argument
+            }
+            Base::Application { name, args, orders } => {
+                let indices = indices(orders);
+                let derivative = if indices.is_empty() { String::new() } else { format!("D_{{{indices}}} ") };
+                derivative + &self.names.name(name, 0).text + &self.arguments(args)
+            }
+            Base::Function(function, args) => self.function(*function, args),
+            Base::Group(sum) => self.sum(sum),
+        }
+    }
+
+    fn function(&self, function: Function, args: &[Sum]) -> String {
+        match function {
+            Function::Abs => format!("\\left|{}\\right|", self.sum(&args[0])),
+            Function::Exp => format!("e^{{{}}}", self.sum(&args[0])),
+            Function::Power => {
+                let plain = |number: &&Number| {
+                    !number.is_negative() && !is_fraction(number) && !number.to_string().contains('e')
+                };
+                let base = match (args[0].as_base(), args[0].as_number().filter(plain)) {
+                    (Some(base), _) => self.closed(base),
+                    (None, Some(number)) => number.to_string(),
+                    (None, None) => brackets(&self.sum(&args[0])),
+                };
+                format!("{base}^{{{}}}", self.sum(&args[1]))
+            }
+            Function::Piecewise => self.piecewise(args),
+            _ => {
+                function_name(function).expect("a function without a name has a notation above")
+                    + &self.arguments(args)
+            }
+        }
+    }
+
+    fn piecewise(&self, args: &[Sum]) -> String {
+        let branches: Vec<String> = args
+            .chunks(2)
+            .map(|pair| match pair {
+                [value, condition] => {
+                    format!("{} & \\text{{if }} {} > 0", self.sum(value), self.sum(condition))
+                }
+                _ => format!("{} & \\text{{otherwise}}", self.sum(&pair[0])),
+            })
+            .collect();
+        format!("\\begin{{cases}} {} \\end{{cases}}", branches.join(" \\\\ "))
+    }
 }
 
 /// 1.5e-7 is 1.5 times a power of ten.
@@ -61,123 +182,24 @@ fn decimal(number: &str) -> String {
     }
 }
 
-fn power(base: &Base, exponent: &Number) -> String {
-    if exponent.is_one() {
-        let open = matches!(base, Base::Group(_) | Base::Function(Function::Piecewise, _));
-        return if open { brackets(&bare(base)) } else { bare(base) };
-    }
-    match exponent.to_small() {
-        Some((1, 2)) => format!("\\sqrt{{{}}}", bare(base)),
-        Some((1, degree)) if is_fraction(exponent) => format!("\\sqrt[{degree}]{{{}}}", bare(base)),
-        _ => raised(base, &exponent.to_string()),
-    }
-}
-
-fn raised(base: &Base, exponent: &str) -> String {
-    match base {
-        Base::Function(function, args) => match latex_name(*function) {
-            Some(name) => format!("{name}^{{{exponent}}}{}", arguments(args)),
-            None => format!("{}^{{{exponent}}}", closed(base)),
-        },
-        _ => format!("{}^{{{exponent}}}", closed(base)),
-    }
-}
-
-/// A base that may carry an exponent.
-fn closed(base: &Base) -> String {
-    let brackets_needed = match base {
-        Base::Group(_) | Base::Application { .. } => true,
-        Base::Function(function, _) => !matches!(function, Function::Abs),
-        Base::Number(number) => is_fraction(number),
-        Base::TimeFunction { order, .. } => *order > DOTS,
-        Base::Pi | Base::Time | Base::Symbol { .. } => false,
-    };
-    if brackets_needed { brackets(&bare(base)) } else { bare(base) }
-}
-
 fn brackets(text: &str) -> String {
     format!("\\left({text}\\right)")
 }
 
-fn arguments(args: &[Sum]) -> String {
-    let args: Vec<String> = args.iter().map(write).collect();
-    brackets(&args.join(", "))
-}
-
-/// A base without brackets around it.
-fn bare(base: &Base) -> String {
-    match base {
-        Base::Number(number) if is_fraction(number) => {
-            format!("\\frac{{{}}}{{{}}}", number.numerator(), number.denominator())
-        }
-        Base::Number(number) => decimal(&number.to_string()),
-        Base::Pi => "\\pi".into(),
-        Base::Time => "t".into(),
-        Base::Symbol { name, assumption, explicit: true } => {
-            format!("{{{}}}_{{\\mathrm{{{}}}}}", name::to_latex(name, ""), assumption_word(*assumption))
-        }
-        Base::Symbol { name, .. } => name::to_latex(name, ""),
-        Base::TimeFunction { name, order, explicit } => {
-            let argument = if *explicit { "\\left(t\\right)" } else { "" };
-            time_function(name, *order) + argument
-        }
-        Base::Application { name, args, orders } => {
-            let indices = indices(orders);
-            let derivative = if indices.is_empty() { String::new() } else { format!("D_{{{indices}}} ") };
-            derivative + &name::to_latex(name, "") + &arguments(args)
-        }
-        Base::Function(function, args) => function_of(*function, args),
-        Base::Group(sum) => write(sum),
+/// Whether a factor is a name of several letters, which would run into its neighbours.
+fn begins_with_word(text: &str) -> bool {
+    let mut letter = text;
+    while let Some(inner) = ACCENTS.iter().find_map(|accent| letter.strip_prefix(accent)) {
+        letter = inner;
     }
+    letter.starts_with("\\mathrm{") || letter.starts_with("\\mathtt{")
 }
 
-/// Beyond this order a derivative is written x^{(4)}.
-const DOTS: u32 = 3;
-
-fn time_function(name: &str, order: u32) -> String {
-    let accent = match order {
-        1 => "\\dot",
-        2 => "\\ddot",
-        3 => "\\dddot",
-        _ => "",
-    };
-    let letter = name::to_latex(name, accent);
-    if order > DOTS { format!("{letter}^{{({order})}}") } else { letter }
-}
-
-fn function_of(function: Function, args: &[Sum]) -> String {
-    match function {
-        Function::Abs => format!("\\left|{}\\right|", write(&args[0])),
-        Function::Exp => format!("e^{{{}}}", write(&args[0])),
-        Function::Power => {
-            let plain = |number: &&Number| {
-                !number.is_negative() && !is_fraction(number) && !number.to_string().contains('e')
-            };
-            let base = match (args[0].as_base(), args[0].as_number().filter(plain)) {
-                (Some(base), _) => closed(base),
-                (None, Some(number)) => number.to_string(),
-                (None, None) => brackets(&write(&args[0])),
-            };
-            format!("{base}^{{{}}}", write(&args[1]))
-        }
-        Function::Piecewise => piecewise(args),
-        _ => latex_name(function).expect("a function without a name has a notation above") + &arguments(args),
-    }
-}
-
-fn piecewise(args: &[Sum]) -> String {
-    let branches: Vec<String> = args
-        .chunks(2)
-        .map(|pair| match pair {
-            [value, condition] => format!("{} & \\text{{if }} {} > 0", write(value), write(condition)),
-            _ => format!("{} & \\text{{otherwise}}", write(&pair[0])),
-        })
-        .collect();
-    format!("\\begin{{cases}} {} \\end{{cases}}", branches.join(" \\\\ "))
-}
+/// What may stand before the letters of a name.
+const ACCENTS: [&str; 6] = ["{", "\\dot{", "\\ddot{", "\\dddot{", "\\hat{", "\\tilde{"];
 
 /// The name of a function that is written with a name; its powers are written over the name.
-fn latex_name(function: Function) -> Option<String> {
+pub(super) fn function_name(function: Function) -> Option<String> {
     match function {
         Function::Abs | Function::Exp | Function::Power | Function::Piecewise => None,
         Function::Asin => Some("\\arcsin".into()),

@@ -10,6 +10,7 @@
 
 mod assemble;
 mod latex;
+mod latex_name;
 mod linear;
 mod maple;
 mod name;
@@ -23,6 +24,7 @@ mod tree;
 use crate::error::quoted;
 use crate::graph::{Graph, Id};
 
+use latex_name::Typeset;
 pub(crate) use name::compare as compare_names;
 use plan::Plan;
 use reader::Reader;
@@ -48,23 +50,40 @@ pub struct Listing {
     pub results: Vec<String>,
 }
 
-impl Format {
-    fn sum(self, sum: &Sum) -> String {
+/// The writer of a format.
+enum Notation {
+    Text,
+    Latex(Typeset),
+    Maple,
+}
+
+impl Notation {
+    fn new(graph: &Graph, ids: &[Id], plan: &Plan, format: Format) -> Self {
+        match format {
+            Format::Text => Self::Text,
+            Format::Latex => Self::Latex(Typeset::new(graph, ids, plan)),
+            Format::Maple => Self::Maple,
+        }
+    }
+
+    fn sum(&self, sum: &Sum) -> String {
         match self {
             Self::Text => linear::write(&text::Text, sum),
-            Self::Latex => latex::write(sum),
+            Self::Latex(names) => latex::write(names, sum),
             Self::Maple => linear::write(&maple::Maple, sum),
         }
     }
 
-    fn name(self, name: &str) -> String {
+    fn name(&self, name: &str) -> String {
         match self {
             Self::Text => name.to_owned(),
-            Self::Latex => name::to_latex(name, ""),
+            Self::Latex(names) => names.name(name, 0).text,
             Self::Maple => name::to_maple(name),
         }
     }
+}
 
+impl Format {
     /// The definitions, one per line, and then the result.
     fn join(self, listing: &Listing) -> String {
         let result = listing.results.join("\n");
@@ -123,13 +142,14 @@ impl Graph {
     pub fn listing(&self, ids: &[Id], format: Format) -> Listing {
         let plan = Plan::new(self, ids);
         let reader = Reader::new(self, &plan);
+        let notation = Notation::new(self, ids, &plan, format);
         Listing {
             definitions: plan
                 .pieces()
                 .iter()
-                .map(|piece| (format.name(&piece.name), format.sum(&reader.piece(piece))))
+                .map(|piece| (notation.name(&piece.name), notation.sum(&reader.piece(piece))))
                 .collect(),
-            results: ids.iter().map(|&id| format.sum(&reader.expression(id))).collect(),
+            results: ids.iter().map(|&id| notation.sum(&reader.expression(id))).collect(),
         }
     }
 }

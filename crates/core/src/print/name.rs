@@ -1,4 +1,4 @@
-//! Names: in natural order, with Greek letters and subscripts in LaTeX, quoted for Maple where they must be.
+//! Names: in natural order, and quoted for Maple where they must be.
 
 use std::cmp::Ordering;
 
@@ -29,56 +29,6 @@ fn chunk(text: &str) -> &str {
 /// The digits of a number without leading zeros.
 fn number(chunk: &str) -> Option<&str> {
     chunk.starts_with(|c: char| c.is_ascii_digit()).then(|| chunk.trim_start_matches('0'))
-}
-
-const GREEK: [&str; 34] = [
-    "alpha", "beta", "gamma", "delta", "epsilon", "zeta", "eta", "theta", "iota", "kappa", "lambda", "mu",
-    "nu", "xi", "pi", "rho", "sigma", "tau", "upsilon", "phi", "chi", "psi", "omega", "Gamma", "Delta",
-    "Theta", "Lambda", "Xi", "Pi", "Sigma", "Upsilon", "Phi", "Psi", "Omega",
-];
-
-/// The name in LaTeX, with an accent such as `\dot` over its letter: `\dot{\theta}_{1}`.
-pub(super) fn to_latex(name: &str, accent: &str) -> String {
-    let (head, subscript) = split_subscript(name);
-    let letter = symbol(head, true);
-    let letter = if accent.is_empty() { letter } else { format!("{accent}{{{letter}}}") };
-    if subscript.is_empty() { letter } else { format!("{letter}_{{{}}}", subscript.join(",")) }
-}
-
-/// `theta_B1` is theta with the subscript B, 1.
-fn split_subscript(name: &str) -> (&str, Vec<String>) {
-    let end = name.char_indices().skip(1).find(|&(_, c)| c == '_' || c.is_ascii_digit());
-    let end = end.map_or(name.len(), |(position, _)| position);
-    let (head, rest) = name.split_at(end);
-    // Show underscores that distinguish names: x_1 is not x1, and x_ is not x.
-    let shown = |(position, part): (usize, &str)| match part.chars().next() {
-        None => Some("\\_".to_owned()).filter(|_| position > 0),
-        Some(c) if position == 1 && c.is_ascii_digit() && rest.starts_with('_') => {
-            Some(format!("\\_{}", symbol(part, false)))
-        }
-        Some(_) => Some(symbol(part, false)),
-    };
-    let parts = rest.split('_').enumerate().filter_map(shown);
-    (head, parts.collect())
-}
-
-fn symbol(part: &str, italic: bool) -> String {
-    if GREEK.contains(&part) {
-        return format!("\\{part}");
-    }
-    let mut escaped = String::new();
-    for c in part.chars() {
-        if "#$%&{}_".contains(c) {
-            escaped.push('\\');
-        }
-        escaped.push(c);
-    }
-    let several = part.chars().count() > 1 && part.chars().any(char::is_alphabetic);
-    match (several, italic) {
-        (true, true) => format!("\\mathit{{{escaped}}}"),
-        (true, false) => format!("\\mathrm{{{escaped}}}"),
-        _ => escaped,
-    }
 }
 
 /// Words of Maple's language: in backquotes they are names like any other.
@@ -245,16 +195,6 @@ mod tests {
         let mut names = ["l10", "m", "l2", "I1", "l", "L2", "l02"];
         names.sort_by(|a, b| compare(a, b));
         assert_eq!(names, ["I1", "l", "L2", "l2", "l02", "l10", "m"]);
-    }
-
-    #[test]
-    fn latex_has_greek_letters_and_subscripts() {
-        assert_eq!(to_latex("theta1", "\\dot"), "\\dot{\\theta}_{1}");
-        assert_eq!(to_latex("omega_NB", ""), "\\omega_{\\mathrm{NB}}");
-        assert_eq!(to_latex("lc12", ""), "\\mathit{lc}_{12}");
-        assert_eq!(to_latex("_gravity", ""), "\\mathit{\\_gravity}");
-        let shown = ["x", "x1", "x_1", "x_", "x__1"].map(|name| to_latex(name, ""));
-        assert_eq!(shown, ["x", "x_{1}", "x_{\\_1}", "x_{\\_}", "x_{\\_,1}"]);
     }
 
     #[test]

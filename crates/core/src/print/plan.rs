@@ -135,9 +135,9 @@ impl Plan {
         self.others.contains(name)
     }
 
-    /// Whether several symbols with different assumptions have the name.
-    pub(super) fn is_shared(&self, name: &str) -> bool {
-        self.shared.contains(name)
+    /// Whether a symbol is written with its assumption: another symbol has the same name.
+    pub(super) fn is_explicit(&self, name: &str, assumption: Assumption) -> bool {
+        assumption != Assumption::Real && self.shared.contains(name)
     }
 }
 

@@ -1,6 +1,6 @@
 //! From the graph to the reader's form.
 
-use crate::graph::{Assumption, Factors, Function, Graph, Id, Ids, Terms, View};
+use crate::graph::{Factors, Function, Graph, Id, Ids, Terms, View};
 use crate::interrupt::tick;
 use crate::value::Number;
 
@@ -63,7 +63,7 @@ impl<'a> Reader<'a> {
             View::Symbol(name, assumption) => Sum::atom(Base::Symbol {
                 name: name.to_owned(),
                 assumption,
-                explicit: assumption != Assumption::Real && self.plan.is_shared(name),
+                explicit: self.plan.is_explicit(name, assumption),
             }),
             View::TimeFunction(name, order) => Sum::atom(Base::TimeFunction {
                 name: name.to_owned(),

@@ -2,15 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from dataclasses import dataclass
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, replace
 from functools import cached_property
+from typing import Any
 
 from symbody.errors import ModelError
 from symbody.geometry import Scalar
 from symbody.geometry.given.argument import checked
 from symbody.multibody import System
 from symbody.symbolic import Expr, Matrix, Program, free_symbols, listing
+from symbody.symbolic.expression.container import Container, contains, substituted
+from symbody.symbolic.expression.latex_layout import aligned, broken
 from symbody.symbolic.given.arguments import counted
 from symbody.symbolic.numeric.program import program_of
 
@@ -179,11 +182,18 @@ class Equations:
         )
 
     def latex(self) -> str:
-        """Return the equations and constraints in LaTeX, one per row, after their common subexpressions."""
-        definitions, zeros, rates = self._listing("latex")
-        rows = [f"{name} &= {value}" for name, value in definitions] + [f"{zero} &= 0" for zero in zeros]
-        rows += [f"{rate.latex()} &= {value}" for rate, value in rates]
-        return r"\begin{aligned} " + r" \\ ".join(rows) + r" \end{aligned}"
+        """Return the equations and constraints in LaTeX, after their common subexpressions.
+
+        Long ones are broken at terms, so that they fit a page.
+        """
+        known, zeros = self.system.known_rates, (*self.residuals, *self.constraints)
+        definitions, texts = listing((*zeros, *known, *known.values()), "latex")
+        n, m = len(zeros), len(known)
+        rows = [row for name, value in definitions for row in broken(f"{name} &= ", value)]
+        rows += [row for zero in texts[:n] for row in broken("&", f"{zero} = 0")]
+        rates = zip(texts[n : n + m], texts[n + m :], strict=True)
+        rows += [row for rate, value in rates for row in broken(f"{rate} &= ", value)]
+        return aligned(rows)
 
     def _listing(self, notation: str) -> tuple[list[tuple[str, str]], list[str], list[tuple[Expr, str]]]:
         """Return common subexpressions, the expressions that are zero, and the rates of coordinates by speeds."""
@@ -200,3 +210,42 @@ class Equations:
 
 _READABLE = 60
 """Lines up to which a notebook shows equations."""
+
+
+@dataclass(frozen=True)
+class _Given:
+    """An assembly that is known already."""
+
+    assembly: Assembly
+
+    def __call__(self, system: System) -> Assembly:
+        del system
+        return self.assembly
+
+
+def _parts(equations: Equations) -> tuple[object, ...]:
+    return equations.residuals, equations.constraints, equations.mass_matrix, equations.bias
+
+
+def _rebuilt(equations: Equations, parts: Sequence[Any]) -> Equations:
+    """Return the equations in another form; they belong to the same system."""
+    residuals, constraints, mass_matrix, bias = parts
+    made = Equations(equations.system, residuals, _Given(Assembly(mass_matrix, bias)))
+    vars(made)["constraints"] = constraints  # the value that the cached property would find
+    return made
+
+
+def _substituted(equations: Equations, mapping: Mapping[Any, Any]) -> Equations:
+    system, parts = substituted(equations.system, mapping), substituted(_parts(equations), mapping)
+    return _rebuilt(replace(equations, system=system), parts)
+
+
+contains(
+    Equations,
+    Container(
+        _parts,
+        _rebuilt,
+        advice="its residuals have one: diff(equations.residuals, x)",
+        subs=_substituted,
+    ),
+)

@@ -24,7 +24,8 @@ from symbody.geometry.motion.frame_motion import FrameMotion, Rows, Substitution
 from symbody.geometry.motion.placement import Placement, is_rotation
 from symbody.geometry.motion.principal_rotation import Rotation
 from symbody.geometry.motion.translation import Translation
-from symbody.symbolic import Expr, Matrix, add3, derivation, dot3, number
+from symbody.symbolic import Expr, Matrix, add3, derivation, dot3, latex, number
+from symbody.symbolic.expression.container import Container, contains
 from symbody.symbolic.given.arguments import brief
 
 Rows4: TypeAlias = Annotated[
@@ -192,6 +193,13 @@ class Frame:
             frame = frame.then(motion.subs(substitution))
         return frame.named(self.name)
 
+    def rewritten(self, variables: Sequence[Sequence[Expr]]) -> Frame:
+        """Return the frame with the variables of each motion in other forms."""
+        frame = self.ancestor
+        for motion, values in zip(self.motions, variables, strict=True):
+            frame = frame.then(motion.rewritten(values))
+        return frame.named(self.name)
+
     # --- values ---
 
     @property
@@ -232,7 +240,7 @@ class Frame:
         return " * ".join([*known, *map(str, reversed(motions))])
 
     def _repr_latex_(self) -> str:
-        return f"${self.matrix.latex()}$"
+        return f"${latex(self)}$"
 
 
 _SHOWN = 12
@@ -244,6 +252,18 @@ UNMOVED = Pose(
 )
 
 ground = Frame.root("ground")
+
+contains(
+    Frame,
+    Container(
+        parts=lambda frame: [tuple(motion.variables) for motion in frame.motions],
+        rebuilt=lambda frame, variables: frame.rewritten(variables),
+        layout=lambda _, texts: texts[0],
+        shown=lambda frame: [frame.matrix],
+        advice="the matrix of a frame has one: diff(frame.matrix, x)",
+        subs=lambda frame, mapping: frame.subs(mapping),
+    ),
+)
 
 
 def frames_without_state(frame: Frame, memo: Mapping[bytes, object]) -> list[Frame]:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from functools import cached_property
 from typing import final
 
@@ -60,6 +61,10 @@ class AxisRotation(FrameMotion):
         x, y, z = self.axis
         axis = x.subs(substitution), y.subs(substitution), z.subs(substitution)
         return rotation_about(axis, substituted(self.angle, substitution))
+
+    def rewritten(self, variables: Sequence[Expr]) -> FrameMotion:
+        x, y, z, angle = variables
+        return AxisRotation((x, y, z), angle)
 
     def __repr__(self) -> str:
         return f"rotate(({', '.join(map(str, self.axis))}), {self.angle})"

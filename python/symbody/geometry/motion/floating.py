@@ -116,6 +116,11 @@ class Floating(FrameMotion):
             return "floating_frame()"
         return f"moving_frame({', '.join(map(str, (*self.twist.linear, *self.twist.angular)))})"
 
+    def rewritten(self, variables: Sequence[Expr]) -> FrameMotion:
+        x, y, z, u, v, w = variables[-6:]
+        pose, twist = self._pose.rewritten(variables[:-6]), Twist((x, y, z), (u, v, w))
+        return Floating(pose, twist, self.coordinate_rates, self.speeds, self.quaternion)
+
     def subs(self, substitution: Substitution) -> FrameMotion:
         (x, y, z), (u, v, w) = self.twist
         x, y, z, u, v, w = substitute((x, y, z, u, v, w), substitution)

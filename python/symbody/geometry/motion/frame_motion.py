@@ -7,7 +7,7 @@ methods, from which everything else follows. A motion that knows a shorter way t
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from functools import cached_property
 from hashlib import blake2b
 from types import MappingProxyType
@@ -85,6 +85,11 @@ class FrameMotion(ABC):
     @abstractmethod
     def __repr__(self) -> str:
         """Return what makes the motion, as a user writes it."""
+
+    def rewritten(self, variables: Sequence[Expr]) -> FrameMotion:
+        """Return the motion with its `variables` in other forms; by default it keeps its form."""
+        del variables
+        return self
 
     def merged(self, following: FrameMotion) -> FrameMotion | None:
         """Return the one motion that this and the following one make, or None."""

@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import final
 
 from symbody.geometry.component.triple import NULL, Rate, Triple, rates
-from symbody.symbolic import Expr, Matrix, cross3, dot3, matvec3, sub3
+from symbody.symbolic import Expr, cross3, dot3, matvec3, sub3, substitute
 
 from .frame_motion import FrameMotion, Rows, Substitution
 
@@ -57,13 +58,11 @@ class Placement(FrameMotion):
         return f"Frame({[*rows, [0, 0, 0, 1]]})"
 
     def subs(self, substitution: Substitution) -> Placement:
-        values = Matrix([self.variables]).subs(substitution).entries
-        rows = (
-            (values[0], values[1], values[2]),
-            (values[3], values[4], values[5]),
-            (values[6], values[7], values[8]),
-        )
-        return Placement(rows, (values[9], values[10], values[11]))
+        return self.rewritten(substitute(self.variables, substitution))
+
+    def rewritten(self, variables: Sequence[Expr]) -> Placement:
+        a, b, c, d, e, f, g, h, i, x, y, z = variables
+        return Placement(((a, b, c), (d, e, f), (g, h, i)), (x, y, z))
 
 
 def transposed(rows: Rows) -> Rows:

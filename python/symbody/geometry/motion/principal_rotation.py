@@ -7,6 +7,7 @@ Matrices change in a plane only.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import final
 
 from symbody.geometry.component.triple import NULL, Rate, Triple, is_null, rates
@@ -47,6 +48,9 @@ class Rotation(FrameMotion):
 
     def subs(self, substitution: Substitution) -> FrameMotion:
         return Rotation(self.axis, substituted(self.angle, substitution))
+
+    def rewritten(self, variables: Sequence[Expr]) -> FrameMotion:
+        return Rotation(self.axis, variables[1])
 
     def __repr__(self) -> str:
         return f'rotate("{AXES[self.axis]}", {self.angle})'

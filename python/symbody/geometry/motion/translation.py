@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import final
 
 from symbody.geometry.component.triple import NULL, Rate, Triple, is_null
@@ -41,6 +42,10 @@ class Translation(FrameMotion):
     def subs(self, substitution: Substitution) -> FrameMotion:
         x, y, z = self.displacement
         return Translation((x.subs(substitution), y.subs(substitution), z.subs(substitution)))
+
+    def rewritten(self, variables: Sequence[Expr]) -> FrameMotion:
+        x, y, z = variables
+        return Translation((x, y, z))
 
     def __repr__(self) -> str:
         return f"translate({', '.join(map(str, self.displacement))})"

@@ -10,9 +10,11 @@ from symbody.geometry.frame.coordinates import Ends, point_coordinates
 from symbody.geometry.frame.frame import Frame
 from symbody.geometry.given.argument import checked
 from symbody.geometry.motion.frame_motion import Substitution
-from symbody.symbolic import add3
+from symbody.symbolic import add3, latex
+from symbody.symbolic.expression.container import Container, contains
+from symbody.symbolic.expression.latex_layout import bmatrix
 
-from .vector import Vector, column
+from .vector import Vector
 
 
 @final
@@ -77,7 +79,20 @@ class Point:
         return self.name or f"Point({self.frame}, {', '.join(map(str, self.coordinates))})"
 
     def _repr_latex_(self) -> str:
-        return column(self.coordinates)
+        return f"${latex(self)}$"
+
+
+contains(
+    Point,
+    Container(
+        parts=lambda point: (point.frame, *point.coordinates),
+        rebuilt=lambda point, parts: Point(*parts, name=point.name),
+        layout=lambda _, texts: bmatrix(texts, 1),
+        shown=lambda point: point.coordinates,
+        differentiated=lambda point: point.coordinates,
+        derivative=lambda point, components: Vector(point.frame, *components),
+    ),
+)
 
 
 @checked(FrameError)

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from typing import Annotated, TypeAlias, final
+from collections.abc import Sequence
+from typing import Annotated, Any, TypeAlias, final
 
 from symbody.errors import FrameError
 from symbody.geometry.component.triple import Scalar, Triple, expression, triple
@@ -10,7 +11,9 @@ from symbody.geometry.frame.coordinates import Ends, difference, vector_componen
 from symbody.geometry.frame.frame import Frame
 from symbody.geometry.given.argument import checked
 from symbody.geometry.motion.frame_motion import Substitution
-from symbody.symbolic import Expr, add3, cross3, dot3, number, scale3, sub3
+from symbody.symbolic import Expr, add3, cross3, dot3, latex, number, scale3, sub3
+from symbody.symbolic.expression.container import Container, contains
+from symbody.symbolic.expression.latex_layout import bmatrix
 
 Factor: TypeAlias = Annotated[Scalar, "an expression or a number; two vectors multiply by dot and cross"]
 
@@ -68,6 +71,16 @@ class Vector:
         vector._ends = None if self._ends is None else self._ends.subs(substitution)
         return vector
 
+    def parts(self) -> tuple[Any, ...]:
+        """Return the frame, the components, and the points between which the vector goes."""
+        return self.frame, *self.components, *(self._ends or ())
+
+    def rebuilt(self, parts: Sequence[Any]) -> Vector:
+        """Return the same vector with other `parts`."""
+        vector = Vector(*parts[:4], name=self.name)
+        vector._ends = None if self._ends is None else Ends(*parts[4:])
+        return vector
+
     def __add__(self, other: Vector) -> Vector:
         if not isinstance(other, Vector):
             return NotImplemented
@@ -95,13 +108,20 @@ class Vector:
         return self.name or f"Vector({self.frame}, {', '.join(map(str, self.components))})"
 
     def _repr_latex_(self) -> str:
-        return column(self.components)
+        return f"${latex(self)}$"
 
 
-def column(components: Triple) -> str:
-    """Return three components as a column, in LaTeX."""
-    entries = r" \\ ".join(component.latex() for component in components)
-    return rf"$\begin{{bmatrix}} {entries} \end{{bmatrix}}$"
+contains(
+    Vector,
+    Container(
+        parts=Vector.parts,
+        rebuilt=Vector.rebuilt,
+        layout=lambda _, texts: bmatrix(texts, 1),
+        shown=lambda vector: vector.components,
+        differentiated=lambda vector: vector.components,
+        derivative=lambda vector, components: Vector(vector.frame, *components),
+    ),
+)
 
 
 @checked(FrameError)

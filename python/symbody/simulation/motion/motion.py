@@ -20,6 +20,7 @@ from symbody.simulation.integrate.outcome import Statistics
 from symbody.simulation.model.model import Model
 from symbody.simulation.model.unknown import explain_unknown
 from symbody.symbolic import Expr, ExprLike, free_symbols
+from symbody.symbolic.expression.html_table import html_table
 from symbody.symbolic.given.arguments import counted, described
 
 from .drawing import drawing_function
@@ -87,6 +88,14 @@ class Motion:
         names = ", ".join(map(str, self.model.coordinates))
         instants = f"{counted(len(self.t), 'instant')} from {self.t[0]:g} to {self.t[-1]:g} s"
         return f"Motion of {names}: {instants}, {self.message}"
+
+    def _repr_html_(self) -> str:
+        columns = self.states.T
+        rows = [
+            [name, *(f"{value:.6g}" for value in (column[0], column.min(), column.max(), column[-1]))]
+            for name, column in zip(self.model.state, columns, strict=True)
+        ]
+        return html_table(str(self), ["state", "first", "least", "largest", "last"], rows)
 
     def __len__(self) -> int:
         """Return how many instants there are."""

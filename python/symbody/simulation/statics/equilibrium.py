@@ -18,6 +18,7 @@ from symbody.simulation.given.values import given_inputs, parameter_values, stat
 from symbody.simulation.model.named_constraint import shortened
 from symbody.simulation.statics.force_balance import Balance
 from symbody.symbolic import Expr, ExprLike
+from symbody.symbolic.expression.html_table import html_table
 from symbody.symbolic.numeric.deficiency import reporting
 
 from .rest_position import RestPosition
@@ -65,6 +66,18 @@ class Equilibrium:
     residual: float
     eigenvalues: NDArray[np.complex128]
     held_eigenvalues: NDArray[np.complex128]
+
+    def _repr_html_(self) -> str:
+        kinds = {
+            "coordinate": self.coordinates,
+            "multiplier": self.multipliers,
+            "holding force": self.holding,
+        }
+        rows = [
+            [kind, name, f"{value:.6g}"] for kind, values in kinds.items() for name, value in values.items()
+        ]
+        rows += [["eigenvalue", "s", f"{value:.6g}"] for value in self.eigenvalues]
+        return html_table("Equilibrium", ["kind", "name", "value"], rows)
 
     @property
     def is_stable(self) -> bool:

@@ -8,6 +8,7 @@ from typing import TypeAlias
 
 from symbody.errors import ArgumentError
 from symbody.symbolic import _core
+from symbody.symbolic.expression.html_table import html_table
 from symbody.symbolic.expression.leaves import ExprLike
 
 __all__ = ["Cost", "cost"]
@@ -44,6 +45,16 @@ class Cost:
     def total(self) -> int:
         """All operations."""
         return self.additions + self.multiplications + self.divisions + self.functions
+
+    def _repr_html_(self) -> str:
+        kinds = ("additions", "multiplications", "divisions", "functions", "total")
+        rows = [
+            [stage, *(getattr(cost, kind) for kind in kinds)]
+            for stage, cost in self.stages.items()
+            if cost.total
+        ]
+        rows.append(["all", *(getattr(self, kind) for kind in kinds)])
+        return html_table("Operations", ["stage", *kinds], rows)
 
     def __str__(self) -> str:
         counts = {"addition": self.additions, "multiplication": self.multiplications}

@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any, overload
 
-import numpy as np
 from numpy.typing import NDArray
 
 from symbody.symbolic import _core
 from symbody.symbolic._core import Expr
+from symbody.symbolic.expression.container import Kind, derived, is_container, substituted
 from symbody.symbolic.expression.leaves import ExprLike
 from symbody.symbolic.expression.matrix import Matrix
 from symbody.symbolic.given.arguments import size
@@ -27,13 +27,18 @@ __all__ = [
 ]
 
 
-def diff(expression: ExprLike, variable: Expr, n: int = 1) -> Expr:
+@overload
+def diff(expression: ExprLike, variable: Expr, n: int = 1) -> Expr: ...
+@overload
+def diff(expression: Kind, variable: Expr, n: int = 1) -> Kind: ...
+def diff(expression: Any, variable: Expr, n: int = 1) -> Any:
     """Return the n-th derivative: the partial one, and with respect to ``t`` the total one.
 
     x, x', x'' are variables of their own, linked by d/dt. `partial_derivative` holds them fixed for ``t``, too.
+    Vectors and points are differentiated as seen from their own frames, and the derivative of a point is a vector.
 
     Args:
-        expression: the expression.
+        expression: the expression, or a list, dictionary, array, matrix, vector or point of expressions.
         variable: a symbol, a function of time or one of its derivatives, or ``t``.
         n: the order of the derivative.
 
@@ -45,7 +50,9 @@ def diff(expression: ExprLike, variable: Expr, n: int = 1) -> Expr:
     >>> diff(sin(x) ** 2, x)
     2*sin(x)*cos(x)
     """
-    return _core.number(expression, "diff, expression").diff(variable, n)
+    if not is_container(expression):
+        return _core.number(expression, "diff, expression").diff(variable, n)
+    return _entry_by_entry(expression, lambda entries: _core.diff_all(entries, variable), n, "diff")
 
 
 def free_symbols(expressions: Sequence[ExprLike]) -> frozenset[Expr]:
@@ -123,23 +130,20 @@ def _entry_by_entry(
     expression: Any, derive: Callable[[Sequence[ExprLike]], tuple[Expr, ...]], n: int, place: str
 ) -> Any:
     """Return the n-th derivatives of an expression, or of the entries of a list, an array or a matrix."""
-    if isinstance(expression, list | tuple):
-        return type(expression)([_entry_by_entry(each, derive, n, place) for each in expression])
     times = size(n, f"{place}: n", "derivatives")
+    if not is_container(expression):
+        return _repeated(derive, times, (_core.number(expression, f"{place}, expression"),))[0]
+    for _ in range(times):
+        expression = derived(expression, derive, place)
+    return expression
 
-    def derived(entries: Sequence[ExprLike]) -> Sequence[Any]:
-        for _ in range(times):
-            entries = derive(entries)
-        return entries
 
-    if isinstance(expression, np.ndarray) and expression.ndim:
-        made = np.empty(expression.shape, dtype=object)
-        for index, rate in zip(np.ndindex(made.shape), derived(list(expression.flat)), strict=True):
-            made[index] = rate
-        return made
-    if isinstance(expression, Matrix):
-        return Matrix.from_entries(expression.rows, expression.columns, derived(expression.entries))
-    return derived((_core.number(expression, f"{place}, expression"),))[0]
+def _repeated(
+    derive: Callable[[Sequence[ExprLike]], tuple[Expr, ...]], times: int, entries: tuple[Expr, ...]
+) -> tuple[Expr, ...]:
+    for _ in range(times):
+        entries = derive(entries)
+    return entries
 
 
 def time_derivatives(expressions: Sequence[ExprLike]) -> tuple[Expr, ...]:
@@ -188,17 +192,24 @@ def jacobian(expressions: Expr | Sequence[ExprLike], variables: Expr | Sequence[
     return Matrix(rows)
 
 
-def subs(expression: ExprLike, mapping: Mapping[Expr, ExprLike]) -> Expr:
+@overload
+def subs(expression: ExprLike, mapping: Mapping[Expr, ExprLike]) -> Expr: ...
+@overload
+def subs(expression: Kind, mapping: Mapping[Expr, ExprLike]) -> Kind: ...
+def subs(expression: Any, mapping: Mapping[Expr, ExprLike]) -> Any:
     """Return the expression with every key replaced by its value, all at once.
 
     A replacement of x(t) also replaces x', x'', ... by its time derivatives, unless the mapping has
-    entries for them.
+    entries for them. In a list, dictionary, matrix, vector, frame, body, system or in equations, all expressions are
+    replaced.
 
     >>> from symbody import functions_of_time, sin, subs, t, time_derivative
     >>> x = functions_of_time("x")
     >>> subs(time_derivative(x), {x: sin(t)})
     cos(t)
     """
+    if is_container(expression):
+        return substituted(expression, mapping)
     return _core.number(expression, "subs, expression").subs(mapping)
 
 

@@ -1,17 +1,28 @@
-"""Rewrites: another form of the same value."""
+"""Rewrites: another form of the same value, of an expression or of all expressions in a container.
+
+A container is a list, a tuple, the values of a dictionary, an array or a matrix, a vector, a point, a frame, a body, a
+load, a system, or equations of motion.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from functools import partial
+from typing import Any, overload
 
 from symbody.symbolic import _core
 from symbody.symbolic._core import Expr
+from symbody.symbolic.expression.container import Kind, Rewrite, is_container, rewritten
 from symbody.symbolic.expression.leaves import ExprLike
 
 __all__ = ["coeff", "collect", "combine_trig", "expand", "expand_trig", "factor_terms", "simplify"]
 
 
-def expand(expression: ExprLike) -> Expr:
+@overload
+def expand(expression: ExprLike) -> Expr: ...
+@overload
+def expand(expression: Kind) -> Kind: ...
+def expand(expression: Any) -> Any:
     """Multiply out products of sums.
 
     Raises:
@@ -22,10 +33,14 @@ def expand(expression: ExprLike) -> Expr:
     >>> expand((a + b) ** 2)
     a**2 + 2*a*b + b**2
     """
-    return _core.rewrite("expand", expression)
+    return _rewritten("expand", expression)
 
 
-def expand_trig(expression: ExprLike) -> Expr:
+@overload
+def expand_trig(expression: ExprLike) -> Expr: ...
+@overload
+def expand_trig(expression: Kind) -> Kind: ...
+def expand_trig(expression: Any) -> Any:
     """Write sines, cosines and tangents of sums and integer multiples with those of single angles, and multiply out.
 
     The same holds for sinh, cosh and tanh. Tangents are expressed by tangents.
@@ -40,10 +55,14 @@ def expand_trig(expression: ExprLike) -> Expr:
     >>> expand_trig(tan(a + b))
     (tan(a) + tan(b))/(1 - tan(a)*tan(b))
     """
-    return _core.rewrite("expand_trig", expression)
+    return _rewritten("expand_trig", expression)
 
 
-def collect(expression: ExprLike, variables: Expr | Sequence[ExprLike]) -> Expr:
+@overload
+def collect(expression: ExprLike, variables: Expr | Sequence[ExprLike]) -> Expr: ...
+@overload
+def collect(expression: Kind, variables: Expr | Sequence[ExprLike]) -> Kind: ...
+def collect(expression: Any, variables: Expr | Sequence[ExprLike]) -> Any:
     """Write an expression as a polynomial in one or several variables; the first one is outermost.
 
     >>> from symbody import collect, symbols
@@ -51,6 +70,12 @@ def collect(expression: ExprLike, variables: Expr | Sequence[ExprLike]) -> Expr:
     >>> collect(a * x + b * x + a, [x])
     x*(a + b) + a
     """
+    if is_container(expression):
+        return rewritten(expression, _each(partial(_collected, variables)), "collect")
+    return _core.collect(expression, variables)
+
+
+def _collected(variables: Expr | Sequence[ExprLike], expression: Expr) -> Expr:
     return _core.collect(expression, variables)
 
 
@@ -70,7 +95,11 @@ def coeff(expression: ExprLike, variable: ExprLike, n: int = 1) -> Expr:
     return _core.coeff(expression, variable, n)
 
 
-def factor_terms(expression: ExprLike) -> Expr:
+@overload
+def factor_terms(expression: ExprLike) -> Expr: ...
+@overload
+def factor_terms(expression: Kind) -> Kind: ...
+def factor_terms(expression: Any) -> Any:
     """Take out the common factors of all terms.
 
     >>> from symbody import factor_terms, symbols
@@ -78,10 +107,14 @@ def factor_terms(expression: ExprLike) -> Expr:
     >>> factor_terms(a * b + a * c)
     a*(b + c)
     """
-    return _core.rewrite("factor_terms", expression)
+    return _rewritten("factor_terms", expression)
 
 
-def combine_trig(expression: ExprLike) -> Expr:
+@overload
+def combine_trig(expression: ExprLike) -> Expr: ...
+@overload
+def combine_trig(expression: Kind) -> Kind: ...
+def combine_trig(expression: Any) -> Any:
     """Write products of sines and cosines as sines and cosines of sums.
 
     >>> from symbody import combine_trig, cos, sin, symbols
@@ -89,10 +122,14 @@ def combine_trig(expression: ExprLike) -> Expr:
     >>> combine_trig(cos(a) * cos(b) + sin(a) * sin(b))
     cos(a - b)
     """
-    return _core.rewrite("combine_trig", expression)
+    return _rewritten("combine_trig", expression)
 
 
-def simplify(expression: ExprLike) -> Expr:
+@overload
+def simplify(expression: ExprLike) -> Expr: ...
+@overload
+def simplify(expression: Kind) -> Kind: ...
+def simplify(expression: Any) -> Any:
     """Return the cheapest form that a fixed list of rewrites finds.
 
     The search is bounded and deterministic, and the result never costs more than the expression. The value at the
@@ -102,5 +139,22 @@ def simplify(expression: ExprLike) -> Expr:
     >>> a, b, x = symbols("a b x")
     >>> simplify(a * sin(x) ** 2 + (a + b) * cos(x) ** 2)
     a + b*cos(x)**2
+    >>> simplify({"one": sin(x) ** 2 + cos(x) ** 2, "both": [a - a, b]})
+    {'one': 1, 'both': [0, b]}
     """
-    return _core.rewrite("simplify", expression)
+    return _rewritten("simplify", expression)
+
+
+def _each(operation: Callable[[Expr], Expr]) -> Rewrite:
+    """Return the operation on several expressions, one by one."""
+
+    def apply(expressions: tuple[Expr, ...]) -> tuple[Expr, ...]:
+        return tuple(map(operation, expressions))
+
+    return apply
+
+
+def _rewritten(name: str, expression: Any) -> Any:
+    if is_container(expression):
+        return rewritten(expression, _each(partial(_core.rewrite, name)), name)
+    return _core.rewrite(name, expression)

@@ -14,6 +14,7 @@ from symbody.errors import ArgumentError, ExpressionError
 from symbody.symbolic import _core
 from symbody.symbolic._core import Expr
 from symbody.symbolic.expression.encoding import Encoded, decode, encode
+from symbody.symbolic.expression.latex_layout import bmatrix, with_definitions
 from symbody.symbolic.expression.leaves import ExprLike
 from symbody.symbolic.expression.to_sympy import ToSympy, import_sympy
 from symbody.symbolic.given.arguments import counted, described, size
@@ -230,8 +231,8 @@ class Matrix:
 
     def latex(self) -> str:
         """Return the matrix in LaTeX."""
-        rows = r" \\ ".join(" & ".join(entry.latex() for entry in self.row(i)) for i in range(self.rows))
-        return rf"\begin{{bmatrix}} {rows} \end{{bmatrix}}"
+        definitions, texts = _core.listing(self.entries, "latex")
+        return with_definitions(definitions, bmatrix(texts, self.columns))
 
     def _repr_latex_(self) -> str:
         return f"$\\displaystyle {self.latex()}$"

@@ -3,24 +3,35 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from typing import Any
 
 from symbody.symbolic import _core
 from symbody.symbolic._core import Expr
+from symbody.symbolic.expression.container import in_latex, is_container
 from symbody.symbolic.expression.leaves import ExprLike
-from symbody.symbolic.expression.matrix import Matrix
 
 __all__ = ["latex", "listing", "maple"]
 
 
-def latex(expression: ExprLike | Matrix) -> str:
-    r"""Return an expression in LaTeX, without dollar signs.
+def latex(expression: Any) -> str:
+    r"""Return an expression in LaTeX, without dollar signs; also a list, matrix, vector, point, frame, or equations.
 
-    >>> from symbody import functions_of_time, latex, sin, time_derivative
+    Names are typeset as in a textbook: ``m_1`` is m with the index 1, ``omega0``, ``I__xx`` and ``theta_dot`` have
+    Greek letters, indices and dots. Different names in one formula are typeset differently: beside ``m1``, the name
+    ``m_1`` is written as it is.
+
+    >>> from symbody import functions_of_time, latex, sin, symbols, time_derivative
     >>> theta = functions_of_time("theta")
     >>> print(latex(time_derivative(sin(theta))))
     \dot{\theta} \cos\left(\theta\right)
+    >>> print(latex(symbols("m_1 I__xx omega0 load")))
+    \left(m_{1}, I_{xx}, \omega_{0}, \mathrm{load}\right)
     """
-    return expression.latex() if isinstance(expression, Matrix) else _core.number(expression, "latex").latex()
+    return (
+        in_latex(expression, "latex")
+        if is_container(expression)
+        else _core.number(expression, "latex").latex()
+    )
 
 
 def maple(expression: ExprLike) -> str:

@@ -1,0 +1,128 @@
+"""The layout of several formulas in LaTeX: matrices, lists, and rows that fit a page."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Sequence
+
+__all__ = ["LINE", "aligned", "bmatrix", "broken", "lines", "width", "with_definitions"]
+
+LINE = 90
+"""The most characters of a line, as `width` counts them."""
+
+_TOKEN = re.compile(r"\\begin\{\w+\}|\\end\{\w+\}|\\[A-Za-z]+|\\.|\s+|.", re.DOTALL)
+_UNSEEN = {
+    "left",
+    "right",
+    "bigl",
+    "bigr",
+    "frac",
+    "mathrm",
+    "mathtt",
+    "operatorname",
+    "dot",
+    "ddot",
+    "dddot",
+    "hat",
+    "tilde",
+    "text",
+}
+"""Commands that draw no character of their own."""
+
+
+def bmatrix(texts: Sequence[str], columns: int) -> str:
+    """Return the matrix of these entries, given row by row."""
+    rows = (" & ".join(texts[start : start + columns]) for start in range(0, len(texts), columns or 1))
+    return r"\begin{bmatrix} " + r" \\ ".join(rows) + r" \end{bmatrix}"
+
+
+def aligned(rows: Iterable[str]) -> str:
+    """Return rows below each other; the ampersand of each row marks where they are aligned."""
+    return r"\begin{aligned} " + r" \\ ".join(rows) + r" \end{aligned}"
+
+
+def with_definitions(definitions: Sequence[tuple[str, str]], formula: str) -> str:
+    """Return a formula after the quantities that it uses, if there are any."""
+    if not definitions:
+        return formula
+    return aligned([*(f"{name} &= {value}" for name, value in definitions), f"&{formula}"])
+
+
+def lines(formula: str, line: int = LINE) -> list[str]:
+    """Return a formula in pieces that are no longer than a line, if that is possible: it is broken before signs.
+
+    A term that is too long is broken inside its brackets. Fractions, roots and arguments of functions are kept whole.
+
+    >>> lines("a (b + c) + d - e", 6)
+    ['a (b + c)', '+ d - e']
+    """
+    pieces: list[str] = []
+    for term in (piece for whole in _terms(formula, 0) for piece in _shortened(whole, line)):
+        if pieces and width(f"{pieces[-1]} {term}") <= line:
+            pieces[-1] = f"{pieces[-1]} {term}"
+        else:
+            pieces.append(term)
+    return pieces
+
+
+def broken(start: str, formula: str, line: int = LINE) -> list[str]:
+    """Return the rows of a formula: the first one after `start`, further ones indented."""
+    first, *others = lines(formula, line)
+    return [start + first, *(rf"&\quad {{}} {other}" for other in others)]
+
+
+def width(formula: str) -> int:
+    """Return about how many characters a formula is wide: a fraction counts as both of its parts."""
+    return sum(
+        1
+        for token in _TOKEN.findall(formula)
+        if not token.isspace() and token not in "{}^_&" and token[1:] not in _UNSEEN
+    )
+
+
+def _terms(formula: str, depth: int) -> list[str]:
+    r"""Return the terms of a sum, each with its sign, also of the sums in so many levels of brackets.
+
+    Brackets that are broken have a fixed size, since ``\left(`` and ``\right)`` must stand on one line.
+    """
+    terms, current, kinds, position = list[str](), "", list[str](), 0
+    tokens = _TOKEN.findall(formula)
+    for place, token in enumerate(tokens):
+        following = tokens[place + 1 : place + 2]
+        text = token
+        if token == r"\left":
+            is_factor = place == 0 or tokens[place - 1].isspace()
+            opens = len(kinds) == position < depth and following == ["("] and is_factor
+            kinds.append("round" if opens else "closed")
+            position += opens
+            text = r"\bigl" if opens else token
+        elif token == "{" or token.startswith(r"\begin"):
+            kinds.append("closed")
+        elif token in {"}", r"\right"} or token.startswith(r"\end"):
+            if kinds.pop() == "round":
+                position -= 1
+                text = r"\bigr"
+        elif token in {"+", "-"} and len(kinds) == position and _is_between_terms(tokens, place):
+            terms.append(current.strip())
+            current = ""
+        current += text
+    return [*terms, current.strip()]
+
+
+def _is_between_terms(tokens: Sequence[str], place: int) -> bool:
+    """Return whether a sign has terms on both sides: it stands between spaces."""
+    return 0 < place < len(tokens) - 1 and tokens[place - 1].isspace() and tokens[place + 1].isspace()
+
+
+def _shortened(term: str, line: int) -> list[str]:
+    """Return a term, or the pieces of one that is too long."""
+    pieces = [term]
+    for depth in range(1, _DEEPEST + 1):
+        if max(map(width, pieces)) <= line:
+            break
+        pieces = _terms(term, depth)
+    return pieces
+
+
+_DEEPEST = 4
+"""The levels of brackets that are broken at most."""

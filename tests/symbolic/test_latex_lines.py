@@ -1,0 +1,65 @@
+"""Long formulas in LaTeX: broken at terms, nothing lost."""
+
+from __future__ import annotations
+
+import re
+
+import pytest
+from matplotlib.font_manager import FontProperties
+from matplotlib.mathtext import MathTextParser
+
+from symbody.symbolic import expand, latex
+from symbody.symbolic.expression.latex_layout import LINE, broken, lines, width
+from tests.symbolic.random_expression import expression
+
+PARSER = MathTextParser("path")
+
+
+def squeezed(text: str) -> str:
+    """The text without spaces, and with brackets of one size."""
+    for size, plain in ((r"\bigl", r"\left"), (r"\bigr", r"\right")):
+        text = text.replace(size, plain)
+    return re.sub(r"\s", "", text)
+
+
+@pytest.mark.parametrize("seed", range(30))
+@pytest.mark.parametrize("line", [20, LINE])
+def test_pieces_are_the_formula(seed: int, line: int) -> None:
+    formula = latex(expression(seed, 4, only_common=True))
+    pieces = lines(formula, line)
+    assert squeezed("".join(pieces)) == squeezed(formula)
+    for piece in pieces:
+        assert piece.count(r"\left") == piece.count(r"\right")
+        assert piece.count("{") == piece.count("}")
+        PARSER.parse(
+            f"${piece.replace('bigl', '').replace('bigr', '')}$".replace("\\(", "(").replace("\\)", ")")
+        )
+
+
+@pytest.mark.parametrize("seed", range(10))
+def test_a_sum_of_short_terms_fits(seed: int) -> None:
+    e = expand((expression(seed, 2, only_common=True) + expression(seed + 50, 2, only_common=True)) ** 2)
+    pieces = lines(latex(e), LINE)
+    for piece in pieces:
+        assert width(piece) <= LINE or " + " not in re.sub(r"\{.*\}|\\left.*\\right", "", piece)
+
+
+def test_width_is_what_is_seen() -> None:
+    assert width(r"\frac{m_{2} l_{1}^{2}}{2}") == len("m2l122")
+    assert width(r"\dot{\theta}_{1} \sin\left(x\right)") == len("t1s(x)")
+
+
+def test_a_short_formula_stays_on_its_line() -> None:
+    assert broken("x &= ", "a + b") == ["x &= a + b"]
+    assert broken("x &= ", "a + b", 2) == ["x &= a", r"&\quad {} + b"]
+
+
+def test_long_factors_are_broken_in_their_brackets() -> None:
+    assert lines(r"a \left(b + c \left(d + e\right)\right) - f", 8) == [
+        r"a \bigl(b",
+        r"+ c \left(d + e\right)\bigr)",
+        "- f",
+    ]
+    whole = r"\sin\left(a + b + c\right)"
+    assert lines(whole, 3) == [whole]
+    PARSER.parse(r"$\mathtt{m\_1}$", prop=FontProperties())
