@@ -95,6 +95,9 @@ impl Graph {
         let Some(exponents) = field.of_exponents() else {
             return f.drawn_exponential(&self.value_in(argument, field));
         };
+        if self.has_chosen_logarithm(argument) {
+            return f.opaque(Key::new("exponential of"), &[&self.value_in(argument, field)]);
+        }
         let split = self.split_argument(argument, true);
         let rest = self.rest_in(argument, &split, exponents);
         let start = f.exponential(exponents.field().exponent(&rest));
@@ -108,10 +111,21 @@ impl Graph {
         })
     }
 
+    /// Whether an exponent holds signs and the logarithm of something that may be negative. Such a logarithm may count
+    /// once in one branch and twice in another, so the sign of the exponential is not known.
+    fn has_chosen_logarithm(&self, argument: Id) -> bool {
+        let flags = self.flags(argument);
+        flags.has(Flags::BRANCH)
+            && flags.has(Flags::INVERSE)
+            && self.atoms(argument, true).iter().any(|atom| matches!(atom, Atom::Log(_)))
+    }
+
     /// base ** exponent, as exp(exponent * log(base)): base ** n for the number n in the exponent, and the rest.
     pub(super) fn general_power_in(&self, base: Id, exponent: Id, field: FieldId) -> Quadratic {
         let f = field.field();
-        let Some(exponents) = field.of_exponents() else {
+        // Where the exponent of a negative base is a choice, it may be an even or an odd integer.
+        let is_choice = self.flags(exponent).has(Flags::BRANCH) && self.logarithm_parts(base).is_none();
+        let Some(exponents) = field.of_exponents().filter(|_| !is_choice) else {
             let values = [self.value_in(base, field), self.value_in(exponent, field)];
             return f.opaque(Key::new("power of"), &[&values[0], &values[1]]);
         };
@@ -136,6 +150,9 @@ impl Graph {
     ) {
         let next = if of_exponential { field.of_exponents() } else { self.field_of_angle(argument, field) };
         out.push((argument, next.unwrap_or(field)));
+        if of_exponential && self.has_chosen_logarithm(argument) {
+            out.push((argument, field));
+        }
         if next.is_none() {
             return;
         }
