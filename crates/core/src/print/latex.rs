@@ -3,7 +3,7 @@
 use crate::graph::Function;
 use crate::value::Number;
 
-use super::latex_name::Typeset;
+use super::latex_name::{Typeset, function_name};
 use super::linear::{fraction, indices};
 use super::order::is_fraction;
 use super::tree::{Base, Factor, Sum, Term, assumption_word};
@@ -197,17 +197,3 @@ fn begins_with_word(text: &str) -> bool {
 
 /// What may stand before the letters of a name.
 const ACCENTS: [&str; 6] = ["{", "\\dot{", "\\ddot{", "\\dddot{", "\\hat{", "\\tilde{"];
-
-/// The name of a function that is written with a name; its powers are written over the name.
-pub(super) fn function_name(function: Function) -> Option<String> {
-    match function {
-        Function::Abs | Function::Exp | Function::Power | Function::Piecewise => None,
-        Function::Asin => Some("\\arcsin".into()),
-        Function::Acos => Some("\\arccos".into()),
-        Function::Atan => Some("\\arctan".into()),
-        Function::Min => Some("\\min".into()),
-        Function::Max => Some("\\max".into()),
-        Function::Atan2 | Function::Sign => Some(format!("\\operatorname{{{}}}", function.name())),
-        _ => Some(format!("\\{}", function.name())),
-    }
-}

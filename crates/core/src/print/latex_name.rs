@@ -17,7 +17,6 @@ use rustc_hash::{FxHashMap, FxHashSet};
 
 use crate::graph::{Function, Graph, Id, View};
 
-use super::latex::function_name;
 use super::linear::indices;
 use super::name;
 use super::plan::Plan;
@@ -341,6 +340,20 @@ fn escaped(c: char) -> String {
         '\'' => "{\\prime}".into(),
         c if c.is_control() || c.is_whitespace() => format!("\\{{{:x}\\}}", u32::from(c)),
         c => c.into(),
+    }
+}
+
+/// The name of a function that is written with a name; its powers are written over the name.
+pub(super) fn function_name(function: Function) -> Option<String> {
+    match function {
+        Function::Abs | Function::Exp | Function::Power | Function::Piecewise => None,
+        Function::Asin => Some("\\arcsin".into()),
+        Function::Acos => Some("\\arccos".into()),
+        Function::Atan => Some("\\arctan".into()),
+        Function::Min => Some("\\min".into()),
+        Function::Max => Some("\\max".into()),
+        Function::Atan2 | Function::Sign => Some(format!("\\operatorname{{{}}}", function.name())),
+        _ => Some(format!("\\{}", function.name())),
     }
 }
 
