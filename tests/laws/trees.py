@@ -324,13 +324,20 @@ Point = Mapping[str, Value]
 
 
 def points(count: int, seed: int = 0) -> list[dict[str, Any]]:
-    """Return points in doubles: real leaves of either sign, positive leaves, complex leaves."""
+    """Return points in doubles: real leaves of either sign, positive leaves, complex leaves.
+
+    At every fourth point, the leaves are multiples of 1/2: there, powers of negative leaves may be real.
+    """
     draw = random.Random(f"points {seed}")
-    return [_point(draw) for _ in range(count)]
+    return [_point(draw, in_halves=k % 4 == 3) for k in range(count)]
 
 
-def _point(draw: random.Random) -> dict[str, Any]:
+def _point(draw: random.Random, *, in_halves: bool) -> dict[str, Any]:
+    halves = draw.sample(range(1, 25), 24)
+
     def size() -> float:
+        if in_halves:
+            return halves.pop() / 2
         return draw.choice((draw.uniform(0.1, 1), draw.uniform(0.5, 3), draw.uniform(2, 8)))
 
     point: dict[str, Any] = {name: size() * draw.choice((-1, 1)) for name in (*REAL, "z")}

@@ -69,13 +69,13 @@ def parallel(angle: float) -> dict[Expr, float]:
 def test_constraints_that_depend_on_each_other_at_the_start_are_named() -> None:
     """The coupler's two heights follow from each other while the cranks are upright: its slope moves no crank."""
     equations = three_cranks()
-    first, *_ = said(equations, VALUES, parallel(np.pi / 2))
-    assert first.startswith(
+    beginning = (
         "simulate: the motion starts at a singular position, from which several motions may continue: "
     )
-    assert "constraints 2 (" in first
-    assert " and 3 (" in first
-    assert first.endswith(STARTS.partition("{}")[2])
+    [notice] = [text for text in said(equations, VALUES, parallel(np.pi / 2)) if text.startswith(beginning)]
+    assert "constraints 2 (" in notice
+    assert " and 3 (" in notice
+    assert notice.endswith(STARTS.partition("{}")[2])
     assert said(equations, VALUES, parallel(1.2)) == []
 
 

@@ -109,9 +109,9 @@ def difference():
 """
 TOWER = """
 x, y, q = symbols("x y q")
-for _ in range(20): x = sin(x * y) + q
+for _ in range(3): q = sin(q * y + 2 * q * x) + x
 def request():
-    try: expand_trig(x)
+    try: expand_trig(q)
     except errors.ExpressionError: pass
 from symbody import errors
 """

@@ -150,9 +150,7 @@ impl Graph {
             {
                 flags.with(Flags::BRANCH)
             }
-            Function::Power if self.is_branching(args[0], &self.number_in(args[1])) => {
-                flags.with(Flags::BRANCH)
-            }
+            Function::Power if self.is_branching_power(args[0], args[1]) => flags.with(Flags::BRANCH),
             _ => flags,
         }
     }

@@ -8,14 +8,13 @@
 //! of integers (see [`integer_point`](super::integer_point)). Any such choice is right, because it is additive: whatever is
 //! not in the factors stays in the rest.
 
-use rustc_hash::FxHashSet;
 use std::sync::Arc;
 
 use crate::graph::{Atom, Flags, Function, Graph, Id, Split, View};
 use crate::value::{Field, FieldId, Key, Number, Quadratic};
 
 use super::integer_point::IntegerPoint;
-use super::node::is_large;
+use super::node::{is_large, power_of_complex};
 
 /// The most atoms of an argument.
 const MOST_ATOMS: usize = 32;
@@ -27,66 +26,11 @@ impl Graph {
     pub(super) fn angle_in(&self, argument: Id, field: FieldId) -> Point {
         let f = field.field();
         let split = self.split_argument(argument, false);
-        let start = match self.field_of_angle(argument, field) {
+        let start = match field.of_angles() {
             Some(angles) => f.angle(angles.field().exponent(&self.rest_in(argument, &split, angles))),
             None => f.drawn_angle(Key::new("drawn angle"), &self.rest_in(argument, &split, field)),
         };
         self.rotated(start, &split, f, |id| self.value_in(id, field))
-    }
-
-    /// The field in which the argument of a sine is evaluated. Sines below it are real if it holds their signs or roots.
-    fn field_of_angle(&self, argument: Id, field: FieldId) -> Option<FieldId> {
-        let angles = field.of_angles()?;
-        Some(if self.has_signs_of_sines(argument) { angles.with_real_sines() } else { angles })
-    }
-
-    /// Whether a node holds a sign or root of something that holds a sine.
-    fn has_signs_of_sines(&self, id: Id) -> bool {
-        if !self.flags(id).has(Flags::BRANCH) {
-            return false;
-        }
-        if let Some(known) = self.lanes.borrow().has_signs_of_sines(id) {
-            return known;
-        }
-        let mut with_sines: FxHashSet<Id> = FxHashSet::default();
-        let mut children = Vec::new();
-        let found = self.post_order(&[id]).into_iter().any(|node| {
-            children.clear();
-            self.push_children(node, &mut children);
-            let is_sine =
-                matches!(self.view(node), View::Function(Function::Sin | Function::Cos | Function::Tan, _));
-            let holds_sine = children.iter().any(|child| with_sines.contains(child));
-            if is_sine || holds_sine {
-                with_sines.insert(node);
-            }
-            holds_sine && self.makes_signs(node)
-        });
-        self.lanes.borrow_mut().insert_has_signs_of_sines(id, found);
-        found
-    }
-
-    /// Whether a node is a sign or root by itself, not by what it holds.
-    fn makes_signs(&self, id: Id) -> bool {
-        match self.view(id) {
-            View::Product(factors) => {
-                factors.iter().any(|(base, exponent)| self.is_branching(base, self.get_number(exponent)))
-            }
-            View::Function(function, args) => match function {
-                Function::Abs
-                | Function::Sign
-                | Function::Min
-                | Function::Max
-                | Function::Piecewise
-                | Function::Atan2
-                | Function::Power => true,
-                Function::Sin | Function::Cos | Function::Tan => self.makes_roots(args.get(0), false),
-                Function::Exp | Function::Sinh | Function::Cosh | Function::Tanh => {
-                    self.makes_roots(args.get(0), true)
-                }
-                Function::Asin | Function::Acos | Function::Atan | Function::Log => false,
-            },
-            _ => false,
-        }
     }
 
     /// The exponential of an argument.
@@ -95,12 +39,13 @@ impl Graph {
         let Some(exponents) = field.of_exponents() else {
             return f.drawn_exponential(&self.value_in(argument, field));
         };
-        if self.has_chosen_logarithm(argument) {
-            return f.opaque(Key::new("exponential of"), &[&self.value_in(argument, field)]);
-        }
         let split = self.split_argument(argument, true);
         let rest = self.rest_in(argument, &split, exponents);
-        let start = f.exponential(exponents.field().exponent(&rest));
+        let magnitude = f.exponential(exponents.field().exponent(&rest));
+        let start = match self.turn_of_exponential(argument, &split, field) {
+            Some(turn) => f.mul(&magnitude, &turn),
+            None => magnitude,
+        };
         split.iter().fold(start, |product, (atom, factor)| {
             let power = match atom {
                 Atom::Log(argument) => self.power_in(*argument, factor, field),
@@ -111,33 +56,59 @@ impl Graph {
         })
     }
 
-    /// Whether an exponent holds signs and the logarithm of something that may be negative. Such a logarithm may count
-    /// once in one branch and twice in another, so the sign of the exponential is not known.
-    fn has_chosen_logarithm(&self, argument: Id) -> bool {
-        let flags = self.flags(argument);
-        flags.has(Flags::BRANCH)
-            && flags.has(Flags::INVERSE)
-            && self.atoms(argument, true).iter().any(|atom| matches!(atom, Atom::Log(_)))
+    /// The unit e^(i v) for the imaginary part v of an argument, without the multiples of logarithms that are split off.
+    /// Logarithms of what is negative have imaginary parts.
+    fn turn_of_exponential(&self, argument: Id, split: &Split, field: FieldId) -> Option<Quadratic> {
+        let mut bases = split.iter().filter_map(|(atom, factor)| match atom {
+            Atom::Log(base) => Some((*base, factor)),
+            _ => None,
+        });
+        let first = bases.next()?;
+        let angles = field.of_angles()?;
+        let a = angles.field();
+        let turned = self.value_in(argument, angles.with_turned_logarithms(field));
+        let imaginary = a.sub(&turned, &self.value_in(argument, angles));
+        let rest = std::iter::once(first).chain(bases).fold(imaginary, |rest, (base, factor)| {
+            if !self.is_negative_in(base, field) {
+                return rest;
+            }
+            a.sub(&rest, &a.mul(&a.number(factor), &self.value_in(Id::PI, angles)))
+        });
+        let f = field.field();
+        Some(f.unit_of_angle(&f.angle(a.exponent(&rest))))
     }
 
     /// base ** exponent, as exp(exponent * log(base)): base ** n for the number n in the exponent, and the rest.
+    ///
+    /// The logarithm of a negative base is log |base| + i pi. So the sign of a power with a symbolic exponent is not known,
+    /// unless the base is known to be positive.
     pub(super) fn general_power_in(&self, base: Id, exponent: Id, field: FieldId) -> Quadratic {
         let f = field.field();
-        // Where the exponent of a negative base is a choice, it may be an even or an odd integer.
-        let is_choice = self.flags(exponent).has(Flags::BRANCH) && self.logarithm_parts(base).is_none();
-        let Some(exponents) = field.of_exponents().filter(|_| !is_choice) else {
-            let values = [self.value_in(base, field), self.value_in(exponent, field)];
-            return f.opaque(Key::new("power of"), &[&values[0], &values[1]]);
+        let (Some(angles), Some(exponents)) = (field.of_angles(), field.of_exponents()) else {
+            let value = self.value_in(exponent, field);
+            return match self.logarithm_parts(base) {
+                Some(_) => f.drawn_exponential(&f.mul(&value, &self.logarithm_in(base, field))),
+                None => f.opaque(Key::new("power of"), &[&self.value_in(base, field), &value]),
+            };
         };
         if base == Id::ZERO {
             let value = self.value_in(exponent, field);
             return f.opaque(Key::new("power of zero"), &[&value]);
         }
-        let e = exponents.field();
         let number = self.number_in(exponent);
-        let rest = e.sub(&self.value_in(exponent, exponents), &e.number(&number));
-        let product = e.mul(&rest, &self.logarithm_in(base, exponents));
-        f.mul(&self.power_in(base, &number, field), &f.exponential(e.exponent(&product)))
+        let rest = |above: FieldId| {
+            let a = above.field();
+            a.sub(&self.value_in(exponent, above), &a.number(&number))
+        };
+        let e = exponents.field();
+        let magnitude = e.exponent(&e.mul(&rest(exponents), &self.logarithm_in(base, exponents)));
+        let power = f.mul(&self.power_in(base, &number, field), &f.exponential(magnitude));
+        if self.logarithm_parts(base).is_some() || !self.is_negative_in(base, field) {
+            return power;
+        }
+        let a = angles.field();
+        let turn = f.angle(a.exponent(&a.mul(&rest(angles), &self.value_in(Id::PI, angles))));
+        f.mul(&power, &f.unit_of_angle(&turn))
     }
 
     /// What has to be known before the sine or exponential of an argument can be evaluated.
@@ -148,15 +119,15 @@ impl Graph {
         of_exponential: bool,
         out: &mut Vec<(Id, FieldId)>,
     ) {
-        let next = if of_exponential { field.of_exponents() } else { self.field_of_angle(argument, field) };
+        let next = if of_exponential { field.of_exponents() } else { field.of_angles() };
         out.push((argument, next.unwrap_or(field)));
-        if of_exponential && self.has_chosen_logarithm(argument) {
-            out.push((argument, field));
-        }
         if next.is_none() {
             return;
         }
         for (atom, _) in self.split_argument(argument, of_exponential).iter() {
+            if let (Atom::Log(_), Some(angles)) = (atom, field.of_angles()) {
+                out.extend([angles, angles.with_turned_logarithms(field)].map(|angles| (argument, angles)));
+            }
             for id in atom.arguments() {
                 out.push((id, field));
                 out.extend(next.map(|next| (id, next)));
@@ -167,7 +138,9 @@ impl Graph {
     /// Whether the sine or exponential of an argument holds roots that its argument does not hold.
     pub(crate) fn makes_roots(&self, argument: Id, of_exponential: bool) -> bool {
         self.split_argument(argument, of_exponential).iter().any(|(atom, factor)| match atom {
-            Atom::Log(base) => self.is_branching(*base, factor),
+            Atom::Log(base) => {
+                self.is_branching(*base, factor) || self.constant_factor(argument, atom).is_none()
+            }
             Atom::LogOfPrime(prime) => !factor.is_integer() && is_large(prime),
             Atom::Pi | Atom::LogOfPi => false,
             _ => true,
@@ -221,7 +194,11 @@ impl Graph {
         f: &Field,
         value: &impl Fn(Id) -> Quadratic,
     ) -> Point {
-        let root = |square: Quadratic| f.rational_power(&square, &Number::rational(1, 2));
+        let is_complex = atom.arguments().iter().any(|&id| self.flags(id).has(Flags::COMPLEX));
+        let root = |square: Quadratic| {
+            let half = Number::rational(1, 2);
+            if is_complex { power_of_complex(&square, &half, f) } else { f.rational_power(&square, &half) }
+        };
         let point = match *atom {
             Atom::Asin(argument) => {
                 let sin = value(argument);
@@ -235,7 +212,7 @@ impl Graph {
             Atom::Atan2(y, x) => self.unit_vector(y, x, f, value),
             _ => return f.part_of_turn(&factor.mul(&Number::rational(1, 2))), // pi is half a turn
         };
-        let halved = if factor.is_integer() { point } else { half_angle(f, &point) };
+        let halved = if factor.is_integer() { point } else { half_angle(f, &point, root) };
         let count = if factor.is_integer() { factor.clone() } else { factor.mul(&Number::integer(2)) };
         multiple(f, halved, count.to_i64().unwrap_or(0))
     }
@@ -249,14 +226,27 @@ impl Graph {
             return known;
         }
         let factors = self.atoms(argument, of_exponential).into_iter().filter_map(|atom| {
-            let factor = self.growth_at_integers(argument, &atom)?;
+            let factor = self.growth_at_integers(argument, &atom, 0);
+            if let Atom::Log(_) = atom {
+                let is_absent = self.constant_factor(argument, &atom).is_some_and(|factor| factor.is_zero());
+                return (!is_absent).then(|| (atom, factor.unwrap_or_else(|| Number::integer(0))));
+            }
+            let factor = factor.filter(|factor| !factor.is_zero())?;
             let is_known =
                 of_exponential || atom == Atom::Pi || factor.mul(&Number::integer(2)).to_i64().is_some();
-            (is_known && !factor.is_zero()).then_some((atom, factor))
+            is_known.then_some((atom, factor))
         });
         let split: Split = factors.collect();
         self.lanes.borrow_mut().insert_split(argument, of_exponential, Arc::clone(&split));
         split
+    }
+
+    /// The factor of an atom if it is the same at several points of integers.
+    fn constant_factor(&self, argument: Id, atom: &Atom) -> Option<Number> {
+        let factor = self.growth_at_integers(argument, atom, 0)?;
+        (1..3)
+            .all(|point| self.growth_at_integers(argument, atom, point).as_ref() == Some(&factor))
+            .then_some(factor)
     }
 
     /// The atoms below an argument.
@@ -269,20 +259,14 @@ impl Graph {
                 View::Function(Function::Log, args) if of_exponential => {
                     self.push_atoms_of_logarithm(args.get(0), &mut found);
                 }
-                View::Function(Function::Acos, _)
-                    if !of_exponential && self.flags(id).has(Flags::COMPLEX) =>
-                {
-                    found.push(Atom::Pi);
-                }
-                View::Function(function, args) if !of_exponential && !self.flags(id).has(Flags::COMPLEX) => {
-                    match function {
-                        Function::Asin => found.push(Atom::Asin(args.get(0))),
-                        Function::Acos => found.extend([Atom::Pi, Atom::Asin(args.get(0))]),
-                        Function::Atan => found.push(Atom::Atan(args.get(0))),
-                        Function::Atan2 => found.push(Atom::Atan2(args.get(0), args.get(1))),
-                        _ => {}
-                    }
-                }
+                View::Function(Function::Atan2, _) if self.flags(id).has(Flags::COMPLEX) => {}
+                View::Function(function, args) if !of_exponential => match function {
+                    Function::Asin => found.push(Atom::Asin(args.get(0))),
+                    Function::Acos => found.extend([Atom::Pi, Atom::Asin(args.get(0))]),
+                    Function::Atan => found.push(Atom::Atan(args.get(0))),
+                    Function::Atan2 => found.push(Atom::Atan2(args.get(0), args.get(1))),
+                    _ => {}
+                },
                 _ => {}
             }
             for atom in found {
@@ -319,8 +303,8 @@ fn rotate(f: &Field, a: &Point, b: &Point) -> Point {
 }
 
 /// Half of an angle between -pi and pi: the cosine is sqrt((1 + cos)/2).
-fn half_angle(f: &Field, point: &Point) -> Point {
-    let cos = f.rational_power(&f.half(&f.add(&f.one(), &point.0)), &Number::rational(1, 2));
+fn half_angle(f: &Field, point: &Point, root: impl Fn(Quadratic) -> Quadratic) -> Point {
+    let cos = root(f.half(&f.add(&f.one(), &point.0)));
     let sin = f.div(&f.half(&point.1), &cos);
     (cos, sin)
 }

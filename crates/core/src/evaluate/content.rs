@@ -12,12 +12,9 @@ use rustc_hash::FxHashMap;
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::graph::{Flags, Function, Graph, Id, NumberId, View};
-use crate::value::{Adic, Adics, FieldId, Key, Number, PARTS, prime_factors};
+use crate::value::{Adic, Adics, Field, FieldId, Key, Number, PARTS, prime_factors};
 
 use super::integer_point::Rationals;
-
-/// Primes below this are squares in the fields of all lanes but the last ones of the towers, A4 and B3.
-const SMALLEST: u64 = 13;
 
 /// Points at which the q-adic values of nodes are found: sines are 0 at these, and drawn at as many others, which serve
 /// where a value is 0 at these.
@@ -27,38 +24,40 @@ const POINTS: u16 = 9;
 const SEARCH: usize = 4096;
 
 impl Graph {
-    /// The content of a node, without its small primes; `None` if it is one.
-    pub(super) fn numeric_content(&self, id: Id) -> Option<Number> {
-        if let Some(known) = self.lanes.borrow().content(id) {
+    /// The content of a node, without the primes that are squares in a field; `None` if it is one.
+    pub(super) fn numeric_content(&self, id: Id, f: &Field) -> Option<Number> {
+        let least = f.least_non_square();
+        if let Some(known) = self.lanes.borrow().content(id, least) {
             return known.clone();
         }
-        let content = self.content_of(&[(1, id)]);
-        self.lanes.borrow_mut().insert_content(id, content.clone());
+        let content = self.content_of(&[(1, id)], least);
+        self.lanes.borrow_mut().insert_content(id, least, content.clone());
         content
     }
 
-    /// The content of a - b; `None` if it is one.
-    pub(super) fn content_of_difference(&self, a: Id, b: Id) -> Option<Number> {
-        if let Some(known) = self.lanes.borrow().content_of_difference(a, b) {
+    /// The content of a - b, likewise.
+    pub(super) fn content_of_difference(&self, a: Id, b: Id, f: &Field) -> Option<Number> {
+        let least = f.least_non_square();
+        if let Some(known) = self.lanes.borrow().content_of_difference(a, b, least) {
             return known.clone();
         }
-        let content = self.content_of(&[(1, a), (-1, b)]);
-        self.lanes.borrow_mut().insert_content_of_difference(a, b, content.clone());
+        let content = self.content_of(&[(1, a), (-1, b)], least);
+        self.lanes.borrow_mut().insert_content_of_difference(a, b, least, content.clone());
         content
     }
 
     /// The content that two nodes have in common; `None` if it is one.
-    pub(super) fn common_content(&self, a: Id, b: Id) -> Option<Number> {
-        let (a, b) = (self.numeric_content(a)?, self.numeric_content(b)?);
+    pub(super) fn common_content(&self, a: Id, b: Id, f: &Field) -> Option<Number> {
+        let [a, b] = [a, b].map(|id| self.numeric_content(id, f).unwrap_or_else(|| Number::integer(1)));
         let denominator = a.denominator().lcm(&b.denominator());
         let whole = |number: &Number| number.numerator() * (&denominator / number.denominator());
         Number::from_big(whole(&a).gcd(&whole(&b)), denominator).ok().filter(|content| !content.is_one())
     }
 
-    /// The content of a sum of multiples.
-    fn content_of(&self, terms: &[(i64, Id)]) -> Option<Number> {
+    /// The content of a sum of multiples, of primes from the least one up.
+    fn content_of(&self, terms: &[(i64, Id)], least: u64) -> Option<Number> {
         let order = self.open_parts(terms);
-        let contents = self.large_primes(terms, &order).into_iter().map(|prime| {
+        let contents = self.primes_of(terms, &order, least).into_iter().map(|prime| {
             let power = self.valuation(terms, &order, &prime);
             (Number::whole(prime), power)
         });
@@ -99,9 +98,9 @@ impl Graph {
         }
     }
 
-    /// The primes from [`SMALLEST`] up that the content may hold: those of the numbers in the nodes, and those that two
+    /// The primes from the least one up that the content may hold: those of the numbers in the nodes, and those that two
     /// values at points of integers have in common, because sums make new ones.
-    fn large_primes(&self, terms: &[(i64, Id)], nodes: &[Id]) -> BTreeSet<BigInt> {
+    fn primes_of(&self, terms: &[(i64, Id)], nodes: &[Id], least: u64) -> BTreeSet<BigInt> {
         let mut numbers: BTreeSet<u32> = BTreeSet::new();
         let mut sums: Vec<Id> = Vec::new();
         let mut note = |number: NumberId| {
@@ -125,7 +124,7 @@ impl Graph {
         let literals = numbers.into_iter().map(|number| self.get_number(NumberId(number)).clone());
         let all = literals.chain(self.shared_numbers(terms, &sums)).filter(|number| !number.is_zero());
         let primes = all.flat_map(|number| prime_factors(&number.abs()).into_keys());
-        primes.filter(|prime| *prime >= SMALLEST.into()).collect()
+        primes.filter(|prime| *prime >= least.into()).collect()
     }
 
     /// What the values of nodes at two points of integers have in common, in numerators and in denominators.

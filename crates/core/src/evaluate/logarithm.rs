@@ -12,7 +12,8 @@ impl Graph {
     /// What the logarithm of a node needs to be known in a field.
     pub(super) fn push_needed_by_logarithm(&self, id: Id, field: FieldId, out: &mut Vec<(Id, FieldId)>) {
         let Some(parts) = self.logarithm_parts(id) else {
-            out.push((id, field));
+            out.push((id, field.unturned()));
+            out.extend(field.turned_by().map(|by| (id, by)));
             return;
         };
         for part in parts {
@@ -31,7 +32,9 @@ impl Graph {
     pub(super) fn logarithm_in(&self, id: Id, field: FieldId) -> Quadratic {
         let f = field.field();
         let Some(parts) = self.logarithm_parts(id) else {
-            return f.opaque(Key::new("logarithm of"), &[&self.value_in(id, field)]);
+            let drawn = f.opaque(Key::new("logarithm of"), &[&self.value_in(id, field.unturned())]);
+            let is_turned = field.turned_by().is_some_and(|by| self.is_negative_in(id, by));
+            return if is_turned { f.add(&drawn, &self.value_in(Id::PI, field)) } else { drawn };
         };
         parts.iter().fold(f.number(&Number::integer(0)), |sum, part| {
             let (coefficient, value) = match part {
@@ -94,10 +97,9 @@ impl Graph {
     }
 
     pub(super) fn atomic_logarithm(&self, id: Id, field: FieldId) -> Quadratic {
-        let f = field.field();
         match self.view(id) {
             View::Symbol(name, _) => draw_logarithm(field, name),
-            _ => f.draw(&Key::new("logarithm of pi")),
+            _ => field.draw(&Key::new("logarithm of pi")),
         }
     }
 

@@ -6,11 +6,8 @@ use std::sync::Arc;
 use crate::graph::{Assumption, Column, Flags, Function, Graph, Id, Kind, NumberId, View, leaf_in};
 use crate::interrupt::tick;
 use crate::value::{
-    Element, Field, FieldId, Key, Number, Quadratic, fingerprint, in_hash_lane, prime_factors,
+    Element, Field, FieldId, Key, LARGEST_SQUARE, Number, Quadratic, fingerprint, in_hash_lane, prime_factors,
 };
-
-/// All prime factors up to this are squares in every lane, so their roots are real there.
-const LARGEST_SQUARE: u64 = 31;
 
 type Point = (Quadratic, Quadratic);
 
@@ -128,7 +125,8 @@ impl Graph {
             }
             View::Function(Function::Power, args) => {
                 out.push((args.get(0), field));
-                self.push_needed_by_argument(args.get(1), field, true, out);
+                let above = [field.of_angles(), field.of_exponents()];
+                out.extend(above.map(|above| (args.get(1), above.unwrap_or(field))));
                 self.push_needed_by_logarithm(args.get(0), field.of_exponents().unwrap_or(field), out);
             }
             View::Function(Function::Log, args) => self.push_needed_by_logarithm(args.get(0), field, out),
@@ -242,12 +240,9 @@ impl Graph {
             return power_of_number(number, exponent, f);
         }
         if self.flags(base).has(Flags::COMPLEX) {
-            // e^(2 pi i k r) with a k drawn for the value: some branch, the same one for all exponents.
-            let branch = f.exponent(&f.opaque(Key::new("branch"), &[value]));
-            let turns = exponent.mul(&Number::whole(branch.into()));
-            return f.mul(&f.rational_power(value, exponent), &f.unit(&turns));
+            return power_of_complex(value, exponent, f);
         }
-        match self.numeric_content(base) {
+        match self.numeric_content(base, f) {
             Some(content) => {
                 let rest = f.div(value, &f.number(&content));
                 f.mul(&power_of_number(&content, exponent, f), &f.rational_power(&rest, exponent))
@@ -260,9 +255,14 @@ impl Graph {
         self.sign_of(id, &self.value_in(id, field), field.field())
     }
 
+    pub(super) fn is_negative_in(&self, id: Id, field: FieldId) -> bool {
+        let f = field.field();
+        self.sign_in(id, field) == f.neg(&f.one())
+    }
+
     /// The sign of a real node that has this value.
     pub(super) fn sign_of(&self, id: Id, value: &Quadratic, f: &Field) -> Quadratic {
-        signed_by_content(value, self.numeric_content(id), f)
+        signed_by_content(value, self.numeric_content(id, f), f)
     }
 
     /// Which of several nodes is the greatest or the least where they have these values: the first two are compared, the
@@ -276,7 +276,7 @@ impl Graph {
     ) -> Id {
         let pair = |a: Id, b: Id| {
             let difference = f.sub(&value(a), &value(b));
-            let sign = signed_by_content(&difference, self.content_of_difference(a, b), f);
+            let sign = signed_by_content(&difference, self.content_of_difference(a, b, f), f);
             if (sign == f.one()) == (function == Function::Max) { a } else { b }
         };
         nodes.iter().copied().reduce(pair).expect("an extremum is that of one value or more")
@@ -331,7 +331,7 @@ impl Graph {
     /// The point (x, y)/|(x, y)| of the unit circle: the cosine and the sine of atan2(y, x).
     pub(super) fn unit_vector(&self, y: Id, x: Id, f: &Field, value: impl Fn(Id) -> Quadratic) -> Point {
         let (mut y_value, mut x_value) = (value(y), value(x));
-        if let Some(content) = self.common_content(y, x) {
+        if let Some(content) = self.common_content(y, x, f) {
             let inverse = f.inverse(&f.number(&content));
             (y_value, x_value) = (f.mul(&y_value, &inverse), f.mul(&x_value, &inverse));
         }
@@ -408,6 +408,19 @@ impl Graph {
         }
         self.as_number(base).is_none_or(|number| prime_factors(number).keys().any(is_large))
     }
+
+    /// The same for a symbolic exponent.
+    pub(crate) fn is_branching_power(&self, base: Id, exponent: Id) -> bool {
+        self.logarithm_parts(base).is_none() || self.is_branching(base, &self.number_in(exponent))
+    }
+}
+
+/// A rational power of what may be complex: e^(2 pi i k r) with a k drawn for the value is some branch, the same one for
+/// all exponents.
+pub(super) fn power_of_complex(value: &Quadratic, exponent: &Number, f: &Field) -> Quadratic {
+    let branch = f.exponent(&f.opaque(Key::new("branch"), &[value]));
+    let turns = exponent.mul(&Number::whole(branch.into()));
+    f.mul(&f.rational_power(value, exponent), &f.unit(&turns))
 }
 
 /// The sign of a value that has a content, which is positive.

@@ -26,12 +26,10 @@ pub(crate) struct Lanes {
     solutions: FxHashMap<(Id, FieldId), Arc<[Quadratic]>>,
     /// The signs that nodes depend on.
     signs: FxHashMap<Id, Signs>,
-    /// The numeric contents of nodes.
-    contents: FxHashMap<Id, Option<Number>>,
+    /// The numeric contents of nodes, of primes from the least one up.
+    contents: FxHashMap<(Id, u64), Option<Number>>,
     /// The numeric contents of differences.
-    contents_of_differences: FxHashMap<(Id, Id), Option<Number>>,
-    /// Whether nodes hold signs or roots of sines.
-    signs_of_sines: FxHashMap<Id, bool>,
+    contents_of_differences: FxHashMap<(Id, Id, u64), Option<Number>>,
     /// The numbers in exponents, such as the 1 in x + 1.
     exponents: FxHashMap<Id, Number>,
     /// Nodes that are a number times powers of positive factors.
@@ -163,28 +161,20 @@ impl Lanes {
         self.signs.insert(id, signs);
     }
 
-    pub(crate) fn content(&self, id: Id) -> Option<&Option<Number>> {
-        self.contents.get(&id)
+    pub(crate) fn content(&self, id: Id, least: u64) -> Option<&Option<Number>> {
+        self.contents.get(&(id, least))
     }
 
-    pub(crate) fn insert_content(&mut self, id: Id, content: Option<Number>) {
-        self.contents.insert(id, content);
+    pub(crate) fn insert_content(&mut self, id: Id, least: u64, content: Option<Number>) {
+        self.contents.insert((id, least), content);
     }
 
-    pub(crate) fn content_of_difference(&self, a: Id, b: Id) -> Option<&Option<Number>> {
-        self.contents_of_differences.get(&(a, b))
+    pub(crate) fn content_of_difference(&self, a: Id, b: Id, least: u64) -> Option<&Option<Number>> {
+        self.contents_of_differences.get(&(a, b, least))
     }
 
-    pub(crate) fn insert_content_of_difference(&mut self, a: Id, b: Id, content: Option<Number>) {
-        self.contents_of_differences.insert((a, b), content);
-    }
-
-    pub(crate) fn has_signs_of_sines(&self, id: Id) -> Option<bool> {
-        self.signs_of_sines.get(&id).copied()
-    }
-
-    pub(crate) fn insert_has_signs_of_sines(&mut self, id: Id, found: bool) {
-        self.signs_of_sines.insert(id, found);
+    pub(crate) fn insert_content_of_difference(&mut self, a: Id, b: Id, least: u64, content: Option<Number>) {
+        self.contents_of_differences.insert((a, b, least), content);
     }
 
     pub(crate) fn exponent(&self, id: Id) -> Option<&Number> {

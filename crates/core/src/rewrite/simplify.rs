@@ -108,6 +108,11 @@ impl Graph {
                 }
                 best = next;
             }
+            // Where the parts are shorter now, the whole may be within the limits that it exceeded before.
+            if best != whole {
+                let again = graph.simplest(best, DEEPEST, &mut Search::new(graph.total_work(best) / 4));
+                best = graph.shortest(best, &[again]);
+            }
             Ok(best)
         })
     }

@@ -13,6 +13,9 @@ const DIGITS: u32 = 12;
 /// A sum in which so many digits cancel is zero: what is left of it may be what earlier sums have left undecided.
 const CANCELLED: i64 = 6;
 
+/// The steps of Newton's iteration: each doubles the digits, of which there are two to a power of sqrt q.
+const NEWTON: usize = 5;
+
 /// Valuations are counted in parts of one, because those of roots are fractions.
 pub(crate) const PARTS: i64 = 2520;
 
@@ -116,12 +119,21 @@ impl Adics {
         product
     }
 
-    /// The reciprocal of the leading term; zero stays zero.
+    /// The reciprocal, by Newton's iteration from that of the leading term; zero stays zero.
     fn inverse(&self, a: &Adic) -> Adic {
-        let inverse = a.leading().and_then(|term| {
+        let leading = a.leading().and_then(|term| {
             self.term(&term.unit.modinv(&self.modulus).unwrap_or_default(), -term.valuation)
         });
-        Adic(inverse.into_iter().collect())
+        let mut inverse = Adic(leading.into_iter().collect());
+        if a.0.len() > 1 {
+            let two = self.number(&2.into(), 0);
+            let minus_one = self.number(&(-1).into(), 0);
+            for _ in 0..NEWTON {
+                let error = self.add(&two, &self.mul(&minus_one, &self.mul(a, &inverse)));
+                inverse = self.mul(&inverse, &error);
+            }
+        }
+        inverse
     }
 
     pub(crate) fn power(&self, base: &Adic, exponent: i64) -> Adic {
@@ -137,7 +149,7 @@ impl Adics {
         power
     }
 
-    /// A rational power; the root of the unit is drawn.
+    /// A rational power; the root of the unit is drawn, but for that of 1.
     pub(crate) fn rational_power(&self, base: &Adic, exponent: &Number, key: impl Fn() -> Key) -> Adic {
         if let Some(n) = exponent.to_i64() {
             return self.power(base, n);
@@ -145,6 +157,9 @@ impl Adics {
         let (num, den) = exponent.to_small().unwrap_or((0, 1));
         let Some(leading) = base.leading() else { return Self::zero() };
         let power = self.number(&BigInt::one(), leading.valuation.saturating_mul(num) / den);
+        if base.0.len() == 1 && leading.unit.is_one() {
+            return power;
+        }
         self.mul(&power, &self.draw(&key()))
     }
 

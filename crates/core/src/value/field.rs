@@ -18,8 +18,8 @@ pub(super) const TORSION: u64 = 110_880;
 /// A field with its groups of angles and exponentials.
 pub(crate) struct Field {
     closure: Closure,
-    /// Whether the group of angles is that of the circle.
-    has_circle: bool,
+    /// Smaller primes are squares here.
+    least_non_square: u64,
     angle_order: Option<u64>,
     exponent_order: Option<u64>,
     groups: OnceLock<Groups>,
@@ -31,21 +31,28 @@ struct Groups {
     torsion: (u64, Point),
     /// The atomic angle of prime order: a point of the circle.
     angle: Point,
-    /// The members of the multiplicative group that serve as angle and as exponential.
-    wave: u64,
+    /// The atomic exponential of prime order.
     exponential: u64,
 }
 
 impl Field {
     /// The field of a prime, with the orders of its groups of angles and exponentials, if these have values.
-    pub(super) fn new(
-        p: u64,
-        has_circle: bool,
-        angle_order: Option<u64>,
-        exponent_order: Option<u64>,
-    ) -> Self {
-        let closure = Closure::new(Prime::new(p));
-        Self { closure, has_circle, angle_order, exponent_order, groups: OnceLock::new() }
+    pub(super) fn new(p: u64, angle_order: Option<u64>, exponent_order: Option<u64>) -> Self {
+        let prime = Prime::new(p);
+        let least_non_square =
+            [2, 3, 5, 7, 11].into_iter().find(|&q| !prime.is_square(prime.natural(q))).unwrap_or(13);
+        Self {
+            closure: Closure::new(prime),
+            least_non_square,
+            angle_order,
+            exponent_order,
+            groups: OnceLock::new(),
+        }
+    }
+
+    /// The least prime that may be no square here.
+    pub(crate) fn least_non_square(&self) -> u64 {
+        self.least_non_square
     }
 
     fn prime(&self) -> &Prime {
@@ -56,25 +63,17 @@ impl Field {
         self.groups.get_or_init(|| {
             let prime = self.prime();
             let torsion = num_integer::gcd(TORSION, prime.p + 1);
-            let member = |name: &str, order: Option<u64>| {
-                let order = order.unwrap_or(1);
-                prime.pow(self.word(&Key::new(name)), (prime.p - 1) / order)
-            };
-            let angle =
-                self.angle_order.filter(|_| self.has_circle).map_or(circle::identity(prime), |order| {
-                    circle::times(
-                        prime,
-                        circle::point(prime, self.word(&Key::new("angle"))),
-                        (prime.p + 1) / order,
-                    )
-                });
-            let wave = if self.has_circle { prime.one } else { member("wave", self.angle_order) };
-            Groups {
-                torsion: (torsion, circle::turn_over(prime, torsion)),
-                angle,
-                wave,
-                exponential: member("exponential", self.exponent_order),
-            }
+            let angle = self.angle_order.map_or(circle::identity(prime), |order| {
+                circle::times(
+                    prime,
+                    circle::point(prime, self.word(&Key::new("angle"))),
+                    (prime.p + 1) / order,
+                )
+            });
+            let exponential = self.exponent_order.map_or(prime.one, |order| {
+                prime.pow(self.word(&Key::new("exponential")), (prime.p - 1) / order)
+            });
+            Groups { torsion: (torsion, circle::turn_over(prime, torsion)), angle, exponential }
         })
     }
 
@@ -297,8 +296,12 @@ impl Field {
 
     /// The unit cos + i sin of a fraction of a turn.
     pub(crate) fn unit(&self, turns: &Number) -> Quadratic {
-        let (cos, sin) = self.part_of_turn(turns);
-        self.add(&cos, &self.mul(&sin, &self.closure.imaginary()))
+        self.unit_of_angle(&self.part_of_turn(turns))
+    }
+
+    /// The unit cos + i sin of an angle.
+    pub(crate) fn unit_of_angle(&self, (cos, sin): &(Quadratic, Quadratic)) -> Quadratic {
+        self.add(cos, &self.mul(sin, &self.closure.imaginary()))
     }
 
     /// The angle that is a fraction of a turn.
@@ -344,21 +347,8 @@ impl Field {
 
     /// The cosine and the sine of an argument, given by its value in the field of angles.
     pub(crate) fn angle(&self, argument: u64) -> (Quadratic, Quadratic) {
-        let (prime, groups) = (self.prime(), self.groups());
-        if self.has_circle {
-            let (cos, sin) = circle::times(prime, groups.angle, argument);
-            return (Quadratic::Real(cos), Quadratic::Real(sin));
-        }
-        self.wave(&Quadratic::Real(prime.pow(groups.wave, argument)))
-    }
-
-    /// The cosine (z + 1/z)/2 and the sine (z - 1/z)/2i.
-    fn wave(&self, z: &Quadratic) -> (Quadratic, Quadratic) {
-        let inverse = self.inverse(z);
-        let cos = self.half(&self.add(z, &inverse));
-        // 1/i = -i
-        let sin = self.mul(&self.half(&self.sub(&inverse, z)), &self.closure.imaginary());
-        (cos, sin)
+        let (cos, sin) = circle::times(self.prime(), self.groups().angle, argument);
+        (Quadratic::Real(cos), Quadratic::Real(sin))
     }
 
     /// A point of the circle drawn for a value: cos(-u) = cos(u), sin(-u) = -sin(u).

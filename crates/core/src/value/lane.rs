@@ -8,18 +8,23 @@
 //! argument of a sine or an exponential is evaluated once more, modulo that order [Martin 1971; Gonnet 1984]:
 //! sin(u) is the sine of u' times a fixed angle of prime order A1, where u' is the value of u in GF(A1), and exp(u) is
 //! g^(u'') with the value u'' of u in GF(B1). So the value of f(u) depends on the values of u alone, and the addition
-//! theorems hold for arguments of every form. The primes of a lane are
+//! theorems hold for arguments of every form. Functions inside arguments are evaluated one field further up the tower:
 //!
-//! * p = -1 mod 110880, so that the angles 2 pi k/110880 are exact and sqrt 2, 3, 5, 7, 11 agree with them;
-//! * A1, a factor of p + 1, for angles; then A2 = (A1 - 1)/2, A3 = (A2 - 1)/2, and A4, a factor of A3 - 1;
-//! * B1 = (p - 1)/2, for exponentials: all positive elements are members of this group, so every root of them is one,
-//!   too; then B2 = (B1 - 1)/2 and B3, a factor of B2 - 1.
+//! | field | is | angles in | exponents in |
+//! |---|---|---|---|
+//! | p | -1 mod 110880, so that the angles 2 pi k/110880 are exact and sqrt 2, 3, 5, 7, 11 agree with them | A1 | B1 |
+//! | B1 | (p - 1)/2: all positive elements are members of this group, so every root of them is one, too | A1 | B2 |
+//! | B2 | (B1 - 1)/2 | A1 | B3 |
+//! | B3 | a factor of B2 - 1 | | |
+//! | A1 | a factor of p + 1, and so of B1 + 1 and B2 + 1; -1 mod 240 | C1 | A2 |
+//! | A2 | (A1 - 1)/2 | C1 | A3 |
+//! | A3 | a factor of A2 - 1 | | |
+//! | C1 | a factor of A1 + 1, and so of A2 + 1; -1 mod 120 | C2 | C3 |
+//! | C2 | a factor of C1 + 1 | | |
+//! | C3 | a factor of C1 - 1 | | |
 //!
-//! Functions inside arguments are evaluated one field further up the tower. In the fields of exponents B1 and B2, sines are
-//! coordinates of the circle again, because A1 divides B1 + 1 and B2 + 1. In the fields of angles A1 to A3 the sine is
-//! (z - 1/z)/2i for a z of the multiplicative group. Such a sine is not real, so the squares of sines would be negative
-//! there. Therefore signs and roots do not meet it: where an argument holds any, its sines and cosines are those of
-//! drawn points of the circle. In the last field a function of u is drawn for the value of u.
+//! Angles are points of the circle in each of these fields, so that sines are real and their squares positive. In the
+//! fields without angles or exponents, a sine or an exponential of u is drawn for the value of u.
 
 use std::sync::LazyLock;
 
@@ -38,12 +43,13 @@ const FIELDS_OF_A_LANE_WORD: u16 = FIELDS_OF_A_LANE as u16;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub(crate) struct FieldId {
     index: u16,
-    /// Which of the random points over the same primes, and whether sines are real there.
+    /// Which of the random points over the same primes, and in the bits of [`TURNED_BY`] one more than the place of the
+    /// field that tells which logarithms are larger by pi here, if one does.
     point: u16,
 }
 
-/// The bit of a point that tells that sines are real in the fields of angles.
-const REAL_SINES: u16 = 1 << 15;
+/// See [`FieldId::with_turned_logarithms`].
+const TURNED_BY: u32 = 12;
 
 impl FieldId {
     /// The first fields of the lanes that fingerprints show.
@@ -95,7 +101,7 @@ impl FieldId {
     }
 
     fn at_point(self, key: &Key) -> Key {
-        match self.point & !REAL_SINES {
+        match self.unturned().point {
             0 => *key,
             point => key.word(point.into()),
         }
@@ -103,54 +109,76 @@ impl FieldId {
 
     /// The field in which the argument of a sine or cosine is evaluated.
     pub(crate) fn of_angles(self) -> Option<Self> {
-        let index = match self.place() {
-            0 | 5 | 6 => self.index - self.index % FIELDS_OF_A_LANE_WORD + 1,
-            1..=3 if self.point & REAL_SINES == 0 => self.index + 1,
-            _ => return None,
-        };
-        Some(Self { index, ..self })
+        self.above(|place| place.angles)
     }
 
     /// The field in which the argument of an exponential is evaluated.
     pub(crate) fn of_exponents(self) -> Option<Self> {
-        let step = match self.place() {
-            0 => 5,
-            1..=3 | 5 | 6 => 1,
-            _ => return None,
-        };
-        Some(Self { index: self.index + step, ..self })
+        self.above(|place| place.exponents)
     }
 
-    /// The same field with real sines, for what holds signs or roots.
-    pub(crate) fn with_real_sines(self) -> Self {
-        Self { point: self.point | REAL_SINES, ..self }
+    fn above(self, which: impl Fn(&Place) -> Option<u16>) -> Option<Self> {
+        let place = self.index % FIELDS_OF_A_LANE_WORD;
+        let above = which(&TOWER[place as usize])?;
+        Some(Self { index: self.index - place + above, ..self })
     }
 
-    fn place(self) -> usize {
-        self.index as usize % FIELDS_OF_A_LANE
+    /// The same point, but the logarithms of what is negative in another field of the lane are larger by pi: the
+    /// difference to the values without that is the imaginary part, if log u is log |u| + i pi for a negative u.
+    pub(crate) fn with_turned_logarithms(self, by: Self) -> Self {
+        let place = by.index % FIELDS_OF_A_LANE_WORD;
+        Self { point: self.unturned().point | (place + 1) << TURNED_BY, ..self }
     }
 
-    /// Whether the group of angles is that of the circle, of order p + 1.
-    fn has_circle(self) -> bool {
-        matches!(self.place(), 0 | 5 | 6)
+    /// The field that tells which logarithms are larger by pi here.
+    pub(crate) fn turned_by(self) -> Option<Self> {
+        let place = (self.point >> TURNED_BY).checked_sub(1)?;
+        let lane = self.index - self.index % FIELDS_OF_A_LANE_WORD;
+        Some(Self { index: lane + place, ..self.unturned() })
+    }
+
+    /// The same point without larger logarithms.
+    pub(crate) fn unturned(self) -> Self {
+        Self { point: self.point & ((1 << TURNED_BY) - 1), ..self }
+    }
+
+    fn prime(self) -> u64 {
+        LANES[self.index as usize / FIELDS_OF_A_LANE][self.index as usize % FIELDS_OF_A_LANE]
     }
 }
 
+/// Which fields of a lane have the orders of the groups of a field.
+struct Place {
+    angles: Option<u16>,
+    exponents: Option<u16>,
+}
+
+/// The fields of a lane, in the order of the table of primes.
+const TOWER: [Place; FIELDS_OF_A_LANE] = {
+    const fn place(angles: Option<u16>, exponents: Option<u16>) -> Place {
+        Place { angles, exponents }
+    }
+    [
+        place(Some(1), Some(4)), // p
+        place(Some(7), Some(2)), // A1
+        place(Some(7), Some(3)), // A2
+        place(None, None),       // A3
+        place(Some(1), Some(5)), // B1
+        place(Some(1), Some(6)), // B2
+        place(None, None),       // B3
+        place(Some(8), Some(9)), // C1
+        place(None, None),       // C2
+        place(None, None),       // C3
+    ]
+};
+
 static FIELDS: LazyLock<Vec<Field>> = LazyLock::new(|| {
-    let primes = LANES.iter().flatten().copied();
-    primes
-        .enumerate()
-        .map(|(k, p)| {
-            let index = u16::try_from(k).expect("there are some hundred fields");
-            let id = FieldId { index, point: 0 };
-            let order = |field: Option<FieldId>| {
-                field.map(|field| {
-                    LANES[field.index as usize / FIELDS_OF_A_LANE][field.index as usize % FIELDS_OF_A_LANE]
-                })
-            };
-            Field::new(p, id.has_circle(), order(id.of_angles()), order(id.of_exponents()))
-        })
-        .collect()
+    let number = NUMBER_OF_LANES * FIELDS_OF_A_LANE_WORD;
+    let ids = (0..number).map(|index| FieldId { index, point: 0 });
+    ids.map(|id| {
+        Field::new(id.prime(), id.of_angles().map(FieldId::prime), id.of_exponents().map(FieldId::prime))
+    })
+    .collect()
 });
 
 /// The fingerprint of values in the two hash lanes.
@@ -168,24 +196,28 @@ pub(crate) fn in_hash_lane(element: Element, lane: usize) -> Quadratic {
 mod tests {
     use super::*;
     use crate::value::field::TORSION;
+    use crate::value::lanes::LARGEST_SQUARE;
     use crate::value::number::Number;
     use crate::value::prime::Prime;
     use crate::value::radical::prime_factors;
 
     #[test]
     fn the_primes_are_what_the_description_says() {
-        for &[p, a1, a2, a3, a4, b1, b2, b3] in &LANES {
-            for prime in [p, a1, a2, a3, a4, b1, b2, b3] {
+        for lane in &LANES {
+            for &prime in lane {
                 assert_eq!(prime_factors(&Number::whole(prime.into())).len(), 1, "{prime}");
                 assert_eq!(prime % 4, 3);
             }
-            assert!(p % TORSION == TORSION - 1 && (p + 1) % a1 == 0 && p - 1 == 2 * b1);
-            assert!(a1 == 2 * a2 + 1 && a2 == 2 * a3 + 1 && (a3 - 1) % a4 == 0);
-            assert!(b1 == 2 * b2 + 1 && (b2 - 1) % b3 == 0);
-            assert!((b1 + 1) % a1 == 0 && (b2 + 1) % a1 == 0);
-            for q in [2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31] {
-                let prime = Prime::new(p);
-                assert!(prime.is_square(prime.natural(q)), "{q} modulo {p}");
+            let &[p, a1, a2, a3, b1, b2, b3, c1, c2, c3] = lane;
+            assert!(p % TORSION == TORSION - 1 && p == 2 * b1 + 1 && b1 == 2 * b2 + 1 && (b2 - 1) % b3 == 0);
+            assert!((p + 1) % a1 == 0 && (b1 + 1) % a1 == 0 && (b2 + 1) % a1 == 0);
+            assert!(a1 == 2 * a2 + 1 && (a2 - 1) % a3 == 0 && (a1 + 1) % c1 == 0 && (a2 + 1) % c1 == 0);
+            assert!((c1 + 1) % c2 == 0 && (c1 - 1) % c3 == 0);
+            for (field, largest) in [(p, LARGEST_SQUARE), (b1, 11), (b2, 11), (a1, 5), (a2, 5), (c1, 5)] {
+                let prime = Prime::new(field);
+                for q in (2..=largest).filter(|&q| prime_factors(&Number::whole(q.into())).len() == 1) {
+                    assert!(prime.is_square(prime.natural(q)), "{q} modulo {field}");
+                }
             }
         }
     }

@@ -26,6 +26,7 @@ pub use element::Element;
 pub(crate) use field::Field;
 pub(crate) use key::Key;
 pub(crate) use lane::{FieldId, fingerprint, in_hash_lane};
+pub(crate) use lanes::LARGEST_SQUARE;
 pub use number::Number;
 pub(crate) use quadratic::Quadratic;
 pub(crate) use radical::prime_factors;

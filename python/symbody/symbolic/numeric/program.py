@@ -151,6 +151,7 @@ def _check_single_variables(variables: Sequence[Expr]) -> None:
     names = [str(variable) for variable in variables]
     for name, count in Counter(names).items():
         same = [variable for variable in variables if count > 1 and str(variable) == name]
+        same.sort(key=lambda variable: getattr(variable, "assumption", ""))
         note = namesake_note(same[:1], same[1:], ("in one place", "in another"))
         if note:
             raise ProgramError(f"the variables have the name {name} {count} times{note}")

@@ -12,17 +12,17 @@ function energy = mechanical_energy(c, t, q, u)
     m         = c(1);
     l         = c(2);
     lambda    = c(3);
-    k7        = c(7);  % m*g
+    k6        = c(6);  % m*g
 
     % time and inputs: 1 multiplication, 1 function
     v1 = lambda*cos(t);
 
     % positions: 5 multiplications, 2 functions
     cos_theta = cos(theta);
-    v2 = sin(theta)*v1;
+    v2 = v1*sin(theta);
     v2_squared = v2*v2;
-    v3 = cos_theta*v1;
-    v4 = l*cos_theta*k7;
+    v3 = v1*cos_theta;
+    v4 = l*cos_theta*k6;
 
     % velocities: 3 additions, 4 multiplications
     v5 = v3 + l*theta_dot;
