@@ -1,10 +1,14 @@
-"""The wrenches that a motion needs: ``m a`` and ``dH/dt`` of bodies, composites and particles, on their frames."""
+"""The wrenches that a motion needs: ``m a`` and ``dH/dt`` of bodies, composites and particles, on their frames.
+
+A body whose centre of mass is at rest in a rotation needs the same force in the frame before the rotation, where the
+acceleration is known without it: ``m a`` is kept there, as ``m x''`` of a body on ``translate(x, y, 0) * rotate("Z", th)``.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 
-from symbody.dynamics.tree.frame_tree import FrameTree
+from symbody.dynamics.tree.frame_tree import FrameTree, given_twist
 from symbody.geometry.component.triple import NULL, is_null
 from symbody.geometry.component.turning import Accelerated
 from symbody.geometry.frame.acceleration_field import AccelerationField
@@ -22,11 +26,25 @@ def inertia_wrenches(
 ) -> Iterator[tuple[int, Wrench]]:
     """Return the wrench of each inertia, by the place of its frame, parents first."""
     for place, body in inertias.bodies:
-        yield place, body_wrench(body, field(tree.frames[place]))
+        wrench = body_wrench(body, field(tree.frames[place]))
+        centre = _place_of_centre(tree, place)
+        if centre != place:
+            yield centre, Wrench(scale3(body.mass, field(tree.frames[centre]).linear), NULL)
+            wrench = Wrench(NULL, wrench.moment)
+        yield place, wrench
     for place, composite in sorted(inertias.composites.items()):
         yield place, composite_wrench(composite, field(tree.frames[place]))
     for place, particle in inertias.particles:
         yield place, particle_wrench(particle, field(tree.frames[place]))
+
+
+def _place_of_centre(tree: FrameTree, place: int) -> int:
+    """Return the first frame that has the origin of a frame, and from which moving rotations lead to it."""
+    centre = place
+    while place > 0 and is_null(tree.motions[place].displacement) and given_twist(tree.frames[place]) is None:
+        moves, place = bool(tree.moved_by[place]), tree.parents[place]
+        centre = place if moves else centre
+    return centre
 
 
 def body_wrench(body: Body, motion: Accelerated) -> Wrench:
