@@ -71,11 +71,12 @@ fn idle_symbols<'py>(py: Python<'py>, expressions: &Object<'py>) -> Tuple<'py> {
     tuple(py, long_with_forms(py, |graph| Ok(graph.idle_variables(&roots)))?)
 }
 
-/// The expressions in forms without such leaves.
+/// The expressions in forms without such leaves, made outside any derivation, or in that of this thread.
 #[pyfunction]
-fn without_idle_symbols<'py>(py: Python<'py>, expressions: &Object<'py>) -> Tuple<'py> {
+fn without_idle_symbols<'py>(py: Python<'py>, expressions: &Object<'py>, deriving: bool) -> Tuple<'py> {
     let roots = operands(expressions, "without_idle_symbols")?;
-    tuple(py, long_with_graph(py, |graph| Ok(graph.without_idle_variables(&roots)))?)
+    let rewrite = |graph: &mut Graph| Ok(graph.without_idle_variables(&roots));
+    tuple(py, if deriving { long_with_graph(py, rewrite) } else { long_with_forms(py, rewrite) }?)
 }
 
 /// The partial derivatives of one expression with respect to many variables.

@@ -6,7 +6,7 @@
 //! a power with a variable exponent, or the solution of a linear system, has a random one for each argument, which depends
 //! on the values alone. So a variable may seem to be needed where it isn't, but not the other way round.
 
-use crate::graph::{Factors, Flags, Function, Graph, Id, Kind, NumberId, Terms, View};
+use crate::graph::{Factors, Flags, Function, Graph, Id, Kind, NumberId, Terms, View, word};
 use crate::interrupt::tick;
 use crate::value::{FieldId, Key, Number, Quadratic, in_hash_lane};
 
@@ -55,7 +55,7 @@ impl Graph {
             for slot in (0..PAGE).rev() {
                 let Some(page) = &mut slopes.pages[number] else { break };
                 let Some(slope) = page[slot].take() else { continue };
-                let place = u32::try_from(number * PAGE + slot).expect("a place in the table");
+                let place = word(number * PAGE + slot);
                 if self.is_idle(Id(place), &slope, &mut slopes) {
                     idle.push(Id(place));
                 }

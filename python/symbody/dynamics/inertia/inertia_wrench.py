@@ -1,14 +1,14 @@
 """The wrenches that a motion needs: ``m a`` and ``dH/dt`` of bodies, composites and particles, on their frames.
 
-A body whose centre of mass is at rest in a rotation needs the same force in the frame before the rotation, where the
-acceleration is known without it: ``m a`` is kept there, as ``m x''`` of a body on ``translate(x, y, 0) * rotate("Z", th)``.
+The force on a body at the centre of its rotations is the same in the frame before them, where the acceleration is known
+without these rotations. It is kept there: for a body on ``translate(x, y, 0) * rotate("Z", th)`` it is ``m x''``.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 
-from symbody.dynamics.tree.frame_tree import FrameTree, given_twist
+from symbody.dynamics.tree.frame_tree import FrameTree
 from symbody.geometry.component.triple import NULL, is_null
 from symbody.geometry.component.turning import Accelerated
 from symbody.geometry.frame.acceleration_field import AccelerationField
@@ -25,9 +25,10 @@ def inertia_wrenches(
     inertias: BaseInertias, tree: FrameTree, field: AccelerationField
 ) -> Iterator[tuple[int, Wrench]]:
     """Return the wrench of each inertia, by the place of its frame, parents first."""
+    bearing = _with_forces(tree)
     for place, body in inertias.bodies:
         wrench = body_wrench(body, field(tree.frames[place]))
-        centre = _place_of_centre(tree, place)
+        centre = _place_of_centre(tree, place, bears=place in bearing)
         if centre != place:
             yield centre, Wrench(scale3(body.mass, field(tree.frames[centre]).linear), NULL)
             wrench = Wrench(NULL, wrench.moment)
@@ -38,13 +39,25 @@ def inertia_wrenches(
         yield place, particle_wrench(particle, field(tree.frames[place]))
 
 
-def _place_of_centre(tree: FrameTree, place: int) -> int:
-    """Return the first frame that has the origin of a frame, and from which moving rotations lead to it."""
-    centre = place
-    while place > 0 and is_null(tree.motions[place].displacement) and given_twist(tree.frames[place]) is None:
-        moves, place = bool(tree.moved_by[place]), tree.parents[place]
-        centre = place if moves else centre
-    return centre
+def _with_forces(tree: FrameTree) -> set[int]:
+    """Return the frames on which forces of other frames or of loads act."""
+    return {
+        *tree.parents[1:],
+        *(tree.index(action.anchor.frame) for action in tree.actions if action.is_force),
+    }
+
+
+def _place_of_centre(tree: FrameTree, place: int, *, bears: bool) -> int:
+    """Return the frame before the moving rotations about the origin of a frame; the frame itself if it gains nothing.
+
+    If other forces act on the frame, which are carried through the rotations anyway, the frame before must slide.
+    """
+    centre, turns = place, False
+    while centre > 0 and is_null(tree.motions[centre].displacement) and tree.motions[centre].twist is None:
+        turns = turns or bool(tree.moved_by[centre])
+        centre = tree.parents[centre]
+    slides = tree.moved_by[centre] and not tree.motions[centre].rotates
+    return centre if slides or (turns and not bears) else place
 
 
 def body_wrench(body: Body, motion: Accelerated) -> Wrench:

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 
 from symbody.symbolic import _core
 from symbody.symbolic._core import Expr
+from symbody.symbolic.calculus.cost import cost
 from symbody.symbolic.expression.derivation import derivation
 from symbody.symbolic.expression.leaves import ExprLike
 
@@ -26,11 +27,11 @@ def idle_symbols(expressions: Sequence[ExprLike]) -> tuple[Expr, ...]:
     return _core.idle_symbols(expressions)
 
 
-def without_idle_symbols(expressions: Sequence[ExprLike]) -> tuple[Expr, ...]:
-    """Return expressions of the same values without idle symbols, first of all together, then of each, if they are few.
+def without_idle_symbols(expressions: Sequence[Expr]) -> tuple[Expr, ...]:
+    """Return expressions of the same values without symbols that are idle in all of them.
 
     A number takes the place of an idle symbol. A form is taken only if its value is proved to be the same, and if the
-    expressions together take no more operations. Otherwise, as where each number makes a divisor zero, the symbol stays.
+    expressions together take no more operations. Otherwise the symbol stays, as where each number makes a divisor zero.
 
     >>> from symbody import symbols
     >>> from symbody.symbolic import without_idle_symbols
@@ -38,5 +39,9 @@ def without_idle_symbols(expressions: Sequence[ExprLike]) -> tuple[Expr, ...]:
     >>> without_idle_symbols([(a * b + a * c) / (b + c)])
     (a,)
     """
-    with derivation(fresh=True):
-        return _core.without_idle_symbols(expressions)
+    if not idle_symbols(expressions):
+        return tuple(expressions)
+    forms = _core.without_idle_symbols(expressions, deriving=False)
+    with derivation(fresh=True):  # which makes one node of what has become equal, but keeps longer forms
+        values = _core.without_idle_symbols(expressions, deriving=True)
+    return values if cost(values).total < cost(forms).total else forms
