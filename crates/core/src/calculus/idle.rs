@@ -3,7 +3,7 @@
 //! The spin angle of a disc stands in `sin(q)**2*a + cos(q)**2*b - (b - a)*cos(q)**2`, but not in its value. Any number in
 //! place of such a variable gives an expression of the same value, which is proved before it is taken.
 
-use crate::graph::{Function, Graph, Id, View};
+use crate::graph::{ByValue, Function, Graph, Id, View};
 use crate::value::Number;
 
 impl Graph {
@@ -26,11 +26,48 @@ impl Graph {
             // A division by zero, or by what became zero, is no reason to fail: another number may do.
             let Ok(replaced) = replaced else { continue };
             let is_equal = roots.iter().zip(&replaced).all(|(&a, &b)| self.equal(a, b));
-            if is_equal && self.cost(&replaced).total() <= self.cost(&roots).total() {
+            if is_equal
+                && self.is_as_regular(&replaced, &roots)
+                && self.cost(&replaced).total() <= self.cost(&roots).total()
+            {
                 return replaced;
             }
         }
         roots
+    }
+
+    /// Whether forms have no poles but those of other forms: whether they divide by what these divide by.
+    fn is_as_regular(&self, forms: &[Id], others: &[Id]) -> bool {
+        let mut known: ByValue<()> = ByValue::default();
+        for id in self.divisors(others) {
+            known.push(self.value(id), id, ());
+        }
+        self.divisors(forms).into_iter().all(|id| self.find_up_to_sign(&known, id).is_some())
+    }
+
+    /// What must not be zero, or has no value everywhere: divisors, systems of equations, and arguments of functions
+    /// with poles and branches. Numbers are left out.
+    fn divisors(&self, roots: &[Id]) -> Vec<Id> {
+        let mut divisors = Vec::new();
+        for id in self.post_order_where(roots, |id| !self.is_constant(id)) {
+            match self.view(id) {
+                View::Product(factors) => divisors.extend(
+                    factors
+                        .iter()
+                        .filter(|&(_, exponent)| {
+                            let exponent = self.get_number(exponent);
+                            exponent.is_negative() || !exponent.is_integer()
+                        })
+                        .map(|(base, _)| base),
+                ),
+                View::LinearSystem { .. } => divisors.push(id),
+                View::Function(Function::Sin | Function::Cos | Function::Exp, _) => {}
+                View::Function(_, args) => divisors.extend(args.iter()),
+                _ => {}
+            }
+        }
+        divisors.retain(|&id| !self.is_constant(id));
+        divisors
     }
 
     /// The numbers that may replace a variable: zero first; right angles for angles, and small numbers for others.

@@ -30,8 +30,9 @@ def idle_symbols(expressions: Sequence[ExprLike]) -> tuple[Expr, ...]:
 def without_idle_symbols(expressions: Sequence[Expr]) -> tuple[Expr, ...]:
     """Return expressions of the same values without symbols that are idle in all of them.
 
-    A number takes the place of an idle symbol. A form is taken only if its value is proved to be the same, and if the
-    expressions together take no more operations. Otherwise the symbol stays, as where each number makes a divisor zero.
+    A number takes the place of an idle symbol. A form is taken only if its value is proved to be the same, if it
+    divides by nothing by which the given one doesn't, and if all expressions together take no more operations.
+    Otherwise the symbol stays.
 
     >>> from symbody import symbols
     >>> from symbody.symbolic import without_idle_symbols
