@@ -64,6 +64,21 @@ fn free_symbols<'py>(py: Python<'py>, expressions: &Object<'py>) -> PyResult<Bou
     leaves(py, &operands(expressions, "free_symbols")?)
 }
 
+/// The leaves of several expressions on which no value of them depends.
+#[pyfunction]
+fn idle_symbols<'py>(py: Python<'py>, expressions: &Object<'py>) -> Tuple<'py> {
+    let roots = operands(expressions, "idle_symbols")?;
+    tuple(py, long_with_forms(py, |graph| Ok(graph.idle_variables(&roots)))?)
+}
+
+/// The expressions in forms without such leaves, made outside any derivation, or in that of this thread.
+#[pyfunction]
+fn without_idle_symbols<'py>(py: Python<'py>, expressions: &Object<'py>, deriving: bool) -> Tuple<'py> {
+    let roots = operands(expressions, "without_idle_symbols")?;
+    let rewrite = |graph: &mut Graph| Ok(graph.without_idle_variables(&roots));
+    tuple(py, if deriving { long_with_graph(py, rewrite) } else { long_with_forms(py, rewrite) }?)
+}
+
 /// The partial derivatives of one expression with respect to many variables.
 #[pyfunction]
 fn gradient<'py>(py: Python<'py>, expression: &Object<'py>, variables: &Object<'py>) -> Tuple<'py> {
@@ -96,5 +111,7 @@ pub fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(free_symbols, module)?)?;
     module.add_function(wrap_pyfunction!(time_derivatives, module)?)?;
     module.add_function(wrap_pyfunction!(gradient, module)?)?;
+    module.add_function(wrap_pyfunction!(idle_symbols, module)?)?;
+    module.add_function(wrap_pyfunction!(without_idle_symbols, module)?)?;
     module.add_function(wrap_pyfunction!(jacobian, module)?)
 }

@@ -13,6 +13,7 @@ from symbody.symbolic.calculus.derivative import (
     time_derivative,
     time_derivatives,
 )
+from symbody.symbolic.calculus.idle import idle_symbols, without_idle_symbols
 from symbody.symbolic.calculus.rewrite import (
     coeff,
     collect,
@@ -126,6 +127,7 @@ __all__ = [
     "functions_of_time",
     "gradient",
     "identity",
+    "idle_symbols",
     "jacobian",
     "latex",
     "ldl_solve",
@@ -163,5 +165,6 @@ __all__ = [
     "time_derivative",
     "time_derivatives",
     "to_sympy",
+    "without_idle_symbols",
     "zeros",
 ]

@@ -5,7 +5,7 @@
 //! arguments of sines and exponentials into what has a known angle or exponential and the rest; [`integer_point`] reads
 //! the factors of such parts off; [`logarithm`] knows logarithms of products, also of those that [`monomial`] finds;
 //! [`content`] is the numeric factor of a node; [`same`] compares nodes, in as many lanes as [`sign_degree`] says,
-//! unless their forms show that they are equal ([`form`]).
+//! unless their forms show that they are equal ([`form`]). [`slope`] finds the variables on which a value depends.
 //!
 //! Invariant: nodes without signs and roots are compared in the two hash lanes, and others in all lanes. Values are
 //! found by loops without recursion, except in arguments of functions inside arguments.
@@ -21,5 +21,6 @@ mod node;
 mod pending;
 mod same;
 mod sign_degree;
+mod slope;
 
 pub(crate) use pending::Pending;

@@ -10,6 +10,7 @@ use crate::value::{Element, Number};
 use std::cell::RefCell;
 
 use super::classes::Classes;
+use super::function::Function;
 use super::lanes::{Lanes, draw_pi, draw_symbol, draw_time, draw_time_function, drawn};
 use super::node::{Assumption, Factors, Flags, Id, Ids, Kind, NumberId, Terms, View};
 
@@ -328,6 +329,12 @@ impl Graph {
     fn find_row(&self, hash: u64, kind: Kind, words: &[u32]) -> Option<Id> {
         let same = |&id: &u32| self.kind(Id(id)) == kind && self.words_of(Id(id)) == words;
         self.index.find(hash, same).copied().map(Id)
+    }
+
+    /// The node of a function of one argument, if there is one.
+    pub(crate) fn known_function(&self, function: Function, argument: Id) -> Option<Id> {
+        let (kind, words) = (Kind::Function(function), [argument.0]);
+        self.find_row(hash_row(kind, &words), kind, &words)
     }
 
     /// The node of this row, made if it is new.

@@ -11,7 +11,7 @@ from symbody.errors import ModelError
 from symbody.geometry import Scalar
 from symbody.geometry.given.argument import checked
 from symbody.multibody import System
-from symbody.symbolic import Expr, Matrix, Program, free_symbols, listing
+from symbody.symbolic import Expr, Matrix, Program, free_symbols, listing, without_idle_symbols
 from symbody.symbolic.expression.container import Container, contains, substituted
 from symbody.symbolic.expression.latex_layout import aligned, broken
 from symbody.symbolic.given.arguments import counted
@@ -33,6 +33,13 @@ class Assembly:
 
     mass_matrix: Matrix
     bias: tuple[Expr, ...]
+
+    def without_idle_symbols(self) -> Assembly:
+        """Return the coefficients in forms without symbols on which their values don't depend."""
+        n = len(self.bias)
+        entries = without_idle_symbols((*self.mass_matrix.entries, *self.bias))
+        rows = [entries[k * n : (k + 1) * n] for k in range(n)]
+        return Assembly(Matrix(rows), entries[n * n :])
 
 
 @dataclass(frozen=True, eq=False)

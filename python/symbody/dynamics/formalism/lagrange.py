@@ -32,6 +32,7 @@ from symbody.symbolic import (
     symbol,
     time_derivative,
     time_derivatives,
+    without_idle_symbols,
 )
 from symbody.symbolic.given.arguments import brief
 
@@ -79,7 +80,7 @@ def lagrange_equations(system: System) -> Equations:
         if tree.is_rigid:
             recursive_newton_euler(system, tree)
         residuals = with_multipliers(_residuals(system), system)
-    return Equations(system, residuals, _assemble)
+    return Equations(system, without_idle_symbols(residuals), _assemble)
 
 
 def _check_no_quasi_velocities(system: System) -> None:
@@ -101,7 +102,8 @@ def _assemble(system: System) -> Assembly:
         momenta = _momenta(system)
         M = with_added_mass(jacobian(momenta, [time_derivative(q) for q in system.coordinates]), system)
         rest = Matrix([_residuals(system)]).subs(at_rest(system)).entries
-        return Assembly(M, tuple(entry + 0 for entry in rest))  # the sum takes the value's node
+        assembly = Assembly(M, tuple(entry + 0 for entry in rest))  # the sum takes the value's node
+    return assembly.without_idle_symbols()
 
 
 def _residuals(system: System) -> tuple[Expr, ...]:

@@ -12,7 +12,7 @@ from symbody.dynamics.tree.frame_tree import FrameTree, frame_tree
 from symbody.errors import FrameError, ModelError
 from symbody.geometry.given.argument import checked
 from symbody.multibody import System
-from symbody.symbolic import derivation
+from symbody.symbolic import derivation, without_idle_symbols
 from symbody.symbolic.given.arguments import brief
 
 from .checked_tree import checked_tree
@@ -42,14 +42,15 @@ def newton_euler(system: System) -> Equations:
         tree = checked_tree(system, "newton_euler")
         _check_rigid(tree)
         residuals = with_multipliers(recursive_newton_euler(system, tree), system)
-    return Equations(system, residuals, _assemble)
+    return Equations(system, without_idle_symbols(residuals), _assemble)
 
 
 def _assemble(system: System) -> Assembly:
     with derivation(fresh=True):
         tree = frame_tree(system)
         forces = bias(system, tree)
-        return Assembly(with_added_mass(mass_matrix(system, tree), system), forces)
+        assembly = Assembly(with_added_mass(mass_matrix(system, tree), system), forces)
+    return assembly.without_idle_symbols()
 
 
 def _check_rigid(tree: FrameTree) -> None:

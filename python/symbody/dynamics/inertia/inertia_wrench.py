@@ -1,4 +1,8 @@
-"""The wrenches that a motion needs: ``m a`` and ``dH/dt`` of bodies, composites and particles, on their frames."""
+"""The wrenches that a motion needs: ``m a`` and ``dH/dt`` of bodies, composites and particles, on their frames.
+
+The force on a body at the centre of its rotations is the same in the frame before them, where the acceleration is known
+without these rotations. It is kept there: for a body on ``translate(x, y, 0) * rotate("Z", th)`` it is ``m x''``.
+"""
 
 from __future__ import annotations
 
@@ -21,12 +25,39 @@ def inertia_wrenches(
     inertias: BaseInertias, tree: FrameTree, field: AccelerationField
 ) -> Iterator[tuple[int, Wrench]]:
     """Return the wrench of each inertia, by the place of its frame, parents first."""
+    bearing = _with_forces(tree)
     for place, body in inertias.bodies:
-        yield place, body_wrench(body, field(tree.frames[place]))
+        wrench = body_wrench(body, field(tree.frames[place]))
+        centre = _place_of_centre(tree, place, bears=place in bearing)
+        if centre != place:
+            yield centre, Wrench(scale3(body.mass, field(tree.frames[centre]).linear), NULL)
+            wrench = Wrench(NULL, wrench.moment)
+        yield place, wrench
     for place, composite in sorted(inertias.composites.items()):
         yield place, composite_wrench(composite, field(tree.frames[place]))
     for place, particle in inertias.particles:
         yield place, particle_wrench(particle, field(tree.frames[place]))
+
+
+def _with_forces(tree: FrameTree) -> set[int]:
+    """Return the frames on which forces of other frames or of loads act."""
+    return {
+        *tree.parents[1:],
+        *(tree.index(action.anchor.frame) for action in tree.actions if action.is_force),
+    }
+
+
+def _place_of_centre(tree: FrameTree, place: int, *, bears: bool) -> int:
+    """Return the frame before the moving rotations about the origin of a frame; the frame itself if it gains nothing.
+
+    If other forces act on the frame, which are carried through the rotations anyway, the frame before must slide.
+    """
+    centre, turns = place, False
+    while centre > 0 and is_null(tree.motions[centre].displacement) and tree.motions[centre].twist is None:
+        turns = turns or bool(tree.moved_by[centre])
+        centre = tree.parents[centre]
+    slides = tree.moved_by[centre] and not tree.motions[centre].rotates
+    return centre if slides or (turns and not bears) else place
 
 
 def body_wrench(body: Body, motion: Accelerated) -> Wrench:

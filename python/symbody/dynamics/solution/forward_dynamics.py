@@ -31,6 +31,7 @@ from symbody.symbolic import (
     ldl_solve,
     saddle_point_solve,
     substitute,
+    without_idle_symbols,
 )
 
 
@@ -61,6 +62,14 @@ class ForwardDynamics:
     method: str
     conditions: tuple[Expr, ...] = ()
     equation_names: tuple[str, ...] = ()
+
+    def without_idle_symbols(self) -> ForwardDynamics:
+        """Return the solution in forms without symbols on which its values don't depend."""
+        n, m = len(self.accelerations), len(self.multipliers)
+        values = without_idle_symbols((*self.accelerations, *self.multipliers, *self.conditions))
+        return replace(
+            self, accelerations=values[:n], multipliers=values[n : n + m], conditions=values[n + m :]
+        )
 
 
 @checked(ModelError)
@@ -167,7 +176,8 @@ def _articulated_body(eqs: Equations, _: Damping) -> ForwardDynamics:
                 "forward_dynamics: the articulated-body recursion is for trees without constraints, each coordinate "
                 "of which drives one rigid motion alone, and loads without accelerations; use method='auto'"
             )
-        return ForwardDynamics(articulated_body.accelerations(eqs.system, tree), (), "articulated_body")
+        accelerations = articulated_body.accelerations(eqs.system, tree)
+    return ForwardDynamics(accelerations, (), "articulated_body").without_idle_symbols()
 
 
 def _ldl(eqs: Equations, _: Damping) -> ForwardDynamics:
@@ -179,9 +189,10 @@ def _ldl(eqs: Equations, _: Damping) -> ForwardDynamics:
         )
     with derivation(fresh=True):
         try:
-            return ForwardDynamics(ldl_solve(M, [-entry for entry in eqs.bias]), (), "ldl")
+            accelerations = ldl_solve(M, [-entry for entry in eqs.bias])
         except ExpressionError as failure:
             raise ModelError(_massless(eqs, failure)) from failure
+    return ForwardDynamics(accelerations, (), "ldl").without_idle_symbols()
 
 
 def _eliminated(method: str, eqs: Equations, baumgarte: Damping) -> ForwardDynamics:
@@ -204,7 +215,7 @@ def _by_saddle_point(method: str, eqs: Equations, baumgarte: Damping) -> Forward
     with derivation(fresh=True):
         right = [-entry for entry in _stabilized_bias(eqs, baumgarte)] if eqs.constraints else []
         solution = saddle_point_solve(eqs.mass_matrix, eqs.constraint_jacobian, eqs.forcing, right, method)
-    return ForwardDynamics(solution.x, solution.y, method, solution.conditions)
+    return ForwardDynamics(solution.x, solution.y, method, solution.conditions).without_idle_symbols()
 
 
 def _stabilized_bias(eqs: Equations, baumgarte: Damping) -> tuple[Expr, ...]:

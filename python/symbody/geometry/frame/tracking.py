@@ -26,6 +26,7 @@ from symbody.symbolic import (
     solve,
     time_derivative,
     time_derivatives,
+    without_idle_symbols,
 )
 from symbody.symbolic.given.arguments import brief
 
@@ -70,6 +71,8 @@ def _rates(pose: Frame, velocities: Twist) -> dict[Expr, Expr]:
             return solve(others[way], rates)
 
     def forms(rate: Expr) -> Iterator[Expr]:
+        (independent,) = without_idle_symbols([first[rate]])
+        yield independent
         yield first[rate]
         yield simplify(first[rate])
         for way in range(len(others)):
