@@ -14,10 +14,13 @@ use crate::graph::{Atom, Flags, Function, Graph, Id, Split, View};
 use crate::value::{Field, FieldId, Key, Number, Quadratic};
 
 use super::integer_point::IntegerPoint;
-use super::node::{is_large, power_of_complex};
+use super::node::{is_large, power_of_complex, power_of_number};
 
 /// The most atoms of an argument.
 const MOST_ATOMS: usize = 32;
+
+/// At how many points it is tried whether the base of a power is negative.
+const TRIALS: u16 = 16;
 
 type Point = (Quadratic, Quadratic);
 
@@ -57,25 +60,56 @@ impl Graph {
     }
 
     /// The unit e^(i v) for the imaginary part v of an argument, without the multiples of logarithms that are split off.
-    /// Logarithms of what is negative have imaginary parts.
     fn turn_of_exponential(&self, argument: Id, split: &Split, field: FieldId) -> Option<Quadratic> {
-        let mut bases = split.iter().filter_map(|(atom, factor)| match atom {
-            Atom::Log(base) => Some((*base, factor)),
-            _ => None,
-        });
-        let first = bases.next()?;
         let angles = field.of_angles()?;
-        let a = angles.field();
-        let turned = self.value_in(argument, angles.with_turned_logarithms(field));
-        let imaginary = a.sub(&turned, &self.value_in(argument, angles));
-        let rest = std::iter::once(first).chain(bases).fold(imaginary, |rest, (base, factor)| {
-            if !self.is_negative_in(base, field) {
-                return rest;
-            }
-            a.sub(&rest, &a.mul(&a.number(factor), &self.value_in(Id::PI, angles)))
-        });
+        let rest = self.imaginary_rest(argument, split, field)?;
         let f = field.field();
-        Some(f.unit_of_angle(&f.angle(a.exponent(&rest))))
+        Some(f.unit_of_angle(&f.angle(angles.field().exponent(&rest))))
+    }
+
+    /// The imaginary part of an argument in the field of angles, without the logarithms that are split off; `None` if it
+    /// holds no logarithms that have imaginary parts, which are those of what is negative.
+    fn imaginary_rest(&self, argument: Id, split: &Split, field: FieldId) -> Option<Quadratic> {
+        let bases: Vec<(Id, &Number)> = split
+            .iter()
+            .filter_map(|(atom, factor)| match atom {
+                Atom::Log(base) => Some((*base, factor)),
+                _ => None,
+            })
+            .collect();
+        let angles = field.of_angles().filter(|_| !bases.is_empty())?;
+        let a = angles.field();
+        let negative = bases.iter().filter(|(base, _)| self.is_negative_in(*base, field));
+        Some(negative.fold(self.imaginary_in(argument, angles, field), |rest, (_, factor)| {
+            a.sub(&rest, &a.mul(&a.number(factor), &self.value_in(Id::PI, angles)))
+        }))
+    }
+
+    /// The imaginary part that an argument has by logarithms of what is negative in a field.
+    fn imaginary_in(&self, argument: Id, angles: FieldId, field: FieldId) -> Quadratic {
+        let turned = self.value_in(argument, angles.with_turned_logarithms(field));
+        angles.field().sub(&turned, &self.value_in(argument, angles))
+    }
+
+    /// Whether the exponential of an argument holds powers of what may be negative with exponents that are no numbers.
+    fn has_turns(&self, argument: Id, split: &Split) -> bool {
+        split
+            .iter()
+            .filter_map(|(atom, _)| self.where_negative(atom))
+            .any(|field| self.imaginary_rest(argument, split, field).is_some_and(|rest| !rest.is_zero()))
+    }
+
+    /// Whether the value of an argument depends on the logarithm that an atom is, if that may be one of what is negative.
+    fn depends_on_logarithm(&self, argument: Id, atom: &Atom) -> bool {
+        self.where_negative(atom).is_some_and(|field| {
+            field.of_angles().is_some_and(|angles| !self.imaginary_in(argument, angles, field).is_zero())
+        })
+    }
+
+    /// A random point at which an atom is the logarithm of what is negative, if there is one among several.
+    fn where_negative(&self, atom: &Atom) -> Option<FieldId> {
+        let Atom::Log(base) = *atom else { return None };
+        (0..TRIALS).map(|point| FieldId::HASH[0].at(point)).find(|&field| self.is_negative_in(base, field))
     }
 
     /// base ** exponent, as exp(exponent * log(base)): base ** n for the number n in the exponent, and the rest.
@@ -137,14 +171,14 @@ impl Graph {
 
     /// Whether the sine or exponential of an argument holds roots that its argument does not hold.
     pub(crate) fn makes_roots(&self, argument: Id, of_exponential: bool) -> bool {
-        self.split_argument(argument, of_exponential).iter().any(|(atom, factor)| match atom {
-            Atom::Log(base) => {
-                self.is_branching(*base, factor) || self.constant_factor(argument, atom).is_none()
-            }
-            Atom::LogOfPrime(prime) => !factor.is_integer() && is_large(prime),
-            Atom::Pi | Atom::LogOfPi => false,
-            _ => true,
-        })
+        let split = self.split_argument(argument, of_exponential);
+        self.has_turns(argument, &split)
+            || split.iter().any(|(atom, factor)| match atom {
+                Atom::Log(base) => self.is_branching(*base, factor),
+                Atom::LogOfPrime(prime) => !factor.is_integer() && is_large(prime),
+                Atom::Pi | Atom::LogOfPi => false,
+                _ => true,
+            })
     }
 
     /// Whether the exponential of an argument may be negative, because the argument holds a logarithm of something that
@@ -199,22 +233,50 @@ impl Graph {
             let half = Number::rational(1, 2);
             if is_complex { power_of_complex(&square, &half, f) } else { f.rational_power(&square, &half) }
         };
-        let point = match *atom {
+        let (point, content) = match *atom {
             Atom::Asin(argument) => {
-                let sin = value(argument);
-                (root(f.sub(&f.one(), &f.mul(&sin, &sin))), sin)
+                let (sin, length) = (value(argument), self.length_with_one(argument, -1, f, value, root));
+                ((length, sin), self.denominator_of(argument, f))
             }
             Atom::Atan(argument) => {
-                let tan = value(argument);
-                let scale = f.inverse(&root(f.add(&f.one(), &f.mul(&tan, &tan))));
-                (scale.clone(), f.mul(&tan, &scale))
+                let scale = f.inverse(&self.length_with_one(argument, 1, f, value, root));
+                ((scale.clone(), f.mul(&value(argument), &scale)), Number::integer(1))
             }
-            Atom::Atan2(y, x) => self.unit_vector(y, x, f, value),
+            Atom::Atan2(y, x) => (self.unit_vector(y, x, f, value), Number::integer(1)),
             _ => return f.part_of_turn(&factor.mul(&Number::rational(1, 2))), // pi is half a turn
         };
-        let halved = if factor.is_integer() { point } else { half_angle(f, &point, root) };
+        let halved = if factor.is_integer() { point } else { half_angle(f, &point, &content, root) };
         let count = if factor.is_integer() { factor.clone() } else { factor.mul(&Number::integer(2)) };
         multiple(f, halved, count.to_i64().unwrap_or(0))
+    }
+
+    /// sqrt(1 + u^2), or sqrt(1 - u^2) for the sign -1, of the value u of a node.
+    ///
+    /// It is sqrt(d^2 + (d u)^2)/d, where d is the denominator of the content of u, because a prime may be no square here.
+    fn length_with_one(
+        &self,
+        id: Id,
+        sign: i64,
+        f: &Field,
+        value: &impl Fn(Id) -> Quadratic,
+        root: impl Fn(Quadratic) -> Quadratic,
+    ) -> Quadratic {
+        if let Some(number) = self.as_number(id) {
+            let square = Number::integer(1).add(&Number::integer(sign).mul(&number.mul(number)));
+            if !square.is_negative() {
+                return power_of_number(&square, &Number::rational(1, 2), f);
+            }
+        }
+        let d = f.number(&self.denominator_of(id, f));
+        let whole = f.mul(&d, &value(id));
+        let square = f.mul(&f.number(&Number::integer(sign)), &f.mul(&whole, &whole));
+        f.div(&root(f.add(&f.mul(&d, &d), &square)), &d)
+    }
+
+    /// The denominator of the content of a node.
+    fn denominator_of(&self, id: Id, f: &Field) -> Number {
+        self.numeric_content(id, f)
+            .map_or_else(|| Number::integer(1), |content| Number::whole(content.denominator()))
     }
 
     /// The atoms of an argument with their factors.
@@ -226,10 +288,11 @@ impl Graph {
             return known;
         }
         let factors = self.atoms(argument, of_exponential).into_iter().filter_map(|atom| {
-            let factor = self.growth_at_integers(argument, &atom, 0);
+            let factor = self.growth_at_integers(argument, &atom);
             if let Atom::Log(_) = atom {
-                let is_absent = self.constant_factor(argument, &atom).is_some_and(|factor| factor.is_zero());
-                return (!is_absent).then(|| (atom, factor.unwrap_or_else(|| Number::integer(0))));
+                let factor = factor.unwrap_or_else(|| Number::integer(0));
+                let is_there = !factor.is_zero() || self.depends_on_logarithm(argument, &atom);
+                return is_there.then_some((atom, factor));
             }
             let factor = factor.filter(|factor| !factor.is_zero())?;
             let is_known =
@@ -239,14 +302,6 @@ impl Graph {
         let split: Split = factors.collect();
         self.lanes.borrow_mut().insert_split(argument, of_exponential, Arc::clone(&split));
         split
-    }
-
-    /// The factor of an atom if it is the same at several points of integers.
-    fn constant_factor(&self, argument: Id, atom: &Atom) -> Option<Number> {
-        let factor = self.growth_at_integers(argument, atom, 0)?;
-        (1..3)
-            .all(|point| self.growth_at_integers(argument, atom, point).as_ref() == Some(&factor))
-            .then_some(factor)
     }
 
     /// The atoms below an argument.
@@ -302,9 +357,16 @@ fn rotate(f: &Field, a: &Point, b: &Point) -> Point {
     (cos, sin)
 }
 
-/// Half of an angle between -pi and pi: the cosine is sqrt((1 + cos)/2).
-fn half_angle(f: &Field, point: &Point, root: impl Fn(Quadratic) -> Quadratic) -> Point {
-    let cos = root(f.half(&f.add(&f.one(), &point.0)));
+/// Half of an angle between -pi and pi: the cosine is sqrt((1 + cos)/2), where 1/`denominator` is taken out of the root.
+fn half_angle(
+    f: &Field,
+    point: &Point,
+    denominator: &Number,
+    root: impl Fn(Quadratic) -> Quadratic,
+) -> Point {
+    let square = f.mul(&f.number(denominator), &f.half(&f.add(&f.one(), &point.0)));
+    let scale = power_of_number(denominator, &Number::rational(-1, 2), f);
+    let cos = f.mul(&scale, &root(square));
     let sin = f.div(&f.half(&point.1), &cos);
     (cos, sin)
 }

@@ -8,7 +8,7 @@ use crate::value::Number;
 use super::pending::Pending;
 
 /// Longer sums and products are not opened.
-const MOST_PARTS: usize = 48;
+const MOST_PARTS: usize = 256;
 
 /// How many levels of sums inside sums are opened.
 const DEEPEST: usize = 8;
@@ -28,7 +28,14 @@ impl Graph {
                 let sign = Number::integer(if is_opposite { 1 } else { -1 });
                 self.cancels(terms, (id, sign))
             }
-            Pending::Node(_) | Pending::Function(..) => false,
+            Pending::Node(node) => match self.view(node) {
+                View::Sum(_) => self.shows(Pending::Sum(&[(NumberId::ONE, node)]), id, is_opposite),
+                View::Product(_) | View::Scale(..) => {
+                    self.shows(Pending::Product(&[(node, NumberId::ONE)]), id, is_opposite)
+                }
+                _ => false,
+            },
+            Pending::Function(..) => false,
         }
     }
 
@@ -130,6 +137,7 @@ mod tests {
         assert!(g.shows(Pending::Product(&[(z, one), (opposite, one)]), larger, true));
         assert!(!g.shows(Pending::Product(&[(z, one), (opposite, one)]), larger, false));
         assert!(!g.shows(Pending::Product(&[(x, one), (product, one)]), larger, false));
+        assert!(g.shows(Pending::Node(opposite), product, true));
         let (sum, nested) = (g.add(product, z), g.add(product, y));
         let nested = g.add(nested, z);
         let terms = [(one, y), (one, Id::ZERO), (one, sum)];

@@ -45,8 +45,8 @@ impl<'a> IntegerPoint<'a> {
         Self { grown: None, atom: None, number }
     }
 
-    fn with(self, atom: &'a Atom, value: i64) -> Self {
-        Self { atom: Some((atom, value)), ..self }
+    fn with(atom: &'a Atom, value: i64) -> Self {
+        Self { atom: Some((atom, value)), ..Self::PLAIN }
     }
 
     /// The values that generators have times a power of two.
@@ -136,14 +136,13 @@ impl Graph {
         first.filter(|_| first == second)
     }
 
-    /// The growth of a node's value at one of the integer points with an atom, if that is simple and rational.
+    /// The growth of a node's value at an integer point with an atom, if that is simple and rational.
     ///
     /// It is u(2) - u(1) for pi, which is positive, and (u(1) - u(-1))/2 for others, which may be odd functions.
-    pub(super) fn growth_at_integers(&self, root: Id, atom: &Atom, number: u64) -> Option<Number> {
+    pub(super) fn growth_at_integers(&self, root: Id, atom: &Atom) -> Option<Number> {
         let order = self.short_order(&[root])?;
         let [first, second] = FieldId::HASH.map(|field| {
-            let point = IntegerPoint::numbered(number);
-            let at = |value| self.values_at(&order, point.with(atom, value), field).remove(&root);
+            let at = |value| self.values_at(&order, IntegerPoint::with(atom, value), field).remove(&root);
             let f = field.field();
             Some(match atom {
                 Atom::Pi => f.sub(&at(2)?, &at(1)?),

@@ -1,0 +1,33 @@
+"""Products and sums of many roots and signs are equal in any order and nesting."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from functools import reduce
+from operator import add, mul
+
+import pytest
+
+from symbody.symbolic import Abs, Expr, number, parse, sign, sqrt, symbols
+
+x, y = symbols("x y")
+PARTS: dict[str, Callable[[int], Expr]] = {
+    "roots": lambda k: sqrt(x**2 + k),
+    "lengths": lambda k: sqrt((x - k) ** 2 + (y - 2 * k) ** 2),
+    "signs": lambda k: sign(x - k * y),
+    "moduli": lambda k: Abs(x - k),
+}
+
+
+@pytest.mark.parametrize("count", [6, 7, 20, 60])
+@pytest.mark.parametrize("operation", [mul, add])
+@pytest.mark.parametrize("name", PARTS)
+def test_any_order(name: str, operation: Callable[[Expr, Expr], Expr], count: int) -> None:
+    parts = [PARTS[name](k) for k in range(1, count + 1)]
+    one, other = reduce(operation, parts), reduce(operation, parts[::-1])
+    assert one == other
+    assert (one - other).is_zero
+    assert one - other == number(0)
+    assert parse(str(one)) == one
+    assert parse(str(other)) == other
+    assert one != operation(one, parts[0])
