@@ -19,9 +19,6 @@ use super::node::{is_large, power_of_complex, power_of_number};
 /// The most atoms of an argument.
 const MOST_ATOMS: usize = 32;
 
-/// At how many points it is tried whether the base of a power is negative.
-const TRIALS: u16 = 16;
-
 type Point = (Quadratic, Quadratic);
 
 impl Graph {
@@ -57,92 +54,6 @@ impl Graph {
             };
             f.mul(&product, &power)
         })
-    }
-
-    /// The unit e^(i v) for the imaginary part v of an argument, without the multiples of logarithms that are split off.
-    fn turn_of_exponential(&self, argument: Id, split: &Split, field: FieldId) -> Option<Quadratic> {
-        let angles = field.of_angles()?;
-        let rest = self.imaginary_rest(argument, split, field)?;
-        let f = field.field();
-        Some(f.unit_of_angle(&f.angle(angles.field().exponent(&rest))))
-    }
-
-    /// The imaginary part of an argument in the field of angles, without the logarithms that are split off; `None` if it
-    /// holds no logarithms that have imaginary parts, which are those of what is negative.
-    fn imaginary_rest(&self, argument: Id, split: &Split, field: FieldId) -> Option<Quadratic> {
-        let bases: Vec<(Id, &Number)> = split
-            .iter()
-            .filter_map(|(atom, factor)| match atom {
-                Atom::Log(base) => Some((*base, factor)),
-                _ => None,
-            })
-            .collect();
-        let angles = field.of_angles().filter(|_| !bases.is_empty())?;
-        let a = angles.field();
-        let negative = bases.iter().filter(|(base, _)| self.is_negative_in(*base, field));
-        Some(negative.fold(self.imaginary_in(argument, angles, field), |rest, (_, factor)| {
-            a.sub(&rest, &a.mul(&a.number(factor), &self.value_in(Id::PI, angles)))
-        }))
-    }
-
-    /// The imaginary part that an argument has by logarithms of what is negative in a field.
-    fn imaginary_in(&self, argument: Id, angles: FieldId, field: FieldId) -> Quadratic {
-        let turned = self.value_in(argument, angles.with_turned_logarithms(field));
-        angles.field().sub(&turned, &self.value_in(argument, angles))
-    }
-
-    /// Whether the exponential of an argument holds powers of what may be negative with exponents that are no numbers.
-    fn has_turns(&self, argument: Id, split: &Split) -> bool {
-        split
-            .iter()
-            .filter_map(|(atom, _)| self.where_negative(atom))
-            .any(|field| self.imaginary_rest(argument, split, field).is_some_and(|rest| !rest.is_zero()))
-    }
-
-    /// Whether the value of an argument depends on the logarithm that an atom is, if that may be one of what is negative.
-    fn depends_on_logarithm(&self, argument: Id, atom: &Atom) -> bool {
-        self.where_negative(atom).is_some_and(|field| {
-            field.of_angles().is_some_and(|angles| !self.imaginary_in(argument, angles, field).is_zero())
-        })
-    }
-
-    /// A random point at which an atom is the logarithm of what is negative, if there is one among several.
-    fn where_negative(&self, atom: &Atom) -> Option<FieldId> {
-        let Atom::Log(base) = *atom else { return None };
-        (0..TRIALS).map(|point| FieldId::HASH[0].at(point)).find(|&field| self.is_negative_in(base, field))
-    }
-
-    /// base ** exponent, as exp(exponent * log(base)): base ** n for the number n in the exponent, and the rest.
-    ///
-    /// The logarithm of a negative base is log |base| + i pi. So the sign of a power with a symbolic exponent is not known,
-    /// unless the base is known to be positive.
-    pub(super) fn general_power_in(&self, base: Id, exponent: Id, field: FieldId) -> Quadratic {
-        let f = field.field();
-        let (Some(angles), Some(exponents)) = (field.of_angles(), field.of_exponents()) else {
-            let value = self.value_in(exponent, field);
-            return match self.logarithm_parts(base) {
-                Some(_) => f.drawn_exponential(&f.mul(&value, &self.logarithm_in(base, field))),
-                None => f.opaque(Key::new("power of"), &[&self.value_in(base, field), &value]),
-            };
-        };
-        if base == Id::ZERO {
-            let value = self.value_in(exponent, field);
-            return f.opaque(Key::new("power of zero"), &[&value]);
-        }
-        let number = self.number_in(exponent);
-        let rest = |above: FieldId| {
-            let a = above.field();
-            a.sub(&self.value_in(exponent, above), &a.number(&number))
-        };
-        let e = exponents.field();
-        let magnitude = e.exponent(&e.mul(&rest(exponents), &self.logarithm_in(base, exponents)));
-        let power = f.mul(&self.power_in(base, &number, field), &f.exponential(magnitude));
-        if self.logarithm_parts(base).is_some() || !self.is_negative_in(base, field) {
-            return power;
-        }
-        let a = angles.field();
-        let turn = f.angle(a.exponent(&a.mul(&rest(angles), &self.value_in(Id::PI, angles))));
-        f.mul(&power, &f.unit_of_angle(&turn))
     }
 
     /// What has to be known before the sine or exponential of an argument can be evaluated.

@@ -3,9 +3,10 @@
 //! The law: *the value of f(u) depends on the value of u alone*, in each lane. So if A = B, then f(A) = f(B), whatever
 //! the forms of A and B are. [`node`] has the value of each kind of node from those of its children; [`argument`] splits
 //! arguments of sines and exponentials into what has a known angle or exponential and the rest; [`integer_point`] reads
-//! the factors of such parts off; [`logarithm`] knows logarithms of products, also of those that [`monomial`] finds;
-//! [`content`] is the numeric factor of a node; [`same`] compares nodes, in as many lanes as [`sign_degree`] says,
-//! unless their forms show that they are equal ([`form`]). [`slope`] finds the variables on which a value depends.
+//! the factors of such parts off; [`negative_base`] has powers of what may be negative; [`logarithm`] knows logarithms of
+//! products, also of those that [`monomial`] finds; [`content`] is the numeric factor of a node; [`same`] compares nodes,
+//! in as many lanes as [`sign_degree`] says, unless their forms show that they are equal ([`form`]). [`slope`] finds
+//! the variables on which a value depends.
 //!
 //! Invariant: nodes without signs and roots are compared in the two hash lanes, and others in all lanes. Values are
 //! found by loops without recursion, except in arguments of functions inside arguments.
@@ -17,6 +18,7 @@ mod integer_point;
 mod logarithm;
 mod logarithm_part;
 mod monomial;
+mod negative_base;
 mod node;
 mod pending;
 mod same;
