@@ -26,6 +26,7 @@ __all__ = [
     "free_symbols",
     "function_names",
     "gradient",
+    "idle_symbols",
     "inverse",
     "jacobian",
     "kernel_address",
@@ -61,6 +62,7 @@ __all__ = [
     "time",
     "time_derivatives",
     "time_function",
+    "without_idle_symbols",
 ]
 
 _Number: TypeAlias = int | float | Fraction
