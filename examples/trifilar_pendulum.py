@@ -361,6 +361,8 @@ def simulate(console: Console, equations: Equations) -> None:
     start = perf_counter()
     motion = swing(equations, thrown())
     console.print(result_table(motion, shown, perf_counter() - start))
+    with step(console, f"report written to {FOLDER}/trifilar_report.html"):
+        sb.report(equations, FOLDER / "trifilar_report.html", motion=motion)
     with step(console, f"plot and animation written to {FOLDER}/trifilar_motion.png and .html"):
         draw(motion, shown)
 

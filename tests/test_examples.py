@@ -79,7 +79,7 @@ def test_demo_reports_what_it_finds_and_writes_its_files(demo: tuple[str, Path])
     ):
         assert quantity in printed
     names = {str(path.relative_to(out)) for path in out.parent.rglob("*") if path.is_file()}
-    pictures = {"trifilar_motion.html", "trifilar_motion.png"}
+    pictures = {"trifilar_motion.html", "trifilar_motion.png", "trifilar_report.html"}
     equations = {"trifilar_equations.tex", "trifilar_equations.txt"}
     fortran = {"fortran/Makefile", "fortran/Trifilar_pendulum.f90", "fortran/Trifilar_pendulum_check.f90"}
     matlab = {name for name in names if name.startswith("matlab/")}

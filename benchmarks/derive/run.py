@@ -13,6 +13,7 @@ from pathlib import Path
 from .problems import PROBLEMS
 from .report import introduction, section, targets
 from .rounds import in_this_process, in_turns
+from .ways import ways
 
 REPORT = Path(__file__).resolve().parents[2] / "docs" / "benchmarks" / "derive.md"
 
@@ -49,7 +50,7 @@ def full(names: list[str], rounds: int) -> list[str]:
     for problem in (PROBLEMS[name] for name in names):
         results = in_turns(problem, rounds)
         parts += [section(problem, problem.sizes, results), targets(problem, results)]
-    return parts
+    return [*parts, ways()] if names == list(PROBLEMS) else parts
 
 
 def _write(report: str) -> None:

@@ -98,6 +98,7 @@ from symbody.symbolic import (
     parse,
     partial_derivative,
     pi,
+    readable,
     sign,
     simplify,
     sin,
@@ -119,6 +120,7 @@ from symbody.symbolic.given.hint import no_attribute
 
 if TYPE_CHECKING:
     from symbody.codegen import CompiledFunction, MachineCode, generate, lambdify
+    from symbody.document import report
     from symbody.simulation import (
         Equilibrium,
         Event,
@@ -233,7 +235,9 @@ __all__ = [
     "pi",
     "power",
     "project",
+    "readable",
     "redundant_constraints",
+    "report",
     "rotate",
     "show",
     "sign",
@@ -258,7 +262,7 @@ __all__ = [
     "zeros",
 ]
 
-_LATER = ("codegen", "simulation", "view")
+_LATER = ("codegen", "simulation", "view", "document")
 """The layers that are loaded when one of their names is first used, the lower ones first."""
 
 

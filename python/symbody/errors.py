@@ -93,6 +93,10 @@ class PictureError(SymbodyError, OSError):
     """A page or a figure that can't be written."""
 
 
+class ReportError(SymbodyError, ValueError):
+    """A report of something that is not a model, or in an unknown format."""
+
+
 class ModelNotice(UserWarning):
     """A warning of something that the user should know, such as a part that was left out of a result on purpose.
 

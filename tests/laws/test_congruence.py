@@ -14,7 +14,7 @@ import pytest
 
 from tests.laws import congruence, false_equalities
 from tests.laws.trees import tree_in
-from tests.symbolic.expected_equalities import EQUALITIES
+from tests.symbolic.expected_equalities import EQUALITIES, Equality
 
 MOST_BROKEN = 8e-4
 """The share of checks that may fail: docs/values.md, "Where the law fails", has the causes. It was 67e-3 before signs
@@ -46,17 +46,24 @@ def test_equal_stays_equal_in_many_pairs(seed: int) -> None:
     assert obeys(report), str(report)
 
 
-MOST_BROKEN_OF_ROWS = 1e-2
-"""The rows with exp(y*log(x)) and cos(asin(x/67 + y)) break it: docs/values.md, "Where the law fails"."""
+BEYOND_THE_TOWER = {
+    "sqrt(3 + 2*sqrt(2))": "the sine of a sine of the tangent of pi/8",
+    "cos(pi/8)": "the sine of a sine of the cosine of pi/8",
+    "sin(abs(sin(2*x)))": "five functions inside each other",
+    "exp(abs(sin(2*x)))": "five functions inside each other",
+}
+"""Rows that break the law in compositions only, and why: docs/values.md, "Where the law fails"."""
 
 
-def test_expected_equalities_stay_equal() -> None:
+@pytest.mark.parametrize("row", EQUALITIES, ids=lambda row: row.left)
+def test_expected_equalities_stay_equal(row: Equality) -> None:
     report = congruence.Report()
-    for row in EQUALITIES:
-        congruence.check(congruence.Pair("row", tree_in(row.left), tree_in(row.right)), report)
+    congruence.check(congruence.Pair("row", tree_in(row.left), tree_in(row.right)), report)
     assert not report.counts["false equalities"]
-    assert not report.broken["crash"]
-    assert report.broken.total() <= MOST_BROKEN_OF_ROWS * report.tried.total(), str(report)
+    if row.left in BEYOND_THE_TOWER:
+        assert set(report.broken) == {"nested"}, str(report)
+    else:
+        assert not report.broken, str(report)
 
 
 @pytest.mark.parametrize("in_derivation", [False, True])

@@ -102,7 +102,7 @@ REAL, POSITIVE, COMPLEX, MOVING = namesakes()
     ("expression", "text"),
     [
         (REAL - POSITIVE, "x - x[positive]"),
-        (REAL + POSITIVE * COMPLEX**2, "x[positive]*x[complex]**2 + x"),
+        (REAL + POSITIVE * COMPLEX**2, "x + x[positive]*x[complex]**2"),
         (MOVING - POSITIVE + REAL, "x(t) + x - x[positive]"),
         (MOVING - POSITIVE, "x(t) - x"),
         (POSITIVE**2, "x**2"),

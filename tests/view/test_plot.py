@@ -24,6 +24,7 @@ from symbody import (
 from symbody.errors import PictureError, ViewError
 from symbody.view import plot
 from symbody.view.overview import overview
+from symbody.view.plot import NotebookFigure
 from tests.view.prescribed import hanging_plate, q1, q2, swinging, tumbling
 
 
@@ -127,3 +128,9 @@ def test_files_and_mistakes(tmp_path: Path) -> None:
         plot(motion, path=tmp_path / "all.doc")
     with pytest.raises(PictureError, match="nothing was changed there"):
         plot(motion, path=tmp_path / "all.svg" / "x.png")
+
+
+def test_a_notebook_shows_a_figure_as_a_picture() -> None:
+    figure = plot(swinging(), q1)
+    assert isinstance(figure, NotebookFigure)
+    assert figure._repr_png_().startswith(b"\x89PNG")

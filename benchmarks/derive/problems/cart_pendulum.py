@@ -28,6 +28,7 @@ PROBLEM = Problem(
     title="Pendulum of n links on a cart",
     statement=(
         "In the plane, absolute angles, point masses at the joints; all parameters symbolic. "
+        'symbody\'s model is a chain, `rotate("Z", q[i] - q[i - 1]) * translate(0, l[i], 0)` for each link. '
         "Outputs: mass matrix (upper triangle) and bias."
     ),
     sizes=(3, 5, 10, 20, 30, 60),

@@ -32,6 +32,7 @@ fn rewrite(py: Python<'_>, name: &str, expression: &Bound<'_, PyAny>) -> PyResul
         "factor_terms" => Graph::factor_terms,
         "combine_trig" => Graph::combine_trig,
         "simplify" => Graph::simplify,
+        "readable" => Graph::readable,
         _ => return Err(PyValueError::new_err(format!("{name} is not a rewrite"))),
     };
     let root = operand(expression, name)?;

@@ -21,6 +21,7 @@ from symbody.symbolic.calculus.rewrite import (
     expand,
     expand_trig,
     factor_terms,
+    readable,
     simplify,
 )
 from symbody.symbolic.expression.derivation import Derivation, current_derivation, derivation
@@ -144,6 +145,7 @@ __all__ = [
     "partial_derivative",
     "pi",
     "radians",
+    "readable",
     "rotate3",
     "rotate_back3",
     "saddle_point_solve",

@@ -73,7 +73,7 @@ def plot(
         _panels(panels, units or {}, _kinds(groups, time)) if panels else _overview(groups, units or {}, time)
     )
     rows = max(map(len, columns))
-    figure = Figure(figsize=(6.5 * len(columns) + 1, 2.4 * rows + 0.8), layout="constrained")
+    figure = NotebookFigure(figsize=(6.5 * len(columns) + 1, 2.4 * rows + 0.8), layout="constrained")
     grid = figure.subplots(rows, len(columns), sharex=True, squeeze=False)
     for places, column in zip(grid.T, columns, strict=True):
         for axes, panel in zip(places, column, strict=False):
@@ -87,6 +87,15 @@ def plot(
     if path is not None:
         save(figure, path)
     return figure
+
+
+class NotebookFigure(Figure):
+    """A figure that a notebook shows as a picture, also without ``%matplotlib inline``."""
+
+    def _repr_png_(self) -> bytes:
+        content = BytesIO()
+        self.savefig(content, format="png", dpi=100)
+        return content.getvalue()
 
 
 def save(figure: Figure, path: str | os.PathLike[str]) -> Path:

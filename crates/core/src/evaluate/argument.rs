@@ -15,11 +15,12 @@ use crate::value::{Field, FieldId, Key, Number, Quadratic};
 
 use super::integer_point::IntegerPoint;
 use super::node::{is_large, power_of_complex, power_of_number};
+use super::rotation::{self, multiple, rotate};
 
 /// The most atoms of an argument.
 const MOST_ATOMS: usize = 32;
 
-type Point = (Quadratic, Quadratic);
+type Point = rotation::Point<Quadratic>;
 
 impl Graph {
     /// The cosine and the sine of an argument.
@@ -132,7 +133,7 @@ impl Graph {
     }
 
     /// A multiple of the angle that an atom is.
-    fn known_angle(
+    pub(super) fn known_angle(
         &self,
         atom: &Atom,
         factor: &Number,
@@ -262,12 +263,6 @@ impl Graph {
     }
 }
 
-fn rotate(f: &Field, a: &Point, b: &Point) -> Point {
-    let cos = f.sub(&f.mul(&a.0, &b.0), &f.mul(&a.1, &b.1));
-    let sin = f.add(&f.mul(&a.0, &b.1), &f.mul(&a.1, &b.0));
-    (cos, sin)
-}
-
 /// Half of an angle between -pi and pi: the cosine is sqrt((1 + cos)/2), where 1/`denominator` is taken out of the root.
 fn half_angle(
     f: &Field,
@@ -280,19 +275,4 @@ fn half_angle(
     let cos = f.mul(&scale, &root(square));
     let sin = f.div(&f.half(&point.1), &cos);
     (cos, sin)
-}
-
-fn multiple(f: &Field, point: Point, count: i64) -> Point {
-    let (cos, sin) = point;
-    let mut base = if count < 0 { (cos, f.neg(&sin)) } else { (cos, sin) };
-    let mut sum = (f.one(), f.number(&Number::integer(0)));
-    let mut count = count.unsigned_abs();
-    while count > 0 {
-        if count & 1 == 1 {
-            sum = rotate(f, &sum, &base);
-        }
-        base = rotate(f, &base, &base);
-        count >>= 1;
-    }
-    sum
 }

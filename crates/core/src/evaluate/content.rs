@@ -7,18 +7,13 @@
 
 use num_bigint::BigInt;
 use num_integer::Integer;
-use num_traits::One;
-use rustc_hash::FxHashMap;
 use std::collections::{BTreeMap, BTreeSet};
 
-use crate::graph::{Flags, Function, Graph, Id, NumberId, View};
-use crate::value::{Adic, Adics, Field, FieldId, Key, Number, PARTS, prime_factors};
+use crate::graph::{Graph, Id, NumberId, View};
+use crate::value::{Adics, Field, Number, PARTS, prime_factors};
 
+use super::adic_value::{AdicPoint, POINTS};
 use super::integer_point::Rationals;
-
-/// Points at which the q-adic values of nodes are found: sines are 0 at these, and drawn at as many others, which serve
-/// where a value is 0 at these.
-const POINTS: u16 = 9;
 
 /// Larger sums and products have no content.
 const SEARCH: usize = 4096;
@@ -67,11 +62,11 @@ impl Graph {
         (!content.is_one()).then_some(content)
     }
 
-    /// The nodes that terms are made of by sums, products and choices, children first; none if there are too many.
+    /// The nodes from whose values the q-adic values of terms are found, parts first; none if there are too many.
     fn open_parts(&self, terms: &[(i64, Id)]) -> Vec<Id> {
         let (mut order, mut seen) = (Vec::new(), rustc_hash::FxHashSet::default());
         let mut stack: Vec<(Id, bool)> = terms.iter().rev().map(|&(_, id)| (id, false)).collect();
-        let mut children = Vec::new();
+        let mut parts = Vec::new();
         while let Some((id, expanded)) = stack.pop() {
             if expanded {
                 order.push(id);
@@ -80,29 +75,19 @@ impl Graph {
                     return Vec::new();
                 }
                 stack.push((id, true));
-                if self.is_open(id) {
-                    children.clear();
-                    self.push_children(id, &mut children);
-                    stack.extend(children.iter().rev().map(|&child| (child, false)));
-                }
+                parts.clear();
+                self.push_adic_parts(id, &mut parts);
+                stack.extend(parts.iter().rev().map(|&part| (part, false)));
             }
         }
         order
-    }
-
-    fn is_open(&self, id: Id) -> bool {
-        match self.view(id) {
-            View::Scale(..) | View::Sum(_) | View::Product(_) => true,
-            View::Function(function, _) => is_choice(function) && !self.flags(id).has(Flags::COMPLEX),
-            _ => false,
-        }
     }
 
     /// The primes from the least one up that the content may hold: those of the numbers in the nodes, and those that two
     /// values at points of integers have in common, because sums make new ones.
     fn primes_of(&self, terms: &[(i64, Id)], nodes: &[Id], least: u64) -> BTreeSet<BigInt> {
         let mut numbers: BTreeSet<u32> = BTreeSet::new();
-        let mut sums: Vec<Id> = Vec::new();
+        let (mut sums, mut bases) = (Vec::new(), Vec::new());
         let mut note = |number: NumberId| {
             if !self.get_number(number).abs().is_one() {
                 numbers.insert(number.0);
@@ -115,14 +100,15 @@ impl Graph {
                     sums.push(id);
                     terms.iter().for_each(|(number, _)| note(number));
                 }
-                _ => {}
+                _ => bases.extend(self.adic_bases(id)),
             }
         }
-        if numbers.is_empty() {
+        if numbers.is_empty() && bases.is_empty() && terms.len() == 1 {
             return BTreeSet::new();
         }
         let literals = numbers.into_iter().map(|number| self.get_number(NumberId(number)).clone());
-        let all = literals.chain(self.shared_numbers(terms, &sums)).filter(|number| !number.is_zero());
+        let all =
+            literals.chain(bases).chain(self.shared_numbers(terms, &sums)).filter(|number| !number.is_zero());
         let primes = all.flat_map(|number| prime_factors(&number.abs()).into_keys());
         primes.filter(|prime| *prime >= least.into()).collect()
     }
@@ -148,7 +134,7 @@ impl Graph {
     fn valuation(&self, terms: &[(i64, Id)], order: &[Id], prime: &BigInt) -> i64 {
         let adics = Adics::new(prime);
         let at = |point: u16| {
-            let values = self.adic_values(order, &adics, point);
+            let values = self.adic_values(order, &AdicPoint { adics: &adics, number: point });
             let sum = terms.iter().fold(Adics::zero(), |sum, (factor, id)| {
                 adics.add(&sum, &adics.mul(&adics.number(&(*factor).into(), 0), &values[id]))
             });
@@ -164,95 +150,4 @@ impl Graph {
         let found = most_frequent(0..POINTS).or_else(|| most_frequent(POINTS..2 * POINTS));
         found.map_or(0, |valuation| valuation.div_euclid(PARTS))
     }
-
-    /// The values of nodes at a point of the q-adic integers.
-    fn adic_values(&self, order: &[Id], adics: &Adics, point: u16) -> FxHashMap<Id, Adic> {
-        let mut values: FxHashMap<Id, Adic> = FxHashMap::default();
-        for &node in order {
-            let value = match self.view(node) {
-                View::Number(number) => adics.rational(self.get_number(number)),
-                View::Scale(number, child) => {
-                    adics.mul(&adics.rational(self.get_number(number)), &values[&child])
-                }
-                View::Sum(terms) => terms.iter().fold(Adics::zero(), |sum, (number, node)| {
-                    let factor = adics.rational(self.get_number(number));
-                    adics.add(&sum, &adics.mul(&factor, &values[&node]))
-                }),
-                View::Product(factors) => {
-                    factors.iter().fold(adics.number(&BigInt::one(), 0), |product, (base, exponent)| {
-                        let exponent = self.get_number(exponent);
-                        let key = || self.key_of(base, point).text(&exponent.to_string());
-                        adics.mul(&product, &adics.rational_power(&values[&base], exponent, key))
-                    })
-                }
-                View::Function(function, args) if self.is_open(node) => {
-                    let args: Vec<Id> = args.iter().collect();
-                    self.choice(function, &args, &values, adics, point)
-                }
-                View::Function(function, args) if point < POINTS && self.is_plain(function, args.get(0)) => {
-                    match function {
-                        Function::Cos | Function::Cosh | Function::Exp => adics.number(&BigInt::one(), 0),
-                        _ => Adics::zero(),
-                    }
-                }
-                _ => {
-                    let drawn = adics.draw(&self.key_of(node, point));
-                    if self.value(node).unsigned().1 {
-                        adics.mul(&drawn, &adics.number(&(-1).into(), 0))
-                    } else {
-                        drawn
-                    }
-                }
-            };
-            values.insert(node, value);
-        }
-        values
-    }
-
-    /// Whether a function is that of an argument that may be 0 at the first points, so that the addition theorems hold.
-    fn is_plain(&self, function: Function, argument: Id) -> bool {
-        let of_exponential = match function {
-            Function::Sin | Function::Cos | Function::Tan => false,
-            Function::Exp | Function::Sinh | Function::Cosh | Function::Tanh => true,
-            _ => return false,
-        };
-        !self.flags(argument).has(Flags::COMPLEX) && self.split_argument(argument, of_exponential).is_empty()
-    }
-
-    /// A sign, a modulus, an extremum or a piecewise function, as it is chosen in a lane.
-    fn choice(
-        &self,
-        function: Function,
-        args: &[Id],
-        values: &FxHashMap<Id, Adic>,
-        adics: &Adics,
-        point: u16,
-    ) -> Adic {
-        let lane = FieldId::other(point % POINTS);
-        let is_positive = |id: Id| self.sign_in(id, lane) == lane.field().one();
-        let of_one = |sign: i64| adics.number(&sign.into(), 0);
-        match function {
-            Function::Abs if is_positive(args[0]) => values[&args[0]].clone(),
-            Function::Abs => adics.mul(&values[&args[0]], &of_one(-1)),
-            Function::Sign => of_one(if is_positive(args[0]) { 1 } else { -1 }),
-            Function::Min | Function::Max => {
-                let in_lane = |id: Id| self.value_in(id, lane);
-                values[&self.extremum_in(function, args, in_lane, lane.field())].clone()
-            }
-            _ => {
-                let mut pairs = args[..args.len() - 1].chunks_exact(2);
-                let chosen = pairs.find(|pair| is_positive(pair[1]));
-                values[&chosen.map_or(args[args.len() - 1], |pair| pair[0])].clone()
-            }
-        }
-    }
-
-    fn key_of(&self, id: Id, point: u16) -> Key {
-        let [first, second] = self.value(id).unsigned().0.words();
-        Key::new("digits").word(first).word(second).word(point.into())
-    }
-}
-
-fn is_choice(function: Function) -> bool {
-    matches!(function, Function::Abs | Function::Sign | Function::Min | Function::Max | Function::Piecewise)
 }

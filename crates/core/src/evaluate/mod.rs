@@ -4,13 +4,15 @@
 //! the forms of A and B are. [`node`] has the value of each kind of node from those of its children; [`argument`] splits
 //! arguments of sines and exponentials into what has a known angle or exponential and the rest; [`integer_point`] reads
 //! the factors of such parts off; [`negative_base`] has powers of what may be negative; [`logarithm`] knows logarithms of
-//! products, also of those that [`monomial`] finds; [`content`] is the numeric factor of a node; [`same`] compares nodes,
+//! products, also of those that [`monomial`] finds; [`content`] is the numeric factor of a node, from its [q-adic
+//! values](adic_value); [`rotation`] adds angles; [`same`] compares nodes,
 //! in as many lanes as [`sign_degree`] says, unless their forms show that they are equal ([`form`]). [`slope`] finds
 //! the variables on which a value depends.
 //!
 //! Invariant: nodes without signs and roots are compared in the two hash lanes, and others in all lanes. Values are
 //! found by loops without recursion, except in arguments of functions inside arguments.
 
+mod adic_value;
 mod argument;
 mod content;
 mod form;
@@ -21,6 +23,7 @@ mod monomial;
 mod negative_base;
 mod node;
 mod pending;
+mod rotation;
 mod same;
 mod sign_degree;
 mod slope;

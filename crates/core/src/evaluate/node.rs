@@ -443,9 +443,10 @@ pub(super) fn is_large(prime: &BigInt) -> bool {
     *prime > LARGEST_SQUARE.into()
 }
 
-/// The power of a positive number: the product of the powers of its primes.
+/// The principal power of a number: the product of the powers of its primes and of -1.
 pub(super) fn power_of_number(number: &Number, exponent: &Number, f: &Field) -> Quadratic {
-    prime_factors(&number.abs()).iter().fold(f.one(), |product, (prime, &count)| {
+    let start = if number.is_negative() { f.power_of_minus_one(exponent) } else { f.one() };
+    prime_factors(&number.abs()).iter().fold(start, |product, (prime, &count)| {
         let exponent = exponent.mul(&Number::integer(count));
         f.mul(&product, &f.power_of_prime(&Number::whole(prime.clone()), &exponent))
     })

@@ -7,7 +7,7 @@ use crate::value::Number;
 use super::name;
 use super::tree::{Base, Factor, Sum, Term};
 
-/// Where a factor stands in a product: `2*sqrt(3)*pi*m*(a + b)*x'*sin(x)*(x + a)`.
+/// Where a factor stands in a product: `2*sqrt(3)*pi*m*(a + b)*x*(x + a)*sin(x)*(sin(x) + a)*x'*(x'' + a)`.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(super) enum Place {
     Number,
@@ -15,8 +15,11 @@ pub(super) enum Place {
     Parameter,
     ParameterGroup,
     Coordinate,
+    CoordinateGroup,
     Function,
     Group,
+    Speed,
+    Acceleration,
 }
 
 impl Base {
@@ -25,10 +28,15 @@ impl Base {
             Self::Number(_) => Place::Number,
             Self::Pi => Place::Pi,
             Self::Symbol { .. } => Place::Parameter,
+            Self::TimeFunction { order: 1, .. } => Place::Speed,
+            Self::TimeFunction { order: 2.., .. } => Place::Acceleration,
             Self::Time | Self::TimeFunction { .. } => Place::Coordinate,
             Self::Application { .. } | Self::Function(..) => Place::Function,
-            Self::Group(sum) if sum.place() <= Place::ParameterGroup => Place::ParameterGroup,
-            Self::Group(_) => Place::Group,
+            Self::Group(sum) => match sum.place() {
+                place if place <= Place::ParameterGroup => Place::ParameterGroup,
+                place if place <= Place::CoordinateGroup => Place::CoordinateGroup,
+                place => place.max(Place::Group),
+            },
         }
     }
 }
@@ -45,13 +53,23 @@ impl Term {
         self.factors.iter().map(|factor| factor.base.place()).max().unwrap_or(Place::Number)
     }
 
+    /// Whether the term is a parameter, perhaps with a number before it.
+    fn is_symbol(&self) -> bool {
+        match &self.factors[..] {
+            [Factor { base, exponent }] => base.place() == Place::Parameter && exponent.is_one(),
+            _ => false,
+        }
+    }
+
     /// The factors as written: roots among the functions, `m*l**2` rather than `l**2*m`.
     pub(super) fn written_factors(&self) -> Vec<&Factor> {
         let mut factors: Vec<&Factor> = self.factors.iter().collect();
         factors.sort_by(|a, b| {
             let place = written_place(a).cmp(&written_place(b));
             place.then_with(|| match a.base.place() {
-                Place::Parameter | Place::Coordinate => a.exponent.abs().compare(&b.exponent.abs()),
+                Place::Parameter | Place::Coordinate | Place::Speed | Place::Acceleration => {
+                    a.exponent.abs().compare(&b.exponent.abs())
+                }
                 _ => Ordering::Equal,
             })
         });
@@ -65,20 +83,26 @@ fn written_place(factor: &Factor) -> Place {
 }
 
 /// The first criterion of order in a sum such as `m*x'' + c*x' + k*x + F`: accelerations, then speeds, then
-/// powers of coordinates, then the degree, and terms with functions after those without.
+/// powers of coordinates, then the degree, and terms with functions after those without. A moment of inertia stands
+/// before masses times squares of lengths: `I + m*l**2`.
 #[derive(Clone, Copy, Debug, Default)]
 struct Rank {
     derivative: u32,
     coordinates: f64,
+    is_moment: bool,
     degree: f64,
     has_function: bool,
 }
+
+/// The degree of a mass times the square of a length.
+const MOMENT: f64 = 3.0;
 
 impl Rank {
     fn compare(&self, other: &Self) -> Ordering {
         let by_derivative = other.derivative.cmp(&self.derivative);
         by_derivative
             .then(other.coordinates.total_cmp(&self.coordinates))
+            .then(other.is_moment.cmp(&self.is_moment))
             .then(other.degree.total_cmp(&self.degree))
             .then(self.has_function.cmp(&other.has_function))
     }
@@ -90,6 +114,7 @@ impl Rank {
             Self {
                 derivative: rank.derivative.max(base.derivative),
                 coordinates: rank.coordinates + exponent * base.coordinates,
+                is_moment: false,
                 degree: rank.degree + exponent * base.degree,
                 has_function: rank.has_function || base.has_function,
             }
@@ -110,6 +135,7 @@ impl Rank {
             Base::Group(sum) => sum.terms.iter().map(Self::of_term).fold(none, |a, b| Self {
                 derivative: a.derivative.max(b.derivative),
                 coordinates: a.coordinates.max(b.coordinates),
+                is_moment: false,
                 degree: a.degree.max(b.degree),
                 has_function: a.has_function || b.has_function,
             }),
@@ -120,6 +146,16 @@ impl Rank {
 /// Terms in the reader's order; like terms are neighbours.
 pub(super) fn sorted_terms(terms: Vec<Term>) -> Vec<Term> {
     let mut ranked: Vec<(Rank, Term)> = terms.into_iter().map(|term| (Rank::of_term(&term), term)).collect();
+    let is_mass_by_square = |(rank, term): &&(Rank, Term)| {
+        rank.derivative == 0 && rank.coordinates == 0.0 && rank.degree >= MOMENT && term.factors.len() > 1
+    };
+    let products = ranked.iter().filter(is_mass_by_square).flat_map(|(_, term)| &term.factors);
+    let bases: Vec<Base> = products.map(|factor| factor.base.clone()).collect();
+    if !bases.is_empty() {
+        for (rank, term) in &mut ranked {
+            rank.is_moment = term.is_symbol() && !bases.contains(&term.factors[0].base);
+        }
+    }
     ranked.sort_by(|(rank_a, a), (rank_b, b)| {
         rank_a.compare(rank_b).then_with(|| compare_factors(&a.factors, &b.factors))
     });

@@ -15,6 +15,7 @@ mod factor_terms;
 mod inside_out;
 mod pythagoras;
 mod rational;
+mod readable;
 mod ring;
 mod simplify;
 mod trig_form;

@@ -314,7 +314,7 @@ impl Graph {
 
 impl Ring<'_> {
     /// The distinct polynomials of a part that are within the limits.
-    fn polynomials(&mut self, part: Id) -> Vec<Polynomial> {
+    pub(super) fn polynomials(&mut self, part: Id) -> Vec<Polynomial> {
         let mut forms: Vec<Polynomial> = Vec::new();
         let mut opened: Option<(Opening, Polynomial)> = None;
         for (opening, trigonometry) in POLYNOMIALS {

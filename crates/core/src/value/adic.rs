@@ -1,17 +1,13 @@
 //! The q-adic numbers to a few digits, with roots of q: how often a prime q divides a value.
 
-use num_bigint::{BigInt, BigUint};
+use num_bigint::BigInt;
 use num_integer::Integer;
-use num_traits::{One, Zero};
+use num_traits::One;
+use std::sync::Arc;
 
 use super::key::Key;
 use super::number::Number;
-
-/// The digits of a number.
-const DIGITS: u32 = 12;
-
-/// A sum in which so many digits cancel is zero: what is left of it may be what earlier sums have left undecided.
-const CANCELLED: i64 = 6;
+use super::unramified::{Integral, Unramified};
 
 /// The steps of Newton's iteration: each doubles the digits, of which there are two to a power of sqrt q.
 const NEWTON: usize = 5;
@@ -23,7 +19,7 @@ pub(crate) const PARTS: i64 = 2520;
 #[derive(Clone)]
 pub(crate) struct Term {
     pub(crate) valuation: i64,
-    unit: BigInt,
+    unit: Integral,
 }
 
 /// A number of the q-adic numbers with roots of q: terms whose valuations differ by fractions, none for zero.
@@ -37,15 +33,18 @@ impl Adic {
     }
 }
 
-/// The q-adic numbers of a prime to a relative precision.
+/// The q-adic numbers of a prime, and an extension of these, to a relative precision.
 pub(crate) struct Adics {
-    prime: BigInt,
-    modulus: BigInt,
+    ring: Arc<Unramified>,
 }
 
 impl Adics {
     pub(crate) fn new(prime: &BigInt) -> Self {
-        Self { prime: prime.clone(), modulus: num_traits::Pow::pow(prime, DIGITS) }
+        Self { ring: Unramified::of_prime(prime) }
+    }
+
+    pub(crate) fn prime(&self) -> Number {
+        Number::whole(self.ring.prime.clone())
     }
 
     pub(crate) fn zero() -> Adic {
@@ -54,16 +53,15 @@ impl Adics {
 
     /// The number q^(valuation/PARTS) * integer; what is zero to the precision is zero.
     pub(crate) fn number(&self, integer: &BigInt, valuation: i64) -> Adic {
-        Adic(self.term(integer, valuation).into_iter().collect())
+        Adic(self.term(self.ring.integer(integer), valuation).into_iter().collect())
     }
 
-    fn term(&self, integer: &BigInt, mut valuation: i64) -> Option<Term> {
-        let mut unit = integer.mod_floor(&self.modulus);
-        if unit.is_zero() {
+    fn term(&self, mut unit: Integral, mut valuation: i64) -> Option<Term> {
+        if Unramified::is_zero(&unit) {
             return None;
         }
-        while unit.is_multiple_of(&self.prime) {
-            unit /= &self.prime;
+        while let Some(quotient) = self.ring.divided(&unit) {
+            unit = quotient;
             valuation += PARTS;
         }
         Some(Term { valuation, unit })
@@ -76,8 +74,8 @@ impl Adics {
         // Both may have more digits than the precision.
         let split = |mut integer: BigInt| {
             let mut valuation = 0;
-            while integer.is_multiple_of(&self.prime) {
-                integer /= &self.prime;
+            while integer.is_multiple_of(&self.ring.prime) {
+                integer /= &self.ring.prime;
                 valuation += PARTS;
             }
             self.number(&integer, valuation)
@@ -101,19 +99,19 @@ impl Adics {
 
     fn sum_of_terms(&self, a: &Term, b: &Term) -> Option<Term> {
         let (low, high) = if a.valuation <= b.valuation { (a, b) } else { (b, a) };
-        let digits = (high.valuation - low.valuation) / PARTS;
-        let shift = u32::try_from(digits).unwrap_or(u32::MAX).min(DIGITS);
-        let shifted = &high.unit * num_traits::Pow::pow(&self.prime, shift);
-        let sum = self.term(&(&low.unit + shifted), low.valuation)?;
-        (sum.valuation - low.valuation < CANCELLED * PARTS).then_some(sum)
+        let digits = u32::try_from((high.valuation - low.valuation) / PARTS).unwrap_or(u32::MAX);
+        let sum = self.term(self.ring.add(&low.unit, &high.unit, digits), low.valuation)?;
+        // What is left of a sum in which half of the digits cancel may be what earlier sums have left undecided.
+        let cancelled = (sum.valuation - low.valuation) / PARTS;
+        (cancelled < i64::from(self.ring.digits / 2)).then_some(sum)
     }
 
     pub(crate) fn mul(&self, a: &Adic, b: &Adic) -> Adic {
         let mut product = Self::zero();
         for x in &a.0 {
             for y in &b.0 {
-                let term = self.number(&(&x.unit * &y.unit), x.valuation + y.valuation);
-                product = self.add(&product, &term);
+                let term = self.term(self.ring.mul(&x.unit, &y.unit), x.valuation + y.valuation);
+                product = self.add(&product, &Adic(term.into_iter().collect()));
             }
         }
         product
@@ -121,9 +119,7 @@ impl Adics {
 
     /// The reciprocal, by Newton's iteration from that of the leading term; zero stays zero.
     fn inverse(&self, a: &Adic) -> Adic {
-        let leading = a.leading().and_then(|term| {
-            self.term(&term.unit.modinv(&self.modulus).unwrap_or_default(), -term.valuation)
-        });
+        let leading = a.leading().and_then(|term| self.term(self.ring.inverse(&term.unit), -term.valuation));
         let mut inverse = Adic(leading.into_iter().collect());
         if a.0.len() > 1 {
             let two = self.number(&2.into(), 0);
@@ -149,25 +145,23 @@ impl Adics {
         power
     }
 
-    /// A rational power; the root of the unit is drawn, but for that of 1.
-    pub(crate) fn rational_power(&self, base: &Adic, exponent: &Number, key: impl Fn() -> Key) -> Adic {
+    /// A rational power. The root of a unit is drawn, but for that of 1, for the key of the value without the power of
+    /// the prime that the argument of `key` is.
+    pub(crate) fn rational_power(&self, base: &Adic, exponent: &Number, key: impl Fn(i64) -> Key) -> Adic {
         if let Some(n) = exponent.to_i64() {
             return self.power(base, n);
         }
         let (num, den) = exponent.to_small().unwrap_or((0, 1));
         let Some(leading) = base.leading() else { return Self::zero() };
         let power = self.number(&BigInt::one(), leading.valuation.saturating_mul(num) / den);
-        if base.0.len() == 1 && leading.unit.is_one() {
+        if base.0.len() == 1 && Unramified::is_one(&leading.unit) {
             return power;
         }
-        self.mul(&power, &self.draw(&key()))
+        self.mul(&power, &self.draw(&key(leading.valuation.div_euclid(PARTS))))
     }
 
     /// A unit drawn for a key.
     pub(crate) fn draw(&self, key: &Key) -> Adic {
-        let words: Vec<u32> = (0..16).map(|salt| key.draw_word(salt)).collect();
-        let drawn = BigInt::from(BigUint::new(words)).mod_floor(&self.modulus);
-        let unit = if drawn.is_multiple_of(&self.prime) { drawn + 1 } else { drawn };
-        self.number(&unit, 0)
+        Adic(self.term(self.ring.draw(key), 0).into_iter().collect())
     }
 }

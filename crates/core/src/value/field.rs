@@ -2,7 +2,7 @@
 
 use num_bigint::BigInt;
 use num_integer::Integer;
-use num_traits::{One, Zero};
+use num_traits::{One, ToPrimitive, Zero};
 use std::sync::OnceLock;
 
 use super::circle::{self, Point};
@@ -223,7 +223,7 @@ impl Field {
         let magnitude = if is_positive { word } else { prime.neg(word) };
         let power = match fraction_modulo(exponent, (prime.p - 1) / 2) {
             Some(e) => Quadratic::Real(prime.pow(magnitude, e)),
-            None => self.drawn_root(&Quadratic::Real(magnitude), exponent),
+            None => self.power_in_parts(magnitude, exponent),
         };
         if is_positive {
             return power;
@@ -231,8 +231,31 @@ impl Field {
         self.mul(&power, &self.power_of_minus_one(exponent))
     }
 
+    /// A power of a square, where the denominator shares factors with the order n k of the squares, and n shares none.
+    ///
+    /// A square is a product of two, whose orders divide n and k. The first has one root. That of the second is drawn
+    /// unless it is 1, as it is for positive symbols and exponentials, whose orders are large primes.
+    fn power_in_parts(&self, square: u64, exponent: &Number) -> Quadratic {
+        let prime = self.prime();
+        let order = (prime.p - 1) / 2;
+        let shared = shared_part(order, &exponent.denominator());
+        let unshared = order / shared;
+        let inverse = fraction_modulo(&Number::whole(shared.into()).recip().expect("not 0"), unshared);
+        let (Some(e), Some(inverse)) = (fraction_modulo(exponent, unshared), inverse) else {
+            return self.drawn_root(&Quadratic::Real(square), exponent);
+        };
+        let part = prime.pow(square, shared * inverse);
+        let rest = prime.mul(square, prime.inverse(part));
+        let power = Quadratic::Real(prime.pow(part, e));
+        if rest == prime.one {
+            power
+        } else {
+            self.mul(&power, &self.drawn_root(&Quadratic::Real(rest), exponent))
+        }
+    }
+
     /// e^(i pi r), which is i^n for r = n/2.
-    fn power_of_minus_one(&self, exponent: &Number) -> Quadratic {
+    pub(crate) fn power_of_minus_one(&self, exponent: &Number) -> Quadratic {
         match exponent.mul(&Number::integer(2)).to_i64() {
             Some(n) => self.closure.power(&self.closure.imaginary(), n.rem_euclid(4).unsigned_abs()),
             None => self.unit(&exponent.mul(&Number::rational(1, 2))),
@@ -288,10 +311,13 @@ impl Field {
         self.mul(&self.power_of_real(word, exponent), &self.drawn_root(&rest, exponent))
     }
 
+    /// A root drawn for a value; that of the reciprocal is its reciprocal.
     fn drawn_root(&self, base: &Quadratic, exponent: &Number) -> Quadratic {
         let key = Key::new("root").text(&exponent.denominator().to_string());
-        let root = self.opaque(key, &[base]);
-        self.power(&self.mul(&root, &root), &Number::whole(exponent.numerator()))
+        let reciprocal = self.inverse(base);
+        let (lesser, sign) = if reciprocal.words() < base.words() { (&reciprocal, -1) } else { (base, 1) };
+        let root = self.opaque(key, &[lesser]);
+        self.power(&self.mul(&root, &root), &Number::whole(exponent.numerator() * sign))
     }
 
     /// The unit cos + i sin of a fraction of a turn.
@@ -428,5 +454,19 @@ impl Field {
     /// Whether a number has this value.
     pub(crate) fn is_number(&self, value: &Quadratic, number: &Number) -> bool {
         *value == self.number(number)
+    }
+}
+
+/// The largest divisor of a number that has only primes of another number.
+fn shared_part(number: u64, other: &BigInt) -> u64 {
+    let (mut shared, mut rest) = (1, number);
+    loop {
+        match BigInt::from(rest).gcd(other).to_u64() {
+            Some(factor) if factor > 1 => {
+                shared *= factor;
+                rest /= factor;
+            }
+            _ => return shared,
+        }
     }
 }

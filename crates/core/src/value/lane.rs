@@ -117,10 +117,11 @@ impl FieldId {
         self.above(|place| place.exponents)
     }
 
+    /// The field of what is inside a function: its logarithms are not turned.
     fn above(self, which: impl Fn(&Place) -> Option<u16>) -> Option<Self> {
         let place = self.index % FIELDS_OF_A_LANE_WORD;
         let above = which(&TOWER[place as usize])?;
-        Some(Self { index: self.index - place + above, ..self })
+        Some(Self { index: self.index - place + above, ..self.unturned() })
     }
 
     /// The same point, but the logarithms of what is negative in another field of the lane are larger by pi: the

@@ -20,6 +20,7 @@ mod number;
 mod prime;
 mod quadratic;
 mod radical;
+mod unramified;
 
 pub(crate) use adic::{Adic, Adics, PARTS};
 pub use element::Element;

@@ -7,13 +7,16 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
 
+from symbody.dynamics.display.balance import balances
+from symbody.dynamics.display.matrix_form import MatrixForm, matrix_form
+from symbody.dynamics.display.page import Page
+from symbody.dynamics.display.summary import is_readable, summary
 from symbody.errors import ModelError
 from symbody.geometry import Scalar
 from symbody.geometry.given.argument import checked
 from symbody.multibody import System
-from symbody.symbolic import Expr, Matrix, Program, free_symbols, listing, without_idle_symbols
+from symbody.symbolic import Expr, Matrix, Program, free_symbols, without_idle_symbols
 from symbody.symbolic.expression.container import Container, contains, substituted
-from symbody.symbolic.expression.latex_layout import aligned, broken
 from symbody.symbolic.given.arguments import counted
 from symbody.symbolic.numeric.program import program_of
 
@@ -174,45 +177,42 @@ class Equations:
         kind = "speeds and coordinates" if self.system.quasi_velocities else alone
         return f"Equations({counted(n, 'equation')} of motion, {counted(m, 'constraint')}, {kind} {names})"
 
+    @cached_property
+    def _page(self) -> Page:
+        jacobian = self.constraint_jacobian
+        rows = balances(self.system, self.residuals, self.mass_matrix, self.bias, jacobian)
+        return Page(self.system, rows, self.constraints)
+
     def description(self) -> str:
-        """Return the equations line by line, after their common subexpressions: what `show` prints."""
-        definitions, zeros, rates = self._listing("text")
-        n = len(self.residuals)
-        return "\n    ".join(
-            [
-                f"EQUATIONS OF MOTION of {', '.join(map(str, self.system.driving))}",
-                *(f"{name} := {value}" for name, value in definitions),
-                *(f"{zero} = 0" for zero in zeros[:n]),
-                *(f"constraint: {zero} = 0" for zero in zeros[n:]),
-                *(f"kinematics: {rate} = {value}" for rate, value in rates),
-            ]
-        )
+        """Return the equations line by line as a textbook prints them: what `show` prints.
+
+        On the left are the accelerations, each with one coefficient, products of speeds, gravity and other loads; on
+        the right are given forces and those of constraints. Of equations that are too long, the sizes are returned.
+        """
+        if not is_readable(self.residuals):
+            return summary(self.system, self.residuals)
+        return self._page.description()
 
     def latex(self) -> str:
-        """Return the equations and constraints in LaTeX, after their common subexpressions.
+        """Return the equations and constraints in LaTeX, as a textbook prints them.
 
         Long ones are broken at terms, so that they fit a page.
         """
-        known, zeros = self.system.known_rates, (*self.residuals, *self.constraints)
-        definitions, texts = listing((*zeros, *known, *known.values()), "latex")
-        n, m = len(zeros), len(known)
-        rows = [row for name, value in definitions for row in broken(f"{name} &= ", value)]
-        rows += [row for zero in texts[:n] for row in broken("&", f"{zero} = 0")]
-        rates = zip(texts[n : n + m], texts[n + m :], strict=True)
-        rows += [row for rate, value in rates for row in broken(f"{rate} &= ", value)]
-        return aligned(rows)
+        return self._page.latex()
 
-    def _listing(self, notation: str) -> tuple[list[tuple[str, str]], list[str], list[tuple[Expr, str]]]:
-        """Return common subexpressions, the expressions that are zero, and the rates of coordinates by speeds."""
-        known, zeros = self.system.known_rates, (*self.residuals, *self.constraints)
-        definitions, values = listing((*zeros, *known.values()), notation)
-        n = len(zeros)
-        return definitions, values[:n], list(zip(known, values[n:], strict=True))
+    def matrix_form(self, *, christoffel: bool = False) -> MatrixForm:
+        """Return ``M q'' + c + g + loads = Q + phi_q^T lambda`` with each entry in its form for the reader.
+
+        Args:
+            christoffel: whether c(q, q') is written as C(q, q') q', by Christoffel's symbols.
+        """
+        return matrix_form(self.system, self.mass_matrix, self._page.balances, christoffel=christoffel)
 
     def _repr_latex_(self) -> str | None:
         """Return the equations in LaTeX if they are short enough to be read."""
-        lines = sum(len(part) for part in self._listing("text"))
-        return f"${self.latex()}$" if lines <= _READABLE else None
+        if not is_readable(self.residuals) or self.description().count("\n") > _READABLE:
+            return None
+        return f"${self.latex()}$"
 
 
 _READABLE = 60

@@ -11,6 +11,7 @@ from symbody.dynamics.equations.independence import check_independent
 from symbody.dynamics.recursion.added_mass import with_added_mass
 from symbody.dynamics.recursion.mass_matrix import mass_matrix
 from symbody.dynamics.recursion.recursive_newton_euler import at_rest, bias, recursive_newton_euler
+from symbody.dynamics.recursion.shortest_tree import mass_matrix_and_bias, shortest_tree
 from symbody.dynamics.tree.frame_tree import FrameTree, frame_tree, given_twist
 from symbody.errors import ModelError
 from symbody.geometry.component.triple import NULL, Triple
@@ -78,7 +79,7 @@ def lagrange_equations(system: System) -> Equations:
     with derivation(fresh=True):
         tree = checked_tree(system, "lagrange_equations")
         if tree.is_rigid:
-            recursive_newton_euler(system, tree)
+            recursive_newton_euler(system, shortest_tree(system, recursive_newton_euler))
         residuals = with_multipliers(_residuals(system), system)
     return Equations(system, without_idle_symbols(residuals), _assemble)
 
@@ -95,8 +96,8 @@ def _check_no_quasi_velocities(system: System) -> None:
 
 def _assemble(system: System) -> Assembly:
     with derivation(fresh=True):
-        tree = frame_tree(system)
-        if tree.is_rigid:
+        if frame_tree(system).is_rigid:
+            tree = shortest_tree(system, mass_matrix_and_bias)
             bias(system, tree)
             with_added_mass(mass_matrix(system, tree), system)
         momenta = _momenta(system)

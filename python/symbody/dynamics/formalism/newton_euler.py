@@ -8,7 +8,8 @@ from symbody.dynamics.equations.independence import check_independent
 from symbody.dynamics.recursion.added_mass import with_added_mass
 from symbody.dynamics.recursion.mass_matrix import mass_matrix
 from symbody.dynamics.recursion.recursive_newton_euler import bias, recursive_newton_euler
-from symbody.dynamics.tree.frame_tree import FrameTree, frame_tree
+from symbody.dynamics.recursion.shortest_tree import mass_matrix_and_bias, shortest_tree
+from symbody.dynamics.tree.frame_tree import FrameTree
 from symbody.errors import FrameError, ModelError
 from symbody.geometry.given.argument import checked
 from symbody.multibody import System
@@ -41,13 +42,14 @@ def newton_euler(system: System) -> Equations:
     with derivation(fresh=True):
         tree = checked_tree(system, "newton_euler")
         _check_rigid(tree)
-        residuals = with_multipliers(recursive_newton_euler(system, tree), system)
+        shortest = shortest_tree(system, recursive_newton_euler)
+        residuals = with_multipliers(recursive_newton_euler(system, shortest), system)
     return Equations(system, without_idle_symbols(residuals), _assemble)
 
 
 def _assemble(system: System) -> Assembly:
     with derivation(fresh=True):
-        tree = frame_tree(system)
+        tree = shortest_tree(system, mass_matrix_and_bias)
         forces = bias(system, tree)
         assembly = Assembly(with_added_mass(mass_matrix(system, tree), system), forces)
     return assembly.without_idle_symbols()

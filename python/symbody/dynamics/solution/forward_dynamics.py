@@ -21,7 +21,8 @@ from symbody.dynamics.equations.baumgarte import Damping
 from symbody.dynamics.equations.equations import Equations
 from symbody.dynamics.recursion import articulated_body
 from symbody.dynamics.recursion.recursive_newton_euler import at_rest
-from symbody.dynamics.tree.frame_tree import FrameTree, frame_tree
+from symbody.dynamics.recursion.shortest_tree import articulated_tree
+from symbody.dynamics.tree.frame_tree import FrameTree
 from symbody.errors import ExpressionError, ModelError
 from symbody.geometry.given.argument import checked
 from symbody.symbolic import (
@@ -117,7 +118,7 @@ def _shortest(eqs: Equations, baumgarte: Damping) -> ForwardDynamics:
     if eqs.constraints:
         return _shortest_with_constraints(eqs, baumgarte)
     with derivation(fresh=True):
-        tree = frame_tree(eqs.system)
+        tree = articulated_tree(eqs.system)
         recursive = articulated_body.is_applicable(eqs.system, tree)
     if recursive:
         return _shortest_for_tree(eqs, tree)
@@ -170,7 +171,7 @@ def _least_elimination(tree: FrameTree) -> int:
 
 def _articulated_body(eqs: Equations, _: Damping) -> ForwardDynamics:
     with derivation(fresh=True):
-        tree = frame_tree(eqs.system)
+        tree = articulated_tree(eqs.system)
         if not articulated_body.is_applicable(eqs.system, tree):
             raise ModelError(
                 "forward_dynamics: the articulated-body recursion is for trees without constraints, each coordinate "

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 
@@ -78,8 +78,14 @@ def frame_tree(system: System) -> FrameTree:
     with derivation() as current:
         trees: dict[System, FrameTree] = current.cache.setdefault("frame tree", {})
         if system not in trees:
-            trees[system] = _build(system)
+            trees[system] = tree_of_forms(system, {})
         return trees[system]
+
+
+def targets(system: System) -> list[Frame]:
+    """Return the frames of the bodies of a system, then those on which forces act."""
+    frames = [body.frame for body in system.bodies]
+    return frames + [action.anchor.frame for action in system.actions if action.is_force]
 
 
 def given_twist(frame: Frame) -> Twist | None:
@@ -87,22 +93,25 @@ def given_twist(frame: Frame) -> Twist | None:
     return frame.carrier if frame.motion is None else frame.motion.twist
 
 
-def _build(system: System) -> FrameTree:
-    actions = system.actions
-    targets = [body.frame for body in system.bodies]
-    targets += [action.anchor.frame for action in actions if action.is_force]
-    given, _ = _ordered(system.root, targets)
+def tree_of_forms(system: System, forms: Mapping[bytes, Frame]) -> FrameTree:
+    """Return the tree of a system with the frames of its bodies and forces in other forms, by their keys."""
+    given = targets(system)
+    chosen = [forms.get(frame.key, frame) for frame in given]
+    frames, _ = _ordered(system.root, chosen)
     numeric = all(_is_numeric(body) for body in system.bodies)
-    needed = targets[len(system.bodies) :] if numeric else targets
-    moved = with_shifted_origins(given, needed, numeric=numeric)
-    ordered, parents = _ordered(system.root, [moved[frame.key] for frame in targets])
+    needed = chosen[len(system.bodies) :] if numeric else chosen
+    moved = with_shifted_origins(frames, needed, numeric=numeric)
+    ordered, parents = _ordered(system.root, [moved[frame.key] for frame in chosen])
     places = {frame.key: place for place, frame in enumerate(ordered)}
     places |= {key: places[frame.key] for key, frame in moved.items() if frame.key in places}
+    places |= {
+        frame.key: places[form.key] for frame, form in zip(given, chosen, strict=True) if form.key in places
+    }
     moved_by = _dependence(ordered, system)
     carried = [bool(moved_by[0])]
     for place in range(1, len(ordered)):
         carried.append(carried[parents[place]] or bool(moved_by[place]))
-    return FrameTree(tuple(ordered), tuple(parents), moved_by, tuple(carried), actions, places, system)
+    return FrameTree(tuple(ordered), tuple(parents), moved_by, tuple(carried), system.actions, places, system)
 
 
 def _is_numeric(body: Body) -> bool:

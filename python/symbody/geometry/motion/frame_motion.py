@@ -40,6 +40,8 @@ class FrameMotion(ABC):
     """Whether R may differ from 1; without it, the motion is the translation by its displacement."""
     turn_axis: int | None = None
     """The axis (0, 1 or 2) of both frames about which the motion turns, if it is such a rotation and nothing else."""
+    turn_angle: Expr | None = None
+    """The angle of such a rotation."""
 
     twist: Twist | None = None
     """The twist of B in A, in the axes of B, where speeds of its own give it; None where the variables' rates do."""

@@ -27,7 +27,7 @@ class Rotation(FrameMotion):
 
     def __init__(self, axis: int, angle: Expr) -> None:
         self.axis = self.turn_axis = axis
-        self.angle = angle
+        self.angle = self.turn_angle = angle
 
     @property
     def variables(self) -> tuple[Expr, ...]:

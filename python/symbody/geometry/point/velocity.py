@@ -48,7 +48,7 @@ def acceleration(thing: Point | Vector, frame: Frame | None = None) -> Vector:
     >>> from symbody import Point, acceleration, functions_of_time, rotate, symbols
     >>> r, phi = symbols("r"), functions_of_time("phi")
     >>> acceleration(Point(rotate("Z", phi), r, 0, 0)).components[0]
-    -r*(phi''*sin(phi) + phi'**2*cos(phi))
+    -r*(sin(phi)*phi'' + cos(phi)*phi'**2)
     """
     observer = thing.frame.ancestor if frame is None else frame
     with derivation():

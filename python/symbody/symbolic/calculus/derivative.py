@@ -85,7 +85,7 @@ def time_derivative(expression: Any, n: int = 1) -> Any:
     >>> time_derivative(x**2, 2)
     2*(x*x'' + x'**2)
     >>> time_derivative([x, x * y])
-    [x', x*y' + x'*y]
+    [x', x*y' + y*x']
     """
     return _entry_by_entry(expression, _core.time_derivatives, n, "time_derivative")
 
@@ -117,7 +117,7 @@ def partial_derivative(expression: Any, variable: Expr, n: int = 1) -> Any:
     >>> from symbody import diff, functions_of_time, partial_derivative, t
     >>> x = functions_of_time("x")
     >>> partial_derivative(x * t**2, t), diff(x * t**2, t)
-    (2*t*x, x'*t**2 + 2*t*x)
+    (2*t*x, t**2*x' + 2*t*x)
     """
 
     def derive(expressions: Sequence[ExprLike]) -> tuple[Expr, ...]:

@@ -145,6 +145,27 @@ def simplify(expression: Any) -> Any:
     return _rewritten("simplify", expression)
 
 
+@overload
+def readable(expression: ExprLike) -> Expr: ...
+@overload
+def readable(expression: Kind) -> Kind: ...
+def readable(expression: Any) -> Any:
+    """Return the form that a textbook would print: for the page, not for code, since it may cost more operations.
+
+    Sums are flat, and factors stand before a whole sum only. Of a fixed list of forms, the one with the shortest text
+    is taken; multiples of angles and fractions inside brackets count as longer. Parts that are too large stay as they
+    are. The value at the random point proves that the mathematics is unchanged.
+
+    >>> from symbody import cos, readable, sin, symbols
+    >>> m, l, c, a, b = symbols("m l c a b")
+    >>> readable(m * (l * (l + 2 * c * cos(a)) + c**2))
+    m*(c**2 + l**2 + 2*c*l*cos(a))
+    >>> readable(sin(a) * cos(b) + cos(a) * sin(b))
+    sin(a + b)
+    """
+    return _rewritten("readable", expression)
+
+
 def _each(operation: Callable[[Expr], Expr]) -> Rewrite:
     """Return the operation on several expressions, one by one."""
 

@@ -166,7 +166,7 @@ def functions_of_time(names: str | Iterable[str], **unknown: object) -> Any:
     >>> from symbody import functions_of_time, time_derivative
     >>> x, y = functions_of_time("x y")
     >>> time_derivative(x * y)
-    x*y' + x'*y
+    x*y' + y*x'
     """
     for assumption, value in unknown.items():
         if (assumption, value) != ("real", True):

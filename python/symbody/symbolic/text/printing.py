@@ -23,7 +23,7 @@ def latex(expression: Any) -> str:
     >>> from symbody import functions_of_time, latex, sin, symbols, time_derivative
     >>> theta = functions_of_time("theta")
     >>> print(latex(time_derivative(sin(theta))))
-    \dot{\theta} \cos\left(\theta\right)
+    \cos\left(\theta\right) \dot{\theta}
     >>> print(latex(symbols("m_1 I__xx omega0 load")))
     \left(m_{1}, I_{xx}, \omega_{0}, \mathrm{load}\right)
     """

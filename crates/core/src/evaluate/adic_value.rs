@@ -1,0 +1,311 @@
+//! The values of nodes at points of the q-adic integers, where variables and functions are drawn.
+//!
+//! At the first points the argument of a sine or an exponential is zero but for its atoms (see [`argument`](super::argument)),
+//! whose angles and exponentials are known, so that the addition theorems hold. Signs are those of a lane.
+
+use num_bigint::BigInt;
+use num_traits::One;
+use rustc_hash::FxHashMap;
+
+use crate::graph::{Atom, Flags, Function, Graph, Id, View};
+use crate::value::{Adic, Adics, FieldId, Key, Number, Quadratic};
+
+use super::node::in_hash_lanes;
+use super::rotation::{self, multiple, rotate};
+
+/// How many points there are at which arguments are zero. At as many others sines and exponentials are drawn: these serve
+/// where a value is zero at all of the first.
+pub(super) const POINTS: u16 = 2;
+
+type Point = rotation::Point<Adic>;
+type Values = FxHashMap<Id, Adic>;
+
+/// A point of the q-adic integers of a prime.
+pub(super) struct AdicPoint<'a> {
+    pub(super) adics: &'a Adics,
+    pub(super) number: u16,
+}
+
+impl AdicPoint<'_> {
+    fn has_plain_arguments(&self) -> bool {
+        self.number < POINTS
+    }
+
+    fn one(&self) -> Adic {
+        self.adics.number(&BigInt::one(), 0)
+    }
+
+    fn key(&self, key: Key) -> Key {
+        key.word(self.number.into())
+    }
+
+    /// The key of what has these values in the hash lanes, or their opposites.
+    fn key_of(&self, in_field: impl Fn(FieldId) -> Quadratic) -> Key {
+        let [first, second] = in_hash_lanes(in_field).unsigned().0.words();
+        self.key(Key::new("digits").word(first).word(second))
+    }
+
+    fn half(&self, a: &Adic) -> Adic {
+        self.adics.mul(&self.adics.rational(&Number::rational(1, 2)), a)
+    }
+
+    /// A rational power of a value, which is that of something with these values in the hash lanes.
+    ///
+    /// The root of the unit is drawn for the values of what is left without whole powers of the prime, so that
+    /// q^2 u has the root that is q times that of u.
+    fn power(&self, value: &Adic, exponent: &Number, in_field: impl Fn(FieldId) -> Quadratic) -> Adic {
+        self.adics.rational_power(value, exponent, |whole| {
+            let key = self.key_of(|field| {
+                let f = field.field();
+                f.mul(&f.power(&f.number(&self.adics.prime()), &Number::integer(-whole)), &in_field(field))
+            });
+            key.text(&exponent.to_string())
+        })
+    }
+}
+
+impl Graph {
+    /// The nodes from whose values that of a node is found; none if it is drawn.
+    pub(super) fn push_adic_parts(&self, id: Id, out: &mut Vec<Id>) {
+        match self.view(id) {
+            View::Scale(..) | View::Sum(_) | View::Product(_) => self.push_children(id, out),
+            View::Function(function, args) if !self.flags(id).has(Flags::COMPLEX) => match function {
+                _ if is_choice(function) => self.push_children(id, out),
+                Function::Power => out.push(args.get(0)),
+                _ => {
+                    if let Some(of_exponential) = of_exponential(function) {
+                        let split = self.split_argument(args.get(0), of_exponential);
+                        out.extend(split.iter().flat_map(|(atom, _)| atom.arguments()));
+                    }
+                }
+            },
+            _ => {}
+        }
+    }
+
+    /// The numbers of which a node holds powers without holding these numbers, such as the 3 of exp(x*log(9)).
+    pub(super) fn adic_bases(&self, id: Id) -> Vec<Number> {
+        let View::Function(function, args) = self.view(id) else { return Vec::new() };
+        if of_exponential(function) != Some(true) {
+            return Vec::new();
+        }
+        let split = self.split_argument(args.get(0), true);
+        let base = |atom: &Atom| match atom {
+            Atom::LogOfPrime(prime) => Some(Number::whole(prime.clone())),
+            _ => None,
+        };
+        split.iter().filter_map(|(atom, _)| base(atom)).collect()
+    }
+
+    /// The values of nodes that stand after their parts.
+    pub(super) fn adic_values(&self, order: &[Id], at: &AdicPoint<'_>) -> Values {
+        let mut values = Values::default();
+        for &node in order {
+            let value = self.adic_value(node, &values, at);
+            values.insert(node, value);
+        }
+        values
+    }
+
+    fn adic_value(&self, node: Id, values: &Values, at: &AdicPoint<'_>) -> Adic {
+        let adics = at.adics;
+        match self.view(node) {
+            View::Number(number) => adics.rational(self.get_number(number)),
+            View::Scale(number, child) => {
+                adics.mul(&adics.rational(self.get_number(number)), &values[&child])
+            }
+            View::Sum(terms) => terms.iter().fold(Adics::zero(), |sum, (number, node)| {
+                let factor = adics.rational(self.get_number(number));
+                adics.add(&sum, &adics.mul(&factor, &values[&node]))
+            }),
+            View::Product(factors) => factors.iter().fold(at.one(), |product, (base, exponent)| {
+                adics.mul(&product, &self.adic_power(base, self.get_number(exponent), values, at))
+            }),
+            View::Function(function, args) if !self.flags(node).has(Flags::COMPLEX) => {
+                let args: Vec<Id> = args.iter().collect();
+                self.adic_function(function, &args, values, at).unwrap_or_else(|| self.drawn_adic(node, at))
+            }
+            _ => self.drawn_adic(node, at),
+        }
+    }
+
+    /// A unit, and its opposite for the opposite value.
+    fn drawn_adic(&self, node: Id, at: &AdicPoint<'_>) -> Adic {
+        let (_, is_opposite) = self.value(node).unsigned();
+        let drawn = at.adics.draw(&at.key_of(|field| self.value_in(node, field)));
+        if is_opposite { at.adics.mul(&drawn, &at.adics.number(&(-1).into(), 0)) } else { drawn }
+    }
+
+    /// The value of a function; `None` if it is drawn.
+    fn adic_function(
+        &self,
+        function: Function,
+        args: &[Id],
+        values: &Values,
+        at: &AdicPoint<'_>,
+    ) -> Option<Adic> {
+        let adics = at.adics;
+        if is_choice(function) {
+            return Some(self.adic_choice(function, args, values, at));
+        }
+        if !at.has_plain_arguments() {
+            return None;
+        }
+        let quotient = |a: &Adic, b: &Adic| adics.mul(a, &adics.power(b, -1));
+        Some(match function {
+            Function::Sin => self.adic_angle(args[0], values, at).1,
+            Function::Cos => self.adic_angle(args[0], values, at).0,
+            Function::Tan => {
+                let (cos, sin) = self.adic_angle(args[0], values, at);
+                quotient(&sin, &cos)
+            }
+            Function::Exp => self.adic_exponential(args[0], values, at),
+            Function::Sinh | Function::Cosh | Function::Tanh => {
+                let exponential = self.adic_exponential(args[0], values, at);
+                let inverse = adics.power(&exponential, -1);
+                let minus = adics.mul(&adics.number(&(-1).into(), 0), &inverse);
+                let (sinh, cosh) = (adics.add(&exponential, &minus), adics.add(&exponential, &inverse));
+                match function {
+                    Function::Sinh => at.half(&sinh),
+                    Function::Cosh => at.half(&cosh),
+                    _ => quotient(&sinh, &cosh),
+                }
+            }
+            Function::Power => self.adic_power(args[0], &self.number_in(args[1]), values, at),
+            _ => return None,
+        })
+    }
+
+    fn adic_power(&self, base: Id, exponent: &Number, values: &Values, at: &AdicPoint<'_>) -> Adic {
+        at.power(&values[&base], exponent, |field| self.value_in(base, field))
+    }
+
+    /// The cosine and the sine of an argument whose rest is zero.
+    fn adic_angle(&self, argument: Id, values: &Values, at: &AdicPoint<'_>) -> Point {
+        let split = self.split_argument(argument, false);
+        let start = (at.one(), Adics::zero());
+        split.iter().fold(start, |sum, (atom, factor)| {
+            rotate(at.adics, &sum, &self.adic_known_angle(atom, factor, values, at))
+        })
+    }
+
+    /// A multiple of the angle that an atom is.
+    fn adic_known_angle(&self, atom: &Atom, factor: &Number, values: &Values, at: &AdicPoint<'_>) -> Point {
+        let adics = at.adics;
+        let halves = factor.mul(&Number::integer(2));
+        let Some(count) = halves.to_i64() else {
+            let draw = |name| adics.draw(&at.key(Key::new(name).text(&factor.to_string())));
+            return (draw("cosine of a part of pi"), draw("sine of a part of pi"));
+        };
+        let point = match *atom {
+            Atom::Asin(sin) => {
+                let square = Square { sign: -1, of: [None, Some(sin)] };
+                (self.adic_length(&square, values, at), values[&sin].clone())
+            }
+            Atom::Atan(tan) => {
+                let square = Square { sign: 1, of: [None, Some(tan)] };
+                let cos = adics.power(&self.adic_length(&square, values, at), -1);
+                let sin = adics.mul(&cos, &values[&tan]);
+                (cos, sin)
+            }
+            Atom::Atan2(y, x) => {
+                let square = Square { sign: 1, of: [Some(x), Some(y)] };
+                let scale = adics.power(&self.adic_length(&square, values, at), -1);
+                (adics.mul(&scale, &values[&x]), adics.mul(&scale, &values[&y]))
+            }
+            _ => return multiple(adics, (Adics::zero(), at.one()), count), // pi is two right angles
+        };
+        match factor.to_i64() {
+            Some(count) => multiple(adics, point, count),
+            None => multiple(adics, self.adic_half_angle(atom, &point, at), count),
+        }
+    }
+
+    /// The root of a sum or difference of squares.
+    fn adic_length(&self, square: &Square, values: &Values, at: &AdicPoint<'_>) -> Adic {
+        let adics = at.adics;
+        let [first, second] = square.of.map(|id| id.map_or_else(|| at.one(), |id| values[&id].clone()));
+        let second = adics.mul(&adics.number(&square.sign.into(), 0), &adics.mul(&second, &second));
+        let sum = adics.add(&adics.mul(&first, &first), &second);
+        at.power(&sum, &Number::rational(1, 2), |field| {
+            let f = field.field();
+            let [first, second] =
+                square.of.map(|id| id.map_or_else(|| f.one(), |id| self.value_in(id, field)));
+            let second = f.mul(&f.number(&Number::integer(square.sign)), &f.mul(&second, &second));
+            f.add(&f.mul(&first, &first), &second)
+        })
+    }
+
+    /// Half of the angle of an atom: the cosine is sqrt((1 + cos)/2).
+    fn adic_half_angle(&self, atom: &Atom, point: &Point, at: &AdicPoint<'_>) -> Point {
+        let adics = at.adics;
+        let square = at.half(&adics.add(&at.one(), &point.0));
+        let cos = at.power(&square, &Number::rational(1, 2), |field| {
+            let f = field.field();
+            let (cos, _) = self.known_angle(atom, &Number::integer(1), f, &|id| self.value_in(id, field));
+            f.half(&f.add(&f.one(), &cos))
+        });
+        let sin = adics.mul(&at.half(&point.1), &adics.power(&cos, -1));
+        (cos, sin)
+    }
+
+    /// The exponential of an argument whose rest is zero.
+    fn adic_exponential(&self, argument: Id, values: &Values, at: &AdicPoint<'_>) -> Adic {
+        let adics = at.adics;
+        self.split_argument(argument, true).iter().fold(at.one(), |product, (atom, factor)| {
+            let power = match atom {
+                Atom::Log(base) => self.adic_power(*base, factor, values, at),
+                Atom::LogOfPrime(prime) => {
+                    let prime = Number::whole(prime.clone());
+                    let value = adics.rational(&prime);
+                    at.power(&value, factor, |field| field.field().number(&prime))
+                }
+                _ => {
+                    let pi = self.drawn_adic(Id::PI, at);
+                    at.power(&pi, factor, |field| self.value_in(Id::PI, field))
+                }
+            };
+            adics.mul(&product, &power)
+        })
+    }
+
+    /// A sign, a modulus, an extremum or a piecewise function, as it is chosen in a lane.
+    fn adic_choice(&self, function: Function, args: &[Id], values: &Values, at: &AdicPoint<'_>) -> Adic {
+        let lane = FieldId::other(at.number % POINTS);
+        let is_positive = |id: Id| self.sign_in(id, lane) == lane.field().one();
+        let of_one = |sign: i64| at.adics.number(&sign.into(), 0);
+        match function {
+            Function::Abs if is_positive(args[0]) => values[&args[0]].clone(),
+            Function::Abs => at.adics.mul(&values[&args[0]], &of_one(-1)),
+            Function::Sign => of_one(if is_positive(args[0]) { 1 } else { -1 }),
+            Function::Min | Function::Max => {
+                let in_lane = |id: Id| self.value_in(id, lane);
+                values[&self.extremum_in(function, args, in_lane, lane.field())].clone()
+            }
+            _ => {
+                let mut pairs = args[..args.len() - 1].chunks_exact(2);
+                let chosen = pairs.find(|pair| is_positive(pair[1]));
+                values[&chosen.map_or(args[args.len() - 1], |pair| pair[0])].clone()
+            }
+        }
+    }
+}
+
+/// a^2 + b^2, or a^2 - b^2 for the sign -1, where one stands for no node.
+struct Square {
+    sign: i64,
+    of: [Option<Id>; 2],
+}
+
+/// Whether a function is found from its argument as an exponential is, or as a sine is; `None` for other functions.
+fn of_exponential(function: Function) -> Option<bool> {
+    match function {
+        Function::Sin | Function::Cos | Function::Tan => Some(false),
+        Function::Exp | Function::Sinh | Function::Cosh | Function::Tanh => Some(true),
+        _ => None,
+    }
+}
+
+fn is_choice(function: Function) -> bool {
+    matches!(function, Function::Abs | Function::Sign | Function::Min | Function::Max | Function::Piecewise)
+}

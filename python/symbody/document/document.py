@@ -1,0 +1,78 @@
+"""Documents as immutable data: what sections write, and what formats print."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TypeAlias
+
+from symbody.view.sketch import Sketch
+
+
+@dataclass(frozen=True)
+class Math:
+    """A formula within a line, in LaTeX."""
+
+    latex: str
+
+
+Words: TypeAlias = tuple[str | Math, ...]
+"""Text with formulas in it."""
+
+
+@dataclass(frozen=True)
+class Heading:
+    """The heading of a section."""
+
+    text: str
+
+
+@dataclass(frozen=True)
+class Prose:
+    """A paragraph."""
+
+    words: Words
+
+
+@dataclass(frozen=True)
+class Formula:
+    """A formula on lines of its own, in LaTeX."""
+
+    latex: str
+
+
+@dataclass(frozen=True)
+class Table:
+    """A table: a header, and rows of as many cells."""
+
+    header: tuple[str, ...]
+    rows: tuple[tuple[Words, ...], ...]
+
+
+@dataclass(frozen=True)
+class Picture:
+    """A drawing in SVG; a sketch also by its shapes, for formats that can't contain SVG."""
+
+    name: str
+    caption: str
+    svg: str
+    sketch: Sketch | None = None
+
+
+Block: TypeAlias = Heading | Prose | Formula | Table | Picture
+
+
+@dataclass(frozen=True)
+class Document:
+    """A title and the parts in their order."""
+
+    title: str
+    blocks: tuple[Block, ...]
+
+
+def prose(*words: str | Math) -> Prose:
+    """Return a paragraph.
+
+    >>> prose("The angle ", Math("q"), ".").words
+    ('The angle ', Math(latex='q'), '.')
+    """
+    return Prose(words)

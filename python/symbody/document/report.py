@@ -1,0 +1,168 @@
+"""Reports: one call, one document."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Mapping
+from pathlib import Path
+from typing import TypeVar
+
+from symbody.document.document import Block, Document
+from symbody.document.formats.html import html
+from symbody.document.formats.markdown import markdown
+from symbody.document.formats.notebook import notebook
+from symbody.document.formats.tex import tex
+from symbody.document.sections.checks import checks
+from symbody.document.sections.energies import energies
+from symbody.document.sections.equations import equations
+from symbody.document.sections.kinematics import kinematics
+from symbody.document.sections.mechanism import mechanism
+from symbody.document.sections.motion import motion as motion_section
+from symbody.document.sections.nomenclature import nomenclature
+from symbody.document.sections.size import size
+from symbody.document.subject import Subject
+from symbody.dynamics import Equations, lagrange_equations, newton_euler
+from symbody.errors import FrameError, PictureError, ReportError
+from symbody.files.replacement import replacement
+from symbody.multibody import System
+from symbody.symbolic import Expr
+from symbody.symbolic.given.arguments import brief
+from symbody.view import DrawableMotion
+
+FORMATS: Mapping[str, Callable[[Document], str]] = {
+    ".html": html,
+    ".ipynb": notebook,
+    ".md": markdown,
+    ".tex": tex,
+}
+"""The formats by the suffix of the file."""
+
+SECTIONS: tuple[Callable[[Subject], list[Block]], ...] = (
+    mechanism,
+    nomenclature,
+    kinematics,
+    energies,
+    equations,
+    size,
+    checks,
+    motion_section,
+)
+"""The sections in their order."""
+
+
+Value = TypeVar("Value", float, str)
+
+
+def report(
+    model: Equations | System,
+    path: str | os.PathLike[str],
+    *,
+    motion: DrawableMotion | None = None,
+    parameters: Mapping[Expr, float] | None = None,
+    position: Mapping[Expr, float] | None = None,
+    units: Mapping[Expr, str] | None = None,
+    title: str = "",
+) -> Path:
+    """Write a model as one document: picture, names, kinematics, energies, equations, sizes, and proved checks.
+
+    The document depends on the model alone: it has no date, and the same call writes the same bytes. Equations of more
+    than 2000 operations are summarised.
+
+    Args:
+        model: the equations of motion, or a system, whose equations are derived.
+        path: the file, in a folder that exists; its suffix is the format: ``.html``, ``.md``, ``.tex`` or ``.ipynb``.
+        motion: a motion, which is plotted; its first instant is the reference position.
+        parameters: without a motion, values of parameters for the picture; by default 1.
+        position: without a motion, values of coordinates for the picture.
+        units: the units of symbols, such as ``{k: "N/m"}``; those of masses, angles and lengths are known.
+        title: the title; by default the name of the system.
+
+    Raises:
+        ReportError: an argument has the wrong kind, or the suffix is not a format.
+        PictureError: the file can't be written; its previous content is still there.
+
+    >>> import tempfile
+    >>> import symbody as sb
+    >>> theta, (m, l, g) = sb.functions_of_time("theta"), sb.symbols("m l g")
+    >>> bob = sb.Body(sb.rotate("Z", theta) * sb.translate(0, -l, 0), m, name="bob")
+    >>> pendulum = sb.System([bob], coordinates=[theta], gravity=sb.Vector(sb.ground, 0, -g, 0), name="Pendulum")
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     print(report(pendulum, Path(folder) / "pendulum.md").read_text().splitlines()[0])
+    # Pendulum
+    """
+    file, write = _format(path)
+    subject = Subject(
+        _equations(model),
+        _motion(motion, model),
+        _by_symbol(parameters, "parameters", "{l: 0.5}"),
+        _by_symbol(position, "position", "{theta: 0.3}"),
+        _by_symbol(units, "units", "{k: 'N/m'}"),
+    )
+    blocks = tuple(block for section in SECTIONS for block in section(subject))
+    text = write(Document(str(title) or subject.system.name or "Multibody system", blocks))
+    return _written(file, text)
+
+
+def _format(path: object) -> tuple[Path, Callable[[Document], str]]:
+    """Return the file, and the function that prints its format."""
+    if not isinstance(path, str | os.PathLike):
+        raise ReportError(f"report: {path!r} is not a path; expected one, such as 'model.html'")
+    file = Path(path)
+    known = FORMATS.get(file.suffix.lower())
+    if known is None:
+        raise ReportError(
+            f"report: {file} ends in {file.suffix!r}, which is not a format; expected one of {', '.join(FORMATS)}"
+        )
+    if not file.absolute().parent.is_dir():
+        raise PictureError(
+            f"report: the folder of {file} does not exist; make it first, or choose another path"
+        )
+    return file, known
+
+
+def _equations(model: object) -> Equations:
+    """Return the equations of motion: derived by newton_euler, or by lagrange_equations if frames aren't rigid."""
+    if isinstance(model, Equations):
+        return model
+    if not isinstance(model, System):
+        raise ReportError(
+            f"report: {brief(model)} is not a model; expected a system, or equations of motion such as "
+            "newton_euler(system)"
+        )
+    try:
+        return newton_euler(model)
+    except FrameError:
+        return lagrange_equations(model)
+
+
+def _motion(motion: DrawableMotion | None, model: Equations | System) -> DrawableMotion | None:
+    """Return the motion, which must be one of the same system."""
+    if motion is None:
+        return None
+    system = model.system if isinstance(model, Equations) else model
+    if getattr(motion, "system", None) is not system:
+        raise ReportError(
+            f"report: {brief(motion)} is not a motion of {brief(system)}; expected one, such as "
+            "simulate(equations, parameters, initial, t=(0, 1))"
+        )
+    return motion
+
+
+def _by_symbol(given: Mapping[Expr, Value] | None, name: str, example: str) -> Mapping[Expr, Value]:
+    """Return a dictionary by symbols and functions of time; the empty one by default."""
+    found: object = {} if given is None else given
+    if not isinstance(found, Mapping) or not all(isinstance(key, Expr) for key in found):
+        raise ReportError(f"report: {brief(found)} for {name}; expected a dictionary such as {example}")
+    return found
+
+
+def _written(file: Path, text: str) -> Path:
+    try:
+        with replacement(file) as temporary:
+            temporary.write_text(text, encoding="utf-8", newline="\n")
+    except OSError as error:
+        raise PictureError(
+            f"report: {file} can't be written ({error.strerror or error}); nothing was changed there. "
+            "Choose another path"
+        ) from error
+    return file

@@ -1,0 +1,73 @@
+"""Checks: laws that hold by value, proved for this model."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+
+from symbody.document.document import Block, Heading, Table, prose
+from symbody.document.subject import Subject
+from symbody.dynamics import lagrange_equations, newton_euler
+from symbody.errors import SymbodyError
+from symbody.multibody import gravitational_energy, kinetic_energy, power
+from symbody.symbolic import Expr, derivation, number, t
+
+HOLDS, FAILS = "proved", "does not hold"
+
+
+def checks(subject: Subject) -> list[Block]:
+    """Return the section."""
+    if subject.is_large:
+        return [Heading("Checks"), prose("The equations are too large for checks within a report.")]
+    rows = tuple(((law,), (outcome(subject),)) for law, outcome in LAWS.items())
+    said = "Expressions are compared by value, not by form."
+    return [Heading("Checks"), prose(said), Table(("law", "result"), rows)]
+
+
+def _formalisms_agree(subject: Subject) -> str:
+    try:
+        both = newton_euler(subject.system).residuals == lagrange_equations(subject.system).residuals
+    except SymbodyError as error:
+        return f"does not apply ({str(error).partition(':')[0]} does not derive this system)"
+    return HOLDS if both else FAILS
+
+
+def _is_symmetric(subject: Subject) -> str:
+    mass = subject.equations.mass_matrix
+    if mass == mass.T:
+        return HOLDS
+    return f"{FAILS}: loads depend on accelerations"
+
+
+def _power_balances(subject: Subject) -> str:
+    """Compare ``u . R + lambda . (phi_q u)``, with the residuals R, with ``T' + V' - P`` of the loads."""
+    found, system = subject.equations, subject.system
+    with derivation():
+        energy = kinetic_energy(system)
+        if system.gravity is not None:
+            if system.root.carrier is not None:
+                return "does not apply (the root frame moves)"
+            energy += gravitational_energy(system)
+        unknown = {each.name for each in (*system.coordinates, *system.quasi_velocities)}
+        given = {each.name for each in energy.free_symbols if each.depends_on_time} - unknown
+        if given or t in energy.free_symbols:
+            return "does not apply (frames move as given functions of time)"
+        (rate,) = system.rate([energy])
+        spent = sum((power(load) for load in system.loads), start=number(0))
+        (gained,) = system.by_speeds([rate - spent])
+        left = _dot(found.speeds, found.residuals)
+        if found.constraints:
+            rows = found.constraint_jacobian.tolist()
+            left += _dot(found.multipliers, [_dot(row, found.speeds) for row in rows])
+    return HOLDS if left == gained else FAILS
+
+
+def _dot(first: Sequence[Expr], second: Sequence[Expr]) -> Expr:
+    return sum((a * b for a, b in zip(first, second, strict=True)), start=number(0))
+
+
+LAWS: dict[str, Callable[[Subject], str]] = {
+    "newton_euler and lagrange_equations give the same equations": _formalisms_agree,
+    "the mass matrix is symmetric": _is_symmetric,
+    "the power of the loads is the rate of the energy": _power_balances,
+}
+"""The laws, each with the function that checks it."""

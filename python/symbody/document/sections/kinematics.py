@@ -1,0 +1,53 @@
+"""The kinematics: degrees of freedom, constraints, rates of coordinates, and the centres of mass."""
+
+from __future__ import annotations
+
+from symbody.document.document import Block, Heading, prose
+from symbody.document.formula import equalities, listed
+from symbody.document.subject import Subject
+from symbody.symbolic import latex
+from symbody.symbolic.given.arguments import counted
+
+
+def kinematics(subject: Subject) -> list[Block]:
+    """Return the section."""
+    system = subject.system
+    blocks: list[Block] = [
+        Heading("Kinematics"),
+        prose("The coordinates are ", *listed(system.coordinates), ".") if system.coordinates else prose(),
+    ]
+    if system.quasi_velocities:
+        blocks.append(prose("The quasi-velocities are ", *listed(system.quasi_velocities), "."))
+    blocks.append(prose(_freedom(subject)))
+    if system.known_rates:
+        lead = prose("The rates of the coordinates, by the speeds, are")
+        blocks += equalities(lead, [*map(latex, system.known_rates)], [*system.known_rates.values()])
+    if system.constraints:
+        multipliers = listed(system.multipliers)
+        lead = prose("The constraints, whose multipliers are ", *multipliers, ", are")
+        blocks += equalities(lead, ["0"] * len(system.constraints), system.constraints)
+    blocks += _centres(subject)
+    return blocks
+
+
+def _freedom(subject: Subject) -> str:
+    n, m = len(subject.equations.speeds), len(subject.equations.constraints)
+    if m == 0:
+        return f"The system has {counted(n, 'degree')} of freedom."
+    return (
+        f"The {counted(n, 'speed')} and {counted(m, 'constraint')} leave {counted(n - m, 'degree')} of freedom, "
+        "if the constraints are independent."
+    )
+
+
+def _centres(subject: Subject) -> list[Block]:
+    """Return the coordinates of the centres of mass, without those that are zero."""
+    places = {}
+    for number, body in enumerate(subject.system.bodies, start=1):
+        for axis, value in zip("xyz", body.frame.pose.origin, strict=True):
+            if not value.is_zero:
+                places[rf"{axis}_{{\mathrm{{G}}{number}}}"] = value
+    lead = "The centres of mass, in the axes of the root frame, are at"
+    return (
+        equalities(prose(lead), [*places], [*places.values()]) if places else [prose(f"{lead} the origin.")]
+    )

@@ -1,0 +1,66 @@
+"""The nomenclature: every name of the model, its meaning, and its unit where it is known."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from symbody.document.document import Block, Heading, Math, Table
+from symbody.document.subject import Subject
+from symbody.symbolic import Expr, latex
+from symbody.view.overview import overview
+
+
+def nomenclature(subject: Subject) -> list[Block]:
+    """Return the section."""
+    rows = []
+    for name, meaning, unit in _entries(subject):
+        rows.append(((Math(latex(name)),), (meaning,), (subject.units.get(name, unit),)))
+    return [Heading("Nomenclature"), Table(("symbol", "meaning", "unit"), tuple(rows))]
+
+
+def _entries(subject: Subject) -> Iterator[tuple[Expr, str, str]]:
+    """Yield names, meanings and units in the SI."""
+    equations, system = subject.equations, subject.system
+    coordinates, speeds = overview(system)
+    for group in coordinates:
+        kind = "coordinate" if group.kind == "coordinate" else f"coordinate, {group.kind}"
+        yield from ((each, kind, group.unit("s")) for each in group.expressions)
+    for group in speeds:
+        own = [each for each in group.expressions if each in system.quasi_velocities]
+        kind = "quasi-velocity" if group.kind == "speed" else f"quasi-velocity, {group.kind}"
+        yield from ((each, kind, group.unit("s")) for each in own)
+    yield from ((each, "input", "") for each in equations.inputs if each.order == 0)
+    for number, multiplier in enumerate(equations.multipliers, start=1):
+        yield multiplier, f"multiplier of constraint {number}", ""
+    roles = _roles(subject)
+    symbols = {leaf for leaf in system.leaves if leaf.kind == "symbol"} | {*equations.parameters}
+    for each in sorted(symbols, key=_in_order):
+        yield each, *roles.get(each, ("parameter", ""))
+
+
+def _in_order(symbol: Expr) -> tuple[str, int, str]:
+    """Return the key that puts m2 before m10."""
+    letters = symbol.name.rstrip("0123456789")
+    return letters, int(symbol.name[len(letters) :] or 0), symbol.name
+
+
+def _roles(subject: Subject) -> dict[Expr, tuple[str, str]]:
+    """Return the meanings of parameters that stand alone in a mass, an inertia, the gravity, or a displacement."""
+    roles: dict[Expr, tuple[str, str]] = {}
+    for number, body in enumerate(subject.system.bodies, start=1):
+        name = body.name or f"body {number}"
+        roles.setdefault(body.mass, (f"mass of {name}", "kg"))
+        for axis, moment in zip("xyz", body.moments, strict=True):
+            roles.setdefault(moment, (f"moment of inertia of {name} about {axis}", "kg m²"))
+        for axes, product in zip(("yz", "xz", "xy"), body.products, strict=True):
+            roles.setdefault(product, (f"product of inertia of {name}, {axes}", "kg m²"))
+    gravity = subject.system.gravity
+    for component in () if gravity is None else gravity.components:
+        for each in (component, -component):
+            roles.setdefault(each, ("acceleration of gravity", "m/s²"))
+    motions = (motion for body in subject.system.bodies for motion in body.frame.motions)
+    for displacement in (x for motion in motions for x in motion.displacement):
+        for leaf in sorted(displacement.free_symbols, key=str):
+            if displacement.diff(leaf).kind == "number":
+                roles.setdefault(leaf, ("length", "m"))
+    return roles

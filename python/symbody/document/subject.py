@@ -1,0 +1,54 @@
+"""The subject of a report: the equations, what they cost, and the position in which the mechanism is drawn."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cached_property
+
+from symbody.dynamics import Equations
+from symbody.multibody import System
+from symbody.symbolic import Cost, Expr, cost
+from symbody.view import DrawableMotion
+
+LARGE = 2000
+"""The operations of the residuals from which a report gives sizes instead of formulas."""
+
+
+@dataclass(frozen=True)
+class Subject:
+    """What a report is about.
+
+    Attributes:
+        equations: the equations of motion.
+        motion: the motion whose first instant is drawn and which is plotted, if there is one.
+        parameters: the values of parameters at the reference position.
+        position: the values of coordinates there.
+        units: the units of symbols and functions of time.
+    """
+
+    equations: Equations
+    motion: DrawableMotion | None
+    parameters: Mapping[Expr, float]
+    position: Mapping[Expr, float]
+    units: Mapping[Expr, str]
+
+    @property
+    def system(self) -> System:
+        """The system to which the equations belong."""
+        return self.equations.system
+
+    @property
+    def is_chosen(self) -> bool:
+        """Whether the reference position is a choice of the user."""
+        return self.motion is not None or bool(self.parameters or self.position)
+
+    @cached_property
+    def cost(self) -> Cost:
+        """The operations of the residuals."""
+        return cost(self.equations.residuals)
+
+    @property
+    def is_large(self) -> bool:
+        """Whether formulas would fill so many pages that nobody reads them."""
+        return self.cost.total > LARGE

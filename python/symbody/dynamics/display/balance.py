@@ -1,0 +1,158 @@
+"""One equation of motion by the kinds of its terms: ``M u' + c + g + loads = Q + phi_q^T lambda``."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from symbody.multibody import System
+from symbody.symbolic import Expr, Matrix, number
+
+from .degree import Degrees, by_christoffel, degrees, part_of, without
+from .like_terms import joined
+from .reader import Reader
+from .source import Sources, sources
+
+
+@dataclass(frozen=True)
+class Balance:
+    """One equation: what stands on its left and on its right. Their difference is the residual.
+
+    Attributes:
+        accelerations: the terms of the accelerations, one coefficient for each.
+        velocities: the terms of products of speeds, by Coriolis' and centrifugal forces.
+        gravity: the terms of weight.
+        loads: the terms of springs, dampers and all others.
+        applied: the given forces and torques, on the right.
+        constraints: the forces of the constraints, ``phi_q^T lambda``, on the right.
+    """
+
+    accelerations: tuple[Expr, ...] = ()
+    velocities: tuple[Expr, ...] = ()
+    gravity: tuple[Expr, ...] = ()
+    loads: tuple[Expr, ...] = ()
+    applied: tuple[Expr, ...] = ()
+    constraints: tuple[Expr, ...] = ()
+
+    @property
+    def left(self) -> tuple[Expr, ...]:
+        """The terms on the left, in order."""
+        return (*self.accelerations, *self.velocities, *self.gravity, *self.loads)
+
+    @property
+    def right(self) -> tuple[Expr, ...]:
+        """The terms on the right, in order."""
+        return (*self.applied, *self.constraints)
+
+    @property
+    def residual(self) -> Expr:
+        """The left side minus the right one."""
+        return sum(self.left, start=number(0)) - sum(self.right, start=number(0))
+
+
+def balances(
+    system: System, residuals: Sequence[Expr], mass_matrix: Matrix, bias: Sequence[Expr], jacobian: Matrix
+) -> tuple[Balance, ...]:
+    """Return the equations by the kinds of their terms, each in its form for the reader.
+
+    An equation that is not the sum of such terms stays in one piece.
+
+    Args:
+        system: the system to which the equations belong.
+        residuals: the equations, expressions that are zero.
+        mass_matrix: M, n x n.
+        bias: the residuals at zero accelerations and multipliers.
+        jacobian: phi_q, m x n.
+    """
+    reader = Reader()
+    kinds = sources(system, mass_matrix)
+    parts = [_Parts.of(entry, kinds) for entry in bias]
+    mass_matrix = _read(mass_matrix, reader)
+    inertia = _by_degree([part.inertia for part in parts], mass_matrix, system)
+    loads = degrees([part.loads for part in parts], system.speeds)
+    made = []
+    for i, (residual, part) in enumerate(zip(residuals, parts, strict=True)):
+        row = zip((mass_matrix[i, j] for j in range(len(bias))), system.accelerations, strict=True)
+        forces = ((jacobian[k, i], multiplier) for k, multiplier in enumerate(system.multipliers))
+        balance = _balance(
+            [pair for pair in row if not pair[0].is_zero],
+            part,
+            inertia[i],
+            loads[i],
+            [pair for pair in forces if not pair[0].is_zero],
+            reader,
+        )
+        made.append(balance if balance.residual == residual else Balance(loads=_terms(residual, reader)))
+    return tuple(made)
+
+
+@dataclass(frozen=True)
+class _Parts:
+    """The bias of an equation: terms of the bodies' inertia, of weight, of loads, and of given forces."""
+
+    inertia: Expr
+    gravity: Expr
+    loads: Expr
+    given: Expr
+
+    @classmethod
+    def of(cls, bias: Expr, kinds: Sources) -> _Parts:
+        free = without(bias, [*kinds.given])
+        bodies = without(free, [*kinds.loads])
+        inertia = without(bodies, [*kinds.gravity])
+        weight = part_of(bodies, [*kinds.gravity])
+        return cls(inertia, weight, free - bodies, -part_of(bias, [*kinds.given]))
+
+
+def _read(matrix: Matrix, reader: Reader) -> Matrix:
+    n, entries = matrix.shape[1], [reader(entry) for entry in matrix.entries]
+    return Matrix([entries[start : start + n] for start in range(0, len(entries), n)])
+
+
+def _by_degree(inertia: Sequence[Expr], mass_matrix: Matrix, system: System) -> list[Degrees | None]:
+    found = by_christoffel(inertia, mass_matrix, system)
+    if all(found):
+        return found
+    others = degrees(inertia, system.speeds)
+    return [first or second for first, second in zip(found, others, strict=True)]
+
+
+def _balance(
+    row: Sequence[tuple[Expr, Expr]],
+    part: _Parts,
+    inertia: Degrees | None,
+    loads: Degrees | None,
+    forces: Sequence[tuple[Expr, Expr]],
+    reader: Reader,
+) -> Balance:
+    """Return one equation.
+
+    Args:
+        row: the entries of its row of M, each with its acceleration.
+        part: its bias by the sources of the terms.
+        inertia: the forces of inertia by their degree in the speeds, if they are quadratic.
+        loads: the same of springs, dampers and others.
+        forces: the entries of its column of phi_q, each with its multiplier.
+        reader: which finds the forms.
+    """
+    if inertia is None:
+        velocities = _terms(part.inertia, reader)
+    else:
+        products = (*inertia.quadratic, *inertia.linear)
+        velocities = (*joined(products, reader), *_terms(inertia.constant, reader))
+    if loads is None:
+        others = _terms(part.loads, reader)
+    else:
+        others = (*joined((*loads.quadratic, *loads.linear), reader), *_terms(loads.constant, reader))
+    return Balance(
+        accelerations=tuple(joined(row, reader, by_sign_only=True)),
+        velocities=velocities,
+        gravity=_terms(part.gravity, reader),
+        loads=others,
+        applied=_terms(part.given, reader),
+        constraints=tuple(joined(forces, reader, by_sign_only=True)),
+    )
+
+
+def _terms(expression: Expr, reader: Reader) -> tuple[Expr, ...]:
+    return () if expression.is_zero else (reader(expression),)

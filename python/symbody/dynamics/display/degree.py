@@ -1,0 +1,107 @@
+"""Expressions by their degree in the speeds."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from symbody.errors import SymbodyError
+from symbody.multibody import System
+from symbody.symbolic import Expr, Matrix, diff, jacobian, number, subs
+
+Product = tuple[Expr, Expr]
+"""A coefficient, and the product of speeds that it multiplies."""
+
+
+@dataclass(frozen=True)
+class Degrees:
+    """A quadratic polynomial of the speeds.
+
+    Attributes:
+        constant: the terms without speeds.
+        linear: the coefficients of single speeds.
+        quadratic: the coefficients of products of two speeds.
+    """
+
+    constant: Expr
+    linear: tuple[Product, ...]
+    quadratic: tuple[Product, ...]
+
+    @property
+    def total(self) -> Expr:
+        """The polynomial."""
+        return sum((c * u for c, u in (*self.linear, *self.quadratic)), start=self.constant)
+
+
+def without(expression: Expr, symbols: Sequence[Expr]) -> Expr:
+    """Return an expression with zeros in place of symbols; the expression itself if it isn't defined there."""
+    try:
+        return subs(expression, dict.fromkeys(symbols, 0)) if symbols else expression
+    except SymbodyError:
+        return expression
+
+
+def part_of(expression: Expr, symbols: Sequence[Expr]) -> Expr:
+    """Return the terms that vanish with symbols, in a form without the other terms where they are linear."""
+    rest = expression - without(expression, symbols)
+    linear = number(0)
+    for symbol in symbols:
+        linear += symbol * diff(expression, symbol)
+    return linear if linear == rest else rest
+
+
+def by_christoffel(inertia: Sequence[Expr], mass_matrix: Matrix, system: System) -> list[Degrees | None]:
+    """Return the forces of inertia that follow from the mass matrix alone, by Christoffel's symbols.
+
+    Derivatives of short entries are short. None where the forces have other terms too, as on a moving support.
+    """
+    n = len(inertia)
+    if system.has_quasi_velocities:
+        return [None] * n
+    rates = [[[diff(mass_matrix[i, j], q) for q in system.coordinates] for j in range(n)] for i in range(n)]
+
+    def coefficient(i: int, j: int, k: int) -> Expr:
+        if j == k:
+            return rates[i][j][j] - rates[j][j][i] / 2
+        return rates[i][j][k] + rates[i][k][j] - rates[j][k][i]
+
+    found = list[Degrees | None]()
+    for i, force in enumerate(inertia):
+        quadratic = tuple(
+            (value, system.speeds[j] * system.speeds[k])
+            for j in range(n)
+            for k in range(j, n)
+            if not (value := coefficient(i, j, k)).is_zero
+        )
+        degrees = Degrees(number(0), (), quadratic)
+        found.append(degrees if degrees.total == force else None)
+    return found
+
+
+def degrees(expressions: Sequence[Expr], speeds: Sequence[Expr]) -> list[Degrees | None]:
+    """Return expressions by their degree in the speeds; None for those that aren't quadratic polynomials.
+
+    The coefficients are derivatives where all speeds are zero, and their sum is compared with the expression.
+    """
+    if all(expression.is_zero for expression in expressions):
+        return [Degrees(number(0), (), ())] * len(expressions)
+    rest = dict.fromkeys(speeds, 0)
+    try:
+        first = jacobian(expressions, speeds)
+        second = jacobian(first.entries, speeds).subs(rest)
+        constants, first = [subs(each, rest) for each in expressions], first.subs(rest)
+    except SymbodyError:  # undefined at rest
+        return [None] * len(expressions)
+    n = len(speeds)
+    found = list[Degrees | None]()
+    for i, (expression, constant) in enumerate(zip(expressions, constants, strict=True)):
+        linear = tuple((first[i, j], speeds[j]) for j in range(n) if not first[i, j].is_zero)
+        quadratic = tuple(
+            (second[i * n + j, k] * (1 if j != k else number(1) / 2), speeds[j] * speeds[k])
+            for j in range(n)
+            for k in range(j, n)
+            if not second[i * n + j, k].is_zero
+        )
+        polynomial = Degrees(constant, linear, quadratic)
+        found.append(polynomial if polynomial.total == expression else None)
+    return found

@@ -1,0 +1,172 @@
+"""Equations in matrix form: ``M(q) q'' + C(q, q') q' + g(q) + loads = Q + phi_q^T lambda``."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from symbody.multibody import System
+from symbody.symbolic import Expr, Matrix, diff, listing, number, readable
+from symbody.symbolic.expression.latex_layout import aligned, bmatrix
+
+from .balance import Balance
+from .row import LINE, lines
+
+
+@dataclass(frozen=True)
+class MatrixForm:
+    """The matrices of equations of motion, each entry in its form for the reader.
+
+    Attributes:
+        system: the system to which the equations belong.
+        mass_matrix: M(q), n x n.
+        coriolis: C(q, q') n x n by Christoffel's symbols, or the vector c(q, q'), n x 1.
+        gravity: g(q), n x 1.
+        loads: the forces of springs, dampers and others, n x 1.
+        applied: the given forces Q, n x 1.
+        constraints: ``phi_q^T lambda``, n x 1.
+
+    >>> from symbody import Body, Point, System, Vector, functions_of_time, ground, newton_euler, rotate, symbols
+    >>> theta, (m, l, g) = functions_of_time("theta"), symbols("m l g")
+    >>> bob = Body(Point(rotate("Z", theta), 0, -l, 0), m)
+    >>> form = newton_euler(System([bob], coordinates=[theta], gravity=Vector(ground, 0, -g, 0))).matrix_form()
+    >>> print(form.description())
+    M*theta'' + g = 0
+        M11 = m*l**2
+        g1 = g*l*m*sin(theta)
+    """
+
+    system: System
+    mass_matrix: Matrix
+    coriolis: Matrix
+    gravity: Matrix
+    loads: Matrix
+    applied: Matrix
+    constraints: Matrix
+
+    def description(self) -> str:
+        """Return the equation of matrices, and their entries other than zero line by line."""
+        rows, texts = self._entries(), listing(self._all(), "text")
+        definitions, printed = texts
+        values = dict(zip((label for label, _ in self._labelled()), printed, strict=True))
+        made = [f"{name} := {value}" for name, value in definitions]
+        made += [f"{' = '.join(labels)} = {values[labels[0]]}" for labels in rows]
+        return "\n".join([self._equation(), *(line for text in made for line in _indented(text))])
+
+    def latex(self) -> str:
+        """Return the matrices in LaTeX, one below the other."""
+        named = [(name, matrix) for name, matrix in self._matrices() if _is_used(matrix)]
+        definitions, texts = listing([e for _, matrix in named for e in matrix.entries], "latex")
+        remaining = iter(texts)
+        rows = [f"{name} &= {value}" for name, value in definitions]
+        for name, matrix in named:
+            entries = [next(remaining) for _ in matrix.entries]
+            rows.append(f"{name} &= {bmatrix(entries, matrix.shape[1])}")
+        return aligned(rows)
+
+    def _repr_latex_(self) -> str:
+        return f"${self.latex()}$"
+
+    def _matrices(self) -> list[tuple[str, Matrix]]:
+        name = "C" if self._is_by_christoffel else "c"
+        matrices = (self.mass_matrix, self.coriolis, self.gravity, self.loads, self.applied, self.constraints)
+        return list(zip(("M", name, "g", "k", "Q", "R"), matrices, strict=True))
+
+    @property
+    def _is_by_christoffel(self) -> bool:
+        n, columns = self.coriolis.shape
+        return columns == n and n > 1
+
+    def _labelled(self) -> list[tuple[str, Expr]]:
+        made = []
+        for name, matrix in self._matrices():
+            rows, columns = matrix.shape
+            for i in range(rows):
+                for j in range(columns):
+                    label = f"{name}{i + 1}{j + 1}" if columns > 1 or name == "M" else f"{name}{i + 1}"
+                    made.append((label if rows < 10 else f"{name}[{i + 1},{j + 1}]", matrix[i, j]))
+        return made
+
+    def _all(self) -> list[Expr]:
+        return [value for _, value in self._labelled()]
+
+    def _entries(self) -> list[list[str]]:
+        """Return the labels of the entries other than zero; equal ones of M stand on one line."""
+        rows: list[tuple[Expr, list[str]]] = []
+        for label, value in self._labelled():
+            if value.is_zero:
+                continue
+            same = next(
+                (labels for known, labels in rows if label[0] in "M" == labels[0][0] and known == value), None
+            )
+            if same is None:
+                rows.append((value, [label]))
+            else:
+                same.append(label)
+        return [labels for _, labels in rows]
+
+    def _equation(self) -> str:
+        one = len(self.system.speeds) == 1
+        rate = (
+            f"{self.system.accelerations[0]}" if one else "u'" if self.system.has_quasi_velocities else "q''"
+        )
+        left = [f"M*{rate}"]
+        if _is_used(self.coriolis):
+            left.append("C*q'" if self._is_by_christoffel else "c")
+        left += [name for name, matrix in self._matrices()[2:4] if _is_used(matrix)]
+        right = [name for name, matrix in self._matrices()[4:] if _is_used(matrix)]
+        return f"{' + '.join(left)} = {' + '.join(right) or '0'}"
+
+
+def matrix_form(
+    system: System, mass_matrix: Matrix, balances: Sequence[Balance], *, christoffel: bool
+) -> MatrixForm:
+    """Return the matrices of equations whose terms are known by their kinds."""
+    entries = [readable(entry) for entry in mass_matrix.entries]
+    n = len(balances)
+    made = Matrix([entries[k * n : (k + 1) * n] for k in range(n)])
+    coriolis = _column([balance.velocities for balance in balances])
+    if christoffel:
+        found = by_christoffel(mass_matrix, system)
+        product = found @ Matrix([[u] for u in system.speeds])
+        if all(product[i, 0] == coriolis[i, 0] for i in range(n)):
+            coriolis = found
+    return MatrixForm(
+        system,
+        made,
+        coriolis,
+        _column([balance.gravity for balance in balances]),
+        _column([balance.loads for balance in balances]),
+        _column([balance.applied for balance in balances]),
+        _column([balance.constraints for balance in balances]),
+    )
+
+
+def by_christoffel(mass_matrix: Matrix, system: System) -> Matrix:
+    """Return the matrix C(q, q') of Christoffel's symbols: ``c_ijk = (dM_ij/dq_k + dM_ik/dq_j - dM_jk/dq_i)/2``.
+
+    With it, M' - 2 C is skew-symmetric [Murray, Li & Sastry 1994, sec. 4.2].
+    """
+    q, n = system.coordinates, len(system.coordinates)
+    rates = [[[diff(mass_matrix[i, j], q[k]) for k in range(n)] for j in range(n)] for i in range(n)]
+
+    def entry(i: int, j: int) -> Expr:
+        total = number(0)
+        for k, speed in enumerate(system.speeds):
+            total += (rates[i][j][k] + rates[i][k][j] - rates[j][k][i]) / 2 * speed
+        return readable(total)
+
+    return Matrix([[entry(i, j) for j in range(n)] for i in range(n)])
+
+
+def _column(rows: Sequence[Sequence[Expr]]) -> Matrix:
+    return Matrix([[sum(terms, start=number(0))] for terms in rows])
+
+
+def _is_used(matrix: Matrix) -> bool:
+    return not all(entry.is_zero for entry in matrix.entries)
+
+
+def _indented(text: str) -> list[str]:
+    first, *others = lines(text, LINE - 8)
+    return ["    " + first, *(8 * " " + other for other in others)]

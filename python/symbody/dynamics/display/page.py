@@ -1,0 +1,96 @@
+"""The equations of motion on a page: row by row, collected by accelerations, speeds, gravity, loads and forces."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
+
+from symbody.multibody import System
+from symbody.symbolic import Expr, free_symbols, listing, readable
+from symbody.symbolic.expression.latex_layout import aligned, broken
+
+from .balance import Balance
+from .row import LINE, lines, with_leading_fraction, written
+from .short_names import shortened
+
+_INDENT = "    "
+
+
+@dataclass(frozen=True)
+class Page:
+    """Equations, constraints and kinematics in the form for the reader.
+
+    Attributes:
+        system: the system to which the equations belong.
+        balances: the equations.
+        constraints: expressions that are zero.
+    """
+
+    system: System
+    balances: tuple[Balance, ...]
+    constraints: tuple[Expr, ...]
+
+    @cached_property
+    def _rates(self) -> tuple[tuple[Expr, Expr], ...]:
+        return tuple((rate, readable(value)) for rate, value in self.system.known_rates.items())
+
+    def description(self) -> str:
+        """Return the equations line by line, after the quantities that have names."""
+        definitions, rows = self._rows("text")
+        sides = [left if right == "" else f"{left} = {right}" for left, right in rows]
+        names = {leaf.name for leaf in free_symbols(self._pieces)} | {name for name, _ in definitions}
+        named, sides = shortened([*(value for _, value in definitions), *sides], names)
+        count = len(definitions)
+        values, sides = sides[:count], sides[count:]
+        texts = [f"{name} := {value}" for name, value in named]
+        texts += [f"{name} := {value}" for (name, _), value in zip(definitions, values, strict=True)]
+        n, m = len(self.balances), len(self.constraints)
+        texts += sides[:n]
+        texts += [f"constraint: {side}" for side in sides[n : n + m]]
+        texts += [f"kinematics: {side}" for side in sides[n + m :]]
+        title = f"EQUATIONS OF MOTION of {', '.join(map(str, self.system.driving))}"
+        return "\n".join([title, *(line for text in texts for line in _indented(text))])
+
+    def latex(self) -> str:
+        """Return the equations in LaTeX, after the quantities that have names; long ones are broken at terms."""
+        definitions, rows = self._rows("latex")
+        made = [row for name, value in definitions for row in broken(f"{name} &= ", value)]
+        n = len(self.balances) + len(self.constraints)
+        made += [row for left, right in rows[:n] for row in broken("&", f"{left} = {right}")]
+        made += [row for left, right in rows[n:] for row in broken(f"{left} &= ", right)]
+        return aligned(made)
+
+    @cached_property
+    def _pieces(self) -> tuple[Expr, ...]:
+        terms = [term for balance in self.balances for term in (*balance.left, *balance.right)]
+        return (*terms, *map(_shorter, self.constraints), *(side for pair in self._rates for side in pair))
+
+    def _rows(self, notation: str) -> tuple[list[tuple[str, str]], list[tuple[str, str]]]:
+        """Return named quantities, and the left and right sides of all rows."""
+        definitions, texts = listing(self._pieces, notation)
+        if notation == "text":
+            texts = list(map(with_leading_fraction, texts))
+        remaining = iter(texts)
+
+        def taken(count: int) -> Sequence[str]:
+            return [next(remaining) for _ in range(count)]
+
+        rows = [
+            (written(taken(len(balance.left))), written(taken(len(balance.right))))
+            for balance in self.balances
+        ]
+        rows += [(next(remaining), "0") for _ in self.constraints]
+        rows += [(next(remaining), next(remaining)) for _ in self._rates]
+        return definitions, rows
+
+
+def _shorter(constraint: Expr) -> Expr:
+    """Return a constraint as it was given, unless it has a shorter form."""
+    form = readable(constraint)
+    return form if len(str(form)) < len(str(constraint)) else constraint
+
+
+def _indented(text: str) -> list[str]:
+    first, *others = lines(text, LINE - 2 * len(_INDENT))
+    return [_INDENT + first, *(2 * _INDENT + other for other in others)]

@@ -1,0 +1,91 @@
+"""Sums of printed terms, and their lines."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Sequence
+
+_FRACTION = re.compile(r"(?P<sign>-?)(?:(?P<above>\d+)\*)?(?P<factors>.+)/(?P<below>\d+)")
+LINE = 110
+"""The most characters of a line of text."""
+
+
+def written(terms: Iterable[str]) -> str:
+    """Return the sum of printed terms; one with a plus sign comes first.
+
+    >>> written(["-a*b", "c - d"])
+    'c - d - a*b'
+    """
+    texts = list(terms)
+    first = next((k for k, text in enumerate(texts) if not text.startswith("-")), 0)
+    texts[: first + 1] = [texts[first], *texts[:first]] if texts else []
+    return (
+        "".join(
+            f" - {text[1:].lstrip()}" if k and text.startswith("-") else f"{' + ' if k else ''}{text}"
+            for k, text in enumerate(texts)
+        )
+        or "0"
+    )
+
+
+def with_leading_fraction(term: str) -> str:
+    """Return a printed product with its fraction in front; a sum, or a product with other divisors, as it is.
+
+    >>> with_leading_fraction("3*m*l**2*q''/2"), with_leading_fraction("a/2 + b/2"), with_leading_fraction("q/2")
+    ("3/2*m*l**2*q''", 'a/2 + b/2', 'q/2')
+    """
+    match = _FRACTION.fullmatch(term)
+    if (
+        match is None
+        or "/" in match["factors"]
+        or "*" not in match["factors"]
+        or len(_terms(term, len(term))) > 1
+    ):
+        return term
+    return f"{match['sign']}{match['above'] or 1}/{match['below']}*{match['factors']}"
+
+
+def lines(text: str, line: int = LINE) -> list[str]:
+    """Return a formula in pieces that are no longer than a line, if that is possible: it is broken before signs.
+
+    A term that is too long is broken inside its brackets.
+
+    >>> lines("a*(b + c) + d - e", 9)
+    ['a*(b + c)', '+ d - e']
+    """
+    pieces: list[str] = []
+    for term in _terms(text, line):
+        if pieces and len(pieces[-1]) + 1 + len(term) <= line:
+            pieces[-1] = f"{pieces[-1]} {term}"
+        else:
+            pieces.append(term)
+    return pieces
+
+
+def _terms(text: str, line: int, depth: int = 0) -> list[str]:
+    """Return the terms of a sum, each with its sign, also of sums in so many levels of brackets."""
+    terms, start, level = list[str](), 0, 0
+    opened = list[int]()
+    for place, letter in enumerate(text):
+        if letter == "(":
+            is_argument = place > 0 and (text[place - 1].isalnum() or text[place - 1] == "_")
+            opened.append(_DEEPEST + 1 if is_argument else 1)
+            level += opened[-1]
+        elif letter == ")" and opened:
+            level -= opened.pop()
+        sign = text[place : place + 3] in {" + ", " - ", " = "}
+        if sign and level <= depth:
+            terms.append(text[start:place])
+            start = place + 1
+    terms.append(text[start:])
+    if depth < _DEEPEST and any(len(term) > line for term in terms):
+        return [piece for term in terms for piece in (_shortened(term, line, depth))]
+    return terms
+
+
+def _shortened(term: str, line: int, depth: int) -> Sequence[str]:
+    return [term] if len(term) <= line else _terms(term, line, depth + 1)
+
+
+_DEEPEST = 4
+"""The levels of brackets that are broken at most."""

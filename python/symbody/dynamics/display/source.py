@@ -1,0 +1,63 @@
+"""Where the terms of equations come from: gravity, springs and dampers, forces that are given."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
+
+from symbody.multibody import System
+from symbody.symbolic import Expr, Matrix, diff, free_symbols
+
+
+@dataclass(frozen=True)
+class Sources:
+    """The symbols by which the terms of the equations are told apart.
+
+    Attributes:
+        gravity: those of the acceleration of gravity.
+        loads: those that occur in loads alone, such as stiffnesses.
+        given: those of loads that depend on no motion, such as a drive's torque: they stand on the right.
+    """
+
+    gravity: frozenset[Expr]
+    loads: frozenset[Expr]
+    given: frozenset[Expr]
+
+
+def sources(system: System, mass_matrix: Matrix) -> Sources:
+    """Return the symbols of gravity, loads and given forces; those of the mass matrix belong to the bodies."""
+    motion = _names((*system.coordinates, *system.speeds))
+    inertia = free_symbols(mass_matrix.entries)
+    weight = frozenset[Expr]()
+    if system.gravity is not None:
+        weight = _symbols(system.gravity.components, motion) - inertia
+    loads, given, moving = set[Expr](), set[Expr](), set[Expr]()
+    for action in system.actions:
+        found = free_symbols(action.vector.components)
+        place = () if action.point is None else action.point.coordinates
+        loads |= {*found, *free_symbols(place)}
+        depends = any(leaf.name in motion for leaf in found if leaf.kind == "time_function")
+        alone = _added(found, action.vector.components) if depends else found
+        (moving if found & (inertia | weight) else given).update(alone)
+        moving |= found - alone
+    return Sources(
+        gravity=weight,
+        loads=frozenset(leaf for leaf in loads if leaf.kind == "symbol") - inertia - weight,
+        given=frozenset(given - moving - inertia),
+    )
+
+
+def _added(leaves: Iterable[Expr], components: Sequence[Expr]) -> frozenset[Expr]:
+    """Return the symbols that are added to what depends on the motion, as F in ``F - b*x'``."""
+    return frozenset(leaf for leaf in leaves if all(diff(each, leaf).is_number for each in components))
+
+
+def _symbols(expressions: Iterable[Expr], motion: frozenset[str]) -> frozenset[Expr]:
+    found = free_symbols(tuple(expressions))
+    return frozenset(
+        leaf for leaf in found if leaf.kind in {"symbol", "time_function"} and leaf.name not in motion
+    )
+
+
+def _names(functions: Iterable[Expr]) -> frozenset[str]:
+    return frozenset(function.name for function in functions)

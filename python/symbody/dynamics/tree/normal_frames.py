@@ -1,0 +1,236 @@
+"""Normal frames: one form for frames that different users build in different ways.
+
+There are three forms. In *local axes*, a frame is placed by the orientations on its way, and displacements in the axes
+of each. Displacements given in the axes of ground are taken apart: if p turns with the last rotation R about e, then
+``d = -e x R^T dp/dq`` belongs behind it, and the rest before it. In *axes of ground*, a frame is displaced once, as a
+point of the ground, and then turned; a particle isn't turned at all. In *chains*, frames that turn about one axis are
+linked one after the other, by rotations through the differences of their angles.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Mapping, Sequence
+
+from symbody.geometry import Frame
+from symbody.geometry.component.triple import NULL, Triple, is_null
+from symbody.geometry.motion.principal_rotation import Rotation, along
+from symbody.geometry.motion.translation import Translation
+from symbody.symbolic import Expr, add3, cross3, number, scale3, sub3, time_derivative, without_idle_symbols
+
+from .orientation_path import (
+    OrientationTree,
+    Placed,
+    Step,
+    Turn,
+    Word,
+    carried_back,
+    carried_on,
+    displaced,
+    placed,
+    turn_of,
+)
+
+
+class NormalFrames:
+    """The normal forms of some frames of one root.
+
+    Args:
+        frames: the frames.
+        free: the keys of those that may be left without their rotations, because only particles are in them.
+    """
+
+    def __init__(self, frames: Sequence[Frame], free: Collection[bytes]) -> None:
+        self._free = free
+        self._placed: dict[bytes, Placed] = {}
+        self._frames = {frame.key: frame for frame in frames}
+        for frame in self._frames.values():
+            place = placed(frame)
+            if place is not None:
+                self._placed[frame.key] = place
+        self.are_known = len(self._placed) == len(self._frames)
+        if self.are_known:
+            words = [
+                word
+                for place in self._placed.values()
+                for word in (place.word, *(w for w, _ in place.displacements))
+            ]
+            self._tree = OrientationTree(words)
+            self._paths = {key: self._tree.path(place.word) for key, place in self._placed.items()}
+
+    @property
+    def are_parallel(self) -> bool:
+        """Whether several orientations are reached, none of them through another one."""
+        ends = {path[-1][0] for path in self._paths.values() if path}
+        inner = {step[0] for path in self._paths.values() for step in path[:-1]}
+        return len(ends) > 1 and not ends & inner
+
+    def in_axes_of_ground(self) -> dict[bytes, Frame]:
+        """Return the frames as points of the ground with rotations."""
+        result = {}
+        for key, frame in self._frames.items():
+            total = displaced((), self._displacements(key))[0]
+            path = () if key in self._free else self._paths[key]
+            result[key] = _chained(frame, path, [total] + [NULL] * len(path))
+        return result
+
+    def in_local_axes(self) -> dict[bytes, Frame]:
+        """Return the frames by displacements in the axes of the orientations on their ways."""
+        places = {key: displaced(path, self._displacements(key)) for key, path in self._paths.items()}
+        for key, path in self._paths.items():
+            _take_apart(path, places[key])
+        _align(self._paths, places)
+        return {key: _chained(frame, self._paths[key], places[key]) for key, frame in self._frames.items()}
+
+    def in_chains(self) -> dict[bytes, Frame]:
+        """Return frames that turn about one axis, each on the last one; none if they turn otherwise."""
+        words = self._tree.words
+        if len({word[0].axis for word in words}) != 1 or max(map(len, words)) > 1:
+            return {}
+        legs = {key: self._legs(key, words) for key in self._frames}
+        lengths: dict[Word, int] = {}
+        for key, leg in legs.items():
+            word = self._placed[key].word
+            lengths[word] = min(len(leg), lengths.get(word, len(leg)))
+        return {
+            key: _linked(frame, self._placed[key].word, legs[key], lengths)
+            for key, frame in self._frames.items()
+        }
+
+    def _legs(self, key: bytes, words: Sequence[Word]) -> dict[Word, Triple]:
+        """Return the displacements of a frame by the orientations in which they are fixed."""
+        legs: dict[Word, Triple] = {(): NULL}
+        for word, d in self._placed[key].displacements:
+            legs[word] = add3(legs.get(word, NULL), d)
+        for word in words:
+            path = self._tree.path(word)
+            part = _turning_part(path, legs[()], 0, len(path))
+            if part is not None:
+                legs[()] = _without(legs[()], carried_back(part, path))
+                legs[word] = add3(legs.get(word, NULL), part)
+        return {word: d for word, d in legs.items() if not word or not is_null(d)}
+
+    def _displacements(self, key: bytes) -> list[tuple[Sequence[Step], Triple]]:
+        return [(self._tree.path(word), d) for word, d in self._placed[key].displacements]
+
+
+def _chained(frame: Frame, path: Sequence[Step], places: Sequence[Triple]) -> Frame:
+    result = frame.ancestor.then(Translation(places[0]))
+    for (_, turn), d in zip(path, places[1:], strict=True):
+        result = result.then(Rotation(turn.axis, turn.angle)).then(Translation(d))
+    return result.named(frame.name)
+
+
+def _take_apart(path: Sequence[Step], places: list[Triple]) -> None:
+    """Move parts of displacements behind the rotations with which they turn."""
+    for level in range(len(path)):
+        for last in range(len(path), level, -1):
+            d = _turning_part(path, places[level], level, last)
+            if d is not None:
+                places[level] = _without(places[level], carried_back(d, path[level:last]))
+                places[last] = add3(places[last], d)
+
+
+def _turning_part(path: Sequence[Step], p: Triple, level: int, last: int) -> Triple | None:
+    """Return the part of a displacement that is fixed behind a rotation, in the axes behind it."""
+    _, turn = path[last - 1]
+    q = _own_coordinate(path, last)
+    if q is None or not any(q in component.free_symbols for component in p):
+        return None
+    slope = turn.angle.diff(q)
+    x, y, z = p
+    velocity = carried_on((x.diff(q), y.diff(q), z.diff(q)), path[level:last])
+    arm = scale3(1 / slope, cross3(velocity, along(turn.axis, number(1))))
+    if is_null(arm) or not all(time_derivative(component).is_zero for component in arm):
+        return None
+    x, y, z = (without_idle_symbols((component,))[0] for component in arm)
+    return None if any(component.depends_on_time for component in (x, y, z)) else (x, y, z)
+
+
+def _own_coordinate(path: Sequence[Step], last: int) -> Expr | None:
+    """Return a coordinate that turns one orientation of a path, and none of the others."""
+    others = frozenset[Expr]().union(
+        *(turn.angle.free_symbols for k, (_, turn) in enumerate(path) if k != last - 1)
+    )
+    own = [q for q in path[last - 1][1].angle.free_symbols - others if q.depends_on_time]
+    return min(own, key=str, default=None)
+
+
+def _without(p: Triple, part: Triple) -> Triple:
+    """Return the rest of a displacement without a part, in forms without the coordinates of the part."""
+    x, y, z = (without_idle_symbols((component,))[0] for component in sub3(p, part))
+    return x, y, z
+
+
+def _linked(frame: Frame, word: Word, legs: Mapping[Word, Triple], lengths: Mapping[Word, int]) -> Frame:
+    """Return a frame by its legs one after the other, those of frames with the fewest legs first."""
+    result, angle = frame.ancestor.then(Translation(legs[()])), number(0)
+    others = [other for other in legs if other and other != word]
+    for turned in (
+        *sorted(others, key=lambda other: lengths.get(other, len(legs))),
+        *((word,) if word else ()),
+    ):
+        (turn,) = turned
+        result = result.then(Rotation(turn.axis, turn.angle - angle)).then(
+            Translation(legs.get(turned, NULL))
+        )
+        angle = turn.angle
+    if not word and others:
+        result = result.then(Rotation(others[0][0].axis, -angle))
+    return result.named(frame.name)
+
+
+def _align(paths: Mapping[bytes, Sequence[Step]], places: Mapping[bytes, list[Triple]]) -> None:
+    """Start frames that turn about one line at one point of it: at the sum of the terms that all their places share."""
+    ways: dict[bytes, tuple[object, ...]] = dict.fromkeys(paths, ())
+    for level in range(max(map(len, paths.values()))):
+        lines: dict[tuple[object, ...], list[bytes]] = {}
+        for key, path in paths.items():
+            if len(path) > level:
+                word, turn = path[level]
+                beside = sub3(places[key][level], along(turn.axis, places[key][level][turn.axis]))
+                lines.setdefault((ways[key], word, beside), []).append(key)
+        for line, keys in lines.items():
+            axis = paths[keys[0]][level][1].axis
+            start = _shared([places[key][level][axis] for key in keys])
+            for key in keys:
+                here = places[key]
+                shift = along(axis, here[level][axis] - start)
+                here[level], here[level + 1] = sub3(here[level], shift), add3(here[level + 1], shift)
+                ways[key] = (line, start)
+
+
+def _shared(sums: Sequence[Expr]) -> Expr:
+    """Return the sum of the terms that several sums share."""
+    others = [frozenset(_terms(one)) for one in sums[1:]]
+    return sum((term for term in _terms(sums[0]) if all(term in other for other in others)), start=number(0))
+
+
+def _terms(one: Expr) -> tuple[Expr, ...]:
+    return one.args if one.kind == "sum" else (one,)
+
+
+def have_other_forms(frames: Sequence[Frame], parents: Sequence[int]) -> bool:
+    """Return whether angles cancel along the chains of frames, or displacements hold coordinates that turn frames.
+
+    Args:
+        frames: parents before their children.
+        parents: the place of each frame's parent.
+    """
+    turning = frozenset[Expr]()
+    turns: list[Turn | None] = []
+    moving = frozenset[Expr]()
+    for frame, parent in zip(frames, parents, strict=True):
+        motion, before = frame.motion, turns[parent] if turns else None
+        turn = None if motion is None else turn_of(motion)
+        if motion is not None and turn is not None:
+            turning |= {leaf for leaf in motion.leaves if leaf.depends_on_time}
+            if before is not None and before.axis == turn.axis:
+                angle = before.angle + turn.angle
+                if angle.free_symbols < before.angle.free_symbols | motion.leaves:
+                    return True
+                turn = Turn(turn.axis, angle)
+            before = turn
+        elif motion is not None and not motion.rotates:
+            moving |= {leaf for leaf in motion.leaves if leaf.depends_on_time}
+        turns.append(before)
+    return not turning.isdisjoint(moving)

@@ -1,0 +1,292 @@
+"""Sketches: the mechanism at one instant as flat shapes, which any format of vector graphics can contain."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from itertools import product
+from typing import Any, TypeAlias
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.spatial import ConvexHull, QhullError
+from scipy.spatial.transform import Rotation
+
+from symbody.view.camera import AXES
+from symbody.view.drawable_motion import DrawableMotion
+from symbody.view.drawing_options import DrawingOptions
+from symbody.view.scene import scene
+
+Array = NDArray[np.float64]
+Place: TypeAlias = tuple[float, float]
+
+WIDTH = 640
+"""The width of a sketch, in points."""
+
+MARGIN = 40
+"""The margin around what is drawn, in points, which holds the names."""
+
+TALLEST = 480
+"""The height of a sketch at most, in points."""
+
+ROUND = 32
+"""The corners of a circle."""
+
+AXIS_COLORS = ("#c0392b", "#27824a", "#2563a8")
+
+
+@dataclass(frozen=True)
+class Patch:
+    """A filled polygon."""
+
+    corners: tuple[Place, ...]
+    color: str
+    opacity: float
+
+
+@dataclass(frozen=True)
+class Line:
+    """A straight line."""
+
+    start: Place
+    end: Place
+    color: str
+    width: float
+    is_dashed: bool = False
+
+
+@dataclass(frozen=True)
+class Dot:
+    """A small disc."""
+
+    at: Place
+    color: str
+    radius: float
+
+
+@dataclass(frozen=True)
+class Label:
+    """A name beside a place."""
+
+    at: Place
+    text: str
+    color: str
+
+
+Mark: TypeAlias = Patch | Line | Dot | Label
+
+
+@dataclass(frozen=True)
+class Sketch:
+    """A drawing: its size in points, and its marks from back to front; the y axis points down."""
+
+    width: float
+    height: float
+    marks: tuple[Mark, ...]
+
+
+def sketch(motion: DrawableMotion, instant: int = 0, options: DrawingOptions | None = None) -> Sketch:
+    """Return the mechanism of a motion at one instant: bodies, rods, threads, points, and the axes of the ground.
+
+    Args:
+        motion: the motion. What its points and threads belong to is found from all of its instants.
+        instant: the index of the instant that is drawn.
+        options: what else to show.
+
+    Raises:
+        ViewError: there is nothing to draw, or a value is not finite.
+
+    >>> import numpy as np
+    >>> from types import SimpleNamespace
+    >>> from symbody import Body, System, functions_of_time, translate
+    >>> x = functions_of_time("x")
+    >>> system = System([Body(translate(x, 0, 0), 1, name="cart")], coordinates=[x])
+    >>> values = lambda wanted: np.array([[e.evaluate({x: 0.5})] for e in wanted])
+    >>> motion = SimpleNamespace(t=np.zeros(1), system=system, evaluate=values)
+    >>> [mark.text for mark in sketch(motion).marks if isinstance(mark, Label)]
+    ['x', 'y', 'z', 'ground', 'cart']
+    """
+    content = scene(motion, options or DrawingOptions(), "")
+    return _Projection(content, instant).sketch()
+
+
+class _Projection:
+    """The marks of a scene at an instant, seen from its camera in parallel projection."""
+
+    def __init__(self, content: Mapping[str, Any], instant: int) -> None:
+        self.content, self.instant = content, instant
+        self.poses = [np.array(track).reshape(-1, 7)[instant] for track in content["poses"]]
+        view = content["view"]
+        towards, up = np.array(view["direction"]), np.array(view["up"])
+        right = np.cross(up, towards)
+        right /= np.linalg.norm(right)
+        self.towards = towards
+        self.plane = np.array([right, -np.cross(towards, right)])
+        self.follow = (
+            np.array(content["follow"]).reshape(-1, 3)[instant] if content["follow"] else np.zeros(3)
+        )
+        self.radius = float(view["radius"])
+        self.scale, self.origin = 1.0, np.zeros(2)
+
+    def sketch(self) -> Sketch:
+        """Return the sketch: everything is measured first, and drawn to the scale that fills it."""
+        flat = np.array([place for mark in self._marks() for place in _places(mark)])
+        low, high = flat.min(axis=0), flat.max(axis=0)
+        extent = np.maximum(high - low, 1e-9 * self.radius)
+        self.scale = float(min((WIDTH - 2 * MARGIN) / extent[0], (TALLEST - 2 * MARGIN) / extent[1]))
+        height = extent[1] * self.scale + 2 * MARGIN
+        self.origin = np.array([WIDTH, height]) / 2 - self.scale * (low + high) / 2
+        return Sketch(WIDTH, round(float(height), 2), tuple(_spread(self._marks())))
+
+    def _marks(self) -> list[Mark]:
+        solids = sorted(self._solids(), key=lambda each: each[0])
+        marks: list[Mark] = [mark for _, marks in solids for mark in marks]
+        behind = [*self._axes(), *self._rods_and_threads("thin")]
+        return [*behind, *marks, *self._rods_and_threads(""), *self._points(), *self._names()]
+
+    def _flat(self, places: Array) -> list[Place]:
+        flat = (places - self.follow) @ self.plane.T * self.scale + self.origin
+        return [(round(float(x), 2) + 0.0, round(float(y), 2) + 0.0) for x, y in np.atleast_2d(flat)]
+
+    def _in_root(self, pose: int, places: Sequence[Sequence[float]] | Array) -> Array:
+        row = self.poses[pose]
+        return np.asarray(row[:3] + Rotation.from_quat(row[3:]).apply(np.array(places, dtype=float)))
+
+    def _solids(self) -> Iterator[tuple[float, list[Mark]]]:
+        """Yield the solids with their distances towards the camera; each is its outline and its faces."""
+        for body in self.content["bodies"]:
+            for part in body["parts"]:
+                faces = [self._in_root(part["pose"], face) for face in _faces(part)]
+                depth = float(np.concatenate(faces).mean(axis=0) @ self.towards)
+                opacity = 0.12 if part.get("glass") else 0.3
+                outline = self._outline(np.concatenate(faces))
+                edges = [
+                    side for face in faces if self._is_seen(face) for side in self._sides(face, body["color"])
+                ]
+                yield depth, [Patch(outline, body["color"], opacity), *edges]
+
+    def _outline(self, places: Array) -> tuple[Place, ...]:
+        flat = (places - self.follow) @ self.plane.T
+        try:
+            kept = places[ConvexHull(flat).vertices]
+        except QhullError:  # seen edge on, or without extent
+            kept = places[[int(np.argmin(flat[:, 0])), int(np.argmax(flat[:, 0]))]]
+        return tuple(self._flat(kept))
+
+    def _is_seen(self, face: Array) -> bool:
+        """Return whether a face, whose corners go round counter-clockwise from outside, is turned to the camera."""
+        normal = np.cross(face[1] - face[0], face[2] - face[1])
+        return bool(normal @ self.towards > -1e-9 * np.linalg.norm(normal))
+
+    def _sides(self, face: Array, color: str) -> list[Line]:
+        if len(face) > ROUND:
+            return []
+        flat = self._flat(face)
+        return [Line(a, b, color, 0.8) for a, b in zip(flat, [*flat[1:], flat[0]], strict=True)]
+
+    def _rods_and_threads(self, kind: str) -> Iterator[Line]:
+        for rod in self.content["links"]:
+            if bool(rod.get("thin")) == bool(kind):
+                start, end = self._flat(self._in_root(rod["pose"], [rod["from"], rod["to"]]))
+                yield Line(start, end, rod["color"], 1.0 if kind else 4.0, is_dashed=bool(kind))
+        for line in [] if kind else self.content["lines"]:
+            ends = [np.array(line[end]).reshape(-1, 3)[self.instant] for end in ("from", "to")]
+            start, end = self._flat(np.array(ends))
+            yield Line(start, end, "#444444", 1.2)
+
+    def _axes(self) -> Iterator[Mark]:
+        for axes in self.content["axes"]:
+            size = AXES * self.radius
+            start, *tips = self._flat(self._in_root(axes["pose"], np.vstack([np.zeros(3), size * np.eye(3)])))
+            for name, tip, color in zip("xyz", tips, AXIS_COLORS, strict=True):
+                if max(abs(a - b) for a, b in zip(start, tip, strict=True)) > 0.1 * size * self.scale:
+                    yield Line(start, tip, color, 1.6)
+                    yield Label(tip, name, color)
+            if axes["name"]:
+                yield Label(start, axes["name"], "#1c2733")
+
+    def _points(self) -> Iterator[Mark]:
+        for body in self.content["bodies"]:
+            (centre,) = self._flat(self._in_root(body["pose"], [[0.0, 0.0, 0.0]]))
+            yield Dot(centre, body["color"], 3.5)
+        for point in self.content["points"]:
+            (place,) = self._flat(np.array(point["path"]).reshape(-1, 3)[self.instant])
+            yield Dot(place, "#1c2733", 2.5)
+            if point["name"]:
+                yield Label(place, point["name"], "#1c2733")
+
+    def _names(self) -> Iterator[Label]:
+        for body in self.content["bodies"]:
+            if body["is_named"]:
+                (centre,) = self._flat(self._in_root(body["pose"], [[0.0, 0.0, 0.0]]))
+                yield Label(centre, body["name"], body["color"])
+
+
+def _spread(marks: Sequence[Mark]) -> Iterator[Mark]:
+    """Yield the marks with labels moved down until none lies on another one."""
+    taken: list[Place] = []
+    for mark in marks:
+        if not isinstance(mark, Label):
+            yield mark
+            continue
+        x, y = mark.at[0] + 6, mark.at[1] - 6
+        while any(abs(x - a) < 7 * len(mark.text) + 8 and abs(y - b) < 13 for a, b in taken):
+            y += 13
+        taken.append((x, y))
+        yield Label((round(x, 2), round(y, 2)), mark.text, mark.color)
+
+
+def _places(mark: Mark) -> tuple[Place, ...]:
+    match mark:
+        case Patch(corners=corners):
+            return corners
+        case Line(start=start, end=end):
+            return (start, end)
+        case _:
+            return (mark.at,)
+
+
+def _faces(part: Mapping[str, Any]) -> list[Array]:
+    """Return the faces of a solid in the frame of its part; those of round ones have many corners."""
+    match part["kind"]:
+        case "box":
+            return _box(part)
+        case "plate":
+            flat, z = np.array(part["corners"], dtype=float), float(part["z"])
+            turned = np.sign(np.sum(np.cross(flat - flat[0], np.roll(flat, -1, axis=0) - flat[0]))) or 1.0
+            flat = flat if turned > 0 else flat[::-1]
+            half = float(part["thickness"]) / 2
+            top = np.column_stack([flat, np.full(len(flat), z + half)])
+            return [top, (top - [0, 0, 2 * half])[::-1]]
+        case "rod":
+            return _cylinder(part)
+        case _:
+            return [_ball() * np.array(part["size"]) + np.array(part["at"])]
+
+
+def _box(part: Mapping[str, Any]) -> list[Array]:
+    half, turn = np.array(part["size"], dtype=float) / 2, np.array(part.get("rotation", np.eye(3)))
+    faces = []
+    for axis, side in product(range(3), (1, -1)):
+        i, j = (axis + 1) % 3, (axis + 2) % 3
+        corners = np.zeros((4, 3))
+        corners[:, axis] = side
+        corners[:, i], corners[:, j] = (-1, 1, 1, -1), (-1, -1, 1, 1)
+        faces.append((corners[:: int(side)] * half) @ turn.T + np.array(part["at"], dtype=float))
+    return faces
+
+
+def _cylinder(part: Mapping[str, Any]) -> list[Array]:
+    start, end = np.array(part["from"], dtype=float), np.array(part["to"], dtype=float)
+    axis = (end - start) / (float(np.linalg.norm(end - start)) or 1.0)
+    first = np.cross(axis, np.eye(3)[int(np.argmin(np.abs(axis)))])
+    first /= np.linalg.norm(first)
+    angle = np.linspace(0, 2 * np.pi, ROUND, endpoint=False)[:, None]
+    ring = float(part["radius"]) * (np.cos(angle) * first + np.sin(angle) * np.cross(axis, first))
+    return [end + ring, (start + ring)[::-1]]
+
+
+def _ball() -> Array:
+    height, angle = np.meshgrid(np.linspace(-1, 1, 17), np.linspace(0, 2 * np.pi, ROUND, endpoint=False))
+    ring = np.sqrt(1 - height**2)
+    return np.column_stack([(ring * np.cos(angle)).ravel(), (ring * np.sin(angle)).ravel(), height.ravel()])

@@ -1,0 +1,351 @@
+"""Reports: their contents are those of the model, in each format, with the same bytes in each run."""
+
+from __future__ import annotations
+
+import json
+import os
+import re
+import subprocess
+import sys
+from base64 import b64decode
+from pathlib import Path
+from xml.etree import ElementTree
+
+import numpy as np
+import pytest
+
+from symbody import (
+    Body,
+    Equations,
+    Motion,
+    Point,
+    System,
+    Torque,
+    Vector,
+    cost,
+    floating_frame,
+    functions_of_time,
+    ground,
+    lagrange_equations,
+    latex,
+    newton_euler,
+    project,
+    report,
+    rotate,
+    simulate,
+    symbols,
+    translate,
+)
+from symbody.document import report as public_name
+from symbody.document.document import Document, Formula, Heading, Picture, Table
+from symbody.document.report import FORMATS, SECTIONS
+from symbody.document.sections.checks import HOLDS, LAWS
+from symbody.document.subject import LARGE, Subject
+from symbody.errors import PictureError, ReportError
+
+r, l, m1, m2, m3, I1, I2, g, tau = PARAMETERS = symbols("r l m1 m2 m3 I1 I2 g tau")
+phi, beta, s = q = functions_of_time("phi beta s")
+SUFFIXES = sorted(FORMATS)
+
+
+def engine() -> System:
+    crank_frame = rotate("Z", phi)
+    rod_frame = crank_frame * translate(r, 0, 0) * rotate("Z", -beta - phi)
+    crank = Body(Point(crank_frame, r / 2, 0, 0), m1, 0, 0, I1, name="crank_1")
+    rod = Body(Point(rod_frame, l / 2, 0, 0), m2, 0, 0, I2, name="rod <b>")
+    slider = Body(translate(s, 0, 0), m3, name="slider")
+    gap = project(Point(rod_frame, l, 0, 0) - Point(ground, s, 0, 0), ground)
+    motor = Torque(ground, 0, 0, tau, on=crank)
+    gravity = Vector(ground, 0, -g, 0)
+    return System([crank, rod, slider], [motor], q, gap.components[:2], gravity, name="Slider & crank")
+
+
+def numbered_arm(joints: int) -> System:
+    """Return an arm whose joints turn about z and y in turn."""
+    angles, frame, bodies = functions_of_time(" ".join(f"q{k}" for k in range(1, joints + 1))), ground, []
+    for k, angle in enumerate(angles, start=1):
+        m, d, c, a, b = symbols(f"m{k} d{k} c{k} I{k} J{k}")
+        frame = frame * translate(0, 0, d) * rotate("Z" if k % 2 else "Y", angle)
+        bodies.append(Body(Point(frame, 0, 0, c), m, a, a, b, name=f"link {k}"))
+    return System(bodies, coordinates=angles, gravity=Vector(ground, 0, 0, -g), name="Arm")
+
+
+@pytest.fixture(scope="module")
+def equations() -> Equations:
+    return lagrange_equations(engine())
+
+
+@pytest.fixture(scope="module")
+def motion(equations: Equations) -> Motion:
+    values = dict(zip(PARAMETERS, [0.1, 0.3, 1, 0.5, 0.8, 1e-3, 4e-3, 9.81, 0.5], strict=True))
+    return simulate(equations, values, {phi: 1.0}, t=np.linspace(0, 0.2, 41), guess={s: 0.3})
+
+
+def written(tmp_path: Path, model: Equations | System, suffix: str, **options: object) -> str:
+    return report(model, tmp_path / f"model{suffix}", **options).read_text(encoding="utf-8")  # type: ignore[arg-type]
+
+
+def blocks(model: Equations) -> Document:
+    subject = Subject(model, None, {}, {}, {})
+    return Document("", tuple(block for section in SECTIONS for block in section(subject)))
+
+
+def cells(document: Document) -> list[tuple[str, ...]]:
+    tables = [block for block in document.blocks if isinstance(block, Table)]
+    return [
+        tuple("".join(w if isinstance(w, str) else w.latex for w in cell) for cell in row)
+        for table in tables
+        for row in table.rows
+    ]
+
+
+def svg_of(text: str) -> list[ElementTree.Element]:
+    return [ElementTree.fromstring(found) for found in re.findall(r"<svg.*?</svg>", text, re.DOTALL)]
+
+
+def test_the_public_name_is_that_of_the_layer() -> None:
+    assert report is public_name
+
+
+# --- contents ---
+
+
+def test_the_contents_are_those_of_the_model(equations: Equations) -> None:
+    document = blocks(equations)
+    assert Formula(equations.latex()) in document.blocks
+    rows = cells(document)
+    assert ("coordinates", "3") in rows
+    assert ("constraints", "2") in rows
+    assert (latex(phi), "coordinate, angle", "rad") in rows
+    assert (latex(s), "coordinate, length", "m") in rows
+    assert ("m_{3}", "mass of slider", "kg") in rows
+    assert ("I_{2}", "moment of inertia of rod <b> about z", "kg m²") in rows
+    assert (latex(g), "acceleration of gravity", "m/s²") in rows
+    total = cost(equations.residuals)
+    assert next(row for row in rows if row[0] == "residuals")[-1] == str(total.total)
+    assert all((law, HOLDS) in rows for law in LAWS)
+    assert sum(isinstance(block, Picture) for block in document.blocks) == 1
+
+
+def test_operations_add_up(equations: Equations) -> None:
+    counts = [row for row in cells(blocks(equations)) if len(row) == 6]
+    assert len(counts) == 4
+    assert all(sum(map(int, row[1:5])) == int(row[5]) for row in counts)
+
+
+def test_sections_are_in_order(equations: Equations) -> None:
+    headings = [block.text for block in blocks(equations).blocks if isinstance(block, Heading)]
+    names = "Mechanism, Nomenclature, Kinematics, Energies, Equations of motion, Size, Checks"
+    assert ", ".join(headings) == names
+
+
+def test_a_floating_body_has_quasi_velocities() -> None:
+    """Lagrange's equations have none; what does not apply is not reported as a failure."""
+    top = System([Body(floating_frame(), m1, I1, I1, I2)], gravity=Vector(ground, 0, 0, -g))
+    rows = cells(blocks(newton_euler(top)))
+    assert ("u", "quasi-velocity, velocity", "m/s") in rows
+    results = dict(row for row in rows if row[0] in LAWS)
+    agreement, *others = results.values()
+    assert agreement.startswith("does not apply (lagrange_equations")
+    assert others == [HOLDS, HOLDS]
+
+
+def test_units_are_added(equations: Equations, tmp_path: Path) -> None:
+    assert "N m" not in written(tmp_path, equations, ".md")
+    assert "| $\\tau$ | parameter | N m |" in written(tmp_path, equations, ".md", units={tau: "N m"})
+
+
+def test_a_driven_support_has_no_balance_of_power() -> None:
+    """The force that moves it is not a load, so its power is not known."""
+    theta, x = functions_of_time("theta x")
+    bob = Body(translate(x, 0, 0) * rotate("Z", theta) * translate(0, -l, 0), m1)
+    driven = System([bob], coordinates=[theta], gravity=Vector(ground, 0, -g, 0), inputs=[x])
+    results = [result for law, result in (r for r in cells(blocks(newton_euler(driven))) if r[0] in LAWS)]
+    assert results == [HOLDS, HOLDS, "does not apply (frames move as given functions of time)"]
+
+
+@pytest.mark.parametrize("law", LAWS)
+def test_a_wrong_equation_is_found(equations: Equations, law: str) -> None:
+    """A term is lost: the power no longer balances; the mass matrix and the system are as before."""
+    broken = Equations(
+        equations.system, (equations.residuals[0] + tau, *equations.residuals[1:]), equations.assemble
+    )
+    assert (LAWS[law](Subject(broken, None, {}, {}, {})) == HOLDS) == ("power" not in law)
+
+
+# --- formats ---
+
+
+@pytest.mark.parametrize("suffix", SUFFIXES)
+def test_the_same_bytes_twice(equations: Equations, motion: Motion, tmp_path: Path, suffix: str) -> None:
+    texts = [written(tmp_path, equations, suffix, motion=motion) for _ in range(2)]
+    assert texts[0] == texts[1]
+
+
+def test_the_same_bytes_in_another_process(tmp_path: Path) -> None:
+    code = "from tests.document.test_report import numbered_arm, report, sys\n"
+    code += "for path in sys.argv[1:]: report(numbered_arm(2), path)"
+    files = [tmp_path / f"other{suffix}" for suffix in SUFFIXES]
+    environment = os.environ | {"PYTHONHASHSEED": "1"}
+    subprocess.run([sys.executable, "-c", code, *map(str, files)], check=True, env=environment)
+    for file in files:
+        assert file.read_text(encoding="utf-8") == written(tmp_path, numbered_arm(2), file.suffix)
+
+
+def test_html_is_well_formed_and_needs_no_network(
+    equations: Equations, motion: Motion, tmp_path: Path
+) -> None:
+    text = written(tmp_path, equations, ".html", motion=motion, title="Crank <1>")
+    page = ElementTree.fromstring(text.removeprefix("<!DOCTYPE html>\n"))
+    assert page.findtext("head/title") == "Crank <1>"
+    formulas = page.findall(".//{http://www.w3.org/1998/Math/MathML}math")
+    assert len(formulas) > 20
+    assert len(svg_of(text)) == 2
+    assert "rod &lt;b&gt;" in text
+    addresses = set(re.findall(r"https?://[^\"' ]+", text))
+    assert all(address.startswith("http://www.w3.org/") for address in addresses)
+    assert "<script" not in text
+
+
+def test_every_formula_becomes_mathml_without_commands(equations: Equations, tmp_path: Path) -> None:
+    page = ElementTree.fromstring(written(tmp_path, equations, ".html").removeprefix("<!DOCTYPE html>\n"))
+    for formula in page.findall(".//{http://www.w3.org/1998/Math/MathML}math"):
+        content = "".join(formula.itertext())
+        assert "\\" not in content
+        assert "&" not in content
+
+
+def test_markdown_contains_the_pictures(equations: Equations, motion: Motion, tmp_path: Path) -> None:
+    text = written(tmp_path, equations, ".md", motion=motion)
+    assert text.startswith("# Slider & crank\n\n## Mechanism\n")
+    assert f"$$\n{equations.latex()}\n$$" in text
+    pictures = re.findall(r"!\[.*\]\(data:image/svg\+xml;base64,(.*)\)", text)
+    assert [len(svg_of(b64decode(picture).decode())) for picture in pictures] == [1, 1]
+    assert "crank\\_1" in text
+
+
+def test_tex_stands_alone(equations: Equations, tmp_path: Path) -> None:
+    text = written(tmp_path, equations, ".tex")
+    assert text.startswith("\\documentclass{article}")
+    assert text.endswith("\\end{document}\n")
+    assert r"Slider \& crank" in text
+    begun, ended = (re.findall(rf"\\{side}\{{(\w+\*?)\}}", text) for side in ("begin", "end"))
+    assert sorted(begun) == sorted(ended)
+    assert "tikzpicture" in begun
+
+
+def test_a_notebook_has_one_cell_for_each_section(
+    equations: Equations, motion: Motion, tmp_path: Path
+) -> None:
+    notebook = json.loads(written(tmp_path, equations, ".ipynb", motion=motion))
+    assert (notebook["nbformat"], notebook["nbformat_minor"]) == (4, 5)
+    assert {cell["cell_type"] for cell in notebook["cells"]} == {"markdown"}
+    assert len({cell["id"] for cell in notebook["cells"]}) == len(notebook["cells"]) == 1 + len(SECTIONS)
+    attached = [name for cell in notebook["cells"] for name in cell.get("attachments", {})]
+    assert attached == ["mechanism.svg", "motion.svg"]
+    for cell in notebook["cells"]:
+        for name in cell.get("attachments", {}):
+            assert f"(attachment:{name})" in "".join(cell["source"])
+
+
+# --- pictures ---
+
+
+def test_the_picture_is_one_of_the_reference_position(equations: Equations, tmp_path: Path) -> None:
+    first, second = (
+        written(tmp_path, equations, ".html", position={phi: angle}, parameters={l: 3})
+        for angle in (0.5, 1.0)
+    )
+    shapes = [ElementTree.tostring(svg_of(text)[0]) for text in (first, second)]
+    assert shapes[0] != shapes[1]
+    names = {element.text for element in svg_of(first)[0].iter("{http://www.w3.org/2000/svg}text")}
+    assert {"x", "y", "ground", "crank_1", "rod <b>", "slider"} <= names
+
+
+def test_the_picture_satisfies_the_constraints(tmp_path: Path) -> None:
+    """If no position does, the report says so."""
+    x, y = functions_of_time("x y")
+    ball = Body(translate(x, y, 0), m1, name="ball")
+    impossible = lagrange_equations(System([ball], coordinates=[x, y], constraints=[x**2 + y**2 + l**2]))
+    assert "There is no picture, because the reference position was not found." in written(
+        tmp_path, impossible, ".md"
+    )
+
+
+# --- large systems ---
+
+
+def test_a_large_system_is_summarised(tmp_path: Path) -> None:
+    large = newton_euler(numbered_arm(60))
+    assert cost(large.residuals).total > LARGE
+    text = written(tmp_path, large, ".md")
+    assert len(text) < 150_000
+    assert "are not printed here: equations.residuals contains them." in text
+    assert "too large for checks" in text
+
+
+# --- mistakes ---
+
+x = functions_of_time("x")
+CART = System([Body(translate(x, 0, 0), 1, name="cart")], coordinates=[x], name="cart")
+MISTAKES = {
+    "report: model.pdf ends in '.pdf', which is not a format; expected one of .html, .ipynb, .md, .tex": (
+        CART,
+        "model.pdf",
+        {},
+    ),
+    "report: model ends in '', which is not a format; expected one of .html, .ipynb, .md, .tex": (
+        CART,
+        "model",
+        {},
+    ),
+    "report: 3 is not a path; expected one, such as 'model.html'": (CART, 3, {}),
+    "report: 3 is not a model; expected a system, or equations of motion such as newton_euler(system)": (
+        3,
+        "model.md",
+        {},
+    ),
+    "report: {'x': 1} for position; expected a dictionary such as {theta: 0.3}": (
+        CART,
+        "model.md",
+        {"position": {"x": 1}},
+    ),
+    "report: 3 for parameters; expected a dictionary such as {l: 0.5}": (CART, "model.md", {"parameters": 3}),
+    "report: 3 is not a motion of System(cart, 1 body, 0 loads, 1 coordinate); expected one, such as "
+    "simulate(equations, parameters, initial, t=(0, 1))": (CART, "model.md", {"motion": 3}),
+}
+
+
+@pytest.mark.parametrize("message", MISTAKES)
+def test_mistakes(message: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    model, path, options = MISTAKES[message]
+    with pytest.raises(ReportError) as caught:
+        report(model, path, **options)  # type: ignore[arg-type]
+    assert str(caught.value) == message
+    assert not list(tmp_path.iterdir())
+
+
+def test_a_missing_folder(tmp_path: Path) -> None:
+    file = tmp_path / "missing" / "model.md"
+    with pytest.raises(PictureError) as caught:
+        report(CART, file)
+    expected = f"report: the folder of {file} does not exist; make it first, or choose another path"
+    assert str(caught.value) == expected
+    assert not list(tmp_path.iterdir())
+
+
+def test_what_can_not_be_written_leaves_what_was_there(tmp_path: Path) -> None:
+    (tmp_path / "model.md").mkdir()
+    with pytest.raises(PictureError, match="can't be written"):
+        report(CART, tmp_path / "model.md")
+    assert [file.name for file in tmp_path.iterdir()] == ["model.md"]
+
+
+def test_a_failure_leaves_the_previous_report(tmp_path: Path) -> None:
+    file = report(CART, tmp_path / "model.md")
+    before = file.read_bytes()
+    with pytest.raises(ReportError):
+        report(CART, file, parameters=3)  # type: ignore[arg-type]
+    assert file.read_bytes() == before
+    assert [each.name for each in tmp_path.iterdir()] == ["model.md"]

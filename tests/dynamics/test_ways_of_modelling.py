@@ -1,0 +1,107 @@
+"""The way of modelling doesn't matter: the same mechanism in the same coordinates has equations of the same length.
+
+The mechanisms, and the four ways in which each is modelled, are in `ways_of_modelling.py`.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+
+import pytest
+
+from symbody import (
+    Body,
+    Equations,
+    Expr,
+    System,
+    cost,
+    forward_dynamics,
+    functions_of_time,
+    lagrange_equations,
+    newton_euler,
+    rotate,
+    symbols,
+    translate,
+)
+from tests.dynamics.ways_of_modelling import (
+    DOWN_Y,
+    MECHANISMS,
+    WAYS,
+    modelled,
+    pendulum_on_a_cart,
+    planar_arm,
+)
+
+BOUND = 1.09
+"""Of the longest form of the mass matrix and the bias over the shortest one."""
+
+RESIDUALS = 1.17
+"""The same of the residuals."""
+
+
+def assembled(equations: Equations) -> tuple[Expr, ...]:
+    return *equations.mass_matrix.entries, *equations.bias
+
+
+@pytest.mark.parametrize("name", MECHANISMS)
+def test_mass_matrix_and_bias_are_equally_short(name: str) -> None:
+    counts = [cost(assembled(newton_euler(modelled(MECHANISMS[name], way)))).total for way in WAYS]
+    assert max(counts) <= BOUND * min(counts), counts
+
+
+@pytest.mark.parametrize("name", MECHANISMS)
+def test_residuals_are_equally_short(name: str) -> None:
+    counts = [cost(newton_euler(modelled(MECHANISMS[name], way)).residuals).total for way in WAYS]
+    assert max(counts) <= RESIDUALS * min(counts), counts
+
+
+@pytest.mark.parametrize("formalism", [newton_euler, lagrange_equations])
+@pytest.mark.parametrize("name", [name for name in MECHANISMS if "30" not in name])
+def test_all_ways_give_the_same_values(name: str, formalism: Callable[[System], Equations]) -> None:
+    equations = [formalism(modelled(MECHANISMS[name], way)) for way in WAYS]
+    for other in equations[1:]:
+        assert assembled(other) == assembled(equations[0])
+        assert other.residuals == equations[0].residuals
+
+
+def test_a_long_pendulum_has_the_same_values() -> None:
+    values = [
+        assembled(newton_euler(modelled(MECHANISMS["pendulum of 30 links on a cart"], way))) for way in WAYS
+    ]
+    assert all(other == values[0] for other in values[1:])
+
+
+@pytest.mark.parametrize("way", WAYS)
+@pytest.mark.parametrize("name", [name for name in MECHANISMS if "30" not in name])
+def test_both_formalisms_give_the_same_nodes(name: str, way: str) -> None:
+    system = modelled(MECHANISMS[name], way)
+    one, two = newton_euler(system), lagrange_equations(system)
+    assert ids(one.residuals) == ids(two.residuals)
+    assert ids(assembled(one)) == ids(assembled(two))
+
+
+def ids(values: Sequence[Expr]) -> list[int]:
+    return [value.id for value in values]
+
+
+def test_the_pendulum_of_thirty_links_is_as_short_as_points_of_the_ground() -> None:
+    equations = newton_euler(modelled(pendulum_on_a_cart(30), "chain"))
+    assert cost(assembled(equations)).total <= 2141
+    assert cost(equations.residuals).total <= 740
+
+
+def test_an_arm_of_relative_angles_turned_back_is_solved_by_articulated_bodies() -> None:
+    """The sums of angles are recognised as those of a chain, each joint of which has a coordinate of its own."""
+    mechanism = planar_arm(3, relative=True)
+    solutions = [
+        forward_dynamics(newton_euler(modelled(mechanism, way)), method="articulated_body") for way in WAYS
+    ]
+    for other in solutions[1:]:
+        assert other.accelerations == solutions[0].accelerations
+
+
+def test_one_form_is_kept_where_no_other_is_shorter() -> None:
+    """A single link whose angle is of ground is derived by its frame."""
+    q, (m, l) = functions_of_time("q"), symbols("m l")
+    system = System([Body(rotate("Z", q) * translate(0, -l, 0), m)], coordinates=[q], gravity=DOWN_Y)
+    assert str(newton_euler(system).residuals) == "(l*m*(l*q'' + g*sin(q)),)"

@@ -1,0 +1,170 @@
+"""The rules of the page, on classes of systems: what is shown, in which order, and within which limits."""
+
+from __future__ import annotations
+
+import random
+import re
+import time
+
+import pytest
+
+from symbody import (
+    Body,
+    Expr,
+    Force,
+    Matrix,
+    Point,
+    System,
+    Vector,
+    cos,
+    cost,
+    describe,
+    functions_of_time,
+    ground,
+    lagrange_equations,
+    newton_euler,
+    parse,
+    readable,
+    rotate,
+    sin,
+    symbols,
+    t,
+    tanh,
+    translate,
+)
+from tests.laws.random_system import random_system
+
+m, l, a, b, c, g, k, F = symbols("m l a b c g k F")
+x, y, theta = functions_of_time("x y theta")
+
+
+def arm(axes: str) -> System:
+    """Return an arm of general bodies on axes through the ends of links."""
+    q = functions_of_time([f"q{i}" for i in range(len(axes))])
+    frame, bodies = ground, []
+    for i, axis in enumerate(axes):
+        l, c, m, Ix, Iy, Iz = symbols(f"l{i} c{i} m{i} Ix{i} Iy{i} Iz{i}")
+        frame = frame * rotate(axis, q[i])
+        bodies.append(Body(Point(frame, c, 0, 0), m, Ix, Iy, Iz))
+        frame = frame * translate(l, 0, 0)
+    return System(bodies, coordinates=list(q), gravity=Vector(ground, 0, 0, -g))
+
+
+@pytest.mark.parametrize("seed", range(12))
+def test_forms_for_the_reader_keep_the_value(seed: int) -> None:
+    rng = random.Random(seed)
+    angles, parameters = functions_of_time("p q"), (m, l, c)
+
+    def part(depth: int) -> Expr:
+        kind = rng.randrange(6) if depth else 5
+        if kind < 3:
+            return part(depth - 1) * part(depth - 1)
+        if kind < 5:
+            return part(depth - 1) + rng.choice([-1, 1, 2]) * part(depth - 1)
+        angle = rng.choice(
+            [angles[0], angles[1], angles[0] + angles[1], angles[0] - angles[1], 2 * angles[0]]
+        )
+        return rng.choice([*parameters, sin(angle), cos(angle)])
+
+    for _ in range(10):
+        expression = part(4)
+        form = readable(expression)
+        assert form == expression
+        assert readable(expression).same_form(form)
+
+
+def test_no_factor_occurs_again_in_its_brackets() -> None:
+    assert str(readable(m * (c**2 + l * (l + 2 * c * cos(theta))))) == "m*(c**2 + l**2 + 2*c*l*cos(theta))"
+    assert str(readable(m * c * (c + l * cos(theta)) + a)) == "a + m*(c**2 + c*l*cos(theta))"
+
+
+def test_single_angles_are_preferred() -> None:
+    assert str(readable(sin(2 * theta))) == "2*sin(theta)*cos(theta)"
+    assert str(readable(cos(x) * cos(y) - sin(x) * sin(y))) == "cos(x + y)"
+    assert str(readable((1 - cos(2 * theta)) / 2)) == "sin(theta)**2"
+
+
+def test_a_difference_of_the_user_is_kept() -> None:
+    R, r = symbols("R r")
+    assert str(readable(m * (R - r) ** 2)) == "m*(R - r)**2"
+    assert str(readable(g * m * (R - r) * sin(theta))) == "g*m*(R - r)*sin(theta)"
+
+
+def test_given_forces_and_constraints_are_on_the_right() -> None:
+    bob = Body(translate(x, y, 0), m)
+    push = Force(ground, F - c * x.diff(t), 0, 0, at=bob.center_of_mass, on=bob)
+    spring = Force(ground, 0, -k * y, 0, at=bob.center_of_mass, on=bob)
+    system = System([bob], [push, spring], [x, y], [x**2 + y**2 - l**2], Vector(ground, 0, -g, 0))
+    assert describe(newton_euler(system)).splitlines() == [
+        "EQUATIONS OF MOTION of x, y",
+        "    m*x'' + c*x' = F + 2*lambda1*x",
+        "    m*y'' + g*m + k*y = 2*lambda1*y",
+        "    constraint: x**2 + y**2 - l**2 = 0",
+    ]
+
+
+def test_loads_that_are_no_polynomials_stay_in_one_piece() -> None:
+    slider = Body(translate(x, 0, 0), m)
+    v = x.diff(t)
+    friction = Force(ground, -F * tanh(v / a) - c * abs(v) * v, 0, 0, at=slider.center_of_mass, on=slider)
+    (row,) = describe(newton_euler(System([slider], [friction], [x]))).splitlines()[1:]
+    assert row.strip() == "m*x'' + c*Abs(x')*x' + F*tanh(x'/a) = 0"
+
+
+@pytest.mark.parametrize("seed", range(15))
+def test_rows_of_random_systems_are_equal_to_the_residuals(seed: int) -> None:
+    equations = newton_euler(random_system(seed))
+    for balance, residual in zip(equations._page.balances, equations.residuals, strict=True):
+        assert balance.residual == residual
+    assert max(map(len, equations.description().splitlines())) <= 110
+
+
+@pytest.mark.parametrize("axes", ["Z", "ZZ", "ZY", "ZYY"])
+def test_christoffel(axes: str) -> None:
+    """M' - 2 C is skew-symmetric, and C q' is the force of the speeds [Murray, Li & Sastry 1994, sec. 4.2]."""
+    equations = lagrange_equations(arm(axes))
+    vector, form = equations.matrix_form(), equations.matrix_form(christoffel=True)
+    n = len(axes)
+    assert form.mass_matrix == equations.mass_matrix
+    assert form.coriolis @ Matrix([[u] for u in equations.speeds]) == vector.coriolis or n == 1
+    if n > 1:
+        skew = (
+            Matrix([[form.mass_matrix[i, j].diff(t) for j in range(n)] for i in range(n)]) - 2 * form.coriolis
+        )
+        assert all(skew[i, j] == -skew[j, i] for i in range(n) for j in range(n))
+    assert form.latex().startswith(r"\begin{aligned} M &= ")
+
+
+def test_rows_parse_back() -> None:
+    equations = newton_euler(arm("ZYY"))
+    names = {leaf.name: leaf for leaf in equations.system.leaves if leaf.kind == "symbol"}
+    names |= {q.name: q for q in equations.coordinates}
+    rows = re.split(r"\n    (?! )", equations.description())[1:]
+    if any(":=" in row for row in rows):
+        for definition in [row for row in rows if ":=" in row]:
+            name, value = definition.split(" := ")
+            names[name] = parse(value.replace("\n", " "), names)
+        rows = [row for row in rows if ":=" not in row]
+    for row, residual in zip(rows, equations.residuals, strict=True):
+        left, right = row.replace("\n", " ").split(" = ")
+        assert parse(left, names) - parse(right, names) == residual
+
+
+def test_six_bodies_in_space_are_shown_in_half_a_second() -> None:
+    equations = newton_euler(arm("ZYXZYX"))
+    start = time.process_time()
+    text = equations.description()
+    assert time.process_time() - start < 1  # half of it on an idle machine
+    assert max(map(len, text.splitlines())) <= 110
+
+
+def test_a_hundred_bodies_are_shown_by_their_sizes() -> None:
+    equations = newton_euler(arm("ZYX" * 33 + "Z"))
+    start = time.process_time()
+    lines = describe(equations).splitlines()
+    assert time.process_time() - start < 2
+    operations = cost(equations.residuals).total
+    assert lines[0] == f"EQUATIONS OF MOTION of 100 speeds, 0 constraints: {operations} operations in all"
+    assert len(lines) < 20
+    assert equations._repr_latex_() is None
+    assert readable(equations.residuals[99]) == equations.residuals[99]

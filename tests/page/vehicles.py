@@ -1,0 +1,131 @@
+"""Cars and robots on wheels."""
+
+from __future__ import annotations
+
+from symbody import (
+    Body,
+    Force,
+    Point,
+    System,
+    Torque,
+    Vector,
+    functions_of_time,
+    ground,
+    moving_frame,
+    rotate,
+    symbols,
+    t,
+    translate,
+)
+
+from .classic import Classic
+
+m, a, b, I = symbols("m a b I")
+
+
+def single_track_car() -> System:
+    x, y, psi, v, r, F1, F2 = functions_of_time("x y psi v r F1 F2")
+    u = symbols("u")
+    car = moving_frame(u, v, 0, 0, 0, r, pose=translate(x, y, 0) * rotate("Z", psi))
+    body = Body(car, m, Iz=I)
+    tyres = [
+        Force(car, 0, F1, 0, at=Point(car, a, 0, 0), on=body),
+        Force(car, 0, F2, 0, at=Point(car, -b, 0, 0), on=body),
+    ]
+    return System([body], tyres, speeds=[v, r])
+
+
+def skate() -> System:
+    """The blade runs along its own direction with the speed v; the centre of mass is a ahead of it."""
+    x, y, psi, v, omega = functions_of_time("x y psi v omega")
+    blade = moving_frame(v, 0, 0, 0, 0, omega, pose=translate(x, y, 0) * rotate("Z", psi))
+    return System([Body(Point(blade, a, 0, 0), m, Iz=I)], speeds=[v, omega])
+
+
+def quarter_car() -> System:
+    ms, mu, ks, cs, kt = symbols("ms mu ks cs kt")
+    zs, zu, zr = functions_of_time("zs zu zr")
+    body, wheel = Body(translate(0, 0, zs), ms), Body(translate(0, 0, zu), mu)
+    strut = -ks * (zs - zu) - cs * (zs.diff(t) - zu.diff(t))
+    loads = [
+        Force(ground, 0, 0, strut, at=body.center_of_mass, on=body, reaction=wheel),
+        Force(ground, 0, 0, -kt * (zu - zr), at=wheel.center_of_mass, on=wheel),
+    ]
+    return System([body, wheel], loads, [zs, zu])
+
+
+def half_car() -> System:
+    """For small angles: the body's heave and pitch are those of two bodies without inertia and mass."""
+    k1, k2, c1, c2 = symbols("k1 k2 c1 c2")
+    z, theta = functions_of_time("z theta")
+    heave, pitch = Body(translate(0, 0, z), m), Body(rotate("Y", theta), 0, Iy=I)
+    z1, z2 = z - a * theta, z + b * theta
+    f1, f2 = -k1 * z1 - c1 * z1.diff(t), -k2 * z2 - c2 * z2.diff(t)
+    loads = [
+        Force(ground, 0, 0, f1 + f2, at=heave.center_of_mass, on=heave),
+        Torque(ground, 0, b * f2 - a * f1, 0, on=pitch),
+    ]
+    return System([heave, pitch], loads, [z, theta])
+
+
+def two_wheeled_robot() -> System:
+    """The robot turns about the vertical with the rate r, tilts by theta, and runs with the speed v."""
+    mB, I1, I2, I3, l, g = symbols("mB I1 I2 I3 l g")
+    x, y, psi, theta, v, r = functions_of_time("x y psi theta v r")
+    base = moving_frame(v, 0, 0, 0, 0, r, pose=translate(x, y, 0) * rotate("Z", psi))
+    body = Body(base * rotate("Y", theta) * translate(0, 0, l), mB, I1, I2, I3)
+    gravity = Vector(ground, 0, 0, -g)
+    return System([body], coordinates=[theta], speeds=[v, r], gravity=gravity)
+
+
+VEHICLES = (
+    Classic(
+        "Single-track car",
+        "Pacejka, Tire and Vehicle Dynamics, 2012, ch. 1",
+        single_track_car,
+        ("m*(v' + u*r) = F1 + F2", "I*r' = a*F1 - b*F2"),
+    ),
+    Classic(
+        "Skate (Chaplygin's sleigh)",
+        "Bloch, Nonholonomic Mechanics and Control, 2003, ch. 1",
+        skate,
+        ("m*v' - m*a*omega**2 = 0", "(I + m*a**2)*omega' + m*a*v*omega = 0"),
+    ),
+    Classic(
+        "Quarter car",
+        "Rajamani, Vehicle Dynamics and Control, 2012, ch. 10",
+        quarter_car,
+        (
+            "ms*zs'' + cs*(zs' - zu') + ks*(zs - zu) = 0",
+            "mu*zu'' - cs*(zs' - zu') - ks*(zs - zu) + kt*(zu - zr) = 0",
+        ),
+    ),
+    Classic(
+        "Half car on two springs and dampers",
+        "Rao, Mechanical Vibrations, 2011, ch. 5 (the car on springs), with dampers",
+        half_car,
+        (
+            "m*z'' + c1*(z' - a*theta') + c2*(z' + b*theta') + k1*(z - a*theta) + k2*(z + b*theta) = 0",
+            (
+                "I*theta'' - a*c1*(z' - a*theta') + b*c2*(z' + b*theta') - a*k1*(z - a*theta)"
+                " + b*k2*(z + b*theta) = 0"
+            ),
+        ),
+    ),
+    Classic(
+        "Body of a two-wheeled robot",
+        "Kim & Kwon, Int. J. Control, Automation and Systems 13 (2015), p. 926, without the wheels",
+        two_wheeled_robot,
+        (
+            "mB*v' + mB*l*cos(theta)*theta'' - mB*l*sin(theta)*(theta'**2 + r**2) = 0",
+            (
+                "(I3 - (I3 - I1 - mB*l**2)*sin(theta)**2)*r' + mB*l*sin(theta)*v*r"
+                " - 2*(I3 - I1 - mB*l**2)*sin(theta)*cos(theta)*theta'*r = 0"
+            ),
+            (
+                "mB*l*cos(theta)*v' + (I2 + mB*l**2)*theta'' + (I3 - I1 - mB*l**2)*sin(theta)*cos(theta)*r**2"
+                " - mB*g*l*sin(theta) = 0"
+            ),
+        ),
+    ),
+)
