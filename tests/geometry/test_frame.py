@@ -263,3 +263,43 @@ def test_an_exact_rotation_matrix_is_kept() -> None:
     assert frame.matrix[0, 0] == c
     assert (frame * frame.inverse()).matrix.tolist() == ground.matrix.tolist()
     assert Frame([[0, -1, 0, 0], [1, 0, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]) == rotate("Z", pi / 2)
+
+
+# Chains in which an angle drops out, whatever displacements are between the rotations.
+CANCELLED = {
+    "forth and back": (rotate("Z", phi) * translate(a, 0, 0) * rotate("Z", -phi - beta), {beta}),
+    "a chain of absolute angles": (
+        rotate("X", phi)
+        * translate(0, a, 0)
+        * rotate("X", psi - phi)
+        * translate(0, b, 0)
+        * rotate("X", -beta - psi),
+        {beta},
+    ),
+    "three that add up": (
+        rotate("Y", phi)
+        * translate(a, 0, 0)
+        * rotate("Y", psi)
+        * translate(a, 0, 0)
+        * rotate("Y", beta - phi - psi),
+        {beta},
+    ),
+    "behind another axis": (
+        rotate("X", psi) * rotate("Y", phi) * translate(x, 0, 0) * rotate("Y", beta - phi),
+        {psi, beta},
+    ),
+}
+
+
+@pytest.mark.parametrize(("frame", "leaves"), CANCELLED.values(), ids=CANCELLED)
+def test_axes_hold_only_angles_that_turn_them(frame: Frame, leaves: set[Expr]) -> None:
+    columns = [frame.matrix[i, j] for i in range(3) for j in range(3)]
+    assert set().union(*(entry.free_symbols for entry in columns)) == leaves
+    turned = [project(Vector(frame, *unit), ground).components for unit in ((1, 0, 0), (0, 1, 0), (0, 0, 1))]
+    assert set().union(*(entry.free_symbols for vector in turned for entry in vector)) == leaves
+    assert columns == [turned[j][i] for i in range(3) for j in range(3)]
+
+
+def test_axes_that_keep_all_angles_are_products_as_before() -> None:
+    frame = rotate("Z", phi) * translate(a, 0, 0) * rotate("Z", psi)
+    assert str(frame.matrix[0, 0]) == "cos(phi)*cos(psi) - sin(phi)*sin(psi)"

@@ -13,6 +13,7 @@ from symbody import (
     System,
     Torque,
     Vector,
+    cos,
     describe,
     functions_of_time,
     ground,
@@ -21,6 +22,7 @@ from symbody import (
     project,
     rotate,
     show,
+    sin,
     symbols,
     translate,
 )
@@ -140,4 +142,25 @@ def test_actions_that_cannot_be_replaced_are_not_projected_in_silence() -> None:
     assert str(caught.value) == (
         "project: Computed.actions is computed at each use; expected a cached_property, whose value can be replaced by "
         "the projected actions"
+    )
+
+
+def test_components_are_shown_in_the_form_for_the_reader() -> None:
+    x, y = functions_of_time("x y")
+    end = Point(rotate("Z", x) * translate(F, 0, 0) * rotate("Z", y), a, 0, 0)
+    assert describe(project(end, ground)).endswith(
+        "coords = [a*cos(x + y) + F*cos(x), a*sin(x + y) + F*sin(x), 0])"
+    )
+    idle = Vector(ground, a * sin(x) ** 2 + a * cos(x) ** 2, 0, 0)
+    assert describe(idle) == "VECTOR(frame = ground, comps = [a, 0, 0])"
+    system = System(
+        [Body(translate(x, y, 0), m)], coordinates=[x, y], constraints=[(x + y) ** 2 - x**2 - y**2 - a]
+    )
+    assert "constraint: 2*x*y - a = 0, multiplier lambda1" in describe(system)
+
+
+def test_components_keep_a_form_that_is_as_short() -> None:
+    x, y = functions_of_time("x y")
+    assert describe(Vector(ground, a * (x + y), a * x + a * y, 0)) == (
+        "VECTOR(frame = ground, comps = [a*(x + y), a*x + a*y, 0])"
     )

@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import sys
 from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field
 from typing import Annotated, Protocol, TypeAlias, runtime_checkable
 
 from symbody.errors import ModelError
 from symbody.geometry import Frame, Point, Vector
 from symbody.geometry.given.argument import checked
 from symbody.symbolic import Expr, Matrix
+from symbody.symbolic.calculus.reader import Reader
 
 from .body import Body
 from .load import Action, Load
@@ -56,14 +58,30 @@ def describe(thing: Shown, *, synthetic: bool = False) -> str:
     >>> describe(Vector(ground, 1, 2, 0, name="v"))
     'v = VECTOR(frame = ground, comps = [1, 2, 0])'
     """
+    return _described(thing, _Style(synthetic))
+
+
+@dataclass(frozen=True)
+class _Style:
+    """How things are written: frames by their names alone or not, and components in forms for the reader."""
+
+    synthetic: bool
+    reader: Reader = field(default_factory=Reader)
+
+    def text(self, value: Expr) -> str:
+        """Return an expression as text, in its form for the reader if that is shorter."""
+        return min(str(value), str(self.reader(value)), key=len)
+
+
+def _described(thing: Shown, style: _Style) -> str:
     if isinstance(thing, Described):
         return thing.description()
     if isinstance(thing, System):
-        return _system(thing, synthetic=synthetic)
+        return _system(thing, style)
     name = getattr(thing, "name", "")
-    fields = _fields(thing, synthetic=synthetic)
+    fields = _fields(thing, style)
     if not fields:
-        return _frame(thing, synthetic=synthetic) if isinstance(thing, Frame) else str(thing)
+        return _frame(thing, style) if isinstance(thing, Frame) else str(thing)
     body = _record(type(thing).__name__, fields)
     return f"{name} = {body}" if name else body
 
@@ -72,55 +90,67 @@ def _record(kind: str, fields: Iterable[tuple[str, str]]) -> str:
     return f"{kind.upper()}({', '.join(f'{field} = {value}' for field, value in fields)})"
 
 
-def _fields(thing: Shown, *, synthetic: bool) -> list[tuple[str, str]]:
+def _fields(thing: Shown, style: _Style) -> list[tuple[str, str]]:
     match thing:
         case Point():
-            return [("frame", _frame(thing.frame, synthetic=synthetic)), ("coords", _list(thing.coordinates))]
+            return [
+                ("frame", _frame(thing.frame, style)),
+                ("coords", _list(map(style.text, thing.coordinates))),
+            ]
         case Vector():
-            return [("frame", _frame(thing.frame, synthetic=synthetic)), ("comps", _list(thing.components))]
+            return [
+                ("frame", _frame(thing.frame, style)),
+                ("comps", _list(map(style.text, thing.components))),
+            ]
         case Body():
-            frame = _frame(thing.frame, synthetic=synthetic)
-            return [("frame", frame), ("mass", str(thing.mass)), ("inertia", _rows(thing.inertia))]
+            frame = _frame(thing.frame, style)
+            return [
+                ("frame", frame),
+                ("mass", style.text(thing.mass)),
+                ("inertia", _rows(thing.inertia, style)),
+            ]
         case Load():
-            return _values(thing.fields, synthetic=synthetic)
+            return _values(thing.fields, style)
         case _:
             return []
 
 
-def _values(fields: Mapping[str, object], *, synthetic: bool) -> list[tuple[str, str]]:
-    return [(field, _value(value, synthetic=synthetic)) for field, value in fields.items()]
+def _values(fields: Mapping[str, object], style: _Style) -> list[tuple[str, str]]:
+    return [(field, _value(value, style)) for field, value in fields.items()]
 
 
-def _value(value: object, *, synthetic: bool) -> str:
+def _value(value: object, style: _Style) -> str:
     """Return a field of a load as text."""
     match value:
         case Frame():
-            return _frame(value, synthetic=synthetic)
+            return _frame(value, style)
         case Point():
-            return value.name or describe(value, synthetic=synthetic)
+            return value.name or _described(value, style)
         case Body():
             return _body(value)
         case Action():
             kind = "force" if value.is_force else "torque"
-            return _record(kind, _values(value.fields, synthetic=synthetic))
+            return _record(kind, _values(value.fields, style))
+        case Expr():
+            return style.text(value)
         case tuple():
-            return _list(_value(entry, synthetic=synthetic) for entry in value)
+            return _list(_value(entry, style) for entry in value)
         case _:
             return str(value)
 
 
-def _system(system: System, *, synthetic: bool) -> str:
+def _system(system: System, style: _Style) -> str:
     """Return one line for each part of a system."""
     lines = ["SYSTEM" if not system.name else f"{system.name} = SYSTEM"]
     lines.append(f"coordinates: {', '.join(map(str, system.coordinates))}")
     if system.quasi_velocities:
         lines.append(f"quasi-velocities: {', '.join(map(str, system.quasi_velocities))}")
-    lines += [f"body: {describe(body, synthetic=synthetic)}" for body in system.bodies]
-    lines += [f"load: {describe(load, synthetic=synthetic)}" for load in system.loads]
+    lines += [f"body: {_described(body, style)}" for body in system.bodies]
+    lines += [f"load: {_described(load, style)}" for load in system.loads]
     if system.gravity is not None:
-        lines.append(f"gravity: {describe(system.gravity, synthetic=synthetic)}")
+        lines.append(f"gravity: {_described(system.gravity, style)}")
     for multiplier, constraint in zip(system.multipliers, system.constraints, strict=True):
-        lines.append(f"constraint: {constraint} = 0, multiplier {multiplier}")
+        lines.append(f"constraint: {style.text(constraint)} = 0, multiplier {multiplier}")
     return "\n    ".join(lines)
 
 
@@ -128,17 +158,17 @@ def _body(body: Body) -> str:
     return body.name or f"BODY(mass = {body.mass})"
 
 
-def _frame(frame: Frame, *, synthetic: bool) -> str:
-    if frame.parent is None or (synthetic and frame.name):
+def _frame(frame: Frame, style: _Style) -> str:
+    if frame.parent is None or (style.synthetic and frame.name):
         return frame.name
-    return _rows(frame.matrix)
+    return _rows(frame.matrix, style)
 
 
-def _rows(matrix: Matrix) -> str:
+def _rows(matrix: Matrix, style: _Style) -> str:
     columns = matrix.shape[1]
-    entries = matrix.entries
+    entries = list(map(style.text, matrix.entries))
     return _list(_list(entries[start : start + columns]) for start in range(0, len(entries), columns))
 
 
-def _list(entries: Iterable[Expr | str]) -> str:
-    return f"[{', '.join(str(entry) for entry in entries)}]"
+def _list(entries: Iterable[str]) -> str:
+    return f"[{', '.join(entries)}]"

@@ -7,10 +7,10 @@ from dataclasses import dataclass
 
 from symbody.multibody import System
 from symbody.symbolic import Expr, Matrix, number
+from symbody.symbolic.calculus.reader import Reader
 
 from .degree import Degrees, by_christoffel, degrees, part_of, without
 from .like_terms import joined
-from .reader import Reader
 from .source import Sources, sources
 
 

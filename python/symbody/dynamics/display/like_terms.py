@@ -6,9 +6,9 @@ from collections.abc import Iterable
 from fractions import Fraction
 
 from symbody.symbolic import Expr, number
+from symbody.symbolic.calculus.reader import Reader
 
 from .degree import Product
-from .reader import Reader
 
 _RATIOS = tuple(number(ratio) for ratio in (1, -1, 2, -2, Fraction(1, 2), Fraction(-1, 2)))
 _SIGNS = _RATIOS[:2]

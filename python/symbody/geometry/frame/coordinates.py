@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from itertools import combinations
 from typing import NamedTuple
 
@@ -20,11 +21,24 @@ def vector_components(v: Triple, source: Frame, target: Frame) -> Triple:
         return v
     up, down = path(source, target)
     with derivation():
-        for motion in up:
+        for motion in _rotations(up):
             v = motion.to_parent(v)
-        for motion in down:
+        for motion in _rotations(down):
             v = motion.to_child(v)
     return v
+
+
+def _rotations(motions: Sequence[FrameMotion]) -> list[FrameMotion]:
+    """Return the rotations among motions; two about one axis as their sum, if a variable drops out of it."""
+    result = list[FrameMotion]()
+    for motion in (each for each in motions if each.rotates):
+        total = result[-1].merged(motion) if result else None
+        if total is not None and total.leaves < result[-1].leaves | motion.leaves:
+            result.pop()
+            result += [] if total.is_identity else [total]
+        else:
+            result.append(motion)
+    return result
 
 
 def point_coordinates(p: Triple, source: Frame, target: Frame) -> Triple:

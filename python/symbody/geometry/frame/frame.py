@@ -40,6 +40,20 @@ class Pose(NamedTuple):
     origin: Triple
 
 
+class Placing(NamedTuple):
+    """A pose, and the last rotations about one axis that lead to it, with nothing but displacements between them.
+
+    Attributes:
+        pose: the pose.
+        turn: the sum of these rotations; None if the last one is of another kind.
+        before: the rows before them.
+    """
+
+    pose: Pose
+    turn: FrameMotion | None
+    before: Rows
+
+
 @final
 class Frame:
     """A frame of reference: ground, or a motion away from its parent.
@@ -206,13 +220,13 @@ class Frame:
     def pose(self) -> Pose:
         """The rotation matrix and the origin, as seen from the root."""
         with derivation() as current:
-            memo: dict[bytes, Pose] = current.cache.setdefault("pose", {})
+            memo: dict[bytes, Placing] = current.cache.setdefault("pose", {})
             for link in frames_without_state(self, memo):
                 if link.parent is None or link.motion is None:
                     memo[link.key] = UNMOVED
                 else:
                     memo[link.key] = moved(link.motion, memo[link.parent.key])
-            return memo[self.key]
+            return memo[self.key].pose
 
     @property
     def matrix(self) -> Matrix:
@@ -246,10 +260,8 @@ class Frame:
 _SHOWN = 12
 """Motions of the longest chain that is shown."""
 
-UNMOVED = Pose(
-    (triple(1, 0, 0), triple(0, 1, 0), triple(0, 0, 1)),
-    NULL,
-)
+_AXES = triple(1, 0, 0), triple(0, 1, 0), triple(0, 0, 1)
+UNMOVED = Placing(Pose(_AXES, NULL), None, _AXES)
 
 ground = Frame.root("ground")
 
@@ -279,12 +291,28 @@ def frames_without_state(frame: Frame, memo: Mapping[bytes, object]) -> list[Fra
     return found[::-1]
 
 
-def moved(motion: FrameMotion, pose: Pose) -> Pose:
-    """Return the pose reached by one more motion."""
-    (x, y, z), origin = pose
-    rows = (motion.to_child(x), motion.to_child(y), motion.to_child(z)) if motion.rotates else pose.rows
+def moved(motion: FrameMotion, placing: Placing) -> Placing:
+    """Return the placing reached by one more motion.
+
+    Rotations about one axis add up. Where a variable drops out of their sum, the rows don't hold it.
+    """
+    (rows, origin), turn, before = placing
+    x, y, z = rows
     d = motion.displacement
-    return Pose(rows, add3(origin, (dot3(x, d), dot3(y, d), dot3(z, d))))
+    origin = add3(origin, (dot3(x, d), dot3(y, d), dot3(z, d)))
+    if not motion.rotates:
+        return Placing(Pose(rows, origin), turn, before)
+    total = None if turn is None else turn.merged(motion)
+    if turn is None or total is None:
+        return Placing(Pose(_turned(rows, motion), origin), motion, rows)
+    is_shorter = total.leaves < turn.leaves | motion.leaves
+    turned = _turned(before, total) if is_shorter else _turned(rows, motion)
+    return Placing(Pose(turned, origin), total, before)
+
+
+def _turned(rows: Rows, motion: FrameMotion) -> Rows:
+    x, y, z = rows
+    return motion.to_child(x), motion.to_child(y), motion.to_child(z)
 
 
 def _as_matrix(matrix: Rows4) -> Matrix:

@@ -42,12 +42,12 @@ def twist(frame: Frame) -> Twist:
 
 def pose_from(frame: Frame, base: Frame) -> Pose:
     """Return the pose of a frame as seen from one of its ancestors."""
-    pose = UNMOVED
+    placing = UNMOVED
     with derivation():
         for link in frame.chain[base.depth + 1 :]:
             if link.motion is not None:
-                pose = moved(link.motion, pose)
-    return pose
+                placing = moved(link.motion, placing)
+    return placing.pose
 
 
 def spin(frame: Frame) -> Triple:

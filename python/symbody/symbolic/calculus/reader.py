@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
-from symbody.symbolic import Expr, cost, readable
+from symbody.symbolic._core import Expr
+
+from .cost import cost
+from .rewrite import readable
 
 _LARGE = 150
 """Operations from which on an expression stays as it is: nobody reads it."""
