@@ -12,6 +12,7 @@ from symbody.document.formats.html import html
 from symbody.document.formats.markdown import markdown
 from symbody.document.formats.notebook import notebook
 from symbody.document.formats.tex import tex
+from symbody.document.picture import derived
 from symbody.document.sections.checks import checks
 from symbody.document.sections.energies import energies
 from symbody.document.sections.equations import equations
@@ -21,8 +22,8 @@ from symbody.document.sections.motion import motion as motion_section
 from symbody.document.sections.nomenclature import nomenclature
 from symbody.document.sections.size import size
 from symbody.document.subject import Subject
-from symbody.dynamics import Equations, lagrange_equations, newton_euler
-from symbody.errors import FrameError, PictureError, ReportError
+from symbody.dynamics import Equations
+from symbody.errors import PictureError, ReportError
 from symbody.files.replacement import replacement
 from symbody.multibody import System
 from symbody.symbolic import Expr
@@ -121,7 +122,7 @@ def _format(path: object) -> tuple[Path, Callable[[Document], str]]:
 
 
 def _equations(model: object) -> Equations:
-    """Return the equations of motion: derived by newton_euler, or by lagrange_equations if frames aren't rigid."""
+    """Return the equations of motion, derived if the model is a system."""
     if isinstance(model, Equations):
         return model
     if not isinstance(model, System):
@@ -129,10 +130,7 @@ def _equations(model: object) -> Equations:
             f"report: {brief(model)} is not a model; expected a system, or equations of motion such as "
             "newton_euler(system)"
         )
-    try:
-        return newton_euler(model)
-    except FrameError:
-        return lagrange_equations(model)
+    return derived(model)
 
 
 def _motion(motion: DrawableMotion | None, model: Equations | System) -> DrawableMotion | None:

@@ -4,13 +4,11 @@ from __future__ import annotations
 
 from symbody.document.document import Block, Heading, Math, Picture, Table, prose
 from symbody.document.formula import listed
-from symbody.document.reference_position import still
+from symbody.document.picture import drawing, no_picture
 from symbody.document.subject import Subject
 from symbody.errors import SymbodyError
 from symbody.symbolic import latex
 from symbody.symbolic.given.arguments import counted
-from symbody.view.animation import thinned
-from symbody.view.sketch import sketch
 from symbody.view.svg import sketch_svg
 
 
@@ -27,19 +25,18 @@ def mechanism(subject: Subject) -> list[Block]:
 def _picture(subject: Subject) -> Block:
     """Return the drawing, or the reason for which there is none."""
     try:
-        motion = still(subject) if subject.motion is None else thinned(subject.motion)
-        drawing = sketch(motion)
+        sketch = drawing(subject)
     except SymbodyError as error:
         if subject.is_chosen:
             raise
-        return prose(f"There is no picture, because the reference position was not found. {error}.")
+        return prose(no_picture(error))
     if subject.motion is not None:
         caption = f"The mechanism at t = {subject.motion.t[0]:g} s."
     elif subject.is_chosen:
         caption = "The mechanism at the reference position."
     else:
         caption = "The mechanism at a reference position; lengths and masses are 1."
-    return Picture("mechanism", caption, sketch_svg(drawing), drawing)
+    return Picture("mechanism", caption, sketch_svg(sketch), sketch)
 
 
 def _bodies(subject: Subject) -> list[Block]:

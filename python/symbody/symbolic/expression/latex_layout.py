@@ -5,7 +5,17 @@ from __future__ import annotations
 import re
 from collections.abc import Iterable, Sequence
 
-__all__ = ["LINE", "aligned", "bmatrix", "broken", "lines", "width", "with_definitions"]
+__all__ = [
+    "LINE",
+    "aligned",
+    "bmatrix",
+    "broken",
+    "displayed",
+    "lines",
+    "upright",
+    "width",
+    "with_definitions",
+]
 
 LINE = 90
 """The most characters of a line, as `width` counts them."""
@@ -39,6 +49,29 @@ def bmatrix(texts: Sequence[str], columns: int) -> str:
 def aligned(rows: Iterable[str]) -> str:
     """Return rows below each other; the ampersand of each row marks where they are aligned."""
     return r"\begin{aligned} " + r" \\ ".join(rows) + r" \end{aligned}"
+
+
+def upright(text: str) -> str:
+    r"""Return plain text within a formula, for LaTeX and for notebooks, whose text has no commands.
+
+    >>> print(upright("crank_1"))
+    \text{crank}\_\text{1}
+    """
+    return "".join(_SPECIAL.get(part, rf"\text{{{part}}}") for part in _PARTS.findall(text))
+
+
+_SPECIAL = {letter: rf"\{letter}" for letter in "{}_&%$#"} | {
+    "\\": r"\backslash",
+    "^": r"\hat{}",
+    "~": r"\sim",
+}
+_PARTS = re.compile(r"[{}_&%$#\\^~]|[^{}_&%$#\\^~]+")
+
+
+def displayed(formula: str, *, name: str = "", note: str = "") -> str:
+    """Return what a notebook shows of a formula: after the name of the thing, and before a note on it."""
+    parts = [f"{upright(name)} =" if name else "", formula, rf"\quad {upright(note)}" if note else ""]
+    return rf"$\displaystyle {' '.join(part for part in parts if part)}$"
 
 
 def with_definitions(definitions: Sequence[tuple[str, str]], formula: str) -> str:
