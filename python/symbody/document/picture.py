@@ -42,7 +42,8 @@ def picture(system: System) -> str:
     True
     """
     if len(system.bodies) > MOST:
-        return f"<p>There is no picture of {counted(len(system.bodies), 'body')}; report() draws it.</p>"
+        many = counted(len(system.bodies), "body")
+        return f"<p>A system of {many} is not drawn at once; report(system, 'model.html') draws it.</p>"
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore", ModelNotice)  # of the derivation, for which nobody asked

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from html import escape
 
 from symbody.multibody import System
 from symbody.symbolic import Expr, cost
@@ -33,10 +32,8 @@ def summary(system: System, residuals: Sequence[Expr]) -> str:
 def summary_table(system: System, residuals: Sequence[Expr]) -> str:
     """Return the same for a notebook, in HTML."""
     rows = [(speed, size or "...") for speed, size in _sizes(system, residuals)]
-    table = html_table(
-        f"Equations of motion of {_whole(system, residuals)}", ["equation of", "operations"], rows
-    )
-    return f"{table}<p>{escape(' '.join(_ADVICE))}</p>"
+    title = f"Equations of motion of {_whole(system, residuals)}"
+    return html_table(title, ["equation of", "operations"], rows, " ".join(_ADVICE))
 
 
 _ADVICE = (

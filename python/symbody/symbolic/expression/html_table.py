@@ -13,8 +13,14 @@ _ROWS = 30
 """The most rows that are shown."""
 
 
-def html_table(title: str, header: Sequence[str], rows: Iterable[Sequence[object]]) -> str:
+def html_table(title: str, header: Sequence[str], rows: Iterable[Sequence[object]], note: str = "") -> str:
     """Return a table in HTML: numbers to the right, long texts shortened in the middle, further rows counted.
+
+    Args:
+        title: the caption, above the table.
+        header: the names of the columns.
+        rows: their entries.
+        note: a sentence below the table.
 
     >>> html_table("", ["name"], [["x"]])
     '<table><tr><th style="text-align: left">name</th></tr><tr><td style="text-align: left">x</td></tr></table>'
@@ -27,7 +33,8 @@ def html_table(title: str, header: Sequence[str], rows: Iterable[Sequence[object
     shown = [_row("td", row, sides) for row in listed[:_ROWS]]
     if len(listed) > _ROWS:
         shown.append(f'<tr><td colspan="{len(header)}">and {len(listed) - _ROWS} more</td></tr>')
-    return f"<table>{caption}{_row('th', header, sides)}{''.join(shown)}</table>"
+    below = f"<p>{escape(note)}</p>" if note else ""
+    return f"<table>{caption}{_row('th', header, sides)}{''.join(shown)}</table>{below}"
 
 
 def _row(cell: str, entries: Sequence[str], sides: Sequence[str]) -> str:
