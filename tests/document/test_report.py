@@ -151,8 +151,8 @@ def test_a_floating_body_has_quasi_velocities() -> None:
 
 
 def test_units_are_added(equations: Equations, tmp_path: Path) -> None:
-    assert "N m" not in written(tmp_path, equations, ".md")
-    assert "| $\\tau$ | parameter | N m |" in written(tmp_path, equations, ".md", units={tau: "N m"})
+    assert "| $\\tau$ | torque | N m |" in written(tmp_path, equations, ".md")
+    assert "| $\\tau$ | torque | kN m |" in written(tmp_path, equations, ".md", units={tau: "kN m"})
 
 
 def test_a_driven_support_has_no_balance_of_power() -> None:

@@ -2,24 +2,25 @@
 
 from __future__ import annotations
 
-from symbody.document.document import Block, Heading, Math, Picture, Table, prose
+from symbody.document.document import Block, Heading, Math, Picture, Table, Words, prose
 from symbody.document.formula import listed
 from symbody.document.picture import drawing, no_picture
 from symbody.document.subject import Subject
 from symbody.errors import SymbodyError
+from symbody.geometry import Vector
+from symbody.simulation.given.wording import joined_by_and
 from symbody.symbolic import latex
-from symbody.symbolic.given.arguments import counted
+from symbody.symbolic.given.arguments import brief, counted
 from symbody.view.svg import sketch_svg
 
 
 def mechanism(subject: Subject) -> list[Block]:
     """Return the section."""
     system = subject.system
-    parts = [counted(len(system.bodies), "body"), counted(len(system.loads), "load")]
-    if system.constraints:
-        parts.append(counted(len(system.constraints), "constraint"))
-    sentence = prose(f"The system has {', '.join(parts[:-1])} and {parts[-1]}.")
-    return [Heading("Mechanism"), sentence, _picture(subject), *_bodies(subject)]
+    sizes = {"body": system.bodies, "load": system.loads, "constraint": system.constraints}
+    parts = [counted(len(each), noun) for noun, each in sizes.items() if each]
+    sentence = prose(f"The system has {joined_by_and(parts)}.")
+    return [Heading("Mechanism"), sentence, _picture(subject), _bodies(subject), *_loads(subject)]
 
 
 def _picture(subject: Subject) -> Block:
@@ -39,9 +40,27 @@ def _picture(subject: Subject) -> Block:
     return Picture("mechanism", caption, sketch_svg(sketch), sketch)
 
 
-def _bodies(subject: Subject) -> list[Block]:
+def _bodies(subject: Subject) -> Block:
     rows = []
     for number, body in enumerate(subject.system.bodies, start=1):
         cell = ("particle",) if body.is_particle else listed(body.moments)
         rows.append(((body.name or f"body {number}",), (Math(latex(body.mass)),), cell))
-    return [Table(("body", "mass", "moments of inertia"), tuple(rows))]
+    return Table(("body", "mass", "moments of inertia"), tuple(rows))
+
+
+def _loads(subject: Subject) -> list[Block]:
+    """Return the actions of all loads, and gravity."""
+    rows: list[tuple[Words, ...]] = []
+    for number, load in enumerate(subject.system.loads, start=1):
+        for action in load.actions:
+            kind = "force" if action.is_force else "torque"
+            row = (load.name or f"load {number}", kind, action.vector, action.body.name or "a body")
+            rows.append(_load_row(*row))
+    gravity = subject.system.gravity
+    if gravity is not None:
+        rows.append(_load_row("gravity", "acceleration", gravity, "all bodies"))
+    return [Table(("load", "kind", "components", "in the axes of", "on"), tuple(rows))] if rows else []
+
+
+def _load_row(name: str, kind: str, vector: Vector, on: str) -> tuple[Words, ...]:
+    return (name,), (kind,), listed(vector.components), (brief(vector.frame),), (on,)
