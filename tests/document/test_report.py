@@ -33,11 +33,15 @@ from symbody import (
     report,
     rotate,
     simulate,
+    sin,
     symbols,
+    time_derivative,
+    time_derivatives,
     translate,
 )
 from symbody.document import report as public_name
 from symbody.document.document import Document, Formula, Heading, Picture, Table
+from symbody.document.formats.mathml import mathml
 from symbody.document.report import FORMATS, SECTIONS
 from symbody.document.sections.checks import HOLDS, LAWS
 from symbody.document.subject import LARGE, Subject
@@ -213,6 +217,60 @@ def test_every_formula_becomes_mathml_without_commands(equations: Equations, tmp
         content = "".join(formula.itertext())
         assert "\\" not in content
         assert "&" not in content
+
+
+def test_dots_are_accents_and_signs_are_no_differences() -> None:
+    """A browser would set dots in the size of exponents, and spaces around a sign after a relation."""
+    element = ElementTree.fromstring(mathml(r"m \ddot{s} = -\lambda - 1"))
+    home = "{http://www.w3.org/1998/Math/MathML}"
+    assert [over.get("accent") for over in element.iter(f"{home}mover")] == ["true"]
+    assert [sign.get("form") for sign in element.iter(f"{home}mo") if sign.text == "\u2212"] == [
+        "prefix",
+        None,
+    ]
+
+
+def test_loads_are_listed(equations: Equations) -> None:
+    rows = cells(blocks(equations))
+    assert ("load 1", "torque", r"0, 0, \tau", "ground", "crank_1") in rows
+    assert ("gravity", "acceleration", "0, -g, 0", "ground", "all bodies") in rows
+
+
+def test_centres_of_mass_are_written_for_the_reader(equations: Equations) -> None:
+    """The rod leans down by beta: its centre is at ``r sin(phi) - l sin(beta)/2``."""
+    (places,) = [
+        block for block in blocks(equations).blocks if isinstance(block, Formula) and "{G}2" in block.latex
+    ]
+    assert latex(r * sin(phi) - l * sin(beta) / 2) in places.latex
+
+
+def test_tex_has_the_curves_of_the_motion(equations: Equations, motion: Motion, tmp_path: Path) -> None:
+    text = written(tmp_path, equations, ".tex", motion=motion)
+    curves = re.findall(r"\\addplot\[.*\] coordinates \{(.*)\};", text)
+    points = [[tuple(map(float, point[1:-1].split(","))) for point in curve.split()] for curve in curves]
+    names = [phi, beta, *time_derivatives([phi, beta]), s, time_derivative(s)]  # panels row by row
+    for name, curve in zip(names, points, strict=True):
+        np.testing.assert_allclose(curve, np.column_stack([motion.t, motion[name]]), rtol=1e-5, atol=1e-12)
+    assert "ylabel={angle [rad]}" in text
+
+
+@pytest.mark.needs("pdflatex")
+@pytest.mark.slow
+@pytest.mark.parametrize("name", ["closed loop", "arm"])
+def test_latex_typesets_the_report_within_the_page(
+    equations: Equations, motion: Motion, name: str, tmp_path: Path
+) -> None:
+    if name == "arm":
+        file = report(numbered_arm(4), tmp_path / "model.tex")
+    else:
+        file = report(equations, tmp_path / "model.tex", motion=motion)
+    command = ["pdflatex", "-interaction=nonstopmode", "-halt-on-error", file.name]
+    done = subprocess.run(
+        command, cwd=tmp_path, capture_output=True, text=True, errors="replace", check=False
+    )
+    assert done.returncode == 0, done.stdout[-2000:]
+    assert "Overfull" not in done.stdout
+    assert (tmp_path / "model.pdf").stat().st_size > 10_000
 
 
 def test_markdown_contains_the_pictures(equations: Equations, motion: Motion, tmp_path: Path) -> None:

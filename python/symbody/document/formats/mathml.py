@@ -35,4 +35,7 @@ def mathml(latex: str, *, is_block: bool = False) -> str:
     for pattern, replacement in _REPLACED:
         latex = pattern.sub(replacement, latex)
     converted = convert(latex, display="block" if is_block else "inline")
-    return _SIGN.sub(r'\1<mo form="prefix">', converted)
+    with_accents = converted.replace(
+        "<mover>", '<mover accent="true">'
+    )  # dots would be in the size of exponents
+    return _SIGN.sub(r'\1<mo form="prefix">', with_accents)

@@ -6,6 +6,7 @@ from symbody.document.document import Block, Heading, prose
 from symbody.document.formula import equalities
 from symbody.document.subject import Subject
 from symbody.multibody import gravitational_energy, kinetic_energy
+from symbody.symbolic import simplify
 
 
 def energies(subject: Subject) -> list[Block]:
@@ -16,4 +17,5 @@ def energies(subject: Subject) -> list[Block]:
     if system.gravity is not None and system.root.carrier is None:
         found["V"] = gravitational_energy(system)
         sentence = "The kinetic energy, and the potential energy of weight, are"
-    return [Heading("Energies"), *equalities(prose(sentence), [*found], subject.read([*found.values()]))]
+    values = list(found.values()) if subject.is_large else simplify(list(found.values()))
+    return [Heading("Energies"), *equalities(prose(sentence), [*found], values)]
