@@ -46,6 +46,7 @@ from symbody.document.report import FORMATS, SECTIONS
 from symbody.document.sections.checks import HOLDS, LAWS
 from symbody.document.subject import LARGE, Subject
 from symbody.errors import PictureError, ReportError
+from tests.view.browser import browser
 
 r, l, m1, m2, m3, I1, I2, g, tau = PARAMETERS = symbols("r l m1 m2 m3 I1 I2 g tau")
 phi, beta, s = q = functions_of_time("phi beta s")
@@ -217,6 +218,23 @@ def test_every_formula_becomes_mathml_without_commands(equations: Equations, tmp
         content = "".join(formula.itertext())
         assert "\\" not in content
         assert "&" not in content
+
+
+@pytest.mark.needs("chromium")
+@pytest.mark.parametrize("model", [numbered_arm(4), engine()], ids=str)
+def test_the_formulas_fit_a_page_of_1200_pixels(model: System, tmp_path: Path) -> None:
+    """No formula has to be scrolled, and no table is wider than the page."""
+    file = report(model, tmp_path / "model.html")
+    with browser() as page:
+        page.open(file.as_uri(), size=(1200, 900))
+        widths = (
+            "[...document.querySelectorAll('.formula')].map(each => [each.scrollWidth, each.clientWidth])"
+        )
+        found = page.evaluate(widths)
+        assert len(found) >= 2
+        assert all(needed <= given for needed, given in found)
+        assert page.evaluate("document.documentElement.scrollWidth") <= 1200
+        assert page.console == []
 
 
 def test_dots_are_accents_and_signs_are_no_differences() -> None:

@@ -268,13 +268,14 @@ class System:
 
     def _repr_html_(self) -> str:
         """Return tables of the bodies, the loads, the unknowns and the constraints, and the picture."""
+        labels = {body: _label(body, k) for k, body in enumerate(self.bodies, start=1)}
         bodies = [
-            [_label(body, k), body.frame, body.mass, ", ".join(map(brief, body.moments))]
-            for k, body in enumerate(self.bodies, start=1)
+            [label, body.frame, body.mass, ", ".join(map(brief, body.moments))]
+            for body, label in labels.items()
         ]
         tables = [html_table(str(self), ["body", "frame", "mass", "moments of inertia"], bodies)]
         loads = [
-            [_label(load, k), *action.row]
+            [_label(load, k), *action.row[:-1], labels.get(action.body, action.body)]
             for k, load in enumerate(self.loads, start=1)
             for action in load.actions
         ]

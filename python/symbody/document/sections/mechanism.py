@@ -8,6 +8,7 @@ from symbody.document.picture import drawing, no_picture
 from symbody.document.subject import Subject
 from symbody.errors import SymbodyError
 from symbody.geometry import Vector
+from symbody.multibody import Body, System
 from symbody.simulation.given.wording import joined_by_and
 from symbody.symbolic import latex
 from symbody.symbolic.given.arguments import brief, counted
@@ -42,20 +43,26 @@ def _picture(subject: Subject) -> Block:
 
 def _bodies(subject: Subject) -> Block:
     rows = []
-    for number, body in enumerate(subject.system.bodies, start=1):
+    for body, name in _names(subject.system).items():
         cell = ("particle",) if body.is_particle else listed(body.moments)
-        rows.append(((body.name or f"body {number}",), (Math(latex(body.mass)),), cell))
+        rows.append(((name,), (Math(latex(body.mass)),), cell))
     return Table(("body", "mass", "moments of inertia"), tuple(rows))
+
+
+def _names(system: System) -> dict[Body, str]:
+    """Return the bodies with their names, or their numbers."""
+    return {body: body.name or f"body {number}" for number, body in enumerate(system.bodies, start=1)}
 
 
 def _loads(subject: Subject) -> list[Block]:
     """Return the actions of all loads, and gravity."""
+    names = _names(subject.system)
     rows: list[tuple[Words, ...]] = []
     for number, load in enumerate(subject.system.loads, start=1):
         for action in load.actions:
             kind = "force" if action.is_force else "torque"
-            row = (load.name or f"load {number}", kind, action.vector, action.body.name or "a body")
-            rows.append(_load_row(*row))
+            on = names.get(action.body, action.body.name or "a body outside the system")
+            rows.append(_load_row(load.name or f"load {number}", kind, action.vector, on))
     gravity = subject.system.gravity
     if gravity is not None:
         rows.append(_load_row("gravity", "acceleration", gravity, "all bodies"))
