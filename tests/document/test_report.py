@@ -22,6 +22,7 @@ from symbody import (
     System,
     Torque,
     Vector,
+    cos,
     cost,
     floating_frame,
     functions_of_time,
@@ -158,6 +159,20 @@ def test_a_floating_body_has_quasi_velocities() -> None:
 def test_units_are_added(equations: Equations, tmp_path: Path) -> None:
     assert "| $\\tau$ | torque | N m |" in written(tmp_path, equations, ".md")
     assert "| $\\tau$ | torque | kN m |" in written(tmp_path, equations, ".md", units={tau: "kN m"})
+
+
+def test_multipliers_have_the_unit_that_makes_work() -> None:
+    """A gap in m has a force in N, a squared length N/m, an angle N m; of unknown lengths nothing is said."""
+    x, y, theta, psi, k = *functions_of_time("x y theta psi"), symbols("k")
+    frame = translate(x, y, 0) * rotate("Z", theta) * translate(l, 0, 0)
+    bodies = [Body(frame, m1, 0, 0, I1), Body(rotate("Z", psi), 0, 0, 0, I2)]
+    gaps = [x + l * cos(theta), x**2 + y**2 - l**2, theta - 2 * psi, x - k * y]
+    system = System(bodies, coordinates=[x, y, theta, psi], constraints=gaps[:3])
+    found = {row[0]: row[2] for row in cells(blocks(lagrange_equations(system))) if "multiplier" in row[1]}
+    assert list(found.values()) == ["N", "N/m", "N m"]
+    system = System(bodies, coordinates=[x, y, theta, psi], constraints=gaps[3:])
+    found = {row[0]: row[2] for row in cells(blocks(lagrange_equations(system))) if "multiplier" in row[1]}
+    assert list(found.values()) == [""]
 
 
 def test_a_driven_support_has_no_balance_of_power() -> None:

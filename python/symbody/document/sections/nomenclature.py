@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 
 from symbody.document.document import Block, Heading, Math, Table
 from symbody.document.subject import Subject
-from symbody.symbolic import Expr, latex
+from symbody.symbolic import Expr, latex, substitute
 from symbody.view.overview import overview
 
 
@@ -33,8 +33,13 @@ def _entries(subject: Subject) -> Iterator[tuple[Expr, str, str]]:
     for each in (each for each in equations.inputs if each.order == 0):
         meaning, unit = roles.get(each, ("", ""))
         yield each, f"input, {meaning}" if meaning else "input", unit
-    for number, multiplier in enumerate(equations.multipliers, start=1):
-        yield multiplier, f"multiplier of constraint {number}", ""
+    units = {each: unit for each, (_, unit) in roles.items()} | {
+        each: group.unit("s") for group in coordinates for each in group.expressions
+    }
+    pairs = zip(equations.multipliers, equations.constraints, strict=True)
+    for number, (multiplier, constraint) in enumerate(pairs, start=1):
+        unit = _unit_of_multiplier(constraint, units | dict(subject.units))
+        yield multiplier, f"multiplier of constraint {number}", unit
     symbols = {leaf for leaf in system.leaves if leaf.kind == "symbol"} | {*equations.parameters}
     for each in sorted(symbols, key=_in_order):
         yield each, *roles.get(each, ("parameter", ""))
@@ -44,6 +49,18 @@ def _in_order(symbol: Expr) -> tuple[str, int, str]:
     """Return the key that puts m2 before m10."""
     letters = symbol.name.rstrip("0123456789")
     return letters, int(symbol.name[len(letters) :] or 0), symbol.name
+
+
+def _unit_of_multiplier(constraint: Expr, units: Mapping[Expr, str]) -> str:
+    """Return the unit of a multiplier: that of work divided by that of the constraint, if the lengths in it are known.
+
+    A constraint of degree n in the lengths is in m^n, and its multiplier in N m/m^n.
+    """
+    leaves = constraint.free_symbols
+    if not all(units.get(leaf) in {"m", "rad"} for leaf in leaves):
+        return ""
+    (scaled,) = substitute([constraint], {leaf: 2 * leaf for leaf in leaves if units[leaf] == "m"})
+    return next((unit for n, unit in enumerate(("N m", "N", "N/m")) if scaled == 2**n * constraint), "")
 
 
 def _roles(subject: Subject) -> dict[Expr, tuple[str, str]]:
