@@ -28,8 +28,13 @@ def _functions(tree: ast.AST) -> Iterator[tuple[ast.FunctionDef, str]]:
             for method in node.body:
                 if isinstance(method, ast.FunctionDef) and method.name == "__init__":
                     yield method, described + (ast.get_docstring(method) or "")
-        elif isinstance(node, ast.FunctionDef) and node.name != "__init__":
+        elif isinstance(node, ast.FunctionDef) and node.name != "__init__" and not _is_overload(node):
             yield node, ast.get_docstring(node) or ""
+
+
+def _is_overload(function: ast.FunctionDef) -> bool:
+    """Return whether this is one signature of a function; the implementation after it describes the arguments."""
+    return any(isinstance(mark, ast.Name) and mark.id == "overload" for mark in function.decorator_list)
 
 
 def _arguments(function: ast.FunctionDef) -> list[str]:

@@ -188,7 +188,9 @@ def test_latex_of_containers() -> None:
     column = r"\begin{bmatrix} m_{1} \\ 0 \\ \mathtt{m\_1} \end{bmatrix}"
     assert latex(Vector(ground, m1, 0, m_1)) == latex(Point(ground, m1, 0, m_1)) == column
     assert latex(np.array([m1, 0, m_1], dtype=object)) == latex(Matrix.column([m1, 0, m_1])) == column
-    assert Vector(ground, m1, 0, m_1)._repr_latex_() == f"${column}$"
+    note = r"\quad \text{in the axes of ground}"
+    assert Vector(ground, m1, 0, m_1)._repr_latex_() == rf"$\displaystyle {column} {note}$"
+    assert latex({"a_b": 1}) == r"\begin{aligned} \text{a}\_\text{b} &= 1 \end{aligned}"
 
 
 def model() -> Equations:

@@ -47,9 +47,67 @@ def test_a_system_shows_what_it_consists_of() -> None:
     rows = cells(SYSTEM)
     assert ["cart <1>", "translate(x, 0, 0)", "m", "0, 0, 0"] in rows
     assert ["Body 2", "translate(x, y, 0)", "m", "0, 0, 0"] in rows
-    assert ["spring", f"cart <1>, {BOB}"] in rows
-    assert [row for row in rows if row[0] == "coordinate"] == [["coordinate", "x"], ["coordinate", "y"]]
+    assert [row[:4] + row[5:] for row in rows if row[0] in {"spring", "gravity"}] == [
+        ["spring", "force", "-k*x, 0, 0", "ground", "cart <1>"],
+        ["spring", "force", "k*x, 0, 0", "ground", "Body 2"],
+        ["gravity", "acceleration", "0, -g, 0", "ground", "all bodies"],
+    ]
+    assert ["coordinates", "x, y"] in rows
     assert ["x - 2*y = 0", "lambda1"] in rows
+
+
+def test_a_system_shows_its_picture() -> None:
+    """The names of the bodies are in the picture, and all of it is inside its frame."""
+    svg = "{http://www.w3.org/2000/svg}"
+    picture = ElementTree.fromstring(f"<div>{SYSTEM._repr_html_()}</div>").find(f"figure/{svg}svg")
+    assert picture is not None
+    texts = list(picture.iter(f"{svg}text"))
+    assert {"x", "y", "ground", "cart <1>"} <= {text.text for text in texts}
+    left, top, width, height = map(float, picture.get("viewBox", "").split())
+    assert all(left <= float(text.get("x", "")) <= left + width for text in texts)
+    assert all(top <= float(text.get("y", "")) <= top + height for text in texts)
+
+
+def test_a_system_without_a_position_says_so() -> None:
+    impossible = sb.System([BOB], coordinates=[x, y], constraints=[x**2 + y**2 + l**2])
+    assert "There is no picture, because the reference position was not found." in impossible._repr_html_()
+
+
+def test_long_equations_show_their_sizes() -> None:
+    """A hundred carts in a row: at once, and with the first and the last ones."""
+    places = sb.functions_of_time(" ".join(f"x{k}" for k in range(1, 101)))
+    carts = [sb.Body(sb.translate(place, 0, 0), m) for place in places]
+    pairs = zip(carts, carts[1:], places, places[1:], strict=False)
+    springs = [
+        sb.Force(sb.ground, k * sb.sin(q - p) ** 3, 0, 0, at=a.center_of_mass, on=a, reaction=b)
+        for a, b, p, q in pairs
+    ]
+    equations = sb.newton_euler(sb.System(carts, springs, places))
+    assert equations._repr_latex_() is None
+    table = equations._repr_html_()
+    assert table is not None
+    rows = [
+        ["".join(cell.itertext()) for cell in row]
+        for row in ElementTree.fromstring(f"<div>{table}</div>").iter("tr")
+    ]
+    assert [row[0] for row in rows[1:]] == ["x1", "x2", "x3", "x4", "...", "x97", "x98", "x99", "x100"]
+    assert rows[1][1] == str(sb.cost(equations.residuals[0]).total)
+    assert OSCILLATOR._repr_html_() is None, "short equations are formulas"
+
+
+def test_vectors_and_points_show_their_frames() -> None:
+    turned = sb.rotate("Z", x)
+    vector, point = sb.Vector(turned, l, 0, 0), sb.Point(turned, l, 0, 0, name="A_1")
+    assert r'\quad \text{in the axes of rotate("Z", x)}' in vector._repr_latex_()
+    assert point._repr_latex_().startswith(r"$\displaystyle \text{A}\_\text{1} = \begin{bmatrix}")
+    assert r'\text{from the origin of rotate("Z", x), in its axes}' in point._repr_latex_()
+
+
+def test_an_equilibrium_shows_its_stability() -> None:
+    rows = [row for row in cells(SHOWN["Equilibrium"]()) if row[0] == "coordinate"]
+    assert rows == [["coordinate", "x", "0"]]
+    assert "Stable equilibrium" in SHOWN["Equilibrium"]()._repr_html_()
+    assert "Unstable equilibrium" in sb.equilibrium(OSCILLATOR, {m: 1, k: -4})._repr_html_()
 
 
 def test_a_force_shows_its_reaction() -> None:

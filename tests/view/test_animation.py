@@ -7,6 +7,8 @@ import json
 import re
 from dataclasses import replace
 from pathlib import Path
+from time import monotonic
+from xml.etree import ElementTree
 
 import numpy as np
 import pytest
@@ -16,7 +18,7 @@ from scipy.spatial.transform import Rotation
 from symbody import Body, Force, Point, System, Torque, functions_of_time, ground, rotate, translate
 from symbody.errors import PictureError, ViewError
 from symbody.view import Box, animate, plot
-from tests.view.browser import browser
+from tests.view.browser import PATIENCE, browser
 from tests.view.prescribed import (
     Prescribed,
     g,
@@ -154,6 +156,21 @@ def test_a_page_has_the_name_of_a_page(name: str, tmp_path: Path) -> None:
         f"as {stem}.html"
     )
     assert list(tmp_path.iterdir()) == []
+
+
+def test_without_a_path_a_notebook_shows_the_page(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """The frame holds the bytes of the file, and no file is written."""
+    monkeypatch.chdir(tmp_path)
+    shown = animate(swinging(1.0), title="Rods & <joints>")
+    assert not list(tmp_path.iterdir())
+    frame = ElementTree.fromstring(shown._repr_html_())
+    assert frame.tag == "iframe"
+    assert frame.get("title") == "Rods & <joints>"
+    file = animate(swinging(1.0), tmp_path / "p.html", title="Rods & <joints>")
+    assert (
+        frame.get("srcdoc").split() == file.read_text(encoding="utf-8").split()
+    )  # XML has no line breaks there
+    assert re.fullmatch(r"Animation\(Rods & <joints>, 0\.\d MB; a notebook shows it, .*\)", repr(shown))
 
 
 @pytest.mark.parametrize("name", ["swing.html", "swing.htm", "swing.HTML"])
@@ -323,6 +340,23 @@ def test_a_browser_shows_it(tmp_path: Path) -> None:
         page.wait_for("document.querySelector('#legend div').style.opacity == '0.4'")
         assert page.console == []
         assert [address for address in page.requests if not address.startswith("data:")] == [file.as_uri()]
+
+
+@needs_browser
+def test_a_browser_shows_it_in_the_frame_of_a_notebook(tmp_path: Path) -> None:
+    """The frame lets no script of the page reach the notebook, so it is judged by its picture alone."""
+    file = tmp_path / "notebook.html"
+    shown = animate(swinging(1.0))
+    file.write_text(f"<!DOCTYPE html><body>{shown._repr_html_()}</body>", encoding="utf-8")
+    with browser() as page:
+        page.open(file.as_uri())
+        end, areas = monotonic() + PATIENCE, [0]
+        while min(areas) < 300:
+            assert monotonic() < end, f"the rods never appeared: {areas}"
+            picture = imread(page.picture(tmp_path / "page.png"))[:430]  # above the bar
+            areas = [np.count_nonzero(alike(picture[:, :650], color)) for color in ("#1f77b4", "#ff7f0e")]
+        assert page.console == []
+        assert page.evaluate("document.querySelector('iframe').contentDocument") is None
 
 
 @needs_browser

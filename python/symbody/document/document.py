@@ -5,6 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import TypeAlias
 
+from matplotlib.figure import Figure
+
 from symbody.view.sketch import Sketch
 
 
@@ -50,12 +52,12 @@ class Table:
 
 @dataclass(frozen=True)
 class Picture:
-    """A drawing in SVG; a sketch also by its shapes, for formats that can't contain SVG."""
+    """A drawing in SVG, and what it was made from, for formats that can't contain SVG."""
 
     name: str
     caption: str
     svg: str
-    sketch: Sketch | None = None
+    drawing: Sketch | Figure
 
 
 Block: TypeAlias = Heading | Prose | Formula | Table | Picture

@@ -12,6 +12,7 @@ from symbody.document.formats.html import html
 from symbody.document.formats.markdown import markdown
 from symbody.document.formats.notebook import notebook
 from symbody.document.formats.tex import tex
+from symbody.document.picture import derived
 from symbody.document.sections.checks import checks
 from symbody.document.sections.energies import energies
 from symbody.document.sections.equations import equations
@@ -21,13 +22,13 @@ from symbody.document.sections.motion import motion as motion_section
 from symbody.document.sections.nomenclature import nomenclature
 from symbody.document.sections.size import size
 from symbody.document.subject import Subject
-from symbody.dynamics import Equations, lagrange_equations, newton_euler
-from symbody.errors import FrameError, PictureError, ReportError
-from symbody.files.replacement import replacement
+from symbody.dynamics import Equations
+from symbody.errors import ReportError
 from symbody.multibody import System
 from symbody.symbolic import Expr
 from symbody.symbolic.given.arguments import brief
 from symbody.view import DrawableMotion
+from symbody.view.whole_file import write_whole
 
 FORMATS: Mapping[str, Callable[[Document], str]] = {
     ".html": html,
@@ -70,7 +71,8 @@ def report(
 
     Args:
         model: the equations of motion, or a system, whose equations are derived.
-        path: the file, in a folder that exists; its suffix is the format: ``.html``, ``.md``, ``.tex`` or ``.ipynb``.
+        path: the file; its suffix is the format: ``.html``, ``.md``, ``.tex`` or ``.ipynb``. Its folder is made if
+            necessary.
         motion: a motion, which is plotted; its first instant is the reference position.
         parameters: without a motion, values of parameters for the picture; by default 1.
         position: without a motion, values of coordinates for the picture.
@@ -100,7 +102,9 @@ def report(
     )
     blocks = tuple(block for section in SECTIONS for block in section(subject))
     text = write(Document(str(title) or subject.system.name or "Multibody system", blocks))
-    return _written(file, text)
+    return write_whole(
+        file, lambda temporary: temporary.write_text(text, encoding="utf-8", newline="\n"), where="report"
+    )
 
 
 def _format(path: object) -> tuple[Path, Callable[[Document], str]]:
@@ -113,15 +117,11 @@ def _format(path: object) -> tuple[Path, Callable[[Document], str]]:
         raise ReportError(
             f"report: {file} ends in {file.suffix!r}, which is not a format; expected one of {', '.join(FORMATS)}"
         )
-    if not file.absolute().parent.is_dir():
-        raise PictureError(
-            f"report: the folder of {file} does not exist; make it first, or choose another path"
-        )
     return file, known
 
 
 def _equations(model: object) -> Equations:
-    """Return the equations of motion: derived by newton_euler, or by lagrange_equations if frames aren't rigid."""
+    """Return the equations of motion, derived if the model is a system."""
     if isinstance(model, Equations):
         return model
     if not isinstance(model, System):
@@ -129,10 +129,7 @@ def _equations(model: object) -> Equations:
             f"report: {brief(model)} is not a model; expected a system, or equations of motion such as "
             "newton_euler(system)"
         )
-    try:
-        return newton_euler(model)
-    except FrameError:
-        return lagrange_equations(model)
+    return derived(model)
 
 
 def _motion(motion: DrawableMotion | None, model: Equations | System) -> DrawableMotion | None:
@@ -154,15 +151,3 @@ def _by_symbol(given: Mapping[Expr, Value] | None, name: str, example: str) -> M
     if not isinstance(found, Mapping) or not all(isinstance(key, Expr) for key in found):
         raise ReportError(f"report: {brief(found)} for {name}; expected a dictionary such as {example}")
     return found
-
-
-def _written(file: Path, text: str) -> Path:
-    try:
-        with replacement(file) as temporary:
-            temporary.write_text(text, encoding="utf-8", newline="\n")
-    except OSError as error:
-        raise PictureError(
-            f"report: {file} can't be written ({error.strerror or error}); nothing was changed there. "
-            "Choose another path"
-        ) from error
-    return file

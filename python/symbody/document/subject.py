@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
 from symbody.dynamics import Equations
 from symbody.multibody import System
-from symbody.symbolic import Cost, Expr, cost
+from symbody.symbolic import Cost, Expr, cost, readable
 from symbody.view import DrawableMotion
 
 LARGE = 2000
@@ -47,6 +47,10 @@ class Subject:
     def cost(self) -> Cost:
         """The operations of the residuals."""
         return cost(self.equations.residuals)
+
+    def read(self, expressions: Sequence[Expr]) -> Sequence[Expr]:
+        """Return expressions in their forms for the reader; as they are if the system is so large that nobody reads."""
+        return expressions if self.is_large else readable(list(expressions))
 
     @property
     def is_large(self) -> bool:

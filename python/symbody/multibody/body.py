@@ -12,7 +12,7 @@ from symbody.geometry.given.argument import checked
 from symbody.geometry.motion.translation import Translation
 from symbody.symbolic import Expr, Matrix, latex, matvec3
 from symbody.symbolic.expression.container import Container, contains
-from symbody.symbolic.expression.latex_layout import aligned
+from symbody.symbolic.expression.latex_layout import aligned, displayed
 from symbody.symbolic.given.arguments import brief
 
 from .physical_inertia import report_impossible_inertia
@@ -121,7 +121,7 @@ class Body:
         return b"".join((self.name.encode(), self.frame.key, *(value.fingerprint for value in values)))
 
     def _repr_latex_(self) -> str:
-        return f"$\\displaystyle {latex(self)}$"
+        return displayed(latex(self))
 
     def __repr__(self) -> str:
         return self.name or f"Body({self.frame}, {self.mass})"

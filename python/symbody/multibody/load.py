@@ -66,6 +66,13 @@ class Action:
         applied = {} if self.point is None else {"applied": self.point}
         return {"frame": self.vector.frame, "comps": self.vector.components, **applied, "acting": self.body}
 
+    @property
+    def row(self) -> tuple[object, ...]:
+        """What a notebook shows of it; `COLUMNS` has the header."""
+        components = ", ".join(map(brief, self.vector.components))
+        kind, point = ("torque", "") if self.point is None else ("force", self.point)
+        return kind, components, self.vector.frame, point, self.body
+
     def components(self, axes: Frame) -> Triple:
         """Return the components of the force or torque."""
         return self.vector.projected(axes).components
@@ -73,6 +80,10 @@ class Action:
     def projected(self, frame: Frame) -> Action:
         """Return the same action, by the components of its vector in another frame."""
         return Action(self.body, self.vector.projected(frame), self.point)
+
+
+COLUMNS = ("kind", "components", "in the axes of", "at", "on")
+"""The header of the table of the actions of a load."""
 
 
 class Load(ABC):
@@ -97,18 +108,7 @@ class Load(ABC):
         """The actions of the load, body by body."""
 
     def _repr_html_(self) -> str:
-        rows = [
-            [
-                "force" if action.is_force else "torque",
-                ", ".join(map(brief, action.vector.components)),
-                action.vector.frame,
-                "" if action.point is None else action.point,
-                action.body,
-            ]
-            for action in self.actions
-        ]
-        title = self.name or type(self).__name__
-        return html_table(title, ["kind", "components", "in the axes of", "at", "on"], rows)
+        return html_table(self.name or type(self).__name__, COLUMNS, [action.row for action in self.actions])
 
     @property
     def key(self) -> bytes:

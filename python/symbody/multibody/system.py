@@ -22,9 +22,10 @@ from .body import Body
 from .coordinate import check_function_of_time
 from .frames import all_frames
 from .holonomic import fault_of
-from .load import Action, Load
+from .load import COLUMNS, Action, Load
 from .oversight import notices
 from .physical_inertia import report_impossible_differences
+from .picture import picture
 
 Thing = TypeVar("Thing", Body, Load)
 
@@ -266,29 +267,32 @@ class System:
                 yield from (*frame.carrier.angular, *frame.carrier.linear)
 
     def _repr_html_(self) -> str:
-        """Return tables of the bodies, the loads, the unknowns and the constraints."""
+        """Return tables of the bodies, the loads, the unknowns and the constraints, and the picture."""
+        labels = {body: _label(body, k) for k, body in enumerate(self.bodies, start=1)}
         bodies = [
-            [_label(body, k), body.frame, body.mass, ", ".join(map(brief, body.moments))]
-            for k, body in enumerate(self.bodies, start=1)
+            [label, body.frame, body.mass, ", ".join(map(brief, body.moments))]
+            for body, label in labels.items()
         ]
         tables = [html_table(str(self), ["body", "frame", "mass", "moments of inertia"], bodies)]
-        if self.loads:
-            loads = [
-                [_label(load, k), ", ".join(str(action.body) for action in load.actions)]
-                for k, load in enumerate(self.loads, start=1)
-            ]
-            tables.append(html_table("", ["load", "acts on"], loads))
-        unknowns = [("coordinate", q) for q in self.coordinates] + [
-            ("speed", u) for u in self.quasi_velocities
+        loads = [
+            [_label(load, k), *action.row[:-1], labels.get(action.body, action.body)]
+            for k, load in enumerate(self.loads, start=1)
+            for action in load.actions
         ]
-        unknowns += [("input", each) for each in self.inputs]
-        tables.append(html_table("", ["unknown", "name"], unknowns))
+        if self.gravity is not None:
+            components = ", ".join(map(brief, self.gravity.components))
+            loads.append(["gravity", "acceleration", components, self.gravity.frame, "", "all bodies"])
+        if loads:
+            tables.append(html_table("", ["load", *COLUMNS], loads))
+        names = {"coordinates": self.coordinates, "speeds": self.quasi_velocities, "inputs": self.inputs}
+        unknowns = [(kind, ", ".join(map(str, each))) for kind, each in names.items() if each]
+        tables.append(html_table("", ["unknowns", "names"], unknowns))
         if self.constraints:
             pairs = zip(self.constraints, self.multipliers, strict=True)
             tables.append(
                 html_table("", ["constraint", "multiplier"], [[f"{c} = 0", each] for c, each in pairs])
             )
-        return "".join(tables)
+        return "".join([*tables, picture(self)])
 
     def __repr__(self) -> str:
         parts = [

@@ -7,9 +7,10 @@ import json
 import os
 import re
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from importlib.resources import files
 from pathlib import Path
+from typing import overload
 
 import numpy as np
 from numpy.typing import NDArray
@@ -28,9 +29,66 @@ MOST = 1500
 """The most instants of a page: a minute at 25 per second; the page interpolates between them."""
 
 
+@dataclass(frozen=True)
+class Animation:
+    """A page with a motion, which a notebook shows in a frame of its own.
+
+    Attributes:
+        title: the title of the page.
+        page: the page in HTML; it needs no network.
+    """
+
+    title: str
+    page: str = field(repr=False)
+
+    def __repr__(self) -> str:
+        size = f"{len(self.page) / 1e6:.1f} MB"
+        return f'Animation({self.title}, {size}; a notebook shows it, animate("motion.html") writes it)'
+
+    def _repr_html_(self) -> str:
+        frame = 'width="100%" height="520" style="border: 1px solid #d5dce3" sandbox="allow-scripts"'
+        return (
+            f'<iframe title="{html.escape(self.title)}" {frame} srcdoc="{html.escape(self.page)}"></iframe>'
+        )
+
+
+@overload
+def animate(
+    motion: DrawableMotion,
+    path: None = ...,
+    *,
+    title: str = ...,
+    shapes: Mapping[Body, Shape | Sequence[Shape]] | None = ...,
+    frames: Sequence[Frame] = ...,
+    points: Sequence[Point] = ...,
+    traces: Sequence[Point] = ...,
+    lines: Sequence[tuple[Point, Point]] = ...,
+    forces: bool | Sequence[Load] = ...,
+    reactions: bool = ...,
+    follow: Body | None = ...,
+) -> Animation: ...
+
+
+@overload
 def animate(
     motion: DrawableMotion,
     path: str | os.PathLike[str],
+    *,
+    title: str = ...,
+    shapes: Mapping[Body, Shape | Sequence[Shape]] | None = ...,
+    frames: Sequence[Frame] = ...,
+    points: Sequence[Point] = ...,
+    traces: Sequence[Point] = ...,
+    lines: Sequence[tuple[Point, Point]] = ...,
+    forces: bool | Sequence[Load] = ...,
+    reactions: bool = ...,
+    follow: Body | None = ...,
+) -> Path: ...
+
+
+def animate(
+    motion: DrawableMotion,
+    path: str | os.PathLike[str] | None = None,
     *,
     title: str = "",
     shapes: Mapping[Body, Shape | Sequence[Shape]] | None = None,
@@ -41,8 +99,8 @@ def animate(
     forces: bool | Sequence[Load] = False,
     reactions: bool = False,
     follow: Body | None = None,
-) -> Path:
-    """Write a motion as a page for any browser: one file, which needs no network.
+) -> Path | Animation:
+    """Return a motion as a page that a notebook shows, or write the page for any browser; it needs no network.
 
     A body without a given shape is drawn as the homogeneous box, cylinder, ball or rod of its mass and inertia; it is
     transparent if it hides a joint or another body. Rods show the constant distances in the chains of frames and lead
@@ -51,7 +109,7 @@ def animate(
 
     Args:
         motion: the motion.
-        path: the file, such as ``"plate.html"``; its folder is made if necessary.
+        path: the file, such as ``"plate.html"``; its folder is made if necessary. Without one, nothing is written.
         title: the title; by default the name of the system.
         shapes: the shapes of bodies, one or several for each, instead of its solid and its rods.
         frames: frames whose axes are drawn.
@@ -62,6 +120,9 @@ def animate(
             contain multipliers and accelerations, such as the force in a joint. A torque has two heads.
         reactions: whether the forces of threads are drawn.
         follow: a body that the camera follows, such as a vehicle.
+
+    Returns:
+        The path of the file; without one, the `Animation`, which a notebook shows (some 0.6 MB and the motion).
 
     Raises:
         ViewError: there is nothing to draw, a value is not finite, an argument has the wrong kind, or the file name
@@ -79,11 +140,16 @@ def animate(
     ...     page_file = animate(motion, Path(folder) / "oscillator.html", traces=[cart.center_of_mass])
     ...     page_file.name, page_file.stat().st_size > 100_000
     ('oscillator.html', True)
+    >>> "<iframe" in animate(motion)._repr_html_()
+    True
     """
-    file = _page_file(path)
+    file = None if path is None else _page_file(path)
     loads = (motion.system.loads if forces else ()) if isinstance(forces, bool) else forces
     options = DrawingOptions(shapes or {}, frames, points, traces, lines, loads, reactions, follow)
-    text = page(scene(thinned(motion), options, title or motion.system.name or "symbody"))
+    name = title or motion.system.name or "symbody"
+    text = page(scene(thinned(motion), options, name))
+    if file is None:
+        return Animation(name, text)
     return write_whole(file, lambda temporary: temporary.write_text(text, encoding="utf-8", newline="\n"))
 
 

@@ -161,6 +161,7 @@ def _bodies(bodies: Sequence[Body], own: Sequence[int], parts: Sequence[list[Par
         {
             "name": body.name or f"body {k + 1}",
             "is_named": bool(body.name),
+            "has_axes": not body.is_particle,
             "color": COLORS[k % len(COLORS)],
             "pose": own[k],
             "parts": parts[k],

@@ -32,6 +32,9 @@ TALLEST = 480
 ROUND = 32
 """The corners of a circle."""
 
+BODY_AXES = 0.09
+"""The length of the axes of bodies, in radii of the picture."""
+
 AXIS_COLORS = ("#c0392b", "#27824a", "#2563a8")
 
 
@@ -86,7 +89,7 @@ class Sketch:
 
 
 def sketch(motion: DrawableMotion, instant: int = 0, options: DrawingOptions | None = None) -> Sketch:
-    """Return the mechanism of a motion at one instant: bodies, rods, threads, points, and the axes of the ground.
+    """Return the mechanism of a motion at one instant: bodies with their axes, rods, threads, points, and the ground.
 
     Args:
         motion: the motion. What its points and threads belong to is found from all of its instants.
@@ -142,7 +145,8 @@ class _Projection:
         solids = sorted(self._solids(), key=lambda each: each[0])
         marks: list[Mark] = [mark for _, marks in solids for mark in marks]
         behind = [*self._axes(), *self._rods_and_threads("thin")]
-        return [*behind, *marks, *self._rods_and_threads(""), *self._points(), *self._names()]
+        ahead = [*self._rods_and_threads(""), *self._body_axes(), *self._points(), *self._names()]
+        return [*behind, *marks, *ahead]
 
     def _flat(self, places: Array) -> list[Place]:
         flat = (places - self.follow) @ self.plane.T * self.scale + self.origin
@@ -197,13 +201,26 @@ class _Projection:
     def _axes(self) -> Iterator[Mark]:
         for axes in self.content["axes"]:
             size = AXES * self.radius
-            start, *tips = self._flat(self._in_root(axes["pose"], np.vstack([np.zeros(3), size * np.eye(3)])))
+            start, *tips = self._tripod(axes["pose"], size)
             for name, tip, color in zip("xyz", tips, AXIS_COLORS, strict=True):
                 if max(abs(a - b) for a, b in zip(start, tip, strict=True)) > 0.1 * size * self.scale:
                     yield Line(start, tip, color, 1.6)
                     yield Label(tip, name, color)
             if axes["name"]:
                 yield Label(start, axes["name"], "#1c2733")
+
+    def _body_axes(self) -> Iterator[Line]:
+        """Yield the axes x, y and z of each body, in the colours of the ground's; particles have none."""
+        for body in self.content["bodies"]:
+            if body["has_axes"]:
+                start, *tips = self._tripod(body["pose"], BODY_AXES * self.radius)
+                yield from (
+                    Line(start, tip, color, 1.2) for tip, color in zip(tips, AXIS_COLORS, strict=True)
+                )
+
+    def _tripod(self, pose: int, size: float) -> list[Place]:
+        """Return the origin of a frame, and the tips of its axes."""
+        return self._flat(self._in_root(pose, np.vstack([np.zeros(3), size * np.eye(3)])))
 
     def _points(self) -> Iterator[Mark]:
         for body in self.content["bodies"]:

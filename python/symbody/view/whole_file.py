@@ -1,4 +1,4 @@
-"""Pictures and pages, written as a whole or not at all."""
+"""Pictures, pages and reports, written as a whole or not at all."""
 
 from __future__ import annotations
 
@@ -25,8 +25,17 @@ def file_of(path: str | os.PathLike[str], example: str = "motion.html") -> Path:
         raise PictureError(f"view: {path!r} is not a path; expected one, such as {example!r}") from None
 
 
-def write_whole(path: str | os.PathLike[str], write: Callable[[Path], object]) -> Path:
+def write_whole(
+    path: str | os.PathLike[str], write: Callable[[Path], object], *, where: str = "view"
+) -> Path:
     """Write a file under a temporary name in the same folder, and rename it when it is complete.
+
+    The folder is made if there is none.
+
+    Args:
+        path: the file.
+        write: writes the contents to a path.
+        where: what writes the file, for the message of an error.
 
     Raises:
         PictureError: the file can't be written; its previous content is still there.
@@ -37,7 +46,7 @@ def write_whole(path: str | os.PathLike[str], write: Callable[[Path], object]) -
             write(temporary)
     except OSError as error:
         raise PictureError(
-            f"view: {file} can't be written ({error.strerror or error}); nothing was changed there. "
+            f"{where}: {file} can't be written ({error.strerror or error}); nothing was changed there. "
             "Choose another path"
         ) from error
     return file

@@ -19,6 +19,10 @@ _LOW = re.compile(r"\\left\(((?:(?!\\left|\\right|\\frac|\\sqrt|\\begin).)*)\\ri
 """Brackets around nothing that is higher than a line: without a mathematical font, browsers would stretch them."""
 
 
+_SIGN = re.compile(r"(<mo>(?:=|&#x0003D;|&#x0002C;|,)</mo>)<mo>(?=(?:-|−|&#x02212;)</mo>)")
+"""A minus after a relation is a sign, not a difference: browsers would put spaces around it."""
+
+
 def mathml(latex: str, *, is_block: bool = False) -> str:
     """Return a formula as an element of MathML.
 
@@ -30,4 +34,8 @@ def mathml(latex: str, *, is_block: bool = False) -> str:
         latex, replaced = _LOW.subn(r"(\1)", latex)
     for pattern, replacement in _REPLACED:
         latex = pattern.sub(replacement, latex)
-    return convert(latex, display="block" if is_block else "inline")
+    converted = convert(latex, display="block" if is_block else "inline")
+    with_accents = converted.replace(
+        "<mover>", '<mover accent="true">'
+    )  # dots would be in the size of exponents
+    return _SIGN.sub(r'\1<mo form="prefix">', with_accents)

@@ -1,27 +1,35 @@
-"""Reports in LaTeX: one file that stands alone; drawings are TikZ."""
+"""Reports in LaTeX: one file that stands alone; drawings are TikZ, plots pgfplots."""
 
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 
 from symbody.document.document import Block, Document, Formula, Heading, Math, Picture, Prose, Table, Words
+from symbody.document.formats.pgfplots import pgfplots
+from symbody.document.formats.plain_text import text
 from symbody.document.formats.tikz import tikz
+from symbody.symbolic.expression.latex_layout import width
+from symbody.view.sketch import Sketch
 
 HEAD = r"""\documentclass{article}
 \usepackage[utf8]{inputenc}
 \usepackage[T1]{fontenc}
 \usepackage[a4paper,margin=2cm]{geometry}
 \usepackage{amsmath}
+\usepackage{array}
+\usepackage{booktabs}
 \usepackage{longtable}
-\usepackage{tikz}
+\usepackage{pgfplots}
+\usepgfplotslibrary{groupplots}
+\pgfplotsset{compat=1.16}
 \allowdisplaybreaks
 \setlength{\parindent}{0pt}
 \setlength{\parskip}{6pt}"""
 
-_SPECIAL = {
-    "\\": r"\textbackslash{}", "{": r"\{", "}": r"\}", "_": r"\_", "&": r"\&", "%": r"\%", "$": r"\$", "#": r"\#",
-    "^": r"\textasciicircum{}", "~": r"\textasciitilde{}", "²": r"\textsuperscript{2}",
-}  # fmt: skip
+
+WIDE = 60
+"""The characters from which a column of a table has a fixed width."""
 
 
 def tex(document: Document) -> str:
@@ -36,15 +44,6 @@ def tex(document: Document) -> str:
         r"\end{document}",
     ]
     return "\n\n".join(parts) + "\n"
-
-
-def text(plain: str) -> str:
-    r"""Return text in which no character is a command of LaTeX.
-
-    >>> print(text("50 % of q_1"))
-    50 \% of q\_1
-    """
-    return "".join(_SPECIAL.get(letter, letter) for letter in plain)
 
 
 def _block(block: Block) -> str:
@@ -70,16 +69,21 @@ def _formula(latex: str) -> str:
 
 
 def _table(table: Table) -> str:
-    rows = [" & ".join(rf"\textbf{{{text(cell)}}}" for cell in table.header) + r" \\ \hline"]
+    rows = [" & ".join(rf"\textbf{{{text(cell)}}}" for cell in table.header) + r" \\ \midrule \endhead"]
     rows += [" & ".join(_words(cell) for cell in row) + r" \\" for row in table.rows]
-    columns = "l" * len(table.header)
+    columns = "".join(_column([_words(row[k]) for row in table.rows]) for k in range(len(table.header)))
     return "\n".join([rf"\begin{{longtable}}[l]{{{columns}}}", *rows, r"\end{longtable}"])
 
 
+def _column(cells: Sequence[str]) -> str:
+    """Return the layout of a column: lines are broken if it has long texts."""
+    is_long = max(map(width, cells), default=0) > WIDE
+    return r">{\raggedright}p{0.3\textwidth}" if is_long else "l"
+
+
 def _picture(picture: Picture) -> str:
-    if picture.sketch is None:
-        return rf"\emph{{{text(picture.caption)} The picture is in the reports in HTML and Markdown.}}"
-    return "\n".join([r"\begin{center}", tikz(picture.sketch), r"\\", text(picture.caption), r"\end{center}"])
+    drawing = tikz(picture.drawing) if isinstance(picture.drawing, Sketch) else pgfplots(picture.drawing)
+    return "\n".join([r"\begin{center}", drawing, r"\\", text(picture.caption), r"\end{center}"])
 
 
 def _words(words: Words) -> str:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from symbody.document.formats.plain_text import text
 from symbody.view.sketch import Dot, Label, Line, Mark, Patch, Sketch
 
 UNIT = "0.7pt"
@@ -46,5 +47,4 @@ def _path(mark: Mark, color: str) -> str:
             return rf"\fill[{color}] ({x:g},{y:g}) circle[radius={0.6 * mark.radius:g}pt];"
         case Label():
             x, y = mark.at
-            name = "".join(f"\\{letter}" if letter in "_&%$#{}" else letter for letter in mark.text)
-            return rf"\node[{color}, anchor=base west, inner sep=0pt] at ({x:g},{y:g}) {{{name}}};"
+            return rf"\node[{color}, anchor=base west, inner sep=0pt] at ({x:g},{y:g}) {{{text(mark.text)}}};"

@@ -2,49 +2,72 @@
 
 from __future__ import annotations
 
-from symbody.document.document import Block, Heading, Math, Picture, Table, prose
+from symbody.document.document import Block, Heading, Math, Picture, Table, Words, prose
 from symbody.document.formula import listed
-from symbody.document.reference_position import still
+from symbody.document.picture import drawing, no_picture
 from symbody.document.subject import Subject
 from symbody.errors import SymbodyError
+from symbody.geometry import Vector
+from symbody.multibody import Body, System
+from symbody.simulation.given.wording import joined_by_and
 from symbody.symbolic import latex
-from symbody.symbolic.given.arguments import counted
-from symbody.view.animation import thinned
-from symbody.view.sketch import sketch
+from symbody.symbolic.given.arguments import brief, counted
 from symbody.view.svg import sketch_svg
 
 
 def mechanism(subject: Subject) -> list[Block]:
     """Return the section."""
     system = subject.system
-    parts = [counted(len(system.bodies), "body"), counted(len(system.loads), "load")]
-    if system.constraints:
-        parts.append(counted(len(system.constraints), "constraint"))
-    sentence = prose(f"The system has {', '.join(parts[:-1])} and {parts[-1]}.")
-    return [Heading("Mechanism"), sentence, _picture(subject), *_bodies(subject)]
+    sizes = {"body": system.bodies, "load": system.loads, "constraint": system.constraints}
+    parts = [counted(len(each), noun) for noun, each in sizes.items() if each]
+    sentence = prose(f"The system has {joined_by_and(parts)}.")
+    return [Heading("Mechanism"), sentence, _picture(subject), _bodies(subject), *_loads(subject)]
 
 
 def _picture(subject: Subject) -> Block:
     """Return the drawing, or the reason for which there is none."""
     try:
-        motion = still(subject) if subject.motion is None else thinned(subject.motion)
-        drawing = sketch(motion)
+        sketch = drawing(subject)
     except SymbodyError as error:
         if subject.is_chosen:
             raise
-        return prose(f"There is no picture, because the reference position was not found. {error}.")
+        return prose(no_picture(error))
     if subject.motion is not None:
         caption = f"The mechanism at t = {subject.motion.t[0]:g} s."
     elif subject.is_chosen:
         caption = "The mechanism at the reference position."
     else:
         caption = "The mechanism at a reference position; lengths and masses are 1."
-    return Picture("mechanism", caption, sketch_svg(drawing), drawing)
+    return Picture("mechanism", caption, sketch_svg(sketch), sketch)
 
 
-def _bodies(subject: Subject) -> list[Block]:
+def _bodies(subject: Subject) -> Block:
     rows = []
-    for number, body in enumerate(subject.system.bodies, start=1):
+    for body, name in _names(subject.system).items():
         cell = ("particle",) if body.is_particle else listed(body.moments)
-        rows.append(((body.name or f"body {number}",), (Math(latex(body.mass)),), cell))
-    return [Table(("body", "mass", "moments of inertia"), tuple(rows))]
+        rows.append(((name,), (Math(latex(body.mass)),), cell))
+    return Table(("body", "mass", "moments of inertia"), tuple(rows))
+
+
+def _names(system: System) -> dict[Body, str]:
+    """Return the bodies with their names, or their numbers."""
+    return {body: body.name or f"body {number}" for number, body in enumerate(system.bodies, start=1)}
+
+
+def _loads(subject: Subject) -> list[Block]:
+    """Return the actions of all loads, and gravity."""
+    names = _names(subject.system)
+    rows: list[tuple[Words, ...]] = []
+    for number, load in enumerate(subject.system.loads, start=1):
+        for action in load.actions:
+            kind = "force" if action.is_force else "torque"
+            on = names.get(action.body, action.body.name or "a body outside the system")
+            rows.append(_load_row(load.name or f"load {number}", kind, action.vector, on))
+    gravity = subject.system.gravity
+    if gravity is not None:
+        rows.append(_load_row("gravity", "acceleration", gravity, "all bodies"))
+    return [Table(("load", "kind", "components", "in the axes of", "on"), tuple(rows))] if rows else []
+
+
+def _load_row(name: str, kind: str, vector: Vector, on: str) -> tuple[Words, ...]:
+    return (name,), (kind,), listed(vector.components), (brief(vector.frame),), (on,)

@@ -17,5 +17,6 @@ def motion(subject: Subject) -> list[Block]:
         return []
     sentence = f"The motion lasts from t = {found.t[0]:g} s to {found.t[-1]:g} s."
     units: dict[Expr | str, str] = dict(subject.units.items())
-    svg = figure_svg(plot(thinned(found), units=units))
-    return [Heading("Motion"), prose(sentence), Picture("motion", "Coordinates and speeds over time.", svg)]
+    figure = plot(thinned(found), units=units)
+    picture = Picture("motion", "Coordinates and speeds over time.", figure_svg(figure), figure)
+    return [Heading("Motion"), prose(sentence), picture]

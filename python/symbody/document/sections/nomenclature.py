@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator, Mapping
 
 from symbody.document.document import Block, Heading, Math, Table
 from symbody.document.subject import Subject
-from symbody.symbolic import Expr, latex
+from symbody.symbolic import Expr, latex, substitute
 from symbody.view.overview import overview
 
 
@@ -29,10 +29,17 @@ def _entries(subject: Subject) -> Iterator[tuple[Expr, str, str]]:
         own = [each for each in group.expressions if each in system.quasi_velocities]
         kind = "quasi-velocity" if group.kind == "speed" else f"quasi-velocity, {group.kind}"
         yield from ((each, kind, group.unit("s")) for each in own)
-    yield from ((each, "input", "") for each in equations.inputs if each.order == 0)
-    for number, multiplier in enumerate(equations.multipliers, start=1):
-        yield multiplier, f"multiplier of constraint {number}", ""
     roles = _roles(subject)
+    for each in (each for each in equations.inputs if each.order == 0):
+        meaning, unit = roles.get(each, ("", ""))
+        yield each, f"input, {meaning}" if meaning else "input", unit
+    units = {each: unit for each, (_, unit) in roles.items()} | {
+        each: group.unit("s") for group in coordinates for each in group.expressions
+    }
+    pairs = zip(equations.multipliers, equations.constraints, strict=True)
+    for number, (multiplier, constraint) in enumerate(pairs, start=1):
+        unit = _unit_of_multiplier(constraint, units | dict(subject.units))
+        yield multiplier, f"multiplier of constraint {number}", unit
     symbols = {leaf for leaf in system.leaves if leaf.kind == "symbol"} | {*equations.parameters}
     for each in sorted(symbols, key=_in_order):
         yield each, *roles.get(each, ("parameter", ""))
@@ -44,8 +51,20 @@ def _in_order(symbol: Expr) -> tuple[str, int, str]:
     return letters, int(symbol.name[len(letters) :] or 0), symbol.name
 
 
+def _unit_of_multiplier(constraint: Expr, units: Mapping[Expr, str]) -> str:
+    """Return the unit of a multiplier: that of work divided by that of the constraint, if the lengths in it are known.
+
+    A constraint of degree n in the lengths is in m^n, and its multiplier in N m/m^n.
+    """
+    leaves = constraint.free_symbols
+    if not all(units.get(leaf) in {"m", "rad"} for leaf in leaves):
+        return ""
+    (scaled,) = substitute([constraint], {leaf: 2 * leaf for leaf in leaves if units[leaf] == "m"})
+    return next((unit for n, unit in enumerate(("N m", "N", "N/m")) if scaled == 2**n * constraint), "")
+
+
 def _roles(subject: Subject) -> dict[Expr, tuple[str, str]]:
-    """Return the meanings of parameters that stand alone in a mass, an inertia, the gravity, or a displacement."""
+    """Return the meanings of parameters that stand alone in a mass, an inertia, gravity, a load or a displacement."""
     roles: dict[Expr, tuple[str, str]] = {}
     for number, body in enumerate(subject.system.bodies, start=1):
         name = body.name or f"body {number}"
@@ -58,9 +77,22 @@ def _roles(subject: Subject) -> dict[Expr, tuple[str, str]]:
     for component in () if gravity is None else gravity.components:
         for each in (component, -component):
             roles.setdefault(each, ("acceleration of gravity", "m/s²"))
-    motions = (motion for body in subject.system.bodies for motion in body.frame.motions)
-    for displacement in (x for motion in motions for x in motion.displacement):
-        for leaf in sorted(displacement.free_symbols, key=str):
-            if displacement.diff(leaf).kind == "number":
-                roles.setdefault(leaf, ("length", "m"))
+    for load in subject.system.loads:
+        for action in load.actions:
+            role = ("force", "N") if action.is_force else ("torque", "N m")
+            for component in action.vector.components:
+                roles.setdefault(component, role)
+    for motion in (motion for body in subject.system.bodies for motion in body.frame.motions):
+        for leaf in _multiples(motion.displacement):
+            roles.setdefault(leaf, ("length", "m"))
+        for leaf in () if motion.turn_axis is None else _multiples(motion.variables):
+            roles.setdefault(leaf, ("angle", "rad"))
     return roles
+
+
+def _multiples(expressions: Iterable[Expr]) -> Iterator[Expr]:
+    """Yield the symbols that appear in expressions multiplied by a number."""
+    for expression in expressions:
+        for leaf in sorted(expression.free_symbols, key=str):
+            if expression.diff(leaf).kind == "number":
+                yield leaf

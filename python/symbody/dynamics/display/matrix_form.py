@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from symbody.multibody import System
 from symbody.symbolic import Expr, Matrix, diff, listing, number, readable
-from symbody.symbolic.expression.latex_layout import aligned, bmatrix
+from symbody.symbolic.expression.latex_layout import aligned, bmatrix, displayed
 
 from .balance import Balance
 from .row import LINE, lines
@@ -65,7 +65,7 @@ class MatrixForm:
         return aligned(rows)
 
     def _repr_latex_(self) -> str:
-        return f"${self.latex()}$"
+        return displayed(self.latex())
 
     def _matrices(self) -> list[tuple[str, Matrix]]:
         name = "C" if self._is_by_christoffel else "c"

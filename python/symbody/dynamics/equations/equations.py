@@ -10,13 +10,14 @@ from typing import Any
 from symbody.dynamics.display.balance import balances
 from symbody.dynamics.display.matrix_form import MatrixForm, matrix_form
 from symbody.dynamics.display.page import Page
-from symbody.dynamics.display.summary import is_readable, summary
+from symbody.dynamics.display.summary import is_readable, summary, summary_table
 from symbody.errors import ModelError
 from symbody.geometry import Scalar
 from symbody.geometry.given.argument import checked
 from symbody.multibody import System
-from symbody.symbolic import Expr, Matrix, Program, free_symbols, without_idle_symbols
+from symbody.symbolic import Expr, Matrix, Program, cost, free_symbols, without_idle_symbols
 from symbody.symbolic.expression.container import Container, contains, substituted
+from symbody.symbolic.expression.latex_layout import displayed
 from symbody.symbolic.given.arguments import counted
 from symbody.symbolic.numeric.program import program_of
 
@@ -208,15 +209,26 @@ class Equations:
         """
         return matrix_form(self.system, self.mass_matrix, self._page.balances, christoffel=christoffel)
 
-    def _repr_latex_(self) -> str | None:
-        """Return the equations in LaTeX if they are short enough to be read."""
-        if not is_readable(self.residuals) or self.description().count("\n") > _READABLE:
+    @cached_property
+    def _latex_of_notebook(self) -> str | None:
+        """The equations in LaTeX if they are short enough to be read below a cell, and to be written at once."""
+        if cost(self.residuals).total > _AT_ONCE or self.description().count("\n") > _READABLE:
             return None
-        return f"${self.latex()}$"
+        return displayed(self.latex())
+
+    def _repr_latex_(self) -> str | None:
+        return self._latex_of_notebook
+
+    def _repr_html_(self) -> str | None:
+        """Return the sizes of equations that are too long to be read."""
+        return None if self._latex_of_notebook else summary_table(self.system, self.residuals)
 
 
 _READABLE = 60
 """Lines up to which a notebook shows equations."""
+
+_AT_ONCE = 500
+"""Operations up to which a notebook writes equations out: about a second."""
 
 
 @dataclass(frozen=True)

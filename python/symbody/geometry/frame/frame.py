@@ -26,6 +26,7 @@ from symbody.geometry.motion.principal_rotation import Rotation
 from symbody.geometry.motion.translation import Translation
 from symbody.symbolic import Expr, Matrix, add3, derivation, dot3, latex, number
 from symbody.symbolic.expression.container import Container, contains
+from symbody.symbolic.expression.latex_layout import displayed
 from symbody.symbolic.given.arguments import brief
 
 Rows4: TypeAlias = Annotated[
@@ -254,7 +255,7 @@ class Frame:
         return " * ".join([*known, *map(str, reversed(motions))])
 
     def _repr_latex_(self) -> str:
-        return f"${latex(self)}$"
+        return displayed(latex(self), name=self.name)
 
 
 _SHOWN = 12

@@ -12,7 +12,8 @@ from symbody.geometry.given.argument import checked
 from symbody.geometry.motion.frame_motion import Substitution
 from symbody.symbolic import add3, latex
 from symbody.symbolic.expression.container import Container, contains
-from symbody.symbolic.expression.latex_layout import bmatrix
+from symbody.symbolic.expression.latex_layout import bmatrix, displayed
+from symbody.symbolic.given.arguments import brief
 
 from .vector import Vector
 
@@ -79,7 +80,8 @@ class Point:
         return self.name or f"Point({self.frame}, {', '.join(map(str, self.coordinates))})"
 
     def _repr_latex_(self) -> str:
-        return f"${latex(self)}$"
+        note = f"from the origin of {brief(self.frame)}, in its axes"
+        return displayed(latex(self), name=self.name, note=note)
 
 
 contains(

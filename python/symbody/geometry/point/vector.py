@@ -13,7 +13,8 @@ from symbody.geometry.given.argument import checked
 from symbody.geometry.motion.frame_motion import Substitution
 from symbody.symbolic import Expr, add3, cross3, dot3, latex, number, scale3, sub3
 from symbody.symbolic.expression.container import Container, contains
-from symbody.symbolic.expression.latex_layout import bmatrix
+from symbody.symbolic.expression.latex_layout import bmatrix, displayed
+from symbody.symbolic.given.arguments import brief
 
 Factor: TypeAlias = Annotated[Scalar, "an expression or a number; two vectors multiply by dot and cross"]
 
@@ -108,7 +109,7 @@ class Vector:
         return self.name or f"Vector({self.frame}, {', '.join(map(str, self.components))})"
 
     def _repr_latex_(self) -> str:
-        return f"${latex(self)}$"
+        return displayed(latex(self), name=self.name, note=f"in the axes of {brief(self.frame)}")
 
 
 contains(

@@ -4,12 +4,23 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from importlib import import_module
-from typing import Any
+from typing import Any, Protocol
 
-__all__ = ["DRAWN_BY", "drawing_function"]
+__all__ = ["DRAWN_BY", "NotebookPage", "drawing_function"]
 
 DRAWN_BY = "symbody.view"
 """A module name, not an import: motions are computed without the view, and do not depend on it."""
+
+
+class NotebookPage(Protocol):
+    """A page that a notebook shows, such as `symbody.view.Animation`."""
+
+    @property
+    def page(self) -> str:
+        """The page in HTML."""
+        ...
+
+    def _repr_html_(self) -> str: ...
 
 
 def drawing_function(name: str) -> Callable[..., Any]:

@@ -7,7 +7,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, NoReturn
+from typing import TYPE_CHECKING, Any, NoReturn, overload
 
 import numpy as np
 from numpy.typing import NDArray
@@ -23,7 +23,7 @@ from symbody.symbolic import Expr, ExprLike, free_symbols
 from symbody.symbolic.expression.html_table import html_table
 from symbody.symbolic.given.arguments import counted, described
 
-from .drawing import drawing_function
+from .drawing import NotebookPage, drawing_function
 from .occurrence import Occurrence
 from .rates_along import accelerations_along
 from .reading import Reading
@@ -266,7 +266,18 @@ class Motion:
         )
         return figure
 
-    def animate(self, path: str | os.PathLike[str], **options: Any) -> Path:
-        """Write the motion as a page for a browser; see `symbody.view.animate` for the options."""
-        page: Path = drawing_function("animate")(self, path, **options)
+    @overload
+    def animate(self, path: None = ..., **options: Any) -> NotebookPage: ...
+
+    @overload
+    def animate(self, path: str | os.PathLike[str], **options: Any) -> Path: ...
+
+    def animate(self, path: str | os.PathLike[str] | None = None, **options: Any) -> Path | NotebookPage:
+        """Return the motion as a page that a notebook shows; with a path, write it as a page for a browser.
+
+        Args:
+            path: the file of the page, such as ``"motion.html"``.
+            options: what to draw; see `symbody.view.animate`, also for the errors.
+        """
+        page: Path | NotebookPage = drawing_function("animate")(self, path, **options)
         return page

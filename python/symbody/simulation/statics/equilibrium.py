@@ -74,10 +74,16 @@ class Equilibrium:
             "holding force": self.holding,
         }
         rows = [
-            [kind, name, f"{value:.6g}"] for kind, values in kinds.items() for name, value in values.items()
+            [kind, name, f"{value:.6g}"]
+            for kind, values in kinds.items()
+            for name, value in zip(values, _without_noise([*values.values()]), strict=True)
         ]
-        rows += [["eigenvalue", "s", f"{value:.6g}"] for value in self.eigenvalues]
-        return html_table("Equilibrium", ["kind", "name", "value"], rows)
+        rows += [["eigenvalue", f"s{k}", f"{s:.6g}"] for k, s in enumerate(self.eigenvalues, start=1)]
+        if np.isnan(self.eigenvalues).any():
+            title = "Equilibrium at a singular position"
+        else:
+            title = "Stable equilibrium" if self.is_stable else "Unstable equilibrium"
+        return html_table(title, ["kind", "name", "value"], rows)
 
     @property
     def is_stable(self) -> bool:
@@ -96,6 +102,12 @@ class Equilibrium:
             SimulationError: the position is singular, so that the eigenvalues are unknown.
         """
         return _decays(self.held_eigenvalues)
+
+
+def _without_noise(values: Sequence[float]) -> list[float]:
+    """Return values for a display, with zeros for those that are errors of rounding beside the largest."""
+    size = max(map(abs, values), default=0.0)
+    return [value if abs(value) > 1e-12 * size else 0.0 for value in values]
 
 
 def _decays(eigenvalues: NDArray[np.complex128]) -> bool:

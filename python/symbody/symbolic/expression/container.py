@@ -15,7 +15,7 @@ import numpy as np
 from symbody.errors import ArgumentError
 from symbody.symbolic import _core
 from symbody.symbolic._core import Expr
-from symbody.symbolic.expression.latex_layout import aligned, bmatrix, with_definitions
+from symbody.symbolic.expression.latex_layout import aligned, bmatrix, upright, with_definitions
 from symbody.symbolic.expression.matrix import Matrix
 from symbody.symbolic.given.arguments import described
 
@@ -234,7 +234,7 @@ def _dictionary(value: Mapping[Any, Any]) -> Sequence[Any]:
 def _pairs(dictionary: Mapping[Any, Any], texts: list[str]) -> str:
     values = texts[len(texts) - len(dictionary) :]
     keys = iter(texts)
-    named = (next(keys) if isinstance(key, Expr) else rf"\text{{{key}}}" for key in dictionary)
+    named = (next(keys) if isinstance(key, Expr) else upright(str(key)) for key in dictionary)
     return aligned(f"{key} &= {value}" for key, value in zip(named, values, strict=True))
 
 

@@ -14,7 +14,7 @@ from symbody.errors import ArgumentError, ExpressionError
 from symbody.symbolic import _core
 from symbody.symbolic._core import Expr
 from symbody.symbolic.expression.encoding import Encoded, decode, encode
-from symbody.symbolic.expression.latex_layout import bmatrix, with_definitions
+from symbody.symbolic.expression.latex_layout import bmatrix, displayed, with_definitions
 from symbody.symbolic.expression.leaves import ExprLike
 from symbody.symbolic.expression.to_sympy import ToSympy, import_sympy
 from symbody.symbolic.given.arguments import counted, described, size
@@ -235,7 +235,7 @@ class Matrix:
         return with_definitions(definitions, bmatrix(texts, self.columns))
 
     def _repr_latex_(self) -> str:
-        return f"$\\displaystyle {self.latex()}$"
+        return displayed(self.latex())
 
 
 def _made(rows: int, columns: int, entries: tuple[Expr, ...]) -> Matrix:
