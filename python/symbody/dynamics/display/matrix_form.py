@@ -126,7 +126,7 @@ def matrix_form(
     n = len(balances)
     made = Matrix([entries[k * n : (k + 1) * n] for k in range(n)])
     coriolis = _column([balance.velocities for balance in balances])
-    if christoffel:
+    if christoffel and not system.has_quasi_velocities:
         found = by_christoffel(mass_matrix, system)
         product = found @ Matrix([[u] for u in system.speeds])
         if all(product[i, 0] == coriolis[i, 0] for i in range(n)):

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 from symbody.multibody import System
-from symbody.symbolic import Expr, Matrix, diff, free_symbols
+from symbody.symbolic import Expr, Matrix, diff, free_symbols, t
 
 
 @dataclass(frozen=True)
@@ -33,9 +33,9 @@ def sources(system: System, mass_matrix: Matrix) -> Sources:
         weight = _symbols(system.gravity.components, motion) - inertia
     loads, given, moving = set[Expr](), set[Expr](), set[Expr]()
     for action in system.actions:
-        found = free_symbols(action.vector.components)
+        found = _leaves(action.vector.components)
         place = () if action.point is None else action.point.coordinates
-        loads |= {*found, *free_symbols(place)}
+        loads |= {*found, *_leaves(place)}
         depends = any(leaf.name in motion for leaf in found if leaf.kind == "time_function")
         alone = _added(found, action.vector.components) if depends else found
         (moving if found & (inertia | weight) else given).update(alone)
@@ -53,10 +53,16 @@ def _added(leaves: Iterable[Expr], components: Sequence[Expr]) -> frozenset[Expr
 
 
 def _symbols(expressions: Iterable[Expr], motion: frozenset[str]) -> frozenset[Expr]:
-    found = free_symbols(tuple(expressions))
     return frozenset(
-        leaf for leaf in found if leaf.kind in {"symbol", "time_function"} and leaf.name not in motion
+        leaf
+        for leaf in _leaves(expressions)
+        if leaf.kind in {"symbol", "time_function"} and leaf.name not in motion
     )
+
+
+def _leaves(expressions: Iterable[Expr]) -> frozenset[Expr]:
+    """Return the symbols and functions of time but time itself, which all terms share."""
+    return free_symbols(tuple(expressions)) - {t}
 
 
 def _names(functions: Iterable[Expr]) -> frozenset[str]:

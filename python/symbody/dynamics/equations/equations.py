@@ -205,7 +205,8 @@ class Equations:
         """Return ``M q'' + c + g + loads = Q + phi_q^T lambda`` with each entry in its form for the reader.
 
         Args:
-            christoffel: whether c(q, q') is written as C(q, q') q', by Christoffel's symbols.
+            christoffel: whether c(q, q') is written as C(q, q') q', by Christoffel's symbols, if it follows from M:
+                with quasi-velocities, and on a moving support, it does not.
         """
         return matrix_form(self.system, self.mass_matrix, self._page.balances, christoffel=christoffel)
 
