@@ -4,18 +4,19 @@ There are three forms. In *local axes*, a frame is placed by the orientations on
 of each. Displacements given in the axes of ground are taken apart: if p turns with the last rotation R about e, then
 ``d = -e x R^T dp/dq`` belongs behind it, and the rest before it. In *axes of ground*, a frame is displaced once, as a
 point of the ground, and then turned; a particle isn't turned at all. In *chains*, frames that turn about one axis are
-linked one after the other, by rotations through the differences of their angles.
+linked one after the other, by rotations through the differences of their angles. An angle by which only a particle
+turns, given as a point of the ground, is found as an argument of the sines and cosines in its place.
 """
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 
 from symbody.geometry import Frame
 from symbody.geometry.component.triple import NULL, Triple, is_null
 from symbody.geometry.motion.principal_rotation import Rotation, along
 from symbody.geometry.motion.translation import Translation
-from symbody.symbolic import Expr, add3, cross3, number, scale3, sub3, time_derivative, without_idle_symbols
+from symbody.symbolic import Expr, add3, cross3, number, scale3, sub3, without_idle_symbols
 
 from .orientation_path import (
     OrientationTree,
@@ -56,13 +57,15 @@ class NormalFrames:
             ]
             self._tree = OrientationTree(words)
             self._paths = {key: self._tree.path(place.word) for key, place in self._placed.items()}
+            self._hidden = _hidden_words(self._tree.words, self._placed.values())
+            self._turning = _turning_coordinates((*self._tree.words, *self._hidden))
 
     @property
     def are_parallel(self) -> bool:
-        """Whether several orientations are reached, none of them through another one."""
+        """Whether several orientations are reached, none of them through another one, or some only by particles."""
         ends = {path[-1][0] for path in self._paths.values() if path}
         inner = {step[0] for path in self._paths.values() for step in path[:-1]}
-        return len(ends) > 1 and not ends & inner
+        return bool(self._hidden) or (len(ends) > 1 and not ends & inner)
 
     def in_axes_of_ground(self) -> dict[bytes, Frame]:
         """Return the frames as points of the ground with rotations."""
@@ -77,33 +80,34 @@ class NormalFrames:
         """Return the frames by displacements in the axes of the orientations on their ways."""
         places = {key: displaced(path, self._displacements(key)) for key, path in self._paths.items()}
         for key, path in self._paths.items():
-            _take_apart(path, places[key])
+            _take_apart(path, places[key], self._turning)
         _align(self._paths, places)
-        return {key: _chained(frame, self._paths[key], places[key]) for key, frame in self._frames.items()}
+        bare = {key: [_bare(d) for d in displacements] for key, displacements in places.items()}
+        return {key: _chained(frame, self._paths[key], bare[key]) for key, frame in self._frames.items()}
 
     def in_chains(self) -> dict[bytes, Frame]:
         """Return frames that turn about one axis, each on the last one; none if they turn otherwise."""
-        words = self._tree.words
-        if len({word[0].axis for word in words}) != 1 or max(map(len, words)) > 1:
+        if not _is_planar(self._tree.words):
             return {}
-        legs = {key: self._legs(key, words) for key in self._frames}
+        tree = OrientationTree((*self._tree.words, *self._hidden))
+        legs = {key: self._legs(key, tree) for key in self._frames}
         lengths: dict[Word, int] = {}
         for key, leg in legs.items():
-            word = self._placed[key].word
-            lengths[word] = min(len(leg), lengths.get(word, len(leg)))
+            for word in (self._placed[key].word, *(word for word in self._hidden if word in leg)):
+                lengths[word] = min(len(leg), lengths.get(word, len(leg)))
         return {
             key: _linked(frame, self._placed[key].word, legs[key], lengths)
             for key, frame in self._frames.items()
         }
 
-    def _legs(self, key: bytes, words: Sequence[Word]) -> dict[Word, Triple]:
+    def _legs(self, key: bytes, tree: OrientationTree) -> dict[Word, Triple]:
         """Return the displacements of a frame by the orientations in which they are fixed."""
         legs: dict[Word, Triple] = {(): NULL}
         for word, d in self._placed[key].displacements:
             legs[word] = add3(legs.get(word, NULL), d)
-        for word in words:
-            path = self._tree.path(word)
-            part = _turning_part(path, legs[()], 0, len(path))
+        for word in tree.words:
+            path = tree.path(word)
+            part = _turning_part(path, legs[()], 0, len(path), self._turning)
             if part is not None:
                 legs[()] = _without(legs[()], carried_back(part, path))
                 legs[word] = add3(legs.get(word, NULL), part)
@@ -120,18 +124,60 @@ def _chained(frame: Frame, path: Sequence[Step], places: Sequence[Triple]) -> Fr
     return result.named(frame.name)
 
 
-def _take_apart(path: Sequence[Step], places: list[Triple]) -> None:
+def _is_planar(words: Sequence[Word]) -> bool:
+    """Return whether all orientations are reached by one rotation about the same axis."""
+    return len({word[0].axis for word in words}) == 1 and max(map(len, words)) == 1
+
+
+def _hidden_words(words: Sequence[Word], places: Iterable[Placed]) -> tuple[Word, ...]:
+    """Return the orientations that no frame of a plane has, though places in the axes of the root turn with them."""
+    if not _is_planar(words):
+        return ()
+    axis, known = words[0][0].axis, {word[0].angle for word in words}
+    components = [component for place in places for word, d in place.displacements if not word for component in d]
+    angles = (angle for angle in _angles(components) if angle not in known and -angle not in known)
+    return tuple((Turn(axis, angle),) for angle in angles)
+
+
+def _angles(components: Iterable[Expr]) -> Sequence[Expr]:
+    """Return the arguments of sines and cosines that depend on time, the first one first."""
+    found: dict[Expr, None] = {}
+    seen = set[int]()
+    pending = list(components)[::-1]
+    while pending:
+        node = pending.pop()
+        if node.id in seen or not node.depends_on_time:
+            continue
+        seen.add(node.id)
+        if node.kind == "function" and node.name in {"sin", "cos"}:
+            found[node.args[0]] = None
+        else:
+            pending.extend(reversed(node.args))
+    return tuple(found)
+
+
+def _turning_coordinates(words: Iterable[Word]) -> frozenset[Expr]:
+    leaves = frozenset[Expr]().union(*(turn.angle.free_symbols for word in words for turn in word))
+    return frozenset(leaf for leaf in leaves if leaf.depends_on_time)
+
+
+def _take_apart(path: Sequence[Step], places: list[Triple], turning: frozenset[Expr]) -> None:
     """Move parts of displacements behind the rotations with which they turn."""
     for level in range(len(path)):
         for last in range(len(path), level, -1):
-            d = _turning_part(path, places[level], level, last)
+            d = _turning_part(path, places[level], level, last, turning)
             if d is not None:
                 places[level] = _without(places[level], carried_back(d, path[level:last]))
                 places[last] = add3(places[last], d)
 
 
-def _turning_part(path: Sequence[Step], p: Triple, level: int, last: int) -> Triple | None:
-    """Return the part of a displacement that is fixed behind a rotation, in the axes behind it."""
+def _turning_part(
+    path: Sequence[Step], p: Triple, level: int, last: int, turning: frozenset[Expr]
+) -> Triple | None:
+    """Return the part of a displacement that turns with a rotation, in the axes behind it.
+
+    It may depend on coordinates that turn nothing, such as the length of a rope.
+    """
     _, turn = path[last - 1]
     q = _own_coordinate(path, last)
     if q is None or not any(q in component.free_symbols for component in p):
@@ -140,10 +186,14 @@ def _turning_part(path: Sequence[Step], p: Triple, level: int, last: int) -> Tri
     x, y, z = p
     velocity = carried_on((x.diff(q), y.diff(q), z.diff(q)), path[level:last])
     arm = scale3(1 / slope, cross3(velocity, along(turn.axis, number(1))))
-    if is_null(arm) or not all(time_derivative(component).is_zero for component in arm):
+    if is_null(arm) or any(_depends_on(component, turning) for component in arm):
         return None
-    x, y, z = (without_idle_symbols((component,))[0] for component in arm)
-    return None if any(component.depends_on_time for component in (x, y, z)) else (x, y, z)
+    part = _bare(arm)
+    return None if any(turning & component.free_symbols for component in part) else part
+
+
+def _depends_on(component: Expr, coordinates: frozenset[Expr]) -> bool:
+    return any(not component.diff(q).is_zero for q in sorted(coordinates & component.free_symbols, key=str))
 
 
 def _own_coordinate(path: Sequence[Step], last: int) -> Expr | None:
@@ -157,7 +207,12 @@ def _own_coordinate(path: Sequence[Step], last: int) -> Expr | None:
 
 def _without(p: Triple, part: Triple) -> Triple:
     """Return the rest of a displacement without a part, in forms without the coordinates of the part."""
-    x, y, z = (without_idle_symbols((component,))[0] for component in sub3(p, part))
+    return _bare(sub3(p, part))
+
+
+def _bare(d: Triple) -> Triple:
+    """Return a displacement in forms without symbols on which its values do not depend."""
+    x, y, z = (without_idle_symbols((component,))[0] for component in d)
     return x, y, z
 
 
