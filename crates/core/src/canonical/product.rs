@@ -397,6 +397,8 @@ impl Graph {
         }
     }
 
+    /// The first child product to open. One with the root of a number or a modulus is opened only where others may merge
+    /// with it: in a second such product, or `beside` the products. So sqrt(3) x / l stays shared in all its multiples.
     fn product_to_open(&self, factors: &[(Id, Number)], beside: bool) -> Option<usize> {
         if factors.len() < 2 || factors.len() > MERGE_SEARCH {
             // A single factor, or radicals of numbers beside a product that contains one.

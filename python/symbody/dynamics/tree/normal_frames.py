@@ -134,7 +134,9 @@ def _hidden_words(words: Sequence[Word], places: Iterable[Placed]) -> tuple[Word
     if not _is_planar(words):
         return ()
     axis, known = words[0][0].axis, {word[0].angle for word in words}
-    components = [component for place in places for word, d in place.displacements if not word for component in d]
+    components = [
+        component for place in places for word, d in place.displacements if not word for component in d
+    ]
     angles = (angle for angle in _angles(components) if angle not in known and -angle not in known)
     return tuple((Turn(axis, angle),) for angle in angles)
 
@@ -235,37 +237,19 @@ def _linked(frame: Frame, word: Word, legs: Mapping[Word, Triple], lengths: Mapp
 
 
 def _align(paths: Mapping[bytes, Sequence[Step]], places: Mapping[bytes, list[Triple]]) -> None:
-    """Start frames that turn about one line at one point of it: at the sum of the terms that all their places share."""
-    ways: dict[bytes, tuple[object, ...]] = dict.fromkeys(paths, ())
-    for level in range(max(map(len, paths.values()))):
-        lines: dict[tuple[object, ...], list[bytes]] = {}
-        for key, path in paths.items():
-            if len(path) > level:
-                word, turn = path[level]
-                beside = sub3(places[key][level], along(turn.axis, places[key][level][turn.axis]))
-                lines.setdefault((ways[key], word, beside), []).append(key)
-        for line, keys in lines.items():
-            axis = paths[keys[0]][level][1].axis
-            start = _shared([places[key][level][axis] for key in keys])
-            for key in keys:
-                here = places[key]
-                shift = along(axis, here[level][axis] - start)
-                here[level], here[level + 1] = sub3(here[level], shift), add3(here[level + 1], shift)
-                ways[key] = (line, start)
-
-
-def _shared(sums: Sequence[Expr]) -> Expr:
-    """Return the sum of the terms that several sums share."""
-    others = [frozenset(_terms(one)) for one in sums[1:]]
-    return sum((term for term in _terms(sums[0]) if all(term in other for other in others)), start=number(0))
-
-
-def _terms(one: Expr) -> tuple[Expr, ...]:
-    return one.args if one.kind == "sum" else (one,)
+    """Put displacements along axes of rotation behind the rotations, where those of parallel axes add up."""
+    for key, path in paths.items():
+        here = places[key]
+        for level, (_, turn) in enumerate(path):
+            shift = along(turn.axis, here[level][turn.axis])
+            here[level], here[level + 1] = sub3(here[level], shift), add3(here[level + 1], shift)
 
 
 def have_other_forms(frames: Sequence[Frame], parents: Sequence[int]) -> bool:
-    """Return whether angles cancel along the chains of frames, or displacements hold coordinates that turn frames.
+    """Return whether other forms may be shorter.
+
+    So it is where angles cancel along the chains of frames, where displacements hold coordinates that turn frames, and
+    where a displacement between two parallel axes of rotation has a part along them.
 
     Args:
         frames: parents before their children.
@@ -274,18 +258,23 @@ def have_other_forms(frames: Sequence[Frame], parents: Sequence[int]) -> bool:
     turning = frozenset[Expr]()
     turns: list[Turn | None] = []
     moving = frozenset[Expr]()
+    shifted: list[bool] = []
+    """For each frame: whether it is displaced along the axis of its last rotation."""
     for frame, parent in zip(frames, parents, strict=True):
         motion, before = frame.motion, turns[parent] if turns else None
+        is_shifted = bool(shifted) and shifted[parent]
         turn = None if motion is None else turn_of(motion)
         if motion is not None and turn is not None:
             turning |= {leaf for leaf in motion.leaves if leaf.depends_on_time}
             if before is not None and before.axis == turn.axis:
                 angle = before.angle + turn.angle
-                if angle.free_symbols < before.angle.free_symbols | motion.leaves:
+                if is_shifted or angle.free_symbols < before.angle.free_symbols | motion.leaves:
                     return True
                 turn = Turn(turn.axis, angle)
-            before = turn
+            before, is_shifted = turn, False
         elif motion is not None and not motion.rotates:
             moving |= {leaf for leaf in motion.leaves if leaf.depends_on_time}
+            is_shifted |= before is not None and not motion.displacement[before.axis].is_zero
         turns.append(before)
+        shifted.append(is_shifted)
     return not turning.isdisjoint(moving)
