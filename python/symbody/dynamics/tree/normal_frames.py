@@ -16,7 +16,7 @@ from symbody.geometry import Frame
 from symbody.geometry.component.triple import NULL, Triple, is_null
 from symbody.geometry.motion.principal_rotation import Rotation, along
 from symbody.geometry.motion.translation import Translation
-from symbody.symbolic import Expr, add3, cross3, number, scale3, sub3, without_idle_symbols
+from symbody.symbolic import Expr, add3, cross3, number, scale3, sub3, time_derivative, without_idle_symbols
 
 from .orientation_path import (
     OrientationTree,
@@ -195,6 +195,8 @@ def _turning_part(
 
 
 def _depends_on(component: Expr, coordinates: frozenset[Expr]) -> bool:
+    if time_derivative(component).is_zero:
+        return False
     return any(not component.diff(q).is_zero for q in sorted(coordinates & component.free_symbols, key=str))
 
 
