@@ -200,6 +200,16 @@ def crane() -> Mechanism:
     return Mechanism(links, (x, r, a, b), DOWN_Y)
 
 
+def spatial_crane() -> Mechanism:
+    """Return a trolley, and a load that swings in two angles on a rope whose length changes."""
+    x, r, a, b = functions_of_time("x r a b")
+    links = (
+        Link(None, (x, 0, 0), (), NOWHERE, (symbols("m0"),)),
+        Link(0, NOWHERE, (("X", a), ("Y", b)), (0, 0, -r), planar(1)),
+    )
+    return Mechanism(links, (x, r, a, b), DOWN_Z)
+
+
 def wheel_with_poles() -> Mechanism:
     """Return a wheel that rolls, with two poles on its axle, one on the other."""
     phi, q = functions_of_time("phi"), angles(2)
@@ -259,10 +269,12 @@ MECHANISMS: Mapping[str, Mechanism] = {
     "pendulum of 30 links on a cart": pendulum_on_a_cart(30),
     "six rods": rods(6),
     "crane": crane(),
+    "crane in two angles": spatial_crane(),
     "wheel with two poles": wheel_with_poles(),
     "planar arm, absolute angles": planar_arm(5, relative=False),
     "planar arm, relative angles": planar_arm(5, relative=True),
     "spatial arm": spatial_arm("ZXXZXZ"),
+    "spatial arm, three parallel axes": spatial_arm("ZYYYZX"),
     "tree of seven links": tree((0, 0, 0, 1, 1, 2, 2)),
     "pendulum of four universal joints": universal_pendulum(4),
 }

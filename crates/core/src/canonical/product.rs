@@ -381,7 +381,9 @@ impl Graph {
     /// Open child products that share a base with a factor beside them where that cancels or merges roots.
     fn open_shared_products(&mut self, out: &mut Collector) {
         for _ in 0..8 {
-            let Some(position) = self.product_to_open(&out.factors) else { return };
+            let beside = !out.primes.is_empty()
+                || out.factors.iter().any(|&(base, _)| self.kind(base) == Kind::Function(Function::Abs));
+            let Some(position) = self.product_to_open(&out.factors, beside) else { return };
             let (product, _) = out.factors.remove(position);
             let View::Product(inner) = self.view(product) else { return };
             let inner: Vec<(Id, Number)> =
@@ -395,16 +397,20 @@ impl Graph {
         }
     }
 
-    fn product_to_open(&self, factors: &[(Id, Number)]) -> Option<usize> {
+    /// The first child product to open. One with the root of a number or a modulus is opened only where others may merge
+    /// with it: in a second such product, or `beside` the products. So sqrt(3) x / l stays shared in all its multiples.
+    fn product_to_open(&self, factors: &[(Id, Number)], beside: bool) -> Option<usize> {
         if factors.len() < 2 || factors.len() > MERGE_SEARCH {
             // A single factor, or radicals of numbers beside a product that contains one.
             return None;
         }
         let opens =
             |&(base, ref exponent): &(Id, Number)| exponent.is_one() && self.kind(base) == Kind::Product;
+        let merging = factors.iter().filter(|factor| opens(factor) && self.holds_number_or_modulus(factor.0));
+        let has_others = merging.count() > 1 || beside;
         factors.iter().position(|factor| {
             opens(factor)
-                && (self.holds_number_or_modulus(factor.0)
+                && (has_others && self.holds_number_or_modulus(factor.0)
                     || self.inner_factors(factor.0).any(|(node, e)| {
                         factors.iter().any(|(other, other_e)| {
                             (self.same_up_to_sign(*other, node) && Self::merges(&e, other_e))

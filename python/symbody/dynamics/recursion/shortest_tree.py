@@ -1,9 +1,10 @@
 """The tree of frames by which the equations of a system are shortest.
 
 A mechanism can be modelled by other frames in the same coordinates: a pendulum of many links by one frame on another,
-or by points of the ground. Where angles cancel along a chain, or positions hold the coordinates of angles, equations
-are derived by the given frames and by their normal forms (`tree/normal_frames.py`), and the tree of the fewest
-operations is kept. For the residuals this may be another one than for the mass matrix and the bias.
+or by points of the ground. Where angles cancel along a chain, positions hold the coordinates of angles, or parallel
+axes are displaced along themselves, equations are derived by the given frames and by their normal forms
+(`tree/normal_frames.py`), and the tree of the fewest operations is kept. For the residuals this may be another one
+than for the mass matrix and the bias.
 """
 
 from __future__ import annotations

@@ -4,12 +4,13 @@ There are three forms. In *local axes*, a frame is placed by the orientations on
 of each. Displacements given in the axes of ground are taken apart: if p turns with the last rotation R about e, then
 ``d = -e x R^T dp/dq`` belongs behind it, and the rest before it. In *axes of ground*, a frame is displaced once, as a
 point of the ground, and then turned; a particle isn't turned at all. In *chains*, frames that turn about one axis are
-linked one after the other, by rotations through the differences of their angles.
+linked one after the other, by rotations through the differences of their angles. An angle by which only a particle
+turns, given as a point of the ground, is found as an argument of the sines and cosines in its place.
 """
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 
 from symbody.geometry import Frame
 from symbody.geometry.component.triple import NULL, Triple, is_null
@@ -56,13 +57,15 @@ class NormalFrames:
             ]
             self._tree = OrientationTree(words)
             self._paths = {key: self._tree.path(place.word) for key, place in self._placed.items()}
+            self._hidden = _hidden_words(self._tree.words, self._placed.values())
+            self._turning = _turning_coordinates((*self._tree.words, *self._hidden))
 
     @property
     def are_parallel(self) -> bool:
-        """Whether several orientations are reached, none of them through another one."""
+        """Whether several orientations are reached, none of them through another one, or some only by particles."""
         ends = {path[-1][0] for path in self._paths.values() if path}
         inner = {step[0] for path in self._paths.values() for step in path[:-1]}
-        return len(ends) > 1 and not ends & inner
+        return bool(self._hidden) or (len(ends) > 1 and not ends & inner)
 
     def in_axes_of_ground(self) -> dict[bytes, Frame]:
         """Return the frames as points of the ground with rotations."""
@@ -77,33 +80,34 @@ class NormalFrames:
         """Return the frames by displacements in the axes of the orientations on their ways."""
         places = {key: displaced(path, self._displacements(key)) for key, path in self._paths.items()}
         for key, path in self._paths.items():
-            _take_apart(path, places[key])
+            _take_apart(path, places[key], self._turning)
         _align(self._paths, places)
-        return {key: _chained(frame, self._paths[key], places[key]) for key, frame in self._frames.items()}
+        bare = {key: [_bare(d) for d in displacements] for key, displacements in places.items()}
+        return {key: _chained(frame, self._paths[key], bare[key]) for key, frame in self._frames.items()}
 
     def in_chains(self) -> dict[bytes, Frame]:
         """Return frames that turn about one axis, each on the last one; none if they turn otherwise."""
-        words = self._tree.words
-        if len({word[0].axis for word in words}) != 1 or max(map(len, words)) > 1:
+        if not _is_planar(self._tree.words):
             return {}
-        legs = {key: self._legs(key, words) for key in self._frames}
+        tree = OrientationTree((*self._tree.words, *self._hidden))
+        legs = {key: self._legs(key, tree) for key in self._frames}
         lengths: dict[Word, int] = {}
         for key, leg in legs.items():
-            word = self._placed[key].word
-            lengths[word] = min(len(leg), lengths.get(word, len(leg)))
+            for word in (self._placed[key].word, *(word for word in self._hidden if word in leg)):
+                lengths[word] = min(len(leg), lengths.get(word, len(leg)))
         return {
             key: _linked(frame, self._placed[key].word, legs[key], lengths)
             for key, frame in self._frames.items()
         }
 
-    def _legs(self, key: bytes, words: Sequence[Word]) -> dict[Word, Triple]:
+    def _legs(self, key: bytes, tree: OrientationTree) -> dict[Word, Triple]:
         """Return the displacements of a frame by the orientations in which they are fixed."""
         legs: dict[Word, Triple] = {(): NULL}
         for word, d in self._placed[key].displacements:
             legs[word] = add3(legs.get(word, NULL), d)
-        for word in words:
-            path = self._tree.path(word)
-            part = _turning_part(path, legs[()], 0, len(path))
+        for word in tree.words:
+            path = tree.path(word)
+            part = _turning_part(path, legs[()], 0, len(path), self._turning)
             if part is not None:
                 legs[()] = _without(legs[()], carried_back(part, path))
                 legs[word] = add3(legs.get(word, NULL), part)
@@ -120,18 +124,62 @@ def _chained(frame: Frame, path: Sequence[Step], places: Sequence[Triple]) -> Fr
     return result.named(frame.name)
 
 
-def _take_apart(path: Sequence[Step], places: list[Triple]) -> None:
+def _is_planar(words: Sequence[Word]) -> bool:
+    """Return whether all orientations are reached by one rotation about the same axis."""
+    return len({word[0].axis for word in words}) == 1 and max(map(len, words)) == 1
+
+
+def _hidden_words(words: Sequence[Word], places: Iterable[Placed]) -> tuple[Word, ...]:
+    """Return the orientations that no frame of a plane has, though places in the axes of the root turn with them."""
+    if not _is_planar(words):
+        return ()
+    axis, known = words[0][0].axis, {word[0].angle for word in words}
+    components = [
+        component for place in places for word, d in place.displacements if not word for component in d
+    ]
+    angles = (angle for angle in _angles(components) if angle not in known and -angle not in known)
+    return tuple((Turn(axis, angle),) for angle in angles)
+
+
+def _angles(components: Iterable[Expr]) -> Sequence[Expr]:
+    """Return the arguments of sines and cosines that depend on time, the first one first."""
+    found: dict[Expr, None] = {}
+    seen = set[int]()
+    pending = list(components)[::-1]
+    while pending:
+        node = pending.pop()
+        if node.id in seen or not node.depends_on_time:
+            continue
+        seen.add(node.id)
+        if node.kind == "function" and node.name in {"sin", "cos"}:
+            found[node.args[0]] = None
+        else:
+            pending.extend(reversed(node.args))
+    return tuple(found)
+
+
+def _turning_coordinates(words: Iterable[Word]) -> frozenset[Expr]:
+    leaves = frozenset[Expr]().union(*(turn.angle.free_symbols for word in words for turn in word))
+    return frozenset(leaf for leaf in leaves if leaf.depends_on_time)
+
+
+def _take_apart(path: Sequence[Step], places: list[Triple], turning: frozenset[Expr]) -> None:
     """Move parts of displacements behind the rotations with which they turn."""
     for level in range(len(path)):
         for last in range(len(path), level, -1):
-            d = _turning_part(path, places[level], level, last)
+            d = _turning_part(path, places[level], level, last, turning)
             if d is not None:
                 places[level] = _without(places[level], carried_back(d, path[level:last]))
                 places[last] = add3(places[last], d)
 
 
-def _turning_part(path: Sequence[Step], p: Triple, level: int, last: int) -> Triple | None:
-    """Return the part of a displacement that is fixed behind a rotation, in the axes behind it."""
+def _turning_part(
+    path: Sequence[Step], p: Triple, level: int, last: int, turning: frozenset[Expr]
+) -> Triple | None:
+    """Return the part of a displacement that turns with a rotation, in the axes behind it.
+
+    It may depend on coordinates that turn nothing, such as the length of a rope.
+    """
     _, turn = path[last - 1]
     q = _own_coordinate(path, last)
     if q is None or not any(q in component.free_symbols for component in p):
@@ -140,10 +188,16 @@ def _turning_part(path: Sequence[Step], p: Triple, level: int, last: int) -> Tri
     x, y, z = p
     velocity = carried_on((x.diff(q), y.diff(q), z.diff(q)), path[level:last])
     arm = scale3(1 / slope, cross3(velocity, along(turn.axis, number(1))))
-    if is_null(arm) or not all(time_derivative(component).is_zero for component in arm):
+    if is_null(arm) or any(_depends_on(component, turning) for component in arm):
         return None
-    x, y, z = (without_idle_symbols((component,))[0] for component in arm)
-    return None if any(component.depends_on_time for component in (x, y, z)) else (x, y, z)
+    part = _bare(arm)
+    return None if any(turning & component.free_symbols for component in part) else part
+
+
+def _depends_on(component: Expr, coordinates: frozenset[Expr]) -> bool:
+    if time_derivative(component).is_zero:
+        return False
+    return any(not component.diff(q).is_zero for q in sorted(coordinates & component.free_symbols, key=str))
 
 
 def _own_coordinate(path: Sequence[Step], last: int) -> Expr | None:
@@ -157,7 +211,12 @@ def _own_coordinate(path: Sequence[Step], last: int) -> Expr | None:
 
 def _without(p: Triple, part: Triple) -> Triple:
     """Return the rest of a displacement without a part, in forms without the coordinates of the part."""
-    x, y, z = (without_idle_symbols((component,))[0] for component in sub3(p, part))
+    return _bare(sub3(p, part))
+
+
+def _bare(d: Triple) -> Triple:
+    """Return a displacement in forms without symbols on which its values do not depend."""
+    x, y, z = (without_idle_symbols((component,))[0] for component in d)
     return x, y, z
 
 
@@ -180,37 +239,19 @@ def _linked(frame: Frame, word: Word, legs: Mapping[Word, Triple], lengths: Mapp
 
 
 def _align(paths: Mapping[bytes, Sequence[Step]], places: Mapping[bytes, list[Triple]]) -> None:
-    """Start frames that turn about one line at one point of it: at the sum of the terms that all their places share."""
-    ways: dict[bytes, tuple[object, ...]] = dict.fromkeys(paths, ())
-    for level in range(max(map(len, paths.values()))):
-        lines: dict[tuple[object, ...], list[bytes]] = {}
-        for key, path in paths.items():
-            if len(path) > level:
-                word, turn = path[level]
-                beside = sub3(places[key][level], along(turn.axis, places[key][level][turn.axis]))
-                lines.setdefault((ways[key], word, beside), []).append(key)
-        for line, keys in lines.items():
-            axis = paths[keys[0]][level][1].axis
-            start = _shared([places[key][level][axis] for key in keys])
-            for key in keys:
-                here = places[key]
-                shift = along(axis, here[level][axis] - start)
-                here[level], here[level + 1] = sub3(here[level], shift), add3(here[level + 1], shift)
-                ways[key] = (line, start)
-
-
-def _shared(sums: Sequence[Expr]) -> Expr:
-    """Return the sum of the terms that several sums share."""
-    others = [frozenset(_terms(one)) for one in sums[1:]]
-    return sum((term for term in _terms(sums[0]) if all(term in other for other in others)), start=number(0))
-
-
-def _terms(one: Expr) -> tuple[Expr, ...]:
-    return one.args if one.kind == "sum" else (one,)
+    """Put displacements along axes of rotation behind the rotations, where those of parallel axes add up."""
+    for key, path in paths.items():
+        here = places[key]
+        for level, (_, turn) in enumerate(path):
+            shift = along(turn.axis, here[level][turn.axis])
+            here[level], here[level + 1] = sub3(here[level], shift), add3(here[level + 1], shift)
 
 
 def have_other_forms(frames: Sequence[Frame], parents: Sequence[int]) -> bool:
-    """Return whether angles cancel along the chains of frames, or displacements hold coordinates that turn frames.
+    """Return whether other forms may be shorter.
+
+    So it is where angles cancel along the chains of frames, where displacements hold coordinates that turn frames, and
+    where a displacement between two parallel axes of rotation has a part along them.
 
     Args:
         frames: parents before their children.
@@ -219,18 +260,23 @@ def have_other_forms(frames: Sequence[Frame], parents: Sequence[int]) -> bool:
     turning = frozenset[Expr]()
     turns: list[Turn | None] = []
     moving = frozenset[Expr]()
+    shifted: list[bool] = []
+    """For each frame: whether it is displaced along the axis of its last rotation."""
     for frame, parent in zip(frames, parents, strict=True):
         motion, before = frame.motion, turns[parent] if turns else None
+        is_shifted = bool(shifted) and shifted[parent]
         turn = None if motion is None else turn_of(motion)
         if motion is not None and turn is not None:
             turning |= {leaf for leaf in motion.leaves if leaf.depends_on_time}
             if before is not None and before.axis == turn.axis:
                 angle = before.angle + turn.angle
-                if angle.free_symbols < before.angle.free_symbols | motion.leaves:
+                if is_shifted or angle.free_symbols < before.angle.free_symbols | motion.leaves:
                     return True
                 turn = Turn(turn.axis, angle)
-            before = turn
+            before, is_shifted = turn, False
         elif motion is not None and not motion.rotates:
             moving |= {leaf for leaf in motion.leaves if leaf.depends_on_time}
+            is_shifted |= before is not None and not motion.displacement[before.axis].is_zero
         turns.append(before)
+        shifted.append(is_shifted)
     return not turning.isdisjoint(moving)
