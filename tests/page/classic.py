@@ -20,16 +20,18 @@ class Classic:
         source: where its equations are printed, and what of them.
         build: makes the system from frames and bodies.
         book: the book's equations, one for each speed, in its form; its names are those of the system.
+        derive: makes the equations of the system.
     """
 
     name: str
     source: str
     build: Callable[[], System]
     book: tuple[str, ...]
+    derive: Callable[[System], Equations] = newton_euler
 
     @cached_property
     def equations(self) -> Equations:
-        return newton_euler(self.build())
+        return self.derive(self.build())
 
     @cached_property
     def ours(self) -> tuple[str, ...]:

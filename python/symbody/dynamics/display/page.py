@@ -11,7 +11,7 @@ from symbody.symbolic import Expr, free_symbols, listing, readable
 from symbody.symbolic.expression.latex_layout import aligned, broken
 
 from .balance import Balance
-from .row import LINE, lines, with_leading_fraction, written
+from .row import LINE, lines, printed, written
 from .short_names import shortened
 
 _INDENT = "    "
@@ -68,9 +68,7 @@ class Page:
 
     def _rows(self, notation: str) -> tuple[list[tuple[str, str]], list[tuple[str, str]]]:
         """Return named quantities, and the left and right sides of all rows."""
-        definitions, texts = listing(self._pieces, notation)
-        if notation == "text":
-            texts = list(map(with_leading_fraction, texts))
+        definitions, texts = printed(self._pieces, notation, self.system)
         remaining = iter(texts)
 
         def taken(count: int) -> Sequence[str]:
@@ -81,8 +79,13 @@ class Page:
             for balance in self.balances
         ]
         rows += [(next(remaining), "0") for _ in self.constraints]
-        rows += [(next(remaining), next(remaining)) for _ in self._rates]
-        return definitions, rows
+        rates = [(next(remaining), next(remaining)) for _ in self._rates]
+        return definitions, [*rows, *(rates if definitions else self._printed_rates(notation))]
+
+    def _printed_rates(self, notation: str) -> list[tuple[str, str]]:
+        """Return the kinematics as books print it, with speeds before sines and cosines: ``x' = v*cos(psi)``."""
+        _, texts = listing([side for pair in self._rates for side in pair], notation)
+        return list(zip(texts[::2], texts[1::2], strict=True))
 
 
 def _shorter(constraint: Expr) -> Expr:
