@@ -57,7 +57,7 @@ def bicycle() -> System:
 
 
 def _frames(base: Frame, pitch: Expr) -> tuple[Frame, Frame]:
-    """Return the frames of the rear frame and the front fork, in which an upright bicycle has the axes of the ground."""
+    """Return the frames of the rear part and the fork, whose axes are those of the ground if the bicycle is upright."""
     rear = base * rotate("X", phi) * translate(0, 0, -rR) * rotate("Y", pitch) * translate(0, 0, rR)
     steering = translate(w + c, 0, 0) * rotate("Y", lam) * rotate("Z", delta) * rotate("Y", -lam)
     return rear, rear * steering * translate(-w - c, 0, 0)

@@ -53,7 +53,7 @@ def rolling_disc() -> System:
 
 
 def two_wheeled_robot() -> System:
-    """The base runs with v and turns with r; each wheel rolls, and its motor stands on the body, which tilts by theta."""
+    """The base runs with v and turns with r; the wheels roll, and their motors stand on the body, which tilts."""
     mB, mW, I1, I2, I3, J, K, l, R, d, g = symbols("mB mW I1 I2 I3 J K l R d g")
     v, r, phiL, phiR, TL, TR = functions_of_time("v r phiL phiR TL TR")
     place = translate(x, y, 0) * rotate("Z", psi)

@@ -132,7 +132,7 @@ impl Graph {
             match self.view(id) {
                 View::Sum(_) => {
                     let terms = self.flat_terms(id);
-                    total += DIFFERENCE * self.negatives_beside_parameters(&terms);
+                    total += self.awkwardness_of_sum(&terms);
                     for (factor, term) in terms {
                         let is_fraction = !factor.is_integer() && !factor.is_decimal();
                         total += FRACTION * usize::from(is_inner && is_fraction);
@@ -217,22 +217,20 @@ impl Graph {
         flat.into_iter().filter(|(_, factor)| !factor.is_zero()).map(|(id, factor)| (factor, id)).collect()
     }
 
-    /// The negative terms of a sum that has a parameter by itself among its terms, but for factors that all of them have:
-    /// `l2**2 - l1**2`, `(l1*m1 - l2*m2)*cos(q)` multiplied out.
-    fn negatives_beside_parameters(&self, terms: &[(Number, Id)]) -> usize {
+    /// Characters for a factor that all terms of a sum have, and for each negative term of a sum in which a parameter
+    /// stands by itself, but for such factors: `l2**2 - l1**2`, `l1*m1*cos(q) - l2*m2*cos(q)`.
+    fn awkwardness_of_sum(&self, terms: &[(Number, Id)]) -> usize {
         let is_motion =
             |&(base, _): &(Id, bool)| !matches!(self.view(base), View::Symbol(..) | View::Number(_));
-        let motions: Vec<BTreeSet<Id>> = terms
-            .iter()
-            .map(|&(_, term)| {
-                self.flat_factors(term).into_iter().filter(is_motion).map(|(base, _)| base).collect()
-            })
-            .collect();
-        let shared = |base: &Id| motions.iter().all(|others| others.contains(base));
-        if !motions.iter().any(|bases| bases.iter().all(shared)) {
-            return 0;
-        }
-        terms.iter().filter(|(factor, _)| factor.is_negative()).count()
+        let bases_of = |term| self.flat_factors(term).into_iter().filter(is_motion).map(|(base, _)| base);
+        let motions: Vec<BTreeSet<Id>> = terms.iter().map(|&(_, term)| bases_of(term).collect()).collect();
+        let is_shared = |base: &Id| motions.iter().all(|others| others.contains(base));
+        let is_function = |base: &Id| matches!(self.view(*base), View::Function(..));
+        let shared =
+            motions.first().is_some_and(|bases| bases.iter().any(|b| is_function(b) && is_shared(b)));
+        let has_parameter = motions.iter().any(|bases| bases.iter().all(is_shared));
+        let negatives = terms.iter().filter(|(factor, _)| factor.is_negative()).count();
+        NESTED * usize::from(shared && terms.len() > 1) + DIFFERENCE * negatives * usize::from(has_parameter)
     }
 
     /// Whether an angle has a term with a whole number other than one before it.

@@ -121,10 +121,8 @@ class MatrixForm:
 def matrix_form(
     system: System, mass_matrix: Matrix, balances: Sequence[Balance], *, christoffel: bool
 ) -> MatrixForm:
-    """Return the matrices of equations whose terms are known by their kinds."""
-    entries = [readable(entry) for entry in mass_matrix.entries]
+    """Return the matrices of equations whose terms are known by their kinds; M is in its form for the reader."""
     n = len(balances)
-    made = Matrix([entries[k * n : (k + 1) * n] for k in range(n)])
     coriolis = _column([balance.velocities for balance in balances])
     if christoffel:
         found = by_christoffel(mass_matrix, system)
@@ -133,7 +131,7 @@ def matrix_form(
             coriolis = found
     return MatrixForm(
         system,
-        made,
+        mass_matrix,
         coriolis,
         _column([balance.gravity for balance in balances]),
         _column([balance.loads for balance in balances]),
