@@ -18,7 +18,7 @@ _HEAD = """\
 Each system is made of frames and bodies (`tests/page/`) and derived by `newton_euler`; `show(equations)` prints what
 stands here first. Below it is the equation of the source in its form, with the names of the source. Tests prove that
 both are equal, and that ours is at most a tenth longer, without spaces. Where the source prints the Lagrangian or uses
-abbreviations, the equation follows from it; two systems have no source.
+abbreviations, the equation follows from it. A standard form is that of many books, and of none in particular.
 
 This page is written by `python -m scripts.textbook`.
 

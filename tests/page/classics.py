@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+from .bicycle import BICYCLES
 from .carts import CARTS
 from .classic import Classic
 from .pendulums import PENDULUMS
 from .robots import ROBOTS
+from .rolling import ROLLING
+from .spatial import SPATIAL
 from .vehicles import VEHICLES
 
-CLASSICS: tuple[Classic, ...] = (*PENDULUMS, *CARTS, *ROBOTS, *VEHICLES)
+CLASSICS: tuple[Classic, ...] = (*PENDULUMS, *CARTS, *ROBOTS, *VEHICLES, *ROLLING, *SPATIAL, *BICYCLES)

@@ -152,7 +152,7 @@ ROBOTS = (
     ),
     Classic(
         "Planar arm of three links",
-        "the form of the Acrobot, written for three links; not taken from a book",
+        "standard form: that of the Acrobot, written for three links",
         three_link_arm,
         (
             (
@@ -214,7 +214,7 @@ ROBOTS = (
     ),
     Classic(
         "Planar quadrotor with a slung load",
-        "the cart with a pole, with two directions of the support; not taken from a book",
+        "standard form: the cart with a pole, with two directions of the support",
         planar_quadrotor_with_a_load,
         (
             "(M + m)*x'' + m*l*cos(phi)*phi'' - m*l*sin(phi)*phi'**2 = -f*sin(theta)",

@@ -23,7 +23,7 @@ def test_the_book_is_right(classic: Classic) -> None:
 
 @each
 def test_what_is_shown_is_equal(classic: Classic) -> None:
-    for row, residual in zip(classic.ours, classic.equations.residuals, strict=True):
+    for row, residual in zip(classic.rows, classic.equations.residuals, strict=True):
         assert classic.difference(row) == residual, row
 
 
@@ -39,7 +39,7 @@ def test_lines_fit(classic: Classic) -> None:
 
 @each
 def test_each_acceleration_has_one_coefficient(classic: Classic) -> None:
-    for row in classic.ours:
+    for row in classic.rows:
         for acceleration in map(str, classic.equations.accelerations):
             assert len(re.findall(rf"\b{acceleration}", row)) <= 1, row
 

@@ -97,8 +97,8 @@ def test_given_forces_and_constraints_are_on_the_right() -> None:
     system = System([bob], [push, spring], [x, y], [x**2 + y**2 - l**2], Vector(ground, 0, -g, 0))
     assert describe(newton_euler(system)).splitlines() == [
         "EQUATIONS OF MOTION of x, y",
-        "    m*x'' + c*x' = F + 2*lambda1*x",
-        "    m*y'' + g*m + k*y = 2*lambda1*y",
+        "    m*x'' + c*x' = F + 2*x*lambda1",
+        "    m*y'' + g*m + k*y = 2*y*lambda1",
         "    constraint: x**2 + y**2 - l**2 = 0",
     ]
 

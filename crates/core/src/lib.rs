@@ -110,7 +110,7 @@ pub use error::{Error, quoted};
 pub use interrupt::{Interrupted, interruptible};
 
 // Text.
-pub use print::{Format, Listing};
+pub use print::{Format, Listing, Usage};
 
 // Linear algebra on expressions, and in doubles.
 pub use canonical::check_rows;

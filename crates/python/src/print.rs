@@ -1,7 +1,7 @@
 //! Expressions as text.
 
 use pyo3::prelude::*;
-use symbody_core::{Format, Listing};
+use symbody_core::{Format, Listing, Usage};
 
 use crate::convert::operands;
 use crate::session::{argument_error, long_with_forms};
@@ -9,9 +9,15 @@ use crate::session::{argument_error, long_with_forms};
 /// Names, and the expressions that they stand for.
 type Definitions = Vec<(String, String)>;
 
-/// Expressions printed together: the named intermediate quantities, if any, and the results.
+/// Expressions printed together: the named intermediate quantities, if any, and the results; those of equations with
+/// the names of their coordinates and speeds.
 #[pyfunction]
-fn listing(expressions: &Bound<'_, PyAny>, notation: &str) -> PyResult<(Definitions, Vec<String>)> {
+#[pyo3(signature = (expressions, notation, equations=None))]
+fn listing(
+    expressions: &Bound<'_, PyAny>,
+    notation: &str,
+    equations: Option<(Vec<String>, Vec<String>)>,
+) -> PyResult<(Definitions, Vec<String>)> {
     let roots = operands(expressions, "listing")?;
     let format = match notation {
         "text" => Format::Text,
@@ -24,8 +30,13 @@ fn listing(expressions: &Bound<'_, PyAny>, notation: &str) -> PyResult<(Definiti
             ));
         }
     };
-    let Listing { definitions, results } =
-        long_with_forms(expressions.py(), |graph| Ok(graph.listing(&roots, format)))?;
+    let usage = equations.map(|(coordinates, speeds)| Usage::new(&coordinates, &speeds));
+    let Listing { definitions, results } = long_with_forms(expressions.py(), |graph| {
+        Ok(match &usage {
+            Some(usage) => graph.listing_of_equations(&roots, format, usage),
+            None => graph.listing(&roots, format),
+        })
+    })?;
     Ok((definitions, results))
 }
 

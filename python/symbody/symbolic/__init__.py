@@ -82,7 +82,7 @@ from symbody.symbolic.linear.symbolic_solve import solve
 from symbody.symbolic.numeric.program import STAGES, Argument, Program, Result, Routine
 from symbody.symbolic.sympy_bridge.structured import from_sympy, to_sympy
 from symbody.symbolic.text.parse import parse
-from symbody.symbolic.text.printing import latex, listing, maple
+from symbody.symbolic.text.printing import latex, listing, listing_of_equations, maple
 
 __all__ = [
     "STAGES",
@@ -134,6 +134,7 @@ __all__ = [
     "ldl_solve",
     "linear_solve",
     "listing",
+    "listing_of_equations",
     "log",
     "maple",
     "matvec3",

@@ -61,6 +61,11 @@ impl Sum {
         self.terms.iter().filter(|term| term.coefficient.is_negative()).count()
     }
 
+    /// Whether the sum is the difference of two terms of one kind, which reads as well the other way round.
+    fn is_even_difference(&self) -> bool {
+        matches!(&self.terms[..], [a, b] if self.negatives() == 1 && order::are_of_one_kind(a, b))
+    }
+
     /// Whether the opposite has fewer minus signs.
     fn reads_better_negated(&self) -> bool {
         2 * self.negatives() > self.terms.len()
@@ -149,13 +154,15 @@ impl Term {
         });
     }
 
-    /// `-m*(a - b)` is `m*(b - a)`.
+    /// `-m*(a - b)` is `m*(b - a)`; but a coordinate stays before a parameter: `-m*(x - a)`.
     fn give_sign_away(&mut self) {
         if !self.coefficient.is_negative() {
             return;
         }
         let takes_sign = |factor: &&mut Factor| match &factor.base {
-            Base::Group(sum) => is_odd(&factor.exponent) && 2 * sum.negatives() >= sum.terms.len(),
+            Base::Group(sum) => {
+                is_odd(&factor.exponent) && (sum.reads_better_negated() || sum.is_even_difference())
+            }
             _ => false,
         };
         if let Some(factor) = self.factors.iter_mut().find(takes_sign) {
@@ -182,7 +189,7 @@ impl Factor {
         let (Base::Group(sum), Some(n)) = (&self.base, self.exponent.to_i64()) else { return one };
         let half = 2 * sum.negatives() == sum.terms.len();
         let leads_negative = half && {
-            let least = sum.terms.iter().min_by(|a, b| order::compare_factors(&a.factors, &b.factors));
+            let least = sum.terms.iter().min_by(|a, b| order::compare_terms(a, b));
             least.is_some_and(|term| term.coefficient.is_negative())
         };
         if !(sum.reads_better_negated() || leads_negative) {

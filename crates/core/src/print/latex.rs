@@ -3,18 +3,20 @@
 use crate::graph::Function;
 use crate::value::Number;
 
+use super::Fractions;
 use super::latex_name::{Typeset, function_name};
 use super::linear::{fraction, indices};
 use super::order::is_fraction;
 use super::tree::{Base, Factor, Sum, Term, assumption_word};
 
 /// The sum in LaTeX.
-pub(super) fn write(names: &Typeset, sum: &Sum) -> String {
-    Writer { names }.sum(sum)
+pub(super) fn write(names: &Typeset, fractions: Fractions, sum: &Sum) -> String {
+    Writer { names, fractions }.sum(sum)
 }
 
 struct Writer<'a> {
     names: &'a Typeset,
+    fractions: Fractions,
 }
 
 impl Writer<'_> {
@@ -37,6 +39,10 @@ impl Writer<'_> {
         let (below, above): (Vec<&Factor>, Vec<&Factor>) =
             term.written_factors().into_iter().partition(|factor| factor.exponent.is_negative());
         let (numerator, denominator) = fraction(&term.coefficient);
+        if self.fractions.lead(&above, &below, denominator.as_ref()) {
+            let bar = self.product(&denominator.unwrap_or_default(), &[]);
+            return format!("\\frac{{{numerator}}}{{{bar}}} {}", self.product("1", &above));
+        }
         let top = self.product(&numerator, &above);
         if below.is_empty() && denominator.is_none() {
             return top;
@@ -122,7 +128,7 @@ impl Writer<'_> {
                 format!("{{{}}}_{{\\mathrm{{{word}}}}}", self.names.name(name, 0).text)
             }
             Base::Symbol { name, .. } => self.names.name(name, 0).text,
-            Base::TimeFunction { name, order, explicit } => {
+            Base::TimeFunction { name, order, explicit, .. } => {
                 let argument = if *explicit { "\\left(t\\right)" } else { "" };
                 self.names.name(name, *order).text + argument
             }

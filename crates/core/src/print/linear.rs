@@ -3,6 +3,7 @@
 use crate::graph::Function;
 use crate::value::Number;
 
+use super::Fractions;
 use super::order::is_fraction;
 use super::tree::{Base, Factor, Sum, Term, assumption_word};
 
@@ -14,6 +15,9 @@ pub(super) trait Dialect {
     const COMMA: &str;
     const PI: &str;
 
+    fn fractions(&self) -> Fractions {
+        Fractions::OverAll
+    }
     fn name(&self, name: &str) -> String;
     /// A function of time, differentiated `order` times.
     fn time_function(&self, name: &str, order: u32, explicit: bool) -> String;
@@ -51,7 +55,11 @@ impl<D: Dialect> Writer<'_, D> {
     fn term(&mut self, term: &Term) {
         let (below, above): (Vec<&Factor>, Vec<&Factor>) =
             term.written_factors().into_iter().partition(|factor| factor.exponent.is_negative());
-        let (numerator, denominator) = fraction(&term.coefficient);
+        let (mut numerator, mut denominator) = fraction(&term.coefficient);
+        if self.dialect.fractions().lead(&above, &below, denominator.as_ref()) {
+            numerator = term.coefficient.abs().to_string();
+            denominator = None;
+        }
         let has_number = numerator != "1" || above.is_empty();
         if has_number {
             self.out.push_str(&numerator);
@@ -136,7 +144,7 @@ impl<D: Dialect> Writer<'_, D> {
                     }
                 }
             }
-            Base::TimeFunction { name, order, explicit } => {
+            Base::TimeFunction { name, order, explicit, .. } => {
                 self.out.push_str(&self.dialect.time_function(name, *order, *explicit));
             }
             Base::Application { name, args, orders } => self.application(name, args, orders),

@@ -20,6 +20,7 @@ mod plan;
 mod reader;
 mod text;
 mod tree;
+mod usage;
 
 use crate::error::quoted;
 use crate::graph::{Graph, Id};
@@ -28,7 +29,8 @@ use latex_name::Typeset;
 pub(crate) use name::compare as compare_names;
 use plan::Plan;
 use reader::Reader;
-use tree::Sum;
+use tree::{Factor, Sum};
+pub use usage::Usage;
 
 /// A notation to print in.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -50,34 +52,50 @@ pub struct Listing {
     pub results: Vec<String>,
 }
 
-/// The writer of a format.
+/// The writer of a format; of text and LaTeX with the place of fractions.
 enum Notation {
-    Text,
-    Latex(Typeset),
+    Text(text::Text),
+    Latex(Typeset, Fractions),
     Maple,
 }
 
+/// Where the number of a product stands that is a fraction.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Fractions {
+    /// The product has one bar: `3*m*l**2/2`.
+    OverAll,
+    /// The fraction leads: `3/2*m*l**2`.
+    InFront,
+}
+
+impl Fractions {
+    /// Whether the number leads the product of such factors: neither `q/2` nor `a*b/(2*c)` reads better for it.
+    fn lead(self, above: &[&Factor], below: &[&Factor], denominator: Option<&String>) -> bool {
+        self == Self::InFront && denominator.is_some() && above.len() > 1 && below.is_empty()
+    }
+}
+
 impl Notation {
-    fn new(graph: &Graph, ids: &[Id], plan: &Plan, format: Format) -> Self {
+    fn new(graph: &Graph, ids: &[Id], plan: &Plan, format: Format, fractions: Fractions) -> Self {
         match format {
-            Format::Text => Self::Text,
-            Format::Latex => Self::Latex(Typeset::new(graph, ids, plan)),
+            Format::Text => Self::Text(text::Text { fractions }),
+            Format::Latex => Self::Latex(Typeset::new(graph, ids, plan), fractions),
             Format::Maple => Self::Maple,
         }
     }
 
     fn sum(&self, sum: &Sum) -> String {
         match self {
-            Self::Text => linear::write(&text::Text, sum),
-            Self::Latex(names) => latex::write(names, sum),
+            Self::Text(text) => linear::write(text, sum),
+            Self::Latex(names, fractions) => latex::write(names, *fractions, sum),
             Self::Maple => linear::write(&maple::Maple, sum),
         }
     }
 
     fn name(&self, name: &str) -> String {
         match self {
-            Self::Text => name.to_owned(),
-            Self::Latex(names) => names.name(name, 0).text,
+            Self::Text(_) => name.to_owned(),
+            Self::Latex(names, _) => names.name(name, 0).text,
             Self::Maple => name::to_maple(name),
         }
     }
@@ -140,9 +158,19 @@ impl Graph {
     /// Several expressions printed together: shared parts are named once.
     #[must_use]
     pub fn listing(&self, ids: &[Id], format: Format) -> Listing {
+        self.listed(ids, format, &Usage::default(), Fractions::OverAll)
+    }
+
+    /// The terms of equations, printed together: functions of time in the order of the equations, fractions in front.
+    #[must_use]
+    pub fn listing_of_equations(&self, ids: &[Id], format: Format, usage: &Usage) -> Listing {
+        self.listed(ids, format, usage, Fractions::InFront)
+    }
+
+    fn listed(&self, ids: &[Id], format: Format, usage: &Usage, fractions: Fractions) -> Listing {
         let plan = Plan::new(self, ids);
-        let reader = Reader::new(self, &plan);
-        let notation = Notation::new(self, ids, &plan, format);
+        let reader = Reader::new(self, &plan, usage);
+        let notation = Notation::new(self, ids, &plan, format, fractions);
         Listing {
             definitions: plan
                 .pieces()

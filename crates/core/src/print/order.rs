@@ -28,9 +28,12 @@ impl Base {
             Self::Number(_) => Place::Number,
             Self::Pi => Place::Pi,
             Self::Symbol { .. } => Place::Parameter,
-            Self::TimeFunction { order: 1, .. } => Place::Speed,
-            Self::TimeFunction { order: 2.., .. } => Place::Acceleration,
-            Self::Time | Self::TimeFunction { .. } => Place::Coordinate,
+            Self::TimeFunction { order, usage, .. } => match order + u32::from(usage.is_speed) {
+                0 => Place::Coordinate,
+                1 => Place::Speed,
+                _ => Place::Acceleration,
+            },
+            Self::Time => Place::Coordinate,
             Self::Application { .. } | Self::Function(..) => Place::Function,
             Self::Group(sum) => match sum.place() {
                 place if place <= Place::ParameterGroup => Place::ParameterGroup,
@@ -143,6 +146,17 @@ impl Rank {
     }
 }
 
+/// The reader's order of two terms, apart from moments of inertia.
+pub(super) fn compare_terms(a: &Term, b: &Term) -> Ordering {
+    Rank::of_term(a).compare(&Rank::of_term(b)).then_with(|| compare_factors(&a.factors, &b.factors))
+}
+
+/// Whether neither of two terms stands first for the speeds or coordinates that it holds.
+pub(super) fn are_of_one_kind(a: &Term, b: &Term) -> bool {
+    let (a, b) = (Rank::of_term(a), Rank::of_term(b));
+    a.derivative == b.derivative && a.coordinates.total_cmp(&b.coordinates).is_eq()
+}
+
 /// Terms in the reader's order; like terms are neighbours.
 pub(super) fn sorted_terms(terms: Vec<Term>) -> Vec<Term> {
     let mut ranked: Vec<(Rank, Term)> = terms.into_iter().map(|term| (Rank::of_term(&term), term)).collect();
@@ -207,9 +221,10 @@ pub(super) fn compare_bases(a: &Base, b: &Base) -> Ordering {
         (Base::Symbol { name: x, assumption: p, .. }, Base::Symbol { name: y, assumption: q, .. }) => {
             name::compare(x, y).then((*p as u8).cmp(&(*q as u8)))
         }
-        (Base::TimeFunction { name: x, order: m, .. }, Base::TimeFunction { name: y, order: n, .. }) => {
-            name::compare(x, y).then(m.cmp(n))
-        }
+        (
+            Base::TimeFunction { name: x, order: m, usage: p, .. },
+            Base::TimeFunction { name: y, order: n, usage: q, .. },
+        ) => p.index.cmp(&q.index).then_with(|| name::compare(x, y)).then(m.cmp(n)),
         (Base::Function(f, x), Base::Function(g, y)) => compare_args(x, y).then(f.cmp(g)),
         (
             Base::Application { name: f, args: x, orders: m },

@@ -7,16 +7,18 @@ use crate::value::Number;
 use super::order;
 use super::plan::{Piece, Plan, is_sign};
 use super::tree::{Base, Sum, Term};
+use super::usage::Usage;
 
 /// Builds the trees of nodes, with names for the nodes that the plan names.
 pub(super) struct Reader<'a> {
     graph: &'a Graph,
     plan: &'a Plan,
+    usage: &'a Usage,
 }
 
 impl<'a> Reader<'a> {
-    pub(super) fn new(graph: &'a Graph, plan: &'a Plan) -> Self {
-        Self { graph, plan }
+    pub(super) fn new(graph: &'a Graph, plan: &'a Plan, usage: &'a Usage) -> Self {
+        Self { graph, plan, usage }
     }
 
     /// The tree of a node: its name, if it has one.
@@ -69,6 +71,7 @@ impl<'a> Reader<'a> {
                 name: name.to_owned(),
                 order,
                 explicit: self.plan.is_ambiguous(name),
+                usage: self.usage.of(name),
             }),
             View::Application { name, args, orders } => Sum::atom(Base::Application {
                 name: name.to_owned(),

@@ -2,9 +2,12 @@
 
 use crate::graph::Function;
 
+use super::Fractions;
 use super::linear::Dialect;
 
-pub(super) struct Text;
+pub(super) struct Text {
+    pub(super) fractions: Fractions,
+}
 
 /// Beyond this order a derivative is written `diff(x, t, 4)`: primes are no longer counted at a glance.
 const PRIMES: u32 = 3;
@@ -15,6 +18,10 @@ impl Dialect for Text {
     const POWER: &str = "**";
     const COMMA: &str = ", ";
     const PI: &str = "pi";
+
+    fn fractions(&self) -> Fractions {
+        self.fractions
+    }
 
     fn name(&self, name: &str) -> String {
         name.to_owned()

@@ -4,6 +4,8 @@
 use crate::graph::{Assumption, Function};
 use crate::value::Number;
 
+use super::usage::Use;
+
 /// Terms with a plus between them; zero is a term that is the number zero.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(super) struct Sum {
@@ -43,6 +45,7 @@ pub(super) enum Base {
         name: String,
         order: u32,
         explicit: bool,
+        usage: Use,
     },
     Application {
         name: String,

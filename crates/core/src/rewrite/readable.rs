@@ -6,7 +6,7 @@
 //! brackets, differences of parameters. The form may cost more operations; it is for the page, never for code.
 
 use rustc_hash::FxHashSet;
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 use crate::error::Error;
 use crate::graph::{Function, Graph, Id, NumberId, View};
@@ -88,6 +88,9 @@ impl Graph {
         for polynomial in ring.flat_forms(part) {
             candidates.extend(ring.arrangements(&polynomial));
             candidates.extend(ring.over_common_denominator(&polynomial));
+            if let Ok(Some(tangents)) = ring.in_tangents(&polynomial) {
+                candidates.extend(ring.arrangements(&tangents));
+            }
         }
         let mut best = (self.reading(part), part);
         let mut seen: FxHashSet<Id> = FxHashSet::default();
@@ -127,13 +130,12 @@ impl Graph {
         let mut stack = vec![(root, false)];
         while let Some((id, is_inner)) = stack.pop() {
             match self.view(id) {
-                View::Sum(terms) => {
-                    let of_parameters = terms.iter().any(|(_, term)| self.is_of_parameters(term));
-                    for (factor, term) in terms.iter() {
-                        let factor = self.get_number(factor);
+                View::Sum(_) => {
+                    let terms = self.flat_terms(id);
+                    total += self.awkwardness_of_sum(&terms);
+                    for (factor, term) in terms {
                         let is_fraction = !factor.is_integer() && !factor.is_decimal();
                         total += FRACTION * usize::from(is_inner && is_fraction);
-                        total += DIFFERENCE * usize::from(of_parameters && factor.is_negative());
                         stack.push((term, is_inner));
                     }
                 }
@@ -194,15 +196,41 @@ impl Graph {
         flat
     }
 
-    fn is_of_parameters(&self, term: Id) -> bool {
-        match self.view(term) {
-            View::Symbol(..) | View::Number(_) => true,
-            View::Product(factors) => {
-                factors.iter().all(|(base, _)| matches!(self.view(base), View::Symbol(..)))
+    /// The terms of a sum and of the sums among them, as they are printed: brackets stand only behind numbers, and
+    /// terms that cancel are left out.
+    fn flat_terms(&self, sum: Id) -> Vec<(Number, Id)> {
+        let mut flat: BTreeMap<Id, Number> = BTreeMap::new();
+        let mut stack = vec![(Number::integer(1), sum)];
+        while let Some((factor, id)) = stack.pop() {
+            match self.view(id) {
+                View::Sum(terms) if factor.abs().is_one() => {
+                    stack
+                        .extend(terms.iter().map(|(inner, term)| (factor.mul(self.get_number(inner)), term)));
+                }
+                View::Scale(inner, child) => stack.push((factor.mul(self.get_number(inner)), child)),
+                _ => {
+                    let total = flat.get(&id).map_or_else(|| factor.clone(), |known| known.add(&factor));
+                    flat.insert(id, total);
+                }
             }
-            View::Scale(_, child) => self.is_of_parameters(child),
-            _ => false,
         }
+        flat.into_iter().filter(|(_, factor)| !factor.is_zero()).map(|(id, factor)| (factor, id)).collect()
+    }
+
+    /// Characters for a factor that all terms of a sum have, and for each negative term of a sum in which a parameter
+    /// stands by itself, but for such factors: `l2**2 - l1**2`, `l1*m1*cos(q) - l2*m2*cos(q)`.
+    fn awkwardness_of_sum(&self, terms: &[(Number, Id)]) -> usize {
+        let is_motion =
+            |&(base, _): &(Id, bool)| !matches!(self.view(base), View::Symbol(..) | View::Number(_));
+        let bases_of = |term| self.flat_factors(term).into_iter().filter(is_motion).map(|(base, _)| base);
+        let motions: Vec<BTreeSet<Id>> = terms.iter().map(|&(_, term)| bases_of(term).collect()).collect();
+        let is_shared = |base: &Id| motions.iter().all(|others| others.contains(base));
+        let is_function = |base: &Id| matches!(self.view(*base), View::Function(..));
+        let shared =
+            motions.first().is_some_and(|bases| bases.iter().any(|b| is_function(b) && is_shared(b)));
+        let has_parameter = motions.iter().any(|bases| bases.iter().all(is_shared));
+        let negatives = terms.iter().filter(|(factor, _)| factor.is_negative()).count();
+        NESTED * usize::from(shared && terms.len() > 1) + DIFFERENCE * negatives * usize::from(has_parameter)
     }
 
     /// Whether an angle has a term with a whole number other than one before it.
@@ -307,6 +335,30 @@ impl Ring<'_> {
             made.push(id);
         }
         made
+    }
+
+    /// The polynomial with tangents for quotients of sines and cosines, if there are any.
+    fn in_tangents(&mut self, polynomial: &Polynomial) -> Result<Option<Polynomial>, Error> {
+        let mut made = Polynomial::default();
+        let pairs = self.angles_in(polynomial)?;
+        for (monomial, coefficient) in polynomial.iter() {
+            let mut monomial = monomial.clone();
+            for &(sin, cos) in &pairs {
+                let power = monomial.exponent(sin).min(-monomial.exponent(cos));
+                if power > 0 {
+                    let Some((_, angle)) = self.wave(sin) else { continue };
+                    let tangent = self.graph.apply(Function::Tan, &[angle])?;
+                    let (tangent, is_opposite) = self.atom(tangent);
+                    if is_opposite {
+                        return Ok(None);
+                    }
+                    let quotient = Monomial::power(sin, -power).times(&Monomial::power(cos, power));
+                    monomial = monomial.times(&quotient).times(&Monomial::power(tangent, power));
+                }
+            }
+            made.add_term(monomial, coefficient);
+        }
+        Ok((made != *polynomial).then_some(made))
     }
 
     /// The square of a sum, if the polynomial is one.
@@ -414,7 +466,7 @@ impl Ring<'_> {
 
 /// The powers that several terms hold, the most frequent first.
 fn factors_of(polynomial: &Polynomial) -> Vec<(u32, i64)> {
-    let mut counts: std::collections::BTreeMap<(u32, i64), usize> = std::collections::BTreeMap::new();
+    let mut counts: BTreeMap<(u32, i64), usize> = BTreeMap::new();
     for (monomial, _) in polynomial.iter() {
         for &factor in monomial.factors() {
             *counts.entry(factor).or_default() += 1;

@@ -52,8 +52,8 @@ class Balance:
 
 def balances(
     system: System, residuals: Sequence[Expr], mass_matrix: Matrix, bias: Sequence[Expr], jacobian: Matrix
-) -> tuple[Balance, ...]:
-    """Return the equations by the kinds of their terms, each in its form for the reader.
+) -> tuple[tuple[Balance, ...], Matrix]:
+    """Return the equations by the kinds of their terms and the mass matrix, all in their forms for the reader.
 
     An equation that is not the sum of such terms stays in one piece.
 
@@ -83,7 +83,7 @@ def balances(
             reader,
         )
         made.append(balance if balance.residual == residual else Balance(loads=_terms(residual, reader)))
-    return tuple(made)
+    return tuple(made), mass_matrix
 
 
 @dataclass(frozen=True)

@@ -6,11 +6,11 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from symbody.multibody import System
-from symbody.symbolic import Expr, Matrix, diff, listing, number, readable
+from symbody.symbolic import Expr, Matrix, diff, number, readable
 from symbody.symbolic.expression.latex_layout import aligned, bmatrix, displayed
 
 from .balance import Balance
-from .row import LINE, lines
+from .row import LINE, lines, printed
 
 
 @dataclass(frozen=True)
@@ -46,9 +46,9 @@ class MatrixForm:
 
     def description(self) -> str:
         """Return the equation of matrices, and their entries other than zero line by line."""
-        rows, texts = self._entries(), listing(self._all(), "text")
-        definitions, printed = texts
-        values = dict(zip((label for label, _ in self._labelled()), printed, strict=True))
+        rows = self._entries()
+        definitions, texts = printed(self._all(), "text", self.system)
+        values = dict(zip((label for label, _ in self._labelled()), texts, strict=True))
         made = [f"{name} := {value}" for name, value in definitions]
         made += [f"{' = '.join(labels)} = {values[labels[0]]}" for labels in rows]
         return "\n".join([self._equation(), *(line for text in made for line in _indented(text))])
@@ -56,7 +56,7 @@ class MatrixForm:
     def latex(self) -> str:
         """Return the matrices in LaTeX, one below the other."""
         named = [(name, matrix) for name, matrix in self._matrices() if _is_used(matrix)]
-        definitions, texts = listing([e for _, matrix in named for e in matrix.entries], "latex")
+        definitions, texts = printed([e for _, matrix in named for e in matrix.entries], "latex", self.system)
         remaining = iter(texts)
         rows = [f"{name} &= {value}" for name, value in definitions]
         for name, matrix in named:
@@ -121,10 +121,8 @@ class MatrixForm:
 def matrix_form(
     system: System, mass_matrix: Matrix, balances: Sequence[Balance], *, christoffel: bool
 ) -> MatrixForm:
-    """Return the matrices of equations whose terms are known by their kinds."""
-    entries = [readable(entry) for entry in mass_matrix.entries]
+    """Return the matrices of equations whose terms are known by their kinds; M is in its form for the reader."""
     n = len(balances)
-    made = Matrix([entries[k * n : (k + 1) * n] for k in range(n)])
     coriolis = _column([balance.velocities for balance in balances])
     if christoffel and not system.has_quasi_velocities:
         found = by_christoffel(mass_matrix, system)
@@ -133,7 +131,7 @@ def matrix_form(
             coriolis = found
     return MatrixForm(
         system,
-        made,
+        mass_matrix,
         coriolis,
         _column([balance.gravity for balance in balances]),
         _column([balance.loads for balance in balances]),

@@ -7,14 +7,16 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from symbody.multibody import System
-from symbody.symbolic import Expr, free_symbols, listing, readable
+from symbody.symbolic import Expr, Matrix, listing, readable
 from symbody.symbolic.expression.latex_layout import aligned, broken
 
 from .balance import Balance
-from .row import LINE, lines, with_leading_fraction, written
-from .short_names import shortened
+from .row import LINE, lines, printed, written
+from .short_names import Definition, shortened
 
 _INDENT = "    "
+Entry = tuple[int, int, str]
+"""Row, column and text of an entry of the mass matrix."""
 
 
 @dataclass(frozen=True)
@@ -25,11 +27,13 @@ class Page:
         system: the system to which the equations belong.
         balances: the equations.
         constraints: expressions that are zero.
+        mass_matrix: M, each entry in its form for the reader, n x n.
     """
 
     system: System
     balances: tuple[Balance, ...]
     constraints: tuple[Expr, ...]
+    mass_matrix: Matrix
 
     @cached_property
     def _rates(self) -> tuple[tuple[Expr, Expr], ...]:
@@ -37,15 +41,10 @@ class Page:
 
     def description(self) -> str:
         """Return the equations line by line, after the quantities that have names."""
-        definitions, rows = self._rows("text")
+        definitions, rows = self._named_rows("text")
         sides = [left if right == "" else f"{left} = {right}" for left, right in rows]
-        names = {leaf.name for leaf in free_symbols(self._pieces)} | {name for name, _ in definitions}
-        named, sides = shortened([*(value for _, value in definitions), *sides], names)
-        count = len(definitions)
-        values, sides = sides[:count], sides[count:]
-        texts = [f"{name} := {value}" for name, value in named]
-        texts += [f"{name} := {value}" for (name, _), value in zip(definitions, values, strict=True)]
         n, m = len(self.balances), len(self.constraints)
+        texts = [f"{name} := {value}" for name, value in definitions]
         texts += sides[:n]
         texts += [f"constraint: {side}" for side in sides[n : n + m]]
         texts += [f"kinematics: {side}" for side in sides[n + m :]]
@@ -54,7 +53,7 @@ class Page:
 
     def latex(self) -> str:
         """Return the equations in LaTeX, after the quantities that have names; long ones are broken at terms."""
-        definitions, rows = self._rows("latex")
+        definitions, rows = self._named_rows("latex")
         made = [row for name, value in definitions for row in broken(f"{name} &= ", value)]
         n = len(self.balances) + len(self.constraints)
         made += [row for left, right in rows[:n] for row in broken("&", f"{left} = {right}")]
@@ -66,11 +65,21 @@ class Page:
         terms = [term for balance in self.balances for term in (*balance.left, *balance.right)]
         return (*terms, *map(_shorter, self.constraints), *(side for pair in self._rates for side in pair))
 
-    def _rows(self, notation: str) -> tuple[list[tuple[str, str]], list[tuple[str, str]]]:
-        """Return named quantities, and the left and right sides of all rows."""
-        definitions, texts = listing(self._pieces, notation)
-        if notation == "text":
-            texts = list(map(with_leading_fraction, texts))
+    def _named_rows(self, notation: str) -> tuple[list[Definition], list[tuple[str, str]]]:
+        """Return named quantities, and the left and right sides of all rows with short names."""
+        entries, definitions, rows = self._rows(notation)
+        sides = [side for row in rows for side in row]
+        named, sides = shortened([*(value for _, value in definitions), *sides], entries, notation)
+        count = len(definitions)
+        definitions = [(name, value) for (name, _), value in zip(definitions, sides[:count], strict=True)]
+        return [*named, *definitions], list(zip(sides[count::2], sides[count + 1 :: 2], strict=True))
+
+    def _rows(self, notation: str) -> tuple[list[Entry], list[Definition], list[tuple[str, str]]]:
+        """Return the entries of the mass matrix, named quantities, and the left and right sides of all rows."""
+        n = len(self.balances)
+        upper = [(i, j) for i in range(n) for j in range(i + 1, n)]
+        values = [self.mass_matrix[i, j] for i, j in upper]
+        definitions, texts = printed([*self._pieces, *values], notation, self.system)
         remaining = iter(texts)
 
         def taken(count: int) -> Sequence[str]:
@@ -81,8 +90,14 @@ class Page:
             for balance in self.balances
         ]
         rows += [(next(remaining), "0") for _ in self.constraints]
-        rows += [(next(remaining), next(remaining)) for _ in self._rates]
-        return definitions, rows
+        rates = [(next(remaining), next(remaining)) for _ in self._rates]
+        entries = [(i + 1, j + 1, text) for (i, j), text in zip(upper, remaining, strict=True)]
+        return entries, definitions, [*rows, *(rates if definitions else self._printed_rates(notation))]
+
+    def _printed_rates(self, notation: str) -> list[tuple[str, str]]:
+        """Return the kinematics as books print it, with speeds before sines and cosines: ``x' = v*cos(psi)``."""
+        _, texts = listing([side for pair in self._rates for side in pair], notation)
+        return list(zip(texts[::2], texts[1::2], strict=True))
 
 
 def _shorter(constraint: Expr) -> Expr:

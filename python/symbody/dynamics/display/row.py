@@ -2,12 +2,19 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Iterable, Sequence
 
-_FRACTION = re.compile(r"(?P<sign>-?)(?:(?P<above>\d+)\*)?(?P<factors>.+)/(?P<below>\d+)")
+from symbody.multibody import System
+from symbody.symbolic import Expr, listing_of_equations
+
 LINE = 110
 """The most characters of a line of text."""
+
+
+def printed(terms: Iterable[Expr], notation: str, system: System) -> tuple[list[tuple[str, str]], list[str]]:
+    """Return named quantities and printed terms: coordinates, speeds and multipliers are in the system's order."""
+    speeds = (*system.quasi_velocities, *system.multipliers)
+    return listing_of_equations(terms, notation, system.coordinates, speeds)
 
 
 def written(terms: Iterable[str]) -> str:
@@ -26,23 +33,6 @@ def written(terms: Iterable[str]) -> str:
         )
         or "0"
     )
-
-
-def with_leading_fraction(term: str) -> str:
-    """Return a printed product with its fraction in front; a sum, or a product with other divisors, as it is.
-
-    >>> with_leading_fraction("3*m*l**2*q''/2"), with_leading_fraction("a/2 + b/2"), with_leading_fraction("q/2")
-    ("3/2*m*l**2*q''", 'a/2 + b/2', 'q/2')
-    """
-    match = _FRACTION.fullmatch(term)
-    if (
-        match is None
-        or "/" in match["factors"]
-        or "*" not in match["factors"]
-        or len(_terms(term, len(term))) > 1
-    ):
-        return term
-    return f"{match['sign']}{match['above'] or 1}/{match['below']}*{match['factors']}"
 
 
 def lines(text: str, line: int = LINE) -> list[str]:

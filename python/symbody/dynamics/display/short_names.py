@@ -1,13 +1,13 @@
-"""Short names for sines and cosines that are printed again and again: `c2` for `cos(q2)`."""
+"""Short names for what is printed again and again: `c2` for `cos(q2)`, `M12` for an entry of the mass matrix."""
 
 from __future__ import annotations
 
 import re
-from collections import Counter
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
+from dataclasses import dataclass
 
-_WAVE = re.compile(r"\b(sin|cos)\(([^()]*)\)")
-_ANGLE = re.compile(r"[A-Za-z]\w*( [+-] [A-Za-z]\w*)*")
+Definition = tuple[str, str]
+"""A name, and the text for which it stands."""
 
 LONG = 1200
 """Characters from which on equations get short names: shorter ones are read at a glance."""
@@ -15,52 +15,137 @@ _WORTH = 0.1
 """The part of the characters that names must save."""
 
 
-def shortened(texts: Sequence[str], taken: Iterable[str]) -> tuple[list[tuple[str, str]], list[str]]:
+@dataclass(frozen=True)
+class _Notation:
+    """How sines and cosines, angles, indices and definitions are written.
+
+    Attributes:
+        wave: a sine or cosine: its kind, its power (in front of the angle, or empty) and its angle.
+        part: one term of an angle: its sign, and the stem and the number of its name.
+        number, word: an index that is a number or a name, with one place.
+        minus: what stands for a minus sign in an index.
+        brackets: a sum in brackets, with one place.
+        definition: a definition of a quantity, with two places.
+    """
+
+    wave: re.Pattern[str]
+    part: re.Pattern[str]
+    number: str
+    word: str
+    minus: str
+    brackets: str
+    definition: str
+
+
+_NOTATIONS = {
+    "text": _Notation(
+        wave=re.compile(r"\b(?P<kind>sin|cos)(?P<power>)\((?P<angle>[^()]*)\)"),
+        part=re.compile(r"(?P<sign>[+-] )?(?P<stem>[A-Za-z](?:\w*[A-Za-z_])?)(?P<number>\d*)"),
+        number="{}",
+        word="_{}",
+        minus="_",
+        brackets="({})",
+        definition="{} := {}\n    ",
+    ),
+    "latex": _Notation(
+        wave=re.compile(r"\\(?P<kind>sin|cos)(?P<power>(?:\^\{\d+\})?)\\left\((?P<angle>[^()]*)\\right\)"),
+        part=re.compile(r"(?P<sign>[+-] )?(?P<stem>\\?[A-Za-z]+)(?:_\{(?P<number>\d+)\})?"),
+        number="_{{{}}}",
+        word="_{{{}}}",
+        minus="-",
+        brackets=r"\left({}\right)",
+        definition="{} &= {} \\\\ ",
+    ),
+}
+
+
+def shortened(
+    texts: Sequence[str], entries: Sequence[tuple[int, int, str]] = (), notation: str = "text"
+) -> tuple[list[Definition], list[str]]:
     """Return definitions of short names, and texts with these names, if that is shorter altogether.
 
     Args:
         texts: printed formulas.
-        taken: the names that are in use.
+        entries: row, column and text of entries of the mass matrix, which may stand in the formulas in brackets.
+        notation: "text" or "latex".
 
-    >>> shortened(["a*cos(q2)"], ["a", "q2"])
+    >>> shortened(["a*cos(q2)"])
     ([], ['a*cos(q2)'])
+    >>> shortened(["(a + b*cos(q1))*q2''"] * 100, [(1, 2, "a + b*cos(q1)")])[0]
+    [('M12', 'a + b*cos(q1)')]
     """
     total = sum(map(len, texts))
     if total < LONG:
         return [], list(texts)
-    used, names = set(taken), dict[str, str]()
-    counts = Counter(match.group() for text in texts for match in _WAVE.finditer(text))
-    for wave, count in sorted(counts.items(), key=lambda item: _key(item[0])):
-        name = _name(wave)
-        if name is None or name in used:
-            continue
-        saved = count * (len(wave) - len(name)) - len(f"{name} := {wave}\n    ")
-        if saved > 0:
-            names[wave] = name
-            used.add(name)
-    changed = [_WAVE.sub(lambda match: names.get(match.group(), match.group()), text) for text in texts]
-    definitions = [(name, wave) for wave, name in names.items()]
-    length = sum(map(len, changed)) + sum(len(f"{name} := {wave}\n    ") for name, wave in definitions)
+    style = _NOTATIONS[notation]
+    whole, changed = _with_entries(texts, entries, style)
+    waves, changed = _with_waves([*(value for _, value in whole), *changed], style)
+    whole = [(name, value) for (name, _), value in zip(whole, changed, strict=False)]
+    definitions, changed = [*waves, *whole], changed[len(whole) :]
+    length = sum(map(len, changed)) + sum(len(style.definition.format(*each)) for each in definitions)
     return (definitions, changed) if length <= (1 - _WORTH) * total else ([], list(texts))
 
 
-def _key(wave: str) -> tuple[int, str, str]:
-    return (len(wave), wave[4:], wave[:3])
+def _with_entries(
+    texts: Sequence[str], entries: Sequence[tuple[int, int, str]], style: _Notation
+) -> tuple[list[Definition], list[str]]:
+    """Return the entries of the mass matrix that occur again, and texts with their names."""
+    changed, definitions = list(texts), list[Definition]()
+    for row, column, value in entries:
+        bracketed = style.brackets.format(value)
+        index = f"{row}{column}" if max(row, column) < 10 else f"{row},{column}"
+        name = f"M{style.number.format(index)}" if style.number != "{}" or "," not in index else ""
+        count = sum(text.count(bracketed) for text in changed)
+        saved = count * (len(bracketed) - len(name)) - len(style.definition.format(name, value))
+        if name and saved > 0 and not _occurs(name, texts):
+            changed = [text.replace(bracketed, name) for text in changed]
+            definitions.append((name, value))
+    return definitions, changed
 
 
-def _name(wave: str) -> str | None:
+def _with_waves(texts: Sequence[str], style: _Notation) -> tuple[list[Definition], list[str]]:
+    """Return the sines and cosines as short names, all of them alike, and texts with these names."""
+    names = dict[tuple[str, str], str]()
+    definitions = list[Definition]()
+    waves = {(each["kind"], each["angle"]) for text in texts for each in style.wave.finditer(text)}
+    for kind, angle in sorted(waves, key=lambda wave: _key(*wave)):
+        name = _name(kind, angle, style)
+        if name is not None and name not in names.values() and not _occurs(name, texts):
+            names[kind, angle] = name
+            definitions.append((name, _wave(kind, angle, style)))
+
+    def short(found: re.Match[str]) -> str:
+        name = names.get((found["kind"], found["angle"]))
+        return found.group() if name is None else name + found["power"]
+
+    return definitions, [style.wave.sub(short, text) for text in texts]
+
+
+def _key(kind: str, angle: str) -> tuple[int, str, str]:
+    return (len(angle), angle, kind)
+
+
+def _wave(kind: str, angle: str, style: _Notation) -> str:
+    return ("\\" if style.brackets.startswith("\\") else "") + kind + style.brackets.format(angle)
+
+
+def _occurs(name: str, texts: Sequence[str]) -> bool:
+    pattern = re.compile(rf"(?<!\w){re.escape(name)}(?!\w)")
+    return any(pattern.search(text) for text in texts)
+
+
+def _name(kind: str, angle: str, style: _Notation) -> str | None:
     """Return c12 for cos(q1 + q2), c_phi for cos(phi), c1_2 for cos(q1 - q2); None if the angle is no such sum."""
-    angle = wave[4:-1]
-    if not _ANGLE.fullmatch(angle):
+    terms = re.findall(r"(?:[+-] )?[^ ]+", angle)
+    found = [style.part.fullmatch(term) for term in terms]
+    parts = [part for part in found if part is not None]
+    if len(parts) < len(terms) or " ".join(terms) != angle or len({part["stem"] for part in parts}) != 1:
         return None
-    parts = re.findall(r"([+-] )?([A-Za-z]\w*)", angle)
-    stems = {re.sub(r"\d+$", "", name) for _, name in parts}
-    if len(stems) != 1:
+    if len(parts) == 1 and not parts[0]["number"]:
+        return kind[0] + style.word.format(parts[0]["stem"])
+    if not all(part["number"] for part in parts):
         return None
-    numbers = [name[len(min(stems)) :] for _, name in parts]
-    if len(parts) == 1 and not numbers[0]:
-        return f"{wave[0]}_{parts[0][1]}"
-    if not all(numbers):
-        return None
-    signs = ["_" if sign.startswith("-") else "" for sign, _ in parts]
-    return wave[0] + "".join(sign + digits for sign, digits in zip(signs, numbers, strict=True))
+    signs = [style.minus if (part["sign"] or "").startswith("-") else "" for part in parts]
+    return kind[0] + style.number.format(
+        "".join(sign + part["number"] for sign, part in zip(signs, parts, strict=True))
+    )

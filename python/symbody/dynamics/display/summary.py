@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from symbody.multibody import System
-from symbody.symbolic import Expr, cost
+from symbody.symbolic import Expr, cost, latex
 from symbody.symbolic.expression.html_table import html_table
+from symbody.symbolic.expression.latex_layout import aligned
 from symbody.symbolic.given.arguments import counted
 
 READABLE = 4000
@@ -23,16 +24,27 @@ def is_readable(residuals: Sequence[Expr]) -> bool:
 def summary(system: System, residuals: Sequence[Expr]) -> str:
     """Return the number and the sizes of equations, and how to see one of them."""
     sizes = [
-        f"{speed}: {counted(size, 'operation')}" if size else "..."
-        for speed, size in _sizes(system, residuals)
+        "..." if size is None else f"{size[0]}: {counted(size[1], 'operation')}"
+        for size in _sizes(system, residuals)
     ]
-    return "\n    ".join([f"EQUATIONS OF MOTION of {_whole(system, residuals)}", *sizes, *_ADVICE])
+    return "\n    ".join([f"EQUATIONS OF MOTION of {_total(system, residuals)}", *sizes, *_ADVICE])
+
+
+def summary_in_latex(system: System, residuals: Sequence[Expr]) -> str:
+    """Return the number and the sizes of equations in LaTeX."""
+    sizes = [
+        r"&\;\vdots"
+        if size is None
+        else rf"{latex(size[0])} &\colon \text{{{counted(size[1], 'operation')}}}"
+        for size in _sizes(system, residuals)
+    ]
+    return aligned([rf"&\text{{Equations of motion of {_total(system, residuals)}}}", *sizes])
 
 
 def summary_table(system: System, residuals: Sequence[Expr]) -> str:
-    """Return the same for a notebook, in HTML."""
-    rows = [(speed, size or "...") for speed, size in _sizes(system, residuals)]
-    title = f"Equations of motion of {_whole(system, residuals)}"
+    """Return the number and the sizes of equations for a notebook, in HTML."""
+    rows = [("...", "...") if size is None else size for size in _sizes(system, residuals)]
+    title = f"Equations of motion of {_total(system, residuals)}"
     return html_table(title, ["equation of", "operations"], rows, " ".join(_ADVICE))
 
 
@@ -42,14 +54,14 @@ _ADVICE = (
 )
 
 
-def _sizes(system: System, residuals: Sequence[Expr]) -> list[tuple[str, int]]:
-    """Return the operations of the first and the last equations by their speeds; 0 stands for those between."""
-    n = len(residuals)
-    shown = [k for k in range(n) if k < _SHOWN or k >= n - _SHOWN]
-    sizes = [(str(system.driving[k]), cost(residuals[k]).total) for k in shown]
-    return sizes if len(shown) == n else [*sizes[:_SHOWN], ("...", 0), *sizes[_SHOWN:]]
-
-
-def _whole(system: System, residuals: Sequence[Expr]) -> str:
+def _total(system: System, residuals: Sequence[Expr]) -> str:
     sizes = f"{counted(len(residuals), 'speed')}, {counted(len(system.constraints), 'constraint')}"
     return f"{sizes}: {counted(cost(residuals).total, 'operation')} in all"
+
+
+def _sizes(system: System, residuals: Sequence[Expr]) -> list[tuple[Expr, int] | None]:
+    """Return the operations of the first and the last equations by their speeds; None stands for those between."""
+    n = len(residuals)
+    shown = [k for k in range(n) if k < _SHOWN or k >= n - _SHOWN]
+    sizes = [(system.driving[k], cost(residuals[k]).total) for k in shown]
+    return [*sizes] if len(shown) == n else [*sizes[:_SHOWN], None, *sizes[_SHOWN:]]

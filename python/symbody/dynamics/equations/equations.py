@@ -10,7 +10,7 @@ from typing import Any
 from symbody.dynamics.display.balance import balances
 from symbody.dynamics.display.matrix_form import MatrixForm, matrix_form
 from symbody.dynamics.display.page import Page
-from symbody.dynamics.display.summary import is_readable, summary, summary_table
+from symbody.dynamics.display.summary import is_readable, summary, summary_in_latex, summary_table
 from symbody.errors import ModelError
 from symbody.geometry import Scalar
 from symbody.geometry.given.argument import checked
@@ -181,8 +181,8 @@ class Equations:
     @cached_property
     def _page(self) -> Page:
         jacobian = self.constraint_jacobian
-        rows = balances(self.system, self.residuals, self.mass_matrix, self.bias, jacobian)
-        return Page(self.system, rows, self.constraints)
+        rows, matrix = balances(self.system, self.residuals, self.mass_matrix, self.bias, jacobian)
+        return Page(self.system, rows, self.constraints, matrix)
 
     def description(self) -> str:
         """Return the equations line by line as a textbook prints them: what `show` prints.
@@ -197,9 +197,14 @@ class Equations:
     def latex(self) -> str:
         """Return the equations and constraints in LaTeX, as a textbook prints them.
 
-        Long ones are broken at terms, so that they fit a page.
+        Long ones are broken at terms, so that they fit a page. Of equations that are too long, the sizes are returned;
+        ``latex(readable(equations.residuals[0]))`` is one of them.
         """
-        return self._page.latex()
+        return (
+            self._page.latex()
+            if is_readable(self.residuals)
+            else summary_in_latex(self.system, self.residuals)
+        )
 
     def matrix_form(self, *, christoffel: bool = False) -> MatrixForm:
         """Return ``M q'' + c + g + loads = Q + phi_q^T lambda`` with each entry in its form for the reader.
@@ -208,7 +213,7 @@ class Equations:
             christoffel: whether c(q, q') is written as C(q, q') q', by Christoffel's symbols, if it follows from M:
                 with quasi-velocities, and on a moving support, it does not.
         """
-        return matrix_form(self.system, self.mass_matrix, self._page.balances, christoffel=christoffel)
+        return matrix_form(self.system, self._page.mass_matrix, self._page.balances, christoffel=christoffel)
 
     @cached_property
     def _latex_of_notebook(self) -> str | None:

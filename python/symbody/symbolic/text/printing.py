@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from typing import Any
 
 from symbody.symbolic import _core
@@ -10,7 +10,7 @@ from symbody.symbolic._core import Expr
 from symbody.symbolic.expression.container import in_latex, is_container
 from symbody.symbolic.expression.leaves import ExprLike
 
-__all__ = ["latex", "listing", "maple"]
+__all__ = ["latex", "listing", "listing_of_equations", "maple"]
 
 
 def latex(expression: Any) -> str:
@@ -67,4 +67,30 @@ def listing(
     (['z1', 'z2'], ['v1*z2', 'v2*z2'])
     """
     definitions, results = _core.listing(expressions, notation)
+    return definitions, results
+
+
+def listing_of_equations(
+    expressions: Iterable[Expr], notation: str, coordinates: Sequence[Expr], speeds: Sequence[Expr]
+) -> tuple[list[tuple[str, str]], list[str]]:
+    r"""Return the terms of equations of motion printed together, as `listing` does.
+
+    The functions of time in a product are in the order of the equations, speeds and multipliers behind sines and
+    cosines; a fraction stands in front of a product.
+
+    Args:
+        expressions: the terms.
+        notation: "text" or "latex".
+        coordinates: the functions of time that are coordinates, in their order.
+        speeds: those that are velocities or multipliers, in their order.
+
+    >>> from symbody import functions_of_time, sin, symbols
+    >>> (theta, u2, u1), m = functions_of_time("theta u2 u1"), symbols("m")
+    >>> listing_of_equations([3 * m * u1 * u2 * sin(theta) / 2], "text", [theta], [u2, u1])
+    ([], ['3/2*m*sin(theta)*u2*u1'])
+    >>> listing_of_equations([3 * m * u1 * u2 / 2], "latex", [theta], [u2, u1])
+    ([], ['\\frac{3}{2} m u_{2} u_{1}'])
+    """
+    names = [each.name for each in coordinates], [each.name for each in speeds]
+    definitions, results = _core.listing(expressions, notation, names)
     return definitions, results
