@@ -71,7 +71,7 @@ def demo(tmp_path_factory: pytest.TempPathFactory) -> tuple[str, Path]:
 def test_demo_reports_what_it_finds_and_writes_its_files(demo: tuple[str, Path]) -> None:
     printed, out = demo
     for quantity in (
-        "0 = xA**2 + yA**2 + (h - zA)**2 - h**2",
+        "0 = xA**2 + yA**2 + (zA - h)**2 - h**2",
         "derived in",
         "all 21 together",
         "largest drift of the energy",

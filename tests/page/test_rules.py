@@ -12,13 +12,16 @@ from symbody import (
     Body,
     Expr,
     Force,
+    Frame,
     Matrix,
     Point,
     System,
+    Torque,
     Vector,
     cos,
     cost,
     describe,
+    expand,
     functions_of_time,
     ground,
     lagrange_equations,
@@ -43,9 +46,9 @@ def arm(axes: str) -> System:
     q = functions_of_time([f"q{i}" for i in range(len(axes))])
     frame, bodies = ground, []
     for i, axis in enumerate(axes):
-        l, c, m, Ix, Iy, Iz = symbols(f"l{i} c{i} m{i} Ix{i} Iy{i} Iz{i}")
+        l, b, m, Ix, Iy, Iz = symbols(f"l{i} b{i} m{i} Ix{i} Iy{i} Iz{i}")
         frame = frame * rotate(axis, q[i])
-        bodies.append(Body(Point(frame, c, 0, 0), m, Ix, Iy, Iz))
+        bodies.append(Body(Point(frame, b, 0, 0), m, Ix, Iy, Iz))
         frame = frame * translate(l, 0, 0)
     return System(bodies, coordinates=list(q), gravity=Vector(ground, 0, 0, -g))
 
@@ -88,6 +91,101 @@ def test_a_difference_of_the_user_is_kept() -> None:
     R, r = symbols("R r")
     assert str(readable(m * (R - r) ** 2)) == "m*(R - r)**2"
     assert str(readable(g * m * (R - r) * sin(theta))) == "g*m*(R - r)*sin(theta)"
+
+
+def test_squares_of_distances_from_an_axis() -> None:
+    """Two parallel axes across a vertical one: no double angles, though the frames multiply sines and cosines."""
+    distance = a * sin(x) + b * (sin(x) * cos(y) + cos(x) * sin(y))
+    for square in (m * distance**2, expand(m * distance**2)):
+        assert str(readable(square)) == "m*(a*sin(x) + b*sin(x + y))**2"
+
+
+@pytest.mark.parametrize("axes", ["ZYY", "ZXX", "YZZ", "XZZ", "ZYYZ"])
+def test_entries_of_spatial_arms_have_no_double_angles(axes: str) -> None:
+    matrix = newton_euler(arm(axes))._page.mass_matrix
+    assert not re.search(r"(sin|cos)\([^()]*2\*", " ".join(map(str, matrix.entries)))
+
+
+def test_a_common_function_stands_outside() -> None:
+    assert str(readable(a * m * cos(x) - b * k * cos(x))) == "(a*m - b*k)*cos(x)"
+
+
+def test_a_quotient_of_waves_is_a_tangent() -> None:
+    assert str(readable(m * l**2 * x * sin(theta) / cos(theta))) == "m*l**2*x*tan(theta)"
+
+
+@pytest.mark.parametrize("given", [x - a, a - x, 2 * (x - a), x - F * sin(c * t)])
+def test_a_coordinate_stands_before_what_is_given(given: Expr) -> None:
+    assert "(x - " in str(k * given**2)
+
+
+def coupled(*frames: Frame) -> list[System]:
+    """Return systems of one mass whose coordinates are not in the order of their names."""
+    coordinates = [q_theta, q_alpha, q_s]
+    gravity = Vector(ground, 0, 0, -g)
+    return [System([Body(frame, m)], coordinates=coordinates, gravity=gravity) for frame in frames]
+
+
+q_theta, q_alpha, q_s = functions_of_time("theta alpha s")
+COUPLED = pytest.mark.parametrize(
+    "system",
+    coupled(
+        rotate("Z", q_theta) * rotate("X", q_alpha) * translate(0, 0, q_s),
+        rotate("X", q_theta) * translate(0, q_s, 0) * rotate("Z", q_alpha) * translate(l, 0, 0),
+        translate(q_s, 0, 0) * rotate("Y", q_theta) * rotate("Z", q_alpha) * translate(l, 0, c),
+    ),
+    ids=["polar", "offset", "sliding"],
+)
+
+
+@COUPLED
+def test_speeds_are_in_the_order_of_the_coordinates(system: System) -> None:
+    text = newton_euler(system).description()
+    places = {"theta": 0, "alpha": 1, "s": 2}
+    products = re.findall(r"(\w+)'\*(\w+)'", text)
+    assert products
+    for first, second in products:
+        assert places[first] < places[second], text
+
+
+@COUPLED
+def test_fractions_lead_their_terms(system: System) -> None:
+    """A rod instead of each mass makes thirds and halves; no term of a row has a number under a bar."""
+    (body,) = system.bodies
+    rods = [Body(body.frame, m, m * l**2 / 12, m * l**2 / 3, m * l**2 / 2)]
+    equations = newton_euler(System(rods, coordinates=system.coordinates, gravity=system.gravity))
+    assert re.search(r"\b\d+/\d+\*", equations.description())
+    assert not re.search(r"[a-z)']/\d", equations.description())
+    assert not re.search(r"\\frac\{[^{}]*[a-z]", equations.latex())
+
+
+def test_loads_are_written_by_springs_and_dampers() -> None:
+    z = functions_of_time("z")
+    k1, k2, c1, c2 = symbols("k1 k2 c1 c2")
+    plate = Body(translate(0, z, 0), m)
+    front, rear = z - a * theta, z + b * theta
+    push = -k1 * front - c1 * front.diff(t) - k2 * rear - c2 * rear.diff(t)
+    tilting = Body(rotate("Z", theta), 0, Iz=l)
+    moment = a * (k1 * front + c1 * front.diff(t)) - b * (k2 * rear + c2 * rear.diff(t))
+    loads = [
+        Force(ground, 0, push, 0, at=plate.center_of_mass, on=plate),
+        Torque(ground, 0, 0, moment, on=tilting),
+    ]
+    first, second = describe(newton_euler(System([plate, tilting], loads, [z, theta]))).splitlines()[1:]
+    for name in ("k1", "k2", "c1", "c2"):
+        assert len(re.findall(rf"\b{name}\b", first)) == len(re.findall(rf"\b{name}\b", second)) == 1
+
+
+@pytest.mark.parametrize("axes", ["ZZZZ", "ZYYZ", "ZYYYX"])
+def test_short_names_in_latex(axes: str) -> None:
+    """They are those of the text, and make it shorter."""
+    equations = newton_euler(arm(axes))
+    names = re.findall(r"^    (\w+) :=", equations.description(), re.MULTILINE)
+    latex = equations.latex()
+    assert names
+    for name in names:
+        index = name[1:].lstrip("_").replace("_", "-")
+        assert f"{name[0]}_{{{index}}} &= " in latex, name
 
 
 def test_given_forces_and_constraints_are_on_the_right() -> None:
@@ -167,4 +265,6 @@ def test_a_hundred_bodies_are_shown_by_their_sizes() -> None:
     assert lines[0] == f"EQUATIONS OF MOTION of 100 speeds, 0 constraints: {operations} operations in all"
     assert len(lines) < 20
     assert equations._repr_latex_() is None
+    assert f"{operations} operations in all" in equations.latex()
+    assert len(equations.latex()) < 1000
     assert readable(equations.residuals[99]) == equations.residuals[99]

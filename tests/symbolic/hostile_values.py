@@ -213,6 +213,9 @@ class Hostile:
     def words(self) -> Value:
         return self.tuple_of(self.word, self.word)
 
+    def lists_of_words(self) -> Value:
+        return self.tuple_of(self.words, self.words)
+
     def array(self) -> Value:
         """Return what has a buffer: of doubles and others, of any shape, also of what can't be written."""
         length = self.random.choice(LENGTHS)
@@ -258,6 +261,7 @@ MAKERS: dict[str, Callable[[Hostile], Value]] = {
     "int": Hostile.integer,
     "str": Hostile.word,
     "tuple[str, str]": Hostile.words,
+    "tuple[Sequence[str], Sequence[str]] | None": Hostile.lists_of_words,
     "_Operand": Hostile.operand,
     "_Operands": Hostile.operands,
     "_Triple": Hostile.triple,

@@ -173,11 +173,11 @@ impl Graph {
                 }
             }
         }
-        // A displacement times its lever stands in brackets of its own: `a*k*(a*theta - z)`.
-        if inner.iter().any(|&id| matches!(self.view(id), View::TimeFunction(..))) {
-            return 0;
-        }
-        factors.iter().filter(|&(base, _)| !is_sum(*base) && inner.contains(base)).count()
+        // A displacement stands in brackets of its own, times its lever or direction: `a*k*(a*theta - z)`.
+        let is_motion = |id: Id| matches!(self.view(id), View::TimeFunction(..));
+        let has_motion = inner.iter().any(|&id| is_motion(id));
+        let counts = |base: Id| !is_sum(base) && inner.contains(&base) && (is_motion(base) || !has_motion);
+        factors.iter().filter(|&&(base, _)| counts(base)).count()
     }
 
     /// The factors of a product and of the products among them, and whether their exponent is one.
@@ -262,19 +262,23 @@ impl Ring<'_> {
         if self.is_linear_in_waves(&flat) {
             return vec![flat];
         }
+        let combined = if flat.len() <= 2 * LONG_WAVES { self.combined(&flat).ok() } else { None };
         // Of a planar mechanism, this is what the books print.
-        if flat.len() <= 2 * LONG_WAVES
-            && let Ok(combined) = self.combined(&flat)
+        if let Some(combined) = &combined
             && combined.len() <= flat.len()
-            && self.is_linear_in_waves(&combined)
+            && self.is_linear_in_waves(combined)
         {
-            return vec![combined];
+            return vec![combined.clone()];
         }
+        // Of axes in space that are parallel, this is: squares of distances from an axis.
+        let in_frame_angles = combined.and_then(|combined| self.in_frame_angles(&combined).ok());
+        let in_frame_angles = in_frame_angles.filter(|form| form.len() <= flat.len() && *form != flat);
         if flat.len() > LONG_WAVES {
-            return vec![flat];
+            return in_frame_angles.into_iter().chain([flat]).collect();
         }
         let Ok(node) = self.node_of(&flat) else { return Vec::new() };
         let mut forms = self.polynomials(node);
+        forms.extend(in_frame_angles.filter(|form| !forms.contains(form)));
         let is_multiple =
             |atom: &u32| self.wave(*atom).is_some_and(|(_, angle)| self.graph.is_multiple(angle));
         if flat.atoms().iter().any(is_multiple) {

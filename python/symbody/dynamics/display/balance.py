@@ -10,6 +10,7 @@ from symbody.symbolic import Expr, Matrix, number
 from symbody.symbolic.calculus.reader import Reader
 
 from .degree import Degrees, by_christoffel, degrees, part_of, without
+from .device import by_device, devices
 from .like_terms import joined
 from .source import Sources, sources
 
@@ -69,7 +70,7 @@ def balances(
     parts = [_Parts.of(entry, kinds) for entry in bias]
     mass_matrix = _read(mass_matrix, reader)
     inertia = _by_degree([part.inertia for part in parts], mass_matrix, system)
-    loads = degrees([part.loads for part in parts], system.speeds)
+    loads = _loads([part.loads for part in parts], kinds, system.speeds, reader)
     made = []
     for i, (residual, part) in enumerate(zip(residuals, parts, strict=True)):
         row = zip((mass_matrix[i, j] for j in range(len(bias))), system.accelerations, strict=True)
@@ -104,6 +105,30 @@ class _Parts:
         return cls(inertia, weight, free - bodies, -part_of(bias, [*kinds.given]))
 
 
+def _loads(
+    loads: Sequence[Expr], kinds: Sources, speeds: Sequence[Expr], reader: Reader
+) -> list[tuple[Expr, ...]]:
+    """Return the terms of the loads: one for each spring and damper, or by the speeds if that is shorter."""
+    symbols = devices(loads, kinds.loads)
+    made = []
+    for load, degree in zip(loads, degrees(loads, speeds), strict=True):
+        terms = _terms(load, reader)
+        if degree is not None:
+            products = (*degree.quadratic, *degree.linear)
+            terms = (*joined(products, reader), *_terms(degree.constant, reader))
+        others = by_device(load, symbols, speeds, reader)
+        made.append(others if others is not None and _length(others) <= _EQUAL * _length(terms) else terms)
+    return made
+
+
+def _length(terms: Sequence[Expr]) -> int:
+    return len(str(sum(terms, start=number(0))))
+
+
+_EQUAL = 1.1
+"""The length of terms by devices, at most, in relation to that of terms by speeds."""
+
+
 def _read(matrix: Matrix, reader: Reader) -> Matrix:
     n, entries = matrix.shape[1], [reader(entry) for entry in matrix.entries]
     return Matrix([entries[start : start + n] for start in range(0, len(entries), n)])
@@ -121,7 +146,7 @@ def _balance(
     row: Sequence[tuple[Expr, Expr]],
     part: _Parts,
     inertia: Degrees | None,
-    loads: Degrees | None,
+    loads: tuple[Expr, ...],
     forces: Sequence[tuple[Expr, Expr]],
     reader: Reader,
 ) -> Balance:
@@ -131,7 +156,7 @@ def _balance(
         row: the entries of its row of M, each with its acceleration.
         part: its bias by the sources of the terms.
         inertia: the forces of inertia by their degree in the speeds, if they are quadratic.
-        loads: the same of springs, dampers and others.
+        loads: the terms of springs, dampers and others.
         forces: the entries of its column of phi_q, each with its multiplier.
         reader: which finds the forms.
     """
@@ -140,15 +165,11 @@ def _balance(
     else:
         products = (*inertia.quadratic, *inertia.linear)
         velocities = (*joined(products, reader), *_terms(inertia.constant, reader))
-    if loads is None:
-        others = _terms(part.loads, reader)
-    else:
-        others = (*joined((*loads.quadratic, *loads.linear), reader), *_terms(loads.constant, reader))
     return Balance(
         accelerations=tuple(joined(row, reader, by_sign_only=True)),
         velocities=velocities,
         gravity=_terms(part.gravity, reader),
-        loads=others,
+        loads=loads,
         applied=_terms(part.given, reader),
         constraints=tuple(joined(forces, reader, by_sign_only=True)),
     )

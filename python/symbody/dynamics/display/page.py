@@ -68,11 +68,8 @@ class Page:
     def _named_rows(self, notation: str) -> tuple[list[Definition], list[tuple[str, str]]]:
         """Return named quantities, and the left and right sides of all rows with short names."""
         entries, definitions, rows = self._rows(notation)
-        sides = [side for row in rows for side in row]
-        named, sides = shortened([*(value for _, value in definitions), *sides], entries, notation)
-        count = len(definitions)
-        definitions = [(name, value) for (name, _), value in zip(definitions, sides[:count], strict=True)]
-        return [*named, *definitions], list(zip(sides[count::2], sides[count + 1 :: 2], strict=True))
+        definitions, sides = shortened([side for row in rows for side in row], entries, definitions, notation)
+        return definitions, list(zip(sides[::2], sides[1::2], strict=True))
 
     def _rows(self, notation: str) -> tuple[list[Entry], list[Definition], list[tuple[str, str]]]:
         """Return the entries of the mass matrix, named quantities, and the left and right sides of all rows."""

@@ -60,30 +60,39 @@ _NOTATIONS = {
 
 
 def shortened(
-    texts: Sequence[str], entries: Sequence[tuple[int, int, str]] = (), notation: str = "text"
+    rows: Sequence[str],
+    entries: Sequence[tuple[int, int, str]] = (),
+    given: Sequence[Definition] = (),
+    notation: str = "text",
 ) -> tuple[list[Definition], list[str]]:
-    """Return definitions of short names, and texts with these names, if that is shorter altogether.
+    """Return definitions of names, and rows with these names, if that is shorter altogether.
 
     Args:
-        texts: printed formulas.
-        entries: row, column and text of entries of the mass matrix, which may stand in the formulas in brackets.
+        rows: printed formulas.
+        entries: row, column and text of entries of the mass matrix, which may stand in the rows in brackets.
+        given: names that the rows and entries use already; they stay, and are defined before those of entries.
         notation: "text" or "latex".
 
     >>> shortened(["a*cos(q2)"])
     ([], ['a*cos(q2)'])
     >>> shortened(["(a + b*cos(q1))*q2''"] * 100, [(1, 2, "a + b*cos(q1)")])[0]
-    [('M12', 'a + b*cos(q1)')]
+    [('c1', 'cos(q1)'), ('M12', 'a + b*c1')]
     """
-    total = sum(map(len, texts))
-    if total < LONG:
-        return [], list(texts)
     style = _NOTATIONS[notation]
-    whole, changed = _with_entries(texts, entries, style)
-    waves, changed = _with_waves([*(value for _, value in whole), *changed], style)
-    whole = [(name, value) for (name, _), value in zip(whole, changed, strict=False)]
-    definitions, changed = [*waves, *whole], changed[len(whole) :]
-    length = sum(map(len, changed)) + sum(len(style.definition.format(*each)) for each in definitions)
-    return (definitions, changed) if length <= (1 - _WORTH) * total else ([], list(texts))
+    before = _length([*rows], given, style)
+    if before < LONG:
+        return [*given], [*rows]
+    whole, changed = _with_entries(rows, entries, style)
+    named = [*given, *whole]
+    waves, changed = _with_waves([*(value for _, value in named), *changed], style)
+    named = [(name, value) for (name, _), value in zip(named, changed, strict=False)]
+    definitions, changed = [*waves, *named], changed[len(named) :]
+    is_shorter = _length(changed, definitions, style) <= (1 - _WORTH) * before
+    return (definitions, changed) if is_shorter else ([*given], [*rows])
+
+
+def _length(rows: Sequence[str], definitions: Sequence[Definition], style: _Notation) -> int:
+    return sum(map(len, rows)) + sum(len(style.definition.format(*each)) for each in definitions)
 
 
 def _with_entries(
