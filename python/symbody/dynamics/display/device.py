@@ -5,8 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 
 from symbody.symbolic import Expr, diff, free_symbols, number
-
-from .reader import Reader
+from symbody.symbolic.calculus.reader import Reader
 
 
 def devices(loads: Sequence[Expr], symbols: Iterable[Expr]) -> tuple[Expr, ...]:

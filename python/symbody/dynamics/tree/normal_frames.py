@@ -179,6 +179,13 @@ def _turning_part(
     """Return the part of a displacement that turns with a rotation, in the axes behind it.
 
     It may depend on coordinates that turn nothing, such as the length of a rope.
+
+    Args:
+        path: the rotations on the way to the frame.
+        p: the displacement.
+        level: the number of rotations before the axes in which it is given.
+        last: the number of rotations up to the one with which the part turns.
+        turning: the coordinates that turn frames.
     """
     _, turn = path[last - 1]
     q = _own_coordinate(path, last)
