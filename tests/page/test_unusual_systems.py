@@ -35,6 +35,7 @@ from symbody import (
     time_derivative,
     translate,
 )
+from symbody.errors import ModelError
 from symbody.multibody import Load
 from symbody.symbolic import Matrix
 from tests.page.classic import Classic
@@ -149,7 +150,7 @@ def test_the_matrix_form_is_equal(name: str, christoffel: bool) -> None:
     equations = shown(name).equations
     form = equations.matrix_form(christoffel=christoffel)
     coriolis = form.coriolis
-    if coriolis.shape[1] > 1:
+    if form.is_christoffel:
         coriolis = coriolis @ column(equations.speeds)
     left = form.mass_matrix @ column(equations.accelerations) + coriolis + form.gravity + form.loads
     assert left - form.applied - form.constraints == column(equations.residuals)
@@ -159,6 +160,66 @@ def test_the_matrix_form_is_equal(name: str, christoffel: bool) -> None:
 
 def column(entries: Sequence[Expr]) -> Matrix:
     return Matrix([[entry] for entry in entries])
+
+
+CART = Body(translate(x := functions_of_time("x"), 0, 0), m)
+HANGING = Body(translate(x, 0, 0) * rotate("Z", q1) * translate(0, -l, 0), m)
+RATE = time_derivative(x)
+
+# The force on the cart, its term on the left, and that on the right.
+CAUSES: dict[str, tuple[Expr, Expr, Expr]] = {
+    "a spring in numbers": (-100 * x, 100 * x, number(0)),
+    "a quotient": (-k * x / c, k * x / c, number(0)),
+    "dry friction": (-F * sign(RATE), F * sign(RATE), number(0)),
+    "a smooth one": (-F * tanh(RATE / c), F * tanh(RATE / c), number(0)),
+    "a drive by a radius": (F / c, number(0), F / c),
+    "a number": (number(5), number(0), number(5)),
+    "a drive and a damper": (F - c * RATE, c * RATE, F),
+    "a preloaded spring": (-k * (x - c), k * (x - c), number(0)),
+}
+
+
+@pytest.mark.parametrize(("force", "load", "applied"), CAUSES.values(), ids=CAUSES)
+@pytest.mark.parametrize("weight", [g, number("9.81")], ids=str)
+def test_terms_stand_where_their_causes_belong(force: Expr, load: Expr, applied: Expr, weight: Expr) -> None:
+    push = Force(ground, force, 0, 0, at=CART.center_of_mass, on=CART)
+    system = System([CART, HANGING], [push], coordinates=[x, q1], gravity=Vector(ground, 0, -weight, 0))
+    form = newton_euler(system).matrix_form(christoffel=True)
+    rate = time_derivative(q1)
+    assert form.loads == column([load, number(0)])
+    assert form.applied == column([applied, number(0)])
+    assert form.gravity == column([number(0), m * weight * l * sin(q1)])
+    assert form.coriolis == Matrix([[0, -m * l * sin(q1) * rate], [0, 0]])
+
+
+def test_one_coordinate_has_a_matrix_of_christoffel() -> None:
+    bead = newton_euler(System([Body(translate(x, x**2, 0), m)], coordinates=[x]))
+    assert bead.matrix_form(christoffel=True).description().splitlines() == [
+        "M*x'' + C*x' = 0",
+        "    M11 = 4*m*x**2 + m",
+        "    C11 = 4*m*x*x'",
+    ]
+
+
+def test_labels_are_told_from_names_of_the_model() -> None:
+    k1 = symbols("k1")
+    spring = Force(ground, -k1 * x, 0, 0, at=CART.center_of_mass, on=CART)
+    form = newton_euler(System([CART], [spring], coordinates=[x])).matrix_form()
+    assert form.description().splitlines() == ["M*x'' + k = 0", "    M[1,1] = m", "    k[1] = k1*x"]
+
+
+def test_a_wall_of_equations_is_refused() -> None:
+    angles = functions_of_time(" ".join(f"p{k}" for k in range(20)))
+    frame, bodies = ground, list[Body]()
+    for axis, angle in zip("XYZ" * 7, angles, strict=False):
+        frame = frame * rotate(axis, angle) * translate(0, l, 0)
+        bodies.append(Body(frame, m, 1, 2, 3))
+    chain = newton_euler(System(bodies, coordinates=angles, gravity=WEIGHT))
+    assert len(chain.description()) < 1000
+    with pytest.raises(
+        ModelError, match=r"matrix_form: the equations have \d+ operations, too many to be read"
+    ):
+        chain.matrix_form()
 
 
 def test_lagrange_is_shown_as_newton_and_euler() -> None:

@@ -9,6 +9,7 @@ from symbody.multibody import System
 from symbody.symbolic import Expr, Matrix, number
 from symbody.symbolic.calculus.reader import Reader
 
+from .causes import generalized_forces
 from .degree import Degrees, by_christoffel, degrees, part_of, without
 from .device import by_device, devices
 from .like_terms import joined
@@ -67,7 +68,7 @@ def balances(
     """
     reader = Reader()
     kinds = sources(system, mass_matrix)
-    parts = [_Parts.of(entry, kinds) for entry in bias]
+    parts = _parts(system, bias, kinds, mass_matrix)
     mass_matrix = _read(mass_matrix, reader)
     inertia = _by_degree([part.inertia for part in parts], mass_matrix, system)
     loads = _loads([part.loads for part in parts], kinds, system.speeds, reader)
@@ -103,6 +104,28 @@ class _Parts:
         inertia = without(bodies, [*kinds.gravity])
         weight = part_of(bodies, [*kinds.gravity])
         return cls(inertia, weight, free - bodies, -part_of(bias, [*kinds.given]))
+
+
+def _parts(system: System, bias: Sequence[Expr], kinds: Sources, mass_matrix: Matrix) -> list[_Parts]:
+    """Return the terms by their symbols, or by generalised forces where only these leave forces of inertia.
+
+    Symbols give short forms and are right as a rule, but they don't tell numbers and quotients apart. Forces of inertia
+    are known by Christoffel's symbols.
+    """
+    parts = [_Parts.of(entry, kinds) for entry in bias]
+    follows = by_christoffel([part.inertia for part in parts], mass_matrix, system)
+    if system.has_quasi_velocities or all(follows):
+        return parts
+    forces = generalized_forces(system)
+    others = [
+        _Parts(entry + weight + moving + given, -weight, -moving, given)
+        for entry, weight, moving, given in zip(bias, forces.weight, forces.moving, forces.given, strict=True)
+    ]
+    better = by_christoffel([part.inertia for part in others], mass_matrix, system)
+    return [
+        other if known is None and found is not None else part
+        for part, other, known, found in zip(parts, others, follows, better, strict=True)
+    ]
 
 
 def _loads(

@@ -6,11 +6,14 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from symbody.multibody import System
-from symbody.symbolic import Expr, Matrix, diff, number, readable
+from symbody.symbolic import Expr, Matrix, diff, free_symbols, number, readable
 from symbody.symbolic.expression.latex_layout import aligned, bmatrix, displayed
 
 from .balance import Balance
 from .row import LINE, lines, printed
+
+_TWO_DIGITS = 10
+"""Speeds from which on indices have two digits."""
 
 
 @dataclass(frozen=True)
@@ -25,6 +28,7 @@ class MatrixForm:
         loads: the forces of springs, dampers and others, n x 1.
         applied: the given forces Q, n x 1.
         constraints: ``phi_q^T lambda``, n x 1.
+        is_christoffel: whether `coriolis` is C, not c.
 
     >>> from symbody import Body, Point, System, Vector, functions_of_time, ground, newton_euler, rotate, symbols
     >>> theta, (m, l, g) = functions_of_time("theta"), symbols("m l g")
@@ -43,6 +47,7 @@ class MatrixForm:
     loads: Matrix
     applied: Matrix
     constraints: Matrix
+    is_christoffel: bool = False
 
     def description(self) -> str:
         """Return the equation of matrices, and their entries other than zero line by line."""
@@ -68,23 +73,28 @@ class MatrixForm:
         return displayed(self.latex())
 
     def _matrices(self) -> list[tuple[str, Matrix]]:
-        name = "C" if self._is_by_christoffel else "c"
+        name = "C" if self.is_christoffel else "c"
         matrices = (self.mass_matrix, self.coriolis, self.gravity, self.loads, self.applied, self.constraints)
         return list(zip(("M", name, "g", "k", "Q", "R"), matrices, strict=True))
 
-    @property
-    def _is_by_christoffel(self) -> bool:
-        n, columns = self.coriolis.shape
-        return columns == n and n > 1
-
     def _labelled(self) -> list[tuple[str, Expr]]:
+        """Return the entries and their labels: ``M12``, or ``M[1,2]`` if a name of the model looks like one."""
+        entries = [entry for _, matrix in self._matrices() for entry in matrix.entries]
+        taken = {leaf.name for leaf in free_symbols(entries)}
+        plain, indexed = self._with_labels("{}{}"), self._with_labels("{}[{}]")
+        is_plain = self.mass_matrix.rows < _TWO_DIGITS and not taken & {label for label, _ in plain}
+        return plain if is_plain else indexed
+
+    def _with_labels(self, style: str) -> list[tuple[str, Expr]]:
         made = []
+        comma = "," if "[" in style else ""
         for name, matrix in self._matrices():
             rows, columns = matrix.shape
+            is_square = columns > 1 or name in {"M", "C"}
             for i in range(rows):
                 for j in range(columns):
-                    label = f"{name}{i + 1}{j + 1}" if columns > 1 or name == "M" else f"{name}{i + 1}"
-                    made.append((label if rows < 10 else f"{name}[{i + 1},{j + 1}]", matrix[i, j]))
+                    index = f"{i + 1}{comma}{j + 1}" if is_square else f"{i + 1}"
+                    made.append((style.format(name, index), matrix[i, j]))
         return made
 
     def _all(self) -> list[Expr]:
@@ -110,9 +120,10 @@ class MatrixForm:
         rate = (
             f"{self.system.accelerations[0]}" if one else "u'" if self.system.has_quasi_velocities else "q''"
         )
+        speed = f"{self.system.speeds[0]}" if one else "q'"
         left = [f"M*{rate}"]
         if _is_used(self.coriolis):
-            left.append("C*q'" if self._is_by_christoffel else "c")
+            left.append(f"C*{speed}" if self.is_christoffel else "c")
         left += [name for name, matrix in self._matrices()[2:4] if _is_used(matrix)]
         right = [name for name, matrix in self._matrices()[4:] if _is_used(matrix)]
         return f"{' + '.join(left)} = {' + '.join(right) or '0'}"
@@ -123,12 +134,12 @@ def matrix_form(
 ) -> MatrixForm:
     """Return the matrices of equations whose terms are known by their kinds; M is in its form for the reader."""
     n = len(balances)
-    coriolis = _column([balance.velocities for balance in balances])
+    coriolis, is_christoffel = _column([balance.velocities for balance in balances]), False
     if christoffel and not system.has_quasi_velocities:
         found = by_christoffel(mass_matrix, system)
         product = found @ Matrix([[u] for u in system.speeds])
         if all(product[i, 0] == coriolis[i, 0] for i in range(n)):
-            coriolis = found
+            coriolis, is_christoffel = found, True
     return MatrixForm(
         system,
         mass_matrix,
@@ -137,6 +148,7 @@ def matrix_form(
         _column([balance.loads for balance in balances]),
         _column([balance.applied for balance in balances]),
         _column([balance.constraints for balance in balances]),
+        is_christoffel,
     )
 
 

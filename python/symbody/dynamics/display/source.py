@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
+from symbody.geometry import Frame
 from symbody.multibody import System
 from symbody.symbolic import Expr, Matrix, diff, free_symbols, t
 
@@ -31,25 +32,30 @@ def sources(system: System, mass_matrix: Matrix) -> Sources:
     weight = frozenset[Expr]()
     if system.gravity is not None:
         weight = _symbols(system.gravity.components, motion) - inertia
+    placing = _names(free_symbols([x for body in system.bodies for x in _variables(body.frame)]))
     loads, given, moving = set[Expr](), set[Expr](), set[Expr]()
     for action in system.actions:
         found = _leaves(action.vector.components)
         place = () if action.point is None else action.point.coordinates
         loads |= {*found, *_leaves(place)}
         depends = any(leaf.name in motion for leaf in found if leaf.kind == "time_function")
-        alone = _added(found, action.vector.components) if depends else found
+        alone = _added(found, action.vector.components, motion) if depends else found
         (moving if found & (inertia | weight) else given).update(alone)
         moving |= found - alone
     return Sources(
         gravity=weight,
         loads=frozenset(leaf for leaf in loads if leaf.kind == "symbol") - inertia - weight,
-        given=frozenset(given - moving - inertia),
+        given=frozenset(leaf for leaf in given - moving - inertia if leaf.name not in placing),
     )
 
 
-def _added(leaves: Iterable[Expr], components: Sequence[Expr]) -> frozenset[Expr]:
+def _added(leaves: Iterable[Expr], components: Sequence[Expr], motion: frozenset[str]) -> frozenset[Expr]:
     """Return the symbols that are added to what depends on the motion, as F in ``F - b*x'``."""
-    return frozenset(leaf for leaf in leaves if all(diff(each, leaf).is_number for each in components))
+    return frozenset(
+        leaf
+        for leaf in leaves
+        if leaf.name not in motion and all(diff(each, leaf).is_number for each in components)
+    )
 
 
 def _symbols(expressions: Iterable[Expr], motion: frozenset[str]) -> frozenset[Expr]:
@@ -63,6 +69,10 @@ def _symbols(expressions: Iterable[Expr], motion: frozenset[str]) -> frozenset[E
 def _leaves(expressions: Iterable[Expr]) -> frozenset[Expr]:
     """Return the symbols and functions of time but time itself, which all terms share."""
     return free_symbols(tuple(expressions)) - {t}
+
+
+def _variables(frame: Frame) -> list[Expr]:
+    return [variable for motion in frame.motions for variable in motion.variables]
 
 
 def _names(functions: Iterable[Expr]) -> frozenset[str]:

@@ -10,7 +10,7 @@ from symbody.symbolic.expression.html_table import html_table
 from symbody.symbolic.expression.latex_layout import aligned
 from symbody.symbolic.given.arguments import counted
 
-READABLE = 4000
+READABLE = 1000
 """Operations up to which equations are written out."""
 _SHOWN = 4
 """The first and the last equations, so many each, whose sizes are listed."""

@@ -212,7 +212,16 @@ class Equations:
         Args:
             christoffel: whether c(q, q') is written as C(q, q') q', by Christoffel's symbols, if it follows from M:
                 with quasi-velocities, and on a moving support, it does not.
+
+        Raises:
+            ModelError: the equations are too long to be read, as `show` tells by their sizes.
         """
+        if not is_readable(self.residuals):
+            raise ModelError(
+                f"matrix_form: the equations have {counted(cost(self.residuals).total, 'operation')}, too many to "
+                "be read; equations.mass_matrix and equations.bias have the entries, and readable(entry) is the form "
+                "of one"
+            )
         return matrix_form(self.system, self._page.mass_matrix, self._page.balances, christoffel=christoffel)
 
     @cached_property
