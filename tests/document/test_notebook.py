@@ -47,6 +47,9 @@ SHOWN = {
 }
 """What is typed into a cell, and the richest form that it shows."""
 
+HERE = Path(__file__).parents[2]
+"""The folder of the package `tests`, for the kernel."""
+
 pytestmark = pytest.mark.slow
 
 
@@ -57,6 +60,7 @@ def executed(notebook: nbformat.NotebookNode, folder: Path) -> nbformat.Notebook
     settings = {
         name: str(folder / name) for name in ("JUPYTER_RUNTIME_DIR", "JUPYTER_CONFIG_DIR", "IPYTHONDIR")
     }
+    settings["PYTHONPATH"] = os.pathsep.join(filter(None, [str(HERE), os.environ.get("PYTHONPATH")]))
     command = [
         sys.executable,
         "-c",

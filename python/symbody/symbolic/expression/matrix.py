@@ -290,7 +290,7 @@ def identity(n: int) -> Matrix:
     >>> from symbody import Matrix, identity, symbols
     >>> a, b, x = symbols("a b x")
     >>> (Matrix([[a, 1], [b, 2]]) - x * identity(2)).det()
-    (2 - x)*(a - x) - b
+    (x - a)*(x - 2) - b
     """
     n = size(n, "identity: n", "rows")
     zero, one = _core.number(0), _core.number(1)
