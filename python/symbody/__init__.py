@@ -43,6 +43,7 @@ from symbody.geometry import (
 )
 from symbody.multibody import (
     Body,
+    Constraint,
     Force,
     System,
     Torque,
@@ -145,6 +146,7 @@ __all__ = [
     "Abs",
     "Body",
     "CompiledFunction",
+    "Constraint",
     "Cost",
     "Equations",
     "Equilibrium",

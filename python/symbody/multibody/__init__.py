@@ -1,6 +1,7 @@
 """Bodies, loads and systems; their energy, momentum and power."""
 
 from .body import Body, center_of_mass
+from .constraint import Constraint
 from .energy import gravitational_energy, kinetic_energy, mechanical_energy
 from .load import Action, Force, Load, Torque, power
 from .momentum import angular_momentum, linear_momentum
@@ -10,6 +11,7 @@ from .system import System
 __all__ = [
     "Action",
     "Body",
+    "Constraint",
     "Force",
     "Load",
     "System",

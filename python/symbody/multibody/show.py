@@ -149,8 +149,9 @@ def _system(system: System, style: _Style) -> str:
     lines += [f"load: {_described(load, style)}" for load in system.loads]
     if system.gravity is not None:
         lines.append(f"gravity: {_described(system.gravity, style)}")
-    for multiplier, constraint in zip(system.multipliers, system.constraints, strict=True):
-        lines.append(f"constraint: {style.text(constraint)} = 0, multiplier {multiplier}")
+    for multiplier, constraint in zip(system.multipliers, system.conditions, strict=True):
+        name = f"constraint {constraint.name}" if constraint.name else "constraint"
+        lines.append(f"{name}: {style.text(constraint.condition)} = 0, multiplier {multiplier}")
     return "\n    ".join(lines)
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import warnings
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from functools import cached_property
-from itertools import count, islice
+from itertools import count
 from typing import Annotated, Any, TypeAlias, TypeVar, final
 
 from symbody.errors import ConstraintError, ModelError, ModelNotice
@@ -19,9 +19,10 @@ from symbody.symbolic.expression.html_table import html_table
 from symbody.symbolic.given.arguments import brief, counted
 
 from .body import Body
+from .constraint import Condition, as_constraint
+from .constraint_fault import Unknowns, fault_of, is_on_velocity
 from .coordinate import check_function_of_time
 from .frames import all_frames
-from .holonomic import fault_of
 from .load import COLUMNS, Action, Load
 from .oversight import notices
 from .physical_inertia import report_impossible_differences
@@ -38,7 +39,8 @@ Coordinates: TypeAlias = Annotated[
     Sequence[Expr], "a list of functions of time, such as functions_of_time('x y')"
 ]
 Conditions: TypeAlias = Annotated[
-    Sequence[Scalar], "a list of expressions that are zero, such as [x**2 + y**2 - l**2]"
+    Sequence[Condition],
+    "a list of expressions that are zero, such as [x**2 + y**2 - l**2], or of Constraints",
 ]
 
 
@@ -53,7 +55,8 @@ class System:
         loads: the forces and torques on bodies, except weight.
         coordinates: the functions of time in which the configuration is written, in the order of the equations; those
             of floating frames come first unless they are listed.
-        constraints: expressions of the coordinates that are zero.
+        constraints: expressions that are zero, or `Constraint` values: of coordinates and time, or linear in speeds
+            and rates of coordinates, as for rolling.
         gravity: the acceleration of weight.
         speeds: the functions of time that are velocities in moving frames (quasi-velocities); those of floating frames
             come first unless they are listed.
@@ -95,11 +98,49 @@ class System:
         """The coordinates whose rates are not speeds, as those of floating frames, and these rates by the speeds."""
         self.coordinates = _completed(coordinates, self.coordinate_rates)
         self.quasi_velocities = _completed(speeds, [u for motion in motions for u in motion.speeds])
-        self.constraints = tuple(expression(constraint) for constraint in constraints)
+        self.conditions = tuple(as_constraint(constraint) for constraint in constraints)
+        """The constraints as values, with their names and what they connect."""
         self.name = name
         self.multipliers = tuple(multipliers) or self._default_multipliers()
         self.inputs = tuple(expression(each) for each in inputs)
         self._check()
+
+    @cached_property
+    def constraints(self) -> tuple[Expr, ...]:
+        """The constraints as expressions that are zero: on positions, and on velocities as they were given."""
+        return tuple(each.condition for each in self.conditions)
+
+    @cached_property
+    def holonomic(self) -> tuple[int, ...]:
+        """The places of the constraints on positions among all."""
+        unknowns = self._unknowns
+        return tuple(k for k, each in enumerate(self.constraints) if not is_on_velocity(each, unknowns))
+
+    @property
+    def is_holonomic(self) -> bool:
+        """Whether all constraints are conditions on positions."""
+        return len(self.holonomic) == len(self.constraints)
+
+    @cached_property
+    def position_constraints(self) -> tuple[Expr, ...]:
+        """The constraints on positions, phi."""
+        return tuple(self.constraints[k] for k in self.holonomic)
+
+    def velocity_level(self, constraints: Sequence[Expr]) -> tuple[Expr, ...]:
+        """Return ``A u + b``, one per constraint: the rate of a condition on positions, or the condition itself.
+
+        Args:
+            constraints: those of the system, in these or other forms.
+        """
+        if self.is_holonomic:
+            return self.rate(constraints)
+        rates = iter(self.rate([constraints[k] for k in self.holonomic]))
+        others = self.by_speeds(constraints)
+        return tuple(next(rates) if k in self.holonomic else other for k, other in enumerate(others))
+
+    @property
+    def _unknowns(self) -> Unknowns:
+        return Unknowns(self.coordinates, self.quasi_velocities, self.speeds, self.by_speeds)
 
     @cached_property
     def root(self) -> Frame:
@@ -215,10 +256,11 @@ class System:
                 f"System: {counted(len(self.multipliers), 'multiplier')} for {counted(m, 'constraint')}; "
                 "give one for each"
             )
-        for number, constraint in enumerate(self.constraints, start=1):
-            fault = fault_of(constraint, self.coordinates, self.quasi_velocities)
+        unknowns = self._unknowns
+        for number, constraint in enumerate(self.conditions, start=1):
+            fault = fault_of(constraint.condition, unknowns)
             if fault:
-                raise ConstraintError(f"System: constraint {number}, {brief(constraint)} = 0, {fault}")
+                raise ConstraintError(f"System: constraint {number}, {constraint}, {fault}")
 
     def _check_multipliers(self) -> None:
         for multiplier in self.multipliers:
@@ -233,12 +275,13 @@ class System:
                 )
 
     def _default_multipliers(self) -> tuple[Expr, ...]:
-        """Return ``lambda1``, ``lambda2``, ..., without names that the model uses for something else."""
-        if not self.constraints:
-            return ()
-        taken = self._names()
-        free = (name for name in (f"lambda{k}" for k in count(1)) if name not in taken)
-        return tuple(functions_of_time(name) for name in islice(free, len(self.constraints)))
+        """Return the constraints' own multipliers, or ``lambda1``, ..., without names that the model uses already."""
+        given = [each.multiplier for each in self.conditions]
+        if None not in given:
+            return tuple(each for each in given if each is not None)
+        taken = self._names() | {each.name for each in given if each is not None}
+        free = (functions_of_time(name) for name in (f"lambda{k}" for k in count(1)) if name not in taken)
+        return tuple(next(free) if each is None else each for each in given)
 
     @cached_property
     def leaves(self) -> frozenset[Expr]:
@@ -334,7 +377,7 @@ def _completed(given: Sequence[Expr], needed: Iterable[Expr]) -> tuple[Expr, ...
 
 def _parts(system: System) -> tuple[Any, ...]:
     gravity = () if system.gravity is None else (system.gravity,)
-    return system.bodies, system.loads, system.constraints, system.inputs, *gravity
+    return system.bodies, system.loads, system.conditions, system.inputs, *gravity
 
 
 def _rebuilt(system: System, parts: Sequence[Any]) -> System:

@@ -66,7 +66,7 @@ def natural_points(system: System) -> list[Point]:
 def threads(system: System, points: Sequence[Point]) -> list[Thread]:
     """Return the threads by constraints of the form ``|P - P0|^2 = l^2``, with P among the given points."""
     found: list[Thread] = []
-    for constraint, multiplier in zip(system.constraints, system.multipliers, strict=True):
+    for constraint, multiplier in ((system.constraints[k], system.multipliers[k]) for k in system.holonomic):
         for point in points:
             thread = _thread(constraint, multiplier, point)
             if thread is not None and (thread.end, thread.start) not in [(a.start, a.end) for a in found]:

@@ -6,8 +6,9 @@ from collections.abc import Sequence
 from typing import Annotated, TypeAlias
 
 from symbody.geometry import Scalar
-from symbody.geometry.component.triple import Rate, expression
-from symbody.symbolic import Expr, derivation, time_derivatives
+from symbody.geometry.component.triple import expression
+from symbody.multibody import System
+from symbody.symbolic import Expr, derivation
 
 Damping: TypeAlias = Annotated[
     tuple[Scalar, Scalar] | None,
@@ -15,31 +16,31 @@ Damping: TypeAlias = Annotated[
 ]
 
 
-def stabilized(
-    constraints: Sequence[Expr], omega: Scalar, zeta: Scalar, rate: Rate = time_derivatives
-) -> tuple[Expr, ...]:
-    """Return ``phi'' + 2 zeta omega phi' + omega^2 phi`` for every constraint phi.
+def stabilized(system: System, constraints: Sequence[Expr], omega: Scalar, zeta: Scalar) -> tuple[Expr, ...]:
+    """Return ``phi'' + 2 zeta omega phi' + omega^2 phi`` for every constraint phi on positions.
 
     Where this is kept at zero, a violation of the constraint dies out with the frequency omega and the damping ratio
-    zeta, instead of growing.
+    zeta, instead of growing. A constraint on velocities ``psi = 0`` has no position that could be off: its row is
+    ``psi' + 2 zeta omega psi``.
 
     Args:
-        constraints: m expressions phi.
+        system: the system to which they belong.
+        constraints: its m constraints, in these or other forms.
         omega: the frequency, in rad/s.
         zeta: the damping ratio.
-        rate: the time derivative; one that writes rates of coordinates by speeds is possible.
 
-    >>> from symbody import functions_of_time
-    >>> x = functions_of_time("x")
-    >>> stabilized([x], 1, 0)
-    (x'' + x,)
+    >>> from symbody import Body, functions_of_time, time_derivative, translate
+    >>> x, y = functions_of_time("x y")
+    >>> guided = System([Body(translate(x, y, 0), 1)], coordinates=[x, y], constraints=[y, time_derivative(x) - 1])
+    >>> stabilized(guided, guided.constraints, 1, 0)
+    (y'' + y, x'')
     """
     frequency, damping = expression(omega), expression(zeta)
     with derivation():
-        first = rate(constraints)
-        second = rate(first)
+        first = system.velocity_level(constraints)
+        second = system.rate(first)
         stiffness, viscosity = frequency**2, 2 * damping * frequency
-        return tuple(
-            acceleration + viscosity * rate + stiffness * violation
-            for violation, rate, acceleration in zip(constraints, first, second, strict=True)
-        )
+        rows = [acceleration + viscosity * rate for rate, acceleration in zip(first, second, strict=True)]
+        for k in system.holonomic:
+            rows[k] += stiffness * constraints[k]
+        return tuple(rows)

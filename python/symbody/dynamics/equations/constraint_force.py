@@ -1,4 +1,4 @@
-"""Holonomic constraints: their Jacobian, and the forces of their multipliers."""
+"""Constraints on positions and on velocities: their Jacobian, and the forces of their multipliers."""
 
 from __future__ import annotations
 
@@ -9,30 +9,51 @@ from symbody.symbolic import Expr, Matrix, derivation, gradient, jacobian, numbe
 
 
 def constraint_jacobian(system: System) -> Matrix:
-    """Return ``phi_q = dphi'/du``, m x n: one row per constraint, one column per speed."""
+    """Return A of ``A u + b``, m x n: ``dphi'/du`` of constraints on positions; one row each, a column per speed."""
     if not system.constraints:
         return zeros(0, len(system.speeds))
     with derivation():
-        if system.has_quasi_velocities:
-            return jacobian(system.rate(system.constraints), system.speeds)
+        if system.has_quasi_velocities or not system.is_holonomic:
+            return jacobian(system.velocity_level(system.constraints), system.speeds)
         return jacobian(system.constraints, system.coordinates)
 
 
 def with_multipliers(residuals: Sequence[Expr], system: System) -> tuple[Expr, ...]:
-    """Return ``residual - phi_q^T lambda``, one per speed: the forces of the multipliers are on the side of the loads.
+    """Return ``residual - A^T lambda``, one per speed: the forces of the multipliers are on the side of the loads.
 
-    The products are the gradient of ``sum(lambda phi)``. Accumulated backwards through the subexpressions that the
-    constraints share, it is shorter than the rows of the Jacobian.
+    The products are the gradient of ``sum(lambda phi)`` by the coordinates, or of ``sum(lambda (A u + b))`` by the
+    speeds. Accumulated backwards through the subexpressions that the constraints share, it is shorter than the rows of
+    the Jacobian.
     """
     if not system.constraints:
         return tuple(residuals)
+    forces = [_forces_on_positions(system), _forces_on_velocities(system)]
+    return tuple(
+        residual - position - velocity
+        for residual, position, velocity in zip(residuals, *forces, strict=True)
+    )
+
+
+def _forces_on_positions(system: System) -> tuple[Expr, ...]:
+    forces = gradient(_multiplied(system, system.constraints, on_position=True), system.coordinates)
+    return _along_speeds(forces, system) if system.has_quasi_velocities else forces
+
+
+def _forces_on_velocities(system: System) -> tuple[Expr, ...]:
+    if system.is_holonomic:
+        return (number(0),) * len(system.speeds)
+    return gradient(
+        _multiplied(system, system.by_speeds(system.constraints), on_position=False), system.speeds
+    )
+
+
+def _multiplied(system: System, constraints: Sequence[Expr], *, on_position: bool) -> Expr:
+    """Return the sum of the constraints of one kind, each times its multiplier."""
     augmented = number(0)
-    for multiplier, constraint in zip(system.multipliers, system.constraints, strict=True):
-        augmented += multiplier * constraint
-    forces = gradient(augmented, system.coordinates)
-    if system.has_quasi_velocities:
-        forces = _along_speeds(forces, system)
-    return tuple(residual - force for residual, force in zip(residuals, forces, strict=True))
+    for k, (multiplier, constraint) in enumerate(zip(system.multipliers, constraints, strict=True)):
+        if (k in system.holonomic) == on_position:
+            augmented += multiplier * constraint
+    return augmented
 
 
 def _along_speeds(forces: Sequence[Expr], system: System) -> tuple[Expr, ...]:

@@ -52,7 +52,7 @@ class Equations:
 
     There are n speeds u and m constraints. The speeds are the rates of the coordinates, so that ``M u'`` is ``M q''``.
     Where frames move by speeds of their own (quasi-velocities), `kinematics` gives the rates of the coordinates, and
-    phi_q is ``dphi'/du``.
+    phi_q is ``dphi'/du``. A constraint on velocities, ``A u + b = 0``, has A as its rows of phi_q.
 
     Attributes:
         system: the system to which they belong.
@@ -95,12 +95,12 @@ class Equations:
 
     @cached_property
     def constraints(self) -> tuple[Expr, ...]:
-        """The constraints phi, expressions that are zero."""
+        """The constraints, expressions that are zero: phi on positions, or ``A u + b`` on velocities."""
         return self.system.constraints
 
     @cached_property
     def constraint_jacobian(self) -> Matrix:
-        """The Jacobian ``phi_q = dphi'/du``, m x n: one row per constraint, one column per speed."""
+        """The Jacobian A of ``A u + b``, m x n: ``phi_q = dphi'/du``, one row per constraint, one column per speed."""
         return constraint_jacobian(self.system)
 
     @property
@@ -148,11 +148,13 @@ class Equations:
     def baumgarte(self, omega: Scalar, zeta: Scalar) -> tuple[Expr, ...]:
         """Return the stabilised constraints ``phi'' + 2 zeta omega phi' + omega^2 phi``, linear in the accelerations.
 
+        Of a constraint psi on velocities, it is ``psi' + 2 zeta omega psi``.
+
         Args:
             omega: the frequency with which a violation dies out, in rad/s.
             zeta: its damping ratio; 1 is critical.
         """
-        return stabilized(self.constraints, omega, zeta, self.system.rate)
+        return stabilized(self.system, self.constraints, omega, zeta)
 
     def program(
         self,

@@ -12,7 +12,7 @@ from typing import NamedTuple
 
 from symbody.errors import ConstraintError, ModelNotice
 from symbody.multibody import System
-from symbody.symbolic import Expr, number, t
+from symbody.symbolic import Expr, number, substitute, t
 from symbody.symbolic.given.arguments import brief
 
 from .constraint_force import constraint_jacobian
@@ -25,34 +25,48 @@ def check_independent(system: System) -> None:
         ConstraintError: a constraint contradicts those before it: a combination of them is a number other than zero.
             Or the independent ones leave no motion, and none of them drives the system.
     """
-    pivots: list[tuple[int, _Combination]] = []
-    phi_q = constraint_jacobian(system)
-    for place, constraint in enumerate(system.constraints):
+    pivots: dict[int, _Combination] = {}
+    phi_q, rates = constraint_jacobian(system), _rates(system)
+    for place in (*system.holonomic, *_nonholonomic(system)):
         slopes = {column: entry for column, entry in enumerate(phi_q.row(place)) if not entry.is_zero}
-        combination, combined = _Combination(slopes, constraint), []
-        for other, (pivot, reduced) in enumerate(pivots, start=1):
-            if pivot in combination.slopes:
-                combined.append(other)
-                combination = combination.without(pivot, reduced)
-        if combination.slopes:
-            pivots.append((min(combination.slopes), combination))
-            continue
-        pivots.append((_NOWHERE, combination))
-        _report(system, place, combined, combination.value)
-    _check_motion_is_left(system, sum(pivot != _NOWHERE for pivot, _ in pivots))
+        combination, combined = _Combination(slopes, system.constraints[place], rates[place]), []
+        for other, reduced in pivots.items():
+            if reduced.slopes and reduced.pivot in combination.slopes:
+                combined.append(other + 1)
+                combination = combination.without(reduced)
+        pivots[place] = combination
+        if not combination.slopes:
+            rest = combination.value if place in system.holonomic else combination.rate
+            _report(system, place, combined, rest)
+    _check_motion_is_left(system, sum(bool(each.slopes) for each in pivots.values()))
 
 
-_NOWHERE = -1
+def _nonholonomic(system: System) -> tuple[int, ...]:
+    return tuple(k for k in range(len(system.constraints)) if k not in system.holonomic)
+
+
+def _rates(system: System) -> tuple[Expr, ...]:
+    """Return the constraints on the level of velocities where some of them have no other; zeros if none has."""
+    if system.is_holonomic:
+        return (number(0),) * len(system.constraints)
+    return system.velocity_level(system.constraints)
 
 
 def _check_motion_is_left(system: System, independent: int) -> None:
-    n, what = len(system.speeds), "speeds" if system.quasi_velocities else "coordinates"
-    is_driven = any(t in constraint.free_symbols for constraint in system.constraints)
-    if independent == n and not is_driven:
+    n, what = len(system.speeds), "speeds" if system.has_quasi_velocities else "coordinates"
+    if independent == n and not _is_driven(system):
         raise ConstraintError(
             f"System: {n} independent constraints on {n} {what} leave no motion; expected fewer constraints than "
             f"{what}, or one that drives the system and holds the time t{_overconstrained(system)}"
         )
+
+
+def _is_driven(system: System) -> bool:
+    """Return whether constraints demand speeds other than zero."""
+    if any(t in constraint.free_symbols for constraint in system.constraints):
+        return True
+    demanded = substitute(_rates(system), dict.fromkeys(system.speeds, number(0)))
+    return not all(each.is_zero for each in demanded)
 
 
 def _overconstrained(system: System) -> str:
@@ -78,32 +92,36 @@ class _Combination(NamedTuple):
 
     Attributes:
         slopes: its derivatives by the speeds that aren't zero, by the places of the speeds.
-        value: the combination itself.
+        value: the combination itself, of constraints on positions.
+        rate: the combination of what the constraints are on the level of velocities.
     """
 
     slopes: dict[int, Expr]
     value: Expr
+    rate: Expr
 
-    def without(self, pivot: int, other: _Combination) -> _Combination:
-        """Return the combination less a multiple of another one, so that the derivative by one speed vanishes."""
-        factor = self.slopes[pivot] / other.slopes[pivot]
+    @property
+    def pivot(self) -> int:
+        """The first speed that it holds."""
+        return min(self.slopes)
+
+    def without(self, other: _Combination) -> _Combination:
+        """Return the combination less a multiple of another one, so that the derivative by its pivot vanishes."""
+        factor = self.slopes[other.pivot] / other.slopes[other.pivot]
         slopes = dict(self.slopes)
         for column, entry in other.slopes.items():
             slopes[column] = slopes.get(column, number(0)) - factor * entry
         left = {column: entry for column, entry in slopes.items() if not entry.is_zero}
-        return _Combination(left, self.value - factor * other.value)
+        return _Combination(left, self.value - factor * other.value, self.rate - factor * other.rate)
 
 
 def _report(system: System, place: int, combined: Sequence[int], rest: Expr) -> None:
-    constraint, others = (
-        f"System: constraint {place + 1}, {brief(system.constraints[place])} = 0,",
-        _named(combined),
-    )
+    constraint, others = f"System: constraint {place + 1}, {system.conditions[place]},", _named(combined)
     if rest.is_constant and not rest.is_zero:
         raise ConstraintError(
             f"{constraint} contradicts {others}: together they say that {brief(rest)} = 0; correct one of them"
         )
-    if not rest.is_zero and rest.free_symbols.isdisjoint({*system.coordinates, *system.speeds}):
+    if not rest.is_zero and _contradicts(system, place, rest):
         warnings.warn(
             f"{constraint} contradicts {others} wherever {rest} isn't zero: their gradients are combinations of each "
             "other; correct one of them, or leave it out",
@@ -116,6 +134,13 @@ def _report(system: System, place: int, combined: Sequence[int], rest: Expr) -> 
         "determined; forward dynamics takes those of minimum norm; leave it out if it is redundant",
         ModelNotice,
         stacklevel=5,
+    )
+
+
+def _contradicts(system: System, place: int, rest: Expr) -> bool:
+    """Return whether what is left of a combination can't be a matter of the position alone."""
+    return place not in system.holonomic or rest.free_symbols.isdisjoint(
+        {*system.coordinates, *system.speeds}
     )
 
 

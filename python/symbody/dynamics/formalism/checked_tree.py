@@ -8,7 +8,7 @@ from symbody.errors import ModelError
 from symbody.geometry import Frame
 from symbody.multibody import System
 from symbody.multibody.coordinate import rate_of_any
-from symbody.symbolic import Expr
+from symbody.symbolic import Expr, free_symbols
 from symbody.symbolic.given.arguments import brief
 
 
@@ -64,10 +64,12 @@ def _check_twist(tree: FrameTree, place: int, where: str) -> None:
 
 def _check_used(tree: FrameTree, where: str) -> None:
     system = tree.system
-    used = {system.driving[k] for moving in tree.moved_by for k in moving}
-    used.update(leaf for constraint in system.constraints for leaf in constraint.free_symbols)
+    used = {system.driving[k].name for moving in tree.moved_by for k in moving}
+    used.update(
+        leaf.name for leaf in free_symbols(system.by_speeds(system.constraints)) if leaf.depends_on_time
+    )
     for unknown in system.driving:
-        if unknown in used:
+        if unknown.name in used:
             continue
         if unknown in system.quasi_velocities:
             raise ModelError(

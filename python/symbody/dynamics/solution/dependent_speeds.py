@@ -39,7 +39,7 @@ def dependent_speeds(eqs: Equations, dependent: Speeds) -> dict[Expr, Expr]:
             f"{counted(len(eqs.constraints), 'constraint')}; expected one speed per constraint"
         )
     with derivation(fresh=True):
-        rates = substitute(eqs.system.rate(eqs.constraints), dict.fromkeys(dependent, 0))
+        rates = substitute(eqs.system.velocity_level(eqs.constraints), dict.fromkeys(dependent, 0))
         J = eqs.constraint_jacobian
         matrix = Matrix([[J[k, column] for column in columns] for k in range(len(columns))])
         values = linear_solve(matrix, [-rate for rate in rates])

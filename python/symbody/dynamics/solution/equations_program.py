@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 
 from symbody.dynamics.equations.baumgarte import Damping
 from symbody.dynamics.equations.equations import Equations
@@ -20,6 +20,7 @@ from symbody.errors import ModelError, ProgramError
 from symbody.geometry.given.argument import checked
 from symbody.multibody import gravitational_energy, kinetic_energy
 from symbody.symbolic import (
+    Expr,
     Program,
     Result,
     Routine,
@@ -50,8 +51,9 @@ def program(
         method: the method of `forward_dynamics`; None leaves out the forward dynamics and the right-hand side.
 
     Returns:
-        A program of the routines mass_matrix, forcing, residuals, constraints, constraint_jacobian, forward_dynamics,
-        right_hand_side, energies and outputs, without those that have nothing to compute. Their arguments are p
+        A program of the routines mass_matrix, forcing, residuals, constraints (those on positions),
+        velocity_constraints (all, if some are on velocities), constraint_jacobian, forward_dynamics, right_hand_side,
+        energies and outputs, without those that have nothing to compute. Their arguments are p
         (parameters), t, r (inputs), q, u (speeds), a (accelerations) and lambda_ (multipliers), in this order.
 
     Raises:
@@ -98,14 +100,21 @@ def _equations_of_motion(eqs: Equations) -> list[Routine]:
             vector_result("residuals", eqs.residuals),
         ),
     ]
-    if m:
+    positions = [eqs.constraints[k] for k in eqs.system.holonomic]
+    if positions:
+        routines.append(
+            _routine("constraints", _which_vanish(positions, ""), vector_result("phi", positions))
+        )
+    if not eqs.system.is_holonomic:
+        levels = eqs.system.velocity_level(eqs.constraints)
         routines.append(
             _routine(
-                "constraints",
-                "the constraint, which is zero" if m == 1 else f"the {m} constraints, which are zero",
-                vector_result("phi", eqs.constraints),
+                "velocity_constraints",
+                _which_vanish(levels, " on the level of velocities"),
+                vector_result("psi", levels),
             )
         )
+    if m:
         jacobian = matrix_result("phi_q", eqs.constraint_jacobian)
         routines.append(
             _routine(
@@ -115,6 +124,13 @@ def _equations_of_motion(eqs: Equations) -> list[Routine]:
             )
         )
     return routines
+
+
+def _which_vanish(constraints: Sequence[Expr], level: str) -> str:
+    m = len(constraints)
+    return (
+        f"the constraint{level}, which is zero" if m == 1 else f"the {m} constraints{level}, which are zero"
+    )
 
 
 def _forward(eqs: Equations, method: str, baumgarte: Damping) -> list[Routine]:

@@ -12,6 +12,7 @@ ALWAYS = {
     "forcing": ("p", "t", "r", "q", "u"),
     "residuals": ("p", "t", "r", "q", "u", "a", "lambda_"),
     "constraints": ("p", "t", "r", "q"),
+    "velocity_constraints": ("p", "t", "r", "q", "u"),
     "constraint_jacobian": ("p", "t", "r", "q"),
     "forward_dynamics": ("p", "t", "r", "q", "u"),
     "right_hand_side": ("p", "t", "r", "q", "u"),

@@ -57,12 +57,14 @@ class Positions:
         """Return the largest relative violation; infinity if a constraint is not finite."""
         with np.errstate(all="ignore"):
             phi, phi_q, sizes = self.kinematics.position(self.t, q, self.p)
-        error = float(np.max(np.abs(phi) / term_sizes(q, phi_q, sizes)))
+        error = float(np.max(np.abs(phi) / term_sizes(q, phi_q, sizes), initial=0.0))
         return error if np.isfinite(error) else np.inf
 
     def solution(self, q: Array, is_free: Flags, most: int = 200) -> Array:
         """Return the position after Gauss-Newton steps of the free coordinates, at most as many as given."""
         found = q.copy()
+        if not self.kinematics.position_constraints:
+            return found
 
         def of_free(free: Array) -> tuple[Array, Array]:
             found[is_free] = free
@@ -97,7 +99,7 @@ def positions(
     neutral = neutral_position(kinematics.system)
     start = np.array([fixed.get(q, guess.get(q, zero)) for q, zero in zip(coordinates, neutral, strict=True)])
     is_free = np.array([q not in fixed for q in coordinates])
-    if not kinematics.constraints:
+    if not kinematics.position_constraints:
         return start
     best, least = start, np.inf
     for beginning in starting_points(start, is_free):
@@ -174,12 +176,12 @@ def _unsatisfied(kinematics: Kinematics, p: Array, t: float, q: Array, fixed: Ma
         contradictory_equations(phi_q, phi, term_sizes(q, phi_q, sizes)) if np.isfinite(phi_q).all() else ()
     )
     if against:
-        return f"at t = {t:g} s {contradiction_between(system.constraints, against)}"
+        return f"at t = {t:g} s {contradiction_between(system.position_constraints, against)}"
     named = [name for name in system.coordinates if name in fixed]
     left = [
-        f"constraint {k + 1}, {shortened(constraint)} = 0, is off by {phi[k]:.3g}"
-        for k, constraint in enumerate(system.constraints)
-        if not abs(phi[k]) <= EXACT * sizes[k]
+        f"constraint {k + 1}, {shortened(system.constraints[k])} = 0, is off by {value:.3g}"
+        for k, value, size in zip(system.holonomic, phi, sizes, strict=True)
+        if not abs(value) <= EXACT * size
     ]
     found = "; ".join(left[:_NAMED]) + (f"; and {len(left) - _NAMED} more" if len(left) > _NAMED else "")
     if named and len(named) == len(system.coordinates):

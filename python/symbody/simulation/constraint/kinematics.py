@@ -37,13 +37,27 @@ class Kinematics:
 
     @cached_property
     def constraints(self) -> tuple[Expr, ...]:
-        """The constraints phi."""
+        """All constraints, on positions and on velocities."""
         return self._with_inputs(self.system.constraints)
 
     @cached_property
+    def position_constraints(self) -> tuple[Expr, ...]:
+        """The constraints phi on positions."""
+        return tuple(self.constraints[k] for k in self.system.holonomic)
+
+    @cached_property
     def _velocities(self) -> tuple[Expr, ...]:
-        """The rates of the constraints, then those of the coordinates."""
-        return self._with_inputs(self.system.rate([*self.constraints, *self.system.coordinates]))
+        """The constraints on the level of velocities, then the rates of the coordinates."""
+        if self.system.is_holonomic:
+            return self._with_inputs(self.system.rate([*self.constraints, *self.system.coordinates]))
+        levels = self.system.velocity_level(self.constraints)
+        return self._with_inputs((*levels, *self.system.rate(self.system.coordinates)))
+
+    def among_all(self, values: Array) -> Array:
+        """Return values of the constraints on positions with zeros for those on velocities, shape (m,)."""
+        whole = np.zeros(len(self.constraints))
+        whole[list(self.system.holonomic)] = values
+        return whole
 
     @cached_property
     def parameters(self) -> tuple[Expr, ...]:
@@ -58,12 +72,12 @@ class Kinematics:
     @cached_property
     def position(self) -> CompiledFunction:
         """The function of t, q and p that returns phi, ``dphi/dq``, and the magnitudes of the terms of phi."""
-        phi, q = list(self.constraints), list(self.system.coordinates)
+        phi, q = list(self.position_constraints), list(self.system.coordinates)
         return lambdify(self._arguments(q), [phi, jacobian(phi, q), [magnitude(each) for each in phi]])
 
     @cached_property
     def velocity(self) -> CompiledFunction:
-        """The function of t, q and p that returns A and b: ``(phi', q') = A u + b``."""
+        """The function of t, q and p that returns A and b: ``(phi', q') = A u + b``, with all constraints."""
         u = list(self.system.speeds)
         rest = substitute(self._velocities, dict.fromkeys(u, number(0)))
         outputs = [jacobian(list(self._velocities), u), list(rest)]

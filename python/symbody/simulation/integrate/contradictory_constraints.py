@@ -136,7 +136,7 @@ def contradictory_constraints(
         c = kinematics.acceleration(t, np.concatenate([q, u]), p)[:m]
     if not all(np.isfinite(part).all() for part in (phi, A, b, c)):
         return ()
-    terms = term_sizes(q, phi_q, sizes)
+    terms, phi = kinematics.among_all(term_sizes(q, phi_q, sizes)), kinematics.among_all(phi)
     for y in _lasting_combinations(kinematics, p, t, q, A):
         allowed = INCONSISTENT * float(np.abs(y) @ terms)
         rates = ((b, span), (c, span**2 / 2))

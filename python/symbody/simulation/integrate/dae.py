@@ -19,7 +19,7 @@ from symbody.symbolic import Expr, derivation, free_symbols, jacobian, number, s
 __all__ = ["FORMS", "DifferentialAlgebraicEquations", "dae_of"]
 
 FORMS = ("stabilized", "2", "3")
-"""The index-2 form of Gear, Gupta and Leimkuhler; constraints on velocities only; constraints on positions only."""
+"""The index-2 form of Gear, Gupta and Leimkuhler; rates of constraints only; constraints on positions only."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -33,6 +33,8 @@ class DifferentialAlgebraicEquations:
     - "2": ``phi' = 0``; the index is 2, and phi itself drifts;
     - "stabilized": both, with ``q' = K u + phi_q^T mu`` and multipliers mu that vanish along the exact motion [Gear,
       Gupta & Leimkuhler 1985]; the index is 2, and nothing drifts.
+
+    Constraints that are on velocities only are kept on this level in every form.
 
     Attributes:
         model: the model.
@@ -61,7 +63,7 @@ class DifferentialAlgebraicEquations:
 
     @cached_property
     def _kinematic_multipliers(self) -> tuple[Expr, ...]:
-        return _named("dae_mu", len(self.model.constraints)) if self.form == "stabilized" else ()
+        return _named("dae_mu", len(self.model.position_constraints)) if self.form == "stabilized" else ()
 
     @property
     def parameters(self) -> tuple[Expr, ...]:
@@ -76,9 +78,8 @@ class DifferentialAlgebraicEquations:
     @cached_property
     def residuals(self) -> tuple[Expr, ...]:
         """The residuals F, one for each unknown: kinematics, dynamics, constraints on velocities and on positions."""
-        model, system = self.model, self.model.system
-        phi = model.constraints if self.form != "2" else ()
-        velocities = system.rate(model.constraints) if model.constraints and self.form != "3" else ()
+        model = self.model
+        phi = model.position_constraints if self.form != "2" else ()
         with derivation():
             kinematics = [
                 rate - by_speeds - correction
@@ -86,7 +87,13 @@ class DifferentialAlgebraicEquations:
                     self.rates, model.coordinate_rates, self._corrections, strict=False
                 )
             ]
-            return model.with_inputs([*kinematics, *model.equations.residuals, *velocities, *phi])
+            return model.with_inputs([*kinematics, *model.equations.residuals, *self._velocities, *phi])
+
+    @property
+    def _velocities(self) -> tuple[Expr, ...]:
+        """The constraints on the level of velocities; in the form "3", only those that have no other."""
+        levels, positions = self.model.velocity_constraints, self.model.system.holonomic
+        return tuple(level for k, level in enumerate(levels) if self.form != "3" or k not in positions)
 
     @property
     def _corrections(self) -> tuple[Expr, ...]:
@@ -94,7 +101,7 @@ class DifferentialAlgebraicEquations:
         coordinates, mu = self.model.coordinates, self._kinematic_multipliers
         if not mu:
             return (number(0),) * len(coordinates)
-        J = jacobian(self.model.constraints, coordinates)
+        J = jacobian(self.model.position_constraints, coordinates)
         return tuple(
             sum((J[k, i] * mu[k] for k in range(len(mu))), start=number(0)) for i in range(len(coordinates))
         )

@@ -26,6 +26,8 @@ Flags = NDArray[np.bool_]
 _FAR = 0.1
 """The largest error of a predicted position, relative to the step."""
 _HALVINGS = 16
+_EXACT_WAY = 1e-12
+"""The relative tolerance with which rates are integrated where constraints are on velocities."""
 _OFF = 1e-8
 """The relative residual up to which an equation counts as satisfied."""
 
@@ -149,12 +151,35 @@ class _Driven:
         q = positions(self.kinematics, self.p, float(instants[0]), first, guess, where=self.where)
         rows = np.tile(q, (len(instants), 1))
         rows[:, self.places] = path[0].T
-        if self.kinematics.constraints and self.is_free.any():
+        if not self.kinematics.system.is_holonomic:
+            self._follow(rows, instants)
+        elif self.kinematics.constraints and self.is_free.any():
             for k in range(1, len(instants)):
                 rows[k] = self.advanced(rows[k - 1], float(instants[k - 1]), float(instants[k]))
         elif self.kinematics.constraints:
             self.check(rows, instants)
         return rows
+
+    def _follow(self, rows: Array, instants: Array) -> None:
+        """Put in the coordinates along the way: constraints on velocities don't tell positions by the instant alone."""
+        from scipy.integrate import solve_ivp  # noqa: PLC0415 - slow to load, and rarely needed
+
+        for k in range(1, len(instants)):
+            span = float(instants[k - 1]), float(instants[k])
+            found = solve_ivp(self._rates_at, span, rows[k - 1], "DOP853", rtol=_EXACT_WAY, atol=_EXACT_WAY)
+            if not found.success:
+                raise ConstraintError(self._stuck(found.y[:, -1], float(found.t[-1])))
+            reached = found.y[:, -1]
+            reached[self.places] = rows[k, self.places]
+            problem = Positions.at(self.kinematics, self.p, span[1], reached)
+            rows[k] = problem.solution(reached, self.is_free) if self.is_free.any() else reached
+            if not problem.error(rows[k]) <= EXACT:
+                raise ConstraintError(self._stuck(rows[k - 1], span[0]))
+
+    def _rates_at(self, time: float, q: Array) -> Array:
+        velocities, _ = self.levels(np.array([time]), q[None])
+        rates: Array = velocities.rates[0, len(self.kinematics.constraints) :]
+        return rates
 
     def check(self, rows: Array, instants: Array) -> None:
         """Check that the constraints are satisfied if all coordinates are prescribed."""

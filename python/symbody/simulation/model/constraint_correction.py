@@ -11,7 +11,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from symbody.dynamics import Equations
-from symbody.symbolic import Expr, derivation, number, saddle_point_solve, substitute
+from symbody.symbolic import Expr, Matrix, derivation, number, saddle_point_solve, substitute
+from symbody.symbolic.linear.bordered import SaddlePointSolution
 
 __all__ = ["ConstraintCorrection", "constraint_correction"]
 
@@ -41,14 +42,29 @@ def constraint_correction(eqs: Equations, method: str) -> ConstraintCorrection:
         eqs: the equations of motion.
         method: how the linear system is solved, as in `forward_dynamics`: "schur_complement", "null_space", "pivoted".
     """
-    M, J = eqs.mass_matrix, eqs.constraint_jacobian
-    nothing = [number(0)] * M.rows
     with derivation(fresh=True):
-        change, speeds = (
-            saddle_point_solve(M, J, nothing, [-value for value in left], method)
-            for left in (eqs.constraints, eqs.system.rate(eqs.constraints))
+        position, conditions = _position(eqs, method)
+        violations = eqs.system.velocity_level(eqs.constraints)
+        speeds = _least_change(eqs, eqs.constraint_jacobian, violations, method)
+        return ConstraintCorrection(
+            position, speeds.x, tuple(dict.fromkeys((*conditions, *speeds.conditions)))
         )
-        return ConstraintCorrection(_moved(eqs, change.x), speeds.x, change.conditions)
+
+
+def _position(eqs: Equations, method: str) -> tuple[tuple[Expr, ...], tuple[Expr, ...]]:
+    """Return the changes of the coordinates, and their conditions; constraints on velocities demand none."""
+    rows, J = eqs.system.holonomic, eqs.constraint_jacobian
+    if not rows:
+        return (number(0),) * len(eqs.coordinates), ()
+    on_position = J if eqs.system.is_holonomic else Matrix([J.row(k) for k in rows])
+    change = _least_change(eqs, on_position, [eqs.constraints[k] for k in rows], method)
+    return _moved(eqs, change.x), change.conditions
+
+
+def _least_change(eqs: Equations, J: Matrix, violations: Sequence[Expr], method: str) -> SaddlePointSolution:
+    """Return the change of speeds, or of positions along them, that is least in the metric of the kinetic energy."""
+    nothing = [number(0)] * eqs.mass_matrix.rows
+    return saddle_point_solve(eqs.mass_matrix, J, nothing, [-value for value in violations], method)
 
 
 def _moved(eqs: Equations, change: Sequence[Expr]) -> tuple[Expr, ...]:

@@ -89,8 +89,18 @@ class Model:
 
     @cached_property
     def constraints(self) -> tuple[Expr, ...]:
-        """The constraints phi, expressions that are zero."""
+        """The constraints, expressions that are zero: phi on positions, or ``A u + b`` on velocities."""
         return self.equations.constraints
+
+    @cached_property
+    def position_constraints(self) -> tuple[Expr, ...]:
+        """The constraints phi on positions."""
+        return tuple(self.constraints[k] for k in self.system.holonomic)
+
+    @cached_property
+    def velocity_constraints(self) -> tuple[Expr, ...]:
+        """The constraints on the level of velocities, ``A u + b``, one each."""
+        return self.system.velocity_level(self.constraints)
 
     @cached_property
     def independent_constraints(self) -> int:
@@ -159,7 +169,7 @@ class Model:
             total = sum(map(action_power, self.system.actions), start=number(0))
         if self.constraints:
             at_rest = dict.fromkeys(self.speeds, number(0))
-            drifts = substitute(self.system.rate(self.constraints), at_rest)
+            drifts = substitute(self.velocity_constraints, at_rest)
             for multiplier, drift in zip(self.multipliers, drifts, strict=True):
                 total -= multiplier * drift
         return None if total.is_zero else total

@@ -233,13 +233,13 @@ class Motion:
 
     @cached_property
     def constraint_drift(self) -> float:
-        """The largest violation of a constraint."""
+        """The largest violation of a constraint: of positions, and of velocities where it is on these."""
         return self._largest(self.model.constraints)
 
     @cached_property
     def constraint_rate_drift(self) -> float:
-        """The largest rate of change of a constraint."""
-        return self._largest(self.model.system.rate(self.model.constraints))
+        """The largest rate of change of a constraint on positions, or violation of one on velocities."""
+        return self._largest(self.model.velocity_constraints)
 
     def _largest(self, expressions: Sequence[Expr]) -> float:
         return float(np.abs(self.evaluate(expressions)).max()) if expressions else 0.0

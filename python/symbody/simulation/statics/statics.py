@@ -53,7 +53,7 @@ class Statics:
         power = sum((h * rate for h, rate in zip(self.holding, self._rates, strict=True)), start=number(0))
         along = gradient(power, self.equations.speeds)
         residuals = substitute([r - h for r, h in zip(self._residuals, along, strict=True)], at_rest)
-        constraints = self._substitute_inputs(self.equations.constraints)
+        constraints = substitute(self._substitute_inputs(self.equations.constraints), at_rest)
         norms = [sum((e * e for e in four), start=number(-1)) for four in self.quaternions]
         return (*residuals, *constraints, *norms)
 
