@@ -9,7 +9,7 @@ from itertools import count
 from typing import Annotated, Any, TypeAlias, TypeVar, final
 
 from symbody.errors import ConstraintError, ModelError, ModelNotice
-from symbody.geometry import Frame, Scalar, Vector
+from symbody.geometry import Frame, Vector
 from symbody.geometry.component.triple import Rate, expression
 from symbody.geometry.given.argument import checked
 from symbody.geometry.motion.floating import by_speeds, known_rates, rate_by
