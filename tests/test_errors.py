@@ -8,6 +8,7 @@ import pytest
 
 from symbody import (
     Body,
+    Constraint,
     Force,
     Frame,
     ModelNotice,
@@ -651,11 +652,19 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
     # --- constraints ---
     (
         errors.ConstraintError,
-        lambda: System([Body(vehicle, m)], coordinates=[x], speeds=[y], constraints=[x - y]),
+        lambda: System([Body(vehicle, m)], coordinates=[x], speeds=[y], constraints=[x - y**2]),
         (
-            "System: constraint 1, x - y = 0, holds the speed y; expected coordinates and time, as constraints on "
-            "velocities aren't supported; if it is the rate of a condition on coordinates, give that condition; if "
-            "not, as for rolling, choose speeds that keep it: moving_frame(..., pose=...) and System(speeds=[...])"
+            "System: constraint 1, x - y**2 = 0, isn't linear in the speed y; expected A(q, t) u + b(q, t), as "
+            "d'Alembert's principle gives no force for other conditions on velocities: factor it into linear "
+            "conditions, or replace it by a load that keeps it"
+        ),
+    ),
+    (
+        errors.ConstraintError,
+        lambda: System([Body(vehicle, m)], coordinates=[x], speeds=[y], constraints=[time_derivative(y) - x]),
+        (
+            "System: constraint 1, y' - x = 0, holds the acceleration y'; expected a condition on coordinates, or one "
+            "on rates and speeds, as accelerations follow from forces and constraints; give its integral"
         ),
     ),
     (
@@ -678,37 +687,37 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
     ),
     (
         errors.ConstraintError,
-        lambda: constrained(time_derivative(x) - a * y),
-        (
-            "System: constraint 1, x' - a*y = 0, holds the rate x'; expected coordinates and time, as constraints on "
-            "velocities aren't supported; if it is the rate of a condition on coordinates, give that condition; if "
-            "not, as for rolling, choose speeds that keep it: moving_frame(..., pose=...) and System(speeds=[...])"
+        lambda: constrained(
+            Constraint(time_derivative(x) ** 2 + time_derivative(y) ** 2 - a**2, name="constant speed")
         ),
-    ),
-    (
-        errors.ConstraintError,
-        lambda: constrained(a * time_derivative(x) - time_derivative(y) - 2),
         (
-            "System: constraint 1, a*x' - y' - 2 = 0, holds the rate x'; expected coordinates and time, as constraints "
-            "on velocities aren't supported; give its integral, a*x - 2*t - y, minus its initial value"
-        ),
-    ),
-    (
-        errors.ConstraintError,
-        lambda: constrained(time_derivative(x)),
-        (
-            "System: constraint 1, x' = 0, holds the rate x'; expected coordinates and time, as constraints on "
-            "velocities aren't supported; give its integral, x, minus its initial value"
+            "System: constraint 1, constant speed, x'**2 + y'**2 - a**2 = 0, isn't linear in the speed x'; expected "
+            "A(q, t) u + b(q, t), as d'Alembert's principle gives no force for other conditions on velocities: factor "
+            "it into linear conditions, or replace it by a load that keeps it"
         ),
     ),
     (
         errors.ConstraintError,
         lambda: constrained(x - time_derivative(y, 2)),
         (
-            "System: constraint 1, x - y'' = 0, holds the acceleration y''; expected coordinates and time, as "
-            "constraints on velocities aren't supported; if it is the rate of a condition on coordinates, give that "
-            "condition; if not, as for rolling, choose speeds that keep it: moving_frame(..., pose=...) and "
-            "System(speeds=[...])"
+            "System: constraint 1, x - y'' = 0, holds the acceleration y''; expected a condition on coordinates, or "
+            "one on rates and speeds, as accelerations follow from forces and constraints; give its integral"
+        ),
+    ),
+    (
+        errors.ConstraintError,
+        lambda: newton_euler(constrained(x, time_derivative(y), y - z)),
+        (
+            "System: 3 independent constraints on 3 coordinates leave no motion; expected fewer constraints than "
+            "coordinates, or one that drives the system and holds the time t"
+        ),
+    ),
+    (
+        errors.ConstraintError,
+        lambda: newton_euler(constrained(time_derivative(x), 2 * time_derivative(x) - 3)),
+        (
+            "System: constraint 2, 2*x' - 3 = 0, contradicts constraint 1: together they say that -3 = 0; correct one "
+            "of them"
         ),
     ),
     (

@@ -40,7 +40,7 @@ Coordinates: TypeAlias = Annotated[
 ]
 Conditions: TypeAlias = Annotated[
     Sequence[Condition],
-    "a list of expressions that are zero, such as [x**2 + y**2 - l**2], or of Constraints",
+    "a list of expressions that are zero, such as [x**2 + y**2 - l**2]",
 ]
 
 

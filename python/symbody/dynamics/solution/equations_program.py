@@ -153,16 +153,31 @@ def _drift(eqs: Equations, method: str | None, baumgarte: Damping) -> str:
         return ""
     if baumgarte is None:
         return (
-            ".\n\nThe accelerations keep the second derivatives of the constraints at zero, and nothing more: in a "
+            f".\n\nThe accelerations keep {_kept(eqs)} at zero, and nothing more: in a "
             "long motion positions and speeds drift off the constraints. Made by "
             "equations.program(baumgarte=(omega, zeta)) with a frequency and a damping ratio, the accelerations bring "
             "them back."
         )
     omega, zeta = baumgarte
     return (
-        ".\n\nThe accelerations keep phi'' + 2 zeta omega phi' + omega^2 phi at zero (Baumgarte's stabilisation, "
-        f"omega: {omega}, zeta: {zeta}), so that positions and speeds that have left the constraints phi = 0 come back."
+        f".\n\nThe accelerations keep {_stabilized(eqs)} at zero (Baumgarte's stabilisation, "
+        f"omega: {omega}, zeta: {zeta}), so that positions and speeds that have left the constraints come back."
     )
+
+
+def _kept(eqs: Equations) -> str:
+    system = eqs.system
+    if system.is_holonomic:
+        return "the second derivatives of the constraints"
+    on_velocity = "the rates of the constraints on velocities"
+    return f"the second derivatives of constraints, and {on_velocity}" if system.holonomic else on_velocity
+
+
+def _stabilized(eqs: Equations) -> str:
+    system = eqs.system
+    rows = ["phi'' + 2 zeta omega phi' + omega^2 phi"] if system.holonomic else []
+    rows += [] if system.is_holonomic else ["psi' + 2 zeta omega psi"]
+    return " and ".join(rows)
 
 
 _WAYS = {

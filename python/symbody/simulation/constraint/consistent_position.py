@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from symbody.errors import ConstraintError
-from symbody.simulation.model.named_constraint import shortened
+from symbody.simulation.model.named_constraint import named_constraint
 from symbody.symbolic import Expr
 
 from .contradiction import contradiction_between, contradictory_equations
@@ -176,10 +176,11 @@ def _unsatisfied(kinematics: Kinematics, p: Array, t: float, q: Array, fixed: Ma
         contradictory_equations(phi_q, phi, term_sizes(q, phi_q, sizes)) if np.isfinite(phi_q).all() else ()
     )
     if against:
-        return f"at t = {t:g} s {contradiction_between(system.position_constraints, against)}"
+        rows = [system.holonomic[row] for row in against]
+        return f"at t = {t:g} s {contradiction_between(system.conditions, rows)}"
     named = [name for name in system.coordinates if name in fixed]
     left = [
-        f"constraint {k + 1}, {shortened(system.constraints[k])} = 0, is off by {value:.3g}"
+        f"constraint {k + 1}, {named_constraint(system.conditions[k])}, is off by {value:.3g}"
         for k, value, size in zip(system.holonomic, phi, sizes, strict=True)
         if not abs(value) <= EXACT * size
     ]

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from symbody.errors import ConstraintError
-from symbody.simulation.model.named_constraint import shortened
+from symbody.simulation.model.named_constraint import named_constraint
 from symbody.symbolic import Expr, time_derivative
 
 from .consistent_position import EXACT, ROUNDED, listed_values
@@ -68,7 +68,7 @@ def velocities(
     if not (error <= ROUNDED).all():
         against = contradictory_equations(A[:m], b[:m], np.abs(b[:m])) if np.isfinite(A).all() else ()
         if against:
-            contradiction = contradiction_between(kinematics.system.constraints, against)
+            contradiction = contradiction_between(kinematics.system.conditions, against)
             raise ConstraintError(f"{_WHERE}: at t = {t:g} s {contradiction}")
         raise ConstraintError(_impossible(kinematics, t, error, places, fixed))
     return u
@@ -126,7 +126,10 @@ def _impossible(
     system = kinematics.system
     rates = [time_derivative(system.coordinates[place]) for place in places]
     conditions = [
-        *(f"satisfy constraint {k + 1}, {shortened(phi)} = 0," for k, phi in enumerate(system.constraints)),
+        *(
+            f"satisfy constraint {k + 1}, {named_constraint(each)},"
+            for k, each in enumerate(system.conditions)
+        ),
         *(f"give {rate} = {fixed[rate]:.6g}" for rate in rates),
     ]
     worst = conditions[int(np.argmax(np.where(np.isfinite(error), error, np.inf)))]

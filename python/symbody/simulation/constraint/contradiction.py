@@ -7,9 +7,9 @@ from collections.abc import Iterable, Sequence
 import numpy as np
 from numpy.typing import NDArray
 
+from symbody.multibody import Constraint
 from symbody.simulation.given.wording import joined_by_and
 from symbody.simulation.model.named_constraint import named_constraints
-from symbody.symbolic import Expr
 
 from .vanishing_combinations import vanishing_combinations
 
@@ -44,7 +44,7 @@ def contradictory_equations(A: Array, b: Array, terms: Array) -> tuple[int, ...]
     return ()
 
 
-def contradiction_between(constraints: Sequence[Expr], rows: Iterable[int]) -> str:
+def contradiction_between(constraints: Sequence[Constraint], rows: Iterable[int]) -> str:
     """Return which constraints contradict each other, and the way out."""
     names = named_constraints(constraints, rows)
     if len(names) == 1:

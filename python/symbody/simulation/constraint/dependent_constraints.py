@@ -127,7 +127,7 @@ def _factor(M: Array) -> Array:
 def _group(model: Model, J: Array, combination: Array, largest: float) -> DependentConstraints:
     rows = tuple(int(row) for row in np.flatnonzero(combination))
     ratio = float(np.linalg.norm(combination @ J) / (np.linalg.norm(combination) * largest))
-    names = tuple(named_constraints(model.constraints, rows))
+    names = tuple(named_constraints(model.system.conditions, rows))
     return DependentConstraints(rows, names, ratio, _are_dependent(model, rows))
 
 

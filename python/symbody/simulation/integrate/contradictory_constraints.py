@@ -106,7 +106,7 @@ def _contradiction(
     p = np.array([parameters[name] for name in kinematics.parameters])
     rows = contradictory_constraints(kinematics, p, t, state, span)
     if rows:
-        return contradiction_between(model.constraints, rows)
+        return contradiction_between(model.system.conditions, rows)
     return unbalanced_speeds(model, parameters, t, state) if are_speeds_noted else ""
 
 

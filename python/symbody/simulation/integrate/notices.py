@@ -134,7 +134,7 @@ def _violations(motion: Integrated) -> Iterable[Finding]:
     worst = int(np.argmax(off))
     if not off[worst] > LEFT:
         return []
-    (name,) = named_constraints(model.constraints, [model.system.holonomic[worst]])
+    (name,) = named_constraints(model.system.conditions, [model.system.holonomic[worst]])
     return [Finding("violation", f"constraint {name}", float(off[worst]))]
 
 

@@ -13,7 +13,7 @@ from symbody.errors import ConstraintError, SimulationError
 from symbody.simulation.constraint.consistent_position import EXACT, Positions, positions
 from symbody.simulation.constraint.kinematics import Kinematics
 from symbody.simulation.constraint.least_norm import least_norm_many
-from symbody.simulation.model.named_constraint import shortened
+from symbody.simulation.model.named_constraint import named_constraint
 from symbody.symbolic import Expr
 
 from .prescription import Path
@@ -260,7 +260,7 @@ class _Driven:
         k = int(np.argmax(is_off.any(axis=1)))
         row, m = int(np.argmax(is_off[k])), len(self.kinematics.constraints)
         broken = (
-            f"constraint {row + 1}, {shortened(self.kinematics.system.constraints[row])} = 0,"
+            f"constraint {row + 1}, {named_constraint(self.kinematics.system.conditions[row])},"
             if row < m
             else f"the prescribed motion of {self.prescribed[row - m]}"
         )

@@ -1,12 +1,13 @@
-"""Names of constraints in messages: the number, with the beginning of the text."""
+"""Names of constraints in messages: the number, the user's name, and the beginning of the text."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 
+from symbody.multibody import Constraint
 from symbody.symbolic import Expr
 
-__all__ = ["named_constraints", "shortened"]
+__all__ = ["named_constraint", "named_constraints", "shortened"]
 
 _SHOWN = 80
 
@@ -17,11 +18,21 @@ def shortened(expression: Expr, most: int = _SHOWN) -> str:
     return text if len(text) <= most else f"{text[:most]}..."
 
 
-def named_constraints(constraints: Sequence[Expr], rows: Iterable[int], most: int = _SHOWN) -> list[str]:
+def named_constraint(constraint: Constraint | Expr, most: int = _SHOWN) -> str:
+    """Return the equation of a constraint, after its name if it has one."""
+    if isinstance(constraint, Expr):
+        return f"{shortened(constraint, most)} = 0"
+    name = f"{constraint.name}, " if constraint.name else ""
+    return name + named_constraint(constraint.condition, most)
+
+
+def named_constraints(
+    constraints: Sequence[Constraint] | Sequence[Expr], rows: Iterable[int], most: int = _SHOWN
+) -> list[str]:
     """Return the names of some constraints.
 
     >>> from symbody import symbols
     >>> named_constraints(symbols("x y"), [1])
     ['2 (y = 0)']
     """
-    return [f"{row + 1} ({shortened(constraints[row], most)} = 0)" for row in rows]
+    return [f"{row + 1} ({named_constraint(constraints[row], most)})" for row in rows]

@@ -15,7 +15,7 @@ from symbody.simulation.constraint.consistent_position import positions, startin
 from symbody.simulation.constraint.kinematics import kinematics_of
 from symbody.simulation.given.unused import warn_of_unused
 from symbody.simulation.given.values import given_inputs, parameter_values, state_values
-from symbody.simulation.model.named_constraint import shortened
+from symbody.simulation.model.named_constraint import named_constraint
 from symbody.simulation.statics.force_balance import Balance
 from symbody.symbolic import Expr, ExprLike
 from symbody.symbolic.expression.html_table import html_table
@@ -275,7 +275,7 @@ def _unbalanced(problem: Balance, q: Array, forces: Array) -> str:
     worst = int(np.argmax(np.where(np.isfinite(error), error, np.inf)))
     names = [
         *(f"the equation of motion of {name}" for name in eqs.system.driving),
-        *(f"constraint {k + 1}, {shortened(phi)} = 0," for k, phi in enumerate(eqs.constraints)),
+        *(f"constraint {k + 1}, {named_constraint(each)}," for k, each in enumerate(eqs.system.conditions)),
         *(f"the norm of {', '.join(map(str, four))}" for four in problem.statics.quaternions),
     ]
     place = ", ".join(f"{name} = {value:.6g}" for name, value in zip(eqs.coordinates[:12], q, strict=False))

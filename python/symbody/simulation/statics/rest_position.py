@@ -110,7 +110,7 @@ class RestPosition:
         multipliers = [
             f"{eqs.multipliers[row]} of constraint {name}"
             for row, name in zip(
-                rows[rows < m], named_constraints(eqs.constraints, rows[rows < m]), strict=True
+                rows[rows < m], named_constraints(eqs.system.conditions, rows[rows < m]), strict=True
             )
         ]
         names = [
