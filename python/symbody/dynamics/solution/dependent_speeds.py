@@ -38,10 +38,15 @@ def dependent_speeds(eqs: Equations, dependent: Speeds) -> dict[Expr, Expr]:
             f"dependent_speeds: {counted(len(set(columns)), 'speed')}, "
             f"{counted(len(eqs.constraints), 'constraint')}; expected one speed per constraint"
         )
+    J = eqs.constraint_jacobian
+    matrix = Matrix([[J[k, column] for column in columns] for k in range(len(columns))])
+    if matrix.rank() < len(columns):
+        raise ConstraintError(
+            f"dependent_speeds: the constraints don't determine {', '.join(map(str, dependent))}, whatever the others "
+            "are; choose other dependent speeds"
+        )
     with derivation(fresh=True):
         rates = substitute(eqs.system.velocity_level(eqs.constraints), dict.fromkeys(dependent, 0))
-        J = eqs.constraint_jacobian
-        matrix = Matrix([[J[k, column] for column in columns] for k in range(len(columns))])
         values = linear_solve(matrix, [-rate for rate in rates])
     return dict(zip(dependent, values, strict=True))
 

@@ -38,11 +38,15 @@ def warn_of_unused(
     different = namesake_note(strange, known, ("without a use", "of the model"))
     others = [name for name in unused if name not in names]
     near = sorted({match for name in others for match in get_close_matches(name, names, n=2, cutoff=0.6)})
-    what, does = ("parameter", "does") if len(unused) == 1 else ("parameters", "do")
+    what, does, effect = (
+        ("parameter", "does", "its value has")
+        if len(unused) == 1
+        else ("parameters", "do", "their values have")
+    )
     meant = f"; did you mean {' or '.join(near)}?" if near else ""
     warnings.warn(
         f"{where}: the {what} {', '.join(unused)} {does} not occur in this model or in outputs, events and inputs: "
-        f"its value has no effect{meant}{different}",
+        f"{effect} no effect{meant}{different}",
         ModelNotice,
         stacklevel=stacklevel,
     )
