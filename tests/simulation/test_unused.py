@@ -64,8 +64,8 @@ def test_what_may_have_been_meant(where: str) -> None:
         CALLS[where](VALUES | {lenght: 2.0, stray: 1.0})
     (notice,) = caught
     assert str(notice.message) == (
-        f"{where}: the parameters lenght, stray do not occur in this model or in outputs, events and inputs: its "
-        "value has no effect; did you mean length?"
+        f"{where}: the parameters lenght, stray do not occur in this model or in outputs, events and inputs: "
+        "their values have no effect; did you mean length?"
     )
 
 

@@ -46,7 +46,8 @@ class Page:
         n, m = len(self.balances), len(self.constraints)
         texts = [f"{name} := {value}" for name, value in definitions]
         texts += sides[:n]
-        texts += [f"constraint: {side}" for side in sides[n : n + m]]
+        names = (f"constraint {each.name}".strip() for each in self.system.conditions)
+        texts += [f"{name}: {side}" for name, side in zip(names, sides[n : n + m], strict=True)]
         texts += [f"kinematics: {side}" for side in sides[n + m :]]
         title = f"EQUATIONS OF MOTION of {', '.join(map(str, self.system.driving))}"
         return "\n".join([title, *(line for text in texts for line in _indented(text))])
