@@ -331,10 +331,9 @@ class System:
         unknowns = [(kind, ", ".join(map(str, each))) for kind, each in names.items() if each]
         tables.append(html_table("", ["unknowns", "names"], unknowns))
         if self.constraints:
-            pairs = zip(self.constraints, self.multipliers, strict=True)
-            tables.append(
-                html_table("", ["constraint", "multiplier"], [[f"{c} = 0", each] for c, each in pairs])
-            )
+            pairs = zip(self.conditions, self.multipliers, strict=True)
+            rows = [[c.name, f"{c.condition} = 0", each] for c, each in pairs]
+            tables.append(html_table("", ["name", "constraint", "multiplier"], rows))
         return "".join([*tables, picture(self)])
 
     def __repr__(self) -> str:

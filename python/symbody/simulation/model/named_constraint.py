@@ -5,11 +5,13 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 
 from symbody.multibody import Constraint
-from symbody.symbolic import Expr
+from symbody.symbolic import Expr, readable
 
 __all__ = ["named_constraint", "named_constraints", "shortened"]
 
 _SHOWN = 80
+_READABLE = 3000
+"""Characters of a constraint up to which a message looks for a shorter form."""
 
 
 def shortened(expression: Expr, most: int = _SHOWN) -> str:
@@ -21,7 +23,8 @@ def shortened(expression: Expr, most: int = _SHOWN) -> str:
 def named_constraint(constraint: Constraint | Expr, most: int = _SHOWN) -> str:
     """Return the equation of a constraint, after its name if it has one."""
     if isinstance(constraint, Expr):
-        return f"{shortened(constraint, most)} = 0"
+        has_reader = most < len(str(constraint)) <= _READABLE
+        return f"{shortened(readable(constraint) if has_reader else constraint, most)} = 0"
     name = f"{constraint.name}, " if constraint.name else ""
     return name + named_constraint(constraint.condition, most)
 
