@@ -81,8 +81,7 @@ def test_what_becomes_of_the_constraints_is_said() -> None:
     )
     assert equations.program(baumgarte=(k, 1)).meaning == (
         f"{first}.\n\nThe accelerations keep phi'' + 2 zeta omega phi' + omega^2 phi at zero (Baumgarte's "
-        "stabilisation, omega: k, zeta: 1), so that positions and speeds that have left the constraints phi = 0 come "
-        "back."
+        "stabilisation, omega: k, zeta: 1), so that positions and speeds that have left the constraints come back."
     )
     assert equations.program(method=None).meaning == first
     assert "constraints" not in free.program().meaning

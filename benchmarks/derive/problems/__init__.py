@@ -1,7 +1,7 @@
 """One file a problem: its statement, who solves it, and the targets."""
 
 from ..problem import Problem
-from . import cart_pendulum, chain3d, euler_chain, net, trifilar
+from . import cart_pendulum, chain3d, euler_chain, net, rolling, trifilar
 
 PROBLEMS: dict[str, Problem] = {
     problem.name: problem
@@ -12,5 +12,6 @@ PROBLEMS: dict[str, Problem] = {
         trifilar.WORKSHEET,
         trifilar.OWN_FRAME,
         net.PROBLEM,
+        rolling.PROBLEM,
     )
 }

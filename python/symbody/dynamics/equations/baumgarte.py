@@ -35,12 +35,19 @@ def stabilized(system: System, constraints: Sequence[Expr], omega: Scalar, zeta:
     >>> stabilized(guided, guided.constraints, 1, 0)
     (y'' + y, x'')
     """
-    frequency, damping = expression(omega), expression(zeta)
     with derivation():
-        first = system.velocity_level(constraints)
-        second = system.rate(first)
-        stiffness, viscosity = frequency**2, 2 * damping * frequency
-        rows = [acceleration + viscosity * rate for rate, acceleration in zip(first, second, strict=True)]
-        for k in system.holonomic:
-            rows[k] += stiffness * constraints[k]
-        return tuple(rows)
+        accelerations = system.rate(system.velocity_level(constraints))
+        return damped(system, constraints, accelerations, omega, zeta)
+
+
+def damped(
+    system: System, constraints: Sequence[Expr], accelerations: Sequence[Expr], omega: Scalar, zeta: Scalar
+) -> tuple[Expr, ...]:
+    """Return accelerations of constraints with the terms of the stabilisation."""
+    frequency, damping = expression(omega), expression(zeta)
+    stiffness, viscosity = frequency**2, 2 * damping * frequency
+    rates = system.velocity_level(constraints)
+    rows = [one + viscosity * rate for one, rate in zip(accelerations, rates, strict=True)]
+    for k in system.holonomic:
+        rows[k] += stiffness * constraints[k]
+    return tuple(rows)

@@ -22,6 +22,7 @@ from symbody.symbolic.given.arguments import counted
 from symbody.symbolic.numeric.program import program_of
 
 from .baumgarte import Damping, stabilized
+from .constraint_bias import by_jacobian, by_second_rate, is_shorter_by_jacobian
 from .constraint_force import constraint_jacobian
 from .output import Outputs
 
@@ -102,6 +103,20 @@ class Equations:
     def constraint_jacobian(self) -> Matrix:
         """The Jacobian A of ``A u + b``, m x n: ``phi_q = dphi'/du``, one row per constraint, one column per speed."""
         return constraint_jacobian(self.system)
+
+    def constraint_bias(self, omega: Scalar = 0, zeta: Scalar = 0) -> tuple[Expr, ...]:
+        """Return c of ``A u' + c = 0``, m: the constraints' accelerations at zero rates of the speeds.
+
+        Args:
+            omega: the frequency of Baumgarte's stabilisation, in rad/s; none by default.
+            zeta: its damping ratio.
+        """
+        form = by_jacobian if self._has_shorter_jacobian_rate else by_second_rate
+        return form(self.system, self.constraints, self.constraint_jacobian, omega, zeta)
+
+    @cached_property
+    def _has_shorter_jacobian_rate(self) -> bool:
+        return is_shorter_by_jacobian(self.system, self.constraints, self.constraint_jacobian)
 
     @property
     def multipliers(self) -> tuple[Expr, ...]:

@@ -20,7 +20,6 @@ from functools import partial
 from symbody.dynamics.equations.baumgarte import Damping
 from symbody.dynamics.equations.equations import Equations
 from symbody.dynamics.recursion import articulated_body
-from symbody.dynamics.recursion.recursive_newton_euler import at_rest
 from symbody.dynamics.recursion.shortest_tree import articulated_tree
 from symbody.dynamics.tree.frame_tree import FrameTree
 from symbody.errors import ExpressionError, ModelError
@@ -31,7 +30,6 @@ from symbody.symbolic import (
     derivation,
     ldl_solve,
     saddle_point_solve,
-    substitute,
     without_idle_symbols,
 )
 
@@ -214,15 +212,9 @@ def _eliminated(method: str, eqs: Equations, baumgarte: Damping) -> ForwardDynam
 
 def _by_saddle_point(method: str, eqs: Equations, baumgarte: Damping) -> ForwardDynamics:
     with derivation(fresh=True):
-        right = [-entry for entry in _stabilized_bias(eqs, baumgarte)] if eqs.constraints else []
+        right = [-entry for entry in eqs.constraint_bias(*(baumgarte or (0, 0)))] if eqs.constraints else []
         solution = saddle_point_solve(eqs.mass_matrix, eqs.constraint_jacobian, eqs.forcing, right, method)
     return ForwardDynamics(solution.x, solution.y, method, solution.conditions).without_idle_symbols()
-
-
-def _stabilized_bias(eqs: Equations, baumgarte: Damping) -> tuple[Expr, ...]:
-    """Return ``phi'' + 2 zeta omega phi' + omega^2 phi`` at zero accelerations."""
-    omega, zeta = baumgarte or (0, 0)
-    return substitute(eqs.baumgarte(omega, zeta), at_rest(eqs.system))
 
 
 def _massless(eqs: Equations, failure: ExpressionError) -> str:
