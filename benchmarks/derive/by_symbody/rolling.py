@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 
 from symbody import (
     Body,
@@ -93,22 +93,22 @@ def _velocity_at_contact(wheel: Body, axle: Frame) -> Vector:
 
 def _without_multipliers(equations: Equations) -> list[Expr]:
     """Return the equations along the motions that the constraints allow, in all accelerations; then the constraints."""
-    system, u, M = equations.system, equations.speeds, equations.mass_matrix
-    A = equations.constraint_jacobian
+    u, M, A = equations.speeds, equations.mass_matrix, equations.constraint_jacobian
+    slips, order = range(A.rows), (*INDEPENDENT, *DEPENDENT)
     with derivation(fresh=True):
-        levels = system.velocity_level(equations.constraints)
-        followed = solve(levels, [u[d] for d in DEPENDENT])
-        shares = [[followed[u[d]].diff(u[k]) for d in DEPENDENT] for k in INDEPENDENT]
-        rows = [
-            [_along(share, k, [M[i, j] for i in range(len(u))]) for j in (*INDEPENDENT, *DEPENDENT)]
-            for k, share in zip(INDEPENDENT, shares, strict=True)
-        ]
-        bias = [_along(share, k, equations.bias) for k, share in zip(INDEPENDENT, shares, strict=True)]
-    of_constraints = [A[i, j] for i in range(len(levels)) for j in (*INDEPENDENT, *DEPENDENT)]
-    return [*(entry for row in rows for entry in row), *of_constraints, *bias, *equations.constraint_bias()]
+        still = [_sum(A[i, j] * u[j] for j in order) for i in slips]
+        followed = solve(still, [u[d] for d in DEPENDENT])
+        shares = {k: [followed[u[d]].diff(u[k]) for d in DEPENDENT] for k in INDEPENDENT}
+        mass = [_along(share, k, M.T.row(j)) for k, share in shares.items() for j in order]
+        bias = [_along(share, k, equations.bias) for k, share in shares.items()]
+    of_constraints = [A[i, j] for i in slips for j in order]
+    return [*mass, *of_constraints, *bias, *equations.constraint_bias()]
 
 
 def _along(share: Sequence[Expr], independent: int, values: Sequence[Expr]) -> Expr:
     """Return the value of an independent speed, and those of the dependent ones times what they follow by."""
-    products = (each * values[d] for each, d in zip(share, DEPENDENT, strict=True))
-    return sum(products, start=values[independent] + number(0))
+    return values[independent] + _sum(each * values[d] for each, d in zip(share, DEPENDENT, strict=True))
+
+
+def _sum(terms: Iterable[Expr]) -> Expr:
+    return sum(terms, start=number(0))

@@ -31,7 +31,7 @@ PROBLEM = Problem(
         "coordinates, six speeds. The rear wheel rolls by the choice of the speeds. The front contact is at rest: "
         "three constraints on velocities, by which yaw, pitch and the spin of the front wheel follow from the other "
         "three speeds. The disc is the rear wheel alone. All parameters symbolic. Outputs: M and bias of the "
-        "independent equations, without multipliers and in all accelerations, and those of the constraints, all entries."
+        "independent equations, in all accelerations and without multipliers, and the same of the constraints."
     ),
     sizes=(1, 2),
     quick_sizes=(1,),
