@@ -14,6 +14,7 @@ from symbody import (
     Force,
     Frame,
     Matrix,
+    ModelNotice,
     Point,
     System,
     Torque,
@@ -22,6 +23,8 @@ from symbody import (
     cost,
     describe,
     expand,
+    factor_terms,
+    floating_frame,
     functions_of_time,
     ground,
     lagrange_equations,
@@ -35,7 +38,9 @@ from symbody import (
     tanh,
     translate,
 )
+from symbody.symbolic.calculus.rewrite import textbook_form
 from tests.laws.random_system import random_system
+from tests.symbolic.random_expression import Maker
 
 m, l, a, b, c, g, k, F = symbols("m l a b c g k F")
 x, y, theta = functions_of_time("x y theta")
@@ -76,15 +81,34 @@ def test_forms_for_the_reader_keep_the_value(seed: int) -> None:
         assert readable(expression).same_form(form)
 
 
+@pytest.mark.parametrize("seed", range(300))
+def test_what_is_readable_is_never_longer(seed: int) -> None:
+    """Of random expressions, and of each given in a form that a reader would not choose."""
+    given = Maker(random.Random(seed), only_common=True).expression(3)
+    for expression in (given, factor_terms(given), expand(given)):
+        form = readable(expression)
+        assert form == expression
+        assert len(str(form)) <= len(str(expression))
+
+
+def test_awkward_brackets_are_kept_if_they_are_shorter() -> None:
+    """A page of equations has flat sums and single angles; what the user gives comes back no longer."""
+    for given in (m * (m - 2) * cos(x), sin(2 * theta), c**2 + l * (l + 2 * c * cos(theta))):
+        assert len(str(textbook_form(given))) > len(str(given))
+        assert str(readable(given)) == str(given)
+
+
 def test_no_factor_occurs_again_in_its_brackets() -> None:
-    assert str(readable(m * (c**2 + l * (l + 2 * c * cos(theta))))) == "m*(c**2 + l**2 + 2*c*l*cos(theta))"
-    assert str(readable(m * c * (c + l * cos(theta)) + a)) == "a + m*(c**2 + c*l*cos(theta))"
+    assert (
+        str(textbook_form(m * (c**2 + l * (l + 2 * c * cos(theta))))) == "m*(c**2 + l**2 + 2*c*l*cos(theta))"
+    )
+    assert str(textbook_form(m * c * (c + l * cos(theta)) + a)) == "a + m*(c**2 + c*l*cos(theta))"
 
 
 def test_single_angles_are_preferred() -> None:
-    assert str(readable(sin(2 * theta))) == "2*sin(theta)*cos(theta)"
-    assert str(readable(cos(x) * cos(y) - sin(x) * sin(y))) == "cos(x + y)"
-    assert str(readable((1 - cos(2 * theta)) / 2)) == "sin(theta)**2"
+    assert str(textbook_form(sin(2 * theta))) == "2*sin(theta)*cos(theta)"
+    assert str(textbook_form(cos(x) * cos(y) - sin(x) * sin(y))) == "cos(x + y)"
+    assert str(textbook_form((1 - cos(2 * theta)) / 2)) == "sin(theta)**2"
 
 
 def test_a_difference_of_the_user_is_kept() -> None:
@@ -217,6 +241,27 @@ def test_rows_of_random_systems_are_equal_to_the_residuals(seed: int) -> None:
     assert max(map(len, equations.description().splitlines())) <= 110
 
 
+def test_entries_that_are_equal_or_opposite_are_joined() -> None:
+    """C21 = -C12, as c_112 = -c_211 [Murray, Li & Sastry 1994, sec. 4.2]; each entry is on one line."""
+    form = lagrange_equations(arm("ZYY")).matrix_form(christoffel=True)
+    lines = [line.strip() for line in form.description().splitlines()]
+    assert {"C21 = -C12", "C31 = -C13"} < set(lines)
+    assert form.coriolis[1, 0] == -form.coriolis[0, 1]
+    assert any(line.startswith("M23 = M32 = ") for line in lines)
+
+
+def test_a_vector_instead_of_the_matrix_of_christoffel_is_noticed() -> None:
+    """With quasi-velocities, and where a support moves; the notice stands at the line of the call."""
+    top = newton_euler(System([Body(floating_frame(), m, a, b, c)]))
+    with pytest.warns(ModelNotice, match="since the speeds u, v, w are not rates of coordinates") as caught:
+        assert not top.matrix_form(christoffel=True).is_christoffel
+    assert caught[0].filename == __file__
+    bob = Body(translate(y, 0, 0) * rotate("Z", x) * translate(l, 0, 0) * rotate("Z", y), m)
+    driven = newton_euler(System([bob], coordinates=[x], inputs=[y]))
+    with pytest.warns(ModelNotice, match=r"c\(q, q'\) is returned instead of the matrix C\(q, q'\)"):
+        assert not driven.matrix_form(christoffel=True).is_christoffel
+
+
 @pytest.mark.parametrize("axes", ["Z", "ZZ", "ZY", "ZYY"])
 def test_christoffel(axes: str) -> None:
     """M' - 2 C is skew-symmetric, and C q' is the force of the speeds [Murray, Li & Sastry 1994, sec. 4.2]."""
@@ -224,13 +269,14 @@ def test_christoffel(axes: str) -> None:
     vector, form = equations.matrix_form(), equations.matrix_form(christoffel=True)
     n = len(axes)
     assert form.mass_matrix == equations.mass_matrix
+    assert form.is_christoffel
     assert form.coriolis @ Matrix([[u] for u in equations.speeds]) == vector.coriolis or n == 1
     if n > 1:
         skew = (
             Matrix([[form.mass_matrix[i, j].diff(t) for j in range(n)] for i in range(n)]) - 2 * form.coriolis
         )
         assert all(skew[i, j] == -skew[j, i] for i in range(n) for j in range(n))
-    assert form.latex().startswith(r"\begin{aligned} M &= ")
+    assert r" M &= \begin{bmatrix}" in form.latex()
 
 
 def test_rows_parse_back() -> None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from symbody.symbolic._core import Expr
 
 from .cost import cost
-from .rewrite import readable
+from .rewrite import textbook_form
 
 _LARGE = 150
 """Operations from which on an expression stays as it is: nobody reads it."""
@@ -38,4 +38,4 @@ class Reader:
         if operations > (_LARGE if self._read <= _TOTAL else _SMALL):
             return expression
         self._read += operations
-        return readable(expression)
+        return textbook_form(expression)
