@@ -117,6 +117,35 @@ def test_a_difference_of_the_user_is_kept() -> None:
     assert str(readable(g * m * (R - r) * sin(theta))) == "g*m*(R - r)*sin(theta)"
 
 
+@pytest.mark.parametrize("places", [(b - a, 0), (a - b, c - k), (2 * a - b, c), (b - a, c - k)])
+def test_differences_of_the_model_stay_together(places: tuple[Expr, Expr]) -> None:
+    """Each term has the differences of the places of the body, and none of their parameters apart."""
+    body = Body(rotate("Z", theta) * translate(*places, 0), m, 0, 0, F)
+    equations = newton_euler(System([body], coordinates=[theta], gravity=Vector(ground, 0, -g, 0)))
+    (row,) = describe(equations).splitlines()[1:]
+    rest = row.replace(" ", "")
+    for place in (p for p in places if " - " in str(p)):
+        (left, right), (left_of_opposite, right_of_opposite) = (str(p).split(" - ") for p in (place, -place))
+        rest = rest.replace(f"({left}-{right})", "").replace(f"({left_of_opposite}-{right_of_opposite})", "")
+        assert not place.free_symbols & parse_names(rest), row
+
+
+def parse_names(text: str) -> set[Expr]:
+    """Return the symbols whose names occur in a text."""
+    return set(symbols(" ".join({*re.findall(r"[A-Za-z]\w*", text)} - {"sin", "cos"} | {"q"})))
+
+
+@pytest.mark.parametrize("names", ["I a b h", "F a b k", "a b c k"])
+def test_entries_of_a_mass_matrix_are_as_short_as_from_their_terms(names: str) -> None:
+    """The form does not suffer from brackets that a derivation has left."""
+    inertia, u, v, w = symbols(names)
+    link = rotate("Z", x) * translate(l, 0, 0) * rotate("Z", y)
+    bodies = [Body(Point(link, u, 0, 0), m, 0, 0, inertia), Body(link * translate(w, v, 0), m)]
+    matrix = newton_euler(System(bodies, coordinates=[x, y])).matrix_form().mass_matrix
+    for entry in matrix.entries:
+        assert len(str(entry)) <= len(str(textbook_form(expand(entry))))
+
+
 def test_squares_of_distances_from_an_axis() -> None:
     """Two parallel axes across a vertical one: no double angles, though the frames multiply sines and cosines."""
     distance = a * sin(x) + b * (sin(x) * cos(y) + cos(x) * sin(y))
