@@ -7,6 +7,7 @@ import os
 import re
 import subprocess
 import sys
+import unicodedata
 from base64 import b64decode
 from pathlib import Path
 from xml.etree import ElementTree
@@ -31,6 +32,7 @@ from symbody import (
     latex,
     newton_euler,
     project,
+    readable,
     report,
     rotate,
     simulate,
@@ -41,12 +43,15 @@ from symbody import (
     translate,
 )
 from symbody.document import report as public_name
-from symbody.document.document import Document, Formula, Heading, Picture, Table
+from symbody.document.document import Document, Formula, Heading, Math, Picture, Table
 from symbody.document.formats.mathml import mathml
+from symbody.document.formats.tex_letter import in_text
 from symbody.document.report import FORMATS, SECTIONS
 from symbody.document.sections.checks import HOLDS, LAWS
-from symbody.document.subject import LARGE, Subject
-from symbody.errors import PictureError, ReportError
+from symbody.document.sections.equations import ROWS
+from symbody.document.subject import Subject
+from symbody.dynamics.display.summary import READABLE
+from symbody.errors import ModelNotice, PictureError, ReportError, SymbodyError
 from tests.view.browser import browser
 
 r, l, m1, m2, m3, I1, I2, g, tau = PARAMETERS = symbols("r l m1 m2 m3 I1 I2 g tau")
@@ -289,12 +294,13 @@ def test_tex_has_the_curves_of_the_motion(equations: Equations, motion: Motion, 
 
 @pytest.mark.needs("pdflatex")
 @pytest.mark.slow
-@pytest.mark.parametrize("name", ["closed loop", "arm"])
+@pytest.mark.parametrize("name", ["closed loop", "arm", "names"])
 def test_latex_typesets_the_report_within_the_page(
     equations: Equations, motion: Motion, name: str, tmp_path: Path
 ) -> None:
-    if name == "arm":
-        file = report(numbered_arm(4), tmp_path / "model.tex")
+    models = {"arm": numbered_arm(4), "names": strange_pendulum()}
+    if name in models:
+        file = report(models[name], tmp_path / "model.tex", units={g: "µN·m²"})
     else:
         file = report(equations, tmp_path / "model.tex", motion=motion)
     command = ["pdflatex", "-interaction=nonstopmode", "-halt-on-error", file.name]
@@ -369,17 +375,88 @@ def test_the_picture_satisfies_the_constraints(tmp_path: Path) -> None:
 
 def test_a_large_system_is_summarised(tmp_path: Path) -> None:
     large = newton_euler(numbered_arm(60))
-    assert cost(large.residuals).total > LARGE
+    assert cost(large.residuals).total > READABLE
     text = written(tmp_path, large, ".md")
     assert len(text) < 150_000
-    assert "are not printed here: equations.residuals contains them." in text
+    assert "too many to be printed: equations.residuals contains them." in text
     assert "too large for checks" in text
+
+
+def test_equations_of_many_rows_are_described_by_sizes_and_short_entries() -> None:
+    """Seven joints: what can be read is printed, with the values of the mass matrix; nothing fills pages."""
+    arm = newton_euler(numbered_arm(7))
+    assert cost(arm.residuals).total < READABLE
+    assert arm.latex().count(r"\\ ") > ROWS
+    document = blocks(arm)
+    start = document.blocks.index(Heading("Equations of motion"))
+    _, sizes, _, matrix, _, entries = document.blocks[start + 1 : start + 7]
+    assert isinstance(sizes, Table)
+    assert isinstance(matrix, Table)
+    assert isinstance(entries, Formula)
+    assert [row[0] for row in sizes.rows] == [(Math(latex(q)),) for q in arm.coordinates]
+    assert [cell[0] for cell in matrix.rows[6]][7] == str(cost(arm.mass_matrix[6, 6]).total)
+    assert f"M_{{66}} &= {latex(readable(arm.mass_matrix[5, 5]))}" in entries.latex
+    assert all(block.latex.count(r"\\ ") < ROWS for block in document.blocks if isinstance(block, Formula))
+
+
+# --- names of the user ---
+
+
+STRANGE = "Σ ∑ θ 振 é ế ℓ 𝛼 x₁ ŀ"
+
+
+def strange_pendulum() -> System:
+    """Return a pendulum with names in letters that LaTeX's fonts lack."""
+    theta, mass, length = functions_of_time("θ_ä"), *symbols("質量 Σb")
+    bob = Body(rotate("Z", theta) * translate(0, -length, 0), mass, name=f"{STRANGE}\nbob")
+    push = Torque(ground, 0, 0, symbols("größe"), on=bob, name="M\t\u2028\x00")
+    return System(
+        [bob], [push], coordinates=[theta], gravity=Vector(ground, 0, -g, 0), name=f"{STRANGE}\n\n2"
+    )
+
+
+@pytest.mark.parametrize("suffix", SUFFIXES)
+def test_line_breaks_in_names_are_spaces(tmp_path: Path, suffix: str) -> None:
+    text = written(tmp_path, strange_pendulum(), suffix)
+    assert not set("\t\x00\u2028") & set(text)
+    if suffix == ".tex":
+        assert r"ŀ" not in text
+        assert r"\title{\ensuremath{\Sigma} \ensuremath{\sum}" in text
+        assert " 2}\\date" in text
+    else:
+        assert f"{STRANGE} 2" in text
+
+
+def test_letters_that_latex_lacks_are_declared(tmp_path: Path) -> None:
+    """Each letter of the file is one of T1's, or has a declaration."""
+    text = written(tmp_path, strange_pendulum(), ".tex")
+    head, body = text.split(r"\title")
+    declared = {chr(int(code, 16)) for code in re.findall(r"\\DeclareUnicodeCharacter\{(\w+)\}", head)}
+    assert declared == set("質量振")
+    assert {letter for letter in body if ord(letter) > 0x17F} == declared
+
+
+def test_greek_letters_are_those_of_formulas() -> None:
+    for code in range(0x391, 0x3D7):
+        letter = chr(code)
+        if (
+            letter.isalpha()
+            and len(unicodedata.normalize("NFD", letter)) == 1
+            and "GREEK" in unicodedata.name(letter)
+        ):
+            typeset = latex(symbols(letter))
+            if typeset.startswith("\\"):
+                spelled = in_text(letter)
+                assert spelled in {rf"\ensuremath{{{typeset}}}", typeset.removeprefix(r"\mathrm{")[:-1]}
 
 
 # --- mistakes ---
 
 x = functions_of_time("x")
 CART = System([Body(translate(x, 0, 0), 1, name="cart")], coordinates=[x], name="cart")
+PENDULUM = System(
+    [Body(rotate("Z", phi) * translate(0, -l, 0), m1)], coordinates=[phi], gravity=Vector(ground, 0, -g, 0)
+)
 MISTAKES = {
     "report: model.pdf ends in '.pdf', which is not a format; expected one of .html, .ipynb, .md, .tex": (
         CART,
@@ -402,6 +479,42 @@ MISTAKES = {
         "model.md",
         {"position": {"x": 1}},
     ),
+    "report, parameters: the value of g: 'a' is a str; expected a number, or a row of numbers": (
+        PENDULUM,
+        "model.md",
+        {"parameters": {g: "a"}},
+    ),
+    "report, parameters: g is nan; expected a finite number": (
+        PENDULUM,
+        "model.md",
+        {"parameters": {g: float("nan")}},
+    ),
+    "report, parameters: x is not a parameter of these equations; expected one of g, l, m1": (
+        PENDULUM,
+        "model.md",
+        {"parameters": {x: 1}},
+    ),
+    "report, position: the value of phi: 1j is a complex; expected a number, or a row of numbers": (
+        PENDULUM,
+        "model.md",
+        {"position": {phi: 1j}},
+    ),
+    "report, position: beta is not a coordinate of this system; expected one of phi": (
+        PENDULUM,
+        "model.md",
+        {"position": {beta: 1}},
+    ),
+    "report, units: 5 is an int, for g; expected a text, such as 'N/m'": (
+        PENDULUM,
+        "model.md",
+        {"units": {g: 5}},
+    ),
+    "report, units: tau is not a variable of this model; expected one of g, l, m1, phi, phi'": (
+        PENDULUM,
+        "model.md",
+        {"units": {tau: "N"}},
+    ),
+    "report, title: 5 is an int; expected a text, such as 'A pendulum'": (CART, "model.md", {"title": 5}),
     "report: 3 for parameters; expected a dictionary such as {l: 0.5}": (CART, "model.md", {"parameters": 3}),
     "report: 3 is not a motion of System(cart, 1 body, 0 loads, 1 coordinate); expected one, such as "
     "simulate(equations, parameters, initial, t=(0, 1))": (CART, "model.md", {"motion": 3}),
@@ -412,10 +525,16 @@ MISTAKES = {
 def test_mistakes(message: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(tmp_path)
     model, path, options = MISTAKES[message]
-    with pytest.raises(ReportError) as caught:
+    with pytest.raises(SymbodyError) as caught:
         report(model, path, **options)  # type: ignore[arg-type]
     assert str(caught.value) == message
     assert not list(tmp_path.iterdir())
+
+
+def test_a_value_without_effect_is_noticed(tmp_path: Path) -> None:
+    with pytest.warns(ModelNotice, match="report: the parameter tau does not occur in this model") as caught:
+        report(PENDULUM, tmp_path / "model.md", parameters={tau: 1})
+    assert caught[0].filename == __file__
 
 
 def test_a_missing_folder_is_made(tmp_path: Path) -> None:

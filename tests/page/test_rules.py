@@ -14,6 +14,7 @@ from symbody import (
     Force,
     Frame,
     Matrix,
+    ModelNotice,
     Point,
     System,
     Torque,
@@ -22,6 +23,8 @@ from symbody import (
     cost,
     describe,
     expand,
+    factor_terms,
+    floating_frame,
     functions_of_time,
     ground,
     lagrange_equations,
@@ -35,7 +38,9 @@ from symbody import (
     tanh,
     translate,
 )
+from symbody.symbolic.calculus.rewrite import textbook_form
 from tests.laws.random_system import random_system
+from tests.symbolic.random_expression import Maker
 
 m, l, a, b, c, g, k, F = symbols("m l a b c g k F")
 x, y, theta = functions_of_time("x y theta")
@@ -76,21 +81,69 @@ def test_forms_for_the_reader_keep_the_value(seed: int) -> None:
         assert readable(expression).same_form(form)
 
 
+@pytest.mark.parametrize("seed", range(300))
+def test_what_is_readable_is_never_longer(seed: int) -> None:
+    """Of random expressions, and of each given in a form that a reader would not choose."""
+    given = Maker(random.Random(seed), only_common=True).expression(3)
+    for expression in (given, factor_terms(given), expand(given)):
+        form = readable(expression)
+        assert form == expression
+        assert len(str(form)) <= len(str(expression))
+
+
+def test_awkward_brackets_are_kept_if_they_are_shorter() -> None:
+    """A page of equations has flat sums and single angles; what the user gives comes back no longer."""
+    for given in (m * (m - 2) * cos(x), sin(2 * theta), c**2 + l * (l + 2 * c * cos(theta))):
+        assert len(str(textbook_form(given))) > len(str(given))
+        assert str(readable(given)) == str(given)
+
+
 def test_no_factor_occurs_again_in_its_brackets() -> None:
-    assert str(readable(m * (c**2 + l * (l + 2 * c * cos(theta))))) == "m*(c**2 + l**2 + 2*c*l*cos(theta))"
-    assert str(readable(m * c * (c + l * cos(theta)) + a)) == "a + m*(c**2 + c*l*cos(theta))"
+    assert (
+        str(textbook_form(m * (c**2 + l * (l + 2 * c * cos(theta))))) == "m*(c**2 + l**2 + 2*c*l*cos(theta))"
+    )
+    assert str(textbook_form(m * c * (c + l * cos(theta)) + a)) == "a + m*(c**2 + c*l*cos(theta))"
 
 
 def test_single_angles_are_preferred() -> None:
-    assert str(readable(sin(2 * theta))) == "2*sin(theta)*cos(theta)"
-    assert str(readable(cos(x) * cos(y) - sin(x) * sin(y))) == "cos(x + y)"
-    assert str(readable((1 - cos(2 * theta)) / 2)) == "sin(theta)**2"
+    assert str(textbook_form(sin(2 * theta))) == "2*sin(theta)*cos(theta)"
+    assert str(textbook_form(cos(x) * cos(y) - sin(x) * sin(y))) == "cos(x + y)"
+    assert str(textbook_form((1 - cos(2 * theta)) / 2)) == "sin(theta)**2"
 
 
 def test_a_difference_of_the_user_is_kept() -> None:
     R, r = symbols("R r")
     assert str(readable(m * (R - r) ** 2)) == "m*(R - r)**2"
     assert str(readable(g * m * (R - r) * sin(theta))) == "g*m*(R - r)*sin(theta)"
+
+
+@pytest.mark.parametrize("places", [(b - a, 0), (a - b, c - k), (2 * a - b, c), (b - a, c - k)])
+def test_differences_of_the_model_stay_together(places: tuple[Expr, Expr]) -> None:
+    """Each term has the differences of the places of the body, and none of their parameters apart."""
+    body = Body(rotate("Z", theta) * translate(*places, 0), m, 0, 0, F)
+    equations = newton_euler(System([body], coordinates=[theta], gravity=Vector(ground, 0, -g, 0)))
+    (row,) = describe(equations).splitlines()[1:]
+    rest = row.replace(" ", "")
+    for place in (p for p in places if " - " in str(p)):
+        (left, right), (left_of_opposite, right_of_opposite) = (str(p).split(" - ") for p in (place, -place))
+        rest = rest.replace(f"({left}-{right})", "").replace(f"({left_of_opposite}-{right_of_opposite})", "")
+        assert not place.free_symbols & parse_names(rest), row
+
+
+def parse_names(text: str) -> set[Expr]:
+    """Return the symbols whose names occur in a text."""
+    return set(symbols(" ".join({*re.findall(r"[A-Za-z]\w*", text)} - {"sin", "cos"} | {"q"})))
+
+
+@pytest.mark.parametrize("names", ["I a b h", "F a b k", "a b c k"])
+def test_entries_of_a_mass_matrix_are_as_short_as_from_their_terms(names: str) -> None:
+    """The form does not suffer from brackets that a derivation has left."""
+    inertia, u, v, w = symbols(names)
+    link = rotate("Z", x) * translate(l, 0, 0) * rotate("Z", y)
+    bodies = [Body(Point(link, u, 0, 0), m, 0, 0, inertia), Body(link * translate(w, v, 0), m)]
+    matrix = newton_euler(System(bodies, coordinates=[x, y])).matrix_form().mass_matrix
+    for entry in matrix.entries:
+        assert len(str(entry)) <= len(str(textbook_form(expand(entry))))
 
 
 def test_squares_of_distances_from_an_axis() -> None:
@@ -217,6 +270,27 @@ def test_rows_of_random_systems_are_equal_to_the_residuals(seed: int) -> None:
     assert max(map(len, equations.description().splitlines())) <= 110
 
 
+def test_entries_that_are_equal_or_opposite_are_joined() -> None:
+    """C21 = -C12, as c_112 = -c_211 [Murray, Li & Sastry 1994, sec. 4.2]; each entry is on one line."""
+    form = lagrange_equations(arm("ZYY")).matrix_form(christoffel=True)
+    lines = [line.strip() for line in form.description().splitlines()]
+    assert {"C21 = -C12", "C31 = -C13"} < set(lines)
+    assert form.coriolis[1, 0] == -form.coriolis[0, 1]
+    assert any(line.startswith("M23 = M32 = ") for line in lines)
+
+
+def test_a_vector_instead_of_the_matrix_of_christoffel_is_noticed() -> None:
+    """With quasi-velocities, and where a support moves; the notice stands at the line of the call."""
+    top = newton_euler(System([Body(floating_frame(), m, a, b, c)]))
+    with pytest.warns(ModelNotice, match="since the speeds u, v, w are not rates of coordinates") as caught:
+        assert not top.matrix_form(christoffel=True).is_christoffel
+    assert caught[0].filename == __file__
+    bob = Body(translate(y, 0, 0) * rotate("Z", x) * translate(l, 0, 0) * rotate("Z", y), m)
+    driven = newton_euler(System([bob], coordinates=[x], inputs=[y]))
+    with pytest.warns(ModelNotice, match=r"c\(q, q'\) is returned instead of the matrix C\(q, q'\)"):
+        assert not driven.matrix_form(christoffel=True).is_christoffel
+
+
 @pytest.mark.parametrize("axes", ["Z", "ZZ", "ZY", "ZYY"])
 def test_christoffel(axes: str) -> None:
     """M' - 2 C is skew-symmetric, and C q' is the force of the speeds [Murray, Li & Sastry 1994, sec. 4.2]."""
@@ -224,13 +298,14 @@ def test_christoffel(axes: str) -> None:
     vector, form = equations.matrix_form(), equations.matrix_form(christoffel=True)
     n = len(axes)
     assert form.mass_matrix == equations.mass_matrix
+    assert form.is_christoffel
     assert form.coriolis @ Matrix([[u] for u in equations.speeds]) == vector.coriolis or n == 1
     if n > 1:
         skew = (
             Matrix([[form.mass_matrix[i, j].diff(t) for j in range(n)] for i in range(n)]) - 2 * form.coriolis
         )
         assert all(skew[i, j] == -skew[j, i] for i in range(n) for j in range(n))
-    assert form.latex().startswith(r"\begin{aligned} M &= ")
+    assert r" M &= \begin{bmatrix}" in form.latex()
 
 
 def test_rows_parse_back() -> None:

@@ -145,6 +145,7 @@ def test_what_is_shown_is_equal(name: str) -> None:
 
 
 @each
+@pytest.mark.filterwarnings("ignore:matrix_form")
 @pytest.mark.parametrize("christoffel", [False, True])
 def test_the_matrix_form_is_equal(name: str, christoffel: bool) -> None:
     equations = shown(name).equations

@@ -27,6 +27,8 @@ SHOWN: dict[str, Callable[[], Any]] = {
     "Cost": lambda: sb.cost(SYSTEM.gravity.components if SYSTEM.gravity else ()),
     "Equilibrium": lambda: sb.equilibrium(OSCILLATOR, {m: 1, k: 4}),
     "Motion": lambda: sb.simulate(OSCILLATOR, {m: 1, k: 4}, {x: 0.1}, t=(0, 1)),
+    "Runs": lambda: sb.simulate_many(OSCILLATOR, {m: 1, k: [1, 4, 9]}, {x: [0.1, 0.2, 0.3]}, t=(0, 1)),
+    "InverseDynamics": lambda: sb.inverse_dynamics(OSCILLATOR, {x: sb.t**2}, {m: 2, k: 3}, t=[0, 0.5, 1]),
 }
 
 
@@ -122,6 +124,39 @@ def test_a_motion_shows_its_range() -> None:
     rows = cells(SHOWN["Motion"]())
     assert rows[1][:2] == ["x", "0.1"]
     assert float(rows[1][2]) < float(rows[1][3]) == 0.1
+
+
+def test_a_batch_shows_its_cases() -> None:
+    """The values that differ, and the last states, which are those of the motions of the cases."""
+    runs = SHOWN["Runs"]()
+    header, *rows = cells(runs)
+    assert header == ["case", "k", "initial x", "last x", "last x'", "result"]
+    assert [row[1:3] for row in rows] == [["1", "0.1"], ["4", "0.2"], ["9", "0.3"]]
+    for case, row in enumerate(rows):
+        assert float(row[3]) == pytest.approx(runs.motion(case)[x][-1], rel=1e-5)
+        assert row[-1] == "completed"
+
+
+def test_a_batch_shows_the_cases_that_ended_early() -> None:
+    """A case that ends by an event has its last known state; one that fails has its reason."""
+    stop = sb.Event(x - 1.5, terminal=True)
+    push = sb.Force(sb.ground, k / x, 0, 0, at=CART.center_of_mass, on=CART)
+    pushed = sb.newton_euler(sb.System([CART], [push], coordinates=[x]))
+    with pytest.warns(sb.ModelNotice):
+        runs = sb.simulate_many(pushed, {m: 1, k: [1, 0, -1]}, {x: 1.0}, t=(0, 3), events=[stop])
+    first, second, third = cells(runs)[1:]
+    assert float(first[2]) == pytest.approx(1.5, abs=0.01)
+    assert first[-1] == "ended by an event"
+    assert second[-1] == "completed"
+    assert third[-1].startswith(runs.failures[0].message[:20])
+
+
+def test_inverse_dynamics_shows_the_range_of_its_loads() -> None:
+    """F = m x'' + k x with x = t^2: from 4 to 7."""
+    rows = cells(SHOWN["InverseDynamics"]())
+    assert rows[0] == ["quantity", "first", "least", "largest", "last"]
+    assert rows[1] == ["generalised force of x", "4", "4", "7", "7"]
+    assert [row[0] for row in rows[2:]] == ["x", "x'"]
 
 
 def test_a_body_is_a_formula() -> None:

@@ -1,6 +1,7 @@
 """Random expressions of every kind. A seed gives one expression.
 
-Numbers are exact: a decimal that isn't a double, such as 1/1.5, is rounded when it is printed.
+Numbers are exact: a decimal that isn't a double, such as a product of many digits, is rounded when it
+is printed.
 """
 
 from __future__ import annotations

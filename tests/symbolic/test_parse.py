@@ -44,6 +44,28 @@ def test_doubles_parse_back(seed: int) -> None:
         assert parse(str(value * a + value), {"a": a}) == value * a + value
 
 
+@pytest.mark.parametrize("seed", range(100))
+def test_decimals_over_integers_parse_back(seed: int) -> None:
+    """A decimal whose digits do not end stands over an integer, as in ``0.1*a/7``."""
+    random = Random(seed)
+    decimal = number(random.choice([0.1, 1.5, 0.25, 9.81, 2e-5]))
+    integer = random.choice([3, 7, 9, 12, 30, 77, 210])
+    for quotient in (
+        decimal / integer,
+        integer / decimal,
+        -decimal * a / integer,
+        sin(a * decimal / integer),
+    ):
+        assert parse(str(quotient + x), {"x": x}) == quotient + x
+        assert "33333333" not in str(quotient)
+
+
+def test_short_names_of_equations_are_read() -> None:
+    """As `show` prints them: names with ``:=`` before an equation, also of several lines."""
+    found = parse("    c1 := cos(x)\n    M12 := a*c1\n        + b*c1**2\n    M12*x'' - c1", {"a": a})
+    assert found == parse("(a*cos(x) + b*cos(x)**2)*x'' - cos(x)")
+
+
 def test_a_large_expression_parses_back() -> None:
     e = doubling(80)
     assert parse(str(e)) == e

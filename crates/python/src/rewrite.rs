@@ -33,6 +33,7 @@ fn rewrite(py: Python<'_>, name: &str, expression: &Bound<'_, PyAny>) -> PyResul
         "combine_trig" => Graph::combine_trig,
         "simplify" => Graph::simplify,
         "readable" => Graph::readable,
+        "textbook_form" => Graph::textbook_form,
         _ => return Err(PyValueError::new_err(format!("{name} is not a rewrite"))),
     };
     let root = operand(expression, name)?;

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import dataclass
 from typing import TypeAlias
 
@@ -78,3 +79,12 @@ def prose(*words: str | Math) -> Prose:
     ('The angle ', Math(latex='q'), '.')
     """
     return Prose(words)
+
+
+def one_line(text: str) -> str:
+    r"""Return text without line breaks and other control characters, which names of the user may contain.
+
+    >>> one_line("Left\nlink ")
+    'Left link '
+    """
+    return re.sub(r"[\x00-\x1f\x7f-\x9f\u2028\u2029]+", " ", text)

@@ -5,13 +5,13 @@ from __future__ import annotations
 import os
 from collections.abc import Callable, Mapping
 from pathlib import Path
-from typing import TypeVar
 
 from symbody.document.document import Block, Document
 from symbody.document.formats.html import html
 from symbody.document.formats.markdown import markdown
 from symbody.document.formats.notebook import notebook
 from symbody.document.formats.tex import tex
+from symbody.document.given import parameters_of, position_of, title_of, units_of
 from symbody.document.picture import derived
 from symbody.document.sections.checks import checks
 from symbody.document.sections.energies import energies
@@ -51,9 +51,6 @@ SECTIONS: tuple[Callable[[Subject], list[Block]], ...] = (
 """The sections in their order."""
 
 
-Value = TypeVar("Value", float, str)
-
-
 def report(
     model: Equations | System,
     path: str | os.PathLike[str],
@@ -67,7 +64,7 @@ def report(
     """Write a model as one document: picture, names, kinematics, energies, equations, sizes, and proved checks.
 
     The document depends on the model alone: it has no date, and the same call writes the same bytes. Equations of more
-    than 2000 operations are summarised.
+    than 1000 operations, or two pages, are summarised.
 
     Args:
         model: the equations of motion, or a system, whose equations are derived.
@@ -81,6 +78,8 @@ def report(
 
     Raises:
         ReportError: an argument has the wrong kind, or the suffix is not a format.
+        ParameterError: a key is not a variable of the model, or a value is not finite.
+        ArgumentError: a value is not a number.
         PictureError: the file can't be written; its previous content is still there.
 
     >>> import tempfile
@@ -93,15 +92,16 @@ def report(
     # Pendulum
     """
     file, write = _format(path)
+    heading, equations = title_of(title), _equations(model)
     subject = Subject(
-        _equations(model),
+        equations,
         _motion(motion, model),
-        _by_symbol(parameters, "parameters", "{l: 0.5}"),
-        _by_symbol(position, "position", "{theta: 0.3}"),
-        _by_symbol(units, "units", "{k: 'N/m'}"),
+        parameters_of(equations, parameters),
+        position_of(equations.system, position),
+        units_of(equations, units),
     )
     blocks = tuple(block for section in SECTIONS for block in section(subject))
-    text = write(Document(str(title) or subject.system.name or "Multibody system", blocks))
+    text = write(Document(heading or subject.system.name or "Multibody system", blocks))
     return write_whole(
         file, lambda temporary: temporary.write_text(text, encoding="utf-8", newline="\n"), where="report"
     )
@@ -143,11 +143,3 @@ def _motion(motion: DrawableMotion | None, model: Equations | System) -> Drawabl
             "simulate(equations, parameters, initial, t=(0, 1))"
         )
     return motion
-
-
-def _by_symbol(given: Mapping[Expr, Value] | None, name: str, example: str) -> Mapping[Expr, Value]:
-    """Return a dictionary by symbols and functions of time; the empty one by default."""
-    found: object = {} if given is None else given
-    if not isinstance(found, Mapping) or not all(isinstance(key, Expr) for key in found):
-        raise ReportError(f"report: {brief(found)} for {name}; expected a dictionary such as {example}")
-    return found

@@ -7,12 +7,10 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from symbody.dynamics import Equations
+from symbody.dynamics.display.summary import READABLE
 from symbody.multibody import System
 from symbody.symbolic import Cost, Expr, cost, readable
 from symbody.view import DrawableMotion
-
-LARGE = 2000
-"""The operations of the residuals from which a report gives sizes instead of formulas."""
 
 
 @dataclass(frozen=True)
@@ -55,4 +53,4 @@ class Subject:
     @property
     def is_large(self) -> bool:
         """Whether formulas would fill so many pages that nobody reads them."""
-        return self.cost.total > LARGE
+        return self.cost.total > READABLE

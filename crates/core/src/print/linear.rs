@@ -219,10 +219,12 @@ pub(super) fn indices(orders: &[u32]) -> String {
     out.join(",")
 }
 
-/// Numerator and denominator of the size of a number; decimals have no denominator.
+/// Numerator and denominator of the size of a number; decimals have no denominator, unless their digits never end.
 pub(super) fn fraction(number: &Number) -> (String, Option<String>) {
     let size = number.abs();
-    if is_fraction(&size) {
+    if let Some((numerator, denominator)) = size.decimal_over_integer() {
+        (numerator.to_string(), Some(denominator.to_string()))
+    } else if is_fraction(&size) {
         (size.numerator().to_string(), Some(size.denominator().to_string()))
     } else if size.is_one() {
         ("1".into(), None)

@@ -45,18 +45,44 @@ const DIFFERENCE: usize = 12;
 type Reading = (usize, u64, String);
 
 impl Graph {
-    /// The form of an expression for the reader: of the forms that are tried, the one that reads shortest.
+    /// The form of an expression for the reader: of the forms that are tried, the one that reads shortest. Its text is
+    /// never longer than the given one, nor is that of any part.
     ///
     /// # Errors
     /// If a part cannot be rebuilt.
     pub fn readable(&mut self, id: Id) -> Result<Id, Error> {
+        let found = self.form_for_reader(id, true)?;
+        Ok(if self.is_no_longer(found, id) { found } else { id })
+    }
+
+    /// The form of an expression on the page of a textbook: the text may be longer than the given one where that has
+    /// what a reader stumbles over.
+    ///
+    /// # Errors
+    /// If a part cannot be rebuilt.
+    pub fn textbook_form(&mut self, id: Id) -> Result<Id, Error> {
+        self.form_for_reader(id, false)
+    }
+
+    fn form_for_reader(&mut self, id: Id, is_bounded: bool) -> Result<Id, Error> {
         if self.is_larger(id, LARGEST_PART) {
             return Ok(id); // nobody reads it
         }
         self.choose_form(|graph| {
-            let joined = graph.inside_out(id, Self::push_enclosed_or_factors, &mut Self::joined_waves)?;
-            graph.inside_out(joined, Self::push_enclosed, &mut |graph, part| Ok(graph.most_readable(part)))
+            let joined = graph.inside_out(id, Self::push_enclosed_or_factors, &mut |graph, part| {
+                let joined = graph.joined_waves(part)?;
+                let is_taken = !is_bounded || graph.is_no_longer(joined, part);
+                Ok(if is_taken { joined } else { part })
+            })?;
+            graph.inside_out(joined, Self::push_enclosed, &mut |graph, part| {
+                Ok(graph.most_readable(part, is_bounded))
+            })
         })
+    }
+
+    fn is_no_longer(&self, form: Id, given: Id) -> bool {
+        let length = |id| self.to_text(id).chars().count();
+        form == given || length(form) <= length(given)
     }
 
     /// A sum of products of two waves as one of waves of sums, if that has no more terms: a chain of rotations about one
@@ -78,7 +104,7 @@ impl Graph {
         }
     }
 
-    fn most_readable(&mut self, part: Id) -> Id {
+    fn most_readable(&mut self, part: Id, is_bounded: bool) -> Id {
         if self.is_larger(part, LARGEST_PART) {
             return part;
         }
@@ -93,11 +119,12 @@ impl Graph {
             }
         }
         let mut best = (self.reading(part), part);
+        let longest = if is_bounded { best.0.2.chars().count() } else { usize::MAX };
         let mut seen: FxHashSet<Id> = FxHashSet::default();
         for candidate in candidates {
             if seen.insert(candidate) && self.same(candidate, part) {
                 let reading = self.reading(candidate);
-                if reading < best.0 {
+                if reading < best.0 && reading.2.chars().count() <= longest {
                     best = (reading, candidate);
                 }
             }
@@ -376,7 +403,7 @@ impl Ring<'_> {
     /// Numerator over denominator, both in their most readable forms.
     fn over_common_denominator(&mut self, polynomial: &Polynomial) -> Option<Id> {
         let (numerator, denominator) = self.fraction(polynomial).ok()??;
-        let numerator = self.graph.most_readable(numerator);
+        let numerator = self.graph.most_readable(numerator, false);
         self.graph.product(&[(numerator, NumberId::ONE), (denominator, NumberId::MINUS_ONE)]).ok()
     }
 

@@ -181,6 +181,26 @@ impl Number {
         Self { value: self.value.clone(), decimal }
     }
 
+    /// The numerator and the denominator of a decimal that no double prints, such as 0.1 and 7 for 0.1/7: a decimal and
+    /// an integer. There are none if they are longer than the nearest double.
+    #[must_use]
+    pub fn decimal_over_integer(&self) -> Option<(Self, Self)> {
+        if !self.decimal {
+            return None;
+        }
+        let mut rest = self.denominator();
+        for prime in [2, 5].map(BigInt::from) {
+            while rest.is_multiple_of(&prime) {
+                rest /= &prime;
+            }
+        }
+        let integer = Self::whole(rest);
+        let numerator = self.mul(&integer);
+        let is_printed = Self::from_f64(numerator.to_f64()).is_ok_and(|shown| shown.same_value(&numerator));
+        let length = numerator.to_string().len() + integer.to_string().len();
+        (is_printed && !integer.is_one() && length < self.to_string().len()).then_some((numerator, integer))
+    }
+
     /// The value as a machine integer, if it is one.
     #[must_use]
     pub fn to_i64(&self) -> Option<i64> {
@@ -394,6 +414,18 @@ mod tests {
         assert!(sum.same_value(&Number::from_f64(0.3)?));
         assert!(!sum.same_value(&Number::from_f64(0.1 + 0.2)?));
         assert_eq!(sum.to_string(), "0.3");
+        Ok(())
+    }
+
+    #[test]
+    fn a_decimal_over_an_integer_is_exact() -> Result<(), Error> {
+        let tenth = Number::from_f64(0.1)?;
+        let texts =
+            |number: &Number| number.decimal_over_integer().map(|(n, d)| (n.to_string(), d.to_string()));
+        let seventh = tenth.mul(&Number::rational(1, 7));
+        assert_eq!(texts(&seventh), Some(("0.1".to_owned(), "7".to_owned())));
+        assert_eq!(texts(&tenth.mul(&Number::rational(1, 8))), None); // 0.0125
+        assert_eq!(texts(&Number::rational(1, 7)), None);
         Ok(())
     }
 

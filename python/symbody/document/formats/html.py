@@ -4,7 +4,18 @@ from __future__ import annotations
 
 from html import escape
 
-from symbody.document.document import Block, Document, Formula, Heading, Math, Picture, Prose, Table, Words
+from symbody.document.document import (
+    Block,
+    Document,
+    Formula,
+    Heading,
+    Math,
+    Picture,
+    Prose,
+    Table,
+    Words,
+    one_line,
+)
 from symbody.document.formats.mathml import mathml
 
 STYLE = """\
@@ -28,7 +39,7 @@ mtd[columnalign="right"] { text-align: right; }
 
 def html(document: Document) -> str:
     """Return the page of a document."""
-    title = escape(document.title)
+    title = _text(document.title)
     head = f'<meta charset="utf-8"/>\n<title>{title}</title>\n<style>\n{STYLE}</style>'
     body = "\n".join([f"<h1>{title}</h1>", *map(_block, document.blocks)])
     return f'<!DOCTYPE html>\n<html lang="en">\n<head>\n{head}\n</head>\n<body>\n{body}\n</body>\n</html>\n'
@@ -37,7 +48,7 @@ def html(document: Document) -> str:
 def _block(block: Block) -> str:
     match block:
         case Heading():
-            return f"<h2>{escape(block.text)}</h2>"
+            return f"<h2>{_text(block.text)}</h2>"
         case Prose():
             return f"<p>{_words(block.words)}</p>"
         case Formula():
@@ -45,14 +56,18 @@ def _block(block: Block) -> str:
         case Table():
             return _table(block)
         case Picture():
-            return f"<figure>\n{block.svg}\n<figcaption>{escape(block.caption)}</figcaption>\n</figure>"
+            return f"<figure>\n{block.svg}\n<figcaption>{_text(block.caption)}</figcaption>\n</figure>"
 
 
 def _table(table: Table) -> str:
-    header = "".join(f"<th>{escape(cell)}</th>" for cell in table.header)
+    header = "".join(f"<th>{_text(cell)}</th>" for cell in table.header)
     rows = ("".join(f"<td>{_words(cell)}</td>" for cell in row) for row in table.rows)
     return "\n".join(["<table>", f"<tr>{header}</tr>", *(f"<tr>{row}</tr>" for row in rows), "</table>"])
 
 
 def _words(words: Words) -> str:
-    return "".join(mathml(word.latex) if isinstance(word, Math) else escape(word) for word in words)
+    return "".join(mathml(word.latex) if isinstance(word, Math) else _text(word) for word in words)
+
+
+def _text(plain: str) -> str:
+    return escape(one_line(plain))

@@ -7,7 +7,18 @@ from base64 import b64encode
 from collections.abc import Callable
 from functools import partial
 
-from symbody.document.document import Block, Document, Formula, Heading, Math, Picture, Prose, Table, Words
+from symbody.document.document import (
+    Block,
+    Document,
+    Formula,
+    Heading,
+    Math,
+    Picture,
+    Prose,
+    Table,
+    Words,
+    one_line,
+)
 
 Source = Callable[[Picture], str]
 """The address of a picture."""
@@ -46,7 +57,7 @@ def plain(text: str) -> str:
     >>> plain("q_1 * q_2")
     'q\\_1 \\* q\\_2'
     """
-    return re.sub(r"([\\`*_\[\]<>#$|])", r"\\\1", text)
+    return re.sub(r"([\\`*_\[\]<>#$|])", r"\\\1", one_line(text))
 
 
 def _words(words: Words) -> str:

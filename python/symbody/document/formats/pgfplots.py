@@ -13,6 +13,7 @@ from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
 from symbody.document.formats.plain_text import text
+from symbody.document.formats.tex_letter import in_formula
 
 MOST = 400
 """The most points of a curve: more than a printed page resolves, and few enough for TeX's memory."""
@@ -76,4 +77,4 @@ def _points(curve: Line2D) -> str:
 def _label(label: str) -> str:
     """Return a label with its formulas; brackets around them protect commas and square brackets."""
     parts: Sequence[Any] = re.split(r"(\$[^$]*\$)", label)
-    return "".join(part if part.startswith("$") else text(part) for part in parts)
+    return "".join(in_formula(part) if part.startswith("$") else text(part) for part in parts)

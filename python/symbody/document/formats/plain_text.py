@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+from symbody.document.document import one_line
+from symbody.document.formats.tex_letter import in_text
+
 _SPECIAL = {
     "\\": r"\textbackslash{}", "{": r"\{", "}": r"\}", "_": r"\_", "&": r"\&", "%": r"\%", "$": r"\$", "#": r"\#",
-    "^": r"\textasciicircum{}", "~": r"\textasciitilde{}", "²": r"\textsuperscript{2}",
+    "^": r"\textasciicircum{}", "~": r"\textasciitilde{}",
 }  # fmt: skip
 
 
@@ -14,4 +17,4 @@ def text(plain: str) -> str:
     >>> print(text("50 % of q_1"))
     50 \% of q\_1
     """
-    return "".join(_SPECIAL.get(letter, letter) for letter in plain)
+    return in_text("".join(_SPECIAL.get(letter, letter) for letter in one_line(plain)))

@@ -8,14 +8,17 @@ from collections.abc import Sequence
 from symbody.document.document import Block, Document, Formula, Heading, Math, Picture, Prose, Table, Words
 from symbody.document.formats.pgfplots import pgfplots
 from symbody.document.formats.plain_text import text
+from symbody.document.formats.tex_letter import in_formula, missing
 from symbody.document.formats.tikz import tikz
 from symbody.symbolic.expression.latex_layout import width
 from symbody.view.sketch import Sketch
 
-HEAD = r"""\documentclass{article}
-\usepackage[utf8]{inputenc}
-\usepackage[T1]{fontenc}
-\usepackage[a4paper,margin=2cm]{geometry}
+CLASS = r"\documentclass{article}"
+
+ENCODING = r"""\usepackage[utf8]{inputenc}
+\usepackage[T1]{fontenc}"""
+
+PACKAGES = r"""\usepackage[a4paper,margin=2cm]{geometry}
 \usepackage{amsmath}
 \usepackage{array}
 \usepackage{booktabs}
@@ -35,15 +38,29 @@ WIDE = 60
 def tex(document: Document) -> str:
     """Return the source of a document."""
     title = rf"\title{{{text(document.title)}}}\date{{}}"
-    parts = [
-        HEAD,
-        title,
-        r"\begin{document}",
-        r"\maketitle",
-        *map(_block, document.blocks),
-        r"\end{document}",
-    ]
-    return "\n\n".join(parts) + "\n"
+    body = [title, r"\begin{document}", r"\maketitle", *map(_block, document.blocks), r"\end{document}"]
+    head = "\n".join([CLASS, _encoding(missing("".join(body))), PACKAGES])
+    return "\n\n".join([head, *body]) + "\n"
+
+
+def _encoding(strange: Sequence[str]) -> str:
+    """Return the commands for the encoding of the file; with them, pdflatex prints code points of strange letters."""
+    if not strange:
+        return ENCODING
+    return "\n".join(
+        [
+            "% pdflatex has no fonts for some letters, and prints their code points instead. To see them, remove",
+            "% the % in front of \\setmainfont, choose a font that has the letters, and use lualatex or xelatex.",
+            r"\usepackage{iftex}",
+            r"\ifPDFTeX",
+            ENCODING,
+            *(rf"\DeclareUnicodeCharacter{{{ord(each):04X}}}{{[U+{ord(each):04X}]}}" for each in strange),
+            r"\else",
+            r"\usepackage{fontspec}",
+            r"% \setmainfont{Noto Serif CJK JP}",
+            r"\fi",
+        ]
+    )
 
 
 def _block(block: Block) -> str:
@@ -53,7 +70,7 @@ def _block(block: Block) -> str:
         case Prose():
             return _words(block.words)
         case Formula():
-            return _formula(block.latex)
+            return _formula(in_formula(block.latex))
         case Table():
             return _table(block)
         case Picture():
@@ -87,4 +104,4 @@ def _picture(picture: Picture) -> str:
 
 
 def _words(words: Words) -> str:
-    return "".join(f"${word.latex}$" if isinstance(word, Math) else text(word) for word in words)
+    return "".join(f"${in_formula(word.latex)}$" if isinstance(word, Math) else text(word) for word in words)

@@ -12,6 +12,7 @@ from symbody.symbolic.calculus.reader import Reader
 from .causes import generalized_forces
 from .degree import Degrees, by_christoffel, degrees, part_of, without
 from .device import by_device, devices
+from .difference import differences
 from .like_terms import joined
 from .source import Sources, sources
 
@@ -66,7 +67,7 @@ def balances(
         bias: the residuals at zero accelerations and multipliers.
         jacobian: phi_q, m x n.
     """
-    reader = Reader()
+    reader = Reader(differences(system))
     kinds = sources(system, mass_matrix)
     parts = _parts(system, bias, kinds, mass_matrix)
     mass_matrix = _read(mass_matrix, reader)

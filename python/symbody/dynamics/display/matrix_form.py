@@ -2,18 +2,24 @@
 
 from __future__ import annotations
 
+import warnings
 from collections.abc import Sequence
 from dataclasses import dataclass
 
+from symbody.errors import ModelNotice
 from symbody.multibody import System
-from symbody.symbolic import Expr, Matrix, diff, free_symbols, number, readable
+from symbody.symbolic import Expr, Matrix, diff, free_symbols, number
+from symbody.symbolic.calculus.rewrite import textbook_form
 from symbody.symbolic.expression.latex_layout import aligned, bmatrix, displayed
 
 from .balance import Balance
 from .row import LINE, lines, printed
+from .short_names import shortened
 
 _TWO_DIGITS = 10
 """Speeds from which on indices have two digits."""
+_NAMED = 3
+"""The quasi-velocities that a notice names."""
 
 
 @dataclass(frozen=True)
@@ -50,23 +56,28 @@ class MatrixForm:
     is_christoffel: bool = False
 
     def description(self) -> str:
-        """Return the equation of matrices, and their entries other than zero line by line."""
-        rows = self._entries()
-        definitions, texts = printed(self._all(), "text", self.system)
-        values = dict(zip((label for label, _ in self._labelled()), texts, strict=True))
-        made = [f"{name} := {value}" for name, value in definitions]
-        made += [f"{' = '.join(labels)} = {values[labels[0]]}" for labels in rows]
+        """Return the equation of matrices, and their entries other than zero line by line.
+
+        Equal entries of M and of C stand on one line, and an opposite of an entry above is written as such.
+        """
+        labels, values = zip(*self._labelled(), strict=True)
+        definitions, texts = printed(values, "text", self.system)
+        text_of = dict(zip(labels, texts, strict=True))
+        rows = [f"{' = '.join(equal)} = {text_of.get(right, right)}" for equal, right in self._entries()]
+        definitions, rows = shortened(rows, (), definitions)
+        made = [*(f"{name} := {value}" for name, value in definitions), *rows]
         return "\n".join([self._equation(), *(line for text in made for line in _indented(text))])
 
     def latex(self) -> str:
         """Return the matrices in LaTeX, one below the other."""
         named = [(name, matrix) for name, matrix in self._matrices() if _is_used(matrix)]
-        definitions, texts = printed([e for _, matrix in named for e in matrix.entries], "latex", self.system)
+        entries = [entry for _, matrix in named for entry in matrix.entries]
+        definitions, texts = printed(entries, "latex", self.system)
+        definitions, texts = shortened(texts, (), definitions, "latex")
         remaining = iter(texts)
         rows = [f"{name} &= {value}" for name, value in definitions]
         for name, matrix in named:
-            entries = [next(remaining) for _ in matrix.entries]
-            rows.append(f"{name} &= {bmatrix(entries, matrix.shape[1])}")
+            rows.append(f"{name} &= {bmatrix([next(remaining) for _ in matrix.entries], matrix.shape[1])}")
         return aligned(rows)
 
     def _repr_latex_(self) -> str:
@@ -97,23 +108,21 @@ class MatrixForm:
                     made.append((style.format(name, index), matrix[i, j]))
         return made
 
-    def _all(self) -> list[Expr]:
-        return [value for _, value in self._labelled()]
-
-    def _entries(self) -> list[list[str]]:
-        """Return the labels of the entries other than zero; equal ones of M stand on one line."""
-        rows: list[tuple[Expr, list[str]]] = []
+    def _entries(self) -> list[tuple[list[str], str]]:
+        """Return the labels of the entries other than zero, and what stands on the right: a label or its opposite."""
+        rows = list[tuple[list[str], str]]()
+        known = dict[tuple[str, Expr], list[str]]()
         for label, value in self._labelled():
+            kind = label[0] if label[0] in "MC" else label
             if value.is_zero:
                 continue
-            same = next(
-                (labels for known, labels in rows if label[0] in "M" == labels[0][0] and known == value), None
-            )
-            if same is None:
-                rows.append((value, [label]))
-            else:
-                same.append(label)
-        return [labels for _, labels in rows]
+            if (kind, value) in known:
+                known[kind, value].append(label)
+                continue
+            opposite = known.get((kind, -value))
+            rows.append(([label], label if opposite is None else f"-{opposite[0]}"))
+            known[kind, value] = rows[-1][0]
+        return rows
 
     def _equation(self) -> str:
         one = len(self.system.speeds) == 1
@@ -132,14 +141,23 @@ class MatrixForm:
 def matrix_form(
     system: System, mass_matrix: Matrix, balances: Sequence[Balance], *, christoffel: bool
 ) -> MatrixForm:
-    """Return the matrices of equations whose terms are known by their kinds; M is in its form for the reader."""
-    n = len(balances)
+    """Return the matrices of equations whose terms are known by their kinds; M is in its form for the reader.
+
+    A notice (`ModelNotice`) tells why c(q, q') stands in the place of C(q, q').
+    """
     coriolis, is_christoffel = _column([balance.velocities for balance in balances]), False
-    if christoffel and not system.has_quasi_velocities:
+    if christoffel and system.has_quasi_velocities:
+        first = ", ".join(map(str, system.quasi_velocities[:_NAMED]))
+        _notice(f"the speeds {first} are not rates of coordinates, on which Christoffel's symbols depend")
+    elif christoffel:
         found = by_christoffel(mass_matrix, system)
-        product = found @ Matrix([[u] for u in system.speeds])
-        if all(product[i, 0] == coriolis[i, 0] for i in range(n)):
+        if found @ Matrix([[u] for u in system.speeds]) == coriolis:
             coriolis, is_christoffel = found, True
+        else:
+            _notice(
+                "Christoffel's symbols of the mass matrix don't give it; where a support moves or loads depend on "
+                "products of speeds, they do not"
+            )
     return MatrixForm(
         system,
         mass_matrix,
@@ -149,6 +167,14 @@ def matrix_form(
         _column([balance.applied for balance in balances]),
         _column([balance.constraints for balance in balances]),
         is_christoffel,
+    )
+
+
+def _notice(reason: str) -> None:
+    warnings.warn(
+        f"matrix_form: c(q, q') is returned instead of the matrix C(q, q'), since {reason}",
+        ModelNotice,
+        stacklevel=4,
     )
 
 
@@ -164,7 +190,7 @@ def by_christoffel(mass_matrix: Matrix, system: System) -> Matrix:
         total = number(0)
         for k, speed in enumerate(system.speeds):
             total += (rates[i][j][k] + rates[i][k][j] - rates[j][k][i]) / 2 * speed
-        return readable(total)
+        return textbook_form(total)
 
     return Matrix([[entry(i, j) for j in range(n)] for i in range(n)])
 

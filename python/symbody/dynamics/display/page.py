@@ -7,7 +7,8 @@ from dataclasses import dataclass
 from functools import cached_property
 
 from symbody.multibody import System
-from symbody.symbolic import Expr, Matrix, listing, readable
+from symbody.symbolic import Expr, Matrix, listing
+from symbody.symbolic.calculus.rewrite import textbook_form
 from symbody.symbolic.expression.latex_layout import aligned, broken
 
 from .balance import Balance
@@ -37,7 +38,7 @@ class Page:
 
     @cached_property
     def _rates(self) -> tuple[tuple[Expr, Expr], ...]:
-        return tuple((rate, readable(value)) for rate, value in self.system.known_rates.items())
+        return tuple((rate, textbook_form(value)) for rate, value in self.system.known_rates.items())
 
     def description(self) -> str:
         """Return the equations line by line, after the quantities that have names."""
@@ -100,7 +101,7 @@ class Page:
 
 def _shorter(constraint: Expr) -> Expr:
     """Return a constraint as it was given, unless it has a shorter form."""
-    form = readable(constraint)
+    form = textbook_form(constraint)
     return form if len(str(form)) < len(str(constraint)) else constraint
 
 

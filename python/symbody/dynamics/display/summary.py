@@ -25,7 +25,7 @@ def summary(system: System, residuals: Sequence[Expr]) -> str:
     """Return the number and the sizes of equations, and how to see one of them."""
     sizes = [
         "..." if size is None else f"{size[0]}: {counted(size[1], 'operation')}"
-        for size in _sizes(system, residuals)
+        for size in sizes_by_speed(system, residuals)
     ]
     return "\n    ".join([f"EQUATIONS OF MOTION of {_total(system, residuals)}", *sizes, *_ADVICE])
 
@@ -36,14 +36,14 @@ def summary_in_latex(system: System, residuals: Sequence[Expr]) -> str:
         r"&\;\vdots"
         if size is None
         else rf"{latex(size[0])} &\colon \text{{{counted(size[1], 'operation')}}}"
-        for size in _sizes(system, residuals)
+        for size in sizes_by_speed(system, residuals)
     ]
     return aligned([rf"&\text{{Equations of motion of {_total(system, residuals)}}}", *sizes])
 
 
 def summary_table(system: System, residuals: Sequence[Expr]) -> str:
     """Return the number and the sizes of equations for a notebook, in HTML."""
-    rows = [("...", "...") if size is None else size for size in _sizes(system, residuals)]
+    rows = [("...", "...") if size is None else size for size in sizes_by_speed(system, residuals)]
     title = f"Equations of motion of {_total(system, residuals)}"
     return html_table(title, ["equation of", "operations"], rows, " ".join(_ADVICE))
 
@@ -59,7 +59,7 @@ def _total(system: System, residuals: Sequence[Expr]) -> str:
     return f"{sizes}: {counted(cost(residuals).total, 'operation')} in all"
 
 
-def _sizes(system: System, residuals: Sequence[Expr]) -> list[tuple[Expr, int] | None]:
+def sizes_by_speed(system: System, residuals: Sequence[Expr]) -> list[tuple[Expr, int] | None]:
     """Return the operations of the first and the last equations by their speeds; None stands for those between."""
     n = len(residuals)
     shown = [k for k in range(n) if k < _SHOWN or k >= n - _SHOWN]

@@ -228,7 +228,7 @@ class Equations:
 
         Args:
             christoffel: whether c(q, q') is written as C(q, q') q', by Christoffel's symbols, if it follows from M:
-                with quasi-velocities, and on a moving support, it does not.
+                with quasi-velocities, and on a moving support, it does not, and a notice (`ModelNotice`) says why.
 
         Raises:
             ModelError: the equations are too long to be read, as `show` tells by their sizes.

@@ -27,6 +27,7 @@ from symbody.symbolic import Expr, ExprLike
 from symbody.symbolic.given.arguments import counted, described
 from symbody.symbolic.numeric.deficiency import noting
 
+from .case_table import case_table
 from .cases import Cases
 
 Array = NDArray[np.float64]
@@ -265,3 +266,7 @@ class Runs:
         parts += [f"{len(self.failures)} failed"] if self.failures else []
         parts += [f"{len(self.not_run)} not run"] if self.not_run else []
         return f"Runs({', '.join(parts)})"
+
+    def _repr_html_(self) -> str:
+        kept = self.task.model.state if self.task.keeps_states else ()
+        return case_table(repr(self), self.cases, self.results, kept)

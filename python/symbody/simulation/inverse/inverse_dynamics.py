@@ -20,6 +20,7 @@ from symbody.simulation.given.unused import warn_of_unused
 from symbody.simulation.given.values import given_inputs
 from symbody.simulation.model.unknown import unknown_variables
 from symbody.simulation.motion.motion import Motion
+from symbody.simulation.motion.range_table import range_table
 from symbody.simulation.motion.reading import Reading
 from symbody.symbolic import Expr, ExprLike, free_symbols
 from symbody.symbolic import t as symbolic_time
@@ -84,6 +85,14 @@ class InverseDynamics:
         names = ", ".join(map(str, self.forces))
         return f"InverseDynamics of {names}: {counted(len(self.t), 'instant')} from {self.t[0]:g} to {self.t[-1]:g} s"
 
+    def _repr_html_(self) -> str:
+        """Return the ranges of the loads that were solved for, of the motion, and of the multipliers."""
+        system = self.system
+        names = [*system.coordinates, *system.speeds, *system.multipliers]
+        columns = np.hstack([self.coordinates, self.speeds, self.multipliers]).T
+        loads = [(_name_of_load(load, system), values) for load, values in self.forces.items()]
+        return range_table(str(self), "quantity", [*loads, *zip(names, columns, strict=True)])
+
     def __len__(self) -> int:
         """Return the number of instants."""
         return len(self.t)
@@ -135,6 +144,11 @@ class InverseDynamics:
 
 def _column(values: Iterable[float]) -> Array:
     return np.array(list(values), dtype=np.float64).reshape(-1, 1)
+
+
+def _name_of_load(load: Expr, system: System) -> str:
+    """Return the name of a load that was solved for; a generalised force has that of its coordinate."""
+    return f"generalised force of {load}" if load in system.coordinates else str(load)
 
 
 def inverse_dynamics(

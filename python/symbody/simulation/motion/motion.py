@@ -20,11 +20,11 @@ from symbody.simulation.integrate.outcome import Statistics
 from symbody.simulation.model.model import Model
 from symbody.simulation.model.unknown import explain_unknown
 from symbody.symbolic import Expr, ExprLike, free_symbols
-from symbody.symbolic.expression.html_table import html_table
 from symbody.symbolic.given.arguments import counted, described
 
 from .drawing import NotebookPage, drawing_function
 from .occurrence import Occurrence
+from .range_table import range_table
 from .rates_along import accelerations_along
 from .reading import Reading
 
@@ -90,12 +90,7 @@ class Motion:
         return f"Motion of {names}: {instants}, {self.message}"
 
     def _repr_html_(self) -> str:
-        columns = self.states.T
-        rows = [
-            [name, *(f"{value:.6g}" for value in (column[0], column.min(), column.max(), column[-1]))]
-            for name, column in zip(self.model.state, columns, strict=True)
-        ]
-        return html_table(str(self), ["state", "first", "least", "largest", "last"], rows)
+        return range_table(str(self), "state", zip(self.model.state, self.states.T, strict=True))
 
     def __len__(self) -> int:
         """Return how many instants there are."""

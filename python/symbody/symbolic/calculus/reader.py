@@ -2,25 +2,32 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from symbody.symbolic._core import Expr
 
 from .cost import cost
-from .rewrite import readable
+from .difference import by_differences, with_differences
+from .rewrite import expand, textbook_form
 
 _LARGE = 150
 """Operations from which on an expression stays as it is: nobody reads it."""
 _TOTAL = 2500
 """Operations of all expressions together, after which only small ones are rewritten."""
 _SMALL = 12
+_EXPANDED = 40
+"""Operations up to which the form is looked for from the expanded expression, too."""
 
 
 class Reader:
     """Finds the forms of a set of equations; opposite values have opposite forms.
 
-    The work is bounded by the operations of what is read, so that the result depends on the equations alone.
+    Differences that the user wrote stay together, where a form with them is no longer. The work is bounded by the
+    operations of what is read, so that the result depends on the equations alone.
     """
 
-    def __init__(self) -> None:
+    def __init__(self, differences: Sequence[Expr] = ()) -> None:
+        self._differences = tuple(differences)
         self._known: dict[Expr, Expr] = {}
         self._read = 0
 
@@ -38,4 +45,15 @@ class Reader:
         if operations > (_LARGE if self._read <= _TOTAL else _SMALL):
             return expression
         self._read += operations
-        return readable(expression)
+        form = textbook_form(expression)
+        if operations <= _EXPANDED:
+            form = min(form, textbook_form(expand(expression)), key=_length)
+        shorter, used = by_differences(expression, self._differences)
+        if used:
+            other = with_differences(textbook_form(shorter), used)
+            return other if other == expression and _length(other) <= _length(form) else form
+        return form
+
+
+def _length(form: Expr) -> int:
+    return len(str(form))

@@ -152,18 +152,31 @@ def readable(expression: Kind) -> Kind: ...
 def readable(expression: Any) -> Any:
     """Return the form that a textbook would print: for the page, not for code, since it may cost more operations.
 
-    Sums are flat, and factors stand before a whole sum only. Of a fixed list of forms, the one with the shortest text
-    is taken; multiples of angles and fractions inside brackets count as longer. Parts that are too large stay as they
-    are. The value at the random point proves that the mathematics is unchanged.
+    Of a fixed list of forms, the one with the shortest text is taken; multiples of angles, fractions inside brackets
+    and nested brackets count as longer. The text is never longer than that of the expression. Parts that are too large
+    stay as they are. The value at the random point proves that the mathematics is unchanged.
 
     >>> from symbody import cos, readable, sin, symbols
     >>> m, l, c, a, b = symbols("m l c a b")
-    >>> readable(m * (l * (l + 2 * c * cos(a)) + c**2))
+    >>> readable(m * (l * l + 2 * c * l * cos(a)) + m * c**2)
     m*(c**2 + l**2 + 2*c*l*cos(a))
     >>> readable(sin(a) * cos(b) + cos(a) * sin(b))
     sin(a + b)
     """
     return _rewritten("readable", expression)
+
+
+def textbook_form(expression: Expr) -> Expr:
+    """Return a term of equations as a textbook prints it: as `readable` does, also where that is longer.
+
+    Sums are flat, and factors stand before a whole sum only; angles are those of the coordinates.
+
+    >>> from symbody import cos, symbols
+    >>> c, l, a = symbols("c l a")
+    >>> textbook_form(c**2 + l * (l + 2 * c * cos(a)))
+    c**2 + l**2 + 2*c*l*cos(a)
+    """
+    return _core.rewrite("textbook_form", expression)
 
 
 def _each(operation: Callable[[Expr], Expr]) -> Rewrite:

@@ -62,7 +62,7 @@ def number(value: ExprLike | Fraction | Decimal | str) -> Expr:
 
     >>> from fractions import Fraction
     >>> number(Fraction(1, 3)) + number(0.5), number("1/2"), number("1e-3")
-    (0.8333333333333334, 1/2, 0.001)
+    (2.5/3, 1/2, 0.001)
     """
     return _number_in(value) if isinstance(value, str) else _core.number(value, "number")
 
