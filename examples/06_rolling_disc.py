@@ -57,8 +57,7 @@ assert lagrange_equations(system).residuals == equations.residuals  # two deriva
 turn, spin, lean = (time_derivative(q) for q in (psi, phi, theta))
 numbers = {m: 2.0, r: 0.25, g: 9.81}
 motion = simulate(equations, numbers, {theta: 0.3, turn: 2.0, spin: 5.2}, t=(0, 8), rtol=1e-10, atol=1e-12)
-motion.animate("rolling_disc.html")
-motion.plot([theta], [turn, spin], equations.multipliers, path="rolling_disc.png")
+# motion.animate("disc.html") shows it, and motion.plot([theta], equations.multipliers) the forces over time.
 across, along = equations.multipliers
 height = project(disc.center_of_mass, ground).coordinates[2]
 grip = sqrt(across**2 + along**2) / (m * (g + time_derivative(height, 2)))

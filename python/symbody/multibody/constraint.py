@@ -38,7 +38,7 @@ class Constraint:
     >>> from symbody import functions_of_time, symbols, time_derivative
     >>> (x, theta), r = functions_of_time("x theta"), symbols("r")
     >>> Constraint(time_derivative(x) - r * time_derivative(theta), name="rolling")
-    Constraint(rolling, -r*theta' + x' = 0)
+    Constraint(rolling, x' - r*theta' = 0)
     """
 
     @checked(ModelError)

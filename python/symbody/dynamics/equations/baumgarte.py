@@ -43,7 +43,15 @@ def stabilized(system: System, constraints: Sequence[Expr], omega: Scalar, zeta:
 def damped(
     system: System, constraints: Sequence[Expr], accelerations: Sequence[Expr], omega: Scalar, zeta: Scalar
 ) -> tuple[Expr, ...]:
-    """Return accelerations of constraints with the terms of the stabilisation."""
+    """Return accelerations of constraints with the terms of the stabilisation.
+
+    Args:
+        system: the system.
+        constraints: its m constraints.
+        accelerations: the rates of their level of velocities.
+        omega: the frequency, in rad/s.
+        zeta: the damping ratio.
+    """
     frequency, damping = expression(omega), expression(zeta)
     stiffness, viscosity = frequency**2, 2 * damping * frequency
     rates = system.velocity_level(constraints)

@@ -27,14 +27,30 @@ def is_shorter_by_jacobian(system: System, constraints: Sequence[Expr], A: Matri
 def by_second_rate(
     system: System, constraints: Sequence[Expr], _: Matrix, omega: Scalar = 0, zeta: Scalar = 0
 ) -> tuple[Expr, ...]:
-    """Return Baumgarte's rows of the constraints at zero accelerations."""
+    """Return Baumgarte's rows of the constraints at zero accelerations.
+
+    Args:
+        system: the system.
+        constraints: its m constraints.
+        _: their Jacobian, which isn't used, m x n.
+        omega: the frequency of Baumgarte's stabilisation, in rad/s.
+        zeta: its damping ratio.
+    """
     return substitute(stabilized(system, constraints, omega, zeta), dict.fromkeys(system.accelerations, 0))
 
 
 def by_jacobian(
     system: System, constraints: Sequence[Expr], A: Matrix, omega: Scalar = 0, zeta: Scalar = 0
 ) -> tuple[Expr, ...]:
-    """Return ``A' u + b'`` with Baumgarte's terms."""
+    """Return ``A' u + b'`` with Baumgarte's terms.
+
+    Args:
+        system: the system.
+        constraints: its m constraints.
+        A: their Jacobian, m x n.
+        omega: the frequency of Baumgarte's stabilisation, in rad/s.
+        zeta: its damping ratio.
+    """
     n = len(system.speeds)
     with derivation(
         fresh=True
