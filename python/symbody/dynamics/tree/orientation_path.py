@@ -69,6 +69,14 @@ def _turn(word: list[Turn], turn: Turn) -> None:
         word.append(Turn(turn.axis, angle))
 
 
+def joined(word: Word, turns: Iterable[Turn]) -> Word:
+    """Return the orientation to which rotations lead from another one."""
+    result = list(word)
+    for turn in turns:
+        _turn(result, turn)
+    return tuple(result)
+
+
 Step: TypeAlias = tuple[Word, Turn]
 """A node of the tree of orientations, and the rotation that leads to it."""
 
@@ -107,13 +115,14 @@ class OrientationTree:
 def _followed(angles: Sequence[Expr]) -> dict[Expr, Expr]:
     zero = number(0)
     result: dict[Expr, Expr] = {}
-    for angle in sorted(angles, key=_variables):
+    for angle in sorted(angles, key=variables):
         candidates = [zero, *result]
-        result[angle] = min(candidates, key=lambda other: _variables(angle - other))
+        result[angle] = min(candidates, key=lambda other: variables(angle - other))
     return result
 
 
-def _variables(angle: Expr) -> int:
+def variables(angle: Expr) -> int:
+    """Return how many coordinates an angle depends on."""
     return sum(leaf.depends_on_time for leaf in angle.free_symbols)
 
 
