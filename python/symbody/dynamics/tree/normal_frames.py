@@ -50,7 +50,7 @@ class NormalFrames:
                 word for place in places.values() for word in (place.word, *(w for w, _ in place.displacements))
             ]
             tree, turning = OrientationTree(words), turning_coordinates(words, places.values())
-            self._legs = {key: legs(place, tree, turning) for key, place in places.items()}
+            self._legs = _ordered({key: legs(place, tree, turning) for key, place in places.items()})
             words += [word for found in self._legs.values() for word in found]
             self._tree = OrientationTree(words)
             self._words = self._orientations(places)
@@ -58,22 +58,10 @@ class NormalFrames:
 
     def _orientations(self, places: Mapping[bytes, Placed]) -> dict[bytes, Word]:
         """Return the orientations of frames; that of a particle is the one in which its outermost leg is fixed."""
-        lengths = self._lengths(self._legs)
         return {
-            key: max(self._legs[key], key=lambda word: (lengths[word], len(self._tree.path(word))))
-            if key in self._free
-            else place.word
+            key: next(reversed(self._legs[key])) if key in self._free else place.word
             for key, place in places.items()
         }
-
-    @staticmethod
-    def _lengths(every: Mapping[bytes, Legs]) -> dict[Word, int]:
-        """Return, by orientation, the fewest legs of a frame with a leg in it."""
-        result: dict[Word, int] = {}
-        for found in every.values():
-            for word in found:
-                result[word] = min(len(found) if word else 0, result.get(word, len(found)))
-        return result
 
     @property
     def are_parallel(self) -> bool:
@@ -102,9 +90,8 @@ class NormalFrames:
         """Return frames that turn about one axis, each on the last one; none if they turn otherwise."""
         if not _is_planar(self._tree.words):
             return {}
-        lengths = self._lengths(self._legs)
         return {
-            key: _linked(frame, self._words[key], self._legs[key], lengths)
+            key: _linked(frame, self._words[key], self._legs[key])
             for key, frame in self._frames.items()
         }
 
@@ -124,22 +111,31 @@ def _is_planar(words: Sequence[Word]) -> bool:
     return bool(words) and len({word[0].axis for word in words}) == 1 and max(map(len, words)) == 1
 
 
-def _linked(frame: Frame, word: Word, legs: Mapping[Word, Triple], lengths: Mapping[Word, int]) -> Frame:
+def _linked(frame: Frame, word: Word, found: Legs) -> Frame:
     """Return a frame by its legs one after the other, those of frames with the fewest legs first."""
-    result, angle = frame.ancestor.then(Translation(legs[()])), number(0)
-    others = [other for other in legs if other and other != word]
-    for turned in (
-        *sorted(others, key=lambda other: lengths.get(other, len(legs))),
-        *((word,) if word else ()),
-    ):
+    result, angle = frame.ancestor.then(Translation(found[()])), number(0)
+    others = [other for other in found if other and other != word]
+    for turned in (*others, *((word,) if word else ())):
         (turn,) = turned
         result = result.then(Rotation(turn.axis, turn.angle - angle)).then(
-            Translation(legs.get(turned, NULL))
+            Translation(found.get(turned, NULL))
         )
         angle = turn.angle
     if not word and others:
         result = result.then(Rotation(others[0][0].axis, -angle))
     return result.named(frame.name)
+
+
+def _ordered(every: Mapping[bytes, Legs]) -> dict[bytes, Legs]:
+    """Return legs in one order: a leg in which a frame of few legs is fixed comes first."""
+    counts: dict[Word, int] = {}
+    for found in every.values():
+        for word in found:
+            counts[word] = min(len(found) if word else 0, counts.get(word, len(found)))
+    return {
+        key: {word: found[word] for word in sorted(found, key=lambda word: counts[word])}
+        for key, found in every.items()
+    }
 
 
 def _align(paths: Mapping[bytes, Sequence[Step]], places: Mapping[bytes, list[Triple]]) -> None:
