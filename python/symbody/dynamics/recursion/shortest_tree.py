@@ -97,15 +97,15 @@ def _made(system: System) -> Iterator[_Forms]:
     if not normal.are_known:
         yield {}
         return
-    ground = normal.in_axes_of_ground() if normal.are_parallel else {}
-    if ground and len(free) == len({frame.key for frame in frames}) > _FEW:
-        yield ground
+    if len(free) == len({frame.key for frame in frames}) > _FEW and not normal.are_serial:
+        yield normal.as_points_of_ground()
         return
     compared: list[_Forms] = [{frame.key: frame for frame in frames}]
     yield {}
-    chains = normal.in_chains() if ground else {}
-    for forms in (normal.in_local_axes(), ground, chains):
-        if forms and forms not in compared:
+    several = normal.are_parallel or normal.slide
+    others = (normal.in_axes_of_ground(), normal.in_chains()) if several else ()
+    for forms in (normal.in_local_axes(), *others):
+        if forms not in compared:
             compared.append(forms)
             yield forms
 

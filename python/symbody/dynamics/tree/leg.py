@@ -14,12 +14,16 @@ from typing import NamedTuple, TypeAlias
 from symbody.geometry import Triple
 from symbody.geometry.component.triple import NULL, is_null
 from symbody.geometry.motion.principal_rotation import Rotation, along
-from symbody.symbolic import Expr, add3, cross3, scale3, sub3, time_derivative, without_idle_symbols
+from symbody.symbolic import Expr, add3, cross3, number, scale3, sub3, without_idle_symbols
 
 from .orientation_path import OrientationTree, Placed, Turn, Word, joined, variables
 
 Legs: TypeAlias = dict[Word, Triple]
 """The displacements of a frame by the orientations in which they are fixed."""
+
+
+_MOST = 3
+"""The most rotations, one after the other, that are looked for in a displacement."""
 
 
 class _Part(NamedTuple):
@@ -29,33 +33,22 @@ class _Part(NamedTuple):
     leg: Triple
 
 
-def legs(place: Placed, tree: OrientationTree, turning: frozenset[Expr]) -> Legs:
+def legs(place: Placed, tree: OrientationTree) -> Legs:
     """Return the legs of a frame.
 
     Args:
         place: how the frame is given.
         tree: the orientations that are known.
-        turning: the coordinates that turn frames, or are in sines and cosines of displacements.
     """
     result: Legs = {(): NULL}
     for word, d in place.displacements:
         result[word] = add3(result.get(word, NULL), d)
     for source in tuple(result):
-        rest = result[source]
-        if not is_null(rest) and any(turning & component.free_symbols for component in rest):
-            parts, result[source] = _taken_apart(rest, source, tree, turning)
-            for part in parts:
-                word = joined(source, part.turns)
-                result[word] = add3(result.get(word, NULL), part.leg)
+        parts, result[source] = _taken_apart(result[source], source, tree)
+        for part in parts:
+            word = joined(source, part.turns)
+            result[word] = add3(result.get(word, NULL), part.leg)
     return {word: d for word, d in result.items() if not word or not is_null(d)}
-
-
-def turning_coordinates(words: Iterable[Word], places: Iterable[Placed]) -> frozenset[Expr]:
-    """Return the coordinates that turn orientations, or are in sines and cosines of displacements."""
-    angles = [turn.angle for word in words for turn in word]
-    angles += angles_in(component for place in places for _, d in place.displacements for component in d)
-    leaves = frozenset[Expr]().union(*(angle.free_symbols for angle in angles))
-    return frozenset(leaf for leaf in leaves if leaf.depends_on_time)
 
 
 def angles_in(components: Iterable[Expr]) -> Sequence[Expr]:
@@ -81,21 +74,21 @@ def bare(d: Triple) -> Triple:
     return x, y, z
 
 
-def _taken_apart(
-    p: Triple, source: Word, tree: OrientationTree, turning: frozenset[Expr]
-) -> tuple[list[_Part], Triple]:
+def _taken_apart(p: Triple, source: Word, tree: OrientationTree) -> tuple[list[_Part], Triple]:
     """Return the parts of a displacement that turn with rotations beyond its axes, and the rest."""
-    parts = list[_Part]()
-    for turns in _known(source, tree):
-        part = _turning_part(p, turns, _own_coordinates(turns), turning)
-        if part is not None:
-            parts.append(part)
-            p = bare(sub3(p, _carried_back(part)))
-    for angle in sorted(angles_in(p), key=variables, reverse=True):
-        for axis in range(3):
-            for part in _found(p, (Turn(axis, angle),), turning):
+    parts, count = list[_Part](), -1
+    while len(parts) > count and any(component.depends_on_time for component in p):
+        count = len(parts)
+        for turns in _known(source, tree):
+            part = _turning_part(p, turns)
+            if part is not None:
                 parts.append(part)
-                p = bare(sub3(p, _carried_back(part)))
+                p = _without(p, part)
+        for angle in sorted(angles_in(p), key=variables, reverse=True):
+            for axis in range(3):
+                for part in _found(p, (Turn(axis, angle),)):
+                    parts.append(part)
+                    p = _without(p, part)
     return parts, p
 
 
@@ -107,38 +100,34 @@ def _known(source: Word, tree: OrientationTree) -> Iterator[tuple[Turn, ...]]:
     return iter(sorted(filter(None, on), key=len, reverse=True))
 
 
-def _found(p: Triple, turns: tuple[Turn, ...], turning: frozenset[Expr]) -> Iterator[_Part]:
-    """Return the parts of a displacement that turn with rotations found by the angles in it."""
-    inner = turns[-1]
-    for q in sorted(inner.angle.free_symbols, key=str):
-        arm = _arm(p, turns, q)
-        if arm is None or any(inner.angle.free_symbols & component.free_symbols for component in arm):
-            continue
-        if not any(turning & component.free_symbols for component in arm):
-            if any(component.depends_on_time for component in (inner.angle, *arm)):
-                yield _Part(turns, arm)
-            return
-        if len(turns) < 3:
-            for angle in angles_in(arm):
-                for axis in range(3):
-                    if axis != inner.axis:
-                        yield from _found(p, (*turns, Turn(axis, angle)), turning)
-            return
-
-
-def _turning_part(
-    p: Triple, turns: tuple[Turn, ...], coordinates: Iterable[Expr], turning: frozenset[Expr]
-) -> _Part | None:
+def _turning_part(p: Triple, turns: tuple[Turn, ...]) -> _Part | None:
     """Return the part of a displacement that turns with the last one of some rotations."""
-    for q in coordinates:
+    q = _own_coordinate(turns)
+    arm = None if q is None else _arm(p, turns, q)
+    return None if arm is None or angles_in(arm) else _Part(turns, arm)
+
+
+def _found(p: Triple, turns: tuple[Turn, ...]) -> Iterator[_Part]:
+    """Return the parts of a displacement that turn with rotations found by the angles in it."""
+    for q in sorted(turns[-1].angle.free_symbols, key=str):
         arm = _arm(p, turns, q)
-        if arm is not None and not any(turning & component.free_symbols for component in arm):
-            return _Part(turns, arm)
-    return None
+        if arm is None:
+            continue
+        angles = angles_in(arm)
+        if not angles:
+            yield _Part(turns, arm)
+        elif len(turns) < _MOST:
+            ways = (Turn(axis, angle) for angle in angles for axis in range(3) if axis != turns[-1].axis)
+            for turn in ways:
+                yield from _found(p, (*turns, turn))
+        return
 
 
 def _arm(p: Triple, turns: Sequence[Turn], q: Expr) -> Triple | None:
-    """Return what turns with the last rotation if a coordinate changes, in the axes behind it."""
+    """Return what turns with the last rotation if q changes, in the axes behind it; None if the angle changes it.
+
+    What turns with a constant angle must move, as a slide does on a ramp.
+    """
     if not any(q in component.free_symbols for component in p):
         return None
     last = turns[-1]
@@ -149,19 +138,24 @@ def _arm(p: Triple, turns: Sequence[Turn], q: Expr) -> Triple | None:
     velocity = (x.diff(q), y.diff(q), z.diff(q))
     for turn in turns:
         velocity = Rotation(turn.axis, turn.angle).to_child(velocity)
-    arm = scale3(1 / slope, cross3(velocity, along(last.axis, NULL[0] + 1)))
-    return None if is_null(arm) else bare(arm)
+    arm = scale3(1 / slope, cross3(velocity, along(last.axis, number(1))))
+    moves = last.angle.depends_on_time or any(component.depends_on_time for component in arm)
+    if is_null(arm) or not moves or not all(component.diff(q).is_zero for component in arm):
+        return None
+    arm = bare(arm)
+    return None if any(last.angle.free_symbols & component.free_symbols for component in arm) else arm
 
 
-def _own_coordinates(turns: Sequence[Turn]) -> Sequence[Expr]:
-    """Return a coordinate, if there is one, that turns the last one of some rotations, and none of the others."""
+def _own_coordinate(turns: Sequence[Turn]) -> Expr | None:
+    """Return a coordinate that turns the last one of some rotations, and none of the others; or else a parameter."""
     others = frozenset[Expr]().union(*(turn.angle.free_symbols for turn in turns[:-1]))
-    own = [q for q in turns[-1].angle.free_symbols - others if q.depends_on_time]
-    return sorted(own, key=str)[:1]
+    own = turns[-1].angle.free_symbols - others
+    return min(own, key=lambda leaf: (not leaf.depends_on_time, str(leaf)), default=None)
 
 
-def _carried_back(part: _Part) -> Triple:
+def _without(p: Triple, part: _Part) -> Triple:
+    """Return the rest of a displacement without a part of it."""
     d = part.leg
     for turn in reversed(part.turns):
         d = Rotation(turn.axis, turn.angle).to_parent(d)
-    return d
+    return bare(sub3(p, d))

@@ -11,20 +11,22 @@ turns, given as a point of the ground, is found as an argument of the sines and 
 from __future__ import annotations
 
 from collections.abc import Collection, Iterable, Mapping, Sequence
+from functools import cached_property
 
 from symbody.geometry import Frame
 from symbody.geometry.component.triple import NULL, Triple, is_null
 from symbody.geometry.motion.principal_rotation import Rotation, along
 from symbody.geometry.motion.translation import Translation
-from symbody.symbolic import Expr, add3, number, sub3
+from symbody.symbolic import Expr, add3, sub3
 
-from .leg import Legs, angles_in, bare, legs, turning_coordinates
+from .leg import Legs, angles_in, bare, legs
 from .orientation_path import (
     OrientationTree,
     Placed,
     Step,
     Turn,
     Word,
+    between,
     displaced,
     placed,
     turn_of,
@@ -43,32 +45,68 @@ class NormalFrames:
         self._free = free
         self._frames = {frame.key: frame for frame in frames}
         known = {key: placed(frame) for key, frame in self._frames.items()}
-        places = {key: place for key, place in known.items() if place is not None}
-        self.are_known = len(places) == len(known)
-        if self.are_known:
-            words = [
-                word for place in places.values() for word in (place.word, *(w for w, _ in place.displacements))
-            ]
-            tree, turning = OrientationTree(words), turning_coordinates(words, places.values())
-            self._legs = _ordered({key: legs(place, tree, turning) for key, place in places.items()})
-            words += [word for found in self._legs.values() for word in found]
-            self._tree = OrientationTree(words)
-            self._words = self._orientations(places)
-            self._paths = {key: self._tree.path(word) for key, word in self._words.items()}
+        self._places = {key: place for key, place in known.items() if place is not None}
+        self.are_known = len(self._places) == len(known)
 
-    def _orientations(self, places: Mapping[bytes, Placed]) -> dict[bytes, Word]:
-        """Return the orientations of frames; that of a particle is the one in which its outermost leg is fixed."""
+    @cached_property
+    def _legs(self) -> dict[bytes, Legs]:
+        tree = OrientationTree(self._given)
+        return _ordered({key: legs(place, tree) for key, place in self._places.items()})
+
+    @cached_property
+    def _given(self) -> list[Word]:
+        """The orientations of frames and of displacements, as they are given."""
+        places = self._places.values()
+        return [word for place in places for word in (place.word, *(w for w, _ in place.displacements))]
+
+    @cached_property
+    def _tree(self) -> OrientationTree:
+        return OrientationTree((*self._given, *(word for found in self._legs.values() for word in found)))
+
+    @cached_property
+    def _words(self) -> dict[bytes, Word]:
+        """The orientations of frames; that of a particle is the one in which its outermost leg is fixed."""
         return {
             key: next(reversed(self._legs[key])) if key in self._free else place.word
-            for key, place in places.items()
+            for key, place in self._places.items()
         }
+
+    @cached_property
+    def _paths(self) -> dict[bytes, list[Step]]:
+        return {key: self._tree.path(word) for key, word in self._words.items()}
 
     @property
     def are_parallel(self) -> bool:
-        """Whether several orientations are reached, none of them through another one, or some only by particles."""
-        ends = {path[-1][0] for path in self._paths.values() if path}
-        inner = {step[0] for path in self._paths.values() for step in path[:-1]}
+        """Whether several orientations are reached, none of them through another one."""
+        ends, inner = _ends(self._paths.values())
         return len(ends) > 1 and not ends & inner
+
+    @property
+    def are_serial(self) -> bool:
+        """Whether a frame that is given with an orientation is turned through that of another one."""
+        tree = OrientationTree(self._given)
+        ends, inner = _ends(tree.path(place.word) for place in self._places.values())
+        return len(ends) == 1 or bool(ends & inner)
+
+    @property
+    def slide(self) -> bool:
+        """Whether a leg in turned axes changes."""
+        return any(
+            component.depends_on_time
+            for found in self._legs.values()
+            for word, d in found.items()
+            if word
+            for component in d
+        )
+
+    def as_points_of_ground(self) -> dict[bytes, Frame]:
+        """Return the frames as points of the ground without rotations, from their displacements as they are given."""
+        tree = OrientationTree(self._given)
+        result = {}
+        for key, frame in self._frames.items():
+            given = [(tree.path(word), d) for word, d in self._places[key].displacements]
+            result[key] = _chained(frame, (), displaced((), given))
+        return result
 
     def in_axes_of_ground(self) -> dict[bytes, Frame]:
         """Return the frames as points of the ground with rotations."""
@@ -87,9 +125,7 @@ class NormalFrames:
         return {key: _chained(frame, self._paths[key], plain[key]) for key, frame in self._frames.items()}
 
     def in_chains(self) -> dict[bytes, Frame]:
-        """Return frames that turn about one axis, each on the last one; none if they turn otherwise."""
-        if not _is_planar(self._tree.words):
-            return {}
+        """Return the frames by their legs, one after the other."""
         return {
             key: _linked(frame, self._words[key], self._legs[key])
             for key, frame in self._frames.items()
@@ -99,6 +135,12 @@ class NormalFrames:
         return [(self._tree.path(word), d) for word, d in self._legs[key].items()]
 
 
+def _ends(paths: Iterable[Sequence[Step]]) -> tuple[set[Word], set[Word]]:
+    """Return the orientations in which ways end, and those on the ways."""
+    several = [[word for word, _ in path] for path in paths]
+    return {words[-1] for words in several if words}, {word for words in several for word in words[:-1]}
+
+
 def _chained(frame: Frame, path: Sequence[Step], places: Sequence[Triple]) -> Frame:
     result = frame.ancestor.then(Translation(places[0]))
     for (_, turn), d in zip(path, places[1:], strict=True):
@@ -106,23 +148,16 @@ def _chained(frame: Frame, path: Sequence[Step], places: Sequence[Triple]) -> Fr
     return result.named(frame.name)
 
 
-def _is_planar(words: Sequence[Word]) -> bool:
-    """Return whether all orientations are reached by one rotation about the same axis."""
-    return bool(words) and len({word[0].axis for word in words}) == 1 and max(map(len, words)) == 1
-
-
 def _linked(frame: Frame, word: Word, found: Legs) -> Frame:
-    """Return a frame by its legs one after the other, those of frames with the fewest legs first."""
-    result, angle = frame.ancestor.then(Translation(found[()])), number(0)
-    others = [other for other in found if other and other != word]
-    for turned in (*others, *((word,) if word else ())):
-        (turn,) = turned
-        result = result.then(Rotation(turn.axis, turn.angle - angle)).then(
-            Translation(found.get(turned, NULL))
-        )
-        angle = turn.angle
-    if not word and others:
-        result = result.then(Rotation(others[0][0].axis, -angle))
+    """Return a frame by its legs one after the other, the one in its own axes last."""
+    result = frame.ancestor.then(Translation(found[()]))
+    before: Word = ()
+    for turned in (*(other for other in found if other and other != word), word):
+        for turn in between(before, turned):
+            result = result.then(Rotation(turn.axis, turn.angle))
+        if turned:
+            result = result.then(Translation(found.get(turned, NULL)))
+        before = turned
     return result.named(frame.name)
 
 

@@ -77,6 +77,16 @@ def joined(word: Word, turns: Iterable[Turn]) -> Word:
     return tuple(result)
 
 
+def between(first: Word, second: Word) -> Word:
+    """Return the rotations that lead from one orientation to another."""
+    turns = list[Turn]()
+    for axis, angle in reversed(first):
+        _turn(turns, Turn(axis, -angle))
+    for turn in second:
+        _turn(turns, turn)
+    return tuple(turns)
+
+
 Step: TypeAlias = tuple[Word, Turn]
 """A node of the tree of orientations, and the rotation that leads to it."""
 
@@ -133,16 +143,6 @@ def carried_back(d: Triple, steps: Sequence[Step]) -> Triple:
         _turn(turns, turn)
     for turn in reversed(turns):
         d = Rotation(turn.axis, turn.angle).to_parent(d)
-    return d
-
-
-def carried_on(d: Triple, steps: Sequence[Step]) -> Triple:
-    """Return a displacement in the axes behind some rotations, given in those before them."""
-    turns = list[Turn]()
-    for _, turn in steps:
-        _turn(turns, turn)
-    for turn in turns:
-        d = Rotation(turn.axis, turn.angle).to_child(d)
     return d
 
 
