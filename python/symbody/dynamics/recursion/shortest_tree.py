@@ -14,7 +14,7 @@ from typing import TypeAlias
 from weakref import WeakKeyDictionary
 
 from symbody.dynamics.tree.frame_tree import FrameTree, frame_tree, targets, tree_of_forms
-from symbody.dynamics.tree.normal_frames import NormalFrames, have_other_forms
+from symbody.dynamics.tree.normal_frames import NormalFrames, by_slides, have_other_forms
 from symbody.geometry import Frame
 from symbody.multibody import System
 from symbody.symbolic import Expr, cost, derivation
@@ -102,12 +102,21 @@ def _made(system: System) -> Iterator[_Forms]:
         return
     compared: list[_Forms] = [{frame.key: frame for frame in frames}]
     yield {}
-    several = normal.are_parallel or normal.slide
-    others = (normal.in_axes_of_ground(), normal.in_chains()) if several else ()
-    for forms in (normal.in_local_axes(), *others):
+    for forms in _normal(normal):
         if forms not in compared:
             compared.append(forms)
             yield forms
+
+
+def _normal(frames: NormalFrames) -> Iterator[_Forms]:
+    """Return the normal forms that may be the shortest."""
+    yield frames.in_local_axes()
+    if frames.slide or frames.are_parallel:
+        yield frames.in_axes_of_ground()
+        yield frames.in_chains()
+    if frames.slide:
+        yield frames.in_local_axes(by_slides)
+        yield frames.in_chains(by_slides)
 
 
 def _free(system: System) -> frozenset[bytes]:

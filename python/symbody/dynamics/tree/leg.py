@@ -34,7 +34,7 @@ class _Part(NamedTuple):
 
 
 def legs(place: Placed, tree: OrientationTree) -> Legs:
-    """Return the legs of a frame.
+    """Return the legs of a frame; what lies along the axis of a rotation is counted with the axes before it.
 
     Args:
         place: how the frame is given.
@@ -42,13 +42,25 @@ def legs(place: Placed, tree: OrientationTree) -> Legs:
     """
     result: Legs = {(): NULL}
     for word, d in place.displacements:
-        result[word] = add3(result.get(word, NULL), d)
+        _add(result, word, d)
     for source in tuple(result):
         parts, result[source] = _taken_apart(result[source], source, tree)
         for part in parts:
-            word = joined(source, part.turns)
-            result[word] = add3(result.get(word, NULL), part.leg)
+            _add(result, joined(source, part.turns), part.leg)
+    for word in sorted(result, key=len, reverse=True):
+        if word:
+            axis, before = word[-1].axis, word[:-1]
+            shift = along(axis, result[word][axis])
+            if not is_null(shift):
+                result[word] = sub3(result[word], shift)
+                _add(result, before, shift)
     return {word: d for word, d in result.items() if not word or not is_null(d)}
+
+
+def _add(found: Legs, word: Word, d: Triple) -> None:
+    """Add a displacement; where it is the only one, its form is kept."""
+    before = found.get(word, NULL)
+    found[word] = d if is_null(before) else add3(before, d)
 
 
 def angles_in(components: Iterable[Expr]) -> Sequence[Expr]:

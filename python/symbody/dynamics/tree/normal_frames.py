@@ -10,14 +10,15 @@ turns, given as a point of the ground, is found as an argument of the sines and 
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from functools import cached_property
+from typing import TypeAlias
 
 from symbody.geometry import Frame
 from symbody.geometry.component.triple import NULL, Triple, is_null
 from symbody.geometry.motion.principal_rotation import Rotation, along
 from symbody.geometry.motion.translation import Translation
-from symbody.symbolic import Expr, add3, sub3
+from symbody.symbolic import Expr, add3, number, sub3
 
 from .leg import Legs, angles_in, bare, legs
 from .orientation_path import (
@@ -31,6 +32,30 @@ from .orientation_path import (
     placed,
     turn_of,
 )
+
+
+Displacing: TypeAlias = Callable[[Frame, Triple], Frame]
+"""How a frame is displaced: the frame that is displaced, and where to."""
+
+
+def at_once(frame: Frame, d: Triple) -> Frame:
+    """Return a displaced frame."""
+    return frame.then(Translation(d))
+
+
+def by_slides(frame: Frame, d: Triple) -> Frame:
+    """Return a displaced frame: first by what moves, as a slide that other frames share, then by what does not."""
+    x, y, z = map(_constant, d)
+    moving = sub3(d, (x, y, z))
+    return at_once(frame, d) if is_null(moving) else at_once(at_once(frame, moving), (x, y, z))
+
+
+def _constant(component: Expr) -> Expr:
+    """Return the term of a component without coordinates, if it is linear in these."""
+    moving = [leaf for leaf in component.free_symbols if leaf.depends_on_time]
+    if any(component.diff(leaf).depends_on_time for leaf in moving):
+        return number(0)
+    return component.subs(dict.fromkeys(moving, 0))
 
 
 class NormalFrames:
@@ -117,17 +142,20 @@ class NormalFrames:
             result[key] = _chained(frame, path, [total] + [NULL] * len(path))
         return result
 
-    def in_local_axes(self) -> dict[bytes, Frame]:
+    def in_local_axes(self, displaced_by: Displacing = at_once) -> dict[bytes, Frame]:
         """Return the frames by displacements in the axes of the orientations on their ways."""
         places = {key: displaced(path, self._displacements(key)) for key, path in self._paths.items()}
         _align(self._paths, places)
         plain = {key: [bare(d) for d in displacements] for key, displacements in places.items()}
-        return {key: _chained(frame, self._paths[key], plain[key]) for key, frame in self._frames.items()}
+        return {
+            key: _chained(frame, self._paths[key], plain[key], displaced_by)
+            for key, frame in self._frames.items()
+        }
 
-    def in_chains(self) -> dict[bytes, Frame]:
+    def in_chains(self, displaced_by: Displacing = at_once) -> dict[bytes, Frame]:
         """Return the frames by their legs, one after the other."""
         return {
-            key: _linked(frame, self._words[key], self._legs[key])
+            key: _linked(frame, self._words[key], self._legs[key], displaced_by)
             for key, frame in self._frames.items()
         }
 
@@ -141,22 +169,24 @@ def _ends(paths: Iterable[Sequence[Step]]) -> tuple[set[Word], set[Word]]:
     return {words[-1] for words in several if words}, {word for words in several for word in words[:-1]}
 
 
-def _chained(frame: Frame, path: Sequence[Step], places: Sequence[Triple]) -> Frame:
-    result = frame.ancestor.then(Translation(places[0]))
+def _chained(
+    frame: Frame, path: Sequence[Step], places: Sequence[Triple], displaced_by: Displacing = at_once
+) -> Frame:
+    result = displaced_by(frame.ancestor, places[0])
     for (_, turn), d in zip(path, places[1:], strict=True):
-        result = result.then(Rotation(turn.axis, turn.angle)).then(Translation(d))
+        result = displaced_by(result.then(Rotation(turn.axis, turn.angle)), d)
     return result.named(frame.name)
 
 
-def _linked(frame: Frame, word: Word, found: Legs) -> Frame:
+def _linked(frame: Frame, word: Word, found: Legs, displaced_by: Displacing) -> Frame:
     """Return a frame by its legs one after the other, the one in its own axes last."""
-    result = frame.ancestor.then(Translation(found[()]))
+    result = displaced_by(frame.ancestor, found[()])
     before: Word = ()
     for turned in (*(other for other in found if other and other != word), word):
         for turn in between(before, turned):
             result = result.then(Rotation(turn.axis, turn.angle))
         if turned:
-            result = result.then(Translation(found.get(turned, NULL)))
+            result = displaced_by(result, found.get(turned, NULL))
         before = turned
     return result.named(frame.name)
 
