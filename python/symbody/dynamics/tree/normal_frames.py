@@ -75,8 +75,15 @@ class NormalFrames:
 
     @cached_property
     def _legs(self) -> dict[bytes, Legs]:
+        """Legs in one order: one in which a frame of few legs is fixed comes first; what slides, if equal."""
         tree = OrientationTree(self._given)
-        return _ordered({key: legs(place, tree) for key, place in self._places.items()})
+        every = {key: legs(place, tree) for key, place in self._places.items()}
+        rank = _ranks(every.values())
+        result = {}
+        for key, found in every.items():
+            words = sorted(found, key=lambda word, found=found: (rank[word], not _slides(found[word])))
+            result[key] = _outwards({word: found[word] for word in words})
+        return result
 
     @cached_property
     def _given(self) -> list[Word]:
@@ -90,10 +97,13 @@ class NormalFrames:
 
     @cached_property
     def _words(self) -> dict[bytes, Word]:
-        """The orientations of frames; that of a particle is the one in which its outermost leg is fixed."""
+        """The orientations of frames; that of a particle is the one in which its outermost leg is fixed, or slides."""
+        rank = _ranks(self._legs.values())
         return {
-            key: next(reversed(self._legs[key])) if key in self._free else place.word
-            for key, place in self._places.items()
+            key: max(reversed(found), key=lambda word, found=found: (rank[word], _slides(found[word])))
+            if key in self._free
+            else self._places[key].word
+            for key, found in self._legs.items()
         }
 
     @cached_property
@@ -155,7 +165,7 @@ class NormalFrames:
     def in_chains(self, displaced_by: Displacing = at_once) -> dict[bytes, Frame]:
         """Return the frames by their legs, one after the other."""
         return {
-            key: _linked(frame, self._words[key], self._legs[key], displaced_by)
+            key: _linked(frame, self._places[key].word if key not in self._free else None, self._legs[key], displaced_by)
             for key, frame in self._frames.items()
         }
 
@@ -178,8 +188,10 @@ def _chained(
     return result.named(frame.name)
 
 
-def _linked(frame: Frame, word: Word, found: Legs, displaced_by: Displacing) -> Frame:
-    """Return a frame by its legs one after the other, the one in its own axes last."""
+def _linked(frame: Frame, word: Word | None, found: Legs, displaced_by: Displacing) -> Frame:
+    """Return a frame by its legs one after the other, the one in its own axes last; None if it may have any axes."""
+    if word is None:
+        word = next(reversed(found))
     result = displaced_by(frame.ancestor, found[()])
     before: Word = ()
     for turned in (*(other for other in found if other and other != word), word):
@@ -191,16 +203,30 @@ def _linked(frame: Frame, word: Word, found: Legs, displaced_by: Displacing) -> 
     return result.named(frame.name)
 
 
-def _ordered(every: Mapping[bytes, Legs]) -> dict[bytes, Legs]:
-    """Return legs in one order: a leg in which a frame of few legs is fixed comes first."""
-    counts: dict[Word, int] = {}
-    for found in every.values():
+def _ranks(every: Iterable[Legs]) -> dict[Word, int]:
+    """Return, by orientation, the fewest legs of a frame with a leg in it."""
+    result: dict[Word, int] = {}
+    for found in every:
         for word in found:
-            counts[word] = min(len(found) if word else 0, counts.get(word, len(found)))
-    return {
-        key: {word: found[word] for word in sorted(found, key=lambda word: counts[word])}
-        for key, found in every.items()
-    }
+            result[word] = min(len(found) if word else 0, result.get(word, len(found)))
+    return result
+
+
+def _outwards(found: Legs) -> Legs:
+    """Return legs with slides along axes of rotation behind the last ones of the rotations about them."""
+    result = dict(found)
+    for word, d in found.items():
+        for axis in range(3):
+            last = [other for other in found if other[:-1] == word and other and other[-1].axis == axis]
+            if last and d[axis].depends_on_time:
+                shift = along(axis, d[axis])
+                result[word] = sub3(result[word], shift)
+                result[last[-1]] = add3(result[last[-1]], shift)
+    return result
+
+
+def _slides(d: Triple) -> bool:
+    return any(component.depends_on_time for component in d)
 
 
 def _align(paths: Mapping[bytes, Sequence[Step]], places: Mapping[bytes, list[Triple]]) -> None:
