@@ -97,7 +97,7 @@ def _made(system: System) -> Iterator[_Forms]:
     if not normal.are_known:
         yield {}
         return
-    if len(free) == len({frame.key for frame in frames}) > _FEW and not normal.are_serial:
+    if normal.are_free and len(free) > _FEW and not normal.are_serial:
         yield normal.as_points_of_ground()
         return
     compared: list[_Forms] = [{frame.key: frame for frame in frames}]
@@ -114,6 +114,8 @@ def _normal(frames: NormalFrames) -> Iterator[_Forms]:
     if frames.slide or frames.are_parallel:
         yield frames.in_axes_of_ground()
         yield frames.in_chains()
+        if not frames.are_free:
+            yield frames.in_chains_turned_back()
     if frames.slide:
         yield frames.in_local_axes(by_slides)
         yield frames.in_chains(by_slides)

@@ -91,7 +91,7 @@ def _taken_apart(p: Triple, source: Word, tree: OrientationTree) -> tuple[list[_
     parts, count = list[_Part](), -1
     while len(parts) > count and any(component.depends_on_time for component in p):
         count = len(parts)
-        for turns in _known(source, tree):
+        for turns in _known(p, source, tree):
             part = _turning_part(p, turns)
             if part is not None:
                 parts.append(part)
@@ -104,12 +104,14 @@ def _taken_apart(p: Triple, source: Word, tree: OrientationTree) -> tuple[list[_
     return parts, p
 
 
-def _known(source: Word, tree: OrientationTree) -> Iterator[tuple[Turn, ...]]:
-    """Return the ways on from an orientation, the longest first."""
+def _known(p: Triple, source: Word, tree: OrientationTree) -> list[tuple[Turn, ...]]:
+    """Return the ways on from an orientation with which a displacement may turn, the longest first."""
+    x, y, z = p
+    leaves = x.free_symbols | y.free_symbols | z.free_symbols
     before = tree.path(source)
-    ways = (tree.path(word) for word in tree.words)
+    ways = (tree.path(word) for word in tree.words if leaves & word[-1].angle.free_symbols)
     on = [tuple(turn for _, turn in way[len(before) :]) for way in ways if way[: len(before)] == before]
-    return iter(sorted(filter(None, on), key=len, reverse=True))
+    return sorted(filter(None, on), key=len, reverse=True)
 
 
 def _turning_part(p: Triple, turns: tuple[Turn, ...]) -> _Part | None:

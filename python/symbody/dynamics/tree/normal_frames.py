@@ -67,7 +67,7 @@ class NormalFrames:
     """
 
     def __init__(self, frames: Sequence[Frame], free: Collection[bytes]) -> None:
-        self._free = free
+        self._free = frozenset(free)
         self._frames = {frame.key: frame for frame in frames}
         known = {key: placed(frame) for key, frame in self._frames.items()}
         self._places = {key: place for key, place in known.items() if place is not None}
@@ -99,16 +99,20 @@ class NormalFrames:
     def _words(self) -> dict[bytes, Word]:
         """The orientations of frames; that of a particle is the one in which its outermost leg is fixed, or slides."""
         rank = _ranks(self._legs.values())
-        return {
-            key: max(reversed(found), key=lambda word, found=found: (rank[word], _slides(found[word])))
-            if key in self._free
-            else self._places[key].word
-            for key, found in self._legs.items()
-        }
+
+        def outermost(found: Legs) -> Word:
+            return max(reversed(found), key=lambda word: (rank[word], _slides(found[word])))
+
+        return {key: self._turned(key, outermost(found)) for key, found in self._legs.items()}
 
     @cached_property
     def _paths(self) -> dict[bytes, list[Step]]:
         return {key: self._tree.path(word) for key, word in self._words.items()}
+
+    @property
+    def are_free(self) -> bool:
+        """Whether all frames may be left without their rotations."""
+        return self._frames.keys() <= self._free
 
     @property
     def are_parallel(self) -> bool:
@@ -163,11 +167,22 @@ class NormalFrames:
         }
 
     def in_chains(self, displaced_by: Displacing = at_once) -> dict[bytes, Frame]:
-        """Return the frames by their legs, one after the other."""
+        """Return the frames by their legs, one after the other; a free one in the axes of the last leg."""
         return {
-            key: _linked(frame, self._places[key].word if key not in self._free else None, self._legs[key], displaced_by)
+            key: _linked(frame, self._legs[key], self._turned(key, next(reversed(self._legs[key]))), displaced_by)
             for key, frame in self._frames.items()
         }
+
+    def in_chains_turned_back(self) -> dict[bytes, Frame]:
+        """Return the frames by their legs, one after the other; a free one turned back to the axes of ground."""
+        return {
+            key: _linked(frame, self._legs[key], self._turned(key, ()), at_once)
+            for key, frame in self._frames.items()
+        }
+
+    def _turned(self, key: bytes, free: Word) -> Word:
+        """Return the orientation of a frame, or that given for free ones."""
+        return free if key in self._free else self._places[key].word
 
     def _displacements(self, key: bytes) -> list[tuple[Sequence[Step], Triple]]:
         return [(self._tree.path(word), d) for word, d in self._legs[key].items()]
@@ -188,10 +203,8 @@ def _chained(
     return result.named(frame.name)
 
 
-def _linked(frame: Frame, word: Word | None, found: Legs, displaced_by: Displacing) -> Frame:
-    """Return a frame by its legs one after the other, the one in its own axes last; None if it may have any axes."""
-    if word is None:
-        word = next(reversed(found))
+def _linked(frame: Frame, found: Legs, word: Word, displaced_by: Displacing) -> Frame:
+    """Return a frame by its legs one after the other, the one in its own axes last."""
     result = displaced_by(frame.ancestor, found[()])
     before: Word = ()
     for turned in (*(other for other in found if other and other != word), word):
