@@ -97,13 +97,16 @@ class NormalFrames:
 
     @cached_property
     def _words(self) -> dict[bytes, Word]:
-        """The orientations of frames; that of a particle is the one in which its outermost leg is fixed, or slides."""
+        """The orientations in which frames are displaced at last: their own.
+
+        Of a particle, or of a frame that never turns, it is the one in which its outermost leg is fixed, or slides.
+        """
         rank = _ranks(self._legs.values())
 
         def outermost(found: Legs) -> Word:
             return max(reversed(found), key=lambda word: (rank[word], _slides(found[word])))
 
-        return {key: self._turned(key, outermost(found)) for key, found in self._legs.items()}
+        return {key: self._turned(key, ()) or outermost(found) for key, found in self._legs.items()}
 
     @cached_property
     def _paths(self) -> dict[bytes, list[Step]]:
@@ -152,7 +155,7 @@ class NormalFrames:
         result = {}
         for key, frame in self._frames.items():
             total = displaced((), self._displacements(key))[0]
-            path = () if key in self._free else self._paths[key]
+            path = self._tree.path(self._turned(key, ()))
             result[key] = _chained(frame, path, [total] + [NULL] * len(path))
         return result
 
@@ -161,10 +164,11 @@ class NormalFrames:
         places = {key: displaced(path, self._displacements(key)) for key, path in self._paths.items()}
         _align(self._paths, places)
         plain = {key: [bare(d) for d in displacements] for key, displacements in places.items()}
-        return {
-            key: _chained(frame, self._paths[key], plain[key], displaced_by)
-            for key, frame in self._frames.items()
-        }
+        result = {}
+        for key, frame in self._frames.items():
+            local, word = _chained(frame, self._paths[key], plain[key], displaced_by), self._words[key]
+            result[key] = _turned(local, between(word, self._turned(key, word))).named(frame.name)
+        return result
 
     def in_chains(self, displaced_by: Displacing = at_once) -> dict[bytes, Frame]:
         """Return the frames by their legs, one after the other; a free one in the axes of the last leg."""
@@ -203,13 +207,18 @@ def _chained(
     return result.named(frame.name)
 
 
+def _turned(frame: Frame, turns: Iterable[Turn]) -> Frame:
+    for turn in turns:
+        frame = frame.then(Rotation(turn.axis, turn.angle))
+    return frame
+
+
 def _linked(frame: Frame, found: Legs, word: Word, displaced_by: Displacing) -> Frame:
     """Return a frame by its legs one after the other, the one in its own axes last."""
     result = displaced_by(frame.ancestor, found[()])
     before: Word = ()
     for turned in (*(other for other in found if other and other != word), word):
-        for turn in between(before, turned):
-            result = result.then(Rotation(turn.axis, turn.angle))
+        result = _turned(result, between(before, turned))
         if turned:
             result = displaced_by(result, found.get(turned, NULL))
         before = turned
