@@ -14,7 +14,8 @@ from typing import TypeAlias
 from weakref import WeakKeyDictionary
 
 from symbody.dynamics.tree.frame_tree import FrameTree, frame_tree, targets, tree_of_forms
-from symbody.dynamics.tree.normal_frames import NormalFrames, by_slides, have_other_forms
+from symbody.dynamics.tree.normal_frames import NormalFrames, by_base, by_slides, have_other_forms
+from symbody.dynamics.tree.orientation_path import placed
 from symbody.geometry import Frame
 from symbody.multibody import System
 from symbody.symbolic import Expr, cost, derivation
@@ -22,9 +23,6 @@ from symbody.symbolic import Expr, cost, derivation
 from .articulated_body import is_applicable
 from .mass_matrix import mass_matrix
 from .recursive_newton_euler import bias
-
-_FEW = 8
-"""The most particles for which other forms than points of the ground may be shorter, if no link turns with another."""
 
 Derive: TypeAlias = Callable[[System, FrameTree], Sequence[Expr]]
 """What is derived from a tree."""
@@ -92,33 +90,31 @@ def _candidates(system: System) -> tuple[_Forms, ...]:
 def _made(system: System) -> Iterator[_Forms]:
     """Return the forms to be compared, the given one first, which is no other form at all."""
     frames = targets(system)
-    free = _free(system)
-    normal = NormalFrames(frames, free)
-    if not normal.are_known:
-        yield {}
-        return
-    if normal.are_free and len(free) > _FEW and not normal.are_serial:
-        yield normal.as_points_of_ground()
+    groups = [NormalFrames(places, _free(system)) for places in by_base(map(placed, frames))]
+    if len(groups) == 1 and groups[0].are_many_points:
+        yield groups[0].as_points()
         return
     compared: list[_Forms] = [{frame.key: frame for frame in frames}]
     yield {}
-    for forms in _normal(normal):
+    for form in _kinds(groups):
+        forms = {key: frame for group in groups for key, frame in form(group).items()}
         if forms not in compared:
             compared.append(forms)
             yield forms
 
 
-def _normal(frames: NormalFrames) -> Iterator[_Forms]:
-    """Return the normal forms that may be the shortest."""
-    yield frames.in_local_axes()
-    if frames.slide or frames.are_parallel:
-        yield frames.in_axes_of_ground()
-        yield frames.in_chains()
-        if not frames.are_free:
-            yield frames.in_chains_turned_back()
-    if frames.slide:
-        yield frames.in_local_axes(by_slides)
-        yield frames.in_chains(by_slides)
+def _kinds(groups: Sequence[NormalFrames]) -> Iterator[Callable[[NormalFrames], _Forms]]:
+    """Return the kinds of normal forms of which one may be the shortest."""
+    slide = any(frames.slide for frames in groups)
+    yield NormalFrames.in_local_axes
+    if slide or any(frames.are_parallel for frames in groups):
+        yield NormalFrames.in_axes_of_base
+        yield NormalFrames.in_chains
+        if not all(frames.are_free for frames in groups):
+            yield NormalFrames.in_chains_turned_back
+    if slide:
+        yield lambda frames: frames.in_local_axes(by_slides)
+        yield lambda frames: frames.in_chains(by_slides)
 
 
 def _free(system: System) -> frozenset[bytes]:

@@ -34,6 +34,9 @@ from .orientation_path import (
 )
 
 
+_FEW = 8
+"""The most particles for which other forms than points of the ground may be shorter, if no link turns with another."""
+
 Displacing: TypeAlias = Callable[[Frame, Triple], Frame]
 """How a frame is displaced: the frame that is displaced, and where to."""
 
@@ -58,20 +61,25 @@ def _constant(component: Expr) -> Expr:
     return component.subs(dict.fromkeys(moving, 0))
 
 
+def by_base(places: Iterable[Placed]) -> list[list[Placed]]:
+    """Return the places of frames on each base."""
+    result: dict[bytes, list[Placed]] = {}
+    for place in places:
+        result.setdefault(place.base.key, []).append(place)
+    return list(result.values())
+
+
 class NormalFrames:
-    """The normal forms of some frames of one root.
+    """The normal forms of some frames on one base.
 
     Args:
-        frames: the frames.
+        places: how the frames are placed on the base, which may be the ground.
         free: the keys of those that may be left without their rotations, because only particles are in them.
     """
 
-    def __init__(self, frames: Sequence[Frame], free: Collection[bytes]) -> None:
-        self._free = frozenset(free)
-        self._frames = {frame.key: frame for frame in frames}
-        known = {key: placed(frame) for key, frame in self._frames.items()}
-        self._places = {key: place for key, place in known.items() if place is not None}
-        self.are_known = len(self._places) == len(known)
+    def __init__(self, places: Sequence[Placed], free: frozenset[bytes]) -> None:
+        self._places = {place.frame.key: place for place in places}
+        self._free = free
 
     @cached_property
     def _legs(self) -> dict[bytes, Legs]:
@@ -115,7 +123,7 @@ class NormalFrames:
     @property
     def are_free(self) -> bool:
         """Whether all frames may be left without their rotations."""
-        return self._frames.keys() <= self._free
+        return self._places.keys() <= self._free
 
     @property
     def are_parallel(self) -> bool:
@@ -124,11 +132,13 @@ class NormalFrames:
         return len(ends) > 1 and not ends & inner
 
     @property
-    def are_serial(self) -> bool:
-        """Whether a frame that is given with an orientation is turned through that of another one."""
+    def are_many_points(self) -> bool:
+        """Whether these are so many particles, none of them turned with another one, that points are the shortest."""
+        if not self.are_free or len(self._places) <= _FEW:
+            return False
         tree = OrientationTree(self._given)
         ends, inner = _ends(tree.path(place.word) for place in self._places.values())
-        return len(ends) == 1 or bool(ends & inner)
+        return len(ends) != 1 and not ends & inner
 
     @property
     def slide(self) -> bool:
@@ -141,22 +151,22 @@ class NormalFrames:
             for component in d
         )
 
-    def as_points_of_ground(self) -> dict[bytes, Frame]:
-        """Return the frames as points of the ground without rotations, from their displacements as they are given."""
+    def as_points(self) -> dict[bytes, Frame]:
+        """Return the frames as points of the base without rotations, from their displacements as they are given."""
         tree = OrientationTree(self._given)
         result = {}
-        for key, frame in self._frames.items():
-            given = [(tree.path(word), d) for word, d in self._places[key].displacements]
-            result[key] = _chained(frame, (), displaced((), given))
+        for key, place in self._places.items():
+            given = [(tree.path(word), d) for word, d in place.displacements]
+            result[key] = _chained(place, (), displaced((), given))
         return result
 
-    def in_axes_of_ground(self) -> dict[bytes, Frame]:
-        """Return the frames as points of the ground with rotations."""
+    def in_axes_of_base(self) -> dict[bytes, Frame]:
+        """Return the frames as points of the base with rotations."""
         result = {}
-        for key, frame in self._frames.items():
+        for key, place in self._places.items():
             total = displaced((), self._displacements(key))[0]
             path = self._tree.path(self._turned(key, ()))
-            result[key] = _chained(frame, path, [total] + [NULL] * len(path))
+            result[key] = _chained(place, path, [total] + [NULL] * len(path))
         return result
 
     def in_local_axes(self, displaced_by: Displacing = at_once) -> dict[bytes, Frame]:
@@ -165,23 +175,23 @@ class NormalFrames:
         _align(self._paths, places)
         plain = {key: [bare(d) for d in displacements] for key, displacements in places.items()}
         result = {}
-        for key, frame in self._frames.items():
-            local, word = _chained(frame, self._paths[key], plain[key], displaced_by), self._words[key]
-            result[key] = _turned(local, between(word, self._turned(key, word))).named(frame.name)
+        for key, place in self._places.items():
+            local, word = _chained(place, self._paths[key], plain[key], displaced_by), self._words[key]
+            result[key] = _turned(local, between(word, self._turned(key, word))).named(place.frame.name)
         return result
 
     def in_chains(self, displaced_by: Displacing = at_once) -> dict[bytes, Frame]:
         """Return the frames by their legs, one after the other; a free one in the axes of the last leg."""
         return {
-            key: _linked(frame, self._legs[key], self._turned(key, next(reversed(self._legs[key]))), displaced_by)
-            for key, frame in self._frames.items()
+            key: _linked(place, self._legs[key], self._turned(key, next(reversed(self._legs[key]))), displaced_by)
+            for key, place in self._places.items()
         }
 
     def in_chains_turned_back(self) -> dict[bytes, Frame]:
-        """Return the frames by their legs, one after the other; a free one turned back to the axes of ground."""
+        """Return the frames by their legs, one after the other; a free one turned back to the axes of the base."""
         return {
-            key: _linked(frame, self._legs[key], self._turned(key, ()), at_once)
-            for key, frame in self._frames.items()
+            key: _linked(place, self._legs[key], self._turned(key, ()), at_once)
+            for key, place in self._places.items()
         }
 
     def _turned(self, key: bytes, free: Word) -> Word:
@@ -199,12 +209,12 @@ def _ends(paths: Iterable[Sequence[Step]]) -> tuple[set[Word], set[Word]]:
 
 
 def _chained(
-    frame: Frame, path: Sequence[Step], places: Sequence[Triple], displaced_by: Displacing = at_once
+    place: Placed, path: Sequence[Step], places: Sequence[Triple], displaced_by: Displacing = at_once
 ) -> Frame:
-    result = displaced_by(frame.ancestor, places[0])
+    result = displaced_by(place.base, places[0])
     for (_, turn), d in zip(path, places[1:], strict=True):
         result = displaced_by(result.then(Rotation(turn.axis, turn.angle)), d)
-    return result.named(frame.name)
+    return result.named(place.frame.name)
 
 
 def _turned(frame: Frame, turns: Iterable[Turn]) -> Frame:
@@ -213,16 +223,16 @@ def _turned(frame: Frame, turns: Iterable[Turn]) -> Frame:
     return frame
 
 
-def _linked(frame: Frame, found: Legs, word: Word, displaced_by: Displacing) -> Frame:
+def _linked(place: Placed, found: Legs, word: Word, displaced_by: Displacing) -> Frame:
     """Return a frame by its legs one after the other, the one in its own axes last."""
-    result = displaced_by(frame.ancestor, found[()])
+    result = displaced_by(place.base, found[()])
     before: Word = ()
     for turned in (*(other for other in found if other and other != word), word):
         result = _turned(result, between(before, turned))
         if turned:
             result = displaced_by(result, found.get(turned, NULL))
         before = turned
-    return result.named(frame.name)
+    return result.named(place.frame.name)
 
 
 def _ranks(every: Iterable[Legs]) -> dict[Word, int]:

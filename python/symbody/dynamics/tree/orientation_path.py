@@ -31,26 +31,35 @@ Word: TypeAlias = tuple[Turn, ...]
 
 
 class Placed(NamedTuple):
-    """A frame by its orientation, and its displacements in the axes of orientations."""
+    """A frame by its orientation, and its displacements in the axes of orientations, on a base."""
 
+    frame: Frame
+    base: Frame
     word: Word
     displacements: tuple[tuple[Word, Triple], ...]
 
 
-def placed(frame: Frame) -> Placed | None:
-    """Return how a frame is placed by rotations about principal axes and displacements; None if others place it."""
-    word, displacements = list[Turn](), list[tuple[Word, Triple]]()
-    for motion in frame.motions:
-        if motion.twist is not None:
-            return None
+def placed(frame: Frame) -> Placed:
+    """Return how a frame is placed by rotations about principal axes and displacements.
+
+    They begin at its base: the last frame before it that is placed by another motion, such as a moving master frame, or
+    the root.
+    """
+    base, word, displacements = frame.ancestor, list[Turn](), list[tuple[Word, Triple]]()
+    for link in frame.chain:
+        motion = link.motion
+        if motion is None:
+            continue
         turn = turn_of(motion)
         if turn is not None:
             _turn(word, turn)
-        elif not motion.rotates:
-            displacements.append((tuple(word), motion.displacement))
+        elif motion.rotates or motion.twist is not None:
+            base = link
+            word.clear()
+            displacements.clear()
         else:
-            return None
-    return Placed(tuple(word), tuple(displacements))
+            displacements.append((tuple(word), motion.displacement))
+    return Placed(frame, base, tuple(word), tuple(displacements))
 
 
 def turn_of(motion: FrameMotion) -> Turn | None:
