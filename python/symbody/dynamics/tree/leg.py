@@ -9,6 +9,7 @@ frames, and those whose sines and cosines are in p: a particle is given without 
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
+from itertools import chain
 from typing import NamedTuple, TypeAlias
 
 from symbody.geometry import Triple
@@ -97,8 +98,8 @@ def _taken_apart(p: Triple, source: Word, tree: OrientationTree) -> tuple[list[_
                 parts.append(part)
                 p = _without(p, part)
         for angle in sorted(angles_in(p), key=variables, reverse=True):
-            for axis in range(3):
-                for part in _found(p, (Turn(axis, angle),)):
+            for turn in _turns(angle):
+                for part in _found(p, (turn,)):
                     parts.append(part)
                     p = _without(p, part)
     return parts, p
@@ -112,6 +113,11 @@ def _known(p: Triple, source: Word, tree: OrientationTree) -> list[tuple[Turn, .
     ways = (tree.path(word) for word in tree.words if leaves & word[-1].angle.free_symbols)
     on = [tuple(turn for _, turn in way[len(before) :]) for way in ways if way[: len(before)] == before]
     return sorted(filter(None, on), key=len, reverse=True)
+
+
+def _turns(angle: Expr) -> Iterator[Turn]:
+    """Return the rotations by an angle, of which only the sines and cosines are known, or by its negative."""
+    return (Turn(axis, signed) for signed in (angle, -angle) for axis in range(3))
 
 
 def _turning_part(p: Triple, turns: tuple[Turn, ...]) -> _Part | None:
@@ -131,9 +137,9 @@ def _found(p: Triple, turns: tuple[Turn, ...]) -> Iterator[_Part]:
         if not angles:
             yield _Part(turns, arm)
         elif len(turns) < _MOST:
-            ways = (Turn(axis, angle) for angle in angles for axis in range(3) if axis != turns[-1].axis)
-            for turn in ways:
-                yield from _found(p, (*turns, turn))
+            for turn in chain.from_iterable(map(_turns, angles)):
+                if turn.axis != turns[-1].axis:
+                    yield from _found(p, (*turns, turn))
         return
 
 
