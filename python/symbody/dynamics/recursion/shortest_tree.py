@@ -14,7 +14,7 @@ from typing import TypeAlias
 from weakref import WeakKeyDictionary
 
 from symbody.dynamics.tree.frame_tree import FrameTree, frame_tree, targets, tree_of_forms
-from symbody.dynamics.tree.normal_frames import NormalFrames, by_base, by_slides, have_other_forms
+from symbody.dynamics.tree.normal_frames import FEW_BODIES, NormalFrames, by_base, by_slides, have_other_forms
 from symbody.dynamics.tree.orientation_path import placed
 from symbody.geometry import Frame
 from symbody.multibody import System
@@ -45,7 +45,7 @@ def shortest_tree(system: System, derive: Derive) -> FrameTree:
         derive: derives the result; a function of a module, since the choice is kept.
     """
     given = frame_tree(system)
-    if not have_other_forms(given.frames, given.parents):
+    if not (have_other_forms(given.frames, given.parents) or _holds_few_particles(system)):
         return given
     chosen = _chosen.setdefault(system, {})
     if derive not in chosen:
@@ -107,7 +107,7 @@ def _kinds(groups: Sequence[NormalFrames]) -> Iterator[Callable[[NormalFrames], 
     """Return the kinds of normal forms of which one may be the shortest."""
     slide = any(frames.slide for frames in groups)
     yield NormalFrames.in_local_axes
-    if slide or any(frames.are_parallel for frames in groups):
+    if slide or any(frames.are_parallel or frames.hold_few_particles for frames in groups):
         yield NormalFrames.in_axes_of_base
         yield NormalFrames.in_chains
         if not all(frames.are_free for frames in groups):
@@ -115,6 +115,11 @@ def _kinds(groups: Sequence[NormalFrames]) -> Iterator[Callable[[NormalFrames], 
     if slide:
         yield lambda frames: frames.in_local_axes(by_slides)
         yield lambda frames: frames.in_chains(by_slides)
+
+
+def _holds_few_particles(system: System) -> bool:
+    """Return whether a system is so small, and has so many ways to carry its particles, that all forms are compared."""
+    return 0 < len(_free(system)) and len(system.bodies) <= FEW_BODIES
 
 
 def _free(system: System) -> frozenset[bytes]:

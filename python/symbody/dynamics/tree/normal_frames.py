@@ -37,6 +37,9 @@ from .orientation_path import (
 _FEW = 8
 """The most particles for which other forms than points of the ground may be shorter, if no link turns with another."""
 
+FEW_BODIES = 4
+"""The most bodies of a system in which particles are tried as points of the base in any case."""
+
 Displacing: TypeAlias = Callable[[Frame, Triple], Frame]
 """How a frame is displaced: the frame that is displaced, and where to."""
 
@@ -130,6 +133,11 @@ class NormalFrames:
         """Whether several orientations are reached, none of them through another one."""
         ends, inner = _ends(self._paths.values())
         return len(ends) > 1 and not ends & inner
+
+    @property
+    def hold_few_particles(self) -> bool:
+        """Whether some of a few frames may be left without their rotations."""
+        return len(self._places) <= FEW_BODIES and not self._free.isdisjoint(self._places)
 
     @property
     def are_many_points(self) -> bool:
