@@ -107,11 +107,13 @@ def _kinds(groups: Sequence[NormalFrames]) -> Iterator[Callable[[NormalFrames], 
     """Return the kinds of normal forms of which one may be the shortest."""
     slide = any(frames.slide for frames in groups)
     yield NormalFrames.in_local_axes
-    if slide or any(frames.are_parallel or frames.hold_few_particles for frames in groups):
+    few = any(frames.hold_few_particles for frames in groups)
+    if slide or few or any(frames.are_parallel for frames in groups):
         yield NormalFrames.in_axes_of_base
         yield NormalFrames.in_chains
-        if not all(frames.are_free for frames in groups):
+        if few or not all(frames.are_free for frames in groups):
             yield NormalFrames.in_chains_turned_back
+            yield NormalFrames.in_axes_of_bodies
     if slide:
         yield lambda frames: frames.in_local_axes(by_slides)
         yield lambda frames: frames.in_chains(by_slides)

@@ -37,7 +37,7 @@ from .orientation_path import (
 _FEW = 8
 """The most particles for which other forms than points of the ground may be shorter, if no link turns with another."""
 
-FEW_BODIES = 4
+FEW_BODIES = 3
 """The most bodies of a system in which particles are tried as points of the base in any case."""
 
 Displacing: TypeAlias = Callable[[Frame, Triple], Frame]
@@ -92,7 +92,7 @@ class NormalFrames:
         rank = _ranks(every.values())
         result = {}
         for key, found in every.items():
-            words = sorted(found, key=lambda word, found=found: (rank[word], not _slides(found[word])))
+            words = sorted(found, key=lambda word, found=found: (rank[word], len(word), not _slides(found[word])))
             result[key] = _outwards({word: found[word] for word in words})
         return result
 
@@ -115,7 +115,7 @@ class NormalFrames:
         rank = _ranks(self._legs.values())
 
         def outermost(found: Legs) -> Word:
-            return max(reversed(found), key=lambda word: (rank[word], _slides(found[word])))
+            return max(reversed(found), key=lambda word: (rank[word], len(word), _slides(found[word])))
 
         return {key: self._turned(key, ()) or outermost(found) for key, found in self._legs.items()}
 
@@ -179,12 +179,27 @@ class NormalFrames:
 
     def in_local_axes(self, displaced_by: Displacing = at_once) -> dict[bytes, Frame]:
         """Return the frames by displacements in the axes of the orientations on their ways."""
-        places = {key: displaced(path, self._displacements(key)) for key, path in self._paths.items()}
-        _align(self._paths, places)
-        plain = {key: [bare(d) for d in displacements] for key, displacements in places.items()}
+        return self._displaced(self._paths, displaced_by)
+
+    def in_axes_of_bodies(self) -> dict[bytes, Frame]:
+        """Return the frames in local axes, but free ones by displacements in those of others alone."""
+        turned = {self._places[key].word for key in self._places.keys() - self._free}
+        paths = {}
+        for key, path in self._paths.items():
+            shared = [count for count, (word, _) in enumerate(path, start=1) if word in turned]
+            paths[key] = path[: max(shared, default=0)] if key in self._free else path
+        return self._displaced(paths, at_once)
+
+    def _displaced(
+        self, paths: Mapping[bytes, Sequence[Step]], displaced_by: Displacing
+    ) -> dict[bytes, Frame]:
+        """Return the frames by displacements in the axes on some paths."""
+        places = {key: displaced(path, self._displacements(key)) for key, path in paths.items()}
+        _align(paths, places)
         result = {}
         for key, place in self._places.items():
-            local, word = _chained(place, self._paths[key], plain[key], displaced_by), self._words[key]
+            local = _chained(place, paths[key], list(map(bare, places[key])), displaced_by)
+            word = paths[key][-1][0] if paths[key] else ()
             result[key] = _turned(local, between(word, self._turned(key, word))).named(place.frame.name)
         return result
 
