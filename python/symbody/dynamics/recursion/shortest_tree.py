@@ -1,10 +1,10 @@
 """The tree of frames by which the equations of a system are shortest.
 
 A mechanism can be modelled by other frames in the same coordinates: a pendulum of many links by one frame on another,
-or by points of the ground. Where angles cancel along a chain, positions hold the coordinates of angles, or parallel
-axes are displaced along themselves, equations are derived by the given frames and by their normal forms
-(`tree/normal_frames.py`), and the tree of the fewest operations is kept. For the residuals this may be another one
-than for the mass matrix and the bias.
+or by points of the ground. Where angles cancel along a chain, positions hold the coordinates of angles, something
+slides in turned axes, or parallel axes are displaced along themselves, equations are derived by the given frames and by
+their normal forms (`tree/normal_frames.py`), and the tree of the fewest operations is kept; so they are for a few
+bodies of which some are particles. For the residuals this may be another tree than for the mass matrix and the bias.
 """
 
 from __future__ import annotations
@@ -14,8 +14,9 @@ from typing import TypeAlias
 from weakref import WeakKeyDictionary
 
 from symbody.dynamics.tree.frame_tree import FrameTree, frame_tree, targets, tree_of_forms
-from symbody.dynamics.tree.normal_frames import FEW_BODIES, NormalFrames, by_base, by_slides, have_other_forms
+from symbody.dynamics.tree.normal_frames import FEW_BODIES, NormalFrames, by_base, by_slides
 from symbody.dynamics.tree.orientation_path import placed
+from symbody.dynamics.tree.other_forms import have_other_forms
 from symbody.geometry import Frame
 from symbody.multibody import System
 from symbody.symbolic import Expr, cost, derivation
@@ -120,8 +121,8 @@ def _kinds(groups: Sequence[NormalFrames]) -> Iterator[Callable[[NormalFrames], 
 
 
 def _holds_few_particles(system: System) -> bool:
-    """Return whether a system is so small, and has so many ways to carry its particles, that all forms are compared."""
-    return 0 < len(_free(system)) and len(system.bodies) <= FEW_BODIES
+    """Return whether a system holds particles, which can be carried in many ways, and is small enough to try all."""
+    return len(_free(system)) > 0 and len(system.bodies) <= FEW_BODIES
 
 
 def _free(system: System) -> frozenset[bytes]:

@@ -2,13 +2,14 @@
 
 A displacement that is given in other axes, as a point of the ground, is taken apart. If a leg d turns with the last
 rotation R about e, whose angle changes by the coordinate q, the given p has ``d = -e x R^T dp/dq``. It must not depend
-on coordinates that turn frames, but may depend on others, such as the length of a rope. The rotations are those of the
-frames, and those whose sines and cosines are in p: a particle is given without its rotations.
+on q, nor hold sines and cosines, but may depend on other coordinates, such as the length of a rope. The rotations are
+those of the frames, and those whose sines and cosines are in p: a particle may be given without its rotations. For a
+constant angle, such as that of a ramp, the parameter of the angle takes the place of q.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import chain
 from typing import NamedTuple, TypeAlias
 
@@ -21,7 +22,6 @@ from .orientation_path import OrientationTree, Placed, Turn, Word, joined, varia
 
 Legs: TypeAlias = dict[Word, Triple]
 """The displacements of a frame by the orientations in which they are fixed."""
-
 
 _MOST = 3
 """The most rotations, one after the other, that are looked for in a displacement."""
@@ -62,6 +62,48 @@ def _add(found: Legs, word: Word, d: Triple) -> None:
     """Add a displacement; where it is the only one, its form is kept."""
     before = found.get(word, NULL)
     found[word] = d if is_null(before) else add3(before, d)
+
+
+def in_order(every: Mapping[bytes, Legs]) -> dict[bytes, Legs]:
+    """Return the legs of frames in one order.
+
+    Legs in which a frame of few legs is fixed come first; then those of few rotations; then those that slide. Slides
+    along axes of rotation are put behind the last one of the rotations about the axis.
+    """
+    rank = ranks(every.values())
+    return {key: _outwards(_ordered(found, rank)) for key, found in every.items()}
+
+
+def ranks(every: Iterable[Legs]) -> dict[Word, int]:
+    """Return, by orientation, the fewest legs of a frame with a leg in it."""
+    result: dict[Word, int] = {}
+    for found in every:
+        for word in found:
+            result[word] = min(len(found) if word else 0, result.get(word, len(found)))
+    return result
+
+
+def _ordered(found: Legs, rank: Mapping[Word, int]) -> Legs:
+    words = sorted(found, key=lambda word: (rank[word], len(word), not slides(found[word])))
+    return {word: found[word] for word in words}
+
+
+def _outwards(found: Legs) -> Legs:
+    """Return legs with slides along axes of rotation behind the last ones of the rotations about them."""
+    result = dict(found)
+    for word, d in found.items():
+        for axis in range(3):
+            last = [other for other in found if other[:-1] == word and other and other[-1].axis == axis]
+            if last and d[axis].depends_on_time:
+                shift = along(axis, d[axis])
+                result[word] = sub3(result[word], shift)
+                result[last[-1]] = add3(result[last[-1]], shift)
+    return result
+
+
+def slides(d: Triple) -> bool:
+    """Return whether a displacement changes in its axes."""
+    return any(component.depends_on_time for component in d)
 
 
 def angles_in(components: Iterable[Expr]) -> Sequence[Expr]:

@@ -1,16 +1,15 @@
 """Normal frames: one form for frames that different users build in different ways.
 
-There are three forms. In *local axes*, a frame is placed by the orientations on its way, and displacements in the axes
-of each. Displacements given in the axes of ground are taken apart: if p turns with the last rotation R about e, then
-``d = -e x R^T dp/dq`` belongs behind it, and the rest before it. In *axes of ground*, a frame is displaced once, as a
-point of the ground, and then turned; a particle isn't turned at all. In *chains*, frames that turn about one axis are
-linked one after the other, by rotations through the differences of their angles. An angle by which only a particle
-turns, given as a point of the ground, is found as an argument of the sines and cosines in its place.
+All forms are made of the legs of the frames (`leg.py`). In *local axes*, a frame is placed by the orientations on its
+way, and displacements in the axes of each. In *axes of the base*, such as the ground, a frame is displaced once, as a
+point of the base, and then turned; a particle is not turned at all. In *axes of bodies*, a particle is a point of the
+body that carries it. In *chains*, a frame is linked by its legs one after the other, with rotations from the axes of
+one leg to those of the next. A particle is left in the axes of its last leg, or turned back.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import cached_property
 from typing import TypeAlias
 
@@ -20,7 +19,7 @@ from symbody.geometry.motion.principal_rotation import Rotation, along
 from symbody.geometry.motion.translation import Translation
 from symbody.symbolic import Expr, add3, number, sub3
 
-from .leg import Legs, angles_in, bare, legs
+from .leg import Legs, bare, in_order, legs, ranks, slides
 from .orientation_path import (
     OrientationTree,
     Placed,
@@ -29,13 +28,13 @@ from .orientation_path import (
     Word,
     between,
     displaced,
-    placed,
-    turn_of,
 )
-
 
 _FEW = 8
 """The most particles for which other forms than points of the ground may be shorter, if no link turns with another."""
+
+_SLIDING = 12
+"""The most frames for which further forms are tried if one of them slides."""
 
 FEW_BODIES = 3
 """The most bodies of a system in which particles are tried as points of the base in any case."""
@@ -86,15 +85,8 @@ class NormalFrames:
 
     @cached_property
     def _legs(self) -> dict[bytes, Legs]:
-        """Legs in one order: one in which a frame of few legs is fixed comes first; what slides, if equal."""
         tree = OrientationTree(self._given)
-        every = {key: legs(place, tree) for key, place in self._places.items()}
-        rank = _ranks(every.values())
-        result = {}
-        for key, found in every.items():
-            words = sorted(found, key=lambda word, found=found: (rank[word], len(word), not _slides(found[word])))
-            result[key] = _outwards({word: found[word] for word in words})
-        return result
+        return in_order({key: legs(place, tree) for key, place in self._places.items()})
 
     @cached_property
     def _given(self) -> list[Word]:
@@ -112,10 +104,10 @@ class NormalFrames:
 
         Of a particle, or of a frame that never turns, it is the one in which its outermost leg is fixed, or slides.
         """
-        rank = _ranks(self._legs.values())
+        rank = ranks(self._legs.values())
 
         def outermost(found: Legs) -> Word:
-            return max(reversed(found), key=lambda word: (rank[word], len(word), _slides(found[word])))
+            return max(reversed(found), key=lambda word: (rank[word], len(word), slides(found[word])))
 
         return {key: self._turned(key, ()) or outermost(found) for key, found in self._legs.items()}
 
@@ -150,13 +142,9 @@ class NormalFrames:
 
     @property
     def slide(self) -> bool:
-        """Whether a leg in turned axes changes."""
-        return any(
-            component.depends_on_time
-            for found in self._legs.values()
-            for word, d in found.items()
-            if word
-            for component in d
+        """Whether a leg in turned axes changes, and the frames are not too many to try more forms for that."""
+        return len(self._places) <= _SLIDING and any(
+            slides(d) for found in self._legs.values() for word, d in found.items() if word
         )
 
     def as_points(self) -> dict[bytes, Frame]:
@@ -206,7 +194,9 @@ class NormalFrames:
     def in_chains(self, displaced_by: Displacing = at_once) -> dict[bytes, Frame]:
         """Return the frames by their legs, one after the other; a free one in the axes of the last leg."""
         return {
-            key: _linked(place, self._legs[key], self._turned(key, next(reversed(self._legs[key]))), displaced_by)
+            key: _linked(
+                place, self._legs[key], self._turned(key, next(reversed(self._legs[key]))), displaced_by
+            )
             for key, place in self._places.items()
         }
 
@@ -258,32 +248,6 @@ def _linked(place: Placed, found: Legs, word: Word, displaced_by: Displacing) ->
     return result.named(place.frame.name)
 
 
-def _ranks(every: Iterable[Legs]) -> dict[Word, int]:
-    """Return, by orientation, the fewest legs of a frame with a leg in it."""
-    result: dict[Word, int] = {}
-    for found in every:
-        for word in found:
-            result[word] = min(len(found) if word else 0, result.get(word, len(found)))
-    return result
-
-
-def _outwards(found: Legs) -> Legs:
-    """Return legs with slides along axes of rotation behind the last ones of the rotations about them."""
-    result = dict(found)
-    for word, d in found.items():
-        for axis in range(3):
-            last = [other for other in found if other[:-1] == word and other and other[-1].axis == axis]
-            if last and d[axis].depends_on_time:
-                shift = along(axis, d[axis])
-                result[word] = sub3(result[word], shift)
-                result[last[-1]] = add3(result[last[-1]], shift)
-    return result
-
-
-def _slides(d: Triple) -> bool:
-    return any(component.depends_on_time for component in d)
-
-
 def _align(paths: Mapping[bytes, Sequence[Step]], places: Mapping[bytes, list[Triple]]) -> None:
     """Put displacements along axes of rotation behind the rotations, where those of parallel axes add up."""
     for key, path in paths.items():
@@ -291,43 +255,3 @@ def _align(paths: Mapping[bytes, Sequence[Step]], places: Mapping[bytes, list[Tr
         for level, (_, turn) in enumerate(path):
             shift = along(turn.axis, here[level][turn.axis])
             here[level], here[level + 1] = sub3(here[level], shift), add3(here[level + 1], shift)
-
-
-def have_other_forms(frames: Sequence[Frame], parents: Sequence[int]) -> bool:
-    """Return whether other forms may be shorter.
-
-    So it is where angles cancel along the chains of frames, where displacements hold coordinates that turn frames, and
-    where a displacement between two parallel axes of rotation has a part along them.
-
-    Args:
-        frames: parents before their children.
-        parents: the place of each frame's parent.
-    """
-    turning = frozenset[Expr]()
-    turns: list[Turn | None] = []
-    moving = frozenset[Expr]()
-    shifted: list[bool] = []
-    """For each frame: whether it is displaced along the axis of its last rotation."""
-    for frame, parent in zip(frames, parents, strict=True):
-        motion, before = frame.motion, turns[parent] if turns else None
-        is_shifted = bool(shifted) and shifted[parent]
-        turn = None if motion is None else turn_of(motion)
-        if motion is not None and turn is not None:
-            turning |= {leaf for leaf in motion.leaves if leaf.depends_on_time}
-            if before is not None and before.axis == turn.axis:
-                angle = before.angle + turn.angle
-                if is_shifted or angle.free_symbols < before.angle.free_symbols | motion.leaves:
-                    return True
-                turn = Turn(turn.axis, angle)
-            before, is_shifted = turn, False
-        elif motion is not None and not motion.rotates:
-            slides = {leaf for leaf in motion.leaves if leaf.depends_on_time}
-            if slides and before is not None:
-                return True
-            moving |= slides
-            for angle in angles_in(motion.displacement):
-                turning |= {leaf for leaf in angle.free_symbols if leaf.depends_on_time}
-            is_shifted |= before is not None and not motion.displacement[before.axis].is_zero
-        turns.append(before)
-        shifted.append(is_shifted)
-    return not turning.isdisjoint(moving)
