@@ -42,8 +42,16 @@ class Assembly:
         """Return the coefficients in forms without symbols on which their values don't depend."""
         n = len(self.bias)
         entries = without_idle_symbols((*self.mass_matrix.entries, *self.bias))
+        if len(entries) <= _MOST_ENTRIES:
+            alone = {entry: without_idle_symbols((entry,))[0] for entry in entries}
+            bare = tuple(alone[entry] for entry in entries)
+            entries = bare if cost(bare).total <= cost(entries).total else entries
         rows = [entries[k * n : (k + 1) * n] for k in range(n)]
         return Assembly(Matrix(rows), entries[n * n :])
+
+
+_MOST_ENTRIES = 200
+"""The most entries for which symbols are looked for that are idle in one entry and not in others."""
 
 
 @dataclass(frozen=True, eq=False)
