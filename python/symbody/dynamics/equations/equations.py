@@ -43,15 +43,22 @@ class Assembly:
         n = len(self.bias)
         entries = without_idle_symbols((*self.mass_matrix.entries, *self.bias))
         if len(entries) <= _MOST_ENTRIES:
-            alone = {entry: without_idle_symbols((entry,))[0] for entry in entries}
-            bare = tuple(alone[entry] for entry in entries)
-            entries = bare if cost(bare).total <= cost(entries).total else entries
+            entries = _each_without_idle_symbols(entries)
         rows = [entries[k * n : (k + 1) * n] for k in range(n)]
         return Assembly(Matrix(rows), entries[n * n :])
 
 
 _MOST_ENTRIES = 200
 """The most entries for which symbols are looked for that are idle in one entry and not in others."""
+
+
+def _each_without_idle_symbols(entries: tuple[Expr, ...]) -> tuple[Expr, ...]:
+    """Return entries without symbols that are idle in one of them, if all together take no more operations."""
+    alone = tuple(without_idle_symbols((entry,))[0] for entry in entries)
+    constant = tuple(
+        entry if bare.depends_on_time else bare for entry, bare in zip(entries, alone, strict=True)
+    )
+    return alone if cost(alone).total <= cost(constant).total else constant
 
 
 @dataclass(frozen=True, eq=False)
