@@ -53,12 +53,10 @@ _MOST_ENTRIES = 200
 
 
 def _each_without_idle_symbols(entries: tuple[Expr, ...]) -> tuple[Expr, ...]:
-    """Return entries without symbols that are idle in one of them, if all together take no more operations."""
+    """Return entries without symbols that are idle in one of them, if all together take fewer operations."""
     alone = tuple(without_idle_symbols((entry,))[0] for entry in entries)
-    constant = tuple(
-        entry if bare.depends_on_time else bare for entry, bare in zip(entries, alone, strict=True)
-    )
-    return alone if cost(alone).total <= cost(constant).total else constant
+    numbers = tuple(bare if bare.is_number else entry for entry, bare in zip(entries, alone, strict=True))
+    return alone if cost(alone).total < cost(numbers).total else numbers
 
 
 @dataclass(frozen=True, eq=False)
