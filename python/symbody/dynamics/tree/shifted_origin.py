@@ -3,6 +3,8 @@
 A displacement along the axis of the rotation that follows may be put behind this rotation. Two axes may then meet in a
 point at rest, as in a shoulder, so that forces at this point have no moment about the first axis. If all inertias are
 numbers, the displacement may also be added to the displacement that follows, or to the places of the last bodies.
+With symbols, it is added if all that follows are displacements with a component along the axis: each of them keeps its
+number of components, and the one before the rotation loses one.
 """
 
 from __future__ import annotations
