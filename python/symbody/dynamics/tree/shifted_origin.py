@@ -75,7 +75,7 @@ class _Shifting:
             result = self._joined(base, motion)
         if result is None:
             result = self._then(base, motion) if base is not parent else self._seen(frame, base, motion)
-        self.moved[frame.key] = result if result is frame else result.named(frame.name)
+        self.moved[frame.key] = result if result.name == frame.name else result.named(frame.name)
 
     def _shifted(self, frame: Frame) -> Frame | None:
         """Return the frame with the displacement along its axis put behind the rotation; None if that gains nothing."""
