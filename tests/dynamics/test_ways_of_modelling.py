@@ -55,8 +55,15 @@ def test_residuals_are_equally_short(name: str) -> None:
     assert max(counts) <= RESIDUALS * min(counts), counts
 
 
-@pytest.mark.parametrize("formalism", [newton_euler, lagrange_equations])
-@pytest.mark.parametrize("name", [name for name in MECHANISMS if "30" not in name])
+def both(name: str) -> Sequence[Callable[[System], Equations]]:
+    """Return the formalisms; Lagrange's equations need rates of coordinates as speeds."""
+    return [newton_euler] if MECHANISMS[name].speeds else [newton_euler, lagrange_equations]
+
+
+@pytest.mark.parametrize(
+    ("name", "formalism"),
+    [(name, formalism) for name in MECHANISMS if "30" not in name for formalism in both(name)],
+)
 def test_all_ways_give_the_same_values(name: str, formalism: Callable[[System], Equations]) -> None:
     equations = [formalism(modelled(MECHANISMS[name], way)) for way in WAYS]
     for other in equations[1:]:
@@ -72,7 +79,7 @@ def test_a_long_pendulum_has_the_same_values() -> None:
 
 
 @pytest.mark.parametrize("way", WAYS)
-@pytest.mark.parametrize("name", [name for name in MECHANISMS if "30" not in name])
+@pytest.mark.parametrize("name", [name for name in MECHANISMS if "30" not in name and len(both(name)) == 2])
 def test_both_formalisms_give_the_same_nodes(name: str, way: str) -> None:
     system = modelled(MECHANISMS[name], way)
     one, two = newton_euler(system), lagrange_equations(system)

@@ -43,8 +43,21 @@ class Assembly:
         """Return the coefficients in forms without symbols on which their values don't depend."""
         n = len(self.bias)
         entries = without_idle_symbols((*self.mass_matrix.entries, *self.bias))
+        if len(entries) <= _MOST_ENTRIES:
+            entries = _each_without_idle_symbols(entries)
         rows = [entries[k * n : (k + 1) * n] for k in range(n)]
         return Assembly(Matrix(rows), entries[n * n :])
+
+
+_MOST_ENTRIES = 200
+"""The most entries for which symbols are looked for that are idle in one entry and not in others."""
+
+
+def _each_without_idle_symbols(entries: tuple[Expr, ...]) -> tuple[Expr, ...]:
+    """Return entries without symbols that are idle in one of them, if all together take fewer operations."""
+    alone = tuple(without_idle_symbols((entry,))[0] for entry in entries)
+    numbers = tuple(bare if bare.is_number else entry for entry, bare in zip(entries, alone, strict=True))
+    return alone if cost(alone).total < cost(numbers).total else numbers
 
 
 @dataclass(frozen=True, eq=False)

@@ -1,10 +1,10 @@
 """The tree of frames by which the equations of a system are shortest.
 
 A mechanism can be modelled by other frames in the same coordinates: a pendulum of many links by one frame on another,
-or by points of the ground. Where angles cancel along a chain, positions hold the coordinates of angles, or parallel
-axes are displaced along themselves, equations are derived by the given frames and by their normal forms
-(`tree/normal_frames.py`), and the tree of the fewest operations is kept. For the residuals this may be another one
-than for the mass matrix and the bias.
+or by points of the ground. Where angles cancel along a chain, positions hold the coordinates of angles, something
+slides in turned axes, or parallel axes are displaced along themselves, equations are derived by the given frames and by
+their normal forms (`tree/normal_frames.py`), and the tree of the fewest operations is kept; so they are for a few
+bodies of which some are particles. For the residuals this may be another tree than for the mass matrix and the bias.
 """
 
 from __future__ import annotations
@@ -14,7 +14,9 @@ from typing import TypeAlias
 from weakref import WeakKeyDictionary
 
 from symbody.dynamics.tree.frame_tree import FrameTree, frame_tree, targets, tree_of_forms
-from symbody.dynamics.tree.normal_frames import NormalFrames, have_other_forms
+from symbody.dynamics.tree.normal_frames import FEW_BODIES, NormalFrames, by_base, by_slides
+from symbody.dynamics.tree.orientation_path import placed
+from symbody.dynamics.tree.other_forms import have_other_forms
 from symbody.geometry import Frame
 from symbody.multibody import System
 from symbody.symbolic import Expr, cost, derivation
@@ -22,9 +24,6 @@ from symbody.symbolic import Expr, cost, derivation
 from .articulated_body import is_applicable
 from .mass_matrix import mass_matrix
 from .recursive_newton_euler import bias
-
-_FEW = 8
-"""The most particles for which other forms than points of the ground may be shorter, if no link turns with another."""
 
 Derive: TypeAlias = Callable[[System, FrameTree], Sequence[Expr]]
 """What is derived from a tree."""
@@ -47,7 +46,7 @@ def shortest_tree(system: System, derive: Derive) -> FrameTree:
         derive: derives the result; a function of a module, since the choice is kept.
     """
     given = frame_tree(system)
-    if not have_other_forms(given.frames, given.parents):
+    if not (have_other_forms(given.frames, given.parents) or _holds_few_particles(system)):
         return given
     chosen = _chosen.setdefault(system, {})
     if derive not in chosen:
@@ -92,22 +91,38 @@ def _candidates(system: System) -> tuple[_Forms, ...]:
 def _made(system: System) -> Iterator[_Forms]:
     """Return the forms to be compared, the given one first, which is no other form at all."""
     frames = targets(system)
-    free = _free(system)
-    normal = NormalFrames(frames, free)
-    if not normal.are_known:
-        yield {}
-        return
-    ground = normal.in_axes_of_ground() if normal.are_parallel else {}
-    if ground and len(free) == len({frame.key for frame in frames}) > _FEW:
-        yield ground
+    groups = [NormalFrames(places, _free(system)) for places in by_base(map(placed, frames))]
+    if len(groups) == 1 and groups[0].are_many_points:
+        yield groups[0].as_points()
         return
     compared: list[_Forms] = [{frame.key: frame for frame in frames}]
     yield {}
-    chains = normal.in_chains() if ground else {}
-    for forms in (normal.in_local_axes(), ground, chains):
-        if forms and forms not in compared:
+    for form in _kinds(groups):
+        forms = {key: frame for group in groups for key, frame in form(group).items()}
+        if forms not in compared:
             compared.append(forms)
             yield forms
+
+
+def _kinds(groups: Sequence[NormalFrames]) -> Iterator[Callable[[NormalFrames], _Forms]]:
+    """Return the kinds of normal forms of which one may be the shortest."""
+    slide = any(frames.slide for frames in groups)
+    yield NormalFrames.in_local_axes
+    few = any(frames.hold_few_particles for frames in groups)
+    if slide or few or any(frames.are_parallel for frames in groups):
+        yield NormalFrames.in_axes_of_base
+        yield NormalFrames.in_chains
+        if few or not all(frames.are_free for frames in groups):
+            yield NormalFrames.in_chains_turned_back
+            yield NormalFrames.in_axes_of_bodies
+    if slide:
+        yield lambda frames: frames.in_local_axes(by_slides)
+        yield lambda frames: frames.in_chains(by_slides)
+
+
+def _holds_few_particles(system: System) -> bool:
+    """Return whether a system holds particles, which can be carried in many ways, and is small enough to try all."""
+    return len(_free(system)) > 0 and len(system.bodies) <= FEW_BODIES
 
 
 def _free(system: System) -> frozenset[bytes]:

@@ -31,26 +31,35 @@ Word: TypeAlias = tuple[Turn, ...]
 
 
 class Placed(NamedTuple):
-    """A frame by its orientation, and its displacements in the axes of orientations."""
+    """A frame by its orientation, and its displacements in the axes of orientations, on a base."""
 
+    frame: Frame
+    base: Frame
     word: Word
     displacements: tuple[tuple[Word, Triple], ...]
 
 
-def placed(frame: Frame) -> Placed | None:
-    """Return how a frame is placed by rotations about principal axes and displacements; None if others place it."""
-    word, displacements = list[Turn](), list[tuple[Word, Triple]]()
-    for motion in frame.motions:
-        if motion.twist is not None:
-            return None
+def placed(frame: Frame) -> Placed:
+    """Return how a frame is placed by rotations about principal axes and displacements.
+
+    They begin at its base: the last frame before it that is placed by another motion, such as a moving master frame, or
+    the root.
+    """
+    base, word, displacements = frame.ancestor, list[Turn](), list[tuple[Word, Triple]]()
+    for link in frame.chain:
+        motion = link.motion
+        if motion is None:
+            continue
         turn = turn_of(motion)
         if turn is not None:
             _turn(word, turn)
-        elif not motion.rotates:
-            displacements.append((tuple(word), motion.displacement))
+        elif motion.rotates or motion.twist is not None:
+            base = link
+            word.clear()
+            displacements.clear()
         else:
-            return None
-    return Placed(tuple(word), tuple(displacements))
+            displacements.append((tuple(word), motion.displacement))
+    return Placed(frame, base, tuple(word), tuple(displacements))
 
 
 def turn_of(motion: FrameMotion) -> Turn | None:
@@ -67,6 +76,24 @@ def _turn(word: list[Turn], turn: Turn) -> None:
     angle = word.pop().angle + turn.angle
     if not angle.is_zero:
         word.append(Turn(turn.axis, angle))
+
+
+def joined(word: Word, turns: Iterable[Turn]) -> Word:
+    """Return the orientation to which rotations lead from another one."""
+    result = list(word)
+    for turn in turns:
+        _turn(result, turn)
+    return tuple(result)
+
+
+def between(first: Word, second: Word) -> Word:
+    """Return the rotations that lead from one orientation to another."""
+    turns = list[Turn]()
+    for axis, angle in reversed(first):
+        _turn(turns, Turn(axis, -angle))
+    for turn in second:
+        _turn(turns, turn)
+    return tuple(turns)
 
 
 Step: TypeAlias = tuple[Word, Turn]
@@ -107,13 +134,14 @@ class OrientationTree:
 def _followed(angles: Sequence[Expr]) -> dict[Expr, Expr]:
     zero = number(0)
     result: dict[Expr, Expr] = {}
-    for angle in sorted(angles, key=_variables):
+    for angle in sorted(angles, key=variables):
         candidates = [zero, *result]
-        result[angle] = min(candidates, key=lambda other: _variables(angle - other))
+        result[angle] = min(candidates, key=lambda other: variables(angle - other))
     return result
 
 
-def _variables(angle: Expr) -> int:
+def variables(angle: Expr) -> int:
+    """Return how many coordinates an angle depends on."""
     return sum(leaf.depends_on_time for leaf in angle.free_symbols)
 
 
@@ -124,16 +152,6 @@ def carried_back(d: Triple, steps: Sequence[Step]) -> Triple:
         _turn(turns, turn)
     for turn in reversed(turns):
         d = Rotation(turn.axis, turn.angle).to_parent(d)
-    return d
-
-
-def carried_on(d: Triple, steps: Sequence[Step]) -> Triple:
-    """Return a displacement in the axes behind some rotations, given in those before them."""
-    turns = list[Turn]()
-    for _, turn in steps:
-        _turn(turns, turn)
-    for turn in turns:
-        d = Rotation(turn.axis, turn.angle).to_child(d)
     return d
 
 

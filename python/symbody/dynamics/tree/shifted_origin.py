@@ -3,6 +3,8 @@
 A displacement along the axis of the rotation that follows may be put behind this rotation. Two axes may then meet in a
 point at rest, as in a shoulder, so that forces at this point have no moment about the first axis. If all inertias are
 numbers, the displacement may also be added to the displacement that follows, or to the places of the last bodies.
+With symbols, it is added if all that follows are displacements with a component along the axis: each of them keeps its
+number of components, and the one before the rotation loses one.
 """
 
 from __future__ import annotations
@@ -52,8 +54,11 @@ class _Shifting:
         self._numeric = numeric
         self._needed = {frame.key for frame in needed}
         self._forks, self._following = _forks(frames, self._needed)
+        self._children = _children(frames)
         self._loose: set[bytes] = set()
         """Frames that end with a displacement put behind a rotation."""
+        self._adding: set[bytes] = set()
+        """Those of them whose displacement is added to all that follow."""
         self._turned: dict[bytes, bool] = {}
         self._rests: dict[bytes, bool] = {}
         """Whether anything before or at a frame moves, and whether its origin does not."""
@@ -70,7 +75,7 @@ class _Shifting:
             result = self._joined(base, motion)
         if result is None:
             result = self._then(base, motion) if base is not parent else self._seen(frame, base, motion)
-        self.moved[frame.key] = result if result is frame else result.named(frame.name)
+        self.moved[frame.key] = result if result.name == frame.name else result.named(frame.name)
 
     def _shifted(self, frame: Frame) -> Frame | None:
         """Return the frame with the displacement along its axis put behind the rotation; None if that gains nothing."""
@@ -87,12 +92,16 @@ class _Shifting:
         before = sub3(d, behind)
         meets = is_null(before) and self._rests[run.start.key]
         folds = self._numeric and _is_numeric(run.displacement) and self._is_absorbed(frame, k)
-        if d[k].is_zero or not self._turned[run.start.key] or not (meets or folds):
+        adds = self._is_added(frame, k)
+        if d[k].is_zero or not self._turned[run.start.key] or not (meets or folds or adds):
             return None
         for turn in reversed(run.turns):
             before = turn.to_parent(before)
         chain = (*run.turns, rotation, Translation(behind))
-        return self._chained(run.start, chain if is_null(before) else (Translation(before), *chain))
+        result = self._chained(run.start, chain if is_null(before) else (Translation(before), *chain))
+        if adds and result is not None:
+            self._adding.add(result.key)
+        return result
 
     def _chained(self, start: Frame, motions: Sequence[FrameMotion]) -> Frame | None:
         """Return the frame reached by motions; None if some of them merge, which would hide a coordinate."""
@@ -108,7 +117,8 @@ class _Shifting:
         if base.parent is None or base.motion is None:
             return None
         d, beyond = base.motion.displacement, motion.displacement
-        if not (self._numeric and _is_numeric(d) and _is_numeric(beyond)):
+        numeric = self._numeric and _is_numeric(d) and _is_numeric(beyond)
+        if not numeric and base.key not in self._adding:
             return None
         total = add3(d, beyond)
         return base.parent if is_null(total) else self._then(base.parent, Translation(total))
@@ -155,6 +165,15 @@ class _Shifting:
                 return False
         return True
 
+    def _is_added(self, frame: Frame, axis: int) -> bool:
+        """Return whether displacements along an axis follow a frame at once, wherever they lead."""
+        following = self._children.get(frame.key, ())
+        return (
+            frame.key not in self._needed
+            and bool(following)
+            and all(not motion.rotates and not motion.displacement[axis].is_zero for motion in following)
+        )
+
     def _is_alone(self, frame: Frame) -> bool:
         return self._forks[frame.key] == 1 and frame.key not in self._needed
 
@@ -178,6 +197,15 @@ def _forks(frames: Sequence[Frame], needed: set[bytes]) -> tuple[Counter[bytes],
             forks[frame.parent.key] += 1
             following[frame.parent.key] = frame
     return forks, following
+
+
+def _children(frames: Sequence[Frame]) -> dict[bytes, list[FrameMotion]]:
+    """Return, by frame, the motions that lead on from it."""
+    result: dict[bytes, list[FrameMotion]] = {}
+    for frame in frames:
+        if frame.parent is not None and frame.motion is not None:
+            result.setdefault(frame.parent.key, []).append(frame.motion)
+    return result
 
 
 def _fixed_turn(frame: Frame) -> FrameMotion | None:
