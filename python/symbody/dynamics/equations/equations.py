@@ -49,14 +49,15 @@ class Assembly:
         return Assembly(Matrix(rows), entries[n * n :])
 
 
-_MOST_ENTRIES = 200
+_MOST_ENTRIES = 60
 """The most entries for which symbols are looked for that are idle in one entry and not in others."""
 
 
 def _each_without_idle_symbols(entries: tuple[Expr, ...]) -> tuple[Expr, ...]:
     """Return entries without symbols that are idle in one of them, if all together take fewer operations."""
-    alone = tuple(without_idle_symbols((entry,))[0] for entry in entries)
-    numbers = tuple(bare if bare.is_number else entry for entry, bare in zip(entries, alone, strict=True))
+    bare = {entry: without_idle_symbols((entry,))[0] for entry in dict.fromkeys(entries)}
+    alone = tuple(bare[entry] for entry in entries)
+    numbers = tuple(form if form.is_number else entry for entry, form in zip(entries, alone, strict=True))
     return alone if cost(alone).total < cost(numbers).total else numbers
 
 
