@@ -53,7 +53,7 @@ class ForwardDynamics:
     >>> pendulum = System([bob], coordinates=[theta], gravity=Vector(ground, 0, -g, 0))
     >>> solution = forward_dynamics(newton_euler(pendulum))
     >>> solution.method, solution.accelerations
-    ('articulated_body', (-g*sin(theta)/l,))
+    ('ldl', (-g*sin(theta)/l,))
     """
 
     accelerations: tuple[Expr, ...]
