@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from symbody.document.document import Block, Heading, prose
 from symbody.document.formula import equalities
 from symbody.document.subject import Subject
 from symbody.multibody import gravitational_energy, kinetic_energy
-from symbody.symbolic import simplify
+from symbody.symbolic import Expr, gradient, jacobian, number, readable
 
 
 def energies(subject: Subject) -> list[Block]:
@@ -17,5 +19,19 @@ def energies(subject: Subject) -> list[Block]:
     if system.gravity is not None and system.root.carrier is None:
         found["V"] = gravitational_energy(system)
         sentence = "The kinetic energy, and the potential energy of weight, are"
-    values = list(found.values()) if subject.is_large else simplify(list(found.values()))
+    values = list(found.values())
+    if not subject.is_large:
+        (T,) = system.by_speeds(values[:1])
+        values = [*_quadratic(T, system.speeds), *readable(values[1:])]
     return [Heading("Energies"), *equalities(prose(sentence), [*found], values)]
+
+
+def _quadratic(T: Expr, speeds: Sequence[Expr]) -> list[Expr]:
+    """Return ``1/2 M_11 u_1^2 + M_12 u_1 u_2 + ...`` with each coefficient for the reader, and what is left."""
+    M = jacobian(gradient(T, speeds), speeds)
+    half, n = number(1) / 2, range(len(speeds))
+    terms = [(half * M[i, i], speeds[i] ** 2) for i in n]
+    terms += [(M[i, j], speeds[i] * speeds[j]) for i in n for j in n[i + 1 :]]
+    products = [readable(coefficient) * each for coefficient, each in terms]
+    rest = T - sum((coefficient * each for coefficient, each in terms), start=number(0))
+    return [sum(products, start=readable(rest))]

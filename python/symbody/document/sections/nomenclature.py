@@ -39,7 +39,8 @@ def _entries(subject: Subject) -> Iterator[tuple[Expr, str, str]]:
     pairs = zip(equations.multipliers, equations.constraints, strict=True)
     for number, (multiplier, constraint) in enumerate(pairs, start=1):
         unit = _unit_of_multiplier(constraint, units | dict(subject.units))
-        yield multiplier, f"multiplier of constraint {number}", unit
+        name = system.conditions[number - 1].name
+        yield multiplier, f"multiplier of {name or f'constraint {number}'}", unit
     symbols = {leaf for leaf in system.leaves if leaf.kind == "symbol"} | {*equations.parameters}
     for each in sorted(symbols, key=_in_order):
         yield each, *roles.get(each, ("parameter", ""))
