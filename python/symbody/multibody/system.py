@@ -5,6 +5,7 @@ from __future__ import annotations
 import warnings
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from functools import cached_property
+from importlib import import_module
 from itertools import count
 from typing import Annotated, Any, TypeAlias, TypeVar, final
 
@@ -29,6 +30,9 @@ from .physical_inertia import report_impossible_differences
 from .picture import picture
 
 Thing = TypeVar("Thing", Body, Load)
+
+COUNTED_BY = "symbody.simulation.constraint.mobility"
+"""What counts degrees of freedom in numbers: a module name, not an import, as the layer is above this one."""
 
 
 Bodies: TypeAlias = Annotated[Collection[Body], "a list of bodies, such as [Body(frame, mass)]"]
@@ -199,6 +203,26 @@ class System:
     def by_speeds(self, expressions: Sequence[Expr]) -> tuple[Expr, ...]:
         """Return expressions with the rates of coordinates, of any order, written by the speeds and their rates."""
         return by_speeds(self.coordinate_rates, expressions)
+
+    def mobility(
+        self,
+        parameters: Mapping[Expr, Any] | None = None,
+        q: Mapping[Expr, Any] | None = None,
+        **options: Any,
+    ) -> Any:
+        """Return the degrees of freedom, and the constraints that follow from others: see `symbody.mobility`.
+
+        Args:
+            parameters: the values of the symbols in the constraints, to look where the mechanism moves.
+            q: coordinates at a position, or near one.
+            options: the time `t` and the `inputs`.
+
+        >>> from symbody import Body, System, functions_of_time, translate
+        >>> x, y = functions_of_time("x y")
+        >>> System([Body(translate(x, y, 0), 1)], coordinates=[x, y], constraints=[x * y - 1]).mobility()
+        Mobility(1 degree of freedom, 0 redundant)
+        """
+        return import_module(COUNTED_BY).mobility(self, parameters, q, **options)
 
     def _check(self) -> None:
         if not self.bodies:

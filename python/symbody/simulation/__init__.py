@@ -4,6 +4,7 @@ from symbody.simulation.batch.grid import grid
 from symbody.simulation.batch.many import simulate_many
 from symbody.simulation.batch.runs import Runs
 from symbody.simulation.constraint.consistent import consistent_state
+from symbody.simulation.constraint.mobility import Mobility, mobility
 from symbody.simulation.constraint.redundant_constraints import Redundancy, redundant_constraints
 from symbody.simulation.given.event import Event
 from symbody.simulation.inverse.inverse_dynamics import InverseDynamics, inverse_dynamics
@@ -16,6 +17,7 @@ __all__ = [
     "Equilibrium",
     "Event",
     "InverseDynamics",
+    "Mobility",
     "Motion",
     "Occurrence",
     "Redundancy",
@@ -24,6 +26,7 @@ __all__ = [
     "equilibrium",
     "grid",
     "inverse_dynamics",
+    "mobility",
     "redundant_constraints",
     "simulate",
     "simulate_many",

@@ -94,7 +94,7 @@ def _check_special_dimensions(
         if is_free and _is_locked(model, speed)
     ]
     if special:
-        found = redundancy(model.constraints, [scaled(phi_q)])
+        found = redundancy(model.system.conditions, [scaled(phi_q)])
         places = [str(row + 1) for row in found.rows]
         if _is_so_anywhere(model, len(phi_q[0]) - kernel.shape[1], parameters):
             raise ConstraintError(

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from symbody.errors import SymbodyError
-from symbody.multibody import System
+from symbody.multibody import Constraint, System
 from symbody.simulation.given.values import parameter_values, state_values
 from symbody.simulation.given.wording import joined_by_and
 from symbody.simulation.model.named_constraint import named_constraints
@@ -47,7 +47,7 @@ class Redundancy:
     """The redundant constraints of a mechanism.
 
     Attributes:
-        constraints: all constraints.
+        conditions: all constraints, with their names.
         count: how many of them are redundant.
         rows: the indices of those that are dependent.
         ratios: for each of these, the smallest ratio of singular values without it, over all positions of the walk; if
@@ -61,16 +61,21 @@ class Redundancy:
     (1, [x - y, 2*x - 2*y])
     """
 
-    constraints: tuple[Expr, ...]
+    conditions: tuple[Constraint, ...]
     count: int
     rows: tuple[int, ...]
     ratios: Mapping[int, float]
+
+    @property
+    def constraints(self) -> tuple[Expr, ...]:
+        """All constraints as expressions that are zero."""
+        return tuple(each.condition for each in self.conditions)
 
     def __str__(self) -> str:
         """Return what is redundant, and what to leave out."""
         if not self.count:
             return "the constraints are independent where the mechanism moves"
-        names = joined_by_and(named_constraints(self.constraints, self.rows, most=_SHOWN), most=8)
+        names = joined_by_and(named_constraints(self.conditions, self.rows, most=_SHOWN), most=8)
         amount = "one" if self.count == 1 else str(self.count)
         return (
             f"the mechanism is overconstrained: constraints {names} depend on each other wherever it moves, {amount} "
@@ -143,7 +148,7 @@ def redundant_constraints(
     with reporting(where):
         begin = positions(kinematics, p, t, fixed, near, where)
         return redundancy(
-            kinematics.constraints, [scaled(J) for J in walk_configurations(kinematics, p, t, begin, STEPS)]
+            system.conditions, [scaled(J) for J in walk_configurations(kinematics, p, t, begin, STEPS)]
         )
 
 
@@ -158,7 +163,7 @@ def advice(system: System) -> str:
     return str(found) if found.count else ""
 
 
-def redundancy(constraints: tuple[Expr, ...], gradients: Sequence[Array]) -> Redundancy:
+def redundancy(conditions: tuple[Constraint, ...], gradients: Sequence[Array]) -> Redundancy:
     """Return what is redundant, from Jacobians at some positions, with rows scaled to the length 1."""
     combinations = [vanishing_combinations(J, CANCELLED) for J in gradients]
     count = min((len(found) for found in combinations), default=0)
@@ -166,7 +171,7 @@ def redundancy(constraints: tuple[Expr, ...], gradients: Sequence[Array]) -> Red
     rows = sorted({int(row) for _, found in regular for y in found for row in np.flatnonzero(y)})
     places = _apart_from_singular([J for J, _ in regular], count)
     ratios = {row: _ratio_without(places, row, rows, count) for row in rows} if len(rows) <= MOST else {}
-    return Redundancy(constraints, count, tuple(rows), ratios)
+    return Redundancy(conditions, count, tuple(rows), ratios)
 
 
 def _ratio_without(places: Sequence[Array], row: int, rows: Sequence[int], count: int) -> float:

@@ -1,0 +1,114 @@
+"""Degrees of freedom, and redundant constraints by name: exact at almost every position, and where mechanisms move."""
+
+from __future__ import annotations
+
+import re
+
+import numpy as np
+import pytest
+
+from symbody import (
+    Body,
+    Constraint,
+    System,
+    functions_of_time,
+    mobility,
+    rotate,
+    symbols,
+    time_derivative,
+    translate,
+)
+from symbody.errors import ConstraintError, ParameterError
+from tests.simulation.test_overconstraint import BRICARD, BRICARDS, VALUES, bricard, flat_cranks
+
+x, y, theta = functions_of_time("x y theta")
+m, J, k = symbols("m J k")
+PLATE = [Body(translate(x, y, 0) * rotate("Z", theta), m, Iz=J)]
+
+
+def plate(*constraints: Constraint) -> System:
+    return System(PLATE, [], [x, y, theta], list(constraints))
+
+
+def test_a_free_system() -> None:
+    found = plate().mobility()
+    assert (found.gruebler, found.freedom, found.redundant, found.dependent) == (3, 3, 0, ())
+
+
+def test_what_is_redundant_has_its_name() -> None:
+    """Three constraints of rank two: the guide and the rail are one; the stop is needed."""
+    system = plate(
+        Constraint(x - k, name="guide"), Constraint(k * x - k**2, name="rail"), Constraint(theta, name="stop")
+    )
+    found = system.mobility()
+    assert (found.rank, found.gruebler, found.freedom, found.redundant, found.dependent) == (
+        2,
+        0,
+        1,
+        1,
+        (0, 1),
+    )
+    assert "redundant: 1 of constraints 1 (guide, x - k = 0) and 2 (rail, " in str(found)
+    assert "stop" not in str(found)
+
+
+def test_constraints_on_velocities_leave_the_position_free() -> None:
+    skate = plate(
+        Constraint(time_derivative(y) * x - time_derivative(x) * y, name="blade"),
+        Constraint(theta, name="held"),
+    )
+    found = skate.mobility()
+    assert (found.freedom, found.position_freedom, found.redundant) == (1, 2, 0)
+    assert "degrees of freedom of the position: 2, as constraints on velocities don't limit it" in str(found)
+
+
+def test_bricards_mechanism_moves_by_its_dimensions() -> None:
+    """Five equations of five angles are independent almost everywhere; where the mechanism moves, one is redundant."""
+    system = bricard(range(5))
+    assert mobility(system).freedom == 0
+    found = mobility(system, BRICARDS, {BRICARD[0]: 0.2})
+    assert (found.generic_freedom, found.freedom, found.redundant) == (0, 1, 1)
+    assert found.branch is not None
+    assert (found.branch.rank, found.branch.is_singular) == (4, False)
+    assert "degrees of freedom where the mechanism moves: 1" in str(found)
+    assert "one of them redundant; leave out one, best 4" in str(found)
+
+
+def test_a_singular_position() -> None:
+    system = flat_cranks(3)
+    flat = dict.fromkeys(system.coordinates, 0.0)
+    found = mobility(system, VALUES, flat)
+    assert found.branch is not None
+    assert found.branch.is_singular
+    assert found.branch.rank < len(system.constraints) - found.branch.redundancy.count
+    assert "the position is singular" in str(found)
+    raised = mobility(system, VALUES, {q: 1.0 for q in system.coordinates if not str(q).endswith("3")}).branch
+    assert raised is not None
+    assert not raised.is_singular
+
+
+def test_the_rank_is_that_of_numpy() -> None:
+    """At random positions, which needn't satisfy the constraints, singular values have the rank of the field."""
+    system = bricard(range(5))
+    draw = np.random.Generator(np.random.PCG64(3))
+    from symbody.simulation.constraint.kinematics import Kinematics  # noqa: PLC0415
+
+    kinematics = Kinematics(system)
+    p = np.array([BRICARDS[name] for name in kinematics.parameters])
+    A = kinematics.velocity(0.0, draw.uniform(-1, 1, 5), p)[0][:5]
+    assert np.linalg.matrix_rank(A) == mobility(system).rank == 5
+
+
+def test_a_notebook_shows_the_lines() -> None:
+    html = plate(Constraint(x)).mobility()._repr_html_()
+    assert "MOBILITY of 3 speeds with 1 constraint" in html
+
+
+def test_messages() -> None:
+    with pytest.raises(ParameterError, match=re.escape("mobility: no value for k")):
+        plate(Constraint(x - k)).mobility(q={x: 1.0})
+    with pytest.raises(
+        ConstraintError,
+        match=re.escape("mobility: at t = 0 s constraint 1 (x**2 + k = 0) can't be satisfied"),
+    ):
+        plate(Constraint(x**2 + k)).mobility({k: 1.0})
