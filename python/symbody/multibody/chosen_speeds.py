@@ -75,7 +75,7 @@ def chosen_rates(unknowns: GivenUnknowns, kinematics: Mapping[Expr, Scalar]) -> 
     found = {rate: known[rate] for rate in written}
     found = dict(zip(found, substitute(list(found.values()), solved), strict=True)) | solved
     _check_linear(found, unknowns)
-    _check_apart(written, found, unknowns)
+    _check_apart(found, unknowns)
     return {q: found[rate] for q in unknowns.coordinates if (rate := time_derivative(q)) in found}
 
 
@@ -231,18 +231,16 @@ def _check_linear(found: Mapping[Expr, Expr], unknowns: GivenUnknowns) -> None:
                 )
 
 
-def _check_apart(written: Mapping[Expr, Expr], found: Mapping[Expr, Expr], unknowns: GivenUnknowns) -> None:
-    """Raise an error for speeds that the rates that are written by them don't tell apart."""
-    values = [found[rate] for rate in written]
+def _check_apart(found: Mapping[Expr, Expr], unknowns: GivenUnknowns) -> None:
+    """Raise an error for speeds that the rates don't tell apart."""
+    values = [*found.values(), *unknowns.floating.values()]
     held = frozenset[Expr]().union(*(value.free_symbols for value in values))
-    speeds = [u for u in _speeds(found, unknowns) if u in held and u in unknowns.speeds]
-    if not speeds:
-        return
+    speeds = [u for u in unknowns.speeds if u in held]
     for count in range(1, len(speeds) + 1):
         if jacobian(values, speeds[:count]).rank() < count:
             others = ", ".join(map(str, speeds[: count - 1]))
             raise ModelError(
-                f"System: in kinematics, the rates {', '.join(map(str, written))} don't tell the speed "
+                f"System: in kinematics, the rates {', '.join(map(str, found))} don't tell the speed "
                 f"{speeds[count - 1]} from {others or 'rest'}; expected independent speeds: leave it out, or write "
                 "one more rate by it"
             )
