@@ -12,13 +12,13 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import combinations, islice, permutations
 from typing import Annotated, NamedTuple, TypeAlias
 
-from symbody.errors import ModelError
+from symbody.errors import ModelError, SymbodyError
 from symbody.geometry import Scalar
 from symbody.geometry.component.triple import expression
 from symbody.geometry.frame.regular_form import singular_positions
 from symbody.geometry.frame.regular_rates import normal_equations, regular_rates
 from symbody.symbolic import Expr, Matrix, derivation, gradient, jacobian, substitute, time_derivative
-from symbody.symbolic.given.arguments import brief, counted
+from symbody.symbolic.given.arguments import brief, described
 from symbody.symbolic.given.namesake import namesake_note
 
 __all__ = ["Choice", "GivenUnknowns", "chosen_rates", "defined_speeds"]
@@ -59,7 +59,7 @@ def chosen_rates(unknowns: GivenUnknowns, kinematics: Mapping[Expr, Scalar]) -> 
     """
     if not kinematics:
         return {}
-    given = {left: expression(right) for left, right in kinematics.items()}
+    given = {left: _expression(left, right) for left, right in kinematics.items()}
     for left, right in given.items():
         _check_left(left, unknowns)
         _check_right(left, right, unknowns)
@@ -77,6 +77,15 @@ def chosen_rates(unknowns: GivenUnknowns, kinematics: Mapping[Expr, Scalar]) -> 
     _check_linear(found, unknowns)
     _check_apart(found, unknowns)
     return {q: found[rate] for q in unknowns.coordinates if (rate := time_derivative(q)) in found}
+
+
+def _expression(left: Expr, right: Scalar) -> Expr:
+    try:
+        return expression(right)
+    except SymbodyError as failure:
+        raise ModelError(
+            f"System: in kinematics, {left} = {described(right)}; expected an expression of rates and speeds"
+        ) from failure
 
 
 def _check_left(left: Expr, unknowns: GivenUnknowns) -> None:
@@ -116,10 +125,8 @@ def _check_right(left: Expr, right: Expr, unknowns: GivenUnknowns) -> None:
     rates = {time_derivative(q) for q in unknowns.coordinates}
     if left.order == 0 and rates.isdisjoint(leaves):
         raise ModelError(
-            f"System: in kinematics, {left} = {brief(right)} holds no rate of a coordinate, so that it isn't a speed; "
-            f"expected rates, such as time_derivative({unknowns.coordinates[0]}), or leave it out"
-            if unknowns.coordinates
-            else f"System: in kinematics, {left} = {brief(right)}: the system has no coordinates; add them"
+            f"System: in kinematics, {left} = {brief(right)} holds no rate of a coordinate; expected a speed, such as "
+            "{u: time_derivative(x)}, or leave it out"
         )
 
 
@@ -188,15 +195,18 @@ def _solved(block: _Block, unknowns: GivenUnknowns) -> dict[Expr, Expr]:
 
 def _check_independent(block: _Block, slopes: Matrix) -> None:
     names = list(block.definitions)
-    for count in range(1, len(names) + 1):
+    for count, last in enumerate(names, start=1):
         if Matrix([slopes.row(k) for k in range(count)]).rank() == count:
             continue
-        last, others = names[count - 1], ", ".join(map(str, names[: count - 1]))
-        what = f"the rates of {others}" if others else "no rates, as they cancel"
+        definition = f"System: in kinematics, {last} = {brief(block.definitions[last])}"
+        if count == 1:
+            raise ModelError(
+                f"{definition} holds no rate that is unknown; expected rates that the other kinematics and moving "
+                f"frames don't give, or leave {last} out"
+            )
         raise ModelError(
-            f"System: in kinematics, {last} = {brief(block.definitions[last])} is made of {what}: "
-            f"{counted(count, 'definition')} of {count - 1} independent combinations of rates can't be solved; correct "
-            f"it, or leave {last} out and write it as a constraint"
+            f"{definition} depends on {', '.join(map(str, names[: count - 1]))}: it is a combination of "
+            f"the same rates; expected independent speeds: correct it, or leave {last} out"
         )
 
 
@@ -240,9 +250,8 @@ def _check_apart(found: Mapping[Expr, Expr], unknowns: GivenUnknowns) -> None:
         if jacobian(values, speeds[:count]).rank() < count:
             others = ", ".join(map(str, speeds[: count - 1]))
             raise ModelError(
-                f"System: in kinematics, the rates {', '.join(map(str, found))} don't tell the speed "
-                f"{speeds[count - 1]} from {others or 'rest'}; expected independent speeds: leave it out, or write "
-                "one more rate by it"
+                f"System: in kinematics, the speed {speeds[count - 1]} depends on {others}: all rates hold the same "
+                "combinations of them; expected independent speeds: leave it out, or write one more rate by it"
             )
 
 
