@@ -679,16 +679,16 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
         errors.ModelError,
         lambda: chosen({u1: time_derivative(x, 2)}),
         (
-            "System: in kinematics, u1 = x'' holds the acceleration x''; expected coordinates, their rates, speeds and "
-            "time"
+            "System: in kinematics, u1 = x'' holds the acceleration x''; expected coordinates, their rates, speeds "
+            "and time"
         ),
     ),
     (
         errors.ModelError,
         lambda: chosen({xp: u2 + time_derivative(u2)}),
         (
-            "System: in kinematics, x' = u2 + u2' holds the acceleration u2'; expected coordinates, their rates, speeds and "
-            "time"
+            "System: in kinematics, x' = u2' + u2 holds the acceleration u2'; expected coordinates, their rates, "
+            "speeds and time"
         ),
     ),
     (

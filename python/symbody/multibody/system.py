@@ -69,7 +69,7 @@ class System(SystemKinematics):
             too, but a notice names them: they may be forgotten coordinates. Functions of time in loads need no list.
         name: what the system is called.
 
-    >>> from symbody import Body, System, Vector, functions_of_time, ground, rotate, symbols, translate
+    >>> from symbody import Body, System, Vector, functions_of_time, ground, rotate, symbols, t, translate
     >>> theta, (m, l, g) = functions_of_time("theta"), symbols("m l g")
     >>> bob = Body(rotate("Z", theta) * translate(0, -l, 0), m)
     >>> pendulum = System([bob], coordinates=[theta], gravity=Vector(ground, 0, -g, 0), name="pendulum")
@@ -77,6 +77,13 @@ class System(SystemKinematics):
     System(pendulum, 1 body, 0 loads, 1 coordinate)
     >>> pendulum.speeds
     (theta',)
+
+    By a speed of its own, the velocity of the bob, ``v = l theta'``:
+
+    >>> v = functions_of_time("v")
+    >>> by_v = System([bob], coordinates=[theta], kinematics={v: l * theta.diff(t)})
+    >>> by_v.speeds, by_v.kinematics
+    ((v,), {theta': v/l})
     """
 
     @checked(ModelError)
@@ -276,6 +283,9 @@ class System(SystemKinematics):
         names = {"coordinates": self.coordinates, "speeds": self.quasi_velocities, "inputs": self.inputs}
         unknowns = [(kind, ", ".join(map(str, each))) for kind, each in names.items() if each]
         tables.append(html_table("", ["unknowns", "names"], unknowns))
+        if self.chosen:
+            rates = [[time_derivative(q), self.coordinate_rates[q]] for q in self.chosen]
+            tables.append(html_table("", ["rate", "by the speeds"], rates))
         if self.constraints:
             pairs = zip(self.constraints, self.multipliers, strict=True)
             tables.append(
