@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 
 import pytest
 
 from symbody import (
     Body,
     Constraint,
+    Expr,
     Force,
     Frame,
     ModelNotice,
@@ -55,6 +56,8 @@ body = Body(translate(x, y, 0), m, name="bead")
 other = Body(translate(x, 0, 0), m, name="cart")
 G = body.center_of_mass
 push = Force(ground, F, 0, 0, at=G, on=body, name="push")
+u1, u2 = functions_of_time("u1 u2")
+xp, yp = time_derivative(x), time_derivative(y)
 vehicle = moving_frame(a, 0, 0, 0, 0, b, name="vehicle")
 afloat = floating_frame("afloat")
 x_afloat = afloat.pose.origin[0]
@@ -64,6 +67,16 @@ natural = Frame([[x, -y, 0, 0], [y, x, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]).named
 
 def constrained(*constraints: object) -> System:
     return System([Body(translate(x, y, z), m)], coordinates=[x, y, z], constraints=constraints)  # type: ignore[arg-type]
+
+
+def chosen(kinematics: Mapping[Expr, Expr]) -> System:
+    """Return the bead with kinematics, and the speeds that they hold."""
+    rights = kinematics.values() if isinstance(kinematics, dict) else ()
+    held = [right.free_symbols for right in rights if isinstance(right, Expr)]
+    speeds = [
+        u for u in (u1, u2) if any(u == left for left in kinematics) or any(u in leaves for leaves in held)
+    ]
+    return System([body], coordinates=[x, y], speeds=speeds, kinematics=kinematics)
 
 
 MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
@@ -607,11 +620,6 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
     ),
     (
         errors.ModelError,
-        lambda: newton_euler(System([Body((afloat * rotate("X", x_afloat)).named("door"), m)])),
-        "newton_euler: door is moved by x_afloat, a coordinate of a floating frame; expected coordinates of its own",
-    ),
-    (
-        errors.ModelError,
         lambda: System([Body(vehicle, m)], gravity=Vector(ground, 0, 0, 1), coordinates=[x]),
         (
             "System: the gravity is given in ground, which can't be seen from vehicle, on which the bodies hang; give "
@@ -636,17 +644,120 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
         lambda: floating_frame("base", position=[x, y]),
         "floating_frame: position = x, y; expected 3 functions of time, such as functions_of_time('x y z')",
     ),
+    # --- kinematics ---
     (
         errors.ModelError,
-        lambda: newton_euler(
-            System(
-                [afloat_body],
-                [Force(ground, time_derivative(x_afloat, 2), 0, 0, at=G, on=afloat_body, name="drag")],
-            )
-        ),
+        lambda: chosen({2 * x: u1}),
+        "System: in kinematics, 2*x = ... gives no rate and no speed; expected the rate of a coordinate, or a speed",
+    ),
+    (
+        errors.ModelError,
+        lambda: chosen({x: u1}),
         (
-            "newton_euler: drag holds x_afloat'', of a coordinate of a floating frame; write it by the rates of the "
-            "speeds, as acceleration(point) does"
+            "System: in kinematics, x = ... gives a coordinate; expected the rate of a coordinate, or a speed: "
+            "time_derivative(x) is the rate"
+        ),
+    ),
+    (
+        errors.ModelError,
+        lambda: chosen({time_derivative(z): u1}),
+        "System: in kinematics, z' is the rate of no coordinate; add z to coordinates=[...], or correct the rate",
+    ),
+    (
+        errors.ModelError,
+        lambda: chosen({time_derivative(x, 2): u1}),
+        "System: in kinematics, x'' = ... gives no rate and no speed; expected the rate of a coordinate, or a speed",
+    ),
+    (
+        errors.ModelError,
+        lambda: chosen({u1: x}),
+        (
+            "System: in kinematics, u1 = x holds no rate of a coordinate; expected a speed, such as {u: "
+            "time_derivative(x)}, or leave it out"
+        ),
+    ),
+    (
+        errors.ModelError,
+        lambda: chosen({u1: time_derivative(x, 2)}),
+        (
+            "System: in kinematics, u1 = x'' holds the acceleration x''; expected coordinates, their rates, speeds "
+            "and time"
+        ),
+    ),
+    (
+        errors.ModelError,
+        lambda: chosen({xp: u2 + time_derivative(u2)}),
+        (
+            "System: in kinematics, x' = u2' + u2 holds the acceleration u2'; expected coordinates, their rates, "
+            "speeds and time"
+        ),
+    ),
+    (
+        errors.ModelError,
+        lambda: chosen({u1: xp * yp}),
+        "System: in kinematics, u1 = x'*y' isn't linear in the rate x'; expected A(q, t) q' + a(q, t)",
+    ),
+    (
+        errors.ModelError,
+        lambda: chosen({xp: u1**2}),
+        "System: in kinematics, x' = u1**2 isn't linear in the speed u1; expected Y(q, t) u + b(q, t)",
+    ),
+    (
+        errors.ModelError,
+        lambda: chosen({u1: xp + yp, u2: 2 * xp + 2 * yp}),
+        (
+            "System: in kinematics, u2 = 2*x' + 2*y' depends on u1: it is a combination of the same rates; expected "
+            "independent speeds: correct it, or leave u2 out"
+        ),
+    ),
+    (
+        errors.ModelError,
+        lambda: chosen({xp: u1, u2: xp}),
+        (
+            "System: in kinematics, u2 = u1 holds no rate that is unknown; expected rates that the other kinematics "
+            "and moving frames don't give, or leave u2 out"
+        ),
+    ),
+    (
+        errors.ModelError,
+        lambda: chosen({xp: u1 + u2}),
+        (
+            "System: in kinematics, the speed u2 depends on u1: all rates hold the same combinations of them; expected "
+            "independent speeds: leave it out, or write one more rate by it"
+        ),
+    ),
+    (
+        errors.ModelError,
+        lambda: chosen({xp: yp, yp: xp}),
+        (
+            "System: in kinematics, the rates x', y' are written by each other; write each by speeds, or define speeds "
+            "by them, such as {u: x' + y'}"
+        ),
+    ),
+    (
+        errors.ModelError,
+        lambda: chosen({xp: 2 * xp + u1}),
+        "System: in kinematics, x' is written by itself; solve the equation for it, or define a speed by it",
+    ),
+    (
+        errors.ModelError,
+        lambda: chosen({u1: "x"}),
+        "System: in kinematics, u1 = 'x' is a str; expected an expression of rates and speeds",
+    ),
+    (
+        errors.ModelError,
+        lambda: chosen([u1]),  # type: ignore[arg-type]
+        (
+            "System: kinematics = [u1] is a list; expected a dictionary of rates of coordinates by speeds, or of "
+            "speeds by rates, such as {u: time_derivative(x)*cos(phi) + time_derivative(y)*sin(phi)}"
+        ),
+    ),
+    (
+        errors.ModelError,
+        lambda: lagrange_equations(chosen({u1: xp})),
+        (
+            "lagrange_equations: the kinematics of the system give x' by speeds that are not rates of coordinates; use "
+            "newton_euler"
         ),
     ),
     # --- constraints ---

@@ -24,6 +24,7 @@ from symbody import (
     show,
     sin,
     symbols,
+    t,
     translate,
 )
 from symbody.errors import LoadError
@@ -164,3 +165,12 @@ def test_components_keep_a_form_that_is_as_short() -> None:
     assert describe(Vector(ground, a * (x + y), a * x + a * y, 0)) == (
         "VECTOR(frame = ground, comps = [a*(x + y), a*x + a*y, 0])"
     )
+
+
+def test_a_system_by_chosen_speeds() -> None:
+    x, phi, u = functions_of_time("x phi u")
+    bead = Body(translate(x * cos(phi), x * sin(phi), 0), m, name="bead")
+    system = System([bead], coordinates=[x, phi], kinematics={u: a * x.diff(t) + phi.diff(t)})
+    assert "    quasi-velocities: u\n    kinematics: x' = u/a - phi'/a\n" in describe(system)
+    assert "by the speeds" in system._repr_html_()
+    assert ">-(phi&#x27; - u)/a</td>" in system._repr_html_()

@@ -10,7 +10,7 @@ from typing import Annotated, Protocol, TypeAlias, runtime_checkable
 from symbody.errors import ModelError
 from symbody.geometry import Frame, Point, Vector
 from symbody.geometry.given.argument import checked
-from symbody.symbolic import Expr, Matrix
+from symbody.symbolic import Expr, Matrix, time_derivative
 from symbody.symbolic.calculus.reader import Reader
 
 from .body import Body
@@ -145,6 +145,8 @@ def _system(system: System, style: _Style) -> str:
     lines.append(f"coordinates: {', '.join(map(str, system.coordinates))}")
     if system.quasi_velocities:
         lines.append(f"quasi-velocities: {', '.join(map(str, system.quasi_velocities))}")
+    chosen = ((time_derivative(q), system.coordinate_rates[q]) for q in system.chosen)
+    lines += [f"kinematics: {rate} = {style.text(by_speeds)}" for rate, by_speeds in chosen]
     lines += [f"body: {_described(body, style)}" for body in system.bodies]
     lines += [f"load: {_described(load, style)}" for load in system.loads]
     if system.gravity is not None:

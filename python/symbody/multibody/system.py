@@ -7,27 +7,29 @@ from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from functools import cached_property
 from importlib import import_module
 from itertools import count
+from types import MappingProxyType
 from typing import Annotated, Any, TypeAlias, TypeVar, final
 
 from symbody.errors import ConstraintError, ModelError, ModelNotice
 from symbody.geometry import Frame, Vector
-from symbody.geometry.component.triple import Rate, expression
+from symbody.geometry.component.triple import expression
 from symbody.geometry.given.argument import checked
-from symbody.geometry.motion.floating import by_speeds, known_rates, rate_by
 from symbody.symbolic import Expr, functions_of_time, time_derivative
 from symbody.symbolic.expression.container import Container, contains
 from symbody.symbolic.expression.html_table import html_table
 from symbody.symbolic.given.arguments import brief, counted
 
 from .body import Body
+from .chosen_speeds import Choice, GivenUnknowns, chosen_rates, defined_speeds
 from .constraint import Condition, as_constraint
 from .constraint_fault import Unknowns, fault_of, is_on_velocity
-from .coordinate import check_function_of_time
+from .coordinate import check_function_of_time, check_single
 from .frames import all_frames
 from .load import COLUMNS, Action, Load
 from .oversight import notices
 from .physical_inertia import report_impossible_differences
 from .picture import picture
+from .system_kinematics import SystemKinematics
 
 Thing = TypeVar("Thing", Body, Load)
 
@@ -49,7 +51,7 @@ Conditions: TypeAlias = Annotated[
 
 
 @final
-class System:
+class System(SystemKinematics):
     """A multibody system: bodies and loads, and the coordinates in which they move.
 
     Sets are put in an order that doesn't depend on the run.
@@ -62,14 +64,16 @@ class System:
         constraints: expressions that are zero, or `Constraint` values: of coordinates and time, or linear in speeds
             and rates of coordinates, as for rolling.
         gravity: the acceleration of weight.
-        speeds: the functions of time that are velocities in moving frames (quasi-velocities); those of floating frames
-            come first unless they are listed.
+        speeds: the functions of time that are velocities in moving frames, or that the kinematics holds
+            (quasi-velocities); those of floating frames and definitions come first unless they are listed.
+        kinematics: rates of coordinates by the speeds, ``{x': u1 - r*u2}``, or definitions of speeds by the rates,
+            ``{u1: x'*cos(phi) + y'*sin(phi)}``, which are solved for rates; both linear.
         multipliers: one function of time per constraint; ``lambda1``, ``lambda2``, ... by default.
         inputs: the functions of time in frames and constraints that are given from outside. Unlisted ones are inputs
             too, but a notice names them: they may be forgotten coordinates. Functions of time in loads need no list.
         name: what the system is called.
 
-    >>> from symbody import Body, System, Vector, functions_of_time, ground, rotate, symbols, translate
+    >>> from symbody import Body, System, Vector, functions_of_time, ground, rotate, symbols, t, translate
     >>> theta, (m, l, g) = functions_of_time("theta"), symbols("m l g")
     >>> bob = Body(rotate("Z", theta) * translate(0, -l, 0), m)
     >>> pendulum = System([bob], coordinates=[theta], gravity=Vector(ground, 0, -g, 0), name="pendulum")
@@ -77,6 +81,13 @@ class System:
     System(pendulum, 1 body, 0 loads, 1 coordinate)
     >>> pendulum.speeds
     (theta',)
+
+    By a speed of its own, the velocity of the bob, ``v = l theta'``:
+
+    >>> v = functions_of_time("v")
+    >>> by_v = System([bob], coordinates=[theta], kinematics={v: l * theta.diff(t)})
+    >>> by_v.speeds, by_v.kinematics
+    ((v,), {theta': v/l})
     """
 
     @checked(ModelError)
@@ -89,6 +100,7 @@ class System:
         gravity: Vector | None = None,
         *,
         speeds: Coordinates = (),
+        kinematics: Choice = MappingProxyType({}),
         multipliers: Coordinates = (),
         inputs: Coordinates = (),
         name: str = "",
@@ -98,10 +110,16 @@ class System:
         self.gravity = gravity
         self._frames = all_frames(self.bodies, self.loads, gravity)
         motions = [frame.motion for frame in self._frames if frame.motion is not None]
-        self.coordinate_rates = {q: rate for motion in motions for q, rate in motion.coordinate_rates.items()}
-        """The coordinates whose rates are not speeds, as those of floating frames, and these rates by the speeds."""
-        self.coordinates = _completed(coordinates, self.coordinate_rates)
-        self.quasi_velocities = _completed(speeds, [u for motion in motions for u in motion.speeds])
+        floating = {q: rate for motion in motions for q, rate in motion.coordinate_rates.items()}
+        self.coordinates = _completed(coordinates, floating)
+        defined = defined_speeds(self.coordinates, kinematics)
+        self.quasi_velocities = _completed(
+            speeds, [*(u for motion in motions for u in motion.speeds), *defined]
+        )
+        chosen = chosen_rates(GivenUnknowns(self.coordinates, self.quasi_velocities, floating), kinematics)
+        self.coordinate_rates = floating | chosen
+        self.chosen = tuple(chosen)
+        """The coordinates whose rates are written by speeds of the user's choice."""
         self.conditions = tuple(as_constraint(constraint) for constraint in constraints)
         """The constraints as values, with their names and what they connect."""
         self.name = name
@@ -157,53 +175,6 @@ class System:
         members = {*self.bodies}
         return tuple(action for load in self.loads for action in load.actions if action.body in members)
 
-    @cached_property
-    def driving(self) -> tuple[Expr, ...]:
-        """The quasi-velocities, then the coordinates whose rates are speeds: the freedoms of the motion."""
-        return self.quasi_velocities + tuple(q for q in self.coordinates if q not in self.coordinate_rates)
-
-    @cached_property
-    def speeds(self) -> tuple[Expr, ...]:
-        """The speeds, one per equation of motion: the quasi-velocities, then rates of coordinates."""
-        n = len(self.quasi_velocities)
-        return self.quasi_velocities + tuple(time_derivative(q) for q in self.driving[n:])
-
-    @cached_property
-    def accelerations(self) -> tuple[Expr, ...]:
-        """The rates of the speeds."""
-        return tuple(time_derivative(u) for u in self.speeds)
-
-    @cached_property
-    def state_names(self) -> tuple[Expr, ...]:
-        """The names by which a state may be given: coordinates, speeds, and rates of coordinates."""
-        rates = (time_derivative(q) for q in self.coordinates)
-        return tuple(dict.fromkeys((*self.coordinates, *self.speeds, *rates)))
-
-    @property
-    def has_quasi_velocities(self) -> bool:
-        """Whether some speed is not the rate of a coordinate, or some rate not a speed."""
-        return self.driving != self.coordinates
-
-    @property
-    def kinematics(self) -> dict[Expr, Expr]:
-        """The rates of all coordinates by the speeds."""
-        rates = (time_derivative(q) for q in self.coordinates)
-        return {rate: self.known_rates.get(rate, rate) for rate in rates}
-
-    @cached_property
-    def known_rates(self) -> dict[Expr, Expr]:
-        """The rates of coordinates that are not speeds, by the speeds: the nontrivial part of the kinematics."""
-        return known_rates(self.coordinate_rates)
-
-    @cached_property
-    def rate(self) -> Rate:
-        """The time derivative, with these rates put in."""
-        return rate_by(self.coordinate_rates)
-
-    def by_speeds(self, expressions: Sequence[Expr]) -> tuple[Expr, ...]:
-        """Return expressions with the rates of coordinates, of any order, written by the speeds and their rates."""
-        return by_speeds(self.coordinate_rates, expressions)
-
     def mobility(
         self,
         parameters: Mapping[Expr, Any] | None = None,
@@ -227,10 +198,10 @@ class System:
     def _check(self) -> None:
         if not self.bodies:
             raise ModelError("System: no bodies; give at least one")
-        _check_single(self.bodies, "the body")
-        _check_single(self.loads, "the load")
+        check_single(self.bodies, "the body")
+        check_single(self.loads, "the load")
         self._check_gravity()
-        self._check_coordinates()
+        self._check_unknowns()
         self._check_constraints()
         self._check_multipliers()
         self._check_inputs()
@@ -238,24 +209,6 @@ class System:
         known = (*self.coordinates, *self.quasi_velocities, *self.inputs)
         for notice in notices(self.bodies, self.loads, self.constraints, known):
             warnings.warn(f"System: {notice}", ModelNotice, stacklevel=4)
-
-    def _check_coordinates(self) -> None:
-        if not self.driving:
-            raise ModelError(
-                "System: no coordinates; give the functions of time that describe the motion, in order"
-            )
-        for coordinate in self.coordinates:
-            check_function_of_time(coordinate, "System: the coordinate")
-        for speed in self.quasi_velocities:
-            check_function_of_time(speed, "System: the speed")
-        _check_single(self.coordinates, "the coordinate")
-        _check_single(self.quasi_velocities, "the speed")
-        for speed in self.quasi_velocities:
-            if speed in self.coordinates:
-                raise ModelError(
-                    f"System: {speed} is both a coordinate and a speed; the rates of coordinates are speeds anyway: "
-                    "leave it out of one of them"
-                )
 
     def _check_inputs(self) -> None:
         for given in self.inputs:
@@ -289,7 +242,7 @@ class System:
     def _check_multipliers(self) -> None:
         for multiplier in self.multipliers:
             check_function_of_time(multiplier, "System: the multiplier")
-        _check_single(self.multipliers, "the multiplier")
+        check_single(self.multipliers, "the multiplier")
         taken = self._names() if self.multipliers else frozenset()
         for multiplier in self.multipliers:
             if multiplier.name in taken:
@@ -354,6 +307,9 @@ class System:
         names = {"coordinates": self.coordinates, "speeds": self.quasi_velocities, "inputs": self.inputs}
         unknowns = [(kind, ", ".join(map(str, each))) for kind, each in names.items() if each]
         tables.append(html_table("", ["unknowns", "names"], unknowns))
+        if self.chosen:
+            rates = [[time_derivative(q), self.coordinate_rates[q]] for q in self.chosen]
+            tables.append(html_table("", ["rate", "by the speeds"], rates))
         if self.constraints:
             pairs = zip(self.conditions, self.multipliers, strict=True)
             rows = [[c.name, f"{c.condition} = 0", each] for c, each in pairs]
@@ -386,12 +342,6 @@ def _ordered(things: Collection[Thing]) -> tuple[Thing, ...]:
     )
 
 
-def _check_single(things: Sequence[object], kind: str) -> None:
-    if len(set(things)) < len(things):
-        twice = next(thing for thing in things if things.count(thing) > 1)
-        raise ModelError(f"System: {kind} {brief(twice)} is given twice; give it once")
-
-
 def _completed(given: Sequence[Expr], needed: Iterable[Expr]) -> tuple[Expr, ...]:
     """Return what is needed and not given, then what is given."""
     listed = tuple(expression(each) for each in given)
@@ -400,11 +350,12 @@ def _completed(given: Sequence[Expr], needed: Iterable[Expr]) -> tuple[Expr, ...
 
 def _parts(system: System) -> tuple[Any, ...]:
     gravity = () if system.gravity is None else (system.gravity,)
-    return system.bodies, system.loads, system.conditions, system.inputs, *gravity
+    rates = tuple(system.coordinate_rates[q] for q in system.chosen)
+    return system.bodies, system.loads, system.conditions, system.inputs, rates, *gravity
 
 
 def _rebuilt(system: System, parts: Sequence[Any]) -> System:
-    bodies, loads, constraints, inputs, *gravity = parts
+    bodies, loads, constraints, inputs, rates, *gravity = parts
     return System(
         bodies,
         loads,
@@ -412,6 +363,7 @@ def _rebuilt(system: System, parts: Sequence[Any]) -> System:
         constraints,
         gravity[0] if gravity else None,
         speeds=system.quasi_velocities,
+        kinematics={time_derivative(q): rate for q, rate in zip(system.chosen, rates, strict=True)},
         multipliers=system.multipliers,
         inputs=[each for each in inputs if each.kind == "time_function"],
         name=system.name,

@@ -40,14 +40,10 @@ def _check_motion(frame: Frame, system: System, where: str) -> None:
         raise ModelError(
             f"{where}: {brief(frame)} holds the rate {rate}; expected frames of coordinates and time alone"
         )
-    names = {u.name: "a speed" for u in system.quasi_velocities}
-    names |= {q.name: "a coordinate of a floating frame" for q in system.coordinate_rates}
-    taken = min(
-        (leaf.name for leaf in leaves if leaf.kind == "time_function" and leaf.name in names), default=None
-    )
-    if taken is not None:
+    speed = min((u.name for u in system.quasi_velocities if u in leaves), default=None)
+    if speed is not None:
         raise ModelError(
-            f"{where}: {brief(frame)} is moved by {taken}, {names[taken]}; expected coordinates of its own"
+            f"{where}: {brief(frame)} is moved by {speed}, a speed; expected coordinates of its own"
         )
 
 

@@ -92,6 +92,11 @@ def _check_no_quasi_velocities(system: System) -> None:
             f"lagrange_equations: {brief(moved)} moves by velocities in its own axes, which are not rates of "
             "coordinates; use newton_euler"
         )
+    if system.chosen:
+        raise ModelError(
+            f"lagrange_equations: the kinematics of the system give {time_derivative(system.chosen[0])} by speeds "
+            "that are not rates of coordinates; use newton_euler"
+        )
 
 
 def _assemble(system: System) -> Assembly:

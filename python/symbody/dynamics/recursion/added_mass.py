@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 
 from symbody.errors import ModelError
-from symbody.multibody import Action, Load, System
+from symbody.multibody import Action, System
 from symbody.multibody.load import action_velocity
 from symbody.symbolic import Expr, Matrix, dot3, jacobian, number
 from symbody.symbolic.given.arguments import brief
@@ -31,7 +31,6 @@ def check_loads(system: System, where: str) -> None:
         actions = [a for a in load.actions if a.body in system.bodies and _holds_acceleration(a, system)]
         if not actions:
             continue
-        _check_floating(load, _leaves(actions), system, where)
         jerk = _rate(_leaves(actions), system, 3)
         if jerk is not None:
             raise ModelError(
@@ -53,28 +52,15 @@ def check_loads(system: System, where: str) -> None:
             )
 
 
-def _check_floating(load: Load, leaves: Iterable[Expr], system: System, where: str) -> None:
-    names = {coordinate.name for coordinate in system.coordinate_rates}
-    rates = (
-        leaf for leaf in leaves if leaf.kind == "time_function" and leaf.name in names and leaf.order > 1
-    )
-    rate = min(rates, key=lambda leaf: (leaf.name, leaf.order), default=None)
-    if rate is not None:
-        raise ModelError(
-            f"{where}: {brief(load)} holds {rate}, of a coordinate of a floating frame; write it by the rates of the "
-            "speeds, as acceleration(point) does"
-        )
-
-
 def _slopes(actions: Iterable[Action], system: System) -> Matrix:
     """Return ``dQ/du'``."""
     forces = [number(0)] * len(system.speeds)
     for action in actions:
         velocity, axes = action_velocity(action)
-        partial = jacobian(velocity, system.speeds)
-        force = action.components(axes)
+        partial = jacobian(system.by_speeds(velocity), system.speeds)
+        x, y, z = system.by_speeds(action.components(axes))
         for k in range(len(forces)):
-            forces[k] += dot3(force, (partial[0, k], partial[1, k], partial[2, k]))
+            forces[k] += dot3((x, y, z), (partial[0, k], partial[1, k], partial[2, k]))
     return jacobian(forces, system.accelerations)
 
 

@@ -59,7 +59,7 @@ def needed_wrenches(system: System, tree: FrameTree, rest: Mapping[Expr, int] | 
     for action in tree.actions:
         anchor = action.anchor
         place = tree.index(anchor.frame)
-        wrenches[place] = wrenches[place].minus(_load(action, anchor, known))
+        wrenches[place] = wrenches[place].minus(_load(system, action, anchor, rest or {}))
     return wrenches
 
 
@@ -71,10 +71,12 @@ def _rate(known: Mapping[Expr, ExprLike]) -> Rate:
 def _minus_gravity(system: System) -> Triple:
     if system.gravity is None:
         return NULL
-    return sub3(NULL, system.gravity.projected(system.root).components)
+    x, y, z = system.by_speeds(system.gravity.projected(system.root).components)
+    return sub3(NULL, (x, y, z))
 
 
-def _load(action: Action, anchor: Point, known: Mapping[Expr, ExprLike]) -> Wrench:
-    x, y, z, u, v, w = substitute((*action.components(anchor.frame), *anchor.coordinates), known)
+def _load(system: System, action: Action, anchor: Point, rest: Mapping[Expr, int]) -> Wrench:
+    by_speeds = system.by_speeds((*action.components(anchor.frame), *anchor.coordinates))
+    x, y, z, u, v, w = substitute(by_speeds, rest)
     force = (x, y, z)
     return Wrench(force, cross3((u, v, w), force)) if action.is_force else Wrench(NULL, force)

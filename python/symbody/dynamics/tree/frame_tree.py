@@ -13,10 +13,10 @@ from symbody.geometry.component.twist import Twist
 from symbody.geometry.motion.frame_motion import FrameMotion
 from symbody.geometry.motion.translation import Translation
 from symbody.multibody import Action, Body, System
-from symbody.symbolic import derivation, free_symbols
+from symbody.symbolic import Expr, derivation, free_symbols
 from symbody.symbolic.given.arguments import brief
 
-from .partial_motion import PartialTwist, partial_twists, partial_twists_by_speeds
+from .partial_motion import PartialTwist, partial_twists, partial_twists_by_speeds, twist_of
 from .shifted_origin import with_shifted_origins
 
 
@@ -63,9 +63,12 @@ class FrameTree:
         moving, given = self.moved_by[place], given_twist(self.frames[place])
         if not moving:
             return []
+        motion, speeds = self.motions[place], [self.system.speeds[k] for k in moving]
         if given is not None:
-            return partial_twists_by_speeds(given, [self.system.speeds[k] for k in moving])
-        return partial_twists(self.motions[place], [self.system.driving[k] for k in moving])
+            return partial_twists_by_speeds(given, speeds)
+        if not motion.leaves.isdisjoint(self.system.coordinate_rates):
+            return partial_twists_by_speeds(twist_of(motion, self.system.rate), speeds)
+        return partial_twists(motion, [self.system.driving[k] for k in moving])
 
     @property
     def is_rigid(self) -> bool:
@@ -145,16 +148,24 @@ def _missing(frame: Frame, places: dict[bytes, int]) -> list[Frame]:
 
 
 def _dependence(frames: Sequence[Frame], system: System) -> tuple[tuple[int, ...], ...]:
-    quasi = len(system.quasi_velocities)
-    by_speed = {speed: k for k, speed in enumerate(system.speeds)}
-    by_coordinate = {q: k for k, q in enumerate(system.driving) if k >= quasi}
+    by_speed: dict[Expr, tuple[int, ...]] = {speed: (k,) for k, speed in enumerate(system.speeds)}
+    by_coordinate = _speeds_by_coordinate(system)
     moving = []
     for frame in frames:
         twist = given_twist(frame)
         if twist is not None:
-            leaves, place = free_symbols((*twist.angular, *twist.linear)), by_speed
+            leaves, places = free_symbols((*twist.angular, *twist.linear)), by_speed
         else:
             leaves = frozenset() if frame.motion is None else frame.motion.leaves
-            place = by_coordinate
-        moving.append(tuple(sorted(place[leaf] for leaf in leaves if leaf in place)))
+            places = by_coordinate
+        moving.append(tuple(sorted({k for leaf in leaves for k in places.get(leaf, ())})))
     return tuple(moving)
+
+
+def _speeds_by_coordinate(system: System) -> dict[Expr, tuple[int, ...]]:
+    """Return the places of the speeds of which the rate of each coordinate is made."""
+    quasi, places = len(system.quasi_velocities), {speed: k for k, speed in enumerate(system.speeds)}
+    made: dict[Expr, tuple[int, ...]] = {q: (k,) for k, q in enumerate(system.driving) if k >= quasi}
+    for q, rate in system.coordinate_rates.items():
+        made[q] = tuple(places[leaf] for leaf in rate.free_symbols if leaf in places)
+    return made

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from functools import partial
 from typing import NamedTuple
 
-from symbody.geometry.component.triple import NULL, Triple, is_null
+from symbody.geometry.component.triple import NULL, Rate, Triple, is_null
 from symbody.geometry.component.twist import Twist
 from symbody.geometry.motion.frame_motion import FrameMotion
 from symbody.symbolic import Expr, jacobian
@@ -27,6 +27,12 @@ def partial_twists(motion: FrameMotion, coordinates: Sequence[Expr]) -> list[Par
         return [PartialTwist(NULL, drift) for drift in drifts]
     spins = [motion.spin(partial(slope, q)) for q in coordinates]
     return [PartialTwist(spin, drift) for spin, drift in zip(spins, drifts, strict=True)]
+
+
+def twist_of(motion: FrameMotion, rate: Rate) -> Twist:
+    """Return the twist of a child in its parent, in the child's axes, with the rates of coordinates by some speeds."""
+    drift = motion.to_child(motion.drift(rate))
+    return Twist(motion.spin(rate) if motion.rotates else NULL, drift)
 
 
 def partial_twists_by_speeds(twist: Twist, speeds: Sequence[Expr]) -> list[PartialTwist]:

@@ -13,7 +13,7 @@ from itertools import combinations, product
 from symbody.errors import DivisionByZeroError, ExpressionError
 from symbody.symbolic import Expr, number, pi, substitute
 
-__all__ = ["regular_form"]
+__all__ = ["regular_form", "singular_positions"]
 
 Position = Mapping[Expr, Expr]
 
@@ -43,6 +43,12 @@ def regular_form(forms: Iterable[Expr], coordinates: Sequence[Expr]) -> Expr:
         if len(still_open) < len(open_positions):
             best, open_positions = form, still_open
     return best
+
+
+def singular_positions(form: Expr, coordinates: Sequence[Expr]) -> int:
+    """Return the number of positions, among zeros and right angles, where a form goes to infinity."""
+    positions = _positions(form, coordinates)
+    return sum(not _has_number(form, p) and not _is_finite(form, p) for p in positions)
 
 
 def _positions(form: Expr, coordinates: Sequence[Expr]) -> Iterable[Position]:

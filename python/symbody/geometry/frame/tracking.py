@@ -7,8 +7,7 @@ coordinate moves nothing. All ways have the same value; the most regular one is 
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
-from functools import cache
+from collections.abc import Sequence
 from itertools import permutations
 
 from symbody.errors import ExpressionError, FrameError
@@ -19,20 +18,15 @@ from symbody.geometry.motion.placement import Placement
 from symbody.symbolic import (
     Expr,
     derivation,
-    jacobian,
     matvec3,
-    number,
-    simplify,
-    solve,
     time_derivative,
     time_derivatives,
-    without_idle_symbols,
 )
 from symbody.symbolic.given.arguments import brief
 
 from .frame import Frame, ground
 from .frame_velocity import twist
-from .regular_form import regular_form
+from .regular_rates import normal_equations, regular_rates
 
 
 def tracking(pose: Frame, velocities: Twist) -> Floating:
@@ -56,30 +50,15 @@ def _rates(pose: Frame, velocities: Twist) -> dict[Expr, Expr]:
     coordinates = _coordinates(pose)
     rates = [time_derivative(x) for x in coordinates]
     turning, moving = (_less(*parts) for parts in zip(twist(pose), velocities, strict=True))
+    others = _other_ways(turning, _along_ground(pose, velocities), rates) if len(rates) < _ALL else []
     try:
-        first = solve([*moving, *turning], rates)
+        found = regular_rates([[*moving, *turning], *others], rates, coordinates)
     except ExpressionError as failure:
         listed = brief(", ".join(map(str, coordinates)))
         raise FrameError(
             f"moving_frame: the pose by {listed} can't follow the velocities: {failure}"
         ) from failure
-    others = _other_ways(turning, _along_ground(pose, velocities), rates) if len(rates) < _ALL else []
-
-    @cache
-    def solution(way: int) -> dict[Expr, Expr]:
-        with derivation(fresh=True):
-            return solve(others[way], rates)
-
-    def forms(rate: Expr) -> Iterator[Expr]:
-        (independent,) = without_idle_symbols([first[rate]])
-        yield independent
-        yield first[rate]
-        yield simplify(first[rate])
-        for way in range(len(others)):
-            yield solution(way)[rate]
-            yield simplify(solution(way)[rate])
-
-    return {q: regular_form(forms(rate), coordinates) for q, rate in zip(coordinates, rates, strict=True)}
+    return dict(zip(coordinates, found.values(), strict=True))
 
 
 _ALL = 6
@@ -102,21 +81,11 @@ def _other_ways(turning: Triple, moving: Triple, rates: Sequence[Expr]) -> list[
     """Return equations of the same rates: angular velocities first, in all orders; and least squares."""
     orders = [[*order, *moving] for order in permutations(turning)]
     squares = [
-        [*_normal(turning, rates), *moving],
-        [*turning, *_normal(moving, rates)],
-        _normal([*turning, *moving], rates),
+        [*normal_equations(turning, rates), *moving],
+        [*turning, *normal_equations(moving, rates)],
+        normal_equations([*turning, *moving], rates),
     ]
     return [*orders, *squares]
-
-
-def _normal(equations: Sequence[Expr], rates: Sequence[Expr]) -> list[Expr]:
-    """Return ``A^T (A q' - v)`` of equations ``A q' - v``."""
-    slopes = jacobian(equations, rates)
-    products = [
-        sum((slopes[i, j] * equation for i, equation in enumerate(equations)), start=number(0))
-        for j in range(len(rates))
-    ]
-    return [product for product in products if not product.is_zero]
 
 
 def _coordinates(pose: Frame) -> list[Expr]:

@@ -5,7 +5,7 @@ A wrong type or a wrong order is reported where the user made it, in the user's 
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sized
+from collections.abc import Callable, Iterable, Mapping, Sized
 from functools import cache, wraps
 from inspect import Parameter, signature
 from types import NoneType, UnionType
@@ -142,7 +142,7 @@ def _is_scalar(value: Any) -> bool:
 
 def _is_collection(value: object, origin: type) -> bool:
     """Return whether a value can be iterated over; only once is enough if the annotation says so."""
-    if isinstance(value, str | bytes):
+    if isinstance(value, str | bytes) or (issubclass(origin, Mapping) and not isinstance(value, Mapping)):
         return False
     return isinstance(value, Iterable) and (origin is Iterable or isinstance(value, Sized))
 

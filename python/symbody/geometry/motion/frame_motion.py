@@ -143,12 +143,12 @@ class FrameMotion(ABC):
 
         Args:
             parent: the acceleration of the parent, and how it turns.
-            rate: the time derivative of velocities.
+            rate: the time derivative, of places and of velocities; it may write rates of coordinates by speeds.
         """
         turning, linear = parent
         if not is_null(self.displacement):
             linear = self.material_acceleration(parent)
-            drift = self.drift(time_derivatives)
+            drift = self.drift(rate)
             if not is_null(drift):
                 coriolis = scale3(number(2), cross3(turning.velocity, drift))
                 linear = add3(linear, add3(coriolis, rates(drift, rate)))
@@ -165,7 +165,7 @@ class FrameMotion(ABC):
 
     def child_turning(self, parent: Turning, rate: Rate) -> Turning:
         """Return how the child turns: ``w_B = R^T w_A + w``, ``al_B = R^T al_A + w' + w_B x w``."""
-        spin = self.spin(time_derivatives)
+        spin = self.spin(rate)
         velocity, angular = add3(self.to_child(parent.velocity), spin), rates(spin, rate)
         acceleration = add3(self.to_child(parent.acceleration), angular)
         return Turning(velocity, add3(acceleration, cross3(velocity, spin)))

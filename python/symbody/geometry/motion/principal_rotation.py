@@ -14,7 +14,7 @@ from symbody.geometry.component.triple import NULL, Rate, Triple, is_null, rates
 from symbody.geometry.component.turning import Column, Nine, Turning, nine
 from symbody.geometry.given.angle import substituted
 from symbody.geometry.motion.frame_motion import FrameMotion, Substitution, Symmetric
-from symbody.symbolic import Expr, add3, cos, cross3, number, rotate3, rotate_back3, sin, time_derivatives
+from symbody.symbolic import Expr, add3, cos, cross3, number, rotate3, rotate_back3, sin
 
 AXES = "XYZ"
 
@@ -67,7 +67,7 @@ class Rotation(FrameMotion):
     # --- shorter ways ---
 
     def child_turning(self, parent: Turning, rate: Rate) -> Turning:
-        spin = self.spin(time_derivatives)
+        spin = self.spin(rate)
         velocity, angular = add3(self.to_child(parent.velocity), spin), rates(spin, rate)
         if parent.has_field and not is_null(spin):
             return self._turned_by_column(parent, velocity, angular)
