@@ -265,6 +265,11 @@ impl Graph {
         signed_by_content(value, self.numeric_content(id, f), f)
     }
 
+    /// The sign of a - b, which has this value.
+    pub(super) fn sign_of_difference(&self, difference: &Quadratic, a: Id, b: Id, f: &Field) -> Quadratic {
+        signed_by_content(difference, self.content_of_difference(a, b, f), f)
+    }
+
     /// Which of several nodes is the greatest or the least where they have these values: the first two are compared, the
     /// one that stays is compared with the third, and so on.
     pub(super) fn extremum_in(
@@ -276,7 +281,7 @@ impl Graph {
     ) -> Id {
         let pair = |a: Id, b: Id| {
             let difference = f.sub(&value(a), &value(b));
-            let sign = signed_by_content(&difference, self.content_of_difference(a, b, f), f);
+            let sign = self.sign_of_difference(&difference, a, b, f);
             if (sign == f.one()) == (function == Function::Max) { a } else { b }
         };
         nodes.iter().copied().reduce(pair).expect("an extremum is that of one value or more")

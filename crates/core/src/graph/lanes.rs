@@ -26,6 +26,8 @@ pub(crate) struct Lanes {
     solutions: FxHashMap<(Id, FieldId), Arc<[Quadratic]>>,
     /// The signs that nodes depend on.
     signs: FxHashMap<Id, Signs>,
+    /// What the signs are in the lanes.
+    coins: FxHashMap<u64, Coin>,
     /// The numeric contents of nodes, of primes from the least one up.
     contents: FxHashMap<(Id, u64), Option<Number>>,
     /// The numeric contents of differences.
@@ -63,6 +65,15 @@ pub(crate) enum Atom {
 pub(crate) struct Signs {
     pub(crate) all: Option<Arc<[u64]>>,
     pub(crate) degree: usize,
+}
+
+/// What a sign is in the lanes.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Coin {
+    /// A bit for each lane but the hash lanes.
+    Vector(u64),
+    /// Something else that has a key, which is equal for equal signs.
+    Other(u64),
 }
 
 /// Atoms of an argument with their factors.
@@ -159,6 +170,14 @@ impl Lanes {
 
     pub(crate) fn insert_signs(&mut self, id: Id, signs: Signs) {
         self.signs.insert(id, signs);
+    }
+
+    pub(crate) fn coin(&self, sign: u64) -> Option<Coin> {
+        self.coins.get(&sign).copied()
+    }
+
+    pub(crate) fn insert_coin(&mut self, sign: u64, coin: Coin) {
+        self.coins.insert(sign, coin);
     }
 
     pub(crate) fn content(&self, id: Id, least: u64) -> Option<&Option<Number>> {
