@@ -29,9 +29,9 @@ pub(crate) struct Lanes {
     /// What the signs are in the lanes.
     coins: FxHashMap<u64, Coin>,
     /// The numeric contents of nodes, of primes from the least one up.
-    contents: FxHashMap<(Id, u64), Option<Number>>,
+    contents: FxHashMap<(Id, u64), Option<Content>>,
     /// The numeric contents of differences.
-    contents_of_differences: FxHashMap<(Id, Id, u64), Option<Number>>,
+    contents_of_differences: FxHashMap<(Id, Id, u64), Option<Content>>,
     /// The numbers in exponents, such as the 1 in x + 1.
     exponents: FxHashMap<Id, Number>,
     /// Nodes that are a number times powers of positive factors.
@@ -42,6 +42,9 @@ pub(crate) struct Lanes {
 
 /// The values of a node in all lanes but the hash lanes.
 pub(crate) type Column = Arc<[Quadratic]>;
+
+/// A product of prime numbers with rational exponents, not 0.
+pub(crate) type Content = Arc<[(BigInt, Number)]>;
 
 /// A part of an argument that has a known angle or exponential.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -180,19 +183,25 @@ impl Lanes {
         self.coins.insert(sign, coin);
     }
 
-    pub(crate) fn content(&self, id: Id, least: u64) -> Option<&Option<Number>> {
+    pub(crate) fn content(&self, id: Id, least: u64) -> Option<&Option<Content>> {
         self.contents.get(&(id, least))
     }
 
-    pub(crate) fn insert_content(&mut self, id: Id, least: u64, content: Option<Number>) {
+    pub(crate) fn insert_content(&mut self, id: Id, least: u64, content: Option<Content>) {
         self.contents.insert((id, least), content);
     }
 
-    pub(crate) fn content_of_difference(&self, a: Id, b: Id, least: u64) -> Option<&Option<Number>> {
+    pub(crate) fn content_of_difference(&self, a: Id, b: Id, least: u64) -> Option<&Option<Content>> {
         self.contents_of_differences.get(&(a, b, least))
     }
 
-    pub(crate) fn insert_content_of_difference(&mut self, a: Id, b: Id, least: u64, content: Option<Number>) {
+    pub(crate) fn insert_content_of_difference(
+        &mut self,
+        a: Id,
+        b: Id,
+        least: u64,
+        content: Option<Content>,
+    ) {
         self.contents_of_differences.insert((a, b, least), content);
     }
 
