@@ -13,11 +13,11 @@ from itertools import pairwise
 
 from tests.symbolic.true_identities import Pair
 
-P, Q = 8546917643721182879, 8422212890407821119  # the primes of the two fingerprint words
-ANGLES = (41591681471387, 20795837507441)  # orders of the groups of atomic angles, factors of P + 1 and Q + 1
+P, Q = 8741325142247322239, 5602634526407687999  # the primes of the two fingerprint words
+ANGLES = (6569658746879, 336858737759)  # orders of the groups of atomic angles, factors of P + 1 and Q + 1
 EXPONENTS = (
-    2305842820773695279,
-    13644038241568391,
+    4370662571123661119,
+    2801317263203843999,
 )  # orders of the groups of exponentials, of P - 1 and Q - 1
 
 

@@ -187,8 +187,7 @@ impl Graph {
 
     /// The denominator of the content of a node.
     fn denominator_of(&self, id: Id, f: &Field) -> Number {
-        self.numeric_content(id, f)
-            .map_or_else(|| Number::integer(1), |content| Number::whole(content.denominator()))
+        Number::whole(self.rational_content(id, f).denominator())
     }
 
     /// The atoms of an argument with their factors.

@@ -1,16 +1,18 @@
-//! The numeric content of a node: the positive rational by which it is a multiple of something without content.
+//! The numeric content of a node: the powers of prime numbers by which it is a multiple of something without content.
 //!
 //! A prime number may be no square in a lane. So that |67 x| = 67 |x| and sqrt(67 x) = sqrt(67) sqrt(x) hold there, signs
-//! and roots are taken of what is left without the content. The power of a prime q in the content is found by value, so
+//! and roots are taken of what is left without the content. Where it is none, 7^(1/3) is negative, so that cubed it is 7,
+//! and exponents in the content are rational: sqrt(7^(2/3) x) = 7^(1/3) sqrt(x). The power of a prime q in the content is found by value, so
 //! that it does not depend on the form: it is the usual power of q in the values of the node at points of the q-adic
 //! integers, where variables and functions are drawn, and signs are those of a lane.
 
 use num_bigint::BigInt;
 use num_integer::Integer;
+use std::cmp::Ordering;
 use std::collections::{BTreeMap, BTreeSet};
 
-use crate::graph::{Graph, Id, NumberId, View};
-use crate::value::{Adics, Field, Number, PARTS, prime_factors};
+use crate::graph::{Content, Graph, Id, NumberId, View};
+use crate::value::{Adics, Field, Number, PARTS, Quadratic, prime_factors};
 
 use super::adic_value::{AdicPoint, POINTS};
 use super::integer_point::Rationals;
@@ -20,7 +22,7 @@ const SEARCH: usize = 4096;
 
 impl Graph {
     /// The content of a node, without the primes that are squares in a field; `None` if it is one.
-    pub(super) fn numeric_content(&self, id: Id, f: &Field) -> Option<Number> {
+    pub(super) fn numeric_content(&self, id: Id, f: &Field) -> Option<Content> {
         let least = f.least_non_square();
         if let Some(known) = self.lanes.borrow().content(id, least) {
             return known.clone();
@@ -31,7 +33,7 @@ impl Graph {
     }
 
     /// The content of a - b, likewise.
-    pub(super) fn content_of_difference(&self, a: Id, b: Id, f: &Field) -> Option<Number> {
+    pub(super) fn content_of_difference(&self, a: Id, b: Id, f: &Field) -> Option<Content> {
         let least = f.least_non_square();
         if let Some(known) = self.lanes.borrow().content_of_difference(a, b, least) {
             return known.clone();
@@ -41,25 +43,39 @@ impl Graph {
         content
     }
 
+    /// The rational number in the content of a node: that of the whole powers.
+    pub(super) fn rational_content(&self, id: Id, f: &Field) -> Number {
+        self.numeric_content(id, f).iter().flat_map(|content| content.iter()).fold(
+            Number::integer(1),
+            |product, (prime, exponent)| {
+                let power = exponent.floor().to_i64().and_then(|n| Number::whole(prime.clone()).powi(n).ok());
+                power.map_or_else(|| product.clone(), |power| product.mul(&power))
+            },
+        )
+    }
+
     /// The content that two nodes have in common; `None` if it is one.
-    pub(super) fn common_content(&self, a: Id, b: Id, f: &Field) -> Option<Number> {
-        let [a, b] = [a, b].map(|id| self.numeric_content(id, f).unwrap_or_else(|| Number::integer(1)));
-        let denominator = a.denominator().lcm(&b.denominator());
-        let whole = |number: &Number| number.numerator() * (&denominator / number.denominator());
-        Number::from_big(whole(&a).gcd(&whole(&b)), denominator).ok().filter(|content| !content.is_one())
+    pub(super) fn common_content(&self, a: Id, b: Id, f: &Field) -> Option<Content> {
+        let of = |id: Id| -> BTreeMap<BigInt, Number> {
+            self.numeric_content(id, f).iter().flat_map(|content| content.iter().cloned()).collect()
+        };
+        let (a, b) = (of(a), of(b));
+        let zero = Number::integer(0);
+        let primes: BTreeSet<&BigInt> = a.keys().chain(b.keys()).collect();
+        let common = primes.into_iter().map(|prime| {
+            let (one, two) = (a.get(prime).unwrap_or(&zero), b.get(prime).unwrap_or(&zero));
+            (prime.clone(), if one.compare(two) == Ordering::Less { one } else { two }.clone())
+        });
+        not_one(common)
     }
 
     /// The content of a sum of multiples, of primes from the least one up.
-    fn content_of(&self, terms: &[(i64, Id)], least: u64) -> Option<Number> {
+    fn content_of(&self, terms: &[(i64, Id)], least: u64) -> Option<Content> {
         let order = self.open_parts(terms);
-        let contents = self.primes_of(terms, &order, least).into_iter().map(|prime| {
-            let power = self.valuation(terms, &order, &prime);
-            (Number::whole(prime), power)
-        });
-        let content = contents.fold(Number::integer(1), |product, (prime, power)| {
-            prime.powi(power).map_or_else(|_| product.clone(), |factor| product.mul(&factor))
-        });
-        (!content.is_one()).then_some(content)
+        not_one(self.primes_of(terms, &order, least).into_iter().map(|prime| {
+            let exponent = self.valuation(terms, &order, &prime);
+            (prime, exponent)
+        }))
     }
 
     /// The nodes from whose values the q-adic values of terms are found, parts first; none if there are too many.
@@ -131,7 +147,7 @@ impl Graph {
     }
 
     /// The power of a prime in the content of a sum of multiples.
-    fn valuation(&self, terms: &[(i64, Id)], order: &[Id], prime: &BigInt) -> i64 {
+    fn valuation(&self, terms: &[(i64, Id)], order: &[Id], prime: &BigInt) -> Number {
         let adics = Adics::new(prime);
         let at = |point: u16| {
             let values = self.adic_values(order, &AdicPoint { adics: &adics, number: point });
@@ -148,6 +164,24 @@ impl Graph {
             counts.into_iter().max_by_key(|&(_, count)| count).map(|(valuation, _)| valuation)
         };
         let found = most_frequent(0..POINTS).or_else(|| most_frequent(POINTS..2 * POINTS));
-        found.map_or(0, |valuation| valuation.div_euclid(PARTS))
+        Number::rational(found.unwrap_or(0), PARTS)
     }
+}
+
+fn not_one(powers: impl Iterator<Item = (BigInt, Number)>) -> Option<Content> {
+    let content: Content = powers.filter(|(_, exponent)| !exponent.is_zero()).collect();
+    (!content.is_empty()).then_some(content)
+}
+
+/// The power of a content in a field.
+pub(super) fn power_of_content(content: &Content, exponent: &Number, f: &Field) -> Quadratic {
+    content.iter().fold(f.one(), |product, (prime, power)| {
+        let (prime, power) = (Number::whole(prime.clone()), power.mul(exponent));
+        let value = if power.is_integer() {
+            f.power(&f.number(&prime), &power)
+        } else {
+            f.power_of_prime(&prime, &power)
+        };
+        f.mul(&product, &value)
+    })
 }

@@ -6,7 +6,7 @@
 //! the factors of such parts off; [`negative_base`] has powers of what may be negative; [`logarithm`] knows logarithms of
 //! products, also of those that [`monomial`] finds; [`content`] is the numeric factor of a node, from its [q-adic
 //! values](adic_value); [`rotation`] adds angles; [`same`] compares nodes,
-//! in as many lanes as [`sign_degree`] says, unless their forms show that they are equal ([`form`]). [`slope`] finds
+//! in as many lanes as [`sign_degree`] and [`independent_signs`] say, unless their forms show that they are equal ([`form`]). [`slope`] finds
 //! the variables on which a value depends.
 //!
 //! Invariant: nodes without signs and roots are compared in the two hash lanes, and others in all lanes. Values are
@@ -16,6 +16,7 @@ mod adic_value;
 mod argument;
 mod content;
 mod form;
+mod independent_signs;
 mod integer_point;
 mod logarithm;
 mod logarithm_part;

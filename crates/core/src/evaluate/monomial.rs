@@ -57,8 +57,7 @@ impl Graph {
                 field.field().mul(&product, &power)
             })
         };
-        let content =
-            self.numeric_content(id, FieldId::HASH[0].field()).unwrap_or_else(|| Number::integer(1));
+        let content = self.rational_content(id, FieldId::HASH[0].field());
         let degrees = ROOTS.into_iter().chain([unit / DOUBLINGS]);
         let (root, number) = root_of_number(&content, degrees, |field| {
             field.field().div(&self.value_in(id, field), &product(field))

@@ -3,11 +3,13 @@
 use num_bigint::BigInt;
 use std::sync::Arc;
 
-use crate::graph::{Assumption, Column, Flags, Function, Graph, Id, Kind, NumberId, View, leaf_in};
+use crate::graph::{Assumption, Column, Content, Flags, Function, Graph, Id, Kind, NumberId, View, leaf_in};
 use crate::interrupt::tick;
 use crate::value::{
     Element, Field, FieldId, Key, LARGEST_SQUARE, Number, Quadratic, fingerprint, in_hash_lane, prime_factors,
 };
+
+use super::content::power_of_content;
 
 type Point = (Quadratic, Quadratic);
 
@@ -244,8 +246,8 @@ impl Graph {
         }
         match self.numeric_content(base, f) {
             Some(content) => {
-                let rest = f.div(value, &f.number(&content));
-                f.mul(&power_of_number(&content, exponent, f), &f.rational_power(&rest, exponent))
+                let rest = f.div(value, &power_of_content(&content, &Number::integer(1), f));
+                f.mul(&power_of_content(&content, exponent, f), &f.rational_power(&rest, exponent))
             }
             None => f.rational_power(value, exponent),
         }
@@ -265,6 +267,11 @@ impl Graph {
         signed_by_content(value, self.numeric_content(id, f), f)
     }
 
+    /// The sign of a - b, which has this value.
+    pub(super) fn sign_of_difference(&self, difference: &Quadratic, a: Id, b: Id, f: &Field) -> Quadratic {
+        signed_by_content(difference, self.content_of_difference(a, b, f), f)
+    }
+
     /// Which of several nodes is the greatest or the least where they have these values: the first two are compared, the
     /// one that stays is compared with the third, and so on.
     pub(super) fn extremum_in(
@@ -276,7 +283,7 @@ impl Graph {
     ) -> Id {
         let pair = |a: Id, b: Id| {
             let difference = f.sub(&value(a), &value(b));
-            let sign = signed_by_content(&difference, self.content_of_difference(a, b, f), f);
+            let sign = self.sign_of_difference(&difference, a, b, f);
             if (sign == f.one()) == (function == Function::Max) { a } else { b }
         };
         nodes.iter().copied().reduce(pair).expect("an extremum is that of one value or more")
@@ -332,7 +339,7 @@ impl Graph {
     pub(super) fn unit_vector(&self, y: Id, x: Id, f: &Field, value: impl Fn(Id) -> Quadratic) -> Point {
         let (mut y_value, mut x_value) = (value(y), value(x));
         if let Some(content) = self.common_content(y, x, f) {
-            let inverse = f.inverse(&f.number(&content));
+            let inverse = power_of_content(&content, &Number::integer(-1), f);
             (y_value, x_value) = (f.mul(&y_value, &inverse), f.mul(&x_value, &inverse));
         }
         let square = f.add(&f.mul(&y_value, &y_value), &f.mul(&x_value, &x_value));
@@ -424,11 +431,10 @@ pub(super) fn power_of_complex(value: &Quadratic, exponent: &Number, f: &Field) 
 }
 
 /// The sign of a value that has a content, which is positive.
-fn signed_by_content(value: &Quadratic, content: Option<Number>, f: &Field) -> Quadratic {
-    let sign = f.sign(value);
+fn signed_by_content(value: &Quadratic, content: Option<Content>, f: &Field) -> Quadratic {
     match content {
-        Some(content) => f.mul(&sign, &f.sign(&f.number(&content))),
-        None => sign,
+        Some(content) => f.sign(&f.mul(value, &power_of_content(&content, &Number::integer(-1), f))),
+        None => f.sign(value),
     }
 }
 

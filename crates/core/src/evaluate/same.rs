@@ -7,7 +7,6 @@ use crate::value::{Element, FieldId, Key, Number, Quadratic};
 
 use super::node::in_hash_lanes;
 use super::pending::Pending;
-use super::sign_degree::points_for;
 
 /// How deep comparisons of parts are nested.
 const DEEPEST: usize = 200;
@@ -93,8 +92,7 @@ impl Graph {
         if self.shows(pending, id, is_opposite) {
             return true;
         }
-        let degree = self.signs_of(pending).degree.max(self.signs(id).degree);
-        match points_for(degree) {
+        match self.points_for(&self.signs_of_both(pending, id)) {
             Some(points) => self.everywhere(pending, points, |field, value| {
                 let other = self.value_in(id, field);
                 *value == if is_opposite { field.field().neg(&other) } else { other }
@@ -160,7 +158,7 @@ impl Graph {
         if !self.branches(Pending::Node(id)) {
             return true;
         }
-        let points = points_for(self.signs(id).degree);
+        let points = self.points_for(&self.signs(id));
         points.is_some_and(|points| {
             self.everywhere(Pending::Node(id), points, |field, found| *found == value(field))
         })
@@ -171,7 +169,7 @@ impl Graph {
         if !self.branches(pending) || self.shows_number(pending, number) {
             return true;
         }
-        let points = points_for(self.signs_of(pending).degree);
+        let points = self.points_for(&self.signs_of(pending));
         points.is_some_and(|points| {
             self.everywhere(pending, points, |field, value| field.field().is_number(value, number))
         })

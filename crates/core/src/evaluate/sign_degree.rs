@@ -6,6 +6,7 @@
 //! degree, such that what is not zero is zero in all of them with a probability of at most 2^-40.
 //!
 //! Sums have the largest degree of their terms, products the sum. Any other function of k signs has at most degree k.
+//! This is the degree in all signs; [`independent_signs`](super::independent_signs) has that in independent ones.
 
 use std::sync::Arc;
 
@@ -14,20 +15,50 @@ use crate::graph::{Flags, Function, Graph, Id, NumberId, Signs, View};
 use super::pending::Pending;
 
 /// More signs are not counted.
-const MOST_SIGNS: usize = 24;
+const MOST_SIGNS: usize = 1023;
+
+/// The place of the sign of a root, which its base has; those of a function have the places from 0.
+pub(super) const ROOT: usize = 255;
+
+/// The node to which a sign belongs; `None` for a function that has no node yet.
+pub(super) fn node_of(sign: u64) -> Option<Id> {
+    u32::try_from(sign >> 8).ok().map(Id)
+}
+
+/// Which of the signs of its node a sign is.
+pub(super) fn place_of(sign: u64) -> usize {
+    usize::from(sign.to_le_bytes()[0])
+}
 
 /// The degree of what depends on more signs in another way than by sums and products.
 const MANY: usize = 1000;
+
+/// The signs of a function that has no node yet: no node has so large a number.
+const PENDING: u64 = u64::MAX << 40;
 
 /// The number of points, each in all the other lanes, for degrees up to 6.
 const POINTS: [u16; 7] = [1, 1, 2, 4, 7, 15, 29];
 
 /// The points that a comparison needs; `None` for degrees that are too large.
-pub(super) fn points_for(degree: usize) -> Option<u16> {
+fn points_for(degree: usize) -> Option<u16> {
     POINTS.get(degree).copied()
 }
 
 impl Graph {
+    /// The points that a comparison of what has these signs needs; `None` if there are too many.
+    pub(super) fn points_for(&self, signs: &Signs) -> Option<u16> {
+        match &signs.all {
+            Some(all) if all.len() > 2 => points_for(self.degree_in_independent(all, signs.degree)),
+            _ => points_for(signs.degree),
+        }
+    }
+
+    /// The signs of a difference.
+    pub(super) fn signs_of_both(&self, pending: Pending<'_>, id: Id) -> Signs {
+        let (one, two) = (self.signs_of(pending), self.signs(id));
+        Signs { degree: one.degree.max(two.degree), ..union(&one, &two) }
+    }
+
     /// The signs that a node depends on.
     pub(super) fn signs(&self, id: Id) -> Signs {
         let known = |id: Id| self.lanes.borrow().signs(id).cloned();
@@ -48,7 +79,7 @@ impl Graph {
             Pending::Node(id) => self.signs(id),
             Pending::Sum(terms) => self.signs_of_sum(terms.iter().map(|&(_, id)| id)),
             Pending::Product(factors) => self.signs_of_product(factors.iter().copied()),
-            Pending::Function(function, args) => self.signs_of_function(function, args, u64::MAX),
+            Pending::Function(function, args) => self.signs_of_function(function, args, PENDING),
         }
     }
 
@@ -82,7 +113,7 @@ impl Graph {
             match power {
                 Some(n) => signs.degree = signs.degree.saturating_mul(n),
                 None if self.is_branching(base, exponent) => {
-                    signs = with_signs(&signs, u64::from(base.0) << 8 | 255, 1);
+                    signs = with_signs(&signs, u64::from(base.0) << 8 | ROOT as u64, 1);
                 }
                 None => signs = closed(signs),
             }
@@ -140,7 +171,7 @@ fn closed(signs: Signs) -> Signs {
 
 /// The signs of a function of signs that has some of its own.
 fn with_signs(signs: &Signs, token: u64, own: usize) -> Signs {
-    let own: Arc<[u64]> = (0..own as u64).map(|k| token.wrapping_add(k)).collect();
+    let own: Arc<[u64]> = (0..own as u64).map(|k| token + k).collect();
     closed(union(signs, &Signs { all: Some(own), degree: 0 }))
 }
 

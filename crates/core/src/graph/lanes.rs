@@ -26,10 +26,12 @@ pub(crate) struct Lanes {
     solutions: FxHashMap<(Id, FieldId), Arc<[Quadratic]>>,
     /// The signs that nodes depend on.
     signs: FxHashMap<Id, Signs>,
+    /// What the signs are in the lanes.
+    coins: FxHashMap<u64, Coin>,
     /// The numeric contents of nodes, of primes from the least one up.
-    contents: FxHashMap<(Id, u64), Option<Number>>,
+    contents: FxHashMap<(Id, u64), Option<Content>>,
     /// The numeric contents of differences.
-    contents_of_differences: FxHashMap<(Id, Id, u64), Option<Number>>,
+    contents_of_differences: FxHashMap<(Id, Id, u64), Option<Content>>,
     /// The numbers in exponents, such as the 1 in x + 1.
     exponents: FxHashMap<Id, Number>,
     /// Nodes that are a number times powers of positive factors.
@@ -40,6 +42,9 @@ pub(crate) struct Lanes {
 
 /// The values of a node in all lanes but the hash lanes.
 pub(crate) type Column = Arc<[Quadratic]>;
+
+/// A product of prime numbers with rational exponents, not 0.
+pub(crate) type Content = Arc<[(BigInt, Number)]>;
 
 /// A part of an argument that has a known angle or exponential.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -63,6 +68,15 @@ pub(crate) enum Atom {
 pub(crate) struct Signs {
     pub(crate) all: Option<Arc<[u64]>>,
     pub(crate) degree: usize,
+}
+
+/// What a sign is in the lanes.
+#[derive(Clone, Copy, Debug)]
+pub(crate) enum Coin {
+    /// A bit for each lane but the hash lanes.
+    Vector(u64),
+    /// Something else that has a key, which is equal for equal signs.
+    Other(u64),
 }
 
 /// Atoms of an argument with their factors.
@@ -161,19 +175,33 @@ impl Lanes {
         self.signs.insert(id, signs);
     }
 
-    pub(crate) fn content(&self, id: Id, least: u64) -> Option<&Option<Number>> {
+    pub(crate) fn coin(&self, sign: u64) -> Option<Coin> {
+        self.coins.get(&sign).copied()
+    }
+
+    pub(crate) fn insert_coin(&mut self, sign: u64, coin: Coin) {
+        self.coins.insert(sign, coin);
+    }
+
+    pub(crate) fn content(&self, id: Id, least: u64) -> Option<&Option<Content>> {
         self.contents.get(&(id, least))
     }
 
-    pub(crate) fn insert_content(&mut self, id: Id, least: u64, content: Option<Number>) {
+    pub(crate) fn insert_content(&mut self, id: Id, least: u64, content: Option<Content>) {
         self.contents.insert((id, least), content);
     }
 
-    pub(crate) fn content_of_difference(&self, a: Id, b: Id, least: u64) -> Option<&Option<Number>> {
+    pub(crate) fn content_of_difference(&self, a: Id, b: Id, least: u64) -> Option<&Option<Content>> {
         self.contents_of_differences.get(&(a, b, least))
     }
 
-    pub(crate) fn insert_content_of_difference(&mut self, a: Id, b: Id, least: u64, content: Option<Number>) {
+    pub(crate) fn insert_content_of_difference(
+        &mut self,
+        a: Id,
+        b: Id,
+        least: u64,
+        content: Option<Content>,
+    ) {
         self.contents_of_differences.insert((a, b, least), content);
     }
 

@@ -21,7 +21,9 @@ pub use cost::Cost;
 pub(crate) use cost::{factoring, solving};
 pub use function::Function;
 pub(crate) use function::Parity;
-pub(crate) use lanes::{Atom, Column, Generator, Monomial, Signs, Split, draw_logarithm, leaf_in};
+pub(crate) use lanes::{
+    Atom, Coin, Column, Content, Generator, Monomial, Signs, Split, draw_logarithm, leaf_in,
+};
 pub use node::{Assumption, Factors, Id, Ids, NumberId, Terms, View};
 pub(crate) use node::{Flags, Kind};
 pub use table::{Graph, LARGEST_ORDER};
