@@ -22,8 +22,10 @@ from symbody import (
     Equations,
     Point,
     angular_momentum,
+    gibbs_appell,
     gravitational_energy,
     ground,
+    kane,
     kinetic_energy,
     lagrange_equations,
     lambdify,
@@ -35,7 +37,7 @@ from symbody import (
 from tests.reference.robot import FIXED, NAMES, motion_at, robot
 
 TOLERANCE = 1e-12
-FORMALISMS = (newton_euler, lagrange_equations)
+FORMALISMS = (newton_euler, lagrange_equations, kane, gibbs_appell)
 DERIVED = [(name, newton_euler) for name in NAMES] + [(name, lagrange_equations) for name in FIXED]
 
 Formalism = Callable[..., Equations]

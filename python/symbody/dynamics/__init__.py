@@ -3,6 +3,8 @@
 from symbody.dynamics.equations.equations import Equations
 from symbody.dynamics.formalism.euler import euler_equations
 from symbody.dynamics.formalism.generalized_force import generalized_force
+from symbody.dynamics.formalism.gibbs_appell import gibbs_appell
+from symbody.dynamics.formalism.kane import kane
 from symbody.dynamics.formalism.lagrange import lagrange, lagrange_equations
 from symbody.dynamics.formalism.newton import newton_equations
 from symbody.dynamics.formalism.newton_euler import newton_euler
@@ -17,6 +19,8 @@ __all__ = [
     "euler_equations",
     "forward_dynamics",
     "generalized_force",
+    "gibbs_appell",
+    "kane",
     "lagrange",
     "lagrange_equations",
     "newton_equations",
