@@ -9,6 +9,7 @@ from symbody.dynamics.formalism.lagrange import lagrange, lagrange_equations
 from symbody.dynamics.formalism.newton import newton_equations
 from symbody.dynamics.formalism.newton_euler import newton_euler
 from symbody.dynamics.solution.dependent_speeds import dependent_speeds
+from symbody.dynamics.solution.embedded import embedded
 from symbody.dynamics.solution.equations_program import program
 from symbody.dynamics.solution.forward_dynamics import ForwardDynamics, forward_dynamics
 
@@ -16,6 +17,7 @@ __all__ = [
     "Equations",
     "ForwardDynamics",
     "dependent_speeds",
+    "embedded",
     "euler_equations",
     "forward_dynamics",
     "generalized_force",

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import warnings
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from copy import copy
 from functools import cached_property
 from itertools import count
 from typing import Annotated, Any, TypeAlias, TypeVar, final
@@ -13,7 +14,7 @@ from symbody.geometry import Frame, Vector
 from symbody.geometry.component.triple import Rate, expression
 from symbody.geometry.given.argument import checked
 from symbody.geometry.motion.floating import by_speeds, known_rates, rate_by
-from symbody.symbolic import Expr, functions_of_time, time_derivative
+from symbody.symbolic import Expr, functions_of_time, substitute, time_derivative, time_derivatives
 from symbody.symbolic.expression.container import Container, contains
 from symbody.symbolic.expression.html_table import html_table
 from symbody.symbolic.given.arguments import brief, counted
@@ -103,6 +104,10 @@ class System:
         self.name = name
         self.multipliers = tuple(multipliers) or self._default_multipliers()
         self.inputs = tuple(expression(each) for each in inputs)
+        self.eliminated: dict[Expr, Expr] = {}
+        """The speeds that constraints made dependent, each by the independent ones; none unless `eliminating` did."""
+        self.whole = self
+        """The system with the constraints by which speeds were eliminated; itself, if none were."""
         self._check()
 
     @cached_property
@@ -194,11 +199,38 @@ class System:
     @cached_property
     def rate(self) -> Rate:
         """The time derivative, with these rates put in."""
+        if self.eliminated:
+            return lambda values: self.by_speeds(time_derivatives(values))
         return rate_by(self.coordinate_rates)
 
     def by_speeds(self, expressions: Sequence[Expr]) -> tuple[Expr, ...]:
         """Return expressions with the rates of coordinates, of any order, written by the speeds and their rates."""
-        return by_speeds(self.coordinate_rates, expressions)
+        written = substitute(tuple(expressions), self.eliminated) if self.eliminated else expressions
+        return by_speeds(self.coordinate_rates, written)
+
+    def eliminating(self, dependent: Mapping[Expr, Expr]) -> System:
+        """Return the system in its independent speeds, without constraints.
+
+        The coordinates stay; the rates of some are no longer speeds. Frames keep the dependent speeds: `by_speeds`
+        writes expressions without them.
+
+        Args:
+            dependent: the other speeds by the independent ones, coordinates and time, as the constraints demand.
+        """
+        reduced = copy(self)
+        for name in (name for name, value in vars(System).items() if isinstance(value, cached_property)):
+            vars(reduced).pop(name, None)
+        rates = zip(
+            self.coordinate_rates, substitute([*self.coordinate_rates.values()], dependent), strict=True
+        )
+        linked = {
+            q: dependent[time_derivative(q)] for q in self.coordinates if time_derivative(q) in dependent
+        }
+        reduced.coordinate_rates = {**dict(rates), **linked}
+        reduced.quasi_velocities = tuple(u for u in self.quasi_velocities if u not in dependent)
+        reduced.conditions, reduced.multipliers = (), ()
+        reduced.eliminated, reduced.whole = dict(dependent), self
+        return reduced
 
     def _check(self) -> None:
         if not self.bodies:
@@ -377,22 +409,25 @@ def _completed(given: Sequence[Expr], needed: Iterable[Expr]) -> tuple[Expr, ...
 
 def _parts(system: System) -> tuple[Any, ...]:
     gravity = () if system.gravity is None else (system.gravity,)
-    return system.bodies, system.loads, system.conditions, system.inputs, *gravity
+    conditions, dependent = system.whole.conditions, tuple(system.eliminated.values())
+    return system.bodies, system.loads, conditions, system.inputs, dependent, *gravity
 
 
 def _rebuilt(system: System, parts: Sequence[Any]) -> System:
-    bodies, loads, constraints, inputs, *gravity = parts
-    return System(
+    bodies, loads, constraints, inputs, dependent, *gravity = parts
+    whole = System(
         bodies,
         loads,
         system.coordinates,
         constraints,
         gravity[0] if gravity else None,
-        speeds=system.quasi_velocities,
-        multipliers=system.multipliers,
+        speeds=system.whole.quasi_velocities,
+        multipliers=system.whole.multipliers,
         inputs=[each for each in inputs if each.kind == "time_function"],
         name=system.name,
     )
+    pairs = dict(zip(system.eliminated, dependent, strict=True))
+    return whole.eliminating(pairs) if pairs else whole
 
 
 def _check_substitution(system: System, mapping: Mapping[Any, Any]) -> None:

@@ -22,6 +22,11 @@ def checked_tree(system: System, where: str) -> FrameTree:
     Raises:
         ModelError: the system has no equations of motion in its coordinates.
     """
+    if system.eliminated:
+        raise ModelError(
+            f"{where}: the system is embedded: its frames still move by {next(iter(system.eliminated))}, which was "
+            "eliminated; derive the equations of the whole system, system.whole, and embed them"
+        )
     tree = frame_tree(system)
     for place, frame in enumerate(tree.frames):
         if given_twist(frame) is None:
