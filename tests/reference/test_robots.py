@@ -92,11 +92,11 @@ def test_forward_dynamics(name: str, formalism: Formalism) -> None:
 
 
 @pytest.mark.parametrize("name", FIXED)
-def test_both_formalisms_give_the_same_ids(name: str) -> None:
+def test_all_formalisms_give_the_same_ids(name: str) -> None:
     derived = [formalism(robot(name).system) for formalism in FORMALISMS]
     entries = [[*e.residuals, *e.mass_matrix.entries, *e.forcing] for e in derived]
-    one, two = ([entry.id for entry in column] for column in entries)
-    assert one == two
+    first, *others = ([entry.id for entry in column] for column in entries)
+    assert all(other == first for other in others)
 
 
 @pytest.mark.parametrize("name", NAMES)
