@@ -362,14 +362,6 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
     ),
     (
         errors.ModelError,
-        lambda: lagrange_equations(System([Body(vehicle * rotate("X", phi), m)], coordinates=[phi])),
-        (
-            "lagrange_equations: vehicle moves by velocities in its own axes, which are not rates of coordinates; use "
-            "newton_euler"
-        ),
-    ),
-    (
-        errors.ModelError,
         lambda: kinetic_energy([body, m]),
         (
             "kinetic_energy: in objects, m is an Expr; expected a system, a body, a load, or a set or list "

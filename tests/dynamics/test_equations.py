@@ -13,7 +13,9 @@ from symbody import (
     Vector,
     cos,
     functions_of_time,
+    gibbs_appell,
     ground,
+    kane,
     lagrange,
     lagrange_equations,
     newton_euler,
@@ -27,7 +29,7 @@ from symbody import (
 
 m, l, g, d, omega, zeta = symbols("m l g d omega zeta")
 x, y, theta, F = functions_of_time("x y theta F")
-FORMALISMS = [newton_euler, lagrange_equations]
+FORMALISMS = [newton_euler, lagrange_equations, kane, gibbs_appell]
 gravity = Vector(ground, 0, -g, 0)
 
 

@@ -22,11 +22,13 @@ from symbody import (
     functions_of_time,
     ground,
     number,
+    project,
     rotate,
     sin,
     symbols,
     time_derivative,
     translate,
+    velocity,
 )
 from symbody.multibody import Load
 from symbody.symbolic import t
@@ -164,6 +166,32 @@ def random_floating_system(
     floating = base * floating_frame("base")
     maker = Maker(Random(seed), symbolic, afloat=list(floating.coordinate_rates))
     return _random_system(maker, [ground, floating], size=size, loads=loads)
+
+
+def random_constrained_system(seed: int, *, floats: bool = False) -> System:
+    """Return a tree, closed to a loop by a bar between a body and ground, with a linear condition on the speeds."""
+    tree = random_floating_system(seed) if floats else random_system(seed)
+    random = Random(seed)
+    end = max((body.frame for body in tree.bodies), key=lambda frame: frame.depth)
+    closing = project(Point(end, *symbols("b1 b2 b3")), ground).coordinates
+    far = symbols("h1 h2 h3")
+    bar = (
+        sum(((x - h) ** 2 for x, h in zip(closing, far, strict=True)), start=number(0))
+        - symbols("l_bar") ** 2
+    )
+    velocities = velocity(tree.bodies[random.randrange(len(tree.bodies))].center_of_mass).components
+    slopes = [random.randint(1, 3) * u * (2 + sin(random.choice(tree.coordinates))) for u in tree.speeds]
+    skate = sum(slopes, start=symbols("rate")) + symbols("slide") * random.choice(velocities)
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", ModelNotice)
+        return System(
+            tree.bodies,
+            tree.loads,
+            tree.coordinates,
+            [bar, skate],
+            tree.gravity,
+            speeds=tree.quasi_velocities,
+        )
 
 
 def _random_system(maker: Maker, frames: list[Frame], *, size: int, loads: int) -> System:

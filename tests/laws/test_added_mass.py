@@ -16,8 +16,10 @@ from symbody import (
     Torque,
     Vector,
     functions_of_time,
+    gibbs_appell,
     ground,
     jacobian,
+    kane,
     lagrange_equations,
     newton_euler,
     number,
@@ -29,7 +31,7 @@ from symbody import (
 from symbody.errors import ModelNotice
 from tests.laws.random_system import random_system
 
-FORMALISMS = [newton_euler, lagrange_equations]
+FORMALISMS = [newton_euler, lagrange_equations, kane, gibbs_appell]
 a, m, k = symbols("a m k")
 r, q = functions_of_time("r q")
 

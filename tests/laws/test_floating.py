@@ -55,7 +55,9 @@ from symbody.geometry.frame.frame_velocity import twist
 from symbody.geometry.motion.floating import rate_by
 from symbody.symbolic import derivation
 from tests.laws.random_system import random_floating_system
-from tests.laws.test_formalisms import is_scleronomic
+from tests.laws.test_formalisms import check_same_nodes, is_scleronomic
+from tests.page.classic import Classic
+from tests.page.rolling import ROLLING
 
 SEEDS = range(12)
 BASES = (ground, translate(functions_of_time("s"), 0, symbols("c")) * rotate("Y", functions_of_time("phi")))
@@ -98,6 +100,47 @@ def test_the_residuals_are_linear_in_the_accelerations(seed: int, base: Frame) -
     assert jacobian(gradient(kinetic_energy(system), equations.speeds), equations.speeds) == M
     at_rest = dict.fromkeys(equations.accelerations, 0)
     assert substitute(equations.residuals, at_rest) == equations.bias
+
+
+@pytest.mark.parametrize(("seed", "base"), SYSTEMS)
+def test_all_formalisms_give_the_same_nodes(seed: int, base: Frame) -> None:
+    """Those of Boltzmann and Hamel are the second derivation, from the kinetic energy."""
+    check_same_nodes(floating_system(seed, base))
+
+
+@pytest.mark.parametrize("base", BASES)
+def test_two_floating_frames(base: Frame) -> None:
+    """One on the other, beside a moving frame whose pose follows a redundant set of velocities."""
+    m, I, c, k, g = symbols("m I c k g")
+    psi, q1 = functions_of_time("psi q1")
+    first = base * floating_frame("first")
+    second = first * rotate("X", q1) * floating_frame("second")
+    v, r = functions_of_time("v r")
+    cart = moving_frame(v, c * r, 0, 0, 0, r, pose=translate(*functions_of_time("x y"), 0) * rotate("Z", psi))
+    frames = (first, second, cart * translate(0, k, 0))
+    bodies = [Body(Point(frame, c, 0, k), m, I, 2 * I, 3 * I, k) for frame in frames]
+    own = [q for q in functions_of_time("s phi") if base != ground]
+    spring = Force(second, k, 0, q1, at=Point(second, 0, c, 0), on=bodies[1], reaction=bodies[0])
+    gravity = Vector(ground, 0, g, -g)
+    check_same_nodes(System(bodies, [spring], [*own, q1], gravity=gravity))
+
+
+@pytest.mark.parametrize("base", ["given", "free"])
+def test_moving_master_frames(base: str) -> None:
+    """All velocities unknown, or some given; gravity in the axes of the frame, as its place is unknown."""
+    u, v, w, p, q, r = speeds = functions_of_time("u v w p q r")
+    moving = moving_frame(*speeds)
+    g = Vector(moving, *symbols("gx gy"), 0)
+    system = arm(moving, speeds=speeds if base == "free" else [v, p, r])
+    given = [] if base == "free" else [u, w, q]
+    parts = system.bodies, system.loads, system.coordinates
+    check_same_nodes(System(*parts, gravity=g, speeds=system.quasi_velocities, inputs=given))
+
+
+@pytest.mark.parametrize("classic", ROLLING, ids=lambda classic: classic.name)
+def test_rolling_systems(classic: Classic) -> None:
+    """Velocities that are linked: without the momenta of all six, Hamel's coefficients would miss terms."""
+    check_same_nodes(classic.build())
 
 
 @pytest.mark.parametrize(("seed", "base"), UNDRIVEN)

@@ -1,4 +1,4 @@
-"""Two formalisms, one system: the same nodes. And what every derivation must satisfy, whatever made it."""
+"""Several formalisms, one system: the same nodes. And what every derivation must satisfy, whatever made it."""
 
 from __future__ import annotations
 
@@ -10,9 +10,11 @@ from symbody import (
     System,
     dot,
     generalized_force,
+    gibbs_appell,
     gradient,
     gravitational_energy,
     jacobian,
+    kane,
     kinetic_energy,
     lagrange,
     lagrange_equations,
@@ -22,7 +24,7 @@ from symbody import (
     velocity,
 )
 from symbody.symbolic import time_derivative
-from tests.laws.random_system import random_system
+from tests.laws.random_system import random_constrained_system, random_system
 
 SEEDS = range(30)
 SYSTEMS = [
@@ -30,7 +32,7 @@ SYSTEMS = [
     for seed in SEEDS
     for symbolic in (True, False)
 ]
-FORMALISMS = (newton_euler, lagrange_equations)
+FORMALISMS = (newton_euler, lagrange_equations, kane, gibbs_appell)
 
 
 def ids(expressions: tuple[Expr, ...]) -> list[int]:
@@ -38,12 +40,27 @@ def ids(expressions: tuple[Expr, ...]) -> list[int]:
 
 
 @pytest.mark.parametrize(("seed", "symbolic"), SYSTEMS)
-def test_both_formalisms_give_the_same_nodes(seed: int, symbolic: bool) -> None:
-    system = random_system(seed, symbolic=symbolic)
-    one, two = newton_euler(system), lagrange_equations(system)
-    assert ids(one.residuals) == ids(two.residuals)
-    assert ids(one.mass_matrix.entries) == ids(two.mass_matrix.entries)
-    assert ids(one.bias) == ids(two.bias)
+def test_all_formalisms_give_the_same_nodes(seed: int, symbolic: bool) -> None:
+    check_same_nodes(random_system(seed, symbolic=symbolic))
+
+
+def check_same_nodes(system: System) -> None:
+    """The residuals, the mass matrix and the bias by every formalism."""
+    first, *others = (formalism(system) for formalism in FORMALISMS)
+    for other in others:
+        assert ids(other.residuals) == ids(first.residuals)
+        assert ids(other.mass_matrix.entries) == ids(first.mass_matrix.entries)
+        assert ids(other.bias) == ids(first.bias)
+
+
+@pytest.mark.parametrize("seed", range(20))
+@pytest.mark.parametrize("floats", [False, True])
+def test_with_constraints_too(seed: int, floats: bool) -> None:
+    """Loops, and conditions on velocities; trees that float, and others."""
+    system = random_constrained_system(seed, floats=floats)
+    assert len(system.holonomic) == 1
+    assert len(system.constraints) == 2
+    check_same_nodes(system)
 
 
 @pytest.mark.parametrize(("seed", "symbolic"), SYSTEMS)

@@ -22,8 +22,10 @@ from symbody import (
     Equations,
     Point,
     angular_momentum,
+    gibbs_appell,
     gravitational_energy,
     ground,
+    kane,
     kinetic_energy,
     lagrange_equations,
     lambdify,
@@ -35,7 +37,7 @@ from symbody import (
 from tests.reference.robot import FIXED, NAMES, motion_at, robot
 
 TOLERANCE = 1e-12
-FORMALISMS = (newton_euler, lagrange_equations)
+FORMALISMS = (newton_euler, lagrange_equations, kane, gibbs_appell)
 DERIVED = [(name, newton_euler) for name in NAMES] + [(name, lagrange_equations) for name in FIXED]
 
 Formalism = Callable[..., Equations]
@@ -90,11 +92,11 @@ def test_forward_dynamics(name: str, formalism: Formalism) -> None:
 
 
 @pytest.mark.parametrize("name", FIXED)
-def test_both_formalisms_give_the_same_ids(name: str) -> None:
+def test_all_formalisms_give_the_same_ids(name: str) -> None:
     derived = [formalism(robot(name).system) for formalism in FORMALISMS]
     entries = [[*e.residuals, *e.mass_matrix.entries, *e.forcing] for e in derived]
-    one, two = ([entry.id for entry in column] for column in entries)
-    assert one == two
+    first, *others = ([entry.id for entry in column] for column in entries)
+    assert all(other == first for other in others)
 
 
 @pytest.mark.parametrize("name", NAMES)

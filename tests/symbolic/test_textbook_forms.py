@@ -20,7 +20,9 @@ from symbody import (
     cos,
     cost,
     functions_of_time,
+    gibbs_appell,
     ground,
+    kane,
     lagrange_equations,
     newton_euler,
     parse,
@@ -32,7 +34,7 @@ from symbody import (
 )
 from symbody.symbolic import t
 
-FORMALISMS = (lagrange_equations, newton_euler)
+FORMALISMS = (newton_euler, lagrange_equations, kane, gibbs_appell)
 m, m1, m2, l, l1, l2, lc1, lc2, I1, I2, g, A, C, M, R, Omega = PARAMETERS = symbols(
     "m m1 m2 l l1 l2 lc1 lc2 I1 I2 g A C M R Omega"
 )

@@ -3,10 +3,13 @@
 from symbody.dynamics.equations.equations import Equations
 from symbody.dynamics.formalism.euler import euler_equations
 from symbody.dynamics.formalism.generalized_force import generalized_force
+from symbody.dynamics.formalism.gibbs_appell import gibbs_appell
+from symbody.dynamics.formalism.kane import kane
 from symbody.dynamics.formalism.lagrange import lagrange, lagrange_equations
 from symbody.dynamics.formalism.newton import newton_equations
 from symbody.dynamics.formalism.newton_euler import newton_euler
 from symbody.dynamics.solution.dependent_speeds import dependent_speeds
+from symbody.dynamics.solution.embedded import embedded
 from symbody.dynamics.solution.equations_program import program
 from symbody.dynamics.solution.forward_dynamics import ForwardDynamics, forward_dynamics
 
@@ -14,9 +17,12 @@ __all__ = [
     "Equations",
     "ForwardDynamics",
     "dependent_speeds",
+    "embedded",
     "euler_equations",
     "forward_dynamics",
     "generalized_force",
+    "gibbs_appell",
+    "kane",
     "lagrange",
     "lagrange_equations",
     "newton_equations",

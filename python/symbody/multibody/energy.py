@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from symbody.errors import ModelError
-from symbody.geometry import Vector
+from symbody.geometry import Frame, Vector
 from symbody.geometry.frame.frame_velocity import origin_velocity, spin
 from symbody.geometry.given.argument import checked
 from symbody.symbolic import Expr, derivation, dot3, number
@@ -23,15 +23,17 @@ def kinetic_energy(objects: Objects) -> Expr:
     """
     with derivation():
         return sum(
-            (_kinetic(body) for body in select_bodies(objects, "kinetic_energy").bodies), start=number(0)
+            (kinetic_energy_at(body, body.frame) for body in select_bodies(objects, "kinetic_energy").bodies),
+            start=number(0),
         )
 
 
-def _kinetic(body: Body) -> Expr:
-    velocity = origin_velocity(body.frame).components
+def kinetic_energy_at(body: Body, frame: Frame) -> Expr:
+    """Return the kinetic energy of a body that moves with a frame: its own, or one with other velocities."""
+    velocity = origin_velocity(frame).components
     twice = body.mass * dot3(velocity, velocity)
     if not body.is_particle:
-        angular = spin(body.frame)
+        angular = spin(frame)
         twice += dot3(angular, body.spin_momentum(angular))
     return twice / 2
 

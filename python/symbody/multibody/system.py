@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import warnings
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from copy import copy
 from functools import cached_property
 from importlib import import_module
 from itertools import count
@@ -14,7 +15,7 @@ from symbody.errors import ConstraintError, ModelError, ModelNotice
 from symbody.geometry import Frame, Vector
 from symbody.geometry.component.triple import expression
 from symbody.geometry.given.argument import checked
-from symbody.symbolic import Expr, functions_of_time, time_derivative
+from symbody.symbolic import Expr, functions_of_time, substitute, time_derivative
 from symbody.symbolic.expression.container import Container, contains
 from symbody.symbolic.expression.html_table import html_table
 from symbody.symbolic.given.arguments import brief, counted
@@ -125,6 +126,10 @@ class System(SystemKinematics):
         self.name = name
         self.multipliers = tuple(multipliers) or self._default_multipliers()
         self.inputs = tuple(expression(each) for each in inputs)
+        self.eliminated: dict[Expr, Expr] = {}
+        """The speeds that constraints made dependent, each by the independent ones; none unless `eliminating` did."""
+        self.whole = self
+        """The system with the constraints by which speeds were eliminated; itself, if none were."""
         self._check()
 
     @cached_property
@@ -194,6 +199,31 @@ class System(SystemKinematics):
         Mobility(1 degree of freedom, 0 redundant)
         """
         return import_module(COUNTED_BY).mobility(self, parameters, q, **options)
+
+    def eliminating(self, dependent: Mapping[Expr, Expr]) -> System:
+        """Return the system in its independent speeds, without constraints.
+
+        The coordinates stay; the rates of some are no longer speeds. Frames keep the dependent speeds: `by_speeds`
+        writes expressions without them.
+
+        Args:
+            dependent: the other speeds by the independent ones, coordinates and time, as the constraints demand.
+        """
+        reduced = copy(self)
+        members = (member for kind in type(self).__mro__ for member in vars(kind).items())
+        for name in (name for name, value in members if isinstance(value, cached_property)):
+            vars(reduced).pop(name, None)
+        rates = zip(
+            self.coordinate_rates, substitute([*self.coordinate_rates.values()], dependent), strict=True
+        )
+        linked = {
+            q: dependent[time_derivative(q)] for q in self.coordinates if time_derivative(q) in dependent
+        }
+        reduced.coordinate_rates = {**dict(rates), **linked}
+        reduced.quasi_velocities = tuple(u for u in self.quasi_velocities if u not in dependent)
+        reduced.conditions, reduced.multipliers = (), ()
+        reduced.eliminated, reduced.whole = dict(dependent), self
+        return reduced
 
     def _check(self) -> None:
         if not self.bodies:
@@ -350,24 +380,37 @@ def _completed(given: Sequence[Expr], needed: Iterable[Expr]) -> tuple[Expr, ...
 
 def _parts(system: System) -> tuple[Any, ...]:
     gravity = () if system.gravity is None else (system.gravity,)
-    rates = tuple(system.coordinate_rates[q] for q in system.chosen)
-    return system.bodies, system.loads, system.conditions, system.inputs, rates, *gravity
+    rates, conditions = (
+        tuple(system.whole.coordinate_rates[q] for q in system.chosen),
+        system.whole.conditions,
+    )
+    return (
+        system.bodies,
+        system.loads,
+        conditions,
+        system.inputs,
+        (*rates, *system.eliminated.values()),
+        *gravity,
+    )
 
 
 def _rebuilt(system: System, parts: Sequence[Any]) -> System:
-    bodies, loads, constraints, inputs, rates, *gravity = parts
-    return System(
+    bodies, loads, constraints, inputs, expressions, *gravity = parts
+    rates, dependent = expressions[: len(system.chosen)], expressions[len(system.chosen) :]
+    whole = System(
         bodies,
         loads,
         system.coordinates,
         constraints,
         gravity[0] if gravity else None,
-        speeds=system.quasi_velocities,
+        speeds=system.whole.quasi_velocities,
         kinematics={time_derivative(q): rate for q, rate in zip(system.chosen, rates, strict=True)},
-        multipliers=system.multipliers,
+        multipliers=system.whole.multipliers,
         inputs=[each for each in inputs if each.kind == "time_function"],
         name=system.name,
     )
+    pairs = dict(zip(system.eliminated, dependent, strict=True))
+    return whole.eliminating(pairs) if pairs else whole
 
 
 def _check_substitution(system: System, mapping: Mapping[Any, Any]) -> None:

@@ -8,7 +8,7 @@ from functools import cached_property
 from symbody.errors import ModelError
 from symbody.geometry.component.triple import Rate
 from symbody.geometry.motion.floating import by_speeds, known_rates, rate_by
-from symbody.symbolic import Expr, time_derivative
+from symbody.symbolic import Expr, substitute, time_derivative, time_derivatives
 
 from .coordinate import check_function_of_time, check_single
 
@@ -26,6 +26,8 @@ class SystemKinematics:
     quasi_velocities: tuple[Expr, ...]
     coordinate_rates: Mapping[Expr, Expr]
     """The coordinates whose rates are not speeds, and these rates by the speeds."""
+    eliminated: Mapping[Expr, Expr]
+    """The speeds that were eliminated, by the others; empty for most systems."""
 
     @cached_property
     def driving(self) -> tuple[Expr, ...]:
@@ -68,11 +70,14 @@ class SystemKinematics:
     @cached_property
     def rate(self) -> Rate:
         """The time derivative, with these rates put in."""
+        if self.eliminated:
+            return lambda values: self.by_speeds(time_derivatives(values))
         return rate_by(self.coordinate_rates)
 
     def by_speeds(self, expressions: Sequence[Expr]) -> tuple[Expr, ...]:
         """Return expressions with the rates of coordinates, of any order, written by the speeds and their rates."""
-        return by_speeds(self.coordinate_rates, expressions)
+        written = substitute(tuple(expressions), self.eliminated) if self.eliminated else expressions
+        return by_speeds(self.coordinate_rates, written)
 
     def _check_unknowns(self) -> None:
         if not self.driving:

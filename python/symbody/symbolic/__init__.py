@@ -75,6 +75,7 @@ from symbody.symbolic.expression.vector_operations import (
     sub3,
 )
 from symbody.symbolic.linear.bordered import SaddlePointSolution
+from symbody.symbolic.linear.dependence import Dependence
 from symbody.symbolic.linear.ldl import ldl_solve
 from symbody.symbolic.linear.runtime_solve import linear_solve
 from symbody.symbolic.linear.saddle_point import saddle_point_solve
@@ -89,6 +90,7 @@ __all__ = [
     "Abs",
     "Argument",
     "Cost",
+    "Dependence",
     "Derivation",
     "Expr",
     "ExprLike",

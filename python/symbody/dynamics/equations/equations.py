@@ -288,6 +288,11 @@ class _Given:
         return self.assembly
 
 
+def given_assembly(assembly: Assembly) -> Callable[[System], Assembly]:
+    """Return what `Equations` takes to assemble coefficients that are known already."""
+    return _Given(assembly)
+
+
 def _parts(equations: Equations) -> tuple[object, ...]:
     return equations.residuals, equations.constraints, equations.mass_matrix, equations.bias
 
@@ -295,7 +300,7 @@ def _parts(equations: Equations) -> tuple[object, ...]:
 def _rebuilt(equations: Equations, parts: Sequence[Any]) -> Equations:
     """Return the equations in another form; they belong to the same system."""
     residuals, constraints, mass_matrix, bias = parts
-    made = Equations(equations.system, residuals, _Given(Assembly(mass_matrix, bias)))
+    made = Equations(equations.system, residuals, given_assembly(Assembly(mass_matrix, bias)))
     vars(made)["constraints"] = constraints  # the value that the cached property would find
     return made
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from symbody.dynamics.recursion.added_mass import check_loads
 from symbody.dynamics.tree.frame_tree import FrameTree, frame_tree, given_twist
-from symbody.errors import ModelError
+from symbody.errors import FrameError, ModelError
 from symbody.geometry import Frame
 from symbody.multibody import System
 from symbody.multibody.coordinate import rate_of_any
@@ -22,6 +22,11 @@ def checked_tree(system: System, where: str) -> FrameTree:
     Raises:
         ModelError: the system has no equations of motion in its coordinates.
     """
+    if system.eliminated:
+        raise ModelError(
+            f"{where}: the system is embedded: its frames still move by {next(iter(system.eliminated))}, which was "
+            "eliminated; derive the equations of the whole system, system.whole, and embed them"
+        )
     tree = frame_tree(system)
     for place, frame in enumerate(tree.frames):
         if given_twist(frame) is None:
@@ -31,6 +36,16 @@ def checked_tree(system: System, where: str) -> FrameTree:
     _check_used(tree, where)
     check_loads(system, where)
     return tree
+
+
+def check_rigid(tree: FrameTree, where: str) -> None:
+    """Raise an error that names the first frame whose matrix isn't a rotation by itself."""
+    for frame in tree.frames:
+        if not frame.is_rigid:
+            raise FrameError(
+                f"{where}: {brief(frame)} isn't rigid: its matrix isn't a rotation by itself; if "
+                "constraints make it one, use lagrange_equations, and correct the matrix if not"
+            )
 
 
 def _check_motion(frame: Frame, system: System, where: str) -> None:

@@ -9,14 +9,12 @@ from symbody.dynamics.recursion.added_mass import with_added_mass
 from symbody.dynamics.recursion.mass_matrix import mass_matrix
 from symbody.dynamics.recursion.recursive_newton_euler import bias, recursive_newton_euler
 from symbody.dynamics.recursion.shortest_tree import mass_matrix_and_bias, shortest_tree
-from symbody.dynamics.tree.frame_tree import FrameTree
-from symbody.errors import FrameError, ModelError
+from symbody.errors import ModelError
 from symbody.geometry.given.argument import checked
 from symbody.multibody import System
 from symbody.symbolic import derivation, without_idle_symbols
-from symbody.symbolic.given.arguments import brief
 
-from .checked_tree import checked_tree
+from .checked_tree import check_rigid, checked_tree
 
 
 @checked(ModelError)
@@ -41,7 +39,7 @@ def newton_euler(system: System) -> Equations:
     check_independent(system)
     with derivation(fresh=True):
         tree = checked_tree(system, "newton_euler")
-        _check_rigid(tree)
+        check_rigid(tree, "newton_euler")
         shortest = shortest_tree(system, recursive_newton_euler)
         residuals = with_multipliers(recursive_newton_euler(system, shortest), system)
     return Equations(system, without_idle_symbols(residuals), _assemble)
@@ -53,12 +51,3 @@ def _assemble(system: System) -> Assembly:
         forces = bias(system, tree)
         assembly = Assembly(with_added_mass(mass_matrix(system, tree), system), forces)
     return assembly.without_idle_symbols()
-
-
-def _check_rigid(tree: FrameTree) -> None:
-    for frame in tree.frames:
-        if not frame.is_rigid:
-            raise FrameError(
-                f"newton_euler: {brief(frame)} isn't rigid: its matrix isn't a rotation by itself; if "
-                "constraints make it one, use lagrange_equations, and correct the matrix if not"
-            )

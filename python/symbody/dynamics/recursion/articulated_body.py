@@ -41,6 +41,7 @@ def is_applicable(system: System, tree: FrameTree) -> bool:
     return (
         tree.is_rigid
         and not system.constraints
+        and not system.eliminated
         and sorted(driven) == list(range(len(system.speeds)))
         and not has_added_mass(system)
     )

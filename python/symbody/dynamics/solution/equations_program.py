@@ -192,7 +192,8 @@ _WAYS = {
 
 def _energies(eqs: Equations) -> tuple[Result, ...]:
     bodies, gravity, moves = eqs.system.bodies, eqs.system.gravity, eqs.system.root.carrier is not None
-    kinetic = Result("kinetic", "the kinetic energy", (kinetic_energy(bodies),), ())
+    energy = eqs.system.by_speeds([kinetic_energy(bodies)])
+    kinetic = Result("kinetic", "the kinetic energy", energy, ())
     if gravity is None or moves:
         return (kinetic,)
     weight = gravitational_energy(bodies, gravity)

@@ -255,9 +255,15 @@ class Model:
         """
         is_carried = self.potential_energy is None and self.system.gravity is not None
         energies = [self.kinetic_energy, self.potential_energy or number(0)]
-        if is_carried or not free_symbols(energies) <= {*self.parameters, *self.state}:
+        if is_carried or self._is_led or not free_symbols(energies) <= {*self.parameters, *self.state}:
             return None
         return self.code(energies)
+
+    @property
+    def _is_led(self) -> bool:
+        """Whether eliminated constraints demand motion, by forces whose work is not known without multipliers."""
+        at_rest = dict.fromkeys(self.speeds, number(0))
+        return not all(drift.is_zero for drift in substitute([*self.system.eliminated.values()], at_rest))
 
     @cached_property
     def correction_codes(self) -> tuple[PreparedCode, PreparedCode]:

@@ -1,0 +1,155 @@
+"""Lagrange's equations in quasi-velocities [Hamel 1904; Greenwood 2003, sec. 4.2; Papastavridis 2002, ch. 3].
+
+A frame that moves by velocities in its own axes, ``eta = (w, v)`` in its parent, has virtual displacements
+``pi = (theta, s)`` in the same axes. Variation and rate don't commute; the difference holds the structure constants of
+rigid motion, which are Hamel's coefficients of the twist:
+
+    delta w = theta' + w x theta        delta v = s' + w x s + v x theta
+
+With the kinetic energy T(q, q', eta, t), its momenta ``p = dT/dv`` and ``h = dT/dw``, and the potential V(q), the
+principle of d'Alembert, ``delta T - delta V + delta A = 0`` between fixed ends, has the factors
+
+    of s:       p' + w x p
+    of theta:   h' + w x h + v x p
+    of delta q: d/dt dT/dq' - dT/dq + dV/dq
+
+The equation of a speed u_k is their sum, each times the virtual displacement per unit of u_k: ``dv/du_k``, ``dw/du_k``
+and ``dq'/du_k``. In T, all six velocities of each frame are free. Speeds that are linked, as in rolling without
+multipliers, enter afterwards, as they must: T in these speeds alone lacks momenta that Hamel's coefficients multiply.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import NamedTuple, final
+
+from symbody.dynamics.tree.frame_tree import given_twist
+from symbody.geometry import Frame
+from symbody.geometry.component.twist import Twist
+from symbody.multibody import System
+from symbody.multibody.energy import kinetic_energy_at
+from symbody.symbolic import (
+    Expr,
+    add3,
+    cross3,
+    dot3,
+    gradient,
+    number,
+    substitute,
+    symbol,
+    time_derivative,
+)
+
+from .virtual_power import Held, power_of_loads, power_of_weight
+from .weight_potential import potential
+
+
+def moves_by_twists(system: System) -> bool:
+    """Return whether a frame of a body moves by velocities that are not rates of its pose's coordinates."""
+    return any(given_twist(frame) is not None for body in system.bodies for frame in body.frame.chain)
+
+
+def residuals_in_quasi_velocities(system: System) -> tuple[Expr, ...]:
+    """Return the residuals, one per speed, without the forces of constraints."""
+    held = Held()
+    factors = _factors(system)
+    kinematics = system.kinematics
+    power = -power_of_loads(system, held)
+    if system.root.carrier is not None:
+        power -= power_of_weight(system, held)
+    for coordinate, factor in zip(system.coordinates, factors.of_coordinates, strict=True):
+        power += held.stand_in(factor) * kinematics[time_derivative(coordinate)]
+    for (w, v), (angular, linear) in zip(factors.twists, factors.of_twists, strict=True):
+        power += dot3(held.stand_ins(angular), w) + dot3(held.stand_ins(linear), v)
+    return held.released(gradient(power, system.speeds))
+
+
+class _Factors(NamedTuple):
+    """The factors of virtual displacements in d'Alembert's principle.
+
+    Attributes:
+        of_coordinates: of the variation of each coordinate.
+        twists: of the frames that move by velocities.
+        of_twists: of the virtual displacements of each of these frames.
+    """
+
+    of_coordinates: tuple[Expr, ...]
+    twists: tuple[Twist, ...]
+    of_twists: tuple[Twist, ...]
+
+
+def _factors(system: System) -> _Factors:
+    free, held = _FreeTwists(), Held()
+    frames = [free.moved(body.frame) for body in system.bodies]
+    bodies = zip(system.bodies, frames, strict=True)
+    energy = sum((kinetic_energy_at(body, frame) for body, frame in bodies), start=number(0))
+    if system.root.carrier is None:
+        energy -= potential(system, held)
+    rates = [time_derivative(q) for q in system.coordinates]
+    slopes = gradient(energy, [*rates, *system.coordinates, *free.velocities])
+    slopes = system.by_speeds(substitute(held.released(slopes), free.given))
+    n = len(rates)
+    momenta = (*slopes[:n], *slopes[2 * n :])
+    changes = system.rate(momenta)
+    of_coordinates = tuple(change - slope for change, slope in zip(changes, slopes[n : 2 * n], strict=False))
+    pairs = zip(free.twists, _twists(momenta[n:]), _twists(changes[n:]), strict=True)
+    return _Factors(of_coordinates, free.twists, tuple(_factor(*each) for each in pairs))
+
+
+def _factor(twist: Twist, momentum: Twist, change: Twist) -> Twist:
+    """Return ``h' + w x h + v x p`` and ``p' + w x p``."""
+    (w, v), (h, p) = twist, momentum
+    angular = add3(add3(change.angular, cross3(w, h)), cross3(v, p))
+    return Twist(angular, add3(change.linear, cross3(w, p)))
+
+
+def _twists(values: Sequence[Expr]) -> list[Twist]:
+    return [_twist(values[k : k + 6]) for k in range(0, len(values), 6)]
+
+
+def _twist(values: Sequence[Expr]) -> Twist:
+    p, q, r, u, v, w = values
+    return Twist((p, q, r), (u, v, w))
+
+
+@final
+class _FreeTwists:
+    """Frames in which each given twist is replaced by six free velocities."""
+
+    def __init__(self) -> None:
+        self._by_frame: dict[bytes, tuple[Twist, Twist]] = {}
+        """By the key of a frame that moves by velocities: its twist, and the free one."""
+
+    @property
+    def twists(self) -> tuple[Twist, ...]:
+        """The given twists."""
+        return tuple(given for given, _ in self._by_frame.values())
+
+    @property
+    def velocities(self) -> list[Expr]:
+        """The free velocities, twist by twist, angular ones first."""
+        return [v for _, free in self._by_frame.values() for v in (*free.angular, *free.linear)]
+
+    @property
+    def given(self) -> dict[Expr, Expr]:
+        """The values of the free velocities."""
+        values = [v for given, _ in self._by_frame.values() for v in (*given.angular, *given.linear)]
+        return dict(zip(self.velocities, values, strict=True))
+
+    def moved(self, frame: Frame) -> Frame:
+        """Return a frame of the same pose whose twists are free."""
+        root, *links = frame.chain
+        result = root if root.carrier is None else Frame.root(root.name, self._free(root, root.carrier))
+        for link in links:
+            motion, given = link.motion, given_twist(link)
+            if motion is not None and given is not None:
+                free = self._free(link, given)
+                motion = motion.rewritten((*motion.variables[:-6], *free.angular, *free.linear))
+            result = result if motion is None else result.then(motion)
+        return result
+
+    def _free(self, frame: Frame, given: Twist) -> Twist:
+        if frame.key not in self._by_frame:
+            names = (f"velocity {6 * len(self._by_frame) + k}" for k in range(6))  # no user can write these
+            self._by_frame[frame.key] = given, _twist([symbol(name) for name in names])
+        return self._by_frame[frame.key][1]

@@ -1,0 +1,92 @@
+"""Equations from any derivation of the residuals, in the forms of the recursion where the values agree.
+
+Inside one derivation, an expression whose value exists already is not built again. If the recursion of Newton and Euler
+comes first, residuals of equal value take its nodes, which are short; other values would keep forms of their own. So
+two derivations are compared node by node, and none of them costs more operations at run time.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from functools import partial
+from typing import TypeAlias
+
+from symbody.dynamics.equations.constraint_force import with_multipliers
+from symbody.dynamics.equations.equations import Assembly, Equations
+from symbody.dynamics.recursion.added_mass import with_added_mass
+from symbody.dynamics.recursion.mass_matrix import mass_matrix
+from symbody.dynamics.recursion.recursive_newton_euler import at_rest, bias, recursive_newton_euler
+from symbody.dynamics.recursion.shortest_tree import mass_matrix_and_bias, shortest_tree
+from symbody.dynamics.tree.frame_tree import FrameTree, frame_tree
+from symbody.errors import ModelError
+from symbody.multibody import System
+from symbody.symbolic import (
+    Expr,
+    Matrix,
+    derivation,
+    jacobian,
+    substitute,
+    time_derivative,
+    without_idle_symbols,
+)
+
+from .checked_tree import checked_tree
+
+Residuals: TypeAlias = Callable[[System], tuple[Expr, ...]]
+"""A derivation of the residuals, without the forces of constraints: one per speed."""
+
+
+def derived(
+    system: System,
+    residuals: Residuals,
+    where: str,
+    check: Callable[[FrameTree, str], None] | None = None,
+    inertia: Callable[[System], Matrix] | None = None,
+) -> Equations:
+    """Return the equations of a system by a derivation of its residuals.
+
+    Args:
+        system: the system.
+        residuals: the derivation, a function of a module, so that equations can be pickled.
+        where: the formalism, for messages.
+        check: what the formalism requires of the frames.
+        inertia: the mass matrix, n x n, if there is a shorter way than by differentiation of the residuals.
+
+    Raises:
+        ModelError: the system has speeds of the user's choice, for which only the recursion is written.
+    """
+    if system.chosen:
+        raise ModelError(
+            f"{where}: the kinematics of the system give {time_derivative(system.chosen[0])} by speeds that are not "
+            "rates of coordinates; use newton_euler"
+        )
+    with derivation(fresh=True):
+        tree = checked_tree(system, where)
+        if check is not None:
+            check(tree, where)
+        if tree.is_rigid:
+            shortest = shortest_tree(system, recursive_newton_euler)
+            with_multipliers(recursive_newton_euler(system, shortest), system)
+        completed = with_multipliers(_by_speeds(residuals, system), system)
+    return Equations(system, without_idle_symbols(completed), partial(_assemble, residuals, inertia))
+
+
+def _assemble(residuals: Residuals, inertia: Callable[[System], Matrix] | None, system: System) -> Assembly:
+    with derivation(fresh=True):
+        if frame_tree(system).is_rigid:
+            tree = shortest_tree(system, mass_matrix_and_bias)
+            bias(system, tree)
+            with_added_mass(mass_matrix(system, tree), system)
+        made = _by_speeds(residuals, system)
+        M = jacobian(made, system.accelerations) if inertia is None else inertia(system)
+        assembly = Assembly(M, _known(substitute(made, at_rest(system))))
+    return assembly.without_idle_symbols()
+
+
+def _by_speeds(residuals: Residuals, system: System) -> tuple[Expr, ...]:
+    return _known(system.by_speeds(residuals(system)))
+
+
+def _known(expressions: Sequence[Expr]) -> tuple[Expr, ...]:
+    """Return the nodes of the values: what a substitution has built anew is a form of its own, a sum is not."""
+    return tuple(expression + 0 for expression in expressions)
