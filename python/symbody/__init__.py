@@ -13,6 +13,7 @@ from symbody.dynamics import (
     Equations,
     ForwardDynamics,
     dependent_speeds,
+    equations_of,
     euler_equations,
     forward_dynamics,
     generalized_force,
@@ -194,6 +195,7 @@ __all__ = [
     "describe",
     "diff",
     "dot",
+    "equations_of",
     "equilibrium",
     "euler_equations",
     "exp",
@@ -268,7 +270,7 @@ _LATER = ("codegen", "simulation", "view", "document")
 """The layers that are loaded when one of their names is first used, the lower ones first."""
 
 
-def _what_is_redundant(system: System) -> str:
+def _what_is_redundant(system: object) -> str:
     text: str = import_module("symbody.simulation.constraint.redundant_constraints").advice(system)
     return text
 

@@ -1,6 +1,7 @@
 """Dynamics: from a system to its equations of motion, and to what solves them."""
 
 from symbody.dynamics.equations.equations import Equations
+from symbody.dynamics.equations.equations_of import equations_of
 from symbody.dynamics.formalism.euler import euler_equations
 from symbody.dynamics.formalism.generalized_force import generalized_force
 from symbody.dynamics.formalism.lagrange import lagrange, lagrange_equations
@@ -14,6 +15,7 @@ __all__ = [
     "Equations",
     "ForwardDynamics",
     "dependent_speeds",
+    "equations_of",
     "euler_equations",
     "forward_dynamics",
     "generalized_force",

@@ -3,30 +3,26 @@
 from __future__ import annotations
 
 import warnings
-from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Sequence
 from functools import cached_property
-from itertools import count
 from typing import Annotated, Any, TypeAlias, TypeVar, final
 
-from symbody.errors import ConstraintError, ModelError, ModelNotice
+from symbody.errors import ModelError, ModelNotice
 from symbody.geometry import Frame, Vector
-from symbody.geometry.component.triple import Rate, expression
+from symbody.geometry.component.triple import expression
 from symbody.geometry.given.argument import checked
-from symbody.geometry.motion.floating import by_speeds, known_rates, rate_by
-from symbody.symbolic import Expr, functions_of_time, time_derivative
+from symbody.symbolic import Expr
 from symbody.symbolic.expression.container import Container, contains
 from symbody.symbolic.expression.html_table import html_table
 from symbody.symbolic.given.arguments import brief, counted
 
 from .body import Body
-from .constraint import Condition, as_constraint
-from .constraint_fault import Unknowns, fault_of, is_on_velocity
-from .coordinate import check_function_of_time
 from .frames import all_frames
 from .load import COLUMNS, Action, Load
 from .oversight import notices
 from .physical_inertia import report_impossible_differences
 from .picture import picture
+from .variables import Conditions, Coordinates, Variables, check_single, check_substitution
 
 Thing = TypeVar("Thing", Body, Load)
 
@@ -35,17 +31,10 @@ Bodies: TypeAlias = Annotated[Collection[Body], "a list of bodies, such as [Body
 Loads: TypeAlias = Annotated[
     Collection[Load], "a list of forces and torques, such as [Torque(frame, x, y, z, on=body)]"
 ]
-Coordinates: TypeAlias = Annotated[
-    Sequence[Expr], "a list of functions of time, such as functions_of_time('x y')"
-]
-Conditions: TypeAlias = Annotated[
-    Sequence[Condition],
-    "a list of expressions that are zero, such as [x**2 + y**2 - l**2], or of Constraints",
-]
 
 
 @final
-class System:
+class System(Variables):
     """A multibody system: bodies and loads, and the coordinates in which they move.
 
     Sets are put in an order that doesn't depend on the run.
@@ -75,6 +64,8 @@ class System:
     (theta',)
     """
 
+    where = "System"
+
     @checked(ModelError)
     def __init__(
         self,
@@ -94,53 +85,17 @@ class System:
         self.gravity = gravity
         self._frames = all_frames(self.bodies, self.loads, gravity)
         motions = [frame.motion for frame in self._frames if frame.motion is not None]
-        self.coordinate_rates = {q: rate for motion in motions for q, rate in motion.coordinate_rates.items()}
-        """The coordinates whose rates are not speeds, as those of floating frames, and these rates by the speeds."""
-        self.coordinates = _completed(coordinates, self.coordinate_rates)
-        self.quasi_velocities = _completed(speeds, [u for motion in motions for u in motion.speeds])
-        self.conditions = tuple(as_constraint(constraint) for constraint in constraints)
-        """The constraints as values, with their names and what they connect."""
-        self.name = name
-        self.multipliers = tuple(multipliers) or self._default_multipliers()
-        self.inputs = tuple(expression(each) for each in inputs)
-        self._check()
-
-    @cached_property
-    def constraints(self) -> tuple[Expr, ...]:
-        """The constraints as expressions that are zero: on positions, and on velocities as they were given."""
-        return tuple(each.condition for each in self.conditions)
-
-    @cached_property
-    def holonomic(self) -> tuple[int, ...]:
-        """The places of the constraints on positions among all."""
-        unknowns = self._unknowns
-        return tuple(k for k, each in enumerate(self.constraints) if not is_on_velocity(each, unknowns))
-
-    @property
-    def is_holonomic(self) -> bool:
-        """Whether all constraints are conditions on positions."""
-        return len(self.holonomic) == len(self.constraints)
-
-    @cached_property
-    def position_constraints(self) -> tuple[Expr, ...]:
-        """The constraints on positions, phi."""
-        return tuple(self.constraints[k] for k in self.holonomic)
-
-    def velocity_level(self, constraints: Sequence[Expr]) -> tuple[Expr, ...]:
-        """Return ``A u + b``, one per constraint: the rate of a condition on positions, or the condition itself.
-
-        Args:
-            constraints: those of the system, in these or other forms.
-        """
-        if self.is_holonomic:
-            return self.rate(constraints)
-        rates = iter(self.rate([constraints[k] for k in self.holonomic]))
-        others = self.by_speeds(constraints)
-        return tuple(next(rates) if k in self.holonomic else other for k, other in enumerate(others))
-
-    @property
-    def _unknowns(self) -> Unknowns:
-        return Unknowns(self.coordinates, self.quasi_velocities, self.speeds, self.by_speeds)
+        rates = {q: rate for motion in motions for q, rate in motion.coordinate_rates.items()}
+        super().__init__(
+            _completed(coordinates, rates),
+            rates,
+            speeds=_completed(speeds, [u for motion in motions for u in motion.speeds]),
+            constraints=constraints,
+            multipliers=multipliers,
+            inputs=inputs,
+            name=name,
+        )
+        self.check()
 
     @cached_property
     def root(self) -> Frame:
@@ -153,94 +108,23 @@ class System:
         members = {*self.bodies}
         return tuple(action for load in self.loads for action in load.actions if action.body in members)
 
-    @cached_property
-    def driving(self) -> tuple[Expr, ...]:
-        """The quasi-velocities, then the coordinates whose rates are speeds: the freedoms of the motion."""
-        return self.quasi_velocities + tuple(q for q in self.coordinates if q not in self.coordinate_rates)
+    def check(self) -> None:
+        """Check that bodies, loads and gravity belong together, and the variables.
 
-    @cached_property
-    def speeds(self) -> tuple[Expr, ...]:
-        """The speeds, one per equation of motion: the quasi-velocities, then rates of coordinates."""
-        n = len(self.quasi_velocities)
-        return self.quasi_velocities + tuple(time_derivative(q) for q in self.driving[n:])
-
-    @cached_property
-    def accelerations(self) -> tuple[Expr, ...]:
-        """The rates of the speeds."""
-        return tuple(time_derivative(u) for u in self.speeds)
-
-    @cached_property
-    def state_names(self) -> tuple[Expr, ...]:
-        """The names by which a state may be given: coordinates, speeds, and rates of coordinates."""
-        rates = (time_derivative(q) for q in self.coordinates)
-        return tuple(dict.fromkeys((*self.coordinates, *self.speeds, *rates)))
-
-    @property
-    def has_quasi_velocities(self) -> bool:
-        """Whether some speed is not the rate of a coordinate, or some rate not a speed."""
-        return self.driving != self.coordinates
-
-    @property
-    def kinematics(self) -> dict[Expr, Expr]:
-        """The rates of all coordinates by the speeds."""
-        rates = (time_derivative(q) for q in self.coordinates)
-        return {rate: self.known_rates.get(rate, rate) for rate in rates}
-
-    @cached_property
-    def known_rates(self) -> dict[Expr, Expr]:
-        """The rates of coordinates that are not speeds, by the speeds: the nontrivial part of the kinematics."""
-        return known_rates(self.coordinate_rates)
-
-    @cached_property
-    def rate(self) -> Rate:
-        """The time derivative, with these rates put in."""
-        return rate_by(self.coordinate_rates)
-
-    def by_speeds(self, expressions: Sequence[Expr]) -> tuple[Expr, ...]:
-        """Return expressions with the rates of coordinates, of any order, written by the speeds and their rates."""
-        return by_speeds(self.coordinate_rates, expressions)
-
-    def _check(self) -> None:
+        Raises:
+            ModelError: something is missing, given twice, or of another kind.
+            ConstraintError: a constraint is no condition on positions or velocities, or a multiplier is something else.
+        """
         if not self.bodies:
             raise ModelError("System: no bodies; give at least one")
-        _check_single(self.bodies, "the body")
-        _check_single(self.loads, "the load")
+        check_single(self.bodies, "System: the body")
+        check_single(self.loads, "System: the load")
         self._check_gravity()
-        self._check_coordinates()
-        self._check_constraints()
-        self._check_multipliers()
-        self._check_inputs()
+        super().check()
         report_impossible_differences(self.bodies)
         known = (*self.coordinates, *self.quasi_velocities, *self.inputs)
         for notice in notices(self.bodies, self.loads, self.constraints, known):
             warnings.warn(f"System: {notice}", ModelNotice, stacklevel=4)
-
-    def _check_coordinates(self) -> None:
-        if not self.driving:
-            raise ModelError(
-                "System: no coordinates; give the functions of time that describe the motion, in order"
-            )
-        for coordinate in self.coordinates:
-            check_function_of_time(coordinate, "System: the coordinate")
-        for speed in self.quasi_velocities:
-            check_function_of_time(speed, "System: the speed")
-        _check_single(self.coordinates, "the coordinate")
-        _check_single(self.quasi_velocities, "the speed")
-        for speed in self.quasi_velocities:
-            if speed in self.coordinates:
-                raise ModelError(
-                    f"System: {speed} is both a coordinate and a speed; the rates of coordinates are speeds anyway: "
-                    "leave it out of one of them"
-                )
-
-    def _check_inputs(self) -> None:
-        for given in self.inputs:
-            check_function_of_time(given, "System: the input")
-            if given in (*self.coordinates, *self.quasi_velocities, *self.multipliers):
-                raise ModelError(
-                    f"System: {given} is an input and unknown; leave it out of inputs, or of coordinates, speeds and "
-                    "multipliers"
-                )
 
     def _check_gravity(self) -> None:
         if self.gravity is not None and self.gravity.frame.ancestor != self.root:
@@ -248,50 +132,6 @@ class System:
                 f"System: the gravity is given in {brief(self.gravity.frame)}, which can't be seen from {self.root}, "
                 f"on which the bodies hang; give its components in {self.root}"
             )
-
-    def _check_constraints(self) -> None:
-        m = len(self.constraints)
-        if len(self.multipliers) != m:
-            raise ConstraintError(
-                f"System: {counted(len(self.multipliers), 'multiplier')} for {counted(m, 'constraint')}; "
-                "give one for each"
-            )
-        unknowns = self._unknowns
-        for number, constraint in enumerate(self.conditions, start=1):
-            fault = fault_of(constraint.condition, unknowns)
-            if fault:
-                raise ConstraintError(f"System: constraint {number}, {constraint}, {fault}")
-
-    def _check_multipliers(self) -> None:
-        for multiplier in self.multipliers:
-            check_function_of_time(multiplier, "System: the multiplier")
-        _check_single(self.multipliers, "the multiplier")
-        taken = self._names() if self.multipliers else frozenset()
-        for multiplier in self.multipliers:
-            if multiplier.name in taken:
-                raise ConstraintError(
-                    f"System: the multiplier {multiplier} is a coordinate, or in a frame, a load or a constraint; "
-                    "expected a function of time of its own, such as functions_of_time('lambda1')"
-                )
-
-    def _default_multipliers(self) -> tuple[Expr, ...]:
-        """Return the constraints' own multipliers, or ``lambda1``, ..., without names that the model uses already."""
-        given = [each.multiplier for each in self.conditions]
-        if None not in given:
-            return tuple(each for each in given if each is not None)
-        taken = self._names() | {each.name for each in given if each is not None}
-        free = (functions_of_time(name) for name in (f"lambda{k}" for k in count(1)) if name not in taken)
-        return tuple(next(free) if each is None else each for each in given)
-
-    @cached_property
-    def leaves(self) -> frozenset[Expr]:
-        """All symbols and functions of time in the model, also those that its equations don't need."""
-        return frozenset({*self.coordinates, *self.quasi_velocities}).union(
-            *(value.free_symbols for value in self._values())
-        )
-
-    def _names(self) -> frozenset[str]:
-        return frozenset(leaf.name for leaf in self.leaves if leaf.kind != "application")
 
     def _values(self) -> Iterator[Expr]:
         yield from self.constraints
@@ -363,12 +203,6 @@ def _ordered(things: Collection[Thing]) -> tuple[Thing, ...]:
     )
 
 
-def _check_single(things: Sequence[object], kind: str) -> None:
-    if len(set(things)) < len(things):
-        twice = next(thing for thing in things if things.count(thing) > 1)
-        raise ModelError(f"System: {kind} {brief(twice)} is given twice; give it once")
-
-
 def _completed(given: Sequence[Expr], needed: Iterable[Expr]) -> tuple[Expr, ...]:
     """Return what is needed and not given, then what is given."""
     listed = tuple(expression(each) for each in given)
@@ -395,20 +229,9 @@ def _rebuilt(system: System, parts: Sequence[Any]) -> System:
     )
 
 
-def _check_substitution(system: System, mapping: Mapping[Any, Any]) -> None:
-    """Raise an error for a substitution that would leave the system without its unknowns."""
-    unknown = {each.name for each in (*system.coordinates, *system.quasi_velocities, *system.multipliers)}
-    for key in mapping:
-        if isinstance(key, Expr) and key.kind == "time_function" and key.name in unknown:
-            raise ModelError(
-                f"subs: {key} is an unknown of {brief(system)}; expected parameters and inputs. Substitute in "
-                "expressions of the system, such as equations.residuals"
-            )
-
-
 contains(
     System,
     Container(
-        _parts, _rebuilt, advice="the residuals of its equations of motion have one", subs=_check_substitution
+        _parts, _rebuilt, advice="the residuals of its equations of motion have one", subs=check_substitution
     ),
 )

@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 from symbody.codegen import lambdify
 from symbody.dynamics import Equations
 from symbody.errors import ArgumentError, ModelError, SimulationError
-from symbody.multibody import System
+from symbody.multibody import Variables
 from symbody.simulation.constraint.kinematics import Kinematics, kinematics_of
 from symbody.simulation.given.given_input import substitute_inputs
 from symbody.simulation.given.parameter import parameters_among
@@ -70,7 +70,7 @@ class InverseDynamics:
     array([6., 6., 6.])
     """
 
-    system: System
+    system: Variables
     t: Array
     coordinates: Array
     speeds: Array
