@@ -1,5 +1,6 @@
 """Dynamics: from a system to its equations of motion, and to what solves them."""
 
+from symbody.dynamics.equations import of_sympy as _of_sympy  # noqa: F401  enters the converters
 from symbody.dynamics.equations.equations import Equations
 from symbody.dynamics.equations.equations_of import equations_of
 from symbody.dynamics.formalism.euler import euler_equations

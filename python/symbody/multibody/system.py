@@ -65,6 +65,7 @@ class System(Variables):
     """
 
     where = "System"
+    contents = "a frame, a load or a constraint"
 
     @checked(ModelError)
     def __init__(

@@ -47,6 +47,8 @@ class Variables:
 
     where = "equations_of"
     """The function that the user called, for messages."""
+    contents = "M, f or a constraint"
+    """What the equations are made of, for messages."""
 
     def __init__(
         self,
@@ -215,8 +217,8 @@ class Variables:
         for multiplier in self.multipliers:
             if multiplier.name in taken:
                 raise ConstraintError(
-                    f"{self.where}: the multiplier {multiplier} is a coordinate, or in a frame, a load or a "
-                    "constraint; expected a function of time of its own, such as functions_of_time('lambda1')"
+                    f"{self.where}: the multiplier {multiplier} is a coordinate, or in {self.contents}; "
+                    "expected a function of time of its own, such as functions_of_time('lambda1')"
                 )
 
     def _default_multipliers(self) -> tuple[Expr, ...]:

@@ -56,7 +56,7 @@ def equations_of(
         name: what the system is called.
 
     Raises:
-        ModelError: sizes disagree, or M or f hold accelerations or multipliers.
+        ModelError: sizes disagree, M or f hold accelerations, or a multiplier is in them.
         ConstraintError: a constraint is no condition on positions or velocities, or contradicts another one.
 
     >>> from symbody import forward_dynamics, functions_of_time, sin, symbols, time_derivative
@@ -166,11 +166,6 @@ def _check_leaves(place: str, value: Expr, variables: Variables) -> None:
     strange = _strange([value], variables, {*variables.speeds, *variables.coordinates})
     if strange is None:
         return
-    if strange.name in {each.name for each in variables.multipliers}:
-        raise ModelError(
-            f"equations_of: {place} holds the multiplier {strange}; leave the forces of constraints out, which are "
-            "added as A^T lambda"
-        )
     raise ModelError(
         f"equations_of: {place} holds the acceleration {strange}; expected coordinates, speeds and inputs, with the "
         "coefficients of accelerations in the mass matrix"
@@ -178,7 +173,7 @@ def _check_leaves(place: str, value: Expr, variables: Variables) -> None:
 
 
 def _strange(values: Iterable[Expr], variables: Variables, known: set[Expr]) -> Expr | None:
-    """Return the first function of time by name that is a rate of an unknown or a multiplier, and not known."""
-    unknown = {each.name for each in (*variables.coordinates, *variables.speeds, *variables.multipliers)}
+    """Return the first function of time by name that is a rate of an unknown, and not known."""
+    unknown = {each.name for each in (*variables.coordinates, *variables.speeds)}
     leaves = {leaf for value in values for leaf in value.free_symbols if leaf.kind == "time_function"}
     return min((leaf for leaf in leaves - known if leaf.name in unknown), key=str, default=None)
