@@ -155,3 +155,57 @@ def test_accelerations_of_a_spring() -> None:
     kane = mechanics.KanesMethod(N, [q], [u], [q.diff() - u])
     kane.kanes_equations([mechanics.Particle("p", P, m)], [(P, (-k * q - c * u) * N.x)])
     assert forward_dynamics(from_sympy(kane)).accelerations[0] == from_sympy((-k * q - c * u) / m)
+
+
+def test_forces_by_auxiliary_speeds() -> None:
+    q, u, a, F = mechanics.dynamicsymbols("q u a F")
+    slope = 0.4
+    N, P = mechanics.ReferenceFrame("N"), mechanics.Point("P")
+    P.set_vel(N, u * N.x + a * N.y)
+    kane = mechanics.KanesMethod(N, [q], [u], [q.diff() - u], u_auxiliary=[a])
+    weight = M * G * (np.sin(slope) * N.x - np.cos(slope) * N.y)
+    kane.kanes_equations([mechanics.Particle("p", P, M)], [(P, weight + F * N.y)])
+    equations = from_sympy(kane)
+    assert_allclose(float(forward_dynamics(equations).accelerations[0]), G * np.sin(slope))
+    assert equations.inputs == ()
+    (force,) = from_sympy(kane.auxiliary_eqs)
+    assert_allclose(float(force.subs({functions_of_time("F"): 0})), -M * G * np.cos(slope))
+
+
+def test_dependent_quaternion_is_kept_by_the_kinematics() -> None:
+    """The configuration constraint of Euler parameters whose rate the kinematics contain demands nothing of speeds."""
+    e = mechanics.dynamicsymbols("e1 e2 e3 e0")
+    w = mechanics.dynamicsymbols("w1:4")
+    x, y, z, e0 = e
+    N, B, P = mechanics.ReferenceFrame("N"), mechanics.ReferenceFrame("B"), mechanics.Point("P")
+    P.set_vel(N, 0)
+    B.orient(N, "Quaternion", [e0, x, y, z])
+    B.set_ang_vel(N, w[0] * B.x + w[1] * B.y + w[2] * B.z)
+    kane = mechanics.KanesMethod(
+        N,
+        e[:3],
+        w,
+        kd_eqs=[
+            x.diff() - (e0 * w[0] + y * w[2] - z * w[1]) / 2,
+            y.diff() - (e0 * w[1] + z * w[0] - x * w[2]) / 2,
+            z.diff() - (e0 * w[2] + x * w[1] - y * w[0]) / 2,
+            x * x.diff() + y * y.diff() + z * z.diff() + e0 * e0.diff(),
+        ],
+        q_dependent=[e0],
+        configuration_constraints=[x**2 + y**2 + z**2 + e0**2 - 1],
+    )
+    moments = (0.3, 0.5, 0.7)
+    body = mechanics.RigidBody("b", P, B, 1, (mechanics.inertia(B, *moments), P))
+    kane.kanes_equations([body])
+    equations = from_sympy(kane)
+    assert equations.constraints == ()
+    start = dict(zip(functions_of_time("e1 e2 e3 e0 w1 w2 w3"), (0, 0, 0, 1, 0.3, 2.0, -0.1), strict=True))
+    motion = simulate(equations, {}, start, t=(0, 3), rtol=1e-11, atol=1e-11)
+
+    def euler(_: float, s: np.ndarray) -> list[float]:
+        a, b, c = moments
+        return [(b - c) * s[1] * s[2] / a, (c - a) * s[2] * s[0] / b, (a - b) * s[0] * s[1] / c]
+
+    expected = solve_ivp(euler, (0, 3), [0.3, 2.0, -0.1], t_eval=[3.0], rtol=1e-11, atol=1e-11)
+    assert_allclose(motion.states[-1, 4:], expected.y[:, -1], atol=1e-8)
+    assert_allclose((motion.states[:, :4] ** 2).sum(axis=1), 1, atol=1e-8)

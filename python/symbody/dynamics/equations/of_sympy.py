@@ -92,6 +92,13 @@ def _independent(
 
     SymPy takes the rates of constraints on positions among those on velocities.
 
+    Args:
+        position: the constraints on positions.
+        velocity: those on velocities.
+        coordinates: the coordinates.
+        speeds: the speeds.
+        rates: the rates of the coordinates, in their order, by the speeds.
+
     Raises:
         ModelError: SymPy's constraints on velocities don't keep one on positions.
     """
