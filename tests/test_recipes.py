@@ -237,7 +237,10 @@ def test_every_load_has_components_in_any_frame() -> None:
 
 def test_every_formalism_is_held_against_the_others() -> None:
     public = [getattr(dynamics, name) for name in dynamics.__all__]
-    formalisms = {f for f in public if callable(f) and typing.get_type_hints(f).get("return") is Equations}
+    hints = {f: typing.get_type_hints(f) for f in public if callable(f)}
+    formalisms = {
+        f for f, of in hints.items() if of.get("return") is Equations and of.get("system") is System
+    }
     assert formalisms
     for tested in (test_formalisms, test_textbook_forms, test_robots):
         assert formalisms == set(tested.FORMALISMS), tested.__name__
