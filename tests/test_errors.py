@@ -12,6 +12,7 @@ from symbody import (
     Expr,
     Force,
     Frame,
+    Matrix,
     ModelNotice,
     Point,
     SymbodyError,
@@ -22,9 +23,11 @@ from symbody import (
     angular_velocity,
     center_of_mass,
     dot,
+    equations_of,
     errors,
     euler_equations,
     floating_frame,
+    forward_dynamics,
     frozen_velocity,
     functions_of_time,
     generalized_force,
@@ -894,6 +897,70 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
         (
             "gradient: t*x contains the function of time x, so it has two derivatives with respect to t: "
             "time_derivative(e) is the total one, partial_derivative(e, t) the one that holds x fixed"
+        ),
+    ),
+    (
+        errors.ModelError,
+        lambda: equations_of([[m, 0]], [F], [x]),
+        ("equations_of: the mass matrix is 1 x 2; expected a square one, with a row and a column per speed"),
+    ),
+    (
+        errors.ModelError,
+        lambda: equations_of([[m]], [F, 0], [x]),
+        ("equations_of: a mass matrix of 1 row and 2 forces for 1 speed, x'; expected as many of each"),
+    ),
+    (
+        errors.ModelError,
+        lambda: equations_of([[m]], Matrix([[F, 0], [0, F]]), [x]),
+        "equations_of: the forcing is 2 x 2; expected one column, or a list",
+    ),
+    (
+        errors.ModelError,
+        lambda: equations_of([[m]], [F - b * time_derivative(x, 2)], [x]),
+        (
+            "equations_of: f[0] holds the acceleration x''; expected coordinates, speeds and inputs, with the "
+            "coefficients of accelerations in the mass matrix"
+        ),
+    ),
+    (
+        errors.ConstraintError,
+        lambda: equations_of([[m, 0], [0, m]], [z, 0], [x, y], constraints=[x - y], multipliers=[z]),
+        (
+            "equations_of: the multiplier z is a coordinate, or in M, f or a constraint; expected a function of time "
+            "of its own, such as functions_of_time('lambda1')"
+        ),
+    ),
+    (
+        errors.ModelError,
+        lambda: equations_of([[m]], [F], [x], speeds=[y], kinematics={time_derivative(z): y}),
+        "equations_of: kinematics of z', which isn't the rate of a coordinate; expected some of x'",
+    ),
+    (
+        errors.ModelError,
+        lambda: equations_of(
+            [[m]], [F], [x], speeds=[y], kinematics={time_derivative(x): time_derivative(y)}
+        ),
+        "equations_of: the kinematics of x hold y'; expected speeds, coordinates and inputs",
+    ),
+    (
+        errors.ConstraintError,
+        lambda: equations_of([[m]], [F], [x], constraints=[time_derivative(x, 2)]),
+        (
+            "equations_of: constraint 1, x'' = 0, holds the acceleration x''; expected a condition on coordinates, or "
+            "one on rates and speeds, as accelerations follow from forces and constraints; give its integral"
+        ),
+    ),
+    (
+        errors.ModelError,
+        lambda: equations_of([[m]], [F], []),
+        "equations_of: no coordinates; give the functions of time that describe the motion, in order",
+    ),
+    (
+        errors.ModelError,
+        lambda: forward_dynamics(equations_of([[m]], [F], [x]), method="articulated_body"),
+        (
+            "forward_dynamics: the articulated-body recursion is for systems of bodies, and these equations were given "
+            "without bodies; use method='auto'"
         ),
     ),
 ]

@@ -14,6 +14,7 @@ from symbody.dynamics import (
     ForwardDynamics,
     dependent_speeds,
     embedded,
+    equations_of,
     euler_equations,
     forward_dynamics,
     generalized_force,
@@ -201,6 +202,7 @@ __all__ = [
     "diff",
     "dot",
     "embedded",
+    "equations_of",
     "equilibrium",
     "euler_equations",
     "exp",
@@ -278,7 +280,7 @@ _LATER = ("codegen", "simulation", "view", "document")
 """The layers that are loaded when one of their names is first used, the lower ones first."""
 
 
-def _what_is_redundant(system: System) -> str:
+def _what_is_redundant(system: object) -> str:
     text: str = import_module("symbody.simulation.constraint.redundant_constraints").advice(system)
     return text
 

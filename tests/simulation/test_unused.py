@@ -77,8 +77,8 @@ def test_a_value_of_another_variable_of_the_same_name(where: str) -> None:
     (notice,) = caught
     assert str(notice.message) == (
         f"{where}: the parameters lenght, mass do not occur in this model or in outputs, events and inputs: "
-        "their values have no effect; did you mean length?; the mass without a use is symbols('mass', positive=True), the mass "
-        "of the model is symbols('mass'): symbols with different assumptions are different "
+        "their values have no effect; did you mean length?; the mass without a use is symbols('mass', positive=True), "
+        "the mass of the model is symbols('mass'): symbols with different assumptions are different "
         "symbols; use the same one in both places"
     )
 

@@ -7,7 +7,7 @@ from typing import Any
 
 from symbody.dynamics import Equations
 from symbody.errors import ReportError
-from symbody.multibody import System
+from symbody.multibody import Variables
 from symbody.simulation.given.unused import warn_of_unused
 from symbody.simulation.given.values import check_known, finite_number, state_values
 from symbody.symbolic import Expr
@@ -35,7 +35,7 @@ def parameters_of(equations: Equations, given: object) -> dict[Expr, float]:
     return {name: finite_number(name, value, "report, parameters") for name, value in found.items()}
 
 
-def position_of(system: System, given: object) -> dict[Expr, float]:
+def position_of(system: Variables, given: object) -> dict[Expr, float]:
     """Return the values of coordinates.
 
     Raises:

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from symbody.codegen import lambdify
 from symbody.document.subject import Subject
 from symbody.dynamics import Equations
-from symbody.multibody import System
+from symbody.multibody import Variables
 from symbody.simulation import consistent_state
 from symbody.symbolic import Expr, free_symbols
 from symbody.view import DrawableMotion
@@ -30,7 +30,7 @@ INERTIA = 0.08
 class Still:
     """A motion of one instant, by the values of all symbols; symbols without one have a default."""
 
-    system: System
+    system: Variables
     known: Mapping[Expr, float]
 
     @property
@@ -52,8 +52,9 @@ def still(subject: Subject) -> DrawableMotion:
     """Return the reference position of a system: the given values, defaults for others, on the constraints."""
     equations = subject.equations
     guess = {q: value for q, value in _positions(equations.system).items() if q not in subject.position}
-    moments = {each: INERTIA for body in equations.system.bodies for each in body.moments}
-    products = {each: 0.0 for body in equations.system.bodies for each in body.products}
+    bodies = () if subject.mechanism is None else subject.mechanism.bodies
+    moments = {each: INERTIA for body in bodies for each in body.moments}
+    products = {each: 0.0 for body in bodies for each in body.products}
     inertias = {each: value for each, value in (products | moments).items() if each.kind == "symbol"}
     known = dict.fromkeys(equations.parameters, PARAMETER) | inertias | dict(subject.parameters)
     if equations.constraints:
@@ -71,7 +72,7 @@ def _of_constraints(equations: Equations, known: Mapping[Expr, float]) -> dict[E
     return {p: known[p] for p in equations.parameters}
 
 
-def _positions(system: System) -> dict[Expr, float]:
+def _positions(system: Variables) -> dict[Expr, float]:
     """Return a value of each coordinate, by its kind; the quaternions of floating frames are not rotated."""
     found: dict[Expr, float] = {}
     for group in overview(system)[0]:

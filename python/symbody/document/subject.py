@@ -8,7 +8,7 @@ from functools import cached_property
 
 from symbody.dynamics import Equations
 from symbody.dynamics.display.summary import READABLE
-from symbody.multibody import System
+from symbody.multibody import System, Variables
 from symbody.symbolic import Cost, Expr, cost, readable
 from symbody.view import DrawableMotion
 
@@ -32,9 +32,14 @@ class Subject:
     units: Mapping[Expr, str]
 
     @property
-    def system(self) -> System:
-        """The system to which the equations belong."""
+    def system(self) -> Variables:
+        """The system to which the equations belong, or their variables."""
         return self.equations.system
+
+    @property
+    def mechanism(self) -> System | None:
+        """The system with its bodies; None for equations that were given without bodies."""
+        return self.system if isinstance(self.system, System) else None
 
     @property
     def is_chosen(self) -> bool:

@@ -1,6 +1,8 @@
 """Dynamics: from a system to its equations of motion, and to what solves them."""
 
+from symbody.dynamics.equations import of_sympy as _of_sympy  # noqa: F401  enters the converters
 from symbody.dynamics.equations.equations import Equations
+from symbody.dynamics.equations.equations_of import equations_of
 from symbody.dynamics.formalism.euler import euler_equations
 from symbody.dynamics.formalism.generalized_force import generalized_force
 from symbody.dynamics.formalism.gibbs_appell import gibbs_appell
@@ -18,6 +20,7 @@ __all__ = [
     "ForwardDynamics",
     "dependent_speeds",
     "embedded",
+    "equations_of",
     "euler_equations",
     "forward_dynamics",
     "generalized_force",

@@ -7,6 +7,7 @@ from .load import Action, Force, Load, Torque, power
 from .momentum import angular_momentum, linear_momentum
 from .show import describe, show
 from .system import System
+from .variables import Variables
 
 __all__ = [
     "Action",
@@ -16,6 +17,7 @@ __all__ = [
     "Load",
     "System",
     "Torque",
+    "Variables",
     "angular_momentum",
     "center_of_mass",
     "describe",

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable
 
 from symbody.errors import ModelError
 from symbody.symbolic import Expr
@@ -22,10 +22,3 @@ def rate_of_any(coordinates: Iterable[Expr], leaves: Iterable[Expr]) -> Expr | N
         leaf for leaf in leaves if leaf.kind == "time_function" and leaf.order > 0 and leaf.name in names
     )
     return min(rates, key=lambda leaf: (leaf.name, leaf.order), default=None)
-
-
-def check_single(things: Sequence[object], kind: str) -> None:
-    """Raise an error if a system is given a thing twice."""
-    if len(set(things)) < len(things):
-        twice = next(thing for thing in things if things.count(thing) > 1)
-        raise ModelError(f"System: {kind} {brief(twice)} is given twice; give it once")

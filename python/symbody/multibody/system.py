@@ -7,30 +7,26 @@ from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from copy import copy
 from functools import cached_property
 from importlib import import_module
-from itertools import count
 from types import MappingProxyType
 from typing import Annotated, Any, TypeAlias, TypeVar, final
 
-from symbody.errors import ConstraintError, ModelError, ModelNotice
+from symbody.errors import ModelError, ModelNotice
 from symbody.geometry import Frame, Vector
 from symbody.geometry.component.triple import expression
 from symbody.geometry.given.argument import checked
-from symbody.symbolic import Expr, functions_of_time, substitute, time_derivative
+from symbody.symbolic import Expr, substitute, time_derivative
 from symbody.symbolic.expression.container import Container, contains
 from symbody.symbolic.expression.html_table import html_table
 from symbody.symbolic.given.arguments import brief, counted
 
 from .body import Body
 from .chosen_speeds import Choice, GivenUnknowns, chosen_rates, defined_speeds
-from .constraint import Condition, as_constraint
-from .constraint_fault import Unknowns, fault_of, is_on_velocity
-from .coordinate import check_function_of_time, check_single
 from .frames import all_frames
 from .load import COLUMNS, Action, Load
 from .oversight import notices
 from .physical_inertia import report_impossible_differences
 from .picture import picture
-from .system_kinematics import SystemKinematics
+from .variables import Conditions, Coordinates, Variables, check_single, check_substitution
 
 Thing = TypeVar("Thing", Body, Load)
 
@@ -42,17 +38,10 @@ Bodies: TypeAlias = Annotated[Collection[Body], "a list of bodies, such as [Body
 Loads: TypeAlias = Annotated[
     Collection[Load], "a list of forces and torques, such as [Torque(frame, x, y, z, on=body)]"
 ]
-Coordinates: TypeAlias = Annotated[
-    Sequence[Expr], "a list of functions of time, such as functions_of_time('x y')"
-]
-Conditions: TypeAlias = Annotated[
-    Sequence[Condition],
-    "a list of expressions that are zero, such as [x**2 + y**2 - l**2]",
-]
 
 
 @final
-class System(SystemKinematics):
+class System(Variables):
     """A multibody system: bodies and loads, and the coordinates in which they move.
 
     Sets are put in an order that doesn't depend on the run.
@@ -91,6 +80,9 @@ class System(SystemKinematics):
     ((v,), {theta': v/l})
     """
 
+    where = "System"
+    contents = "a frame, a load or a constraint"
+
     @checked(ModelError)
     def __init__(
         self,
@@ -112,62 +104,24 @@ class System(SystemKinematics):
         self._frames = all_frames(self.bodies, self.loads, gravity)
         motions = [frame.motion for frame in self._frames if frame.motion is not None]
         floating = {q: rate for motion in motions for q, rate in motion.coordinate_rates.items()}
-        self.coordinates = _completed(coordinates, floating)
-        defined = defined_speeds(self.coordinates, kinematics)
-        self.quasi_velocities = _completed(
-            speeds, [*(u for motion in motions for u in motion.speeds), *defined]
-        )
-        chosen = chosen_rates(GivenUnknowns(self.coordinates, self.quasi_velocities, floating), kinematics)
-        self.coordinate_rates = floating | chosen
+        unknowns = _completed(coordinates, floating)
+        defined = defined_speeds(unknowns, kinematics)
+        known = _completed(speeds, [*(u for motion in motions for u in motion.speeds), *defined])
+        chosen = chosen_rates(GivenUnknowns(unknowns, known, floating), kinematics)
         self.chosen = tuple(chosen)
         """The coordinates whose rates are written by speeds of the user's choice."""
-        self.conditions = tuple(as_constraint(constraint) for constraint in constraints)
-        """The constraints as values, with their names and what they connect."""
-        self.name = name
-        self.multipliers = tuple(multipliers) or self._default_multipliers()
-        self.inputs = tuple(expression(each) for each in inputs)
-        self.eliminated: dict[Expr, Expr] = {}
-        """The speeds that constraints made dependent, each by the independent ones; none unless `eliminating` did."""
         self.whole = self
         """The system with the constraints by which speeds were eliminated; itself, if none were."""
-        self._check()
-
-    @cached_property
-    def constraints(self) -> tuple[Expr, ...]:
-        """The constraints as expressions that are zero: on positions, and on velocities as they were given."""
-        return tuple(each.condition for each in self.conditions)
-
-    @cached_property
-    def holonomic(self) -> tuple[int, ...]:
-        """The places of the constraints on positions among all."""
-        unknowns = self._unknowns
-        return tuple(k for k, each in enumerate(self.constraints) if not is_on_velocity(each, unknowns))
-
-    @property
-    def is_holonomic(self) -> bool:
-        """Whether all constraints are conditions on positions."""
-        return len(self.holonomic) == len(self.constraints)
-
-    @cached_property
-    def position_constraints(self) -> tuple[Expr, ...]:
-        """The constraints on positions, phi."""
-        return tuple(self.constraints[k] for k in self.holonomic)
-
-    def velocity_level(self, constraints: Sequence[Expr]) -> tuple[Expr, ...]:
-        """Return ``A u + b``, one per constraint: the rate of a condition on positions, or the condition itself.
-
-        Args:
-            constraints: those of the system, in these or other forms.
-        """
-        if self.is_holonomic:
-            return self.rate(constraints)
-        rates = iter(self.rate([constraints[k] for k in self.holonomic]))
-        others = self.by_speeds(constraints)
-        return tuple(next(rates) if k in self.holonomic else other for k, other in enumerate(others))
-
-    @property
-    def _unknowns(self) -> Unknowns:
-        return Unknowns(self.coordinates, self.quasi_velocities, self.speeds, self.by_speeds)
+        super().__init__(
+            unknowns,
+            floating | chosen,
+            speeds=known,
+            constraints=constraints,
+            multipliers=multipliers,
+            inputs=inputs,
+            name=name,
+        )
+        self.check()
 
     @cached_property
     def root(self) -> Frame:
@@ -225,29 +179,23 @@ class System(SystemKinematics):
         reduced.eliminated, reduced.whole = dict(dependent), self
         return reduced
 
-    def _check(self) -> None:
+    def check(self) -> None:
+        """Check that bodies, loads and gravity belong together, and the variables.
+
+        Raises:
+            ModelError: something is missing, given twice, or of another kind.
+            ConstraintError: a constraint is no condition on positions or velocities, or a multiplier is something else.
+        """
         if not self.bodies:
             raise ModelError("System: no bodies; give at least one")
-        check_single(self.bodies, "the body")
-        check_single(self.loads, "the load")
+        check_single(self.bodies, "System: the body")
+        check_single(self.loads, "System: the load")
         self._check_gravity()
-        self._check_unknowns()
-        self._check_constraints()
-        self._check_multipliers()
-        self._check_inputs()
+        super().check()
         report_impossible_differences(self.bodies)
         known = (*self.coordinates, *self.quasi_velocities, *self.inputs)
         for notice in notices(self.bodies, self.loads, self.constraints, known):
             warnings.warn(f"System: {notice}", ModelNotice, stacklevel=4)
-
-    def _check_inputs(self) -> None:
-        for given in self.inputs:
-            check_function_of_time(given, "System: the input")
-            if given in (*self.coordinates, *self.quasi_velocities, *self.multipliers):
-                raise ModelError(
-                    f"System: {given} is an input and unknown; leave it out of inputs, or of coordinates, speeds and "
-                    "multipliers"
-                )
 
     def _check_gravity(self) -> None:
         if self.gravity is not None and self.gravity.frame.ancestor != self.root:
@@ -255,50 +203,6 @@ class System(SystemKinematics):
                 f"System: the gravity is given in {brief(self.gravity.frame)}, which can't be seen from {self.root}, "
                 f"on which the bodies hang; give its components in {self.root}"
             )
-
-    def _check_constraints(self) -> None:
-        m = len(self.constraints)
-        if len(self.multipliers) != m:
-            raise ConstraintError(
-                f"System: {counted(len(self.multipliers), 'multiplier')} for {counted(m, 'constraint')}; "
-                "give one for each"
-            )
-        unknowns = self._unknowns
-        for number, constraint in enumerate(self.conditions, start=1):
-            fault = fault_of(constraint.condition, unknowns)
-            if fault:
-                raise ConstraintError(f"System: constraint {number}, {constraint}, {fault}")
-
-    def _check_multipliers(self) -> None:
-        for multiplier in self.multipliers:
-            check_function_of_time(multiplier, "System: the multiplier")
-        check_single(self.multipliers, "the multiplier")
-        taken = self._names() if self.multipliers else frozenset()
-        for multiplier in self.multipliers:
-            if multiplier.name in taken:
-                raise ConstraintError(
-                    f"System: the multiplier {multiplier} is a coordinate, or in a frame, a load or a constraint; "
-                    "expected a function of time of its own, such as functions_of_time('lambda1')"
-                )
-
-    def _default_multipliers(self) -> tuple[Expr, ...]:
-        """Return the constraints' own multipliers, or ``lambda1``, ..., without names that the model uses already."""
-        given = [each.multiplier for each in self.conditions]
-        if None not in given:
-            return tuple(each for each in given if each is not None)
-        taken = self._names() | {each.name for each in given if each is not None}
-        free = (functions_of_time(name) for name in (f"lambda{k}" for k in count(1)) if name not in taken)
-        return tuple(next(free) if each is None else each for each in given)
-
-    @cached_property
-    def leaves(self) -> frozenset[Expr]:
-        """All symbols and functions of time in the model, also those that its equations don't need."""
-        return frozenset({*self.coordinates, *self.quasi_velocities}).union(
-            *(value.free_symbols for value in self._values())
-        )
-
-    def _names(self) -> frozenset[str]:
-        return frozenset(leaf.name for leaf in self.leaves if leaf.kind != "application")
 
     def _values(self) -> Iterator[Expr]:
         yield from self.constraints
@@ -413,20 +317,9 @@ def _rebuilt(system: System, parts: Sequence[Any]) -> System:
     return whole.eliminating(pairs) if pairs else whole
 
 
-def _check_substitution(system: System, mapping: Mapping[Any, Any]) -> None:
-    """Raise an error for a substitution that would leave the system without its unknowns."""
-    unknown = {each.name for each in (*system.coordinates, *system.quasi_velocities, *system.multipliers)}
-    for key in mapping:
-        if isinstance(key, Expr) and key.kind == "time_function" and key.name in unknown:
-            raise ModelError(
-                f"subs: {key} is an unknown of {brief(system)}; expected parameters and inputs. Substitute in "
-                "expressions of the system, such as equations.residuals"
-            )
-
-
 contains(
     System,
     Container(
-        _parts, _rebuilt, advice="the residuals of its equations of motion have one", subs=_check_substitution
+        _parts, _rebuilt, advice="the residuals of its equations of motion have one", subs=check_substitution
     ),
 )

@@ -17,9 +17,9 @@ from numpy.typing import NDArray
 
 from symbody.errors import ViewError
 from symbody.geometry import Frame, Point
-from symbody.multibody import Body, Load, System
+from symbody.multibody import Body, Load, Variables
 from symbody.symbolic import Expr
-from symbody.view.drawable_motion import DrawableMotion
+from symbody.view.drawable_motion import DrawableMotion, mechanism_of
 from symbody.view.drawing_options import DrawingOptions
 from symbody.view.scene import scene
 from symbody.view.shape import Shape
@@ -144,7 +144,7 @@ def animate(
     True
     """
     file = None if path is None else _page_file(path)
-    loads = (motion.system.loads if forces else ()) if isinstance(forces, bool) else forces
+    loads = (mechanism_of(motion).loads if forces else ()) if isinstance(forces, bool) else forces
     options = DrawingOptions(shapes or {}, frames, points, traces, lines, loads, reactions, follow)
     name = title or motion.system.name or "symbody"
     text = page(scene(thinned(motion), options, name))
@@ -206,7 +206,7 @@ class _Thinned:
         return np.asarray(self.motion.t[self.kept])
 
     @property
-    def system(self) -> System:
+    def system(self) -> Variables:
         return self.motion.system
 
     def __getitem__(self, expression: Expr) -> NDArray[np.float64]:

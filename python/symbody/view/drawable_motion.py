@@ -8,7 +8,8 @@ from typing import Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from symbody.multibody import System
+from symbody.errors import ViewError
+from symbody.multibody import System, Variables
 from symbody.symbolic import Expr
 
 
@@ -24,7 +25,7 @@ class DrawableMotion(Protocol):
         ...
 
     @property
-    def system(self) -> System:
+    def system(self) -> Variables:
         """The system that moves."""
         ...
 
@@ -35,3 +36,17 @@ class DrawableMotion(Protocol):
     def evaluate(self, expressions: Sequence[Expr]) -> NDArray[np.float64]:
         """Return the values of several expressions, one row for each: shape (expressions, N)."""
         ...
+
+
+def mechanism_of(motion: DrawableMotion) -> System:
+    """Return the system that moves, with its bodies.
+
+    Raises:
+        ViewError: its equations were given without bodies.
+    """
+    if not isinstance(motion.system, System):
+        raise ViewError(
+            "animate: the equations of this motion were given without bodies, so that there is nothing to draw; plot "
+            "shows its coordinates and speeds over time"
+        )
+    return motion.system

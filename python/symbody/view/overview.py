@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from symbody.geometry.motion.frame_motion import FrameMotion
-from symbody.multibody import System
+from symbody.multibody import System, Variables
 from symbody.symbolic import Expr, number, pi, substitute, time_derivative
 from symbody.view.attachment import natural_points
 
@@ -40,7 +40,7 @@ class Group:
         return KINDS[self.kind].format(time) if time else ""
 
 
-def overview(system: System) -> tuple[list[Group], list[Group]]:
+def overview(system: Variables) -> tuple[list[Group], list[Group]]:
     """Return the coordinates and the speeds of a system, in groups of one kind.
 
     >>> from symbody import Body, functions_of_time, rotate, translate
@@ -68,9 +68,11 @@ def _groups(kinds: Mapping[Expr, str]) -> list[Group]:
     return groups
 
 
-def _kinds(system: System) -> dict[Expr, str]:
+def _kinds(system: Variables) -> dict[Expr, str]:
     """Return the kinds of coordinates and speeds, from the frames of bodies and the names of natural coordinates."""
     found: dict[Expr, str] = {}
+    if not isinstance(system, System):
+        return found
     motions = [m for body in system.bodies for m in body.frame.motions]
     twists = [m.twist for m in motions if m.twist is not None]
     twists += [] if system.root.carrier is None else [system.root.carrier]

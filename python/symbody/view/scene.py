@@ -15,7 +15,7 @@ from symbody.symbolic.given.arguments import brief
 from symbody.view.arrow import arrow_entries, load_arrows, reaction_arrows
 from symbody.view.camera import view_of
 from symbody.view.chain import joint
-from symbody.view.drawable_motion import DrawableMotion
+from symbody.view.drawable_motion import DrawableMotion, mechanism_of
 from symbody.view.drawing_options import DrawingOptions
 from symbody.view.equivalent import equivalent_shape
 from symbody.view.frame_table import FrameTable
@@ -45,7 +45,7 @@ def scene(motion: DrawableMotion, options: DrawingOptions, title: str) -> dict[s
     Raises:
         ViewError: there is nothing to draw, a value is not finite, or a shape belongs to no body of the system.
     """
-    bodies = motion.system.bodies
+    bodies = mechanism_of(motion).bodies
     _check_shapes(options.shapes, bodies)
     table = FrameTable()
     own = [table.place(body.frame) for body in bodies]
@@ -98,7 +98,7 @@ def _check_shapes(shapes: Mapping[Body, object], bodies: Sequence[Body]) -> None
 
 def _up(motion: DrawableMotion) -> Array:
     """Return the direction opposite to gravity, or z without gravity."""
-    gravity = motion.system.gravity
+    gravity = mechanism_of(motion).gravity
     if gravity is None:
         return np.array([0.0, 0, 1])
     down = arrows(motion, [gravity])[0, 0]
@@ -110,12 +110,12 @@ def _shift(motion: DrawableMotion, follow: Body | None, tracks: Array, up: Array
     """Return the displacement of the camera that follows a body: horizontal, zero at the first instant."""
     if follow is None:
         return np.zeros((len(motion.t), 3))
-    if follow not in motion.system.bodies:
+    if follow not in mechanism_of(motion).bodies:
         raise ViewError(
             f"animate: {brief(follow)} to follow is not a body of the system; "
-            f"expected one of {brief(', '.join(map(str, motion.system.bodies)))}"
+            f"expected one of {brief(', '.join(map(str, mechanism_of(motion).bodies)))}"
         )
-    path = tracks[motion.system.bodies.index(follow), :, :3]
+    path = tracks[mechanism_of(motion).bodies.index(follow), :, :3]
     way = path - path[0]
     return np.asarray(way - (way @ up)[:, None] * up)
 
@@ -254,7 +254,7 @@ def _radius(places: Array) -> float:
 
 def _reach(motion: DrawableMotion, tracks: Array, given: Sequence[list[Part]], shift: Array) -> Array:
     """Return centres of mass, displaced in all directions by the size of the solids, or by their radii of gyration."""
-    bodies = motion.system.bodies
+    bodies = mechanism_of(motion).bodies
     table = constants(motion, [x for body in bodies for x in (body.mass, *body.moments)]).reshape(-1, 4)
     with np.errstate(divide="ignore", invalid="ignore"):
         gyration = np.sqrt(1.5 * np.nan_to_num(table[:, 1:].max(axis=1) / table[:, 0], posinf=0.0).clip(0))

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from symbody.geometry import Point
 from symbody.view.attachment import RIGID, Attachment, Thread, attachment, natural_points, threads
 from symbody.view.chain import guides, segments
-from symbody.view.drawable_motion import DrawableMotion
+from symbody.view.drawable_motion import DrawableMotion, mechanism_of
 from symbody.view.frame_table import FrameTable
 from symbody.view.pose import constants, paths, values
 
@@ -55,7 +55,7 @@ def skeleton(motion: DrawableMotion, table: FrameTable, tracks: Array) -> Skelet
         tracks: the poses of the bodies, shape (bodies, N, 7).
     """
     named, places, fixed, size = _confirmed(motion, tracks)
-    found = threads(motion.system, named)
+    found = threads(mechanism_of(motion), named)
     points, lines, shown = _points(named, places, fixed, size), [], []
     for thread, end in zip(found, paths(motion, [thread.end for thread in found]), strict=True):
         k = named.index(thread.start)
@@ -73,7 +73,7 @@ def _confirmed(
     motion: DrawableMotion, tracks: Array
 ) -> tuple[list[Point], list[Array], list[Attachment], float]:
     """Return the natural coordinates that move with a body: points, paths, and places; and the size of the picture."""
-    named = natural_points(motion.system)
+    named = natural_points(mechanism_of(motion))
     places = paths(motion, named)
     every = np.concatenate([tracks[:, :, :3].reshape(-1, 3), places.reshape(-1, 3), np.zeros((1, 3))])
     size = float(np.linalg.norm(np.ptp(every, axis=0))) or 1.0
@@ -119,8 +119,8 @@ def _is_drawn(
 
 def _points_of_action(motion: DrawableMotion, tracks: Array, size: float) -> list[Attachment]:
     """Return the points where forces act that are fixed on their bodies."""
-    bodies = list(motion.system.bodies)
-    actions = [a for load in motion.system.loads for a in load.actions if a.body in bodies]
+    bodies = list(mechanism_of(motion).bodies)
+    actions = [a for load in mechanism_of(motion).loads for a in load.actions if a.body in bodies]
     found = []
     for action in actions:
         if action.point is not None:
@@ -132,7 +132,7 @@ def _points_of_action(motion: DrawableMotion, tracks: Array, size: float) -> lis
 
 
 def _segments(motion: DrawableMotion, table: FrameTable) -> list[dict[str, Any]]:
-    found = segments(motion.system.bodies)
+    found = segments(mechanism_of(motion).bodies)
     ends = constants(motion, [x for segment in found for x in segment.to]).reshape(-1, 3)
     return [
         _rod(table.place(segment.frame), np.zeros(3), end, owner)
@@ -142,7 +142,7 @@ def _segments(motion: DrawableMotion, table: FrameTable) -> list[dict[str, Any]]
 
 def _guides(motion: DrawableMotion, table: FrameTable) -> list[dict[str, Any]]:
     rods = []
-    for guide in guides(motion.system.bodies):
+    for guide in guides(mechanism_of(motion).bodies):
         places = values(motion, guide.displacement).T
         low, high = places.min(axis=0), places.max(axis=0)
         more = BEYOND * (high - low)
@@ -153,7 +153,7 @@ def _guides(motion: DrawableMotion, table: FrameTable) -> list[dict[str, Any]]:
 def _arms(
     motion: DrawableMotion, table: FrameTable, arms: Sequence[Attachment], least: float
 ) -> list[dict[str, Any]]:
-    bodies = motion.system.bodies
+    bodies = mechanism_of(motion).bodies
     return [
         _rod(table.place(bodies[arm.body].frame), np.zeros(3), arm.place, arm.body)
         for arm in arms

@@ -12,8 +12,11 @@ from symbody.symbolic import Expr, gradient, jacobian, number, readable
 
 
 def energies(subject: Subject) -> list[Block]:
-    """Return the section."""
-    system = subject.system
+    """Return the section; of equations that were given without bodies, the given energy."""
+    system, given = subject.mechanism, subject.equations.energy
+    if system is None:
+        said = prose("The energy is")
+        return [] if given is None else [Heading("Energies"), *equalities(said, ["E"], subject.read([given]))]
     found = {"T": kinetic_energy(system)}
     sentence = "The kinetic energy is"
     if system.gravity is not None and system.root.carrier is None:

@@ -42,8 +42,10 @@ def _freedom(subject: Subject) -> str:
 
 def _centres(subject: Subject) -> list[Block]:
     """Return the coordinates of the centres of mass, without those that are zero."""
+    if subject.mechanism is None:
+        return []
     places = {}
-    for number, body in enumerate(subject.system.bodies, start=1):
+    for number, body in enumerate(subject.mechanism.bodies, start=1):
         for axis, value in zip("xyz", body.frame.pose.origin, strict=True):
             if not value.is_zero:
                 places[rf"{axis}_{{\mathrm{{G}}{number}}}"] = value

@@ -16,12 +16,14 @@ from symbody.view.svg import sketch_svg
 
 
 def mechanism(subject: Subject) -> list[Block]:
-    """Return the section."""
-    system = subject.system
+    """Return the section; nothing for equations that were given without bodies."""
+    system = subject.mechanism
+    if system is None:
+        return []
     sizes = {"body": system.bodies, "load": system.loads, "constraint": system.constraints}
     parts = [counted(len(each), noun) for noun, each in sizes.items() if each]
     sentence = prose(f"The system has {joined_by_and(parts)}.")
-    return [Heading("Mechanism"), sentence, _picture(subject), _bodies(subject), *_loads(subject)]
+    return [Heading("Mechanism"), sentence, _picture(subject), _bodies(system), *_loads(system)]
 
 
 def _picture(subject: Subject) -> Block:
@@ -41,9 +43,9 @@ def _picture(subject: Subject) -> Block:
     return Picture("mechanism", caption, sketch_svg(sketch), sketch)
 
 
-def _bodies(subject: Subject) -> Block:
+def _bodies(system: System) -> Block:
     rows = []
-    for body, name in _names(subject.system).items():
+    for body, name in _names(system).items():
         cell = ("particle",) if body.is_particle else listed(body.moments)
         rows.append(((name,), (Math(latex(body.mass)),), cell))
     return Table(("body", "mass", "moments of inertia"), tuple(rows))
@@ -54,16 +56,16 @@ def _names(system: System) -> dict[Body, str]:
     return {body: body.name or f"body {number}" for number, body in enumerate(system.bodies, start=1)}
 
 
-def _loads(subject: Subject) -> list[Block]:
+def _loads(system: System) -> list[Block]:
     """Return the actions of all loads, and gravity."""
-    names = _names(subject.system)
+    names = _names(system)
     rows: list[tuple[Words, ...]] = []
-    for number, load in enumerate(subject.system.loads, start=1):
+    for number, load in enumerate(system.loads, start=1):
         for action in load.actions:
             kind = "force" if action.is_force else "torque"
             on = names.get(action.body, action.body.name or "a body outside the system")
             rows.append(_load_row(load.name or f"load {number}", kind, action.vector, on))
-    gravity = subject.system.gravity
+    gravity = system.gravity
     if gravity is not None:
         rows.append(_load_row("gravity", "acceleration", gravity, "all bodies"))
     return [Table(("load", "kind", "components", "in the axes of", "on"), tuple(rows))] if rows else []

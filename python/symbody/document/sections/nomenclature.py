@@ -67,23 +67,26 @@ def _unit_of_multiplier(constraint: Expr, units: Mapping[Expr, str]) -> str:
 def _roles(subject: Subject) -> dict[Expr, tuple[str, str]]:
     """Return the meanings of parameters that stand alone in a mass, an inertia, gravity, a load or a displacement."""
     roles: dict[Expr, tuple[str, str]] = {}
-    for number, body in enumerate(subject.system.bodies, start=1):
+    system = subject.mechanism
+    if system is None:
+        return roles
+    for number, body in enumerate(system.bodies, start=1):
         name = body.name or f"body {number}"
         roles.setdefault(body.mass, (f"mass of {name}", "kg"))
         for axis, moment in zip("xyz", body.moments, strict=True):
             roles.setdefault(moment, (f"moment of inertia of {name} about {axis}", "kg m²"))
         for axes, product in zip(("yz", "xz", "xy"), body.products, strict=True):
             roles.setdefault(product, (f"product of inertia of {name}, {axes}", "kg m²"))
-    gravity = subject.system.gravity
+    gravity = system.gravity
     for component in () if gravity is None else gravity.components:
         for each in (component, -component):
             roles.setdefault(each, ("acceleration of gravity", "m/s²"))
-    for load in subject.system.loads:
+    for load in system.loads:
         for action in load.actions:
             role = ("force", "N") if action.is_force else ("torque", "N m")
             for component in action.vector.components:
                 roles.setdefault(component, role)
-    for motion in (motion for body in subject.system.bodies for motion in body.frame.motions):
+    for motion in (motion for body in system.bodies for motion in body.frame.motions):
         for leaf in _multiples(motion.displacement):
             roles.setdefault(leaf, ("length", "m"))
         for leaf in () if motion.turn_axis is None else _multiples(motion.variables):

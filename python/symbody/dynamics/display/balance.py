@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from symbody.multibody import System
+from symbody.multibody import System, Variables
 from symbody.symbolic import Expr, Matrix, number
 from symbody.symbolic.calculus.reader import Reader
 
@@ -54,7 +54,7 @@ class Balance:
 
 
 def balances(
-    system: System, residuals: Sequence[Expr], mass_matrix: Matrix, bias: Sequence[Expr], jacobian: Matrix
+    system: Variables, residuals: Sequence[Expr], mass_matrix: Matrix, bias: Sequence[Expr], jacobian: Matrix
 ) -> tuple[tuple[Balance, ...], Matrix]:
     """Return the equations by the kinds of their terms and the mass matrix, all in their forms for the reader.
 
@@ -67,7 +67,7 @@ def balances(
         bias: the residuals at zero accelerations and multipliers.
         jacobian: phi_q, m x n.
     """
-    reader = Reader(differences(system))
+    reader = Reader(differences(system) if isinstance(system, System) else ())
     kinds = sources(system, mass_matrix)
     parts = _parts(system, bias, kinds, mass_matrix)
     mass_matrix = _read(mass_matrix, reader)
@@ -107,7 +107,7 @@ class _Parts:
         return cls(inertia, weight, free - bodies, -part_of(bias, [*kinds.given]))
 
 
-def _parts(system: System, bias: Sequence[Expr], kinds: Sources, mass_matrix: Matrix) -> list[_Parts]:
+def _parts(system: Variables, bias: Sequence[Expr], kinds: Sources, mass_matrix: Matrix) -> list[_Parts]:
     """Return the terms by their symbols, or by generalised forces where only these leave forces of inertia.
 
     Symbols give short forms and are right as a rule, but they don't tell numbers and quotients apart. Forces of inertia
@@ -115,7 +115,7 @@ def _parts(system: System, bias: Sequence[Expr], kinds: Sources, mass_matrix: Ma
     """
     parts = [_Parts.of(entry, kinds) for entry in bias]
     follows = by_christoffel([part.inertia for part in parts], mass_matrix, system)
-    if system.has_quasi_velocities or all(follows):
+    if system.has_quasi_velocities or not isinstance(system, System) or all(follows):
         return parts
     forces = generalized_forces(system)
     others = [
@@ -158,7 +158,7 @@ def _read(matrix: Matrix, reader: Reader) -> Matrix:
     return Matrix([entries[start : start + n] for start in range(0, len(entries), n)])
 
 
-def _by_degree(inertia: Sequence[Expr], mass_matrix: Matrix, system: System) -> list[Degrees | None]:
+def _by_degree(inertia: Sequence[Expr], mass_matrix: Matrix, system: Variables) -> list[Degrees | None]:
     found = by_christoffel(inertia, mass_matrix, system)
     if all(found):
         return found

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from symbody.errors import SymbodyError
-from symbody.multibody import System
+from symbody.multibody import Variables
 from symbody.symbolic import Expr, Matrix, diff, jacobian, number, subs
 
 Product = tuple[Expr, Expr]
@@ -50,7 +50,7 @@ def part_of(expression: Expr, symbols: Sequence[Expr]) -> Expr:
     return linear if linear == rest else rest
 
 
-def by_christoffel(inertia: Sequence[Expr], mass_matrix: Matrix, system: System) -> list[Degrees | None]:
+def by_christoffel(inertia: Sequence[Expr], mass_matrix: Matrix, system: Variables) -> list[Degrees | None]:
     """Return the forces of inertia that follow from the mass matrix alone, by Christoffel's symbols.
 
     Derivatives of short entries are short. None where the forces have other terms too, as on a moving support.

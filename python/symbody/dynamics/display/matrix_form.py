@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from symbody.errors import ModelNotice
-from symbody.multibody import System
+from symbody.multibody import Variables
 from symbody.symbolic import Expr, Matrix, diff, free_symbols, number
 from symbody.symbolic.calculus.rewrite import textbook_form
 from symbody.symbolic.expression.latex_layout import aligned, bmatrix, displayed
@@ -46,7 +46,7 @@ class MatrixForm:
         g1 = g*l*m*sin(theta)
     """
 
-    system: System
+    system: Variables
     mass_matrix: Matrix
     coriolis: Matrix
     gravity: Matrix
@@ -139,7 +139,7 @@ class MatrixForm:
 
 
 def matrix_form(
-    system: System, mass_matrix: Matrix, balances: Sequence[Balance], *, christoffel: bool
+    system: Variables, mass_matrix: Matrix, balances: Sequence[Balance], *, christoffel: bool
 ) -> MatrixForm:
     """Return the matrices of equations whose terms are known by their kinds; M is in its form for the reader.
 
@@ -178,7 +178,7 @@ def _notice(reason: str) -> None:
     )
 
 
-def by_christoffel(mass_matrix: Matrix, system: System) -> Matrix:
+def by_christoffel(mass_matrix: Matrix, system: Variables) -> Matrix:
     """Return the matrix C(q, q') of Christoffel's symbols: ``c_ijk = (dM_ij/dq_k + dM_ik/dq_j - dM_jk/dq_i)/2``.
 
     With it, M' - 2 C is skew-symmetric [Murray, Li & Sastry 1994, sec. 4.2].

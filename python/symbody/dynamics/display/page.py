@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 
-from symbody.multibody import System
+from symbody.multibody import Variables
 from symbody.symbolic import Expr, Matrix, listing
 from symbody.symbolic.calculus.rewrite import textbook_form
 from symbody.symbolic.expression.latex_layout import aligned, broken
@@ -31,7 +31,7 @@ class Page:
         mass_matrix: M, each entry in its form for the reader, n x n.
     """
 
-    system: System
+    system: Variables
     balances: tuple[Balance, ...]
     constraints: tuple[Expr, ...]
     mass_matrix: Matrix

@@ -4,14 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 
-from symbody.multibody import System
+from symbody.multibody import Variables
 from symbody.symbolic import Expr, listing_of_equations
 
 LINE = 110
 """The most characters of a line of text."""
 
 
-def printed(terms: Iterable[Expr], notation: str, system: System) -> tuple[list[tuple[str, str]], list[str]]:
+def printed(
+    terms: Iterable[Expr], notation: str, system: Variables
+) -> tuple[list[tuple[str, str]], list[str]]:
     """Return named quantities and printed terms: coordinates, speeds and multipliers are in the system's order."""
     speeds = (*system.quasi_velocities, *system.multipliers)
     return listing_of_equations(terms, notation, system.coordinates, speeds)

@@ -6,7 +6,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 from symbody.geometry import Frame
-from symbody.multibody import System
+from symbody.multibody import System, Variables
 from symbody.symbolic import Expr, Matrix, diff, free_symbols, t
 
 
@@ -25,10 +25,12 @@ class Sources:
     given: frozenset[Expr]
 
 
-def sources(system: System, mass_matrix: Matrix) -> Sources:
+def sources(system: Variables, mass_matrix: Matrix) -> Sources:
     """Return the symbols of gravity, loads and given forces; those of the mass matrix belong to the bodies."""
     motion = _names((*system.coordinates, *system.speeds))
     inertia = free_symbols(mass_matrix.entries)
+    if not isinstance(system, System):
+        return Sources(frozenset(), frozenset(), _inputs(system) - inertia)
     weight = frozenset[Expr]()
     if system.gravity is not None:
         weight = _symbols(system.gravity.components, motion) - inertia
@@ -46,6 +48,14 @@ def sources(system: System, mass_matrix: Matrix) -> Sources:
         gravity=weight,
         loads=frozenset(leaf for leaf in loads if leaf.kind == "symbol") - inertia - weight,
         given=frozenset(leaf for leaf in given - moving - inertia if leaf.name not in placing),
+    )
+
+
+def _inputs(variables: Variables) -> frozenset[Expr]:
+    """Return the functions of time that are given from outside: all that is known of the forces without loads."""
+    unknown = _names((*variables.coordinates, *variables.speeds, *variables.multipliers))
+    return frozenset(
+        leaf for leaf in variables.leaves if leaf.kind == "time_function" and leaf.name not in unknown
     )
 
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from symbody.multibody import System
+from symbody.multibody import Variables
 from symbody.symbolic import Expr, cost, latex
 from symbody.symbolic.expression.html_table import html_table
 from symbody.symbolic.expression.latex_layout import aligned
@@ -21,7 +21,7 @@ def is_readable(residuals: Sequence[Expr]) -> bool:
     return cost(residuals).total <= READABLE
 
 
-def summary(system: System, residuals: Sequence[Expr]) -> str:
+def summary(system: Variables, residuals: Sequence[Expr]) -> str:
     """Return the number and the sizes of equations, and how to see one of them."""
     sizes = [
         "..." if size is None else f"{size[0]}: {counted(size[1], 'operation')}"
@@ -30,7 +30,7 @@ def summary(system: System, residuals: Sequence[Expr]) -> str:
     return "\n    ".join([f"EQUATIONS OF MOTION of {_total(system, residuals)}", *sizes, *_ADVICE])
 
 
-def summary_in_latex(system: System, residuals: Sequence[Expr]) -> str:
+def summary_in_latex(system: Variables, residuals: Sequence[Expr]) -> str:
     """Return the number and the sizes of equations in LaTeX."""
     sizes = [
         r"&\;\vdots"
@@ -41,7 +41,7 @@ def summary_in_latex(system: System, residuals: Sequence[Expr]) -> str:
     return aligned([rf"&\text{{Equations of motion of {_total(system, residuals)}}}", *sizes])
 
 
-def summary_table(system: System, residuals: Sequence[Expr]) -> str:
+def summary_table(system: Variables, residuals: Sequence[Expr]) -> str:
     """Return the number and the sizes of equations for a notebook, in HTML."""
     rows = [("...", "...") if size is None else size for size in sizes_by_speed(system, residuals)]
     title = f"Equations of motion of {_total(system, residuals)}"
@@ -54,12 +54,12 @@ _ADVICE = (
 )
 
 
-def _total(system: System, residuals: Sequence[Expr]) -> str:
+def _total(system: Variables, residuals: Sequence[Expr]) -> str:
     sizes = f"{counted(len(residuals), 'speed')}, {counted(len(system.constraints), 'constraint')}"
     return f"{sizes}: {counted(cost(residuals).total, 'operation')} in all"
 
 
-def sizes_by_speed(system: System, residuals: Sequence[Expr]) -> list[tuple[Expr, int] | None]:
+def sizes_by_speed(system: Variables, residuals: Sequence[Expr]) -> list[tuple[Expr, int] | None]:
     """Return the operations of the first and the last equations by their speeds; None stands for those between."""
     n = len(residuals)
     shown = [k for k in range(n) if k < _SHOWN or k >= n - _SHOWN]

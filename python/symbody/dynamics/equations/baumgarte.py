@@ -7,7 +7,7 @@ from typing import Annotated, TypeAlias
 
 from symbody.geometry import Scalar
 from symbody.geometry.component.triple import expression
-from symbody.multibody import System
+from symbody.multibody import Variables
 from symbody.symbolic import Expr, derivation
 
 Damping: TypeAlias = Annotated[
@@ -16,7 +16,9 @@ Damping: TypeAlias = Annotated[
 ]
 
 
-def stabilized(system: System, constraints: Sequence[Expr], omega: Scalar, zeta: Scalar) -> tuple[Expr, ...]:
+def stabilized(
+    system: Variables, constraints: Sequence[Expr], omega: Scalar, zeta: Scalar
+) -> tuple[Expr, ...]:
     """Return ``phi'' + 2 zeta omega phi' + omega^2 phi`` for every constraint phi on positions.
 
     Where this is kept at zero, a violation of the constraint dies out with the frequency omega and the damping ratio
@@ -29,7 +31,7 @@ def stabilized(system: System, constraints: Sequence[Expr], omega: Scalar, zeta:
         omega: the frequency, in rad/s.
         zeta: the damping ratio.
 
-    >>> from symbody import Body, functions_of_time, time_derivative, translate
+    >>> from symbody import Body, System, functions_of_time, time_derivative, translate
     >>> x, y = functions_of_time("x y")
     >>> guided = System([Body(translate(x, y, 0), 1)], coordinates=[x, y], constraints=[y, time_derivative(x) - 1])
     >>> stabilized(guided, guided.constraints, 1, 0)
@@ -41,7 +43,7 @@ def stabilized(system: System, constraints: Sequence[Expr], omega: Scalar, zeta:
 
 
 def damped(
-    system: System, constraints: Sequence[Expr], accelerations: Sequence[Expr], omega: Scalar, zeta: Scalar
+    system: Variables, constraints: Sequence[Expr], accelerations: Sequence[Expr], omega: Scalar, zeta: Scalar
 ) -> tuple[Expr, ...]:
     """Return accelerations of constraints with the terms of the stabilisation.
 

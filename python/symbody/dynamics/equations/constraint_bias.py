@@ -9,13 +9,13 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from symbody.geometry import Scalar
-from symbody.multibody import System
+from symbody.multibody import Variables
 from symbody.symbolic import Expr, Matrix, cost, derivation, number, substitute
 
 from .baumgarte import damped, stabilized
 
 
-def is_shorter_by_jacobian(system: System, constraints: Sequence[Expr], A: Matrix) -> bool:
+def is_shorter_by_jacobian(system: Variables, constraints: Sequence[Expr], A: Matrix) -> bool:
     """Return whether ``A' u + b'`` has fewer operations, beside A, than the second rate of the constraints."""
     costs = []
     for form in (by_second_rate, by_jacobian):
@@ -25,7 +25,7 @@ def is_shorter_by_jacobian(system: System, constraints: Sequence[Expr], A: Matri
 
 
 def by_second_rate(
-    system: System, constraints: Sequence[Expr], _: Matrix, omega: Scalar = 0, zeta: Scalar = 0
+    system: Variables, constraints: Sequence[Expr], _: Matrix, omega: Scalar = 0, zeta: Scalar = 0
 ) -> tuple[Expr, ...]:
     """Return Baumgarte's rows of the constraints at zero accelerations.
 
@@ -40,7 +40,7 @@ def by_second_rate(
 
 
 def by_jacobian(
-    system: System, constraints: Sequence[Expr], A: Matrix, omega: Scalar = 0, zeta: Scalar = 0
+    system: Variables, constraints: Sequence[Expr], A: Matrix, omega: Scalar = 0, zeta: Scalar = 0
 ) -> tuple[Expr, ...]:
     """Return ``A' u + b'`` with Baumgarte's terms.
 

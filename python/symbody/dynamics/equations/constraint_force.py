@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from symbody.multibody import System
+from symbody.multibody import Variables
 from symbody.symbolic import Expr, Matrix, derivation, gradient, jacobian, number, time_derivative, zeros
 
 
-def constraint_jacobian(system: System) -> Matrix:
+def constraint_jacobian(system: Variables) -> Matrix:
     """Return A of ``A u + b``, m x n: ``dphi'/du`` of constraints on positions; one row each, a column per speed."""
     if not system.constraints:
         return zeros(0, len(system.speeds))
@@ -18,7 +18,7 @@ def constraint_jacobian(system: System) -> Matrix:
         return jacobian(system.constraints, system.coordinates)
 
 
-def with_multipliers(residuals: Sequence[Expr], system: System) -> tuple[Expr, ...]:
+def with_multipliers(residuals: Sequence[Expr], system: Variables) -> tuple[Expr, ...]:
     """Return ``residual - A^T lambda``, one per speed: the forces of the multipliers are on the side of the loads.
 
     The products are the gradient of ``sum(lambda phi)`` by the coordinates, or of ``sum(lambda (A u + b))`` by the
@@ -34,12 +34,12 @@ def with_multipliers(residuals: Sequence[Expr], system: System) -> tuple[Expr, .
     )
 
 
-def _forces_on_positions(system: System) -> tuple[Expr, ...]:
+def _forces_on_positions(system: Variables) -> tuple[Expr, ...]:
     forces = gradient(_multiplied(system, system.constraints, on_position=True), system.coordinates)
     return _along_speeds(forces, system) if system.has_quasi_velocities else forces
 
 
-def _forces_on_velocities(system: System) -> tuple[Expr, ...]:
+def _forces_on_velocities(system: Variables) -> tuple[Expr, ...]:
     if system.is_holonomic:
         return (number(0),) * len(system.speeds)
     return gradient(
@@ -47,7 +47,7 @@ def _forces_on_velocities(system: System) -> tuple[Expr, ...]:
     )
 
 
-def _multiplied(system: System, constraints: Sequence[Expr], *, on_position: bool) -> Expr:
+def _multiplied(system: Variables, constraints: Sequence[Expr], *, on_position: bool) -> Expr:
     """Return the sum of the constraints of one kind, each times its multiplier."""
     augmented = number(0)
     for k, (multiplier, constraint) in enumerate(zip(system.multipliers, constraints, strict=True)):
@@ -56,7 +56,7 @@ def _multiplied(system: System, constraints: Sequence[Expr], *, on_position: boo
     return augmented
 
 
-def _along_speeds(forces: Sequence[Expr], system: System) -> tuple[Expr, ...]:
+def _along_speeds(forces: Sequence[Expr], system: Variables) -> tuple[Expr, ...]:
     """Return the power of forces along the coordinates, per unit of each speed."""
     power, kinematics = number(0), system.kinematics
     for coordinate, force in zip(system.coordinates, forces, strict=True):

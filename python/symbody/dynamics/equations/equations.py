@@ -14,7 +14,7 @@ from symbody.dynamics.display.summary import is_readable, summary, summary_in_la
 from symbody.errors import ModelError
 from symbody.geometry import Scalar
 from symbody.geometry.given.argument import checked
-from symbody.multibody import System
+from symbody.multibody import Variables
 from symbody.symbolic import Expr, Matrix, Program, cost, free_symbols, without_idle_symbols
 from symbody.symbolic.expression.container import Container, contains, substituted
 from symbody.symbolic.expression.latex_layout import displayed
@@ -70,9 +70,10 @@ class Equations:
     phi_q is ``dphi'/du``. A constraint on velocities, ``A u + b = 0``, has A as its rows of phi_q.
 
     Attributes:
-        system: the system to which they belong.
+        system: the system to which they belong; of equations that were given without bodies, their variables.
         residuals: n expressions, ``M u' - forcing - phi_q^T lambda``, which are zero along a motion.
         assemble: derives the mass matrix and the bias when they are first needed; the residuals don't need them.
+        energy: the energy of equations that were given without bodies, if it is known.
 
     >>> from symbody import Body, System, functions_of_time, newton_euler, symbols, translate
     >>> (x, y), (m, l) = functions_of_time("x y"), symbols("m l")
@@ -84,9 +85,10 @@ class Equations:
     (Matrix([[m, 0], [0, m]]), Matrix([[2*x, 2*y]]))
     """
 
-    system: System
+    system: Variables
     residuals: tuple[Expr, ...]
-    assemble: Callable[[System], Assembly]
+    assemble: Callable[[Any], Assembly]
+    energy: Expr | None = None
 
     @property
     def coordinates(self) -> tuple[Expr, ...]:
@@ -278,19 +280,14 @@ _AT_ONCE = 500
 
 
 @dataclass(frozen=True)
-class _Given:
+class Derived:
     """An assembly that is known already."""
 
     assembly: Assembly
 
-    def __call__(self, system: System) -> Assembly:
+    def __call__(self, system: object) -> Assembly:
         del system
         return self.assembly
-
-
-def given_assembly(assembly: Assembly) -> Callable[[System], Assembly]:
-    """Return what `Equations` takes to assemble coefficients that are known already."""
-    return _Given(assembly)
 
 
 def _parts(equations: Equations) -> tuple[object, ...]:
@@ -300,14 +297,15 @@ def _parts(equations: Equations) -> tuple[object, ...]:
 def _rebuilt(equations: Equations, parts: Sequence[Any]) -> Equations:
     """Return the equations in another form; they belong to the same system."""
     residuals, constraints, mass_matrix, bias = parts
-    made = Equations(equations.system, residuals, given_assembly(Assembly(mass_matrix, bias)))
+    made = replace(equations, residuals=residuals, assemble=Derived(Assembly(mass_matrix, bias)))
     vars(made)["constraints"] = constraints  # the value that the cached property would find
     return made
 
 
 def _substituted(equations: Equations, mapping: Mapping[Any, Any]) -> Equations:
     system, parts = substituted(equations.system, mapping), substituted(_parts(equations), mapping)
-    return _rebuilt(replace(equations, system=system), parts)
+    energy = None if equations.energy is None else substituted(equations.energy, mapping)
+    return _rebuilt(replace(equations, system=system, energy=energy), parts)
 
 
 contains(

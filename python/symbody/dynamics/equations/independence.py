@@ -11,14 +11,14 @@ from collections.abc import Callable, Sequence
 from typing import NamedTuple
 
 from symbody.errors import ConstraintError, ModelNotice
-from symbody.multibody import System
+from symbody.multibody import Variables
 from symbody.symbolic import Expr, number, substitute, t
 from symbody.symbolic.given.arguments import brief
 
 from .constraint_force import constraint_jacobian
 
 
-def check_independent(system: System) -> None:
+def check_independent(system: Variables) -> None:
     """Give a notice of constraints that follow from those before them, at almost every position.
 
     Raises:
@@ -41,27 +41,27 @@ def check_independent(system: System) -> None:
     _check_motion_is_left(system, sum(bool(each.slopes) for each in pivots.values()))
 
 
-def _nonholonomic(system: System) -> tuple[int, ...]:
+def _nonholonomic(system: Variables) -> tuple[int, ...]:
     return tuple(k for k in range(len(system.constraints)) if k not in system.holonomic)
 
 
-def _rates(system: System) -> tuple[Expr, ...]:
+def _rates(system: Variables) -> tuple[Expr, ...]:
     """Return the constraints on the level of velocities where some of them have no other; zeros if none has."""
     if system.is_holonomic:
         return (number(0),) * len(system.constraints)
     return system.velocity_level(system.constraints)
 
 
-def _check_motion_is_left(system: System, independent: int) -> None:
+def _check_motion_is_left(system: Variables, independent: int) -> None:
     n, what = len(system.speeds), "speeds" if system.has_quasi_velocities else "coordinates"
     if independent == n and not _is_driven(system):
         raise ConstraintError(
-            f"System: {n} independent constraints on {n} {what} leave no motion; expected fewer constraints than "
-            f"{what}, or one that drives the system and holds the time t{_overconstrained(system)}"
+            f"{system.where}: {n} independent constraints on {n} {what} leave no motion; expected fewer constraints "
+            f"than {what}, or one that drives the system and holds the time t{_overconstrained(system)}"
         )
 
 
-def _is_driven(system: System) -> bool:
+def _is_driven(system: Variables) -> bool:
     """Return whether constraints demand speeds other than zero."""
     if any(t in constraint.free_symbols for constraint in system.constraints):
         return True
@@ -69,16 +69,16 @@ def _is_driven(system: System) -> bool:
     return not all(each.is_zero for each in demanded)
 
 
-def _overconstrained(system: System) -> str:
+def _overconstrained(system: Variables) -> str:
     """Return what is redundant in a mechanism that moves by its special dimensions alone, if this is one."""
     found = "".join(adviser(system) for adviser in _advisers)
     return found and f". With parameters that are all 1, {found}"
 
 
-_advisers: list[Callable[[System], str]] = []
+_advisers: list[Callable[[Variables], str]] = []
 
 
-def register_adviser(adviser: Callable[[System], str]) -> None:
+def register_adviser(adviser: Callable[[Variables], str]) -> None:
     """Let a layer above describe redundant constraints that leave no motion, for the error's message.
 
     That takes numbers, which only layers above know how to find. The adviser returns an empty text if nothing is
@@ -115,8 +115,11 @@ class _Combination(NamedTuple):
         return _Combination(left, self.value - factor * other.value, self.rate - factor * other.rate)
 
 
-def _report(system: System, place: int, combined: Sequence[int], rest: Expr) -> None:
-    constraint, others = f"System: constraint {place + 1}, {system.conditions[place]},", _named(combined)
+def _report(system: Variables, place: int, combined: Sequence[int], rest: Expr) -> None:
+    constraint, others = (
+        f"{system.where}: constraint {place + 1}, {system.conditions[place]},",
+        _named(combined),
+    )
     if rest.is_constant and not rest.is_zero:
         raise ConstraintError(
             f"{constraint} contradicts {others}: together they say that {brief(rest)} = 0; correct one of them"
@@ -137,7 +140,7 @@ def _report(system: System, place: int, combined: Sequence[int], rest: Expr) -> 
     )
 
 
-def _contradicts(system: System, place: int, rest: Expr) -> bool:
+def _contradicts(system: Variables, place: int, rest: Expr) -> bool:
     """Return whether what is left of a combination can't be a matter of the position alone."""
     return place not in system.holonomic or rest.free_symbols.isdisjoint(
         {*system.coordinates, *system.speeds}

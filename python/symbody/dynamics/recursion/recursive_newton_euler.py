@@ -22,7 +22,7 @@ from symbody.dynamics.tree.frame_tree import FrameTree
 from symbody.geometry import Point
 from symbody.geometry.component.triple import NULL, Rate, Triple
 from symbody.geometry.frame.acceleration_field import AccelerationField
-from symbody.multibody import Action, System
+from symbody.multibody import Action, System, Variables
 from symbody.symbolic import Expr, ExprLike, cross3, sub3, substitute, time_derivatives
 
 
@@ -44,7 +44,7 @@ def bias(system: System, tree: FrameTree) -> tuple[Expr, ...]:
     return recursive_newton_euler(system, tree, at_rest(system))
 
 
-def at_rest(system: System) -> dict[Expr, int]:
+def at_rest(system: Variables) -> dict[Expr, int]:
     """Return the substitution that drops the accelerations."""
     return dict.fromkeys(system.accelerations, 0)
 

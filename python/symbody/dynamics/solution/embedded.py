@@ -6,9 +6,10 @@ from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from typing import Annotated, NamedTuple, TypeAlias
 
-from symbody.dynamics.equations.equations import Assembly, Equations, given_assembly
+from symbody.dynamics.equations.equations import Assembly, Derived, Equations
 from symbody.errors import ConstraintError, ExpressionError, ModelError
 from symbody.geometry.given.argument import checked
+from symbody.multibody import System
 from symbody.symbolic import (
     Dependence,
     Expr,
@@ -56,6 +57,11 @@ def embedded(eqs: Equations, independent: Speeds | None = None) -> Equations:
     >>> skate.mass_matrix[0, 0] == m * (1 + a**2 * x**2), skate.bias[0] == m * a**2 * x * xt**2
     (True, True)
     """
+    if not isinstance(eqs.system, System):
+        raise ModelError(
+            "embedded: the equations were given by M and f; expected equations of a system with bodies, such as "
+            "newton_euler(system)"
+        )
     with derivation(fresh=True):
         relation = _chosen(eqs, independent)
         dependent, rows = relation.dependent, relation.rows
@@ -68,7 +74,7 @@ def embedded(eqs: Equations, independent: Speeds | None = None) -> Equations:
         residuals = tuple(
             product + rest for product, rest in zip(products.entries, assembly.bias, strict=True)
         )
-    return Equations(system, without_idle_symbols(residuals), given_assembly(assembly.without_idle_symbols()))
+    return Equations(system, without_idle_symbols(residuals), Derived(assembly.without_idle_symbols()))
 
 
 class _Relation(NamedTuple):

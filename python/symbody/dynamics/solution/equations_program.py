@@ -18,7 +18,7 @@ from symbody.dynamics.solution.program_argument import (
 from symbody.dynamics.solution.program_result import matrix_result, output_result, vector_result
 from symbody.errors import ModelError, ProgramError
 from symbody.geometry.given.argument import checked
-from symbody.multibody import gravitational_energy, kinetic_energy
+from symbody.multibody import System, gravitational_energy, kinetic_energy
 from symbody.symbolic import (
     Expr,
     Program,
@@ -191,6 +191,8 @@ _WAYS = {
 
 
 def _energies(eqs: Equations) -> tuple[Result, ...]:
+    if not isinstance(eqs.system, System):
+        return () if eqs.energy is None else (Result("energy", "the energy", (eqs.energy,), ()),)
     bodies, gravity, moves = eqs.system.bodies, eqs.system.gravity, eqs.system.root.carrier is not None
     energy = eqs.system.by_speeds([kinetic_energy(bodies)])
     kinetic = Result("kinetic", "the kinetic energy", energy, ())

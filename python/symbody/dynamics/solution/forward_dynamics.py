@@ -24,6 +24,7 @@ from symbody.dynamics.recursion.shortest_tree import articulated_tree
 from symbody.dynamics.tree.frame_tree import FrameTree
 from symbody.errors import ExpressionError, ModelError
 from symbody.geometry.given.argument import checked
+from symbody.multibody import System
 from symbody.symbolic import (
     Expr,
     cost,
@@ -115,11 +116,12 @@ def _equation_names(eqs: Equations, method: str) -> tuple[str, ...]:
 def _shortest(eqs: Equations, baumgarte: Damping) -> ForwardDynamics:
     if eqs.constraints:
         return _shortest_with_constraints(eqs, baumgarte)
-    with derivation(fresh=True):
-        tree = articulated_tree(eqs.system)
-        recursive = articulated_body.is_applicable(eqs.system, tree)
-    if recursive:
-        return _shortest_for_tree(eqs, tree)
+    if isinstance(eqs.system, System):
+        with derivation(fresh=True):
+            tree = articulated_tree(eqs.system)
+            recursive = articulated_body.is_applicable(eqs.system, tree)
+        if recursive:
+            return _shortest_for_tree(eqs, tree)
     return _ldl(eqs, None) if eqs.mass_matrix == eqs.mass_matrix.T else _by_saddle_point("pivoted", eqs, None)
 
 
@@ -168,14 +170,20 @@ def _least_elimination(tree: FrameTree) -> int:
 
 
 def _articulated_body(eqs: Equations, _: Damping) -> ForwardDynamics:
+    system = eqs.system
+    if not isinstance(system, System):
+        raise ModelError(
+            "forward_dynamics: the articulated-body recursion is for systems of bodies, and these equations were given "
+            "without bodies; use method='auto'"
+        )
     with derivation(fresh=True):
-        tree = articulated_tree(eqs.system)
-        if not articulated_body.is_applicable(eqs.system, tree):
+        tree = articulated_tree(system)
+        if not articulated_body.is_applicable(system, tree):
             raise ModelError(
                 "forward_dynamics: the articulated-body recursion is for trees without constraints, each coordinate "
                 "of which drives one rigid motion alone, and loads without accelerations; use method='auto'"
             )
-        accelerations = articulated_body.accelerations(eqs.system, tree)
+        accelerations = articulated_body.accelerations(system, tree)
     return ForwardDynamics(accelerations, (), "articulated_body").without_idle_symbols()
 
 

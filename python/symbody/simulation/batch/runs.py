@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from symbody.errors import ArgumentError, ModelNotice, ParameterError
-from symbody.multibody import System
+from symbody.multibody import Variables
 from symbody.simulation.batch.case_arrays import Results, Status
 from symbody.simulation.integrate.integrated import Integrated
 from symbody.simulation.integrate.notices import Finding, deficiency_findings, notices_of_batch
@@ -95,7 +95,7 @@ class Runs:
         return self.task.instants
 
     @property
-    def system(self) -> System:
+    def system(self) -> Variables:
         """The system that moves."""
         return self.task.model.system
 

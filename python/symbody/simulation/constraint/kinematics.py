@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from symbody.codegen import CompiledFunction, lambdify
 from symbody.dynamics import Equations
 from symbody.errors import ModelError
-from symbody.multibody import System
+from symbody.multibody import System, Variables
 from symbody.multibody.frames import all_frames
 from symbody.simulation.given.given_input import Given, substitute_inputs
 from symbody.simulation.given.parameter import parameters_among
@@ -32,7 +32,7 @@ class Kinematics:
         given: the expressions that replace input functions of time.
     """
 
-    system: System
+    system: Variables
     given: Given = ()
 
     @cached_property
@@ -131,8 +131,10 @@ def magnitude(expression: Expr) -> Expr:
     return sum(terms, start=number(0))
 
 
-def quaternions(system: System) -> tuple[tuple[Expr, ...], ...]:
+def quaternions(system: Variables) -> tuple[tuple[Expr, ...], ...]:
     """Return the Euler parameters of floating frames, four each, that are coordinates."""
+    if not isinstance(system, System):
+        return ()
     frames = all_frames(system.bodies, system.loads, system.gravity)
     found = [
         frame.motion.quaternion for frame in frames if frame.motion is not None and frame.motion.quaternion
@@ -140,7 +142,7 @@ def quaternions(system: System) -> tuple[tuple[Expr, ...], ...]:
     return tuple(four for four in dict.fromkeys(found) if not {*four}.isdisjoint(system.coordinates))
 
 
-def neutral_position(system: System) -> Array:
+def neutral_position(system: Variables) -> Array:
     """Return the default coordinates: zero, and e0 = 1 for floating frames, which means no rotation."""
     ones = {four[0] for four in quaternions(system)}
     return np.array([1.0 if q in ones else 0.0 for q in system.coordinates])
@@ -154,7 +156,7 @@ def kinematics_of(eqs: Equations, inputs: Mapping[Expr, ExprLike] | None = None)
 
 
 @lru_cache(maxsize=64)
-def _kinematics(system: System, given: Given) -> Kinematics:
+def _kinematics(system: Variables, given: Given) -> Kinematics:
     return Kinematics(system, given)
 
 

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from symbody.errors import SymbodyError
-from symbody.multibody import Constraint, System
+from symbody.multibody import Constraint, Variables
 from symbody.simulation.given.values import parameter_values, state_values
 from symbody.simulation.given.wording import joined_by_and
 from symbody.simulation.model.named_constraint import named_constraints
@@ -106,7 +106,7 @@ def _either(rows: Sequence[int]) -> str:
 
 
 def redundant_constraints(
-    system: System,
+    system: Variables,
     parameters: Mapping[Expr, ArrayLike] | None = None,
     initial: Mapping[Expr, ArrayLike] | None = None,
     *,
@@ -152,7 +152,7 @@ def redundant_constraints(
         )
 
 
-def advice(system: System) -> str:
+def advice(system: Variables) -> str:
     """Return what is redundant if all parameters are 1; the empty text if nothing is, or if no position is found."""
     kinematics = Kinematics(system)
     try:

@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from symbody.codegen import CompiledFunction, lambdify
 from symbody.errors import notify
-from symbody.multibody import Body, System
+from symbody.multibody import Body, System, Variables
 from symbody.multibody.physical_inertia import are_impossible, difference_fault, inertia_fault, joined_bodies
 from symbody.symbolic import Expr, free_symbols
 
@@ -22,7 +22,7 @@ LOOKS = 8
 """The number of cases with a negative mass or moment that are checked for bodies that are joined."""
 
 
-def warn_of_impossible_bodies(system: System, given: Mapping[Expr, ArrayLike], where: str) -> None:
+def warn_of_impossible_bodies(system: Variables, given: Mapping[Expr, ArrayLike], where: str) -> None:
     """Give a notice of each body whose mass and inertia are impossible with the values of the parameters.
 
     Bodies whose mass and inertia are numbers were checked when they were made. Of several bodies with the same mass
@@ -33,6 +33,8 @@ def warn_of_impossible_bodies(system: System, given: Mapping[Expr, ArrayLike], w
         given: the values of the parameters: a number, or one value for each case.
         where: the function that the user called, for messages.
     """
+    if not isinstance(system, System):
+        return
     is_one = all(isinstance(value, float) for value in given.values())
     found = _remembered(system, tuple(given.items())) if is_one else _found(system, given)
     for text in found:

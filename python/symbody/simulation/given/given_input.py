@@ -7,7 +7,7 @@ from typing import TypeAlias
 
 from symbody.dynamics import Equations
 from symbody.errors import ModelError
-from symbody.multibody import System
+from symbody.multibody import Variables
 from symbody.symbolic import Expr, free_symbols, substitute
 
 __all__ = ["Given", "check_explicit", "check_no_circle", "substitute_inputs"]
@@ -16,7 +16,7 @@ Given: TypeAlias = tuple[tuple[Expr, Expr], ...]
 """Functions of time, each with the expression that is substituted for it."""
 
 
-def substitute_inputs(system: System, given: Given, expressions: Sequence[Expr]) -> tuple[Expr, ...]:
+def substitute_inputs(system: Variables, given: Given, expressions: Sequence[Expr]) -> tuple[Expr, ...]:
     """Substitute the given inputs in expressions, and the rates of coordinates as functions of the speeds.
 
     Each may bring in the other: the kinematics of a moving frame contain the velocities that are given for it, and an
@@ -30,7 +30,7 @@ def substitute_inputs(system: System, given: Given, expressions: Sequence[Expr])
     return values
 
 
-def check_no_circle(system: System, given: Mapping[Expr, Expr], where: str) -> None:
+def check_no_circle(system: Variables, given: Mapping[Expr, Expr], where: str) -> None:
     """Check that no input depends on itself through the rates of coordinates.
 
     Raises:

@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from symbody.dynamics import Equations
 from symbody.errors import ArgumentError, ModelError, ParameterError
-from symbody.multibody import System
+from symbody.multibody import Variables
 from symbody.symbolic import Expr, ExprLike, t, time_derivative
 from symbody.symbolic.given.arguments import described, expression
 from symbody.symbolic.given.namesake import namesake_note
@@ -104,7 +104,7 @@ def _has_zero(value: object) -> bool:
 
 
 def state_values(
-    system: System,
+    system: Variables,
     given: Mapping[Expr, ArrayLike] | None,
     *,
     where: str = "simulate",
@@ -132,7 +132,7 @@ def state_values(
     return {name: finite_number(name, value, f"{where}, {argument}") for name, value in values.items()}
 
 
-def check_state_names(system: System, given: Iterable[object], place: str) -> None:
+def check_state_names(system: Variables, given: Iterable[object], place: str) -> None:
     """Check that all keys are coordinates, rates of coordinates or speeds.
 
     Raises:

@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 from symbody.codegen import lambdify
 from symbody.dynamics import Equations
 from symbody.errors import ArgumentError, ModelError, SimulationError
-from symbody.multibody import System
+from symbody.multibody import Variables
 from symbody.simulation.constraint.kinematics import Kinematics, kinematics_of
 from symbody.simulation.given.given_input import substitute_inputs
 from symbody.simulation.given.parameter import parameters_among
@@ -71,7 +71,7 @@ class InverseDynamics:
     array([6., 6., 6.])
     """
 
-    system: System
+    system: Variables
     t: Array
     coordinates: Array
     speeds: Array
@@ -146,7 +146,7 @@ def _column(values: Iterable[float]) -> Array:
     return np.array(list(values), dtype=np.float64).reshape(-1, 1)
 
 
-def _name_of_load(load: Expr, system: System) -> str:
+def _name_of_load(load: Expr, system: Variables) -> str:
     """Return the name of a load that was solved for; a generalised force has that of its coordinate."""
     return f"generalised force of {load}" if load in system.coordinates else str(load)
 

@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from symbody.codegen import CompiledFunction, lambdify
 from symbody.errors import ArgumentError, ModelError, SimulationError
-from symbody.multibody import System
+from symbody.multibody import Variables
 from symbody.simulation.given.column import column_of
 from symbody.simulation.given.values import check_known
 from symbody.symbolic import Expr, ExprLike, free_symbols, number, t, time_derivative
@@ -79,7 +79,7 @@ class Path:
 
 
 def prescription_of(
-    system: System, motion: Mapping[Expr, ExprLike | ArrayLike], instants: Array, where: str
+    system: Variables, motion: Mapping[Expr, ExprLike | ArrayLike], instants: Array, where: str
 ) -> Prescription:
     """Return the prescription that a user gives.
 

@@ -11,7 +11,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from symbody.dynamics import Equations
-from symbody.symbolic import Expr, Matrix, derivation, number, saddle_point_solve, substitute
+from symbody.multibody import System
+from symbody.symbolic import Expr, Matrix, derivation, identity, number, saddle_point_solve, substitute
 from symbody.symbolic.linear.bordered import SaddlePointSolution
 
 __all__ = ["ConstraintCorrection", "constraint_correction"]
@@ -62,9 +63,13 @@ def _position(eqs: Equations, method: str) -> tuple[tuple[Expr, ...], tuple[Expr
 
 
 def _least_change(eqs: Equations, J: Matrix, violations: Sequence[Expr], method: str) -> SaddlePointSolution:
-    """Return the change of speeds, or of positions along them, that is least in the metric of the kinetic energy."""
-    nothing = [number(0)] * eqs.mass_matrix.rows
-    return saddle_point_solve(eqs.mass_matrix, J, nothing, [-value for value in violations], method)
+    """Return the change of speeds, or of positions along them, that is least in the metric of the kinetic energy.
+
+    Given mass matrices that aren't symmetric, such as those of Kane's equations, are no metric: all speeds count alike.
+    """
+    n, M = eqs.mass_matrix.rows, eqs.mass_matrix
+    metric = M if isinstance(eqs.system, System) or M == M.T else identity(n)
+    return saddle_point_solve(metric, J, [number(0)] * n, [-value for value in violations], method)
 
 
 def _moved(eqs: Equations, change: Sequence[Expr]) -> tuple[Expr, ...]:

@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike
 from symbody.codegen import CompiledFunction, PreparedCode, Shortcut, lambdify
 from symbody.dynamics import Equations, ForwardDynamics, forward_dynamics
 from symbody.errors import ModelError
-from symbody.multibody import System, gravitational_energy, kinetic_energy
+from symbody.multibody import System, Variables, gravitational_energy, kinetic_energy
 from symbody.multibody.load import action_power
 from symbody.simulation.given.given_input import substitute_inputs
 from symbody.simulation.given.parameter import parameters_among
@@ -58,7 +58,7 @@ class Model:
     _functions: dict[tuple[tuple[Expr, ...], ...], MotionFunction] = field(default_factory=dict, repr=False)
 
     @property
-    def system(self) -> System:
+    def system(self) -> Variables:
         """The system that moves."""
         return self.equations.system
 
@@ -164,9 +164,15 @@ class Model:
 
     @cached_property
     def power(self) -> Expr | None:
-        """The power of loads and moving constraints, with accelerations and multipliers; None if nothing does work."""
+        """The power of loads and moving constraints, with accelerations and multipliers.
+
+        None if nothing does work, or no energy is known.
+        """
+        if not self.energies:
+            return None
+        actions = self.system.actions if isinstance(self.system, System) else ()
         with derivation():
-            total = sum(map(action_power, self.system.actions), start=number(0))
+            total = sum(map(action_power, actions), start=number(0))
         if self.constraints:
             at_rest = dict.fromkeys(self.speeds, number(0))
             drifts = substitute(self.velocity_constraints, at_rest)
@@ -189,17 +195,18 @@ class Model:
         return len(self.state) + (self.power is not None)
 
     @cached_property
-    def kinetic_energy(self) -> Expr:
-        """The kinetic energy."""
-        return self.with_inputs([kinetic_energy(self.system.bodies)])[0]
+    def energies(self) -> tuple[Expr, ...]:
+        """The kinetic energy, and the potential energy of weight where the height is known.
 
-    @cached_property
-    def potential_energy(self) -> Expr | None:
-        """The gravitational potential energy; None without gravity, or where the height is not known."""
-        gravity = self.system.gravity
-        if gravity is None or self.system.root.carrier is not None:
-            return None
-        return self.with_inputs([gravitational_energy(self.system.bodies, gravity)])[0]
+        Of equations that were given without bodies, the given energy; nothing if none was given.
+        """
+        system = self.system
+        if not isinstance(system, System):
+            return () if self.equations.energy is None else self.with_inputs([self.equations.energy])
+        found = [kinetic_energy(system.bodies)]
+        if system.gravity is not None and system.root.carrier is None:
+            found.append(gravitational_energy(system.bodies, system.gravity))
+        return self.with_inputs(found)
 
     def with_inputs(self, expressions: Sequence[Expr]) -> tuple[Expr, ...]:
         """Substitute the inputs in expressions, and the rates of coordinates as functions of the speeds."""
@@ -251,10 +258,13 @@ class Model:
     def energies_code(self) -> PreparedCode | None:
         """The machine code of the kinetic and the potential energy; None where their sum less the work varies.
 
-        The work of prescribed motions is not known, nor the height of a system that a moving frame carries.
+        The work of prescribed motions is not known, nor the height of a system that a moving frame carries, nor how a
+        given energy is divided.
         """
-        is_carried = self.potential_energy is None and self.system.gravity is not None
-        energies = [self.kinetic_energy, self.potential_energy or number(0)]
+        if not isinstance(self.system, System):
+            return None
+        energies = [*self.energies, number(0)][:2]
+        is_carried = self.system.gravity is not None and self.system.root.carrier is not None
         if is_carried or self._is_led or not free_symbols(energies) <= {*self.parameters, *self.state}:
             return None
         return self.code(energies)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 
 from symbody.errors import ParameterError, SimulationError
-from symbody.multibody import System
+from symbody.multibody import Variables
 from symbody.simulation.given.wording import joined_by_and
 from symbody.symbolic import Expr, free_symbols
 from symbody.symbolic.given.namesake import namesake_note
@@ -44,7 +44,7 @@ def explain_unknown(place: str, wanted: Sequence[Expr], model: Model, parameters
         raise SimulationError(unknown_variables(place, strange, model.system) + note)
 
 
-def unknown_variables(place: str, unknown: Iterable[Expr], system: System, more: str = "") -> str:
+def unknown_variables(place: str, unknown: Iterable[Expr], system: Variables, more: str = "") -> str:
     """Return which variables have no values along a motion, which ones have, and a way out.
 
     Args:
@@ -53,7 +53,7 @@ def unknown_variables(place: str, unknown: Iterable[Expr], system: System, more:
         system: the system.
         more: other variables that have values.
 
-    >>> from symbody import Body, functions_of_time, symbols, translate
+    >>> from symbody import Body, System, functions_of_time, symbols, translate
     >>> (x, y), m = functions_of_time("x y"), symbols("m")
     >>> text = unknown_variables("motion", [y], System([Body(translate(x, 0, 0), m)], coordinates=[x]))
     >>> text.partition(";")[0]
@@ -67,7 +67,7 @@ def unknown_variables(place: str, unknown: Iterable[Expr], system: System, more:
     )
 
 
-def _way_out(names: Sequence[Expr], system: System) -> str:
+def _way_out(names: Sequence[Expr], system: Variables) -> str:
     own = {coordinate.name for coordinate in (*system.coordinates, *system.speeds)}
     rates = [name for name in names if name.kind == "time_function" and name.order and name.name in own]
     if rates:

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from symbody.errors import ArgumentError, ModelError, SimulationError, SymbodyError
-from symbody.multibody import System
+from symbody.multibody import Variables
 from symbody.simulation.given.wording import joined_by_and
 from symbody.simulation.integrate.methods import methods_that
 from symbody.simulation.integrate.outcome import Statistics
@@ -97,7 +97,7 @@ class Motion:
         return len(self.t)
 
     @property
-    def system(self) -> System:
+    def system(self) -> Variables:
         """The system that moves."""
         return self.model.system
 
@@ -197,10 +197,12 @@ class Motion:
             raise ModelError(
                 f"motion: loads do work, which the methods {joined_by_and(unable)} don't integrate; use another method"
             )
-        energies = [
-            model.kinetic_energy,
-            *([] if model.potential_energy is None else [model.potential_energy]),
-        ]
+        energies = model.energies
+        if not energies:
+            raise ModelError(
+                "motion: the energy isn't known: the equations were given without bodies; give it to them, as in "
+                "equations_of(M, f, coordinates, energy=E)"
+            )
         driven = sorted(
             str(leaf) for leaf in free_symbols(energies) if leaf.depends_on_time and leaf not in model.state
         )
@@ -219,8 +221,9 @@ class Motion:
 
         ``max |E - W - E0| / max(T, |V - V0|, |W|)``: T is the kinetic energy, V the potential energy, W the work.
         """
-        kinetic = self.evaluate([self.model.kinetic_energy])[0]
-        potential = self.energy + self.work - kinetic
+        total = self.energy + self.work
+        kinetic = self.evaluate(self.model.energies[:1])[0]
+        potential = total - kinetic
         parts = [kinetic, potential - potential[0], self.work]
         scale = max(float(np.abs(part).max()) for part in parts)
         change = float(np.abs(self.energy - self.energy[0]).max())

@@ -14,6 +14,7 @@ from symbody.symbolic.expression.matrix import Matrix
 from symbody.symbolic.expression.to_sympy import ToSympy, import_sympy
 from symbody.symbolic.given.arguments import described
 from symbody.symbolic.sympy_bridge.from_sympy import FromSympy, no_counterpart
+from symbody.symbolic.sympy_bridge.methods import converter_of
 
 __all__ = ["from_sympy", "to_sympy"]
 
@@ -47,10 +48,10 @@ def from_sympy(expression: Any, names: Mapping[str, Expr] | None = None) -> Any:
     """Convert an expression of SymPy to an expression, a matrix to a Matrix, and lists and dictionaries of these.
 
     ``x(t)`` becomes a function of time, an equation the difference of its sides, a symbol without assumptions a real
-    symbol.
+    symbol. A KanesMethod or LagrangesMethod of sympy.physics.mechanics whose equations were formed becomes `Equations`.
 
     Args:
-        expression: the expression, the matrix, or the collection of these.
+        expression: the expression, the matrix, or the collection of these; or the object of a method.
         names: expressions by name, to be used instead of new symbols and functions of these names.
 
     Raises:
@@ -64,7 +65,15 @@ def from_sympy(expression: Any, names: Mapping[str, Expr] | None = None) -> Any:
     """
     sympy = import_sympy()
     bridge = FromSympy(sympy, names or {})
-    return _structured(expression, lambda item: _one_from_sympy(sympy, bridge, item))
+
+    def convert(part: Any) -> Any:
+        return _structured(part, one)
+
+    def one(item: Any) -> Any:
+        converter = converter_of(item)
+        return _one_from_sympy(sympy, bridge, item) if converter is None else converter(item, convert)
+
+    return convert(expression)
 
 
 def _structured(item: Any, convert: Callable[[Any], Any]) -> Any:

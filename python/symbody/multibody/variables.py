@@ -1,0 +1,306 @@
+"""The variables in which equations of motion are written, and the conditions that they keep."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from functools import cached_property
+from itertools import count
+from typing import Annotated, Any, TypeAlias
+
+from symbody.errors import ConstraintError, ModelError
+from symbody.geometry.component.triple import Rate, expression
+from symbody.geometry.motion.floating import by_speeds, known_rates, rate_by
+from symbody.symbolic import Expr, functions_of_time, substitute, time_derivative, time_derivatives
+from symbody.symbolic.expression.container import Container, contains
+from symbody.symbolic.given.arguments import brief, counted
+
+from .constraint import Condition, as_constraint
+from .constraint_fault import Unknowns, fault_of, is_on_velocity
+from .coordinate import check_function_of_time
+
+__all__ = ["Conditions", "Coordinates", "Variables", "check_single", "check_substitution"]
+
+Coordinates: TypeAlias = Annotated[
+    Sequence[Expr], "a list of functions of time, such as functions_of_time('x y')"
+]
+Conditions: TypeAlias = Annotated[
+    Sequence[Condition],
+    "a list of expressions that are zero, such as [x**2 + y**2 - l**2]",
+]
+
+
+class Variables:
+    """Coordinates, speeds, kinematics, constraints, multipliers and inputs: what equations of motion are written in.
+
+    A `System` has them, besides bodies and loads. Equations that were derived elsewhere have nothing but them.
+
+    Args:
+        coordinates: the coordinates q.
+        coordinate_rates: the coordinates whose rates are not speeds, and these rates by the speeds.
+        speeds: the speeds that are no rates of coordinates (quasi-velocities).
+        constraints: conditions on positions or on velocities.
+        multipliers: one for each; ``lambda1``, ``lambda2``, ... by default.
+        inputs: functions of time that are given from outside.
+        others: what the equations hold besides.
+        name: what the system is called.
+    """
+
+    where = "equations_of"
+    """The function that the user called, for messages."""
+    contents = "M, f or a constraint"
+    """What the equations are made of, for messages."""
+
+    def __init__(
+        self,
+        coordinates: Sequence[Expr],
+        coordinate_rates: Mapping[Expr, Expr],
+        *,
+        speeds: Sequence[Expr] = (),
+        constraints: Sequence[Condition] = (),
+        multipliers: Sequence[Expr] = (),
+        inputs: Sequence[Expr] = (),
+        others: Sequence[Expr] = (),
+        name: str = "",
+    ) -> None:
+        self.coordinates = tuple(coordinates)
+        self.coordinate_rates = dict(coordinate_rates)
+        """The coordinates whose rates are not speeds, as those of floating frames, and these rates by the speeds."""
+        self.quasi_velocities = tuple(speeds)
+        self.eliminated: dict[Expr, Expr] = {}
+        """The speeds that constraints made dependent, each by the independent ones; none unless `eliminating` did."""
+        self.conditions = tuple(as_constraint(constraint) for constraint in constraints)
+        """The constraints as values, with their names and what they connect."""
+        self.others = tuple(others)
+        self.name = name
+        self.multipliers = tuple(multipliers) or self._default_multipliers()
+        self.inputs = tuple(expression(each) for each in inputs)
+
+    def check(self) -> None:
+        """Check that variables and conditions can be those of equations.
+
+        Raises:
+            ModelError: a coordinate, speed or input is not a function of time, or is given twice.
+            ConstraintError: a constraint is no condition on positions or velocities, or a multiplier is something else.
+        """
+        self._check_coordinates()
+        self._check_constraints()
+        self._check_multipliers()
+        self._check_inputs()
+
+    @cached_property
+    def constraints(self) -> tuple[Expr, ...]:
+        """The constraints as expressions that are zero: on positions, and on velocities as they were given."""
+        return tuple(each.condition for each in self.conditions)
+
+    @cached_property
+    def holonomic(self) -> tuple[int, ...]:
+        """The places of the constraints on positions among all."""
+        unknowns = self._unknowns
+        return tuple(k for k, each in enumerate(self.constraints) if not is_on_velocity(each, unknowns))
+
+    @property
+    def is_holonomic(self) -> bool:
+        """Whether all constraints are conditions on positions."""
+        return len(self.holonomic) == len(self.constraints)
+
+    @cached_property
+    def position_constraints(self) -> tuple[Expr, ...]:
+        """The constraints on positions, phi."""
+        return tuple(self.constraints[k] for k in self.holonomic)
+
+    def velocity_level(self, constraints: Sequence[Expr]) -> tuple[Expr, ...]:
+        """Return ``A u + b``, one per constraint: the rate of a condition on positions, or the condition itself.
+
+        Args:
+            constraints: those of the system, in these or other forms.
+        """
+        if self.is_holonomic:
+            return self.rate(constraints)
+        rates = iter(self.rate([constraints[k] for k in self.holonomic]))
+        others = self.by_speeds(constraints)
+        return tuple(next(rates) if k in self.holonomic else other for k, other in enumerate(others))
+
+    @property
+    def _unknowns(self) -> Unknowns:
+        return Unknowns(self.coordinates, self.quasi_velocities, self.speeds, self.by_speeds)
+
+    @cached_property
+    def driving(self) -> tuple[Expr, ...]:
+        """The quasi-velocities, then the coordinates whose rates are speeds: the freedoms of the motion."""
+        return self.quasi_velocities + tuple(q for q in self.coordinates if q not in self.coordinate_rates)
+
+    @cached_property
+    def speeds(self) -> tuple[Expr, ...]:
+        """The speeds, one per equation of motion: the quasi-velocities, then rates of coordinates."""
+        n = len(self.quasi_velocities)
+        return self.quasi_velocities + tuple(time_derivative(q) for q in self.driving[n:])
+
+    @cached_property
+    def accelerations(self) -> tuple[Expr, ...]:
+        """The rates of the speeds."""
+        return tuple(time_derivative(u) for u in self.speeds)
+
+    @cached_property
+    def state_names(self) -> tuple[Expr, ...]:
+        """The names by which a state may be given: coordinates, speeds, and rates of coordinates."""
+        rates = (time_derivative(q) for q in self.coordinates)
+        return tuple(dict.fromkeys((*self.coordinates, *self.speeds, *rates)))
+
+    @property
+    def has_quasi_velocities(self) -> bool:
+        """Whether some speed is not the rate of a coordinate, or some rate not a speed."""
+        return self.driving != self.coordinates
+
+    @property
+    def kinematics(self) -> dict[Expr, Expr]:
+        """The rates of all coordinates by the speeds."""
+        rates = (time_derivative(q) for q in self.coordinates)
+        return {rate: self.known_rates.get(rate, rate) for rate in rates}
+
+    @cached_property
+    def known_rates(self) -> dict[Expr, Expr]:
+        """The rates of coordinates that are not speeds, by the speeds: the nontrivial part of the kinematics."""
+        return known_rates(self.coordinate_rates)
+
+    @cached_property
+    def rate(self) -> Rate:
+        """The time derivative, with these rates put in."""
+        if self.eliminated:
+            return lambda values: self.by_speeds(time_derivatives(values))
+        return rate_by(self.coordinate_rates)
+
+    def by_speeds(self, expressions: Sequence[Expr]) -> tuple[Expr, ...]:
+        """Return expressions with the rates of coordinates, of any order, written by the speeds and their rates."""
+        written = substitute(tuple(expressions), self.eliminated) if self.eliminated else expressions
+        return by_speeds(self.coordinate_rates, written)
+
+    def _check_coordinates(self) -> None:
+        if not self.driving:
+            raise ModelError(
+                f"{self.where}: no coordinates; give the functions of time that describe the motion, in order"
+            )
+        for coordinate in self.coordinates:
+            check_function_of_time(coordinate, f"{self.where}: the coordinate")
+        for speed in self.quasi_velocities:
+            check_function_of_time(speed, f"{self.where}: the speed")
+        check_single(self.coordinates, f"{self.where}: the coordinate")
+        check_single(self.quasi_velocities, f"{self.where}: the speed")
+        for speed in self.quasi_velocities:
+            if speed in self.coordinates:
+                raise ModelError(
+                    f"{self.where}: {speed} is both a coordinate and a speed; the rates of coordinates are speeds "
+                    "anyway: leave it out of one of them"
+                )
+
+    def _check_inputs(self) -> None:
+        for given in self.inputs:
+            check_function_of_time(given, f"{self.where}: the input")
+            if given in (*self.coordinates, *self.quasi_velocities, *self.multipliers):
+                raise ModelError(
+                    f"{self.where}: {given} is an input and unknown; leave it out of inputs, or of coordinates, "
+                    "speeds and multipliers"
+                )
+
+    def _check_constraints(self) -> None:
+        m = len(self.constraints)
+        if len(self.multipliers) != m:
+            raise ConstraintError(
+                f"{self.where}: {counted(len(self.multipliers), 'multiplier')} for {counted(m, 'constraint')}; "
+                "give one for each"
+            )
+        unknowns = self._unknowns
+        for number, constraint in enumerate(self.conditions, start=1):
+            fault = fault_of(constraint.condition, unknowns)
+            if fault:
+                raise ConstraintError(f"{self.where}: constraint {number}, {constraint}, {fault}")
+
+    def _check_multipliers(self) -> None:
+        for multiplier in self.multipliers:
+            check_function_of_time(multiplier, f"{self.where}: the multiplier")
+        check_single(self.multipliers, f"{self.where}: the multiplier")
+        taken = self._names() if self.multipliers else frozenset()
+        for multiplier in self.multipliers:
+            if multiplier.name in taken:
+                raise ConstraintError(
+                    f"{self.where}: the multiplier {multiplier} is a coordinate, or in {self.contents}; "
+                    "expected a function of time of its own, such as functions_of_time('lambda1')"
+                )
+
+    def _default_multipliers(self) -> tuple[Expr, ...]:
+        """Return the constraints' own multipliers, or ``lambda1``, ..., without names that the model uses already."""
+        given = [each.multiplier for each in self.conditions]
+        if None not in given:
+            return tuple(each for each in given if each is not None)
+        taken = self._names() | {each.name for each in given if each is not None}
+        free = (functions_of_time(name) for name in (f"lambda{k}" for k in count(1)) if name not in taken)
+        return tuple(next(free) if each is None else each for each in given)
+
+    @cached_property
+    def leaves(self) -> frozenset[Expr]:
+        """All symbols and functions of time in the model, also those that its equations don't need."""
+        return frozenset({*self.coordinates, *self.quasi_velocities}).union(
+            *(value.free_symbols for value in self._values())
+        )
+
+    def _names(self) -> frozenset[str]:
+        return frozenset(leaf.name for leaf in self.leaves if leaf.kind != "application")
+
+    def _values(self) -> Iterator[Expr]:
+        yield from (*self.constraints, *self.coordinate_rates.values(), *self.others)
+
+    def __repr__(self) -> str:
+        parts = [counted(len(self.coordinates), "coordinate")]
+        if self.quasi_velocities:
+            parts.append(counted(len(self.quasi_velocities), "quasi-velocity"))
+        if self.constraints:
+            parts.append(counted(len(self.constraints), "constraint"))
+        return f"Variables({', '.join([self.name, *parts] if self.name else parts)})"
+
+
+def check_single(things: Sequence[object], kind: str) -> None:
+    """Raise an error for a thing that is given twice."""
+    if len(set(things)) < len(things):
+        twice = next(thing for thing in things if things.count(thing) > 1)
+        raise ModelError(f"{kind} {brief(twice)} is given twice; give it once")
+
+
+def check_substitution(variables: Variables, mapping: Mapping[Any, Any]) -> None:
+    """Raise an error for a substitution that would leave the equations without their unknowns."""
+    unknown = {
+        each.name for each in (*variables.coordinates, *variables.quasi_velocities, *variables.multipliers)
+    }
+    for key in mapping:
+        if isinstance(key, Expr) and key.kind == "time_function" and key.name in unknown:
+            raise ModelError(
+                f"subs: {key} is an unknown of {brief(variables)}; expected parameters and inputs. Substitute in "
+                "expressions of the system, such as equations.residuals"
+            )
+
+
+def _parts(variables: Variables) -> tuple[Any, ...]:
+    rates = tuple(variables.coordinate_rates.values())
+    return rates, variables.conditions, variables.inputs, variables.others
+
+
+def _rebuilt(variables: Variables, parts: Sequence[Any]) -> Variables:
+    rates, constraints, inputs, others = parts
+    made = Variables(
+        variables.coordinates,
+        dict(zip(variables.coordinate_rates, rates, strict=True)),
+        speeds=variables.quasi_velocities,
+        constraints=constraints,
+        multipliers=variables.multipliers,
+        inputs=[each for each in inputs if each.kind == "time_function"],
+        others=others,
+        name=variables.name,
+    )
+    made.check()
+    return made
+
+
+contains(
+    Variables,
+    Container(
+        _parts, _rebuilt, advice="the residuals of the equations of motion have one", subs=check_substitution
+    ),
+)
