@@ -13,11 +13,11 @@ from itertools import pairwise
 
 from tests.symbolic.true_identities import Pair
 
-P, Q = 8741325142247322239, 5602634526407687999  # the primes of the two fingerprint words
-ANGLES = (6569658746879, 336858737759)  # orders of the groups of atomic angles, factors of P + 1 and Q + 1
+P, Q = 7591768160842071359, 5769354732605624159  # the primes of the two fingerprint words
+ANGLES = (1801798093919, 4002493848239)  # orders of the groups of atomic angles, factors of P + 1 and Q + 1
 EXPONENTS = (
-    4370662571123661119,
-    2801317263203843999,
+    3795884080421035679,
+    2884677366302812079,
 )  # orders of the groups of exponentials, of P - 1 and Q - 1
 
 

@@ -12,13 +12,16 @@ use std::cmp::Ordering;
 use std::collections::{BTreeMap, BTreeSet};
 
 use crate::graph::{Content, Graph, Id, NumberId, View};
-use crate::value::{Adics, Field, Number, PARTS, Quadratic, prime_factors};
+use crate::value::{Adics, Field, Number, PARTS, prime_factors};
 
 use super::adic_value::{AdicPoint, POINTS};
 use super::integer_point::Rationals;
 
 /// Larger sums and products have no content.
 const SEARCH: usize = 4096;
+
+/// The denominators of exponents in a content divide this one; other exponents are rounded down.
+const DENOMINATOR: i64 = 12;
 
 impl Graph {
     /// The content of a node, without the primes that are squares in a field; `None` if it is one.
@@ -164,24 +167,17 @@ impl Graph {
             counts.into_iter().max_by_key(|&(_, count)| count).map(|(valuation, _)| valuation)
         };
         let found = most_frequent(0..POINTS).or_else(|| most_frequent(POINTS..2 * POINTS));
-        Number::rational(found.unwrap_or(0), PARTS)
+        let valuation = found.unwrap_or(0);
+        // Others may have been rounded: that of a 13th root is a whole number of parts.
+        if valuation % (PARTS / DENOMINATOR) == 0 {
+            Number::rational(valuation, PARTS)
+        } else {
+            Number::integer(valuation.div_euclid(PARTS))
+        }
     }
 }
 
 fn not_one(powers: impl Iterator<Item = (BigInt, Number)>) -> Option<Content> {
     let content: Content = powers.filter(|(_, exponent)| !exponent.is_zero()).collect();
     (!content.is_empty()).then_some(content)
-}
-
-/// The power of a content in a field.
-pub(super) fn power_of_content(content: &Content, exponent: &Number, f: &Field) -> Quadratic {
-    content.iter().fold(f.one(), |product, (prime, power)| {
-        let (prime, power) = (Number::whole(prime.clone()), power.mul(exponent));
-        let value = if power.is_integer() {
-            f.power(&f.number(&prime), &power)
-        } else {
-            f.power_of_prime(&prime, &power)
-        };
-        f.mul(&product, &value)
-    })
 }

@@ -9,8 +9,6 @@ use crate::value::{
     Element, Field, FieldId, Key, LARGEST_SQUARE, Number, Quadratic, fingerprint, in_hash_lane, prime_factors,
 };
 
-use super::content::power_of_content;
-
 type Point = (Quadratic, Quadratic);
 
 impl Graph {
@@ -455,6 +453,19 @@ pub(super) fn power_of_number(number: &Number, exponent: &Number, f: &Field) -> 
     prime_factors(&number.abs()).iter().fold(start, |product, (prime, &count)| {
         let exponent = exponent.mul(&Number::integer(count));
         f.mul(&product, &f.power_of_prime(&Number::whole(prime.clone()), &exponent))
+    })
+}
+
+/// The power of a content in a field.
+fn power_of_content(content: &Content, exponent: &Number, f: &Field) -> Quadratic {
+    content.iter().fold(f.one(), |product, (prime, power)| {
+        let (prime, power) = (Number::whole(prime.clone()), power.mul(exponent));
+        let value = if power.is_integer() {
+            f.power(&f.number(&prime), &power)
+        } else {
+            f.power_of_prime(&prime, &power)
+        };
+        f.mul(&product, &value)
     })
 }
 

@@ -12,18 +12,17 @@
 //!
 //! | field | is | angles in | exponents in |
 //! |---|---|---|---|
-//! | p | -1 mod 221760, so that the angles 2 pi k/110880 are exact and sqrt 2, 3, 5, 7, 11 agree with them | A1 | B1 |
+//! | p | -1 mod 110880, so that the angles 2 pi k/110880 are exact and sqrt 2, 3, 5, 7, 11 agree with them | A1 | B1 |
 //! | B1 | (p - 1)/2: all positive elements are members of this group, so every root of them is one, too | A1 | B2 |
 //! | B2 | (B1 - 1)/2 | A1 | B3 |
 //! | B3 | a factor of B2 - 1 | | |
-//! | A1 | a factor of p + 1, and so of B1 + 1 and B2 + 1; -1 mod 480 | C1 | A2 |
+//! | A1 | a factor of p + 1, and so of B1 + 1 and B2 + 1; -1 mod 240 | C1 | A2 |
 //! | A2 | (A1 - 1)/2 | C1 | A3 |
 //! | A3 | a factor of A2 - 1 | | |
-//! | C1 | a factor of A1 + 1, and so of A2 + 1; -1 mod 240 | C2 | C3 |
+//! | C1 | a factor of A1 + 1, and so of A2 + 1; -1 mod 120 | C2 | C3 |
 //! | C2 | a factor of C1 + 1 | | |
 //! | C3 | a factor of C1 - 1 | | |
 //!
-//! The multiples of pi/120 are exact in each of the fields that have angles: there the circle has a multiple of 240 points.
 //! Angles are points of the circle in each of these fields, so that sines are real and their squares positive. In the
 //! fields without angles or exponents, a sine or an exponential of u is drawn for the value of u.
 
@@ -215,7 +214,6 @@ mod tests {
             assert!((p + 1) % a1 == 0 && (b1 + 1) % a1 == 0 && (b2 + 1) % a1 == 0);
             assert!(a1 == 2 * a2 + 1 && (a2 - 1) % a3 == 0 && (a1 + 1) % c1 == 0 && (a2 + 1) % c1 == 0);
             assert!((c1 + 1) % c2 == 0 && (c1 - 1) % c3 == 0);
-            assert!([p, b1, b2, a1, a2, c1].iter().all(|field| (field + 1) % 240 == 0));
             for (field, largest) in [(p, LARGEST_SQUARE), (b1, 11), (b2, 11), (a1, 5), (a2, 5), (c1, 5)] {
                 let prime = Prime::new(field);
                 for q in (2..=largest).filter(|&q| prime_factors(&Number::whole(q.into())).len() == 1) {
