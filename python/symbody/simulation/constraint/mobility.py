@@ -168,6 +168,12 @@ def mobility(
     Raises:
         ConstraintError: no position near the given one satisfies the constraints.
         ParameterError: a value is missing, has an unknown key, or is not finite.
+
+    >>> from symbody import Body, System, functions_of_time, symbols, translate
+    >>> (x, y), m = functions_of_time("x y"), symbols("m")
+    >>> twice = System([Body(translate(x, y, 0), m)], coordinates=[x, y], constraints=[x - y, 2 * x - 2 * y])
+    >>> mobility(twice)
+    Mobility(1 degree of freedom, 1 redundant)
     """
     A = constraint_jacobian(system)
     on_position = _rows(A, system.holonomic)
