@@ -52,7 +52,7 @@ impl Graph {
             Function::Piecewise => self.sign_vector(args.get(2 * place + 1)),
             Function::Min | Function::Max if args.len() == 2 => {
                 let (a, b) = (args.get(0), args.get(1));
-                self.vector(|field| {
+                vector(|field| {
                     let f = field.field();
                     let difference = f.sub(&self.value_in(a, field), &self.value_in(b, field));
                     self.sign_of_difference(&difference, a, b, f) == f.one()
@@ -73,14 +73,14 @@ impl Graph {
     }
 
     fn sign_vector(&self, id: Id) -> u64 {
-        self.vector(|field| !self.is_negative_in(id, field))
+        vector(|field| !self.is_negative_in(id, field))
     }
+}
 
-    /// The bits of the other lanes, all of them inverted if the first one is set: a sign and its opposite are one.
-    fn vector(&self, bit: impl Fn(FieldId) -> bool) -> u64 {
-        let bits = FieldId::others(0).fold(0, |bits, field| bits << 1 | u64::from(bit(field)));
-        if bits & 1 == 1 { bits ^ ((1 << FieldId::others(0).count()) - 1) } else { bits }
-    }
+/// The bits of the other lanes, all of them inverted if the first one is set: a sign and its opposite are one.
+fn vector(bit: impl Fn(FieldId) -> bool) -> u64 {
+    let bits = FieldId::others(0).fold(0, |bits, field| bits << 1 | u64::from(bit(field)));
+    if bits & 1 == 1 { bits ^ ((1 << FieldId::others(0).count()) - 1) } else { bits }
 }
 
 /// The rank of vectors over GF(2), and the most vectors of a basis whose product one of them is, at least 1.
@@ -105,7 +105,7 @@ fn independent(vectors: &[u64]) -> (usize, usize) {
 }
 
 fn highest_bit(word: u64) -> u64 {
-    1 << (63 - word.leading_zeros())
+    1 << word.ilog2()
 }
 
 #[cfg(test)]
