@@ -145,6 +145,7 @@ def _system(system: System, style: _Style) -> str:
     lines.append(f"coordinates: {', '.join(map(str, system.coordinates))}")
     if system.quasi_velocities:
         lines.append(f"quasi-velocities: {', '.join(map(str, system.quasi_velocities))}")
+    lines += [f"state: {rate} = {style.text(value)}" for rate, value in system.state_rates.items()]
     lines += [f"body: {_described(body, style)}" for body in system.bodies]
     lines += [f"load: {_described(load, style)}" for load in system.loads]
     if system.gravity is not None:

@@ -9,7 +9,7 @@ from itertools import count
 from typing import Annotated, Any, TypeAlias, TypeVar, final
 
 from symbody.errors import ConstraintError, ModelError, ModelNotice
-from symbody.geometry import Frame, Vector
+from symbody.geometry import Frame, Scalar, Vector
 from symbody.geometry.component.triple import Rate, expression
 from symbody.geometry.given.argument import checked
 from symbody.geometry.motion.floating import by_speeds, known_rates, rate_by
@@ -27,6 +27,7 @@ from .load import COLUMNS, Action, Load
 from .oversight import notices
 from .physical_inertia import report_impossible_differences
 from .picture import picture
+from .state import Unknown, check_holders, check_states
 
 Thing = TypeVar("Thing", Body, Load)
 
@@ -41,6 +42,11 @@ Coordinates: TypeAlias = Annotated[
 Conditions: TypeAlias = Annotated[
     Sequence[Condition],
     "a list of expressions that are zero, such as [x**2 + y**2 - l**2], or of Constraints",
+]
+
+Rates: TypeAlias = Annotated[
+    Mapping[Expr, Scalar],
+    "a dictionary of functions of time and their rates, such as {z: (u - z)/T}",
 ]
 
 
@@ -63,6 +69,8 @@ class System:
         multipliers: one function of time per constraint; ``lambda1``, ``lambda2``, ... by default.
         inputs: the functions of time in frames and constraints that are given from outside. Unlisted ones are inputs
             too, but a notice names them: they may be forgotten coordinates. Functions of time in loads need no list.
+        states: functions of time z beside the mechanics, which loads may hold, each with its rate z': an expression of
+            time, coordinates, speeds, accelerations, multipliers, states, inputs and parameters.
         name: what the system is called.
 
     >>> from symbody import Body, System, Vector, functions_of_time, ground, rotate, symbols, translate
@@ -87,6 +95,7 @@ class System:
         speeds: Coordinates = (),
         multipliers: Coordinates = (),
         inputs: Coordinates = (),
+        states: Rates | None = None,
         name: str = "",
     ) -> None:
         self.bodies: tuple[Body, ...] = _ordered(bodies)
@@ -101,6 +110,9 @@ class System:
         self.conditions = tuple(as_constraint(constraint) for constraint in constraints)
         """The constraints as values, with their names and what they connect."""
         self.name = name
+        self._given_rates = {z: expression(rate) for z, rate in (states or {}).items()}
+        self.states: tuple[Expr, ...] = tuple(self._given_rates)
+        """The functions of time beside the mechanics whose rates are given."""
         self.multipliers = tuple(multipliers) or self._default_multipliers()
         self.inputs = tuple(expression(each) for each in inputs)
         self._check()
@@ -171,9 +183,9 @@ class System:
 
     @cached_property
     def state_names(self) -> tuple[Expr, ...]:
-        """The names by which a state may be given: coordinates, speeds, and rates of coordinates."""
+        """The names by which values may be given: coordinates, speeds, rates of coordinates, and states."""
         rates = (time_derivative(q) for q in self.coordinates)
-        return tuple(dict.fromkeys((*self.coordinates, *self.speeds, *rates)))
+        return tuple(dict.fromkeys((*self.coordinates, *self.speeds, *rates, *self.states)))
 
     @property
     def has_quasi_velocities(self) -> bool:
@@ -188,17 +200,28 @@ class System:
 
     @cached_property
     def known_rates(self) -> dict[Expr, Expr]:
-        """The rates of coordinates that are not speeds, by the speeds: the nontrivial part of the kinematics."""
-        return known_rates(self.coordinate_rates)
+        """The rates of coordinates that are not speeds, by the speeds, and those of states."""
+        return known_rates(self._first_order)
+
+    @cached_property
+    def state_rates(self) -> dict[Expr, Expr]:
+        """The rates of the states, in which rates of coordinates are written by the speeds: the rates are the keys."""
+        rates = by_speeds(self.coordinate_rates, [*self._given_rates.values()])
+        return {time_derivative(z): rate for z, rate in zip(self.states, rates, strict=True)}
+
+    @cached_property
+    def _first_order(self) -> dict[Expr, Expr]:
+        """The coordinates and states whose rates are given, and these rates."""
+        return {**self.coordinate_rates, **dict(zip(self.states, self.state_rates.values(), strict=True))}
 
     @cached_property
     def rate(self) -> Rate:
         """The time derivative, with these rates put in."""
-        return rate_by(self.coordinate_rates)
+        return rate_by(self._first_order)
 
     def by_speeds(self, expressions: Sequence[Expr]) -> tuple[Expr, ...]:
-        """Return expressions with the rates of coordinates, of any order, written by the speeds and their rates."""
-        return by_speeds(self.coordinate_rates, expressions)
+        """Return expressions with the rates of coordinates by the speeds and their rates, and those of states."""
+        return by_speeds(self._first_order, expressions)
 
     def _check(self) -> None:
         if not self.bodies:
@@ -210,8 +233,9 @@ class System:
         self._check_constraints()
         self._check_multipliers()
         self._check_inputs()
+        self._check_states()
         report_impossible_differences(self.bodies)
-        known = (*self.coordinates, *self.quasi_velocities, *self.inputs)
+        known = (*self.coordinates, *self.quasi_velocities, *self.inputs, *self.states)
         for notice in notices(self.bodies, self.loads, self.constraints, known):
             warnings.warn(f"System: {notice}", ModelNotice, stacklevel=4)
 
@@ -241,6 +265,11 @@ class System:
                     f"System: {given} is an input and unknown; leave it out of inputs, or of coordinates, speeds and "
                     "multipliers"
                 )
+
+    def _check_states(self) -> None:
+        unknown = Unknown(self.coordinates, self.quasi_velocities, self.multipliers, self.inputs)
+        check_states(self._given_rates, unknown)
+        check_holders(self._given_rates, self.bodies, self._frames, self.loads, self.constraints, unknown)
 
     def _check_gravity(self) -> None:
         if self.gravity is not None and self.gravity.frame.ancestor != self.root:
@@ -286,12 +315,18 @@ class System:
     @cached_property
     def leaves(self) -> frozenset[Expr]:
         """All symbols and functions of time in the model, also those that its equations don't need."""
-        return frozenset({*self.coordinates, *self.quasi_velocities}).union(
+        rates = (rate.free_symbols for rate in self._given_rates.values())
+        return self._leaves_without_rates.union(*rates)
+
+    @cached_property
+    def _leaves_without_rates(self) -> frozenset[Expr]:
+        """The same without the rates of states, which may hold multipliers."""
+        return frozenset({*self.coordinates, *self.quasi_velocities, *self.states}).union(
             *(value.free_symbols for value in self._values())
         )
 
     def _names(self) -> frozenset[str]:
-        return frozenset(leaf.name for leaf in self.leaves if leaf.kind != "application")
+        return frozenset(leaf.name for leaf in self._leaves_without_rates if leaf.kind != "application")
 
     def _values(self) -> Iterator[Expr]:
         yield from self.constraints
@@ -327,9 +362,16 @@ class System:
             loads.append(["gravity", "acceleration", components, self.gravity.frame, "", "all bodies"])
         if loads:
             tables.append(html_table("", ["load", *COLUMNS], loads))
-        names = {"coordinates": self.coordinates, "speeds": self.quasi_velocities, "inputs": self.inputs}
+        names = {
+            "coordinates": self.coordinates,
+            "speeds": self.quasi_velocities,
+            "states": self.states,
+            "inputs": self.inputs,
+        }
         unknowns = [(kind, ", ".join(map(str, each))) for kind, each in names.items() if each]
         tables.append(html_table("", ["unknowns", "names"], unknowns))
+        if self.states:
+            tables.append(html_table("", ["rate", "of a state"], [[*pair] for pair in self.state_rates.items()]))
         if self.constraints:
             pairs = zip(self.constraints, self.multipliers, strict=True)
             tables.append(
@@ -345,6 +387,8 @@ class System:
         ]
         if self.quasi_velocities:
             parts.append(counted(len(self.quasi_velocities), "quasi-velocity"))
+        if self.states:
+            parts.append(counted(len(self.states), "state"))
         if self.constraints:
             parts.append(counted(len(self.constraints), "constraint"))
         return f"System({', '.join([self.name, *parts] if self.name else parts)})"
@@ -377,11 +421,12 @@ def _completed(given: Sequence[Expr], needed: Iterable[Expr]) -> tuple[Expr, ...
 
 def _parts(system: System) -> tuple[Any, ...]:
     gravity = () if system.gravity is None else (system.gravity,)
-    return system.bodies, system.loads, system.conditions, system.inputs, *gravity
+    rates = tuple(system.state_rates.values())
+    return system.bodies, system.loads, system.conditions, system.inputs, rates, *gravity
 
 
 def _rebuilt(system: System, parts: Sequence[Any]) -> System:
-    bodies, loads, constraints, inputs, *gravity = parts
+    bodies, loads, constraints, inputs, rates, *gravity = parts
     return System(
         bodies,
         loads,
@@ -391,13 +436,15 @@ def _rebuilt(system: System, parts: Sequence[Any]) -> System:
         speeds=system.quasi_velocities,
         multipliers=system.multipliers,
         inputs=[each for each in inputs if each.kind == "time_function"],
+        states=dict(zip(system.states, rates, strict=True)),
         name=system.name,
     )
 
 
 def _check_substitution(system: System, mapping: Mapping[Any, Any]) -> None:
     """Raise an error for a substitution that would leave the system without its unknowns."""
-    unknown = {each.name for each in (*system.coordinates, *system.quasi_velocities, *system.multipliers)}
+    unknowns = (*system.coordinates, *system.quasi_velocities, *system.states, *system.multipliers)
+    unknown = {each.name for each in unknowns}
     for key in mapping:
         if isinstance(key, Expr) and key.kind == "time_function" and key.name in unknown:
             raise ModelError(

@@ -14,6 +14,8 @@ def equations(subject: Subject) -> list[Block]:
     sentence = f"There {verb} {counted(len(found.residuals), 'equation')} of motion"
     if found.constraints:
         sentence += f" and {counted(len(found.constraints), 'constraint')}"
+    if found.states:
+        sentence += f", with {counted(len(found.states), 'state')} beside the mechanics"
     if subject.is_large:
         summary = (
             f"{sentence}. They have {subject.cost.total} operations and are not printed here: "

@@ -28,16 +28,21 @@ class Page:
         balances: the equations.
         constraints: expressions that are zero.
         mass_matrix: M, each entry in its form for the reader, n x n.
+        state_rates: the rates of the states, z', and what they are.
     """
 
     system: System
     balances: tuple[Balance, ...]
     constraints: tuple[Expr, ...]
     mass_matrix: Matrix
+    state_rates: tuple[tuple[Expr, Expr], ...] = ()
 
     @cached_property
     def _rates(self) -> tuple[tuple[Expr, Expr], ...]:
-        return tuple((rate, readable(value)) for rate, value in self.system.known_rates.items())
+        """The kinematics that need a line, then the rates of the states."""
+        states = dict(self.state_rates)
+        kinematics = ((rate, value) for rate, value in self.system.known_rates.items() if rate not in states)
+        return tuple((rate, readable(value)) for rate, value in (*kinematics, *self.state_rates))
 
     def description(self) -> str:
         """Return the equations line by line, after the quantities that have names."""
@@ -47,7 +52,9 @@ class Page:
         texts = [f"{name} := {value}" for name, value in definitions]
         texts += sides[:n]
         texts += [f"constraint: {side}" for side in sides[n : n + m]]
-        texts += [f"kinematics: {side}" for side in sides[n + m :]]
+        last = len(sides) - len(self.state_rates)
+        texts += [f"kinematics: {side}" for side in sides[n + m : last]]
+        texts += [f"state: {side}" for side in sides[last:]]
         title = f"EQUATIONS OF MOTION of {', '.join(map(str, self.system.driving))}"
         return "\n".join([title, *(line for text in texts for line in _indented(text))])
 

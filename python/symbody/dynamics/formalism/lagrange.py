@@ -80,7 +80,7 @@ def lagrange_equations(system: System) -> Equations:
         tree = checked_tree(system, "lagrange_equations")
         if tree.is_rigid:
             recursive_newton_euler(system, shortest_tree(system, recursive_newton_euler))
-        residuals = with_multipliers(_residuals(system), system)
+        residuals = system.by_speeds(with_multipliers(_residuals(system), system))
     return Equations(system, without_idle_symbols(residuals), _assemble)
 
 
@@ -102,7 +102,7 @@ def _assemble(system: System) -> Assembly:
             with_added_mass(mass_matrix(system, tree), system)
         momenta = _momenta(system)
         M = with_added_mass(jacobian(momenta, [time_derivative(q) for q in system.coordinates]), system)
-        rest = Matrix([_residuals(system)]).subs(at_rest(system)).entries
+        rest = Matrix([system.by_speeds(_residuals(system))]).subs(at_rest(system)).entries
         assembly = Assembly(M, tuple(entry + 0 for entry in rest))  # the sum takes the value's node
     return assembly.without_idle_symbols()
 
