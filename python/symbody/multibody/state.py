@@ -5,16 +5,15 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from typing import NamedTuple
 
-from symbody.errors import ModelError
-from symbody.geometry import Frame
+from symbody.errors import ConstraintError, ModelError, SymbodyError
+from symbody.geometry import Frame, Vector
 from symbody.symbolic import Expr
-from symbody.symbolic.given.arguments import brief
+from symbody.symbolic.given.arguments import brief, described, expression
 
-from .body import Body
 from .coordinate import check_function_of_time
 from .load import Load
 
-__all__ = ["Unknown", "check_holders", "check_states"]
+__all__ = ["Unknown", "check_holders", "check_states", "given_rates"]
 
 
 class Unknown(NamedTuple):
@@ -37,6 +36,23 @@ class Unknown(NamedTuple):
         """The highest order of the rates that the rate of a state may hold, by the name of the unknown."""
         highest = {q.name: 2 for q in self.coordinates} | {u.name: 1 for u in self.quasi_velocities}
         return highest | {each.name: 0 for each in self.multipliers}
+
+
+def given_rates(states: Mapping[Expr, object] | None) -> dict[Expr, Expr]:
+    """Return the rates of states as expressions.
+
+    Raises:
+        ModelError: the states are no dictionary of functions of time.
+        ArgumentError: a rate is no expression.
+    """
+    if states is not None and not isinstance(states, Mapping):
+        raise ModelError(
+            f"System: states = {described(states)}; expected a dictionary of functions of time and their rates, such "
+            "as {z: (x - z)/T}"
+        )
+    return {
+        z: expression(rate, f"System, the rate of the state {brief(z)}") for z, rate in (states or {}).items()
+    }
 
 
 def check_states(rates: Mapping[Expr, Expr], unknown: Unknown) -> None:
@@ -82,8 +98,8 @@ def _check_rate(state: Expr, rate: Expr, states: set[str], orders: Mapping[str, 
 
 def check_holders(
     rates: Mapping[Expr, Expr],
-    bodies: Iterable[Body],
     frames: Iterable[Frame],
+    gravity: Vector | None,
     loads: Iterable[Load],
     constraints: Iterable[Expr],
     unknown: Unknown,
@@ -92,42 +108,46 @@ def check_holders(
 
     Args:
         rates: the rate of each state.
-        bodies: the bodies of the system.
-        frames: all frames.
+        frames: all frames of the system.
+        gravity: the acceleration of weight.
         loads: the loads.
         constraints: the conditions on positions and velocities.
         unknown: the other unknowns of the system.
 
     Raises:
         ModelError: something else holds a state, or a load the rate of a state that depends on accelerations.
+        ConstraintError: a constraint holds a state.
     """
     if not rates:
         return
     names = {state.name for state in rates}
     for number, constraint in enumerate(constraints, start=1):
-        _refuse(constraint.free_symbols, names, f"constraint {number}", _BY_LOADS)
+        _refuse(constraint.free_symbols, names, f"constraint {number}", _MOVING, ConstraintError)
     for frame in frames:
         leaves = frozenset[Expr]() if frame.motion is None else frame.motion.leaves
         carried = () if frame.carrier is None else (*frame.carrier.angular, *frame.carrier.linear)
-        _refuse(leaves.union(*(value.free_symbols for value in carried)), names, brief(frame), _BY_LOADS)
-    for body in bodies:
-        inertia = (value.free_symbols for value in (body.mass, *body.moments, *body.products))
-        _refuse(frozenset[Expr]().union(*inertia), names, brief(body), _CONSTANT)
+        _refuse(leaves.union(*(value.free_symbols for value in carried)), names, brief(frame), _MOVING)
+    if gravity is not None:
+        leaves = frozenset[Expr]().union(*(value.free_symbols for value in gravity.components))
+        _refuse(
+            leaves, names, "the gravity", "expected states in loads: model the change of weight as a force"
+        )
     for load in loads:
         _check_load(load, rates, unknown)
 
 
-_BY_LOADS = (
-    "a state has no acceleration with which the motion could follow it; expected states in loads: model the drive as "
-    "a load that holds the state, or as a coordinate"
+_MOVING = (
+    "a state has a rate but no acceleration with which bodies could follow it; expected states in loads: model the "
+    "drive as a load that holds the state, or as a coordinate"
 )
-_CONSTANT = "expected states in loads: the mass and the inertia of a body don't change"
 
 
-def _refuse(leaves: frozenset[Expr], names: set[str], where: str, why: str) -> None:
+def _refuse(
+    leaves: frozenset[Expr], names: set[str], where: str, why: str, error: type[SymbodyError] = ModelError
+) -> None:
     found = sorted((x for x in leaves if x.kind == "time_function" and x.name in names), key=str)
     if found:
-        raise ModelError(f"System: {where} holds the state {found[0].name}; {why}")
+        raise error(f"System: {where} holds the state {found[0].name}; {why}")
 
 
 def _check_load(load: Load, rates: Mapping[Expr, Expr], unknown: Unknown) -> None:

@@ -9,7 +9,7 @@ from itertools import count
 from typing import Annotated, Any, TypeAlias, TypeVar, final
 
 from symbody.errors import ConstraintError, ModelError, ModelNotice
-from symbody.geometry import Frame, Scalar, Vector
+from symbody.geometry import Frame, Vector
 from symbody.geometry.component.triple import Rate, expression
 from symbody.geometry.given.argument import checked
 from symbody.geometry.motion.floating import by_speeds, known_rates, rate_by
@@ -27,7 +27,7 @@ from .load import COLUMNS, Action, Load
 from .oversight import notices
 from .physical_inertia import report_impossible_differences
 from .picture import picture
-from .state import Unknown, check_holders, check_states
+from .state import Unknown, check_holders, check_states, given_rates
 
 Thing = TypeVar("Thing", Body, Load)
 
@@ -45,8 +45,8 @@ Conditions: TypeAlias = Annotated[
 ]
 
 Rates: TypeAlias = Annotated[
-    Mapping[Expr, Scalar],
-    "a dictionary of functions of time and their rates, such as {z: (u - z)/T}",
+    Mapping[Expr, object],
+    "a dictionary of functions of time and their rates, such as {z: (x - z)/T}",
 ]
 
 
@@ -110,7 +110,7 @@ class System:
         self.conditions = tuple(as_constraint(constraint) for constraint in constraints)
         """The constraints as values, with their names and what they connect."""
         self.name = name
-        self._given_rates = {z: expression(rate) for z, rate in (states or {}).items()}
+        self._given_rates = given_rates(states)
         self.states: tuple[Expr, ...] = tuple(self._given_rates)
         """The functions of time beside the mechanics whose rates are given."""
         self.multipliers = tuple(multipliers) or self._default_multipliers()
@@ -269,7 +269,7 @@ class System:
     def _check_states(self) -> None:
         unknown = Unknown(self.coordinates, self.quasi_velocities, self.multipliers, self.inputs)
         check_states(self._given_rates, unknown)
-        check_holders(self._given_rates, self.bodies, self._frames, self.loads, self.constraints, unknown)
+        check_holders(self._given_rates, self._frames, self.gravity, self.loads, self.constraints, unknown)
 
     def _check_gravity(self) -> None:
         if self.gravity is not None and self.gravity.frame.ancestor != self.root:
@@ -371,7 +371,9 @@ class System:
         unknowns = [(kind, ", ".join(map(str, each))) for kind, each in names.items() if each]
         tables.append(html_table("", ["unknowns", "names"], unknowns))
         if self.states:
-            tables.append(html_table("", ["rate", "of a state"], [[*pair] for pair in self.state_rates.items()]))
+            tables.append(
+                html_table("", ["rate", "of a state"], [[*pair] for pair in self.state_rates.items()])
+            )
         if self.constraints:
             pairs = zip(self.constraints, self.multipliers, strict=True)
             tables.append(

@@ -19,7 +19,9 @@ def kinematics(subject: Subject) -> list[Block]:
     if system.quasi_velocities:
         blocks.append(prose("The quasi-velocities are ", *listed(system.quasi_velocities), "."))
     blocks.append(prose(_freedom(subject)))
-    rates = {rate: by_speeds for rate, by_speeds in system.known_rates.items() if rate not in system.state_rates}
+    rates = {
+        rate: by_speeds for rate, by_speeds in system.known_rates.items() if rate not in system.state_rates
+    }
     if rates:
         lead = prose("The rates of the coordinates, by the speeds, are")
         blocks += equalities(lead, [*map(latex, rates)], [*rates.values()])

@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 from symbody.dynamics import Equations
 from symbody.errors import ArgumentError, ModelError, ParameterError
 from symbody.multibody import System
-from symbody.symbolic import Expr, ExprLike, t, time_derivative
+from symbody.symbolic import Expr, ExprLike, t
 from symbody.symbolic.given.arguments import described, expression
 from symbody.symbolic.given.namesake import namesake_note
 

@@ -79,7 +79,7 @@ class DifferentialAlgebraicEquations:
 
     @cached_property
     def residuals(self) -> tuple[Expr, ...]:
-        """The residuals F, one for each unknown: kinematics, dynamics, states, constraints on velocities and positions."""
+        """The residuals F, one for each unknown: those of q, u and z, then constraints on velocities and positions."""
         model = self.model
         phi = model.position_constraints if self.form != "2" else ()
         with derivation():

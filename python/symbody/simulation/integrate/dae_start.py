@@ -58,7 +58,15 @@ def start_of(dae: DifferentialAlgebraicEquations, parameters: Array, state: Arra
 def _state_rates(
     dae: DifferentialAlgebraicEquations, parameters: Array, state: Array, time: float, solution: Array
 ) -> Array:
-    """Return the rates of the states z, given accelerations and multipliers."""
+    """Return the rates of the states z.
+
+    Args:
+        dae: the equations.
+        parameters: the values of the parameters.
+        state: coordinates, speeds and states.
+        time: the time, in s.
+        solution: the accelerations and multipliers.
+    """
     if not dae.model.states:
         return np.zeros(0)
     (rates,) = dae.state_rates(time, state, solution, parameters)

@@ -229,9 +229,10 @@ class _Integration:
 
         IDA's own choice, which moves the coordinates by their tolerance, is lost in the rounding of phi at index 3.
         """
-        n = len(self.problem.dae.model.coordinates)
-        bound = atol + rtol * float(np.abs(self.start.unknowns[:n]).max())
-        curving = float(np.abs(self.start.rates[n : self.problem.dae.differential]).max())
+        model = self.problem.dae.model
+        n = len(model.coordinates)
+        bound = atol + rtol * float(np.abs(self.start.unknowns[:n]).max(initial=0.0))
+        curving = float(np.abs(self.start.rates[n : n + len(model.speeds)]).max())
         longest = 1e-3 * self.problem.span
         return longest if curving == 0 else min(longest, float(np.sqrt(2 * bound / curving)))
 

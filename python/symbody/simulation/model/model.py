@@ -41,7 +41,8 @@ _LONGEST, _SHORTER = 5000, 0.9
 class Model:
     """The functions that all simulations of a system share. Each is derived and compiled on first use.
 
-    The state is ``(q, u, z)``: coordinates, speeds, and the states beside the mechanics. Where loads or moving constraints do work, it is followed by that
+    The state is ``(q, u, z)``: coordinates, speeds, and the states beside the mechanics. Where loads or moving
+    constraints do work, it is followed by that
     work, whose rate is ``dE/dt``: so the balance of energy can be checked along any motion.
 
     Attributes:
@@ -266,9 +267,18 @@ class Model:
         """
         is_carried = self.potential_energy is None and self.system.gravity is not None
         energies = [self.kinetic_energy, self.potential_energy or number(0)]
-        if is_carried or not free_symbols(energies) <= {*self.parameters, *self.state}:
+        if is_carried or self._is_driven or not free_symbols(energies) <= {*self.parameters, *self.state}:
             return None
         return self.code(energies)
+
+    @property
+    def _is_driven(self) -> bool:
+        """Whether the frame that carries the system moves at zero speeds, as at a constant forward velocity."""
+        carrier = self.system.root.carrier
+        if carrier is None:
+            return False
+        at_rest = dict.fromkeys(self.speeds, number(0))
+        return not all(each.is_zero for each in substitute((*carrier.angular, *carrier.linear), at_rest))
 
     @cached_property
     def correction_codes(self) -> tuple[PreparedCode, PreparedCode]:

@@ -39,7 +39,6 @@ class Equilibrium:
 
     Attributes:
         coordinates: the values of all coordinates, in the units of the model.
-        states: the values of the states beside the mechanics, whose rates are zero.
         multipliers: the values of the multipliers, by their functions of time; empty without constraints.
         holding: the generalised forces that hold the fixed coordinates, by coordinate.
         residual: the largest generalised force that is left in the equations of motion.
@@ -48,6 +47,7 @@ class Equilibrium:
             held: the holding forces are constant forces along the fixed coordinates. NaN at a singular position,
             where small motions are not those of a linear system.
         held_eigenvalues: those of the motions in which the fixed coordinates stay fixed; the same if none is fixed.
+        states: the values of the states beside the mechanics, whose rates are zero.
 
     Forces that the position does not determine, such as those of dependent constraints, are those of minimum norm. A
     notice names them, unless they belong to constraints that are redundant everywhere.
@@ -134,8 +134,9 @@ def equilibrium(
 ) -> Equilibrium:
     """Return a position near a guess in which the system stays at rest.
 
-    ``-forcing - phi_q^T lambda = 0``, ``phi = 0`` and ``z' = 0`` at zero speeds and accelerations, by damped Gauss-Newton steps
-    with exact derivatives. The guess decides which of several equilibria is found; it may be unstable.
+    ``-forcing - phi_q^T lambda = 0``, ``phi = 0`` and, for states z, ``z' = 0``, at zero speeds and accelerations, by
+    damped Gauss-Newton steps with exact derivatives. The guess decides which of several equilibria is found; it may be
+    unstable.
 
     If coordinates are fixed, the system stays at rest by itself only if the holding forces are zero or act on it as
     constant forces. The attribute `eigenvalues` is meant in this sense, `held_eigenvalues` with coordinates held.
@@ -193,7 +194,9 @@ def _place(
     statics = statics_of(eqs, kinematics.given)
     p = parameter_values(statics.parameters, parameters, where=_WHERE, beside=eqs.system.state_names)
     held = state_values(eqs.system, fixed, where=_WHERE, argument="fixed", has_speeds=False)
-    near = state_values(eqs.system, guess, where=_WHERE, argument="guess", has_speeds=False, has_states=bool(eqs.states))
+    near = state_values(
+        eqs.system, guess, where=_WHERE, argument="guess", has_speeds=False, has_states=bool(eqs.states)
+    )
     warn_of_unused(eqs, parameters or {}, list(given.values()), _WHERE, stacklevel=4)
     problem = Balance(statics, t, p, tuple(held))
     constants = dict(zip(statics.parameters, p, strict=True))
@@ -292,7 +295,9 @@ def _unbalanced(problem: Balance, q: Array, forces: Array) -> str:
         *(f"the norm of {', '.join(map(str, four))}" for four in problem.statics.quaternions),
         *(f"the rate of the state {state}" for state in eqs.states),
     ]
-    place = ", ".join(f"{name} = {value:.6g}" for name, value in zip(problem.statics.positions[:12], q, strict=False))
+    place = ", ".join(
+        f"{name} = {value:.6g}" for name, value in zip(problem.statics.positions[:12], q, strict=False)
+    )
     return (
         f"{_WHERE}: none was found; nearest, at {place}: {names[worst]} is off by {F[worst]:.3g}; expected loads that "
         "can balance: give a guess nearer to the equilibrium, or hold coordinates that no load holds, "

@@ -50,7 +50,7 @@ class SmallMotionOfStates:
         from scipy.linalg import eig  # noqa: PLC0415 - slow to load, and not needed by simulations
 
         left, right = self.pencil
-        values = eig(left, right, right=False)
+        values = np.asarray(eig(left, right, right=False), np.complex128)
         return ordered(values[np.isfinite(values)])
 
     @property

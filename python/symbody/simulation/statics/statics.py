@@ -64,7 +64,7 @@ class Statics:
 
     @cached_property
     def function(self) -> CompiledFunction:
-        """The function of t, (q, z), lambda, h and p that returns the conditions, their derivatives, and term magnitudes."""
+        """The function of t, (q, z), lambda, h and p that returns the conditions, their slopes, and term magnitudes."""
         unknowns = [[*self.positions], [*self.equations.multipliers], [*self.holding]]
         slopes = jacobian(list(self.conditions), [name for names in unknowns for name in names])
         sizes = [magnitude(condition) for condition in self.conditions]
@@ -72,7 +72,7 @@ class Statics:
 
     @cached_property
     def small_motion(self) -> CompiledFunction:
-        """The function of t, (q, z), lambda and p that returns M, ``dr/du``, ``K = dq'/du`` and ``dz'/d(u, u')`` at rest."""
+        """The function of t, (q, z), lambda and p that returns M, ``dr/du``, ``dq'/du``, ``dz'/d(u, u')`` at rest."""
         eqs = self.equations
         at_rest = dict.fromkeys((*eqs.accelerations, *eqs.speeds), number(0))
         inertia = jacobian(list(self._residuals), list(eqs.accelerations)).subs(at_rest)
