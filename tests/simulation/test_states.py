@@ -11,12 +11,16 @@ from scipy.integrate import solve_ivp
 from scipy.linalg import expm
 
 from symbody import (
+    Body,
     Event,
+    Expr,
+    Force,
     System,
     consistent_state,
     equilibrium,
     functions_of_time,
     grid,
+    ground,
     inverse_dynamics,
     lambdify,
     newton_euler,
@@ -24,8 +28,10 @@ from symbody import (
     simulate_many,
     t,
     time_derivative,
+    translate,
 )
-from symbody.errors import SimulationError
+from symbody.errors import ModelError, ParameterError, SimulationError, SymbodyError
+from symbody.symbolic import ExprLike
 from tests.dynamics.state_models import (
     Cf,
     Cr,
@@ -368,3 +374,74 @@ def test_inverse_dynamics_of_a_system_whose_loads_hold_no_state() -> None:
     model = filtered_cart()
     result = inverse_dynamics(model.equations, {x: 3 * t**2}, model.parameters, t=[0.0, 0.5, 1.0])
     assert result.forces[x] == pytest.approx([6, 6, 6])
+
+
+def with_states(states: dict[Expr, ExprLike], force: ExprLike) -> System:
+    cart = Body(translate(x, 0, 0), m, name="cart")
+    drive = Force(ground, force, 0, 0, at=cart.center_of_mass, on=cart, name="drive")
+    return System([cart], [drive], [x], states=states)
+
+
+MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
+    (
+        ParameterError,
+        lambda: simulate(newton_euler(with_states({z: x}, z)), {m: 1}, {y: 1}, t=(0, 1)),
+        (
+            "simulate, initial: y is not a coordinate, a rate of one, a speed or a state of this system; expected one "
+            "of x, x', z"
+        ),
+    ),
+    (
+        SimulationError,
+        lambda: simulate(newton_euler(with_states({z: x}, z)), {m: 1}, {x: 1}, t=(0, 1))[y],
+        (
+            "motion: no values of y; this motion has values of time, the coordinates x, the speeds x', the states z, "
+            "accelerations, multipliers and parameters; y is neither a coordinate nor a speed of this system: use "
+            "those, or add it to the system before simulating"
+        ),
+    ),
+    (
+        ModelError,
+        lambda: inverse_dynamics(newton_euler(with_states({z: x}, z)), {x: t}, {m: 1}, (0, 1)),
+        (
+            "inverse_dynamics: the equations of motion hold the state z, whose rate is an equation of its own, and "
+            "which the motion at an instant doesn't determine; make the system with inputs=[z] instead of states, and "
+            "give its values along the motion as an input"
+        ),
+    ),
+    (
+        ParameterError,
+        lambda: equilibrium(newton_euler(with_states({z: x - z}, z)), {m: 1}, fixed={z: 1}),
+        "equilibrium, fixed: z is not a coordinate of this system; expected one of x",
+    ),
+    (
+        ParameterError,
+        lambda: equilibrium(newton_euler(with_states({z: x - z}, z)), {m: 1}, guess={y: 1}),
+        "equilibrium, guess: y is not a coordinate or a state of this system; expected one of x, z",
+    ),
+    (
+        SimulationError,
+        lambda: equilibrium(newton_euler(with_states({z: x}, -x)), {m: 1}),
+        (
+            "equilibrium: the equilibrium is not isolated: the state z can have other values, as neither the loads nor "
+            "the rates of states determine it; leave it out of the states, or let its rate depend on it"
+        ),
+    ),
+    (
+        SimulationError,
+        lambda: equilibrium(newton_euler(with_states({z: 1}, z - x)), {m: 1}),
+        (
+            "equilibrium: none was found; nearest, at x = 0, z = 0: the rate of the state z is off by 1; expected "
+            "loads that can balance: give a guess nearer to the equilibrium, or hold coordinates that no load holds, "
+            "such as fixed={x: ...}"
+        ),
+    ),
+]
+
+
+@pytest.mark.parametrize(("kind", "mistake", "message"), MISTAKES)
+def test_message(kind: type[SymbodyError], mistake: Callable[[], object], message: str) -> None:
+    with pytest.raises(SymbodyError) as caught:
+        mistake()
+    assert str(caught.value) == message
+    assert type(caught.value) is kind

@@ -66,9 +66,10 @@ def check_states(rates: Mapping[Expr, Expr], unknown: Unknown) -> None:
         ModelError: a state or a rate is something else.
     """
     taken = {each.name: kind for kind, each in _kinds(unknown)}
+    for state in rates:
+        check_function_of_time(state, "System: the state")
     states = {state.name for state in rates}
     for state, rate in rates.items():
-        check_function_of_time(state, "System: the state")
         if state.name in taken:
             raise ModelError(
                 f"System: {state} is both a state and {taken[state.name]}; the equations of motion determine "
