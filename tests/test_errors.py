@@ -46,6 +46,7 @@ from symbody import (
     rotate,
     show,
     sin,
+    subs,
     symbols,
     t,
     time_derivative,
@@ -82,7 +83,115 @@ def chosen(kinematics: Mapping[Expr, Expr]) -> System:
     return System([body], coordinates=[x, y], speeds=speeds, kinematics=kinematics)
 
 
+def with_states(states: object, force: object = None, **options: object) -> System:
+    cart = Body(translate(x, 0, 0), m, name="cart")
+    drive = Force(ground, force or 0, 0, 0, at=cart.center_of_mass, on=cart, name="drive")  # type: ignore[arg-type]
+    return System([cart], [] if force is None else [drive], [x], states=states, **options)  # type: ignore[arg-type]
+
+
 MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
+    # --- states beside the mechanics ---
+    (
+        errors.ModelError,
+        lambda: with_states([z]),
+        (
+            "System: states = [z] is a list; expected a dictionary of functions of time and their rates, such as "
+            "{z: (x - z)/T}"
+        ),
+    ),
+    (
+        errors.ArgumentError,
+        lambda: with_states({z: "x"}),
+        (
+            "System, the rate of the state z: 'x' is a str; expected an expression or a number (int, float, Fraction, "
+            "NumPy scalar); parse converts it"
+        ),
+    ),
+    (
+        errors.ModelError,
+        lambda: with_states({a: 1}),
+        "System: the state a isn't a function of time; make it with functions_of_time",
+    ),
+    (
+        errors.ModelError,
+        lambda: with_states({time_derivative(z): 1}),
+        "System: the state z' isn't a function of time; make it with functions_of_time",
+    ),
+    (
+        errors.ModelError,
+        lambda: with_states({x: 1}),
+        (
+            "System: x is both a state and a coordinate; the equations of motion determine coordinates and speeds, and "
+            "inputs are given: leave it out of one of them"
+        ),
+    ),
+    (
+        errors.ModelError,
+        lambda: with_states({z: 1}, inputs=[z]),
+        (
+            "System: z is both a state and an input; the equations of motion determine coordinates and speeds, and "
+            "inputs are given: leave it out of one of them"
+        ),
+    ),
+    (
+        errors.ModelError,
+        lambda: with_states({z: time_derivative(z, 2)}),
+        (
+            "System: the rate of the state z holds z''; expected an expression of states, not of their rates: "
+            "substitute the rate, or give an equation of second order by two states"
+        ),
+    ),
+    (
+        errors.ModelError,
+        lambda: with_states({z: time_derivative(x, 3)}),
+        (
+            "System: the rate of the state z holds x''', which the equations of motion don't determine; expected "
+            "coordinates, speeds, accelerations, multipliers, states, inputs and time"
+        ),
+    ),
+    (
+        errors.ModelError,
+        lambda: with_states({z: time_derivative(x, 2)}, time_derivative(z)),
+        (
+            "System: drive holds z', and the rate of z depends on x'', which follows from the loads; write the load by "
+            "states alone, or the rate without accelerations and multipliers"
+        ),
+    ),
+    (
+        errors.ModelError,
+        lambda: with_states({z: x}, time_derivative(z, 2)),
+        "System: drive holds z''; expected the states and their first rates, which are given",
+    ),
+    (
+        errors.ConstraintError,
+        lambda: with_states({z: x}, constraints=[x - z]),
+        (
+            "System: constraint 1 holds the state z; a state has a rate but no acceleration with which bodies could "
+            "follow it; expected states in loads: model the drive as a load that holds the state, or as a coordinate"
+        ),
+    ),
+    (
+        errors.ModelError,
+        lambda: System([Body(translate(x + z, 0, 0), m)], coordinates=[x], states={z: x}),
+        (
+            "System: translate(x + z, 0, 0) holds the state z; a state has a rate but no acceleration with which "
+            "bodies could follow it; expected states in loads: model the drive as a load that holds the state, or as a "
+            "coordinate"
+        ),
+    ),
+    (
+        errors.ModelError,
+        lambda: with_states({z: x}, gravity=Vector(ground, z, 0, 0)),
+        "System: the gravity holds the state z; expected states in loads: model the change of weight as a force",
+    ),
+    (
+        errors.ModelError,
+        lambda: subs(with_states({z: x}), {z: 1}),
+        (
+            "subs: z is an unknown of System(1 body, 0 loads, 1 coordinate, 1 state); expected parameters and inputs. "
+            "Substitute in expressions of the system, such as equations.residuals"
+        ),
+    ),
     # --- frames ---
     (
         errors.FrameError,

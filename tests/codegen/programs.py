@@ -44,6 +44,7 @@ from symbody import (
 )
 from symbody.codegen.straight_line.sample import Sample
 from symbody.symbolic import Argument, Expr, Matrix, Program, Result, Routine, t
+from tests.dynamics.state_models import motor_pendulum, sensed_pendulum
 from tests.reference.robot import motion_at, robot
 from tests.worksheets import test_trifilar_seed as trifilar
 
@@ -240,6 +241,8 @@ PROGRAMS = {
     "calls": calls,
     "long": long,
     "double_pendulum": double_pendulum,
+    "motor_pendulum": motor_pendulum().equations.program,
+    "sensed_pendulum": sensed_pendulum().equations.program,
     "trifilar": trifilar_pendulum,
     "panda_7dof": lambda: robot_program("panda_7dof"),
     "solo12_floating": lambda: robot_program("solo12_floating"),

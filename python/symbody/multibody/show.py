@@ -147,6 +147,7 @@ def _system(system: System, style: _Style) -> str:
         lines.append(f"quasi-velocities: {', '.join(map(str, system.quasi_velocities))}")
     chosen = ((time_derivative(q), system.coordinate_rates[q]) for q in system.chosen)
     lines += [f"kinematics: {rate} = {style.text(by_speeds)}" for rate, by_speeds in chosen]
+    lines += [f"state: {rate} = {style.text(value)}" for rate, value in system.state_rates.items()]
     lines += [f"body: {_described(body, style)}" for body in system.bodies]
     lines += [f"load: {_described(load, style)}" for load in system.loads]
     if system.gravity is not None:

@@ -26,6 +26,7 @@ from .load import COLUMNS, Action, Load
 from .oversight import notices
 from .physical_inertia import report_impossible_differences
 from .picture import picture
+from .state import Unknown, check_holders, check_states, given_rates
 from .variables import Conditions, Coordinates, Variables, check_single, check_substitution
 
 Thing = TypeVar("Thing", Body, Load)
@@ -37,6 +38,11 @@ COUNTED_BY = "symbody.simulation.constraint.mobility"
 Bodies: TypeAlias = Annotated[Collection[Body], "a list of bodies, such as [Body(frame, mass)]"]
 Loads: TypeAlias = Annotated[
     Collection[Load], "a list of forces and torques, such as [Torque(frame, x, y, z, on=body)]"
+]
+
+Rates: TypeAlias = Annotated[
+    Mapping[Expr, object],
+    "a dictionary of functions of time and their rates, such as {z: (x - z)/T}",
 ]
 
 
@@ -61,6 +67,8 @@ class System(Variables):
         multipliers: one function of time per constraint; ``lambda1``, ``lambda2``, ... by default.
         inputs: the functions of time in frames and constraints that are given from outside. Unlisted ones are inputs
             too, but a notice names them: they may be forgotten coordinates. Functions of time in loads need no list.
+        states: functions of time z beside the mechanics, which loads may hold, each with its rate z': an expression of
+            time, coordinates, speeds, accelerations, multipliers, states, inputs and parameters.
         name: what the system is called.
 
     >>> from symbody import Body, System, Vector, functions_of_time, ground, rotate, symbols, t, translate
@@ -96,6 +104,7 @@ class System(Variables):
         kinematics: Choice = MappingProxyType({}),
         multipliers: Coordinates = (),
         inputs: Coordinates = (),
+        states: Rates | None = None,
         name: str = "",
     ) -> None:
         self.bodies: tuple[Body, ...] = _ordered(bodies)
@@ -119,6 +128,7 @@ class System(Variables):
             constraints=constraints,
             multipliers=multipliers,
             inputs=inputs,
+            states=given_rates(states),
             name=name,
         )
         self.check()
@@ -192,10 +202,16 @@ class System(Variables):
         check_single(self.loads, "System: the load")
         self._check_gravity()
         super().check()
+        self._check_states()
         report_impossible_differences(self.bodies)
-        known = (*self.coordinates, *self.quasi_velocities, *self.inputs)
+        known = (*self.coordinates, *self.quasi_velocities, *self.inputs, *self.states)
         for notice in notices(self.bodies, self.loads, self.constraints, known):
             warnings.warn(f"System: {notice}", ModelNotice, stacklevel=4)
+
+    def _check_states(self) -> None:
+        unknown = Unknown(self.coordinates, self.quasi_velocities, self.multipliers, self.inputs)
+        check_states(self._given_rates, unknown)
+        check_holders(self._given_rates, self._frames, self.gravity, self.loads, self.constraints, unknown)
 
     def _check_gravity(self) -> None:
         if self.gravity is not None and self.gravity.frame.ancestor != self.root:
@@ -238,12 +254,21 @@ class System(Variables):
             loads.append(["gravity", "acceleration", components, self.gravity.frame, "", "all bodies"])
         if loads:
             tables.append(html_table("", ["load", *COLUMNS], loads))
-        names = {"coordinates": self.coordinates, "speeds": self.quasi_velocities, "inputs": self.inputs}
+        names = {
+            "coordinates": self.coordinates,
+            "speeds": self.quasi_velocities,
+            "states": self.states,
+            "inputs": self.inputs,
+        }
         unknowns = [(kind, ", ".join(map(str, each))) for kind, each in names.items() if each]
         tables.append(html_table("", ["unknowns", "names"], unknowns))
         if self.chosen:
             rates = [[time_derivative(q), self.coordinate_rates[q]] for q in self.chosen]
             tables.append(html_table("", ["rate", "by the speeds"], rates))
+        if self.states:
+            tables.append(
+                html_table("", ["rate", "of a state"], [[*pair] for pair in self.state_rates.items()])
+            )
         if self.constraints:
             pairs = zip(self.conditions, self.multipliers, strict=True)
             rows = [[c.name, f"{c.condition} = 0", each] for c, each in pairs]
@@ -258,6 +283,8 @@ class System(Variables):
         ]
         if self.quasi_velocities:
             parts.append(counted(len(self.quasi_velocities), "quasi-velocity"))
+        if self.states:
+            parts.append(counted(len(self.states), "state"))
         if self.constraints:
             parts.append(counted(len(self.constraints), "constraint"))
         return f"System({', '.join([self.name, *parts] if self.name else parts)})"
@@ -293,14 +320,19 @@ def _parts(system: System) -> tuple[Any, ...]:
         system.loads,
         conditions,
         system.inputs,
-        (*rates, *system.eliminated.values()),
+        (*rates, *system.eliminated.values(), *system.whole.state_rates.values()),
         *gravity,
     )
 
 
 def _rebuilt(system: System, parts: Sequence[Any]) -> System:
     bodies, loads, constraints, inputs, expressions, *gravity = parts
-    rates, dependent = expressions[: len(system.chosen)], expressions[len(system.chosen) :]
+    chosen, dependent = len(system.chosen), len(system.eliminated)
+    rates, speeds, of_states = (
+        expressions[:chosen],
+        expressions[chosen:][:dependent],
+        expressions[chosen + dependent :],
+    )
     whole = System(
         bodies,
         loads,
@@ -311,9 +343,10 @@ def _rebuilt(system: System, parts: Sequence[Any]) -> System:
         kinematics={time_derivative(q): rate for q, rate in zip(system.chosen, rates, strict=True)},
         multipliers=system.whole.multipliers,
         inputs=[each for each in inputs if each.kind == "time_function"],
+        states=dict(zip(system.states, of_states, strict=True)),
         name=system.name,
     )
-    pairs = dict(zip(system.eliminated, dependent, strict=True))
+    pairs = dict(zip(system.eliminated, speeds, strict=True))
     return whole.eliminating(pairs) if pairs else whole
 
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from functools import cached_property
 from itertools import count
+from types import MappingProxyType
 from typing import Annotated, Any, TypeAlias
 
 from symbody.errors import ConstraintError, ModelError
@@ -41,6 +42,7 @@ class Variables:
         constraints: conditions on positions or on velocities.
         multipliers: one for each; ``lambda1``, ``lambda2``, ... by default.
         inputs: functions of time that are given from outside.
+        states: functions of time beside the mechanics, and their rates.
         others: what the equations hold besides.
         name: what the system is called.
     """
@@ -59,6 +61,7 @@ class Variables:
         constraints: Sequence[Condition] = (),
         multipliers: Sequence[Expr] = (),
         inputs: Sequence[Expr] = (),
+        states: Mapping[Expr, Expr] = MappingProxyType({}),
         others: Sequence[Expr] = (),
         name: str = "",
     ) -> None:
@@ -71,6 +74,9 @@ class Variables:
         self.conditions = tuple(as_constraint(constraint) for constraint in constraints)
         """The constraints as values, with their names and what they connect."""
         self.others = tuple(others)
+        self._given_rates = dict(states)
+        self.states: tuple[Expr, ...] = tuple(self._given_rates)
+        """The functions of time beside the mechanics whose rates are given."""
         self.name = name
         self.multipliers = tuple(multipliers) or self._default_multipliers()
         self.inputs = tuple(expression(each) for each in inputs)
@@ -142,9 +148,9 @@ class Variables:
 
     @cached_property
     def state_names(self) -> tuple[Expr, ...]:
-        """The names by which a state may be given: coordinates, speeds, and rates of coordinates."""
+        """The names by which values may be given: coordinates, speeds, rates of coordinates, and states."""
         rates = (time_derivative(q) for q in self.coordinates)
-        return tuple(dict.fromkeys((*self.coordinates, *self.speeds, *rates)))
+        return tuple(dict.fromkeys((*self.coordinates, *self.speeds, *rates, *self.states)))
 
     @property
     def has_quasi_velocities(self) -> bool:
@@ -159,20 +165,34 @@ class Variables:
 
     @cached_property
     def known_rates(self) -> dict[Expr, Expr]:
-        """The rates of coordinates that are not speeds, by the speeds: the nontrivial part of the kinematics."""
-        return known_rates(self.coordinate_rates)
+        """The rates of coordinates that are not speeds, by the speeds, and those of states."""
+        return known_rates(self._first_order)
+
+    @cached_property
+    def state_rates(self) -> dict[Expr, Expr]:
+        """The rates of the states, in which rates of coordinates are written by the speeds: the rates are the keys."""
+        rates = self._written(self.coordinate_rates, [*self._given_rates.values()])
+        return {time_derivative(z): rate for z, rate in zip(self.states, rates, strict=True)}
+
+    @cached_property
+    def _first_order(self) -> dict[Expr, Expr]:
+        """The coordinates and states whose rates are given, and these rates."""
+        return {**self.coordinate_rates, **dict(zip(self.states, self.state_rates.values(), strict=True))}
 
     @cached_property
     def rate(self) -> Rate:
         """The time derivative, with these rates put in."""
         if self.eliminated:
             return lambda values: self.by_speeds(time_derivatives(values))
-        return rate_by(self.coordinate_rates)
+        return rate_by(self._first_order)
 
     def by_speeds(self, expressions: Sequence[Expr]) -> tuple[Expr, ...]:
-        """Return expressions with the rates of coordinates, of any order, written by the speeds and their rates."""
+        """Return expressions with the rates of coordinates by the speeds and their rates, and those of states."""
+        return self._written(self._first_order, expressions)
+
+    def _written(self, rates: Mapping[Expr, Expr], expressions: Sequence[Expr]) -> tuple[Expr, ...]:
         written = substitute(tuple(expressions), self.eliminated) if self.eliminated else expressions
-        return by_speeds(self.coordinate_rates, written)
+        return by_speeds(rates, written)
 
     def _check_coordinates(self) -> None:
         if not self.driving:
@@ -238,12 +258,18 @@ class Variables:
     @cached_property
     def leaves(self) -> frozenset[Expr]:
         """All symbols and functions of time in the model, also those that its equations don't need."""
-        return frozenset({*self.coordinates, *self.quasi_velocities}).union(
+        rates = (rate.free_symbols for rate in self._given_rates.values())
+        return self._leaves_without_rates.union(*rates)
+
+    @cached_property
+    def _leaves_without_rates(self) -> frozenset[Expr]:
+        """The same without the rates of states, which may hold multipliers."""
+        return frozenset({*self.coordinates, *self.quasi_velocities, *self.states}).union(
             *(value.free_symbols for value in self._values())
         )
 
     def _names(self) -> frozenset[str]:
-        return frozenset(leaf.name for leaf in self.leaves if leaf.kind != "application")
+        return frozenset(leaf.name for leaf in self._leaves_without_rates if leaf.kind != "application")
 
     def _values(self) -> Iterator[Expr]:
         yield from (*self.constraints, *self.coordinate_rates.values(), *self.others)
@@ -266,9 +292,13 @@ def check_single(things: Sequence[object], kind: str) -> None:
 
 def check_substitution(variables: Variables, mapping: Mapping[Any, Any]) -> None:
     """Raise an error for a substitution that would leave the equations without their unknowns."""
-    unknown = {
-        each.name for each in (*variables.coordinates, *variables.quasi_velocities, *variables.multipliers)
-    }
+    unknowns = (
+        *variables.coordinates,
+        *variables.quasi_velocities,
+        *variables.states,
+        *variables.multipliers,
+    )
+    unknown = {each.name for each in unknowns}
     for key in mapping:
         if isinstance(key, Expr) and key.kind == "time_function" and key.name in unknown:
             raise ModelError(

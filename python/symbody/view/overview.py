@@ -22,6 +22,7 @@ KINDS = {
     "velocity": "m/{}",
     "rate": "",
     "speed": "",
+    "state": "",
 }
 """The units of each kind, given that of time: SI units for angles and lengths, none for unknown kinds."""
 
@@ -41,7 +42,7 @@ class Group:
 
 
 def overview(system: Variables) -> tuple[list[Group], list[Group]]:
-    """Return the coordinates and the speeds of a system, in groups of one kind.
+    """Return the coordinates of a system, and its speeds and states, in groups of one kind.
 
     >>> from symbody import Body, functions_of_time, rotate, translate
     >>> x, phi, psi = q = functions_of_time("x phi psi")
@@ -54,7 +55,8 @@ def overview(system: Variables) -> tuple[list[Group], list[Group]]:
     coordinates = {q: kinds.get(q, "coordinate") for q in system.coordinates}
     velocities = {u: kinds.get(u, "speed") for u in system.quasi_velocities}
     rates = {time_derivative(q): RATES[kind] for q, kind in coordinates.items() if q in system.driving}
-    return _groups(coordinates), _groups(velocities) + _groups(rates)
+    states = dict.fromkeys(system.states, "state")
+    return _groups(coordinates), _groups(velocities) + _groups(rates) + _groups(states)
 
 
 def _groups(kinds: Mapping[Expr, str]) -> list[Group]:

@@ -42,7 +42,8 @@ def plot(
 ) -> Figure:
     """Return a figure of expressions over time, one panel for each argument.
 
-    Without arguments, it shows all coordinates and speeds, in SI units: lengths, angles and others in separate panels.
+    Without arguments, it shows all coordinates, speeds and states, in SI units: lengths, angles and others in separate
+    panels.
 
     Args:
         motion: the motion.

@@ -29,6 +29,8 @@ def equations(subject: Subject) -> list[Block]:
     sentence = f"There {verb} {counted(len(found.residuals), 'equation')} of motion"
     if found.constraints:
         sentence += f" and {counted(len(found.constraints), 'constraint')}"
+    if found.states:
+        sentence += f", with {counted(len(found.states), 'state')} beside the mechanics"
     text = None if subject.is_large else found.latex()
     if text is not None and text.count(r"\\ ") < ROWS:
         return [Heading("Equations of motion"), prose(f"{sentence}."), Formula(text)]

@@ -19,9 +19,12 @@ def kinematics(subject: Subject) -> list[Block]:
     if system.quasi_velocities:
         blocks.append(prose("The quasi-velocities are ", *listed(system.quasi_velocities), "."))
     blocks.append(prose(_freedom(subject)))
-    if system.known_rates:
+    rates = {
+        rate: by_speeds for rate, by_speeds in system.known_rates.items() if rate not in system.state_rates
+    }
+    if rates:
         lead = prose("The rates of the coordinates, by the speeds, are")
-        blocks += equalities(lead, [*map(latex, system.known_rates)], [*system.known_rates.values()])
+        blocks += equalities(lead, [*map(latex, rates)], [*rates.values()])
     if system.constraints:
         multipliers = listed(system.multipliers)
         lead = prose("The constraints, whose multipliers are ", *multipliers, ", are")

@@ -29,6 +29,7 @@ def _entries(subject: Subject) -> Iterator[tuple[Expr, str, str]]:
         own = [each for each in group.expressions if each in system.quasi_velocities]
         kind = "quasi-velocity" if group.kind == "speed" else f"quasi-velocity, {group.kind}"
         yield from ((each, kind, group.unit("s")) for each in own)
+    yield from ((each, "state", "") for each in equations.states)
     roles = _roles(subject)
     for each in (each for each in equations.inputs if each.order == 0):
         meaning, unit = roles.get(each, ("", ""))

@@ -13,10 +13,13 @@ def size(subject: Subject) -> list[Block]:
     counts = {
         "coordinates": len(found.coordinates),
         "speeds": len(found.speeds),
+        "states": len(found.states),
         "constraints": len(found.constraints),
         "inputs": len(found.inputs),
         "parameters": len(found.parameters),
     }
+    if not found.states:
+        del counts["states"]
     costs = {"residuals": subject.cost}
     if not subject.is_large:
         costs |= {"mass matrix": cost(found.mass_matrix), "bias": cost(found.bias)}

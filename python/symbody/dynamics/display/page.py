@@ -29,16 +29,21 @@ class Page:
         balances: the equations.
         constraints: expressions that are zero.
         mass_matrix: M, each entry in its form for the reader, n x n.
+        state_rates: the rates of the states, z', and what they are.
     """
 
     system: Variables
     balances: tuple[Balance, ...]
     constraints: tuple[Expr, ...]
     mass_matrix: Matrix
+    state_rates: tuple[tuple[Expr, Expr], ...] = ()
 
     @cached_property
     def _rates(self) -> tuple[tuple[Expr, Expr], ...]:
-        return tuple((rate, textbook_form(value)) for rate, value in self.system.known_rates.items())
+        """The kinematics that need a line, then the rates of the states."""
+        states = dict(self.state_rates)
+        kinematics = ((rate, value) for rate, value in self.system.known_rates.items() if rate not in states)
+        return tuple((rate, textbook_form(value)) for rate, value in (*kinematics, *self.state_rates))
 
     def description(self) -> str:
         """Return the equations line by line, after the quantities that have names."""
@@ -49,7 +54,9 @@ class Page:
         texts += sides[:n]
         names = (f"constraint {each.name}".strip() for each in self.system.conditions)
         texts += [f"{name}: {side}" for name, side in zip(names, sides[n : n + m], strict=True)]
-        texts += [f"kinematics: {side}" for side in sides[n + m :]]
+        last = len(sides) - len(self.state_rates)
+        texts += [f"kinematics: {side}" for side in sides[n + m : last]]
+        texts += [f"state: {side}" for side in sides[last:]]
         title = f"EQUATIONS OF MOTION of {', '.join(map(str, self.system.driving))}"
         return "\n".join([title, *(line for text in texts for line in _indented(text))])
 

@@ -110,6 +110,16 @@ class Equations:
         """The rates of the coordinates, each by the speeds: the rates are the keys."""
         return self.system.kinematics
 
+    @property
+    def states(self) -> tuple[Expr, ...]:
+        """The states z beside the mechanics, functions of time whose rates are given."""
+        return self.system.states
+
+    @cached_property
+    def state_rates(self) -> dict[Expr, Expr]:
+        """The rates z' of the states, which may hold accelerations and multipliers: the rates are the keys."""
+        return self.system.state_rates
+
     @cached_property
     def constraints(self) -> tuple[Expr, ...]:
         """The constraints, expressions that are zero: phi on positions, or ``A u + b`` on velocities."""
@@ -167,13 +177,15 @@ class Equations:
     @cached_property
     def inputs(self) -> tuple[Expr, ...]:
         """The functions of time, and their rates, that are given from outside, by name."""
-        known = {unknown.name for unknown in (*self.coordinates, *self.speeds, *self.multipliers)}
+        unknowns = (*self.coordinates, *self.speeds, *self.states, *self.multipliers)
+        known = {unknown.name for unknown in unknowns}
         given = {leaf for leaf in self._leaves if leaf.kind == "time_function" and leaf.name not in known}
         return tuple(sorted(given, key=lambda function: (function.name, function.order)))
 
     @cached_property
     def _leaves(self) -> frozenset[Expr]:
-        return free_symbols((*self.residuals, *self.constraints, *self.system.known_rates.values()))
+        rates = (*self.system.known_rates.values(), *self.state_rates.values())
+        return free_symbols((*self.residuals, *self.constraints, *rates))
 
     @checked(ModelError)
     def baumgarte(self, omega: Scalar, zeta: Scalar) -> tuple[Expr, ...]:
@@ -209,13 +221,17 @@ class Equations:
         n, m, names = len(self.residuals), len(self.constraints), ", ".join(map(str, self.system.driving))
         alone = "coordinates" if len(self.system.driving) != 1 else "coordinate"
         kind = "speeds and coordinates" if self.system.quasi_velocities else alone
-        return f"Equations({counted(n, 'equation')} of motion, {counted(m, 'constraint')}, {kind} {names})"
+        states = f", {counted(len(self.states), 'state').split()[1]} {', '.join(map(str, self.states))}"
+        return (
+            f"Equations({counted(n, 'equation')} of motion, {counted(m, 'constraint')}, {kind} {names}"
+            f"{states if self.states else ''})"
+        )
 
     @cached_property
     def _page(self) -> Page:
         jacobian = self.constraint_jacobian
         rows, matrix = balances(self.system, self.residuals, self.mass_matrix, self.bias, jacobian)
-        return Page(self.system, rows, self.constraints, matrix)
+        return Page(self.system, rows, self.constraints, matrix, tuple(self.state_rates.items()))
 
     def description(self) -> str:
         """Return the equations line by line as a textbook prints them: what `show` prints.
@@ -291,14 +307,17 @@ class Derived:
 
 
 def _parts(equations: Equations) -> tuple[object, ...]:
-    return equations.residuals, equations.constraints, equations.mass_matrix, equations.bias
+    rates = tuple(equations.state_rates.values())
+    return equations.residuals, equations.constraints, equations.mass_matrix, equations.bias, rates
 
 
 def _rebuilt(equations: Equations, parts: Sequence[Any]) -> Equations:
     """Return the equations in another form; they belong to the same system."""
-    residuals, constraints, mass_matrix, bias = parts
+    residuals, constraints, mass_matrix, bias, rates = parts
     made = replace(equations, residuals=residuals, assemble=Derived(Assembly(mass_matrix, bias)))
-    vars(made)["constraints"] = constraints  # the value that the cached property would find
+    # the values that the cached properties would find
+    vars(made)["constraints"] = constraints
+    vars(made)["state_rates"] = dict(zip(equations.state_rates, rates, strict=True))
     return made
 
 

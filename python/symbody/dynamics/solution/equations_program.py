@@ -52,9 +52,10 @@ def program(
 
     Returns:
         A program of the routines mass_matrix, forcing, residuals, constraints (those on positions),
-        velocity_constraints (all, if some are on velocities), constraint_jacobian, forward_dynamics, right_hand_side,
-        energies and outputs, without those that have nothing to compute. Their arguments are p
-        (parameters), t, r (inputs), q, u (speeds), a (accelerations) and lambda_ (multipliers), in this order.
+        velocity_constraints (all, if some are on velocities), state_rates, constraint_jacobian, forward_dynamics,
+        right_hand_side, energies and outputs, without those that have nothing to compute. Their arguments are p
+        (parameters), t, r (inputs), q, u (speeds), z (states), a (accelerations) and lambda_ (multipliers), in this
+        order.
 
     Raises:
         ProgramError: an output isn't a function of these, or a name is not an identifier.
@@ -114,6 +115,9 @@ def _equations_of_motion(eqs: Equations) -> list[Routine]:
                 vector_result("psi", levels),
             )
         )
+    if eqs.states:
+        rates = vector_result("z_rates", [*eqs.state_rates.values()])
+        routines.append(_routine("state_rates", "the rates of the states z", rates))
     if m:
         jacobian = matrix_result("phi_q", eqs.constraint_jacobian)
         routines.append(
@@ -138,12 +142,15 @@ def _forward(eqs: Equations, method: str, baumgarte: Damping) -> list[Routine]:
     found = [vector_result("a", solution.accelerations, "the accelerations")]
     if solution.multipliers:
         found.append(vector_result("lambda_", solution.multipliers, "the multipliers"))
+    of_states = solution.put_into(eqs, [*eqs.state_rates.values()])
     rates = vector_result(
-        "rates", (*eqs.kinematics.values(), *solution.accelerations), "the rates of q, then those of u"
+        "rates",
+        (*eqs.kinematics.values(), *solution.accelerations, *of_states),
+        "the rates of q, then those of u" + (", then those of z" if of_states else ""),
     )
     return [
         _routine("forward_dynamics", f"the accelerations, {_WAYS[solution.method]}", *found),
-        _routine("right_hand_side", "the rates of the state (q, u)", rates),
+        _routine("right_hand_side", f"the rates of the state (q, u{', z' if of_states else ''})", rates),
     ]
 
 
@@ -222,7 +229,7 @@ def _routine(name: str, meaning: str, *results: Result) -> Routine:
 
 def _check_time_functions(outputs: Mapping[str, Output], eqs: Equations, routines: Iterable[Routine]) -> None:
     """Raise an error that names the first output with a function of time that the equations don't know."""
-    motion = {*eqs.coordinates, *eqs.speeds, *eqs.accelerations, *eqs.multipliers}
+    motion = {*eqs.coordinates, *eqs.speeds, *eqs.states, *eqs.accelerations, *eqs.multipliers}
     inputs = {leaf.name for leaf in leaves_of(routines) if leaf.kind == "time_function"}
     inputs -= {leaf.name for leaf in motion}
     for name, value in outputs.items():
@@ -230,10 +237,14 @@ def _check_time_functions(outputs: Mapping[str, Output], eqs: Equations, routine
             leaf for leaf in free_symbols(output_result(name, value).expressions) if leaf.depends_on_time
         }
         known = {*motion, t, *(leaf for leaf in leaves - {t} if leaf.name in inputs)}
-        strange = {leaf for leaf in leaves if not free_symbols(eqs.system.by_speeds([leaf])) <= known}
+        strange = {leaf for leaf in leaves if not _moving(eqs.system.by_speeds([leaf])) <= known}
         if strange:
             first = min(strange, key=by_name)
             raise ProgramError(
                 f"program: the output {name} holds {first}, which isn't in the equations of motion; expected "
                 "an expression of coordinates, speeds, accelerations, multipliers, parameters, inputs and time"
             )
+
+
+def _moving(expressions: Sequence[Expr]) -> set[Expr]:
+    return {leaf for leaf in free_symbols(expressions) if leaf.depends_on_time}

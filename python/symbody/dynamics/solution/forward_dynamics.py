@@ -12,7 +12,7 @@ or both from the whole matrix with pivoting.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from functools import partial
@@ -31,6 +31,7 @@ from symbody.symbolic import (
     derivation,
     ldl_solve,
     saddle_point_solve,
+    substitute,
     without_idle_symbols,
 )
 
@@ -62,6 +63,18 @@ class ForwardDynamics:
     method: str
     conditions: tuple[Expr, ...] = ()
     equation_names: tuple[str, ...] = ()
+
+    def put_into(self, eqs: Equations, expressions: Sequence[Expr]) -> tuple[Expr, ...]:
+        """Return expressions in which accelerations and multipliers are replaced by this solution.
+
+        Args:
+            eqs: the equations of motion that are solved.
+            expressions: expressions of the motion, such as the rates of states.
+        """
+        unknowns = (*eqs.accelerations, *eqs.multipliers)
+        return substitute(
+            expressions, dict(zip(unknowns, (*self.accelerations, *self.multipliers), strict=True))
+        )
 
     def without_idle_symbols(self) -> ForwardDynamics:
         """Return the solution in forms without symbols on which its values don't depend."""

@@ -1,4 +1,4 @@
-"""Arguments of the routines of a program: parameters, time, inputs, coordinates, speeds, accelerations, multipliers."""
+"""Arguments of the routines of a program: parameters, time, inputs, and the unknowns of the motion."""
 
 from __future__ import annotations
 
@@ -9,15 +9,16 @@ from symbody.symbolic import Argument, Expr, Routine, free_symbols, t
 
 ALWAYS = {
     "mass_matrix": ("p", "t", "r", "q"),
-    "forcing": ("p", "t", "r", "q", "u"),
-    "residuals": ("p", "t", "r", "q", "u", "a", "lambda_"),
+    "forcing": ("p", "t", "r", "q", "u", "z"),
+    "residuals": ("p", "t", "r", "q", "u", "z", "a", "lambda_"),
+    "state_rates": ("p", "t", "r", "q", "u", "z"),
     "constraints": ("p", "t", "r", "q"),
     "velocity_constraints": ("p", "t", "r", "q", "u"),
     "constraint_jacobian": ("p", "t", "r", "q"),
-    "forward_dynamics": ("p", "t", "r", "q", "u"),
-    "right_hand_side": ("p", "t", "r", "q", "u"),
+    "forward_dynamics": ("p", "t", "r", "q", "u", "z"),
+    "right_hand_side": ("p", "t", "r", "q", "u", "z"),
     "energies": ("p", "t", "r", "q", "u"),
-    "outputs": ("p", "t", "r", "q", "u"),
+    "outputs": ("p", "t", "r", "q", "u", "z"),
 }
 """Arguments that a routine takes even if it doesn't need them, so that a model's change doesn't change the calls."""
 
@@ -27,6 +28,7 @@ MEANINGS = {
     "r": ("inputs", "time and inputs"),
     "q": ("coordinates", "positions"),
     "u": ("speeds", "velocities"),
+    "z": ("states", "velocities"),
     "a": ("accelerations", "accelerations"),
     "lambda_": ("multipliers", "accelerations"),
 }
@@ -35,7 +37,7 @@ MEANINGS = {
 
 def arguments_of(eqs: Equations, leaves: frozenset[Expr]) -> list[Argument]:
     """Return the arguments of a program that hold some of the leaves, or belong to the motion."""
-    known = {*eqs.coordinates, *eqs.speeds, *eqs.accelerations, *eqs.multipliers, t}
+    known = {*eqs.coordinates, *eqs.speeds, *eqs.states, *eqs.accelerations, *eqs.multipliers, t}
     others = sorted(leaves - known, key=by_name)
     variables: dict[str, Sequence[Expr]] = {
         "p": [leaf for leaf in others if not leaf.depends_on_time],
@@ -43,6 +45,7 @@ def arguments_of(eqs: Equations, leaves: frozenset[Expr]) -> list[Argument]:
         "r": [leaf for leaf in others if leaf.depends_on_time],
         "q": eqs.coordinates,
         "u": eqs.speeds,
+        "z": eqs.states,
         "a": eqs.accelerations,
         "lambda_": eqs.multipliers,
     }

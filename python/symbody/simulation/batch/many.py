@@ -75,7 +75,7 @@ def simulate_many(
     Args:
         eqs: the equations of motion.
         parameters: the values of the parameters.
-        initial: the values of coordinates, their rates or speeds at the first instant.
+        initial: the values of coordinates, their rates, speeds or states at the first instant.
         t: the first and the last instant (1001 evenly spaced instants), or all instants, in s.
         cases: values of parameters and initial values together, such as a `grid` of all combinations.
         inputs: expressions of time, state and parameters for the input functions of time.

@@ -46,7 +46,7 @@ def consistent_state(
         inputs: expressions of time for the input functions of time.
 
     Returns:
-        All coordinates, then all speeds.
+        All coordinates, then all speeds, then the states beside the mechanics: as given, or zero.
 
     Raises:
         ConstraintError: no state with these values satisfies the constraints, or none was found.
@@ -90,5 +90,7 @@ def solved_state(
     near = state_values(kinematics.system, guess, where=_WHERE, argument="guess")
     q = positions(kinematics, p, t, fixed, near)
     u = velocities(kinematics, p, t, q, fixed, near)
-    names = (*kinematics.system.coordinates, *kinematics.system.speeds)
-    return dict(zip(names, map(float, [*q, *u]), strict=True))
+    system = kinematics.system
+    z = [fixed.get(state, near.get(state, 0.0)) for state in system.states]
+    names = (*system.coordinates, *system.speeds, *system.states)
+    return dict(zip(names, map(float, [*q, *u, *z]), strict=True))

@@ -78,7 +78,7 @@ def _usual_sizes(kinematics: Kinematics, p: Array, t: float, q: Array) -> Array:
     """Return the usual magnitudes of the constraints' gradients, even where these vanish: terms over coordinates."""
     with np.errstate(all="ignore"):
         _, _, sizes = kinematics.position(t, q, p)
-    return kinematics.among_all(np.where(np.isfinite(sizes), sizes, 0.0) / max(1.0, float(np.abs(q).max())))
+    return kinematics.among_all(np.where(np.isfinite(sizes), sizes, 0.0) / float(np.abs(q).max(initial=1.0)))
 
 
 def _relative(A: Array, b: Array, u: Array, least: Array) -> Array:

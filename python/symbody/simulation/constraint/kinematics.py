@@ -108,6 +108,12 @@ class Kinematics:
         unknown = sorted(
             {leaf.name for leaf in self.leaves if leaf.kind == "time_function" and leaf.name not in known}
         )
+        brought = next((z for z in system.states if z.name in unknown), None)
+        if brought is not None:
+            raise ModelError(
+                f"{where}: the constraints contain an input that is given by the state {brought}; expected expressions "
+                "of time, coordinates and speeds in constraints"
+            )
         if unknown:
             raise ModelError(
                 f"{where}: the constraints contain the functions of time {', '.join(unknown)}, which are neither "

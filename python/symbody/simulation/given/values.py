@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 from symbody.dynamics import Equations
 from symbody.errors import ArgumentError, ModelError, ParameterError
 from symbody.multibody import Variables
-from symbody.symbolic import Expr, ExprLike, t, time_derivative
+from symbody.symbolic import Expr, ExprLike, t
 from symbody.symbolic.given.arguments import described, expression
 from symbody.symbolic.given.namesake import namesake_note
 
@@ -110,15 +110,17 @@ def state_values(
     where: str = "simulate",
     argument: str = "initial",
     has_speeds: bool = True,
+    has_states: bool = False,
 ) -> dict[Expr, float]:
-    """Return the given values of coordinates, rates of coordinates, and speeds.
+    """Return the given values of coordinates, rates of coordinates, speeds, and states.
 
     Args:
         system: the system.
         given: the values; a variable that is not named is free.
         where: the function that the user called, for messages.
         argument: the name of the argument, for messages.
-        has_speeds: whether rates and speeds may be given, or only coordinates.
+        has_speeds: whether rates, speeds and states may be given, or only coordinates.
+        has_states: whether states may be given beside coordinates, where speeds may not.
 
     Raises:
         ParameterError: a key is not a coordinate, a rate of one or a speed; or a value is not finite.
@@ -127,6 +129,10 @@ def state_values(
     values, place = _mapping(given, where, argument), f"{where}, {argument}"
     if has_speeds:
         check_state_names(system, values, place)
+    elif has_states:
+        check_known(
+            values, (*system.coordinates, *system.states), place, "a coordinate or a state of this system"
+        )
     else:
         check_known(values, system.coordinates, place, "a coordinate of this system")
     return {name: finite_number(name, value, f"{where}, {argument}") for name, value in values.items()}
@@ -138,7 +144,11 @@ def check_state_names(system: Variables, given: Iterable[object], place: str) ->
     Raises:
         ParameterError: a key is none of these.
     """
-    check_known(given, system.state_names, place, "a coordinate, a rate of one or a speed of this system")
+    kinds = "a coordinate, a rate of one, a speed or a state" if system.states else _OF_MECHANICS
+    check_known(given, system.state_names, place, f"{kinds} of this system")
+
+
+_OF_MECHANICS = "a coordinate, a rate of one or a speed"
 
 
 def given_inputs(
@@ -202,7 +212,7 @@ def _input(eqs: Equations, function: Expr, value: Any, where: str) -> Expr:
             f"{place}: {described(value)}; expected an expression of time and state, such as {function}: sin(t)"
         )
     formula = expression(value, place)
-    known = {t, *system.coordinates, *system.speeds, *(time_derivative(q) for q in system.coordinates)}
+    known = {t, *system.state_names}
     strange = {leaf for leaf in formula.free_symbols if leaf.depends_on_time} - known
     if strange:
         raise ModelError(

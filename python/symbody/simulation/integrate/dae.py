@@ -26,7 +26,8 @@ FORMS = ("stabilized", "2", "3")
 class DifferentialAlgebraicEquations:
     """The equations ``F(t, y, y') = 0`` of a model, with the unknowns ``y = (q, u, lambda)`` or ``(q, u, lambda, mu)``.
 
-    They are ``q' = K u``, ``M u' = forcing + phi_q^T lambda``, and the constraints in one of three forms:
+    The states z beside the mechanics follow u in y; their equations are ``z' = f(q, u, u', z, lambda)``. The others
+    are ``q' = K u``, ``M u' = forcing + phi_q^T lambda``, and the constraints in one of three forms:
 
     - "3": ``phi = 0``; the index is 3, nothing drifts, and errors of lambda grow as 1/h^2 [Brenan, Campbell &
       Petzold 1996, sec. 6.2];
@@ -59,7 +60,8 @@ class DifferentialAlgebraicEquations:
     @cached_property
     def rates(self) -> tuple[Expr, ...]:
         """The rates of the state, as separate variables: ``q'`` equals u only once the equations hold."""
-        return (*_named("dae_rate", len(self.model.coordinates)), *self.model.accelerations)
+        q, z = len(self.model.coordinates), len(self.model.states)
+        return (*_named("dae_rate", q), *self.model.accelerations, *_named("dae_state_rate", z))
 
     @cached_property
     def _kinematic_multipliers(self) -> tuple[Expr, ...]:
@@ -77,7 +79,7 @@ class DifferentialAlgebraicEquations:
 
     @cached_property
     def residuals(self) -> tuple[Expr, ...]:
-        """The residuals F, one for each unknown: kinematics, dynamics, constraints on velocities and on positions."""
+        """The residuals F, one for each unknown: those of q, u and z, then constraints on velocities and positions."""
         model = self.model
         phi = model.position_constraints if self.form != "2" else ()
         with derivation():
@@ -87,7 +89,10 @@ class DifferentialAlgebraicEquations:
                     self.rates, model.coordinate_rates, self._corrections, strict=False
                 )
             ]
-            return model.with_inputs([*kinematics, *model.equations.residuals, *self._velocities, *phi])
+            first = len(self.rates) - len(model.states)
+            states = [rate - value for rate, value in zip(self.rates[first:], model.state_rates, strict=True)]
+            dynamics = (*model.equations.residuals, *states)
+            return model.with_inputs([*kinematics, *dynamics, *self._velocities, *phi])
 
     @property
     def _velocities(self) -> tuple[Expr, ...]:
@@ -152,6 +157,14 @@ class DifferentialAlgebraicEquations:
         arguments: list[Expr | list[Expr]] = [t, list(model.state), list(self.parameters)]
         outputs = [[*model.with_inputs(model.coordinate_rates)], jacobian(list(equations), unknown), [*rest]]
         return lambdify(arguments, outputs, compile=False)
+
+    @cached_property
+    def state_rates(self) -> CompiledFunction:
+        """The function of time, state, ``(u', lambda)`` and parameters that returns the rates of the states z."""
+        model = self.model
+        unknown = [*model.accelerations, *model.multipliers]
+        arguments: list[Expr | list[Expr]] = [t, list(model.state), unknown, list(self.parameters)]
+        return lambdify(arguments, [[*model.with_inputs(model.state_rates)]], compile=False)
 
     def observed(self, expressions: Sequence[Expr]) -> PreparedCode:
         """Return the machine code of expressions of time, state, accelerations, multipliers and parameters."""

@@ -49,9 +49,35 @@ def start_of(dae: DifferentialAlgebraicEquations, parameters: Array, state: Arra
         )
     solution = _solved(A, -b, _equations(dae), time)
     unknowns, rates = np.zeros(width), np.zeros(width)
-    unknowns[:n], unknowns[n : n + m] = state, solution[n - len(kinematics) :]
-    rates[:n] = [*kinematics, *solution[: n - len(kinematics)]]
+    speeds = len(dae.model.speeds)
+    unknowns[:n], unknowns[n : n + m] = state, solution[speeds:]
+    rates[:n] = [*kinematics, *solution[:speeds], *_state_rates(dae, parameters, state, time, solution)]
     return Start(time, unknowns, rates)
+
+
+def _state_rates(
+    dae: DifferentialAlgebraicEquations, parameters: Array, state: Array, time: float, solution: Array
+) -> Array:
+    """Return the rates of the states z.
+
+    Args:
+        dae: the equations.
+        parameters: the values of the parameters.
+        state: coordinates, speeds and states.
+        time: the time, in s.
+        solution: the accelerations and multipliers.
+    """
+    if not dae.model.states:
+        return np.zeros(0)
+    (rates,) = dae.state_rates(time, state, solution, parameters)
+    if not np.isfinite(rates).all():
+        states = zip(dae.model.states, np.isfinite(rates), strict=True)
+        strange = ", ".join(f"the rate of {z}" for z, is_finite in states if not is_finite)
+        raise SimulationError(
+            f"simulate: at the start, t = {time:g} s, these are not finite: {strange}; check the initial state and the "
+            "parameters: a function may be out of its domain there, or a length may be zero"
+        )
+    return np.asarray(rates, dtype=np.float64)
 
 
 def _equations(dae: DifferentialAlgebraicEquations) -> list[str]:

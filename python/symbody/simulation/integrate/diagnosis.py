@@ -139,7 +139,12 @@ def _not_finite(model: Model, parameters: Array, t: float, state: Array) -> str:
     values = model.rates_code.evaluate(
         parameters, np.concatenate([[t], state, np.zeros(model.width - len(model.state))])
     )
-    names = [*(f"the rate of {q}" for q in model.coordinates), *map(str, model.accelerations), "the power"]
+    names = [
+        *(f"the rate of {q}" for q in model.coordinates),
+        *map(str, model.accelerations),
+        *map(str, model.equations.state_rates),
+        "the power",
+    ]
     bad = [name for name, value in zip(names, values, strict=False) if not np.isfinite(value)]
     return "" if not bad else f"{', '.join(bad[:4])}{' and others' if len(bad) > 4 else ''} {_are(bad)}"
 

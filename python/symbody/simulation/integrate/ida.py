@@ -207,7 +207,10 @@ class _Integration:
     def _tolerances(self, atol: float) -> Array:
         """Return the absolute tolerances: infinity for what is excluded from the error test."""
         dae, tolerances = self.problem.dae, np.full(len(self.start.unknowns), inf)
-        tolerances[: len(dae.model.coordinates) if dae.form == "3" else dae.differential] = atol
+        tolerances[: dae.differential] = atol
+        if dae.form == "3":
+            q, u = len(dae.model.coordinates), len(dae.model.speeds)
+            tolerances[q : q + u] = inf
         return tolerances
 
     def _linear_solver(self) -> dict[str, Any]:
@@ -226,9 +229,10 @@ class _Integration:
 
         IDA's own choice, which moves the coordinates by their tolerance, is lost in the rounding of phi at index 3.
         """
-        n = len(self.problem.dae.model.coordinates)
-        bound = atol + rtol * float(np.abs(self.start.unknowns[:n]).max())
-        curving = float(np.abs(self.start.rates[n : self.problem.dae.differential]).max())
+        model = self.problem.dae.model
+        n = len(model.coordinates)
+        bound = atol + rtol * float(np.abs(self.start.unknowns[:n]).max(initial=0.0))
+        curving = float(np.abs(self.start.rates[n : n + len(model.speeds)]).max())
         longest = 1e-3 * self.problem.span
         return longest if curving == 0 else min(longest, float(np.sqrt(2 * bound / curving)))
 
@@ -281,7 +285,7 @@ class _Integration:
             t=np.array([time for time, _, _ in self.rows]),
             states=unknowns[:, :n],
             multipliers=unknowns[:, n : n + m],
-            accelerations=rates[:, q:n],
+            accelerations=rates[:, q : q + len(dae.model.speeds)],
             trail=np.array([[time, *state] for time, state in self.problem.trail]).reshape(-1, 1 + n),
             events=tuple(self.happened),
             statistics=self.statistics,

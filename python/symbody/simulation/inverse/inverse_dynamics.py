@@ -142,6 +142,19 @@ class InverseDynamics:
             raise SimulationError(unknown_variables(_WHERE, strange, self.system, loads) + note)
 
 
+def _check_states(eqs: object) -> None:
+    """Check that the loads hold no states: a prescribed motion gives positions, and not what came before them."""
+    if not isinstance(eqs, Equations):
+        return  # an error of its own tells what was given
+    held = sorted({*eqs.states} & free_symbols(eqs.residuals), key=str)
+    if held:
+        raise ModelError(
+            f"{_WHERE}: the equations of motion hold the state {held[0]}, whose rate is an equation of its own, and "
+            f"which the motion at an instant doesn't determine; make the system with inputs=[{held[0]}] instead of "
+            "states, and give its values along the motion as an input"
+        )
+
+
 def _column(values: Iterable[float]) -> Array:
     return np.array(list(values), dtype=np.float64).reshape(-1, 1)
 
@@ -181,7 +194,7 @@ def inverse_dynamics(
     Raises:
         SimulationError: the motion or the loads are not determined, or no loads balance the equations.
         ConstraintError: the constraints do not allow the motion.
-        ModelError: a prescription or an unknown is not allowed.
+        ModelError: a prescription or an unknown is not allowed, or loads hold states beside the mechanics.
         ParameterError: a value is missing, has an unknown key, or is not finite.
 
     >>> from symbody import Body, System, functions_of_time, newton_euler, symbols, translate
@@ -191,6 +204,7 @@ def inverse_dynamics(
     >>> inverse_dynamics(eqs, {x: time**2}, {m: 3}, [0, 1, 2]).forces
     {x: array([6., 6., 6.])}
     """
+    _check_states(eqs)
     loads = _listed(unknowns)
     given = _inputs(eqs, motion, inputs, loads)
     kinematics = kinematics_of(eqs, given)

@@ -41,7 +41,8 @@ _LONGEST, _SHORTER = 5000, 0.9
 class Model:
     """The functions that all simulations of a system share. Each is derived and compiled on first use.
 
-    The state is ``(q, u)``, coordinates and speeds. Where loads or moving constraints do work, it is followed by that
+    The state is ``(q, u, z)``: coordinates, speeds, and the states beside the mechanics. Where loads or moving
+    constraints do work, it is followed by that
     work, whose rate is ``dE/dt``: so the balance of energy can be checked along any motion.
 
     Attributes:
@@ -74,8 +75,18 @@ class Model:
 
     @cached_property
     def state(self) -> tuple[Expr, ...]:
-        """The coordinates and the speeds, without the work; their number is n."""
-        return self.coordinates + self.speeds
+        """The coordinates, the speeds and the states z, without the work; their number is n."""
+        return self.coordinates + self.speeds + self.states
+
+    @property
+    def states(self) -> tuple[Expr, ...]:
+        """The states z beside the mechanics."""
+        return self.equations.states
+
+    @cached_property
+    def state_rates(self) -> tuple[Expr, ...]:
+        """The rates of the states z, which may hold accelerations and multipliers."""
+        return tuple(self.equations.state_rates.values())
 
     @cached_property
     def accelerations(self) -> tuple[Expr, ...]:
@@ -182,12 +193,13 @@ class Model:
 
     @cached_property
     def rates(self) -> tuple[Expr, ...]:
-        """The rates of the coordinates, of the speeds, and of the work."""
+        """The rates of the coordinates, of the speeds, of the states z, and of the work."""
         return self._rates(self.solution)
 
     def _rates(self, solution: ForwardDynamics) -> tuple[Expr, ...]:
-        work = () if self.power is None else self._along(solution, [self.power])
-        return (*self.with_inputs(self.coordinate_rates), *solution.accelerations, *work)
+        work = () if self.power is None else (self.power,)
+        along = self._along(solution, (*self.state_rates, *work))
+        return (*self.with_inputs(self.coordinate_rates), *solution.accelerations, *along)
 
     @property
     def width(self) -> int:
@@ -265,7 +277,12 @@ class Model:
             return None
         energies = [*self.energies, number(0)][:2]
         is_carried = self.system.gravity is not None and self.system.root.carrier is not None
-        if is_carried or self._is_led or not free_symbols(energies) <= {*self.parameters, *self.state}:
+        if (
+            is_carried
+            or self._is_led
+            or self._is_driven
+            or not free_symbols(energies) <= {*self.parameters, *self.state}
+        ):
             return None
         return self.code(energies)
 
@@ -274,6 +291,15 @@ class Model:
         """Whether eliminated constraints demand motion, by forces whose work is not known without multipliers."""
         at_rest = dict.fromkeys(self.speeds, number(0))
         return not all(drift.is_zero for drift in substitute([*self.system.eliminated.values()], at_rest))
+
+    @property
+    def _is_driven(self) -> bool:
+        """Whether the frame that carries the system moves at zero speeds, as at a constant forward velocity."""
+        carrier = self.system.root.carrier if isinstance(self.system, System) else None
+        if carrier is None:
+            return False
+        at_rest = dict.fromkeys(self.speeds, number(0))
+        return not all(each.is_zero for each in substitute((*carrier.angular, *carrier.linear), at_rest))
 
     @cached_property
     def correction_codes(self) -> tuple[PreparedCode, PreparedCode]:

@@ -61,6 +61,7 @@ def unknown_variables(place: str, unknown: Iterable[Expr], system: Variables, mo
     """
     names = sorted(set(unknown), key=str)
     known = f"the coordinates {_shown(system.coordinates)}, the speeds {_shown(system.speeds)}"
+    known += f", the states {_shown(system.states)}" if system.states else ""
     return (
         f"{place}: no values of {_shown(names)}; this motion has values of time, {known}, accelerations, multipliers "
         f"and parameters{more}; {_way_out(names, system)}"
@@ -68,7 +69,7 @@ def unknown_variables(place: str, unknown: Iterable[Expr], system: Variables, mo
 
 
 def _way_out(names: Sequence[Expr], system: Variables) -> str:
-    own = {coordinate.name for coordinate in (*system.coordinates, *system.speeds)}
+    own = {coordinate.name for coordinate in (*system.coordinates, *system.speeds, *system.states)}
     rates = [name for name in names if name.kind == "time_function" and name.order and name.name in own]
     if rates:
         verb = "is" if len(rates) == 1 else "are"

@@ -59,8 +59,8 @@ def simulate(
         eqs: the equations of motion.
         parameters: values of the parameters, including those that only events and outputs contain. Parameters that
             appear nowhere in the model cause a notice.
-        initial: values of coordinates, rates of coordinates or speeds at the first instant. Variables that are not
-            named are zero, or what the constraints demand: they change as little as possible.
+        initial: values of coordinates, rates of coordinates, speeds or states at the first instant. Variables that are
+            not named are zero, or what the constraints demand: they change as little as possible.
         t: the first and the last instant (1001 evenly spaced instants), or all instants, in s.
         inputs: expressions of time, state and parameters for the input functions of time.
         method: "auto" and "dop853", the explicit Runge-Kutta method of order 8 [Hairer, Norsett & Wanner 1993];

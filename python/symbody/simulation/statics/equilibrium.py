@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import warnings
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -47,6 +47,7 @@ class Equilibrium:
             held: the holding forces are constant forces along the fixed coordinates. NaN at a singular position,
             where small motions are not those of a linear system.
         held_eigenvalues: those of the motions in which the fixed coordinates stay fixed; the same if none is fixed.
+        states: the values of the states beside the mechanics, whose rates are zero.
 
     Forces that the position does not determine, such as those of dependent constraints, are those of minimum norm. A
     notice names them, unless they belong to constraints that are redundant everywhere.
@@ -66,10 +67,12 @@ class Equilibrium:
     residual: float
     eigenvalues: NDArray[np.complex128]
     held_eigenvalues: NDArray[np.complex128]
+    states: dict[Expr, float] = field(default_factory=dict)
 
     def _repr_html_(self) -> str:
         kinds = {
             "coordinate": self.coordinates,
+            "state": self.states,
             "multiplier": self.multipliers,
             "holding force": self.holding,
         }
@@ -131,8 +134,9 @@ def equilibrium(
 ) -> Equilibrium:
     """Return a position near a guess in which the system stays at rest.
 
-    ``-forcing - phi_q^T lambda = 0`` and ``phi = 0`` at zero speeds and accelerations, by damped Gauss-Newton steps
-    with exact derivatives. The guess decides which of several equilibria is found; it may be unstable.
+    ``-forcing - phi_q^T lambda = 0``, ``phi = 0`` and, for states z, ``z' = 0``, at zero speeds and accelerations, by
+    damped Gauss-Newton steps with exact derivatives. The guess decides which of several equilibria is found; it may be
+    unstable.
 
     If coordinates are fixed, the system stays at rest by itself only if the holding forces are zero or act on it as
     constant forces. The attribute `eigenvalues` is meant in this sense, `held_eigenvalues` with coordinates held.
@@ -140,7 +144,8 @@ def equilibrium(
     Args:
         eqs: the equations of motion.
         parameters: the values of all symbols.
-        guess: coordinates near the equilibrium. By default, they are zero, and floating frames are not rotated.
+        guess: coordinates and states near the equilibrium. By default, they are zero, and floating frames are not
+            rotated.
         fixed: the values of coordinates that are held; the result has the forces that hold them.
         t: the time in loads and constraints, in s.
         inputs: expressions of time and coordinates for the input functions of time.
@@ -189,12 +194,16 @@ def _place(
     statics = statics_of(eqs, kinematics.given)
     p = parameter_values(statics.parameters, parameters, where=_WHERE, beside=eqs.system.state_names)
     held = state_values(eqs.system, fixed, where=_WHERE, argument="fixed", has_speeds=False)
-    near = state_values(eqs.system, guess, where=_WHERE, argument="guess", has_speeds=False)
+    near = state_values(
+        eqs.system, guess, where=_WHERE, argument="guess", has_speeds=False, has_states=bool(eqs.states)
+    )
     warn_of_unused(eqs, parameters or {}, list(given.values()), _WHERE, stacklevel=4)
     problem = Balance(statics, t, p, tuple(held))
     constants = dict(zip(statics.parameters, p, strict=True))
     of_constraints = np.array([constants[name] for name in kinematics.parameters])
-    q = positions(kinematics, of_constraints, t, held, near, where=_WHERE)
+    at = {name: value for name, value in near.items() if name not in eqs.states}
+    q = positions(kinematics, of_constraints, t, held, at, where=_WHERE)
+    q = np.append(q, [near.get(state, 0.0) for state in eqs.states])
     solution = _solved(problem, q)
     _check_single(problem, solution)
     return RestPosition(problem, kinematics, of_constraints, *solution)
@@ -204,9 +213,11 @@ def _result(place: RestPosition) -> Equilibrium:
     """Return the result by the names of the model."""
     problem, q, forces = place.problem, place.q, place.least_forces
     m, n = len(problem.equations.constraints), len(problem.equations.speeds)
+    width = len(problem.equations.coordinates)
     F, _, _ = problem.values(q, forces)
     return Equilibrium(
-        coordinates=_named(problem.equations.coordinates, q),
+        coordinates=_named(problem.equations.coordinates, q[:width]),
+        states=_named(problem.equations.states, q[width:]),
         multipliers=_named(problem.equations.multipliers, forces[:m]),
         holding=_named(problem.order, forces[m:]),
         residual=float(np.abs(F[:n]).max()),
@@ -257,10 +268,15 @@ _ASIDE = 1e-2
 
 
 def _many(problem: Balance, q: Array, direction: Array) -> str:
-    names = problem.equations.coordinates
+    names = problem.statics.positions
     size = np.abs(direction)
     moved = [name for name, share in zip(names, size, strict=True) if share > 1e-3 * size.max()]
     freest = int(np.argmax(size))
+    if names[freest] in problem.equations.states:
+        return (
+            f"{_WHERE}: the equilibrium is not isolated: the state {names[freest]} can have other values, as neither "
+            "the loads nor the rates of states determine it; leave it out of the states, or let its rate depend on it"
+        )
     together = f"{moved[0]} can" if len(moved) == 1 else f"{', '.join(map(str, moved))} can together"
     return (
         f"{_WHERE}: the equilibrium is not isolated: {together} be changed without a force; fix a coordinate, "
@@ -277,8 +293,11 @@ def _unbalanced(problem: Balance, q: Array, forces: Array) -> str:
         *(f"the equation of motion of {name}" for name in eqs.system.driving),
         *(f"constraint {k + 1}, {named_constraint(each)}," for k, each in enumerate(eqs.system.conditions)),
         *(f"the norm of {', '.join(map(str, four))}" for four in problem.statics.quaternions),
+        *(f"the rate of the state {state}" for state in eqs.states),
     ]
-    place = ", ".join(f"{name} = {value:.6g}" for name, value in zip(eqs.coordinates[:12], q, strict=False))
+    place = ", ".join(
+        f"{name} = {value:.6g}" for name, value in zip(problem.statics.positions[:12], q, strict=False)
+    )
     return (
         f"{_WHERE}: none was found; nearest, at {place}: {names[worst]} is off by {F[worst]:.3g}; expected loads that "
         "can balance: give a guess nearer to the equilibrium, or hold coordinates that no load holds, "

@@ -13,6 +13,7 @@ from symbody.simulation.constraint.dependent_constraints import nearby
 from symbody.simulation.constraint.gauss_newton import gauss_newton
 from symbody.simulation.constraint.least_norm import least_norm
 from symbody.simulation.statics.small_motion import SmallMotion
+from symbody.simulation.statics.small_motion_of_states import SmallMotionOfStates, StatesAlong
 from symbody.simulation.statics.statics import Statics
 from symbody.symbolic import Expr
 
@@ -23,7 +24,10 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True, eq=False)
 class Balance:
-    """The equations for the free coordinates, the multipliers, and the forces that hold fixed coordinates."""
+    """The equations for the free coordinates, the multipliers, and the forces that hold fixed coordinates.
+
+    In what follows, q are the positions: the coordinates, then the states beside the mechanics.
+    """
 
     statics: Statics
     t: float
@@ -36,8 +40,8 @@ class Balance:
 
     @property
     def is_free(self) -> NDArray[np.bool_]:
-        """Flags of the coordinates that are free."""
-        return np.array([q not in self.held for q in self.equations.coordinates])
+        """Flags of the positions that are free; states always are."""
+        return np.array([q not in self.held for q in self.statics.positions])
 
     @property
     def order(self) -> list[Expr]:
@@ -117,7 +121,9 @@ class Balance:
     def directions(self, q: Array) -> Array:
         """Return the directions of multipliers and holding forces, one per row, here and at neighbouring positions."""
         n, none = len(self.equations.speeds), np.zeros(self.count)
-        places = np.vstack([q, q + nearby(self.equations, q).T])
+        shifts = nearby(self.equations, q[: len(self.equations.coordinates)])
+        beside = np.zeros((len(self.equations.states), shifts.shape[1]))
+        places = np.vstack([q, q + np.vstack([shifts, beside]).T])
         slopes = [self.values(place, none)[1][:n, len(q) :].T for place in places]
         return np.array([rows for k, rows in enumerate(slopes) if not k or np.isfinite(rows).all()])
 
@@ -131,7 +137,7 @@ class Balance:
         least: Array = determined @ least_norm(slopes[:n, len(q) :] @ determined, -F[:n])[0]
         return least if self.error(q, least) <= max(self.error(q, forces), _ROUNDED) else forces
 
-    def small_motion(self, q: Array, forces: Array, *, is_held: bool) -> SmallMotion:
+    def small_motion(self, q: Array, forces: Array, *, is_held: bool) -> SmallMotion | SmallMotionOfStates:
         """Return the linear equations of the motions that the constraints allow.
 
         Args:
@@ -140,12 +146,28 @@ class Balance:
             is_held: whether the fixed coordinates stay fixed; if not, they are free, and the holding forces constant.
         """
         m, n = len(self.equations.constraints), len(self.equations.speeds)
-        M, C, K = self.statics.small_motion(self.t, q, forces[:m], self.p)
+        M, C, K, driving = self.statics.small_motion(self.t, q, forces[:m], self.p)
         _, slopes, _ = self.values(q, forces)
         reactions = slopes[:n, len(q) : None if is_held else len(q) + m].T
         _, Z = least_norm(reactions, np.zeros(len(reactions)))
-        S = slopes[:n, : len(q)] @ K
-        return SmallMotion(Z.T @ M @ Z, Z.T @ C @ Z, Z.T @ S @ Z)
+        coordinates, states = len(self.equations.coordinates), len(self.equations.states)
+        S = slopes[:n, :coordinates] @ K
+        mechanical = SmallMotion(Z.T @ M @ Z, Z.T @ C @ Z, Z.T @ S @ Z)
+        if not states:
+            return mechanical
+        # Reactions follow from the equations of motion, R^T df = M du' + C du + S dx + S_z dz.
+        by_reactions = np.zeros((states, len(reactions)))
+        by_reactions[:, :m] = slopes[-states:, len(q) : len(q) + m]
+        back = by_reactions @ -np.linalg.pinv(reactions.T)
+        by_states = slopes[:n, coordinates : len(q)]
+        of_states = StatesAlong(
+            force=Z.T @ by_states,
+            inertia=(driving[:, n:] + back @ M) @ Z,
+            damping=(driving[:, :n] + back @ C) @ Z,
+            stiffness=(slopes[-states:, :coordinates] @ K + back @ S) @ Z,
+            rate=slopes[-states:, coordinates : len(q)] + back @ by_states,
+        )
+        return SmallMotionOfStates(mechanical, of_states)
 
 
 _FAINT = 1e-6

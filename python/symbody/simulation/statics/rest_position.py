@@ -31,7 +31,7 @@ class RestPosition:
         problem: the balance of forces.
         kinematics: the constraints.
         p: the values of their parameters.
-        q: the coordinates.
+        q: the coordinates, then the states beside the mechanics.
         forces: multipliers and holding forces in balance.
     """
 
@@ -64,7 +64,8 @@ class RestPosition:
 
     def _is_singular(self, held: Sequence[object]) -> bool:
         names = [q for q in self.problem.order if q in held]
-        return is_singular(self.kinematics, self.p, self.problem.t, self.q, names)
+        coordinates = self.q[: len(self.problem.equations.coordinates)]
+        return is_singular(self.kinematics, self.p, self.problem.t, coordinates, names)
 
     def eigenvalues(self, *, is_held: bool) -> NDArray[np.complex128]:
         """Return the eigenvalues of small motions; NaN if the position is singular."""

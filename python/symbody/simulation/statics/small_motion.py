@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-__all__ = ["SmallMotion"]
+__all__ = ["SmallMotion", "ordered"]
 
 Array = NDArray[np.float64]
 
@@ -38,14 +38,14 @@ class SmallMotion:
             try:
                 squares = eigh(self.stiffness, self.inertia, eigvals_only=True)
                 roots = np.sqrt(-_without_rounding(squares) + 0j)
-                return _sorted(np.concatenate([roots, -roots]))
+                return ordered(np.concatenate([roots, -roots]))
             except np.linalg.LinAlgError:
                 pass
         n = len(self.inertia)
         right = np.block([[np.eye(n), np.zeros((n, n))], [np.zeros((n, n)), self.inertia]])
         left = np.block([[np.zeros((n, n)), np.eye(n)], [-self.stiffness, -self.damping]])
         values = eig(left, right, right=False)
-        return _sorted(values[np.isfinite(values)])
+        return ordered(values[np.isfinite(values)])
 
     @property
     def is_conservative(self) -> bool:
@@ -60,7 +60,8 @@ def _without_rounding(squares: Array) -> Array:
     return np.where(np.abs(squares) <= 1e-11 * size, 0.0, squares)
 
 
-def _sorted(values: NDArray[np.complex128]) -> NDArray[np.complex128]:
+def ordered(values: NDArray[np.complex128]) -> NDArray[np.complex128]:
+    """Return eigenvalues, the fastest growing first."""
     order = np.lexsort((values.imag, -np.round(values.real, 9)))
-    ordered: NDArray[np.complex128] = values[order] + 0.0
-    return ordered
+    found: NDArray[np.complex128] = values[order] + 0.0
+    return found

@@ -17,7 +17,9 @@ __all__ = ["Statics", "statics_of"]
 
 @dataclass(frozen=True, eq=False)
 class Statics:
-    """The conditions of equilibrium ``-forcing - phi_q^T lambda - K^T h = 0`` and ``phi = 0``, compiled.
+    """The conditions of equilibrium ``-forcing - phi_q^T lambda - K^T h = 0``, ``phi = 0`` and ``z' = 0``, compiled.
+
+    The positions are the coordinates and the states z beside the mechanics.
 
     Attributes:
         equations: the equations of motion.
@@ -39,35 +41,38 @@ class Statics:
         """The Euler parameters of floating frames, with norm one."""
         return quaternions(self.equations.system)
 
+    @property
+    def positions(self) -> tuple[Expr, ...]:
+        """The coordinates, then the states."""
+        return self.equations.coordinates + self.equations.states
+
     @cached_property
     def holding(self) -> tuple[Expr, ...]:
-        """Symbols for the forces h along the coordinates."""
-        return tuple(
-            symbol(f"holding {k}") for k in range(len(self.equations.coordinates))
-        )  # names that no user writes
+        """Symbols for the forces h along the positions; none acts along a state."""
+        return tuple(symbol(f"holding {k}") for k in range(len(self.positions)))  # names that no user writes
 
     @cached_property
     def conditions(self) -> tuple[Expr, ...]:
-        """Expressions that are zero: residuals at rest, constraints, and squared norms of Euler parameters less one."""
+        """Expressions that are zero at rest: residuals, constraints, norms of quaternions less one, rates of states."""
         at_rest = dict.fromkeys((*self.equations.accelerations, *self.equations.speeds), number(0))
-        power = sum((h * rate for h, rate in zip(self.holding, self._rates, strict=True)), start=number(0))
+        power = sum((h * rate for h, rate in zip(self.holding, self._rates, strict=False)), start=number(0))
         along = gradient(power, self.equations.speeds)
         residuals = substitute([r - h for r, h in zip(self._residuals, along, strict=True)], at_rest)
         constraints = substitute(self._substitute_inputs(self.equations.constraints), at_rest)
         norms = [sum((e * e for e in four), start=number(-1)) for four in self.quaternions]
-        return (*residuals, *constraints, *norms)
+        return (*residuals, *constraints, *norms, *substitute(self._state_rates, at_rest))
 
     @cached_property
     def function(self) -> CompiledFunction:
-        """The function of t, q, lambda, h and p that returns the conditions, their derivatives, and term magnitudes."""
-        unknowns = [[*self.equations.coordinates], [*self.equations.multipliers], [*self.holding]]
+        """The function of t, (q, z), lambda, h and p that returns the conditions, their slopes, and term magnitudes."""
+        unknowns = [[*self.positions], [*self.equations.multipliers], [*self.holding]]
         slopes = jacobian(list(self.conditions), [name for names in unknowns for name in names])
         sizes = [magnitude(condition) for condition in self.conditions]
         return lambdify([t, *unknowns, list(self.parameters)], [list(self.conditions), slopes, sizes])
 
     @cached_property
     def small_motion(self) -> CompiledFunction:
-        """The function of t, q, lambda and p that returns M, ``dr/du`` and ``K = dq'/du`` at rest."""
+        """The function of t, (q, z), lambda and p that returns M, ``dr/du``, ``dq'/du``, ``dz'/d(u, u')`` at rest."""
         eqs = self.equations
         at_rest = dict.fromkeys((*eqs.accelerations, *eqs.speeds), number(0))
         inertia = jacobian(list(self._residuals), list(eqs.accelerations)).subs(at_rest)
@@ -75,15 +80,20 @@ class Statics:
         rates = jacobian(list(self._rates), list(eqs.speeds))
         variables: list[Expr | list[Expr]] = [
             t,
-            list(eqs.coordinates),
+            list(self.positions),
             list(eqs.multipliers),
             list(self.parameters),
         ]
-        return lambdify(variables, [inertia, damping, rates])
+        driving = jacobian(list(self._state_rates), [*eqs.speeds, *eqs.accelerations]).subs(at_rest)
+        return lambdify(variables, [inertia, damping, rates, driving])
 
     @cached_property
     def _rates(self) -> tuple[Expr, ...]:
         return self._substitute_inputs(tuple(self.equations.kinematics.values()))
+
+    @cached_property
+    def _state_rates(self) -> tuple[Expr, ...]:
+        return self._substitute_inputs(tuple(self.equations.state_rates.values()))
 
     @cached_property
     def _residuals(self) -> tuple[Expr, ...]:

@@ -1,0 +1,181 @@
+"""States of first order beside the mechanics: functions of time z whose rates z' are given."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from typing import NamedTuple
+
+from symbody.errors import ConstraintError, ModelError, SymbodyError
+from symbody.geometry import Frame, Vector
+from symbody.symbolic import Expr
+from symbody.symbolic.given.arguments import brief, described, expression
+
+from .coordinate import check_function_of_time
+from .load import Load
+
+__all__ = ["Unknown", "check_holders", "check_states", "given_rates"]
+
+
+class Unknown(NamedTuple):
+    """The unknowns of a system that are not states.
+
+    Attributes:
+        coordinates: the coordinates.
+        quasi_velocities: the speeds that are not rates of coordinates.
+        multipliers: the multipliers.
+        inputs: the functions of time that are listed as given.
+    """
+
+    coordinates: Sequence[Expr]
+    quasi_velocities: Sequence[Expr]
+    multipliers: Sequence[Expr]
+    inputs: Sequence[Expr]
+
+    @property
+    def orders(self) -> dict[str, int]:
+        """The highest order of the rates that the rate of a state may hold, by the name of the unknown."""
+        highest = {q.name: 2 for q in self.coordinates} | {u.name: 1 for u in self.quasi_velocities}
+        return highest | {each.name: 0 for each in self.multipliers}
+
+
+def given_rates(states: Mapping[Expr, object] | None) -> dict[Expr, Expr]:
+    """Return the rates of states as expressions.
+
+    Raises:
+        ModelError: the states are no dictionary of functions of time.
+        ArgumentError: a rate is no expression.
+    """
+    if states is not None and not isinstance(states, Mapping):
+        raise ModelError(
+            f"System: states = {described(states)}; expected a dictionary of functions of time and their rates, such "
+            "as {z: (x - z)/T}"
+        )
+    return {
+        z: expression(rate, f"System, the rate of the state {brief(z)}") for z, rate in (states or {}).items()
+    }
+
+
+def check_states(rates: Mapping[Expr, Expr], unknown: Unknown) -> None:
+    """Check that states are functions of time of their own, with rates that the motion determines.
+
+    Args:
+        rates: the rate of each state, as it was given.
+        unknown: the other unknowns of the system.
+
+    Raises:
+        ModelError: a state or a rate is something else.
+    """
+    taken = {each.name: kind for kind, each in _kinds(unknown)}
+    for state in rates:
+        check_function_of_time(state, "System: the state")
+    states = {state.name for state in rates}
+    for state, rate in rates.items():
+        if state.name in taken:
+            raise ModelError(
+                f"System: {state} is both a state and {taken[state.name]}; the equations of motion determine "
+                "coordinates and speeds, and inputs are given: leave it out of one of them"
+            )
+        _check_rate(state, rate, states, unknown.orders)
+
+
+def _kinds(unknown: Unknown) -> Iterable[tuple[str, Expr]]:
+    names = ("a coordinate", "a speed", "a multiplier", "an input")
+    return ((name, each) for name, members in zip(names, unknown, strict=True) for each in members)
+
+
+def _check_rate(state: Expr, rate: Expr, states: set[str], orders: Mapping[str, int]) -> None:
+    for leaf in sorted((leaf for leaf in rate.free_symbols if leaf.kind == "time_function"), key=str):
+        if leaf.name in states and leaf.order > 0:
+            raise ModelError(
+                f"System: the rate of the state {state} holds {leaf}; expected an expression of states, not of their "
+                "rates: substitute the rate, or give an equation of second order by two states"
+            )
+        if leaf.order > orders.get(leaf.name, leaf.order):
+            raise ModelError(
+                f"System: the rate of the state {state} holds {leaf}, which the equations of motion don't determine; "
+                "expected coordinates, speeds, accelerations, multipliers, states, inputs and time"
+            )
+
+
+def check_holders(
+    rates: Mapping[Expr, Expr],
+    frames: Iterable[Frame],
+    gravity: Vector | None,
+    loads: Iterable[Load],
+    constraints: Iterable[Expr],
+    unknown: Unknown,
+) -> None:
+    """Check that states are in loads alone, and that the rates of states in loads hold no accelerations.
+
+    Args:
+        rates: the rate of each state.
+        frames: all frames of the system.
+        gravity: the acceleration of weight.
+        loads: the loads.
+        constraints: the conditions on positions and velocities.
+        unknown: the other unknowns of the system.
+
+    Raises:
+        ModelError: something else holds a state, or a load the rate of a state that depends on accelerations.
+        ConstraintError: a constraint holds a state.
+    """
+    if not rates:
+        return
+    names = {state.name for state in rates}
+    for number, constraint in enumerate(constraints, start=1):
+        _refuse(constraint.free_symbols, names, f"constraint {number}", _MOVING, ConstraintError)
+    for frame in frames:
+        leaves = frozenset[Expr]() if frame.motion is None else frame.motion.leaves
+        carried = () if frame.carrier is None else (*frame.carrier.angular, *frame.carrier.linear)
+        _refuse(leaves.union(*(value.free_symbols for value in carried)), names, brief(frame), _MOVING)
+    if gravity is not None:
+        leaves = frozenset[Expr]().union(*(value.free_symbols for value in gravity.components))
+        _refuse(
+            leaves, names, "the gravity", "expected states in loads: model the change of weight as a force"
+        )
+    for load in loads:
+        _check_load(load, rates, unknown)
+
+
+_MOVING = (
+    "a state has a rate but no acceleration with which bodies could follow it; expected states in loads: model the "
+    "drive as a load that holds the state, or as a coordinate"
+)
+
+
+def _refuse(
+    leaves: frozenset[Expr], names: set[str], where: str, why: str, error: type[SymbodyError] = ModelError
+) -> None:
+    found = sorted((x for x in leaves if x.kind == "time_function" and x.name in names), key=str)
+    if found:
+        raise error(f"System: {where} holds the state {found[0].name}; {why}")
+
+
+def _check_load(load: Load, rates: Mapping[Expr, Expr], unknown: Unknown) -> None:
+    by_name = {state.name: rate for state, rate in rates.items()}
+    orders = {name: max(order - 1, -1) for name, order in unknown.orders.items()}
+    for leaf in sorted(_rates_in(load, by_name), key=str):
+        if leaf.order > 1:
+            raise ModelError(
+                f"System: {brief(load)} holds {leaf}; expected the states and their first rates, which are given"
+            )
+        strange = [
+            x
+            for x in by_name[leaf.name].free_symbols
+            if x.kind == "time_function" and x.order > orders.get(x.name, x.order)
+        ]
+        if strange:
+            first = min(strange, key=str)
+            raise ModelError(
+                f"System: {brief(load)} holds {leaf}, and the rate of {leaf.name} depends on {first}, which follows "
+                "from the loads; write the load by states alone, or the rate without accelerations and multipliers"
+            )
+
+
+def _rates_in(load: Load, names: Mapping[str, Expr]) -> set[Expr]:
+    """Return the rates of states in a load, and in the place where it acts."""
+    values = [value for action in load.actions for value in action.vector.components]
+    points = [action.point for action in load.actions if action.point is not None]
+    values += [value for point in points for value in point.coordinates]
+    leaves = (leaf for value in values for leaf in value.free_symbols if leaf.kind == "time_function")
+    return {leaf for leaf in leaves if leaf.name in names and leaf.order > 0}
