@@ -23,6 +23,7 @@ from symbody import (
     combine_trig,
     cos,
     diff,
+    embedded,
     expand,
     expand_trig,
     factor_terms,
@@ -221,6 +222,16 @@ def test_equations_with_numbers_are_those_of_the_system_with_numbers() -> None:
     assert isinstance(load, Force)
     assert load.on is made.system.bodies[0], "a body on which loads act stays one body"
     assert pickle.loads(pickle.dumps(made)).residuals == made.residuals
+
+
+def test_equations_in_speeds_of_their_own_are_pickled() -> None:
+    """Processes get them whole: of a floating body with a constraint, and with speeds eliminated."""
+    frame = floating_frame("hull")
+    hull = System([Body(frame, m, 1, 2, 3)])
+    held = newton_euler(System([Body(frame, m, 1, 2, 3)], constraints=[hull.speeds[0] - 2 * hull.speeds[1]]))
+    for made in (held, embedded(held)):
+        assert made.system.rate(made.residuals)
+        assert pickle.loads(pickle.dumps(made)).residuals == made.residuals
 
 
 def test_constraints_go_along() -> None:

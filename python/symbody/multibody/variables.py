@@ -179,7 +179,7 @@ class Variables:
         """The coordinates and states whose rates are given, and these rates."""
         return {**self.coordinate_rates, **dict(zip(self.states, self.state_rates.values(), strict=True))}
 
-    @cached_property
+    @property
     def rate(self) -> Rate:
         """The time derivative, with these rates put in."""
         if self.eliminated:
