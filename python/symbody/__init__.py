@@ -10,6 +10,7 @@ from importlib import import_module
 from typing import TYPE_CHECKING
 
 from symbody.dynamics import (
+    CanonicalEquations,
     Equations,
     ForwardDynamics,
     dependent_speeds,
@@ -19,6 +20,7 @@ from symbody.dynamics import (
     forward_dynamics,
     generalized_force,
     gibbs_appell,
+    hamilton,
     kane,
     lagrange,
     lagrange_equations,
@@ -151,6 +153,7 @@ if TYPE_CHECKING:
 __all__ = [
     "Abs",
     "Body",
+    "CanonicalEquations",
     "CompiledFunction",
     "Constraint",
     "Cost",
@@ -222,6 +225,7 @@ __all__ = [
     "gravitational_energy",
     "grid",
     "ground",
+    "hamilton",
     "identity",
     "inverse_dynamics",
     "jacobian",

@@ -6,6 +6,7 @@ from symbody.dynamics.equations.equations_of import equations_of
 from symbody.dynamics.formalism.euler import euler_equations
 from symbody.dynamics.formalism.generalized_force import generalized_force
 from symbody.dynamics.formalism.gibbs_appell import gibbs_appell
+from symbody.dynamics.formalism.hamilton import CanonicalEquations, hamilton
 from symbody.dynamics.formalism.kane import kane
 from symbody.dynamics.formalism.lagrange import lagrange, lagrange_equations
 from symbody.dynamics.formalism.newton import newton_equations
@@ -16,6 +17,7 @@ from symbody.dynamics.solution.equations_program import program
 from symbody.dynamics.solution.forward_dynamics import ForwardDynamics, forward_dynamics
 
 __all__ = [
+    "CanonicalEquations",
     "Equations",
     "ForwardDynamics",
     "dependent_speeds",
@@ -25,6 +27,7 @@ __all__ = [
     "forward_dynamics",
     "generalized_force",
     "gibbs_appell",
+    "hamilton",
     "kane",
     "lagrange",
     "lagrange_equations",

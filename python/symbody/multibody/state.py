@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from typing import NamedTuple
 
-from symbody.errors import ConstraintError, ModelError, SymbodyError
+from symbody.errors import ConstraintError, ModelError
 from symbody.geometry import Frame, Vector
 from symbody.symbolic import Expr
 from symbody.symbolic.given.arguments import brief, described, expression
@@ -123,16 +123,19 @@ def check_holders(
         return
     names = {state.name for state in rates}
     for number, constraint in enumerate(constraints, start=1):
-        _refuse(constraint.free_symbols, names, f"constraint {number}", _MOVING, ConstraintError)
+        held = _held(constraint.free_symbols, names)
+        if held:
+            raise ConstraintError(f"System: constraint {number} {held}; {_MOVING}")
     for frame in frames:
-        leaves = frozenset[Expr]() if frame.motion is None else frame.motion.leaves
-        carried = () if frame.carrier is None else (*frame.carrier.angular, *frame.carrier.linear)
-        _refuse(leaves.union(*(value.free_symbols for value in carried)), names, brief(frame), _MOVING)
+        held = _held(_moving(frame), names)
+        if held:
+            raise ModelError(f"System: {brief(frame)} {held}; {_MOVING}")
     if gravity is not None:
-        leaves = frozenset[Expr]().union(*(value.free_symbols for value in gravity.components))
-        _refuse(
-            leaves, names, "the gravity", "expected states in loads: model the change of weight as a force"
-        )
+        held = _held((leaf for value in gravity.components for leaf in value.free_symbols), names)
+        if held:
+            raise ModelError(
+                f"System: the gravity {held}; expected states in loads: model the change of weight as a force"
+            )
     for load in loads:
         _check_load(load, rates, unknown)
 
@@ -143,12 +146,17 @@ _MOVING = (
 )
 
 
-def _refuse(
-    leaves: frozenset[Expr], names: set[str], where: str, why: str, error: type[SymbodyError] = ModelError
-) -> None:
-    found = sorted((x for x in leaves if x.kind == "time_function" and x.name in names), key=str)
-    if found:
-        raise error(f"System: {where} holds the state {found[0].name}; {why}")
+def _held(leaves: Iterable[Expr], names: set[str]) -> str:
+    """Return the first by name of the states among variables, for a message; the empty text if there is none."""
+    found = [leaf.name for leaf in leaves if leaf.kind == "time_function" and leaf.name in names]
+    return f"holds the state {min(found)}" if found else ""
+
+
+def _moving(frame: Frame) -> frozenset[Expr]:
+    """Return the variables of the last motion of a frame, and of its velocities if it is a moving master frame."""
+    leaves = frozenset[Expr]() if frame.motion is None else frame.motion.leaves
+    given = () if frame.carrier is None else (*frame.carrier.angular, *frame.carrier.linear)
+    return leaves.union(*(value.free_symbols for value in given))
 
 
 def _check_load(load: Load, rates: Mapping[Expr, Expr], unknown: Unknown) -> None:
