@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from symbody import Event, Motion, simulate
+from symbody import Event, Motion, System, kinetic_energy, simulate
 from tests.reference.mechanisms.n_fourbar import n_fourbar
 from tests.reference.mechanisms.problem import reference
 
@@ -60,7 +60,8 @@ def test_period() -> None:
 
 def test_kinetic_energy_at_the_first_instant_and_along_the_motion() -> None:
     motion = moved(1e-9)
-    kinetic = motion[motion.model.kinetic_energy]
+    assert isinstance(motion.system, System)
+    kinetic = motion[kinetic_energy(motion.system)]
     _, y, vx, vy = of_first_tip(motion).T
     g = reference("n_fourbar")["parameters"]["g"]
     gained = RESULTS["first_moment"] * g * (1 - y)
