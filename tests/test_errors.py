@@ -892,11 +892,6 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
     ),
     (
         errors.ConstraintError,
-        lambda: constrained(x, x - x),
-        "System: constraint 2, 0 = 0, is not a condition; leave it out",
-    ),
-    (
-        errors.ConstraintError,
         lambda: constrained(a - b),
         "System: constraint 1, a - b = 0, holds none of the coordinates; leave it out, or correct it",
     ),

@@ -43,7 +43,7 @@ long_point = Point(long_body.frame, long_sum, x, y)
 LONG = {
     "m": long_sum,
     "a": long_sum,
-    "b": long_sum,
+    "b": 2 * long_sum,
     "F": long_sum,
     "body": long_body,
     "other": Body(long_frame, long_sum),

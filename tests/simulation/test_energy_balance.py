@@ -86,7 +86,7 @@ def test_large_losses_have_a_notice_at_loose_tolerances(instants: int) -> None:
     """A kite loses more than a quarter of its energy at singular positions."""
     motion, said = moved(kite(), -5.0, t=np.linspace(0, 10, instants), method="ida3", rtol=1e-4)
     assert motion.energy_drift > 0.25
-    assert any("the energy balance, including work, is off by 0." in text for text in said)
+    assert any("the energy balance, including work, is off by" in text for text in said)
 
 
 @pytest.mark.parametrize(("make", "end"), [(natural_simple_pendulum, 100), (heavy_top, 2)])

@@ -42,7 +42,9 @@ def bead(*constraints: Expr, coordinates: tuple[Expr, ...] = (x, y)) -> Equation
 
 @pytest.mark.parametrize(("method", "constraints"), WAYS)
 @pytest.mark.parametrize("redundant", [(), (2 * (x**2 + y**2 - 1),)])
-@pytest.mark.filterwarnings("ignore:System. constraint 2")
+@pytest.mark.filterwarnings(
+    "ignore:System. constraint 2", "ignore:simulate. the mechanism is overconstrained"
+)
 def test_a_force_that_moves_no_mass(method: str, constraints: str, redundant: tuple[Expr, ...]) -> None:
     equations = bead(x**2 + y**2 - 1, *redundant)
     with pytest.raises(SimulationError) as error:

@@ -1,30 +1,40 @@
 """Mechanisms that move by their special dimensions alone, and others that begin in a singular position."""
 
-from collections.abc import Sequence
+import warnings
+from collections.abc import Callable, Sequence
 
 import numpy as np
 import pytest
+from scipy.integrate import solve_ivp
 
 from symbody import (
     Body,
     Equations,
+    Expr,
     Point,
     System,
     Torque,
     Vector,
     consistent_state,
+    equilibrium,
     functions_of_time,
+    gibbs_appell,
     ground,
+    inverse_dynamics,
     jacobian,
+    kane,
+    lagrange_equations,
     newton_euler,
     project,
     rotate,
     simulate,
     simulate_many,
+    sin,
     symbols,
     time_derivative,
     translate,
 )
+from symbody import t as time
 from symbody.errors import ConstraintError, ModelNotice
 from symbody.simulation import redundant_constraints
 from symbody.simulation.constraint.dependent_constraints import dependent_constraints
@@ -60,17 +70,41 @@ START = {a: 0.8}
 GUESS = {b: 0.8, c: 0.8, x: 0.35, y: -0.35}
 
 
+def quietly(derive: Callable[..., Equations], *arguments: object, **options: object) -> Equations:
+    """Return equations without the notices of their derivation, which other tests read."""
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", ModelNotice)
+        return derive(*arguments, **options)
+
+
 @pytest.mark.parametrize("constraints", ["projection", "free", "baumgarte"])
 def test_special_dimensions_are_told(constraints: str) -> None:
-    with pytest.raises(ConstraintError) as reported:
-        simulate(parallel_cranks(drops=0), VALUES, START, t=(0, 1), guess=GUESS, constraints=constraints)
-    assert str(reported.value) == (
-        "simulate: the constraints let a', b', c', x', y' be other than zero at this position, but at almost no "
-        "other one: constraints 1, 2, 3, 4, 5, 6 depend on each other here. If they do so wherever the mechanism "
-        "moves, because of its special dimensions, it is overconstrained: leave out 1 of them, best 2, 3, 4 or 6 "
-        "(smallest ratio of singular values of the remaining constraints, without 1: 0.064, 2: 0.099, 3: 0.16, 4: "
-        "0.16, 5: 0.064, 6: 0.099); if not, start at another position"
-    )
+    """And the motion is that of the mechanism without the sixth constraint, which then bears the load of the fourth."""
+    cranks, settings = parallel_cranks(drops=0), {"t": (0, 1), "guess": GUESS, "constraints": constraints}
+    with pytest.warns(ModelNotice) as noted:
+        motion = simulate(cranks, VALUES, START, **settings)
+    assert [str(each.message) for each in noted] == [
+        (
+            "simulate: the mechanism is overconstrained: constraint 4 (-y - l*cos(b) = 0) follows from 1, 2, 3, 5 "
+            "and 6 wherever it moves, and is left out with a multiplier of zero, as rigid bodies don't determine how "
+            "redundant constraints share a load"
+        )
+    ]
+    other = simulate(parallel_cranks(drops=1), VALUES, START, **settings)
+    np.testing.assert_allclose(motion.states, other.states, atol=1e-6)
+    multipliers = cranks.multipliers
+    assert np.abs(motion[multipliers[3]]).max() == 0
+    assert np.abs(motion[multipliers[5]]).max() > 1
+    # Forces along the speeds are determined, however redundant constraints share them.
+    A, other_A = cranks.constraint_jacobian, other.model.equations.constraint_jacobian
+    for column in range(7):
+        ours = sum(motion[A[row, column] * each] for row, each in enumerate(multipliers))
+        theirs = sum(other[other_A[row, column] * each] for row, each in enumerate(other.model.multipliers))
+        np.testing.assert_allclose(ours, theirs, atol=1e-4)
+    tight = {"rtol": 1e-10, "atol": 1e-12} if constraints == "projection" else {}
+    with pytest.warns(ModelNotice, match="overconstrained"):
+        again = simulate(cranks, VALUES, START, **settings, **tight)
+    assert again.energy_drift < (1e-9 if tight else 1e-6)
 
 
 def test_without_what_follows_from_the_others_it_moves() -> None:
@@ -96,32 +130,44 @@ def test_a_parameter_that_takes_a_constraint_away(constraints, method) -> None:
     settings = {"t": (0, 1), "constraints": constraints, "method": method}
     closed = simulate(clutch(), {m: 1, g: 1, d: 0.5}, {a: 0.0, time_derivative(a): 0.15}, **settings)
     np.testing.assert_allclose(closed.states[-1], [0.4, 0.4, 0.65, 0.65], atol=1e-6)
-    with pytest.raises(ConstraintError) as reported:
-        simulate(clutch(), {m: 1, g: 1, d: 0.0}, {a: 0.0}, **settings)
-    assert str(reported.value) == (
-        "simulate: with d = 0 fewer constraints are independent than in the equations, which were derived for "
-        "other values; leave out of the system the constraints that then follow from the others: d*(a - b)"
-    )
+    with pytest.warns(ModelNotice) as noted:
+        open_clutch = simulate(clutch(), {m: 1, g: 1, d: 0.0}, {a: 0.0, time_derivative(a): 0.15}, **settings)
+    np.testing.assert_allclose(open_clutch.states[-1], [0.15, 0.5, 0.15, 1.0], atol=1e-6)
+    assert [str(each.message) for each in noted] == [
+        (
+            "simulate: the mechanism is overconstrained: constraint 1 (d*(a - b) = 0) restrains nothing, and is left "
+            "out with a multiplier of zero, as rigid bodies don't determine how redundant constraints share a load"
+        )
+    ]
+
+
+def agreeing() -> Equations:
+    """x + g y = 0 and x + d y = 0 leave x and y no motion, unless g = d."""
+    disc = Body(translate(x, y, 0) * rotate("Z", a), m, 0, 0, m)
+    return newton_euler(System([disc], (), [x, y, a], [x + g * y, x + d * y]))
 
 
 def test_parameters_by_which_constraints_agree_everywhere() -> None:
-    """x + g y = 0 and x + d y = 0 leave x and y no motion, unless g = d."""
-    disc = Body(translate(x, y, 0) * rotate("Z", a), m, 0, 0, m)
-    equations = newton_euler(System([disc], (), [x, y, a], [x + g * y, x + d * y]))
-    with pytest.raises(ConstraintError) as reported:
-        simulate(equations, {m: 1, g: 1, d: 1}, {x: 0.0}, t=(0, 1))
-    assert str(reported.value).startswith(
-        "simulate: with d = 1 and g = 1 constraints 1, 2 depend on each other at every position; the equations were "
-        "derived for other values, for which x', y' can only be zero: leave out 1 of them"
-    )
+    with pytest.warns(ModelNotice, match="constraint 2 .* follows from 1 wherever it moves"):
+        motion = simulate(agreeing(), {m: 1, g: 1, d: 1}, {x: 0.0, time_derivative(x): 2.0}, t=(0, 1))
+    assert motion[x][-1] == pytest.approx(2)
+    assert motion[y][-1] == pytest.approx(-2)
+    held = simulate(agreeing(), {m: 1, g: 1, d: 2}, {time_derivative(a): 1.0}, t=(0, 1))
+    np.testing.assert_allclose(held.states[-1], [0, 0, 1, 0, 0, 1], atol=1e-9)
 
 
-def test_of_many_cases_only_that_one_fails() -> None:
-    numbers = {m: 1, g: 1, d: [0.5, 0.0, 2.0]}
-    with pytest.warns(ModelNotice, match="1 of 3 motions failed; the first is case 1 .* with d = 0 fewer"):
-        runs = simulate_many(clutch(), numbers, {a: 0.0}, t=(0, 1), progress=False)
-    assert [failure.index for failure in runs.failures] == [1]
-    np.testing.assert_allclose(runs.states[[0, 2], -1], [[0.25, 0.25, 0.5, 0.5]] * 2, atol=1e-6)
+def test_each_case_has_its_own() -> None:
+    """One clutch of three is open; of three pairs of constraints, one agrees."""
+    with pytest.warns(ModelNotice) as noted:
+        runs = simulate_many(clutch(), {m: 1, g: 1, d: [0.5, 0.0, 2.0]}, {a: 0.0}, t=(0, 1), progress=False)
+    assert len(runs.failures) == 0
+    np.testing.assert_allclose(runs.states[:, -1, :2], [[0.25, 0.25], [0, 0.5], [0.25, 0.25]], atol=1e-6)
+    assert [str(each.message).partition(" (")[0] for each in noted] == [
+        "simulate_many: in 1 of 3 cases, first case 1: the mechanism is overconstrained: constraint 1"
+    ]
+    with pytest.warns(ModelNotice, match="in 1 of 3 cases, first case 2: the mechanism is overconstrained"):
+        several = simulate_many(agreeing(), {m: 1, g: 1, d: [2.0, 3.0, 1.0]}, {x: [0, 0, 0.5]}, t=(0, 1))
+    np.testing.assert_allclose(several.states[:, -1, 0], [0, 0, 0.5], atol=1e-9)
 
 
 def test_zeros_that_take_nothing_away() -> None:
@@ -163,16 +209,186 @@ BRICARDS = {m: 1, l: 1, g: 9.81}
 
 
 def test_an_overconstrained_mechanism_is_told_what_to_leave_out() -> None:
-    with pytest.raises(ConstraintError) as error:
+    with pytest.warns(ModelNotice) as noted:
         newton_euler(bricard(range(5)))
-    text = str(error.value)
-    assert "5 independent constraints on 5 coordinates leave no motion" in text
+    (text,) = (str(each.message) for each in noted)
+    assert "5 independent constraints on 5 coordinates leave no motion for almost all dimensions" in text
     assert "With parameters that are all 1, the mechanism is overconstrained: constraints 1 (" in text
     assert (
         "depend on each other wherever it moves, one of them redundant; leave out one, best 4; not 1, 2, 3 or 5"
         in text
     )
     assert "without which the others are nearly dependent at some positions" in text
+    assert text.endswith("; a simulation does so by itself")
+
+
+METHODS = {
+    "dop853": 1e-9,
+    "tsit5": 1e-9,
+    "bdf": 1e-5,
+    "esdirk34": 1e-5,
+    "tr_bdf2": 1e-4,
+    "ida": 1e-5,
+    "ida2": 1e-5,
+}
+
+
+@pytest.mark.parametrize("method", METHODS)
+def test_all_five_closures_of_bricard(method: str) -> None:
+    """By each method, the motion is that with the four constraints of the best choice."""
+    settings = {"t": (0, 3), "method": method, "rtol": 1e-10, "atol": 1e-12}
+    with pytest.warns(ModelNotice, match=r"constraint 4 \(.* follows from 1, 2, 3 and 5 wherever it moves"):
+        motion = simulate(quietly(newton_euler, bricard(range(5))), BRICARDS, {BRICARD[0]: 0.0}, **settings)
+    settings["method"] = "dop853"
+    four = simulate(newton_euler(bricard([0, 1, 2, 4])), BRICARDS, {BRICARD[0]: 0.0}, **settings)
+    np.testing.assert_allclose(motion.states, four.states, atol=METHODS[method])
+    assert motion.constraint_drift < 1e-6  # of the fifth, too
+    if method == "dop853":
+        assert motion.energy_drift < 1e-9
+        assert motion.constraint_drift < 1e-11
+
+
+@pytest.mark.parametrize("derive", [lagrange_equations, kane, gibbs_appell])
+def test_by_every_formalism(derive: Callable[[System], Equations]) -> None:
+    equations, others = quietly(derive, bricard(range(5))), quietly(newton_euler, bricard(range(5)))
+    assert equations.residuals == others.residuals
+
+
+@pytest.mark.filterwarnings(
+    "ignore:System. 5 independent", "ignore:simulate. the mechanism is overconstrained"
+)
+def test_a_wrong_choice_is_mended() -> None:
+    """Without the first of the five, the four that are left depend on each other as well, and move."""
+    equations = quietly(newton_euler, bricard([1, 2, 3, 4]))
+    motion = simulate(equations, BRICARDS, {BRICARD[0]: 0.0}, t=(0, 1), rtol=1e-10, atol=1e-12)
+    five = simulate(
+        quietly(newton_euler, bricard(range(5))), BRICARDS, {BRICARD[0]: 0.0}, t=(0, 1), rtol=1e-10
+    )
+    np.testing.assert_allclose(motion.states, five.states, atol=1e-7)
+
+
+def test_a_driven_one() -> None:
+    """The drive isn't redundant, and its torque is what it is without the fourth constraint."""
+    drive = BRICARD[0] - 0.3 - time
+
+    def driven(kept: Sequence[int]) -> System:
+        free = bricard(kept)
+        return System(free.bodies, [], list(BRICARD), [*free.constraints, drive], gravity=free.gravity)
+
+    with pytest.warns(ModelNotice, match="constraint 4 .* follows from 1, 2, 3 and 5 wherever it moves"):
+        motion = simulate(quietly(newton_euler, driven(range(5))), BRICARDS, {}, t=(0, 1))
+    four = simulate(newton_euler(driven([0, 1, 2, 4])), BRICARDS, {}, t=(0, 1))
+    np.testing.assert_allclose(motion.states, four.states, atol=1e-12)
+    np.testing.assert_allclose(motion.multipliers, four.multipliers, atol=1e-9)
+
+
+@pytest.mark.filterwarnings("ignore:equilibrium. lambda1 of constraint 1")
+def test_at_rest_and_driven_by_unknown_forces() -> None:
+    """Equilibria and inverse dynamics take all five; forces are those of the four."""
+    five, four = quietly(newton_euler, bricard(range(5))), newton_euler(bricard([0, 1, 2, 4]))
+    rest, other = (equilibrium(each, BRICARDS, guess={BRICARD[0]: 0.4}) for each in (five, four))
+    assert [*rest.coordinates.values()] == pytest.approx([*other.coordinates.values()], abs=1e-9)
+    np.testing.assert_allclose(rest.eigenvalues, other.eigenvalues, atol=1e-6)
+    given, t = {BRICARD[0]: sin(time) / 2}, np.linspace(0, 2, 21)
+    loads, others = (inverse_dynamics(each, given, BRICARDS, t).forces for each in (five, four))
+    np.testing.assert_allclose(loads[BRICARD[0]], others[BRICARD[0]], atol=1e-9)
+
+
+def platform() -> System:
+    """A spatial parallelogram: three legs of one length carry a plate by hinges along y, five constraints each."""
+    place, legs = functions_of_time("X Y Z alpha beta gamma"), functions_of_time("th1 th2 th3")
+    turned = (rotate(axis, angle) for axis, angle in zip("XYZ", place[3:], strict=True))
+    plate = translate(*place[:3]) * next(turned) * next(turned) * next(turned)
+    bodies, closing = [Body(plate, m, m, 2 * m, m)], []
+    for angle, corner in zip(legs, ((0, 0, 0), (d, 0, 0), (0, d, 0)), strict=True):
+        leg = translate(*corner) * rotate("Y", angle)
+        bodies.append(Body(Point(leg, 0, 0, l / 2), m, m * l**2 / 12, m * l**2 / 12, 0))
+        closing += project(Point(leg, 0, 0, l) - Point(plate, *corner), ground).components
+        axis = project(Vector(plate, 0, 1, 0), ground).components
+        closing += [axis[0], axis[2]]
+    return System(bodies, [], [*legs, *place], closing, gravity=Vector(ground, 0, 0, -g))
+
+
+def test_a_spatial_parallelogram() -> None:
+    """Its plate doesn't turn: all legs swing as one pendulum, (3 m l^2/3 + m l^2) th'' = 5/2 m g l sin(th)."""
+    system = platform()
+    legs, (X, Y, Z, *turns) = system.coordinates[:3], system.coordinates[3:]
+    guess = dict.fromkeys(legs, 2.0) | {X: 0.4, Z: -0.2}
+    assert system.mobility(VALUES, guess).branch.freedom == 1
+    with pytest.warns(ModelNotice, match="constraints 2 .* are left out with multipliers of zero"):
+        motion = simulate(
+            quietly(newton_euler, system),
+            VALUES,
+            {legs[0]: 2.0},
+            t=(0, 3),
+            guess=guess,
+            rtol=1e-10,
+            atol=1e-12,
+        )
+    assert motion.energy_drift < 1e-9
+    assert motion.constraint_drift < 1e-11
+    assert max(np.abs(motion[each]).max() for each in (Y, *turns)) < 1e-9
+    swing = solve_ivp(
+        lambda _, state: [state[1], 2.5 * 9.81 / (2 * 0.5) * np.sin(state[0])],
+        (0, 3),
+        [2.0, 0.0],
+        t_eval=motion.t,
+        rtol=1e-11,
+        atol=1e-12,
+    ).y[0]
+    for leg in legs:
+        np.testing.assert_allclose(motion[leg], swing, atol=1e-7)
+
+
+def test_a_four_bar_in_the_plane_with_spatial_joints() -> None:
+    """A hinge that closes the loop gives five constraints, three of which always hold."""
+    links, gap = four_bar()
+    plane = System(links, [], [a, b, c], gap[:2], gravity=Vector(ground, 0, -g, 0))
+    space = System(links, [], [a, b, c], gap, gravity=Vector(ground, 0, -g, 0))
+    assert space.mobility().dependent == (2, 3, 4)
+    with pytest.warns(ModelNotice) as noted:
+        equations = newton_euler(space)
+    assert [str(each.message) for each in noted] == [
+        f"System: constraint {k}, 0 = 0, always holds, and restrains nothing; leave it out, or correct it"
+        for k in (3, 4, 5)
+    ]
+    settings = {"t": (0, 2), "guess": {b: -0.7, c: 1.0}, "rtol": 1e-10, "atol": 1e-12}
+    for method in ("dop853", "ida"):
+        with pytest.warns(
+            ModelNotice, match=r"constraints 3 \(0 = 0\), 4 \(0 = 0\) and 5 .* restrain nothing"
+        ):
+            motion = simulate(equations, VALUES, {a: 1.0}, method=method, **settings)
+        other = simulate(newton_euler(plane), VALUES, {a: 1.0}, **settings)
+        np.testing.assert_allclose(motion.states, other.states, atol=1e-9 if method == "dop853" else 1e-5)
+
+
+def four_bar() -> tuple[list[Body], list[Expr]]:
+    """Crank, coupler and rocker, and the five closures of the hinge between the last two."""
+    crank, rocker = rotate("Z", a), translate(d, 0, 0) * rotate("Z", c)
+    coupler = crank * translate(l, 0, 0) * rotate("Z", b)
+    links = [Body(Point(frame, l / 2, 0, 0), m, 0, 0, m * l**2 / 12) for frame in (crank, coupler, rocker)]
+    gap = project(Point(coupler, l, 0, 0) - Point(rocker, l, 0, 0), ground).components
+    axis = project(Vector(coupler, 0, 0, 1), rocker).components
+    return links, [*gap, *axis[:2]]
+
+
+def test_a_structure_does_not_move() -> None:
+    """Two equations fix a point; and a mechanism with dimensions that are nearly special is told so."""
+    with pytest.warns(
+        ModelNotice, match="2 independent constraints on 2 coordinates leave no motion for almost all"
+    ):
+        fixed = newton_euler(System([Body(translate(x, y, 0), m)], (), [x, y], [x**2 + y**2 - l**2, x - y]))
+    with pytest.raises(ConstraintError) as error:
+        simulate(fixed, {m: 1, l: 1}, guess={x: 1, y: 1})
+    assert str(error.value) == (
+        "simulate: the constraints leave no motion: 2 of them are independent at the initial position, as many as "
+        "there are speeds; expected fewer, or one that drives the system and holds the time t"
+    )
+    pair = quietly(newton_euler, System([Body(translate(x, y, 0), m)], (), [x, y], [x + g * y, x + d * y]))
+    with pytest.raises(
+        ConstraintError, match=r"They are nearly dependent \(ratio of singular values 2\.5e-05\): if the"
+    ):
+        simulate(pair, {m: 1, g: 1, d: 1.0001})
 
 
 def test_the_choice_is_that_of_a_motion() -> None:
@@ -260,10 +476,10 @@ def test_a_singular_start_is_left_before_constraints_are_counted(count: int, sta
             assert found.ratios[row] == pytest.approx(ratio, rel=0.05, abs=0.02)
 
 
-def test_the_error_without_a_motion_says_so_as_well() -> None:
-    with pytest.raises(ConstraintError) as error:
+def test_the_notice_without_a_motion_says_so_as_well() -> None:
+    with pytest.warns(ModelNotice) as noted:
         newton_euler(flat_cranks(3))
-    text = str(error.value)
+    text = str(noted[0].message)
     assert "one of them redundant; leave out one, best 2 or 4; not 1 or 3, without which the others" in text
 
 
@@ -281,4 +497,5 @@ def test_choices_are_those_apart_from_singular_positions() -> None:
     assert flat.rows == beside.rows == (0, 1, 2, 3, 4, 5)
     assert min(beside.ratios.values()) > 1e-3
     for row, ratio in beside.ratios.items():
-        assert flat.ratios[row] == pytest.approx(ratio, rel=0.3)
+        # Next to the flat position, the ratio of a bad choice depends on where the steps of the walk end.
+        assert flat.ratios[row] == pytest.approx(ratio, rel=0.3, abs=5e-3)

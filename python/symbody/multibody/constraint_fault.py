@@ -30,12 +30,14 @@ def is_on_velocity(condition: Expr, unknowns: Unknowns) -> bool:
 def fault_of(condition: Expr, unknowns: Unknowns) -> str:
     """Return what is wrong with a constraint, and the way out; the empty text if nothing is.
 
+    Zero is a condition that always holds, as of a spatial joint across a mechanism in the plane.
+
     Args:
         condition: the expression that is to be zero.
         unknowns: the coordinates and speeds of the system.
     """
     if condition.is_zero:
-        return "is not a condition; leave it out"
+        return ""
     motions = _motions(condition, unknowns)
     if not motions:
         leaves = condition.free_symbols

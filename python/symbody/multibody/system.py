@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import warnings
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
-from copy import copy
 from functools import cached_property
 from importlib import import_module
 from types import MappingProxyType
@@ -119,8 +118,6 @@ class System(Variables):
         chosen = chosen_rates(GivenUnknowns(unknowns, known, floating), kinematics)
         self.chosen = tuple(chosen)
         """The coordinates whose rates are written by speeds of the user's choice."""
-        self.whole = self
-        """The system with the constraints by which speeds were eliminated; itself, if none were."""
         super().__init__(
             unknowns,
             floating | chosen,
@@ -173,10 +170,7 @@ class System(Variables):
         Args:
             dependent: the other speeds by the independent ones, coordinates and time, as the constraints demand.
         """
-        reduced = copy(self)
-        members = (member for kind in type(self).__mro__ for member in vars(kind).items())
-        for name in (name for name, value in members if isinstance(value, cached_property)):
-            vars(reduced).pop(name, None)
+        reduced = self._copied()
         rates = zip(
             self.coordinate_rates, substitute([*self.coordinate_rates.values()], dependent), strict=True
         )
@@ -346,6 +340,8 @@ def _rebuilt(system: System, parts: Sequence[Any]) -> System:
         states=dict(zip(system.states, of_states, strict=True)),
         name=system.name,
     )
+    if system.left_out:
+        whole = whole.leaving_out([whole.multipliers.index(multiplier) for multiplier in system.left_out])
     pairs = dict(zip(system.eliminated, speeds, strict=True))
     return whole.eliminating(pairs) if pairs else whole
 

@@ -2,20 +2,29 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
+from copy import copy
 from functools import cached_property
 from itertools import count
 from types import MappingProxyType
-from typing import Annotated, Any, TypeAlias
+from typing import Annotated, Any, Self, TypeAlias
 
 from symbody.errors import ConstraintError, ModelError
 from symbody.geometry.component.triple import Rate, expression
 from symbody.geometry.motion.floating import by_speeds, known_rates, rate_by
-from symbody.symbolic import Expr, functions_of_time, substitute, time_derivative, time_derivatives
+from symbody.symbolic import (
+    Expr,
+    free_symbols,
+    functions_of_time,
+    number,
+    substitute,
+    time_derivative,
+    time_derivatives,
+)
 from symbody.symbolic.expression.container import Container, contains
 from symbody.symbolic.given.arguments import brief, counted
 
-from .constraint import Condition, as_constraint
+from .constraint import Condition, Constraint, as_constraint
 from .constraint_fault import Unknowns, fault_of, is_on_velocity
 from .coordinate import check_function_of_time
 
@@ -71,6 +80,10 @@ class Variables:
         self.quasi_velocities = tuple(speeds)
         self.eliminated: dict[Expr, Expr] = {}
         """The speeds that constraints made dependent, each by the independent ones; none unless `eliminating` did."""
+        self.left_out: dict[Expr, Constraint] = {}
+        """The constraints that follow from the others, by their multipliers, which are zero; see `leaving_out`."""
+        self.whole = self
+        """The same with all constraints; itself, unless some were eliminated or left out."""
         self.conditions = tuple(as_constraint(constraint) for constraint in constraints)
         """The constraints as values, with their names and what they connect."""
         self.others = tuple(others)
@@ -192,7 +205,34 @@ class Variables:
 
     def _written(self, rates: Mapping[Expr, Expr], expressions: Sequence[Expr]) -> tuple[Expr, ...]:
         written = substitute(tuple(expressions), self.eliminated) if self.eliminated else expressions
-        return by_speeds(rates, written)
+        return by_speeds(rates, self.without_left_out(written) if self.left_out else written)
+
+    def without_left_out(self, expressions: Sequence[Expr]) -> tuple[Expr, ...]:
+        """Return expressions in which the multipliers of constraints that were left out are zero."""
+        names = {multiplier.name for multiplier in self.left_out}
+        found = [leaf for leaf in free_symbols(expressions) if leaf.depends_on_time and leaf.name in names]
+        return substitute(tuple(expressions), dict.fromkeys(found, number(0)))
+
+    def leaving_out(self, places: Collection[int]) -> Self:
+        """Return the same without some constraints, which follow from the others: they exert no force.
+
+        Args:
+            places: their places among the constraints.
+        """
+        reduced = self._copied()
+        kept = [k for k in range(len(self.conditions)) if k not in places]
+        reduced.conditions = tuple(self.conditions[k] for k in kept)
+        reduced.multipliers = tuple(self.multipliers[k] for k in kept)
+        reduced.left_out = self.left_out | {self.multipliers[k]: self.conditions[k] for k in sorted(places)}
+        return reduced
+
+    def _copied(self) -> Self:
+        """Return a copy without what was found from its attributes."""
+        made = copy(self)
+        members = (member for kind in type(self).__mro__ for member in vars(kind).items())
+        for name in (name for name, value in members if isinstance(value, cached_property)):
+            vars(made).pop(name, None)
+        return made
 
     def _check_coordinates(self) -> None:
         if not self.driving:
@@ -229,10 +269,10 @@ class Variables:
                 "give one for each"
             )
         unknowns = self._unknowns
-        for number, constraint in enumerate(self.conditions, start=1):
+        for k, constraint in enumerate(self.conditions, start=1):
             fault = fault_of(constraint.condition, unknowns)
             if fault:
-                raise ConstraintError(f"{self.where}: constraint {number}, {constraint}, {fault}")
+                raise ConstraintError(f"{self.where}: constraint {k}, {constraint}, {fault}")
 
     def _check_multipliers(self) -> None:
         for multiplier in self.multipliers:

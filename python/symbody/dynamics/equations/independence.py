@@ -19,11 +19,13 @@ from .constraint_force import constraint_jacobian
 
 
 def check_independent(system: Variables) -> None:
-    """Give a notice of constraints that follow from those before them, at almost every position.
+    """Give a notice of constraints that follow from those before them, and of those that leave no motion.
+
+    Both hold at almost every position, for almost all parameters: special dimensions may let a mechanism move.
 
     Raises:
         ConstraintError: a constraint contradicts those before it: a combination of them is a number other than zero.
-            Or the independent ones leave no motion, and none of them drives the system.
+            Or the independent ones leave no motion whatever the dimensions are, and none of them drives the system.
     """
     pivots: dict[int, _Combination] = {}
     phi_q, rates = constraint_jacobian(system), _rates(system)
@@ -38,7 +40,7 @@ def check_independent(system: Variables) -> None:
         if not combination.slopes:
             rest = combination.value if place in system.holonomic else combination.rate
             _report(system, place, combined, rest)
-    _check_motion_is_left(system, sum(bool(each.slopes) for each in pivots.values()))
+    _check_motion_is_left(system, [each for each in pivots.values() if each.slopes])
 
 
 def _nonholonomic(system: Variables) -> tuple[int, ...]:
@@ -52,13 +54,22 @@ def _rates(system: Variables) -> tuple[Expr, ...]:
     return system.velocity_level(system.constraints)
 
 
-def _check_motion_is_left(system: Variables, independent: int) -> None:
+def _check_motion_is_left(system: Variables, independent: Sequence[_Combination]) -> None:
     n, what = len(system.speeds), "speeds" if system.has_quasi_velocities else "coordinates"
-    if independent == n and not _is_driven(system):
+    if len(independent) < n or _is_driven(system):
+        return
+    found = f"{system.where}: {n} independent constraints on {n} {what} leave no motion"
+    if all(
+        each.slopes[each.pivot].is_constant for each in independent
+    ):  # so is their product, the determinant
         raise ConstraintError(
-            f"{system.where}: {n} independent constraints on {n} {what} leave no motion; expected fewer constraints "
-            f"than {what}, or one that drives the system and holds the time t{_overconstrained(system)}"
+            f"{found}; expected fewer constraints than {what}, or one that drives the system and holds the time t"
         )
+    advice = _overconstrained(system) or (
+        "With parameters that are all 1 nothing moves; leave out a constraint, unless the dimensions that you will "
+        "give are special ones"
+    )
+    warnings.warn(f"{found} for almost all dimensions. {advice}", ModelNotice, stacklevel=5)
 
 
 def _is_driven(system: Variables) -> bool:
@@ -72,14 +83,14 @@ def _is_driven(system: Variables) -> bool:
 def _overconstrained(system: Variables) -> str:
     """Return what is redundant in a mechanism that moves by its special dimensions alone, if this is one."""
     found = "".join(adviser(system) for adviser in _advisers)
-    return found and f". With parameters that are all 1, {found}"
+    return found and f"With parameters that are all 1, {found}; a simulation does so by itself"
 
 
 _advisers: list[Callable[[Variables], str]] = []
 
 
 def register_adviser(adviser: Callable[[Variables], str]) -> None:
-    """Let a layer above describe redundant constraints that leave no motion, for the error's message.
+    """Let a layer above describe redundant constraints that leave no motion, for the notice.
 
     That takes numbers, which only layers above know how to find. The adviser returns an empty text if nothing is
     redundant.
@@ -128,6 +139,13 @@ def _report(system: Variables, place: int, combined: Sequence[int], rest: Expr) 
         warnings.warn(
             f"{constraint} contradicts {others} wherever {rest} isn't zero: their gradients are combinations of each "
             "other; correct one of them, or leave it out",
+            ModelNotice,
+            stacklevel=5,
+        )
+        return
+    if not combined:
+        warnings.warn(
+            f"{constraint} always holds, and restrains nothing; leave it out, or correct it",
             ModelNotice,
             stacklevel=5,
         )

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import replace
 
 import numpy as np
@@ -15,6 +16,7 @@ from symbody.simulation.integrate.integrated import Integrated, run_motions
 from symbody.simulation.integrate.notices import deficiency_findings, findings_of
 from symbody.simulation.integrate.outcome import FailureKind, with_deficiencies
 from symbody.simulation.integrate.task import KeepGoing, Task
+from symbody.simulation.integrate.without_redundant import without_redundant
 from symbody.symbolic.numeric.deficiency import noting
 
 from .cases import Cases
@@ -44,30 +46,51 @@ def run_cases(task: Task, cases: Cases, threads: int = 1, keep_going: KeepGoing 
         keep_going: called from time to time with the number of finished cases; False ends all of them.
     """
     results = empty_results(task, cases.count)
-    begun, states = _initial_states(task, cases, results, keep_going)
-    motions = run_motions(task, cases.subset(begun).parameters, states, threads, keep_going)
-    for case, motion in zip(begun, motions, strict=True):
-        if motion is not None:
-            _record(results, int(case), motion)
+    tasks, states = _begun(task, cases, results, keep_going)
+    finished = 0
+
+    def goes_on(done: float) -> bool:
+        return keep_going(finished + done)
+
+    for each, chosen in _grouped(tasks).items():
+        parameters = cases.subset(np.array(chosen)).parameters
+        motions = run_motions(each, parameters, states[chosen], threads, goes_on)
+        for case, motion in zip(chosen, motions, strict=True):
+            if motion is not None:
+                _record(results, case, motion)
+        finished += len(chosen)
     return results
 
 
-def _initial_states(
+def _grouped(tasks: Mapping[int, Task]) -> dict[Task, list[int]]:
+    """Return the cases of each task: parameters decide which constraints are redundant."""
+    groups: dict[Task, list[int]] = {}
+    for case, task in tasks.items():
+        groups.setdefault(task, []).append(case)
+    return groups
+
+
+def _begun(
     task: Task, cases: Cases, results: Results, keep_going: KeepGoing
-) -> tuple[NDArray[np.intp], Array]:
-    """Return the cases that can start, and their initial states; record why the others fail."""
+) -> tuple[dict[int, Task], Array]:
+    """Return the tasks of the cases that can start, and all initial states; record why the others fail."""
     states = _free_initial_states(task, cases)
+    tasks = dict.fromkeys(np.flatnonzero(np.isfinite(states).all(axis=1)).tolist(), task)
+    reduced: dict[tuple[int, ...], Task] = {}
     for looked, case in enumerate(np.flatnonzero(~np.isfinite(states).all(axis=1)).tolist()):
         if looked % LOOK == 0 and not keep_going(0):
             break
         with noting() as found:
             try:
-                states[case] = initial_state(task, cases.parameters_of(case), cases.initial_of(case))
+                parameters = cases.parameters_of(case)
+                states[case] = initial_state(task, parameters, cases.initial_of(case))
+                own = without_redundant(task, parameters, states[case])
+                out = () if own.redundancy is None else own.redundancy.choice
+                tasks[case] = task if own is task else reduced.setdefault(out, own)
             except SymbodyError as error:
                 results.status[case], results.messages[case] = Status.FAILED, str(error)
         results.findings[case] = deficiency_findings(found, task.model)
-    begun = np.flatnonzero(np.isfinite(states).all(axis=1))
-    return begun, states[begun]
+    return tasks, states
 
 
 def _free_initial_states(task: Task, cases: Cases) -> Array:

@@ -18,7 +18,7 @@ from symbody.simulation.given.given_input import Given, substitute_inputs
 from symbody.simulation.given.parameter import parameters_among
 from symbody.symbolic import Abs, Expr, ExprLike, derivation, free_symbols, jacobian, number, substitute, t
 
-__all__ = ["Kinematics", "kinematics_of", "magnitude", "neutral_position", "quaternions"]
+__all__ = ["Kinematics", "kinematics_in", "kinematics_of", "magnitude", "neutral_position", "quaternions"]
 
 Array = NDArray[np.float64]
 
@@ -44,6 +44,11 @@ class Kinematics:
     def position_constraints(self) -> tuple[Expr, ...]:
         """The constraints phi on positions."""
         return tuple(self.constraints[k] for k in self.system.holonomic)
+
+    @property
+    def velocity_constraints(self) -> tuple[Expr, ...]:
+        """The constraints on the level of velocities, ``A u + b``."""
+        return self._velocities[: len(self.constraints)]
 
     @cached_property
     def _velocities(self) -> tuple[Expr, ...]:
@@ -156,8 +161,13 @@ def neutral_position(system: Variables) -> Array:
 
 def kinematics_of(eqs: Equations, inputs: Mapping[Expr, ExprLike] | None = None) -> Kinematics:
     """Return the kinematics of a system with given inputs. They are cached, with their compiled code."""
+    return kinematics_in(eqs.system, inputs)
+
+
+def kinematics_in(system: Variables, inputs: Mapping[Expr, ExprLike] | None = None) -> Kinematics:
+    """Return the kinematics in the variables of a system, as `kinematics_of` does."""
     return _kinematics(
-        eqs.system, tuple(sorted(((f, number(e)) for f, e in (inputs or {}).items()), key=_by_name))
+        system, tuple(sorted(((f, number(e)) for f, e in (inputs or {}).items()), key=_by_name))
     )
 
 

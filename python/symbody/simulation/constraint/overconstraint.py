@@ -1,136 +1,159 @@
-"""Constraints that are dependent along the motion, but independent at almost all other positions or parameters.
+"""Constraints that are dependent where a mechanism moves, but independent at almost all positions or parameters.
 
 Three parallel cranks move a coupler because their lengths agree; six independent equations for six coordinates would
 allow no motion. Symbolic rank is generic rank, and at generic positions these coordinates are locked. In the same
-way ``k (x - y) = 0`` makes the accelerations of x and y one expression, which stays one if k = 0.
+way ``k (x - y) = 0`` is a constraint unless k = 0. Such constraints follow from the others, and are left out.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 
 import numpy as np
 from numpy.typing import NDArray
 
+from symbody.dynamics.equations.constraint_force import constraint_jacobian
 from symbody.errors import ConstraintError
+from symbody.multibody import Variables
 from symbody.simulation.given.wording import joined_by_and
-from symbody.simulation.model.model import Model
-from symbody.symbolic import Expr, Matrix, number, t
+from symbody.simulation.model.named_constraint import named_constraints
+from symbody.symbolic import Expr, Matrix, number, substitute, t
 
-from .kinematics import kinematics_of
+from .kinematics import Kinematics
 from .least_norm import least_norm
-from .redundant_constraints import redundancy
-from .walk import scaled
+from .redundant_constraints import STEPS, Redundancy, redundancy
+from .vanishing_combinations import vanishing_combinations
+from .walk import CANCELLED, scaled, walk_configurations
 
-__all__ = ["check_rank"]
+__all__ = ["overconstraint"]
 
 Array = NDArray[np.float64]
 
-OTHERS = 4
-"""The number of other positions at which constraints are evaluated."""
 _SHARE = 1e-6
-"""The size of a direction, or of a combination of constraints, above which it is not a rounding error."""
+"""The size of a direction above which it is not a rounding error."""
+_STANDING = 2
+"""The number of positions of a walk that can't leave the first one."""
+_NEARLY = 1e-3
+"""The ratio of singular values up to which constraints that leave no motion may have been meant to be dependent."""
 
 
-def check_rank(model: Model, phi_q: Array, parameters: Mapping[Expr, float], where: str = "simulate") -> None:
-    """Check that the motions that the constraints allow at a position are allowed at almost every position.
+def overconstraint(
+    kinematics: Kinematics, p: Array, time: float, q: Array, where: str = "simulate"
+) -> Redundancy | None:
+    """Return which constraints are redundant where a mechanism moves, if they are not so at almost every position.
+
+    Constraints that hold the time, or demand speeds, drive the mechanism; only the others can be redundant.
 
     Args:
-        model: the model.
-        phi_q: the Jacobian of the constraints with respect to the speeds, at a position, shape (m, n).
-        parameters: the values of the parameters.
+        kinematics: the constraints.
+        p: the values of their parameters.
+        time: the time, in s.
+        q: the coordinates of a position.
         where: the function that the user called, for messages.
 
     Raises:
-        ConstraintError: they are not, or a parameter with the value zero removes a constraint.
+        ConstraintError: the constraints leave no motion, or only at this position.
     """
-    kernel = least_norm(phi_q, np.zeros(len(phi_q)))[1]
-    if kernel.shape[1] == len(model.speeds) - model.independent_constraints:
-        return
-    _check_zeros(model, parameters, where)
-    if not any(t in phi.free_symbols for phi in model.constraints):
-        _check_special_dimensions(model, phi_q, kernel, parameters, where)
-
-
-def _check_zeros(model: Model, parameters: Mapping[Expr, float], where: str) -> None:
-    zeros = {name: number(0) for name in model.parameters if parameters[name] == 0}
-    phi_q = model.equations.constraint_jacobian
-    left = phi_q.subs(zeros)
-    if not zeros or left.rank() == model.independent_constraints:
-        return
-    without = [
-        str(phi)
-        for k, phi in enumerate(model.constraints)
-        if _without(phi_q, k).rank() < phi_q.rank() and _without(left, k).rank() == left.rank()
+    system = kinematics.system
+    at_rest = dict.fromkeys(system.speeds, number(0))
+    demanded = substitute(kinematics.velocity_constraints, at_rest)
+    steady = [
+        k
+        for k, (phi, rate) in enumerate(zip(kinematics.constraints, demanded, strict=True))
+        if t not in phi.free_symbols and rate.is_zero
     ]
-    named = " and ".join(f"{name} = 0" for name in zeros)
+    if not steady:
+        return None
+    driven = [k for k in range(len(system.conditions)) if k not in steady]
+    undriven = Kinematics(system.leaving_out(driven), kinematics.given) if driven else kinematics
+    values = dict(zip(kinematics.parameters, p, strict=True))
+    found = _redundancy(undriven, np.array([values[name] for name in undriven.parameters]), time, q, where)
+    return None if found is None else found.among(system.conditions, steady)
+
+
+def _redundancy(kinematics: Kinematics, p: Array, time: float, q: Array, where: str) -> Redundancy | None:
+    """Return the same of constraints none of which holds the time.
+
+    Args:
+        kinematics: the constraints.
+        p: the values of their parameters.
+        time: the time, in s.
+        q: the coordinates of a position.
+        where: the function that the user called, for messages.
+    """
+    system = kinematics.system
+    m = len(system.conditions)
+    with np.errstate(all="ignore"):
+        A = kinematics.velocity(time, q, p)[0][:m]
+    kernel = least_norm(A, np.zeros(m))[1]
+    phi_q = constraint_jacobian(system)
+    redundant = m - phi_q.rank()
+    is_usual = kernel.shape[1] == len(system.speeds) - m + redundant
+    if is_usual:
+        _check_motion_is_left(system, A, kernel, where)
+        if not redundant:
+            return None
+    gradients = [scaled(J) for J in walk_configurations(kinematics, p, time, q, STEPS)]
+    found = redundancy(system.conditions, gradients)
+    if not is_usual and (len(gradients) <= _STANDING or found.count == redundant):
+        _check_moves_elsewhere(system, phi_q, A, kernel, where)
+    return found if found.count else None
+
+
+def _check_motion_is_left(system: Variables, A: Array, kernel: Array, where: str) -> None:
+    """Check that constraints which demand no motion allow one.
+
+    Args:
+        system: the mechanism.
+        A: the Jacobian of the constraints with respect to the speeds, at a position.
+        kernel: a basis of the speeds that they allow, as columns, shape (n, f).
+        where: the function that the user called, for messages.
+    """
+    if kernel.shape[1] or len(A) < len(system.speeds):
+        return
+    s = np.linalg.svd(scaled(A), compute_uv=False)
+    ratio = float(s[len(system.speeds) - 1] / s[0])
+    nearly = (
+        f". They are nearly dependent (ratio of singular values {ratio:.1e}): if the mechanism moves by its special "
+        "dimensions, give these with more digits"
+        if ratio < _NEARLY
+        else ""
+    )
     raise ConstraintError(
-        f"{where}: with {named} fewer constraints are independent than in the equations, which were derived for "
-        f"other values; leave out of the system the constraints that then follow from the others: {', '.join(without)}"
+        f"{where}: the constraints leave no motion: {len(system.speeds)} of them are independent at the initial "
+        f"position, as many as there are speeds; expected fewer, or one that drives the system and holds the time t"
+        f"{nearly}"
     )
 
 
-def _without(matrix: Matrix, row: int) -> Matrix:
-    rows = [entries for k, entries in enumerate(matrix.tolist()) if k != row]
-    return Matrix.from_entries(len(rows), matrix.columns, [entry for entries in rows for entry in entries])
-
-
-def _check_special_dimensions(
-    model: Model, phi_q: Array, kernel: Array, parameters: Mapping[Expr, float], where: str
-) -> None:
-    """Check that speeds which the constraints allow here are not zero at almost every position.
+def _check_moves_elsewhere(system: Variables, phi_q: Matrix, A: Array, kernel: Array, where: str) -> None:
+    """Check that speeds which the constraints allow at a singular position are not zero at all others.
 
     Args:
-        model: the model.
-        phi_q: the Jacobian of the constraints with respect to the speeds, shape (m, n).
-        kernel: a basis of the speeds that they allow, as columns, shape (n, f).
-        parameters: the values of the parameters.
+        system: the mechanism.
+        phi_q: the Jacobian of the constraints with respect to the speeds.
+        A: its values at the position.
+        kernel: a basis of the speeds that they allow there, as columns, shape (n, f).
         where: the function that the user called, for messages.
     """
     moves = np.abs(kernel).max(axis=1) > _SHARE
-    special = [
+    locked = [
         speed
-        for speed, is_free in zip(model.speeds, moves, strict=True)
-        if is_free and _is_locked(model, speed)
+        for speed, is_free in zip(system.speeds, moves, strict=True)
+        if is_free and _is_locked(system.speeds, phi_q, speed)
     ]
-    if special:
-        found = redundancy(model.system.conditions, [scaled(phi_q)])
-        places = [str(row + 1) for row in found.rows]
-        if _is_so_anywhere(model, len(phi_q[0]) - kernel.shape[1], parameters):
-            raise ConstraintError(
-                f"{where}: with {_values(model, found.rows, parameters)} constraints {', '.join(places)} depend on "
-                "each other at every position; the equations were derived for other values, for which "
-                f"{', '.join(map(str, special))} can only be zero: leave out {found.count} of them{found.choices}"
-            )
+    if locked:
+        rows = sorted(
+            {int(row) for y in vanishing_combinations(scaled(A), CANCELLED) for row in np.flatnonzero(y)}
+        )
         raise ConstraintError(
-            f"{where}: the constraints let {', '.join(map(str, special))} be other than zero at this position, but at "
-            f"almost no other one: constraints {', '.join(places)} depend on each other here. If they do so "
-            f"wherever the mechanism moves, because of its special dimensions, it is overconstrained: leave out "
-            f"{found.count} of them{found.choices}; if not, start at another position"
+            f"{where}: the constraints let {', '.join(map(str, locked))} be other than zero at the initial position, "
+            f"but at no position nearby: constraints {joined_by_and(named_constraints(system.conditions, rows))} "
+            "depend on each other there alone; leave out a constraint, or start at another position"
         )
 
 
-def _is_so_anywhere(model: Model, rank: int, parameters: Mapping[Expr, float]) -> bool:
-    """Return whether no more constraints are independent at other positions, with these values of the parameters."""
-    kinematics = kinematics_of(model.equations, dict(model.inputs))
-    p = np.array([parameters[name] for name in kinematics.parameters])
-    m, count = len(model.constraints), len(model.coordinates)
-    draw = np.random.Generator(np.random.PCG64(1)).uniform(-1, 1, (OTHERS, count))
-    with np.errstate(all="ignore"):
-        slopes = [kinematics.velocity(0.0, q, p)[0][:m] for q in draw]
-    fit = [J for J in slopes if np.isfinite(J).all()]
-    return bool(fit) and all(J.shape[1] - least_norm(J, np.zeros(m))[1].shape[1] <= rank for J in fit)
-
-
-def _values(model: Model, rows: Sequence[int], parameters: Mapping[Expr, float]) -> str:
-    """Return the values of the parameters in some constraints."""
-    leaves = {leaf for row in rows for leaf in model.constraints[row].free_symbols}
-    named = [f"{name} = {parameters[name]:.6g}" for name in model.parameters if name in leaves]
-    return joined_by_and(named) if named else "these values"
-
-
-def _is_locked(model: Model, speed: Expr) -> bool:
+def _is_locked(speeds: Sequence[Expr], phi_q: Matrix, speed: Expr) -> bool:
     """Return whether the constraints make a speed zero at almost every position, as a combination of their rates."""
-    phi_q = model.equations.constraint_jacobian
-    row = [int(other == speed) for other in model.speeds]
-    return Matrix([*phi_q.tolist(), row]).rank() == model.independent_constraints
+    row = [int(other == speed) for other in speeds]
+    return Matrix([*phi_q.tolist(), row]).rank() == phi_q.rank()

@@ -40,6 +40,8 @@ STEPS = 80
 MOST = 12
 """The largest number of redundant constraints for which each choice is tried."""
 _SHOWN = 40
+_ROUNDED = 1e-3
+"""The relative difference of ratios that counts as rounding: machines must not differ in their choice."""
 
 
 @dataclass(frozen=True)
@@ -51,7 +53,8 @@ class Redundancy:
         count: how many of them are redundant.
         rows: the indices of those that are dependent.
         ratios: for each of these, the smallest ratio of singular values without it, over all positions of the walk; if
-            several are redundant, the best others are left out as well.
+            several are redundant, the best others are left out as well. Empty if there are many.
+        choice: the rows to leave out, so that the others are far from dependent.
 
     >>> from symbody import Body, System, functions_of_time, symbols, translate
     >>> (x, y), m = functions_of_time("x y"), symbols("m")
@@ -65,6 +68,22 @@ class Redundancy:
     count: int
     rows: tuple[int, ...]
     ratios: Mapping[int, float]
+    choice: tuple[int, ...]
+
+    def among(self, conditions: tuple[Constraint, ...], places: Sequence[int]) -> Redundancy:
+        """Return the same in a longer list of constraints.
+
+        Args:
+            conditions: all constraints.
+            places: the place among them of each of these.
+        """
+        return Redundancy(
+            conditions,
+            self.count,
+            tuple(places[row] for row in self.rows),
+            {places[row]: ratio for row, ratio in self.ratios.items()},
+            tuple(sorted(places[row] for row in self.choice)),
+        )
 
     @property
     def constraints(self) -> tuple[Expr, ...]:
@@ -84,9 +103,9 @@ class Redundancy:
 
     @property
     def choices(self) -> str:
-        """The constraints to leave out and those to keep, with the ratios; the empty text if that was not tried."""
+        """The constraints to leave out and those to keep, with the ratios if each choice was tried."""
         if not self.ratios:
-            return ""
+            return f", such as {joined_by_and([str(row + 1) for row in self.choice], most=MOST)}"
         best = max(self.ratios.values())
         good = [row for row, ratio in self.ratios.items() if ratio > best / 2]
         bad = [row for row, ratio in self.ratios.items() if ratio < min(NEAR, best / 4)]
@@ -170,18 +189,40 @@ def redundancy(conditions: tuple[Constraint, ...], gradients: Sequence[Array]) -
     regular = [(J, found) for J, found in zip(gradients, combinations, strict=True) if len(found) == count]
     rows = sorted({int(row) for _, found in regular for y in found for row in np.flatnonzero(y)})
     places = _apart_from_singular([J for J, _ in regular], count)
-    ratios = {row: _ratio_without(places, row, rows, count) for row in rows} if len(rows) <= MOST else {}
-    return Redundancy(conditions, count, tuple(rows), ratios)
+    if len(rows) > MOST:
+        return Redundancy(conditions, count, tuple(rows), {}, _pivots(places, count))
+    removals = {row: _removal(places, row, rows, count) for row in rows}
+    ratios = {row: _least(places, removed, count) for row, removed in removals.items()}
+    choice = tuple(sorted(removals[_best(ratios)])) if rows else ()
+    return Redundancy(conditions, count, tuple(rows), ratios, choice)
 
 
-def _ratio_without(places: Sequence[Array], row: int, rows: Sequence[int], count: int) -> float:
-    """Return the smallest ratio of singular values without a row, and without the best choice of the others."""
+def _best(ratios: Mapping[int, float]) -> int:
+    """Return the row with the largest ratio; of rows with the same ratio but for rounding, the last."""
+    largest = max(ratios.values())
+    return max(row for row, ratio in ratios.items() if ratio >= largest * (1 - _ROUNDED))
+
+
+def _removal(places: Sequence[Array], row: int, rows: Sequence[int], count: int) -> list[int]:
+    """Return a row and the best choice of the others to leave out."""
     removed = [row]
     while len(removed) < count:
-        removed.append(
-            max((r for r in rows if r not in removed), key=lambda r: _least(places, [*removed, r], count))
-        )
-    return _least(places, removed, count)
+        others = {r: _least(places, [*removed, r], count) for r in rows if r not in removed}
+        removed.append(_best(others))
+    return removed
+
+
+def _pivots(places: Sequence[Array], count: int) -> tuple[int, ...]:
+    """Return rows to leave out by QR decomposition of the combinations that vanish at the most regular position.
+
+    The rows with pivots are those that the others determine best; trying each choice would take too long.
+    """
+    from scipy.linalg import qr  # noqa: PLC0415 - slow to load, and rarely needed
+
+    regular = max(places, key=lambda J: _ratio(J, count))
+    combinations = np.linalg.svd(regular)[0][:, len(regular) - count :].T
+    pivots = qr(combinations, mode="r", pivoting=True)[1]
+    return tuple(sorted(int(row) for row in pivots[:count]))
 
 
 def _apart_from_singular(places: Sequence[Array], count: int) -> list[Array]:

@@ -31,6 +31,8 @@ STEP = 0.05
 """The distance between positions, in rad or relative to the lengths."""
 AWAY = 0.2
 """The distance of neighbouring positions, in the same units."""
+MOST_FREEDOMS = 4
+"""The most freedoms along which walks go from one position."""
 TRIES, DEPARTURES = 48, 12
 """The number of directions in which a walk may start, and the number of successful ones that is enough."""
 
@@ -40,30 +42,31 @@ def walk_configurations(
 ) -> Iterator[Array]:
     """Yield the Jacobian of the constraints with respect to the speeds at positions that a mechanism reaches.
 
-    The walk goes from the first position in both directions. If that is singular, walks start at neighbouring positions
-    instead, where most constraints are independent: one walk for each set of dependent constraints.
+    Walks go from the first position along each freedom, to both sides. If that is singular, they start at neighbouring
+    positions instead, where most constraints are independent: one of these for each set of dependent constraints.
 
     Args:
         kinematics: the constraints.
         p: the values of their parameters.
         t: the time, in s.
         begin: the coordinates of the first position.
-        steps: the number of positions in either direction.
+        steps: the number of positions of each walk.
     """
     space = ConfigurationSpace(kinematics, p, t)
     for first in _departures(space, begin):
-        for sign in (1.0, -1.0):
-            yield from _walked(space, first, sign, steps)
+        for direction in _freedoms(space.slopes(first)[0]):
+            for sign in (1.0, -1.0):
+                yield from _walked(space, first, sign * direction, steps)
 
 
-def _walked(space: ConfigurationSpace, begin: Array, sign: float, steps: int) -> Iterator[Array]:
-    q, direction = begin, np.zeros(len(space.kinematics.system.speeds))
+def _walked(space: ConfigurationSpace, begin: Array, direction: Array, steps: int) -> Iterator[Array]:
+    q = begin
     for _ in range(steps):
         J, K = space.slopes(q)
         if not np.isfinite(J).all():
             break
         yield J
-        direction = _onward(J, direction, sign)
+        direction = _onward(J, direction)
         q = space.step(q, K @ direction)
         if not len(q):
             break
@@ -184,11 +187,25 @@ def free_directions(J: Array, near: float = CANCELLED) -> Array:
     return Vt[int(np.sum(s > near * s.max(initial=0.0))) :]
 
 
-def _onward(J: Array, before: Array, sign: float) -> Array:
-    """Return the direction that the constraints allow and that is nearest to the previous one."""
+def _freedoms(J: Array) -> list[Array]:
+    """Return directions that span what the constraints allow, each mostly along one speed; zero if they allow none.
+
+    By Gram-Schmidt elimination with pivots, so that they don't depend on the basis of the null space.
+    """
+    left = free_directions(J).T if np.isfinite(J).all() else np.zeros((J.shape[1], 0))
+    found: list[Array] = []
+    for _ in range(min(left.shape[1], MOST_FREEDOMS)):
+        sizes = np.linalg.norm(left, axis=1)
+        first = int(np.flatnonzero(sizes >= (1 - SURE) * sizes.max())[0])
+        share = left[first] / sizes[first]
+        found.append(left @ share)
+        left = left - np.outer(left @ share, share)
+    return found or [np.zeros(J.shape[1])]
+
+
+def _onward(J: Array, before: Array) -> Array:
+    """Return the direction that the constraints allow and that is nearest to the previous one; zero if none is near."""
     free = free_directions(J)
-    if not len(free):
-        return np.zeros(J.shape[1])
     onward = free.T @ (free @ before)
     length = np.linalg.norm(onward)
-    return sign * free[-1] if length < 0.1 else np.asarray(onward / length, np.float64)
+    return np.asarray(onward / length, np.float64) if length >= 0.1 else np.zeros(J.shape[1])

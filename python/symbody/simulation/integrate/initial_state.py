@@ -9,7 +9,6 @@ from numpy.typing import NDArray
 
 from symbody.simulation.constraint.consistent import solved_state
 from symbody.simulation.constraint.kinematics import kinematics_of
-from symbody.simulation.constraint.overconstraint import check_rank
 from symbody.simulation.given.values import state_values
 from symbody.symbolic import Expr
 
@@ -38,9 +37,4 @@ def initial_state(
         given = solved_state(kinematics, parameters, initial, task.guess, t)
     state = np.zeros(model.width)
     state[: len(model.state)] = [given.get(name, 0.0) for name in model.state]
-    if model.constraints:
-        kinematics = kinematics_of(model.equations, dict(model.inputs))
-        p = np.array([parameters[name] for name in kinematics.parameters])
-        slopes, _ = kinematics.velocity(t, state[: len(model.coordinates)], p)
-        check_rank(model, slopes[: len(model.constraints)], parameters)
     return state

@@ -10,9 +10,10 @@ import numpy as np
 
 from symbody.simulation.constraint.consistent_position import term_sizes
 from symbody.simulation.constraint.dependent_constraints import dependent_constraints, named_dependence
-from symbody.simulation.constraint.kinematics import kinematics_of
+from symbody.simulation.constraint.kinematics import kinematics_in, kinematics_of
 from symbody.simulation.constraint.singular_passage import singular_passages
 from symbody.simulation.constraint.singular_position import SINGULAR, is_singular, may_be_singular
+from symbody.simulation.given.wording import joined_by_and
 from symbody.simulation.model.model import Model
 from symbody.simulation.model.named_constraint import named_constraints
 from symbody.symbolic.numeric.deficiency import Deficiency, strongest
@@ -32,6 +33,9 @@ __all__ = [
 
 LEFT = 1e-3
 """The relative violation above which a motion has left a constraint: unconstrained drift is smaller."""
+
+
+_NAMED = 8
 
 
 @dataclass(frozen=True, order=True)
@@ -93,6 +97,29 @@ def _better_way(motion: Integrated) -> str:
     return f"use smaller tolerances, or method={DEFAULT!r}{projected}"
 
 
+def _redundancy(motion: Integrated) -> Iterable[Finding]:
+    """Return which constraints were left out, and from which others they follow."""
+    found = motion.task.redundancy
+    if found is None:
+        return []
+    others = [str(row + 1) for row in found.rows if row not in found.choice]
+    out = joined_by_and(named_constraints(found.conditions, found.choice), most=_NAMED)
+    several = found.count > 1
+    reason = (
+        f"follow from {joined_by_and(others, most=_NAMED)} wherever it moves"
+        if others
+        else "restrain nothing"
+    )
+    return [
+        Finding(
+            "overconstrained",
+            f"constraints {out} {reason}, and are left out with multipliers of zero"
+            if several
+            else f"constraint {out} {reason.replace(' ', 's ', 1)}, and is left out with a multiplier of zero",
+        )
+    ]
+
+
 def _singular_start(motion: Integrated) -> Iterable[Finding]:
     """Return which constraints are dependent at the initial position, but not at neighbouring positions."""
     model = motion.task.model
@@ -123,9 +150,10 @@ def _uncertainty(motion: Integrated) -> Iterable[Finding]:
 def _violations(motion: Integrated) -> Iterable[Finding]:
     """Return the constraint with the largest violation, if a motion has left its constraints at its end."""
     model, outcome = motion.task.model, motion.outcome
-    if not model.position_constraints or outcome.failure is not None:
+    system = model.system.whole
+    if not system.position_constraints or outcome.failure is not None:
         return []
-    kinematics = kinematics_of(model.equations, dict(model.inputs))
+    kinematics = kinematics_in(system, dict(model.inputs))
     p = np.array([motion.parameters[name] for name in kinematics.parameters])
     q = np.array(outcome.end[1][: len(model.coordinates)])
     with np.errstate(all="ignore"):
@@ -134,12 +162,17 @@ def _violations(motion: Integrated) -> Iterable[Finding]:
     worst = int(np.argmax(off))
     if not off[worst] > LEFT:
         return []
-    (name,) = named_constraints(model.system.conditions, [model.system.holonomic[worst]])
+    (name,) = named_constraints(system.conditions, [system.holonomic[worst]])
     return [Finding("violation", f"constraint {name}", float(off[worst]))]
 
 
 ROWS: dict[str, _Row] = {
     "deficient": _Row(_deficiencies, "{subject}"),
+    "overconstrained": _Row(
+        _redundancy,
+        "the mechanism is overconstrained: {subject}, as rigid bodies don't determine how "
+        "redundant constraints share a load",
+    ),
     "start": _Row(
         _singular_start,
         "the motion starts at a singular position, from which several motions may continue: {subject}, but not at "

@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from symbody.simulation.constraint.redundant_constraints import Redundancy
 from symbody.simulation.given.event import Event
 from symbody.simulation.given.options import Options
 from symbody.simulation.given.parameter import parameters_in
@@ -75,6 +76,7 @@ class Task:
         events: the events to watch.
         guess: where to look for initial states that satisfy the constraints.
         keeps_states: whether the states of many motions are results, or only the outputs.
+        redundancy: the constraints that are redundant where the mechanism moves, if the model is without these.
     """
 
     model: Model
@@ -86,6 +88,7 @@ class Task:
     events: tuple[Event, ...]
     guess: Mapping[Expr, float]
     keeps_states: bool = True
+    redundancy: Redundancy | None = None
 
     def __getstate__(self) -> dict[str, Any]:
         """Drop what is compiled: it belongs to this process."""

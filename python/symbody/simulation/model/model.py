@@ -23,7 +23,7 @@ from symbody.symbolic.numeric.deficiency import noting, report
 
 from .constraint_correction import ConstraintCorrection, constraint_correction
 
-__all__ = ["DAMPING", "Model", "model_of", "without_stabilization"]
+__all__ = ["DAMPING", "Model", "model_of", "with_equations", "without_stabilization"]
 
 DAMPING = symbols("baumgarte_omega baumgarte_zeta")
 """The parameters of Baumgarte's stabilisation; their values are chosen when a motion begins."""
@@ -411,6 +411,12 @@ def model_of(
 def without_stabilization(model: Model) -> Model:
     """Return the same model without Baumgarte's stabilisation."""
     return _model(model.equations, model.inputs, is_stabilized=False, method=model.method)
+
+
+def with_equations(model: Model, equations: Equations) -> Model:
+    """Return the same model of other equations, which may have no constraints left to stabilise."""
+    is_stabilized = model.is_stabilized and bool(equations.constraints)
+    return _model(equations, model.inputs, is_stabilized=is_stabilized, method=model.method)
 
 
 def _is_massless(eqs: Equations, zeros: Collection[Expr]) -> bool:

@@ -231,13 +231,17 @@ class Motion:
 
     @cached_property
     def constraint_drift(self) -> float:
-        """The largest violation of a constraint: of positions, and of velocities where it is on these."""
-        return self._largest(self.model.constraints)
+        """The largest violation of a constraint: of positions, and of velocities where it is on these.
+
+        Constraints that were eliminated, or left out as redundant, count as well.
+        """
+        return self._largest(self.system.whole.constraints)
 
     @cached_property
     def constraint_rate_drift(self) -> float:
         """The largest rate of change of a constraint on positions, or violation of one on velocities."""
-        return self._largest(self.model.velocity_constraints)
+        system = self.system.whole
+        return self._largest(system.velocity_level(system.constraints))
 
     def _largest(self, expressions: Sequence[Expr]) -> float:
         return float(np.abs(self.evaluate(expressions)).max()) if expressions else 0.0

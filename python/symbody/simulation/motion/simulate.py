@@ -21,6 +21,7 @@ from symbody.simulation.integrate.notices import findings_of, notices_of_motion
 from symbody.simulation.integrate.outcome import FailureKind, with_deficiencies
 from symbody.simulation.integrate.task import Task
 from symbody.simulation.integrate.task_of import task_of, warn_of_odd_values
+from symbody.simulation.integrate.without_redundant import without_redundant
 from symbody.simulation.terminal.interruption import Interruption
 from symbody.simulation.terminal.progress import preparation_bar, progress_bar
 from symbody.symbolic import Expr, ExprLike
@@ -113,6 +114,7 @@ def simulate(
     warn_of_odd_values(task, given)
     with preparation_bar(is_shown=progress), noting() as met:
         state = initial_state(task, given, initial)
+        task = without_redundant(task, given, state)
         _ = task.integrate  # compiled now: Ctrl-C interrupts, as there is no motion yet to keep
     motion = _run_one(task, given, state, is_shown=progress)
     return _report(replace(motion, outcome=with_deficiencies(motion.outcome, met)))

@@ -1,0 +1,45 @@
+"""Equations without redundant constraints: those that remain keep the others, whose forces are zero."""
+
+from __future__ import annotations
+
+from collections.abc import Collection
+from dataclasses import dataclass, replace
+from functools import lru_cache
+
+from symbody.multibody import Variables
+
+from .equations import Assembly, Equations
+
+
+def leaving_out(eqs: Equations, places: Collection[int]) -> Equations:
+    """Return the equations without some constraints, which follow from the others: ``M u' = f + A^T lambda``.
+
+    A and lambda lose rows; M and f stay. How rigid bodies share a load among redundant constraints is not determined;
+    here the constraints that are left out bear nothing [Garcia de Jalon & Gutierrez-Lopez 2013].
+
+    Args:
+        eqs: the equations of motion.
+        places: the places of these constraints among all.
+    """
+    return _leaving_out(eqs, tuple(sorted(places)))
+
+
+@lru_cache(maxsize=64)
+def _leaving_out(eqs: Equations, places: tuple[int, ...]) -> Equations:
+    system = eqs.system.leaving_out(places)
+    return replace(
+        eqs, system=system, residuals=system.without_left_out(eqs.residuals), assemble=_Inherited(eqs)
+    )
+
+
+@dataclass(frozen=True, eq=False)
+class _Inherited:
+    """The assembly of equations with more constraints: it is derived once for both."""
+
+    whole: Equations
+
+    def __call__(self, system: Variables) -> Assembly:
+        whole = self.whole
+        n = whole.mass_matrix.rows
+        entries = system.without_left_out((*whole.mass_matrix.entries, *whole.bias))
+        return Assembly(type(whole.mass_matrix).from_entries(n, n, entries[: n * n]), entries[n * n :])

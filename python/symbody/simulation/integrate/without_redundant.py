@@ -1,0 +1,43 @@
+"""A task without the constraints that are redundant where its mechanism moves."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from symbody.dynamics.equations.leaving_out import leaving_out
+from symbody.simulation.constraint.kinematics import kinematics_of
+from symbody.simulation.constraint.overconstraint import overconstraint
+from symbody.simulation.model.model import with_equations
+from symbody.symbolic import Expr
+
+from .task import Task
+
+__all__ = ["without_redundant"]
+
+
+def without_redundant(task: Task, parameters: Mapping[Expr, float], state: NDArray[np.float64]) -> Task:
+    """Return the task in which overconstrained mechanisms move: the best choice of redundant constraints is left out.
+
+    Args:
+        task: the task.
+        parameters: the values of the parameters.
+        state: an initial state, shape (model.width,).
+
+    Raises:
+        ConstraintError: the constraints leave no motion, or only at this position.
+    """
+    model = task.unstabilized
+    if not model.constraints:
+        return task
+    kinematics = kinematics_of(model.equations, dict(model.inputs))
+    p = np.array([parameters[name] for name in kinematics.parameters])
+    q, t = state[: len(model.coordinates)], float(task.instants[0])
+    found = overconstraint(kinematics, p, t, q)
+    if found is None:
+        return task
+    reduced = leaving_out(model.equations, found.choice)
+    return replace(task, model=with_equations(task.model, reduced), redundancy=found)
