@@ -1,4 +1,4 @@
-"""Lagrange's equations in quasi-velocities [Hamel 1904; Greenwood 2003, sec. 4.2; Papastavridis 2002, ch. 3].
+"""Lagrange's equations in any speeds [Hamel 1904; Greenwood 2003, sec. 4.2; Papastavridis 2002, ch. 3].
 
 A frame that moves by velocities in its own axes, ``eta = (w, v)`` in its parent, has virtual displacements
 ``pi = (theta, s)`` in the same axes. Variation and rate don't commute; the difference holds the structure constants of
@@ -16,6 +16,7 @@ principle of d'Alembert, ``delta T - delta V + delta A = 0`` between fixed ends,
 The equation of a speed u_k is their sum, each times the virtual displacement per unit of u_k: ``dv/du_k``, ``dw/du_k``
 and ``dq'/du_k``. In T, all six velocities of each frame are free. Speeds that are linked, as in rolling without
 multipliers, enter afterwards, as they must: T in these speeds alone lacks momenta that Hamel's coefficients multiply.
+So do rates that are written by speeds of the user's choice, ``q' = Y u + b``: ``dq'/du`` is Y (Maggi's equations).
 """
 
 from __future__ import annotations
@@ -23,7 +24,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import NamedTuple, final
 
-from symbody.dynamics.tree.frame_tree import given_twist
+from symbody.dynamics.tree.given_twist import given_twist, with_twists
 from symbody.geometry import Frame
 from symbody.geometry.component.twist import Twist
 from symbody.multibody import System
@@ -40,7 +41,7 @@ from symbody.symbolic import (
     time_derivative,
 )
 
-from .virtual_power import Held, power_of_loads, power_of_weight
+from .virtual_power import Held, along_speeds, power_of_loads, power_of_weight
 from .weight_potential import potential
 
 
@@ -61,7 +62,7 @@ def residuals_in_quasi_velocities(system: System) -> tuple[Expr, ...]:
         power += held.stand_in(factor) * kinematics[time_derivative(coordinate)]
     for (w, v), (angular, linear) in zip(factors.twists, factors.of_twists, strict=True):
         power += dot3(held.stand_ins(angular), w) + dot3(held.stand_ins(linear), v)
-    return held.released(gradient(power, system.speeds))
+    return held.released(along_speeds(power, system))
 
 
 class _Factors(NamedTuple):
@@ -138,15 +139,7 @@ class _FreeTwists:
 
     def moved(self, frame: Frame) -> Frame:
         """Return a frame of the same pose whose twists are free."""
-        root, *links = frame.chain
-        result = root if root.carrier is None else Frame.root(root.name, self._free(root, root.carrier))
-        for link in links:
-            motion, given = link.motion, given_twist(link)
-            if motion is not None and given is not None:
-                free = self._free(link, given)
-                motion = motion.rewritten((*motion.variables[:-6], *free.angular, *free.linear))
-            result = result if motion is None else result.then(motion)
-        return result
+        return with_twists(frame, self._free)
 
     def _free(self, frame: Frame, given: Twist) -> Twist:
         if frame.key not in self._by_frame:

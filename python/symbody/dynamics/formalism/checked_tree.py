@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from symbody.dynamics.recursion.added_mass import check_loads
-from symbody.dynamics.tree.frame_tree import FrameTree, frame_tree, given_twist
+from symbody.dynamics.tree.frame_tree import FrameTree, frame_tree
+from symbody.dynamics.tree.given_twist import given_twist
 from symbody.errors import FrameError, ModelError
 from symbody.geometry import Frame
 from symbody.multibody import System
