@@ -65,6 +65,40 @@ def residuals_in_quasi_velocities(system: System) -> tuple[Expr, ...]:
     return held.released(along_speeds(power, system))
 
 
+class Slopes(NamedTuple):
+    """The derivatives of T - V, in which all rates and all six velocities of each moving frame are free.
+
+    On a moving master frame, whose height is unknown, V is left out: weight is a load.
+
+    Attributes:
+        of_rates: dT/dq', one per coordinate.
+        of_coordinates: d(T - V)/dq.
+        twists: of the frames that move by velocities, ``(w, v)``, by the speeds.
+        of_twists: ``(h, p)``, of each of these.
+    """
+
+    of_rates: tuple[Expr, ...]
+    of_coordinates: tuple[Expr, ...]
+    twists: tuple[Twist, ...]
+    of_twists: tuple[Twist, ...]
+
+
+def slopes_of_lagrangian(system: System) -> Slopes:
+    """Return the derivatives of T - V by the speeds."""
+    free, held = _FreeTwists(), Held()
+    frames = [free.moved(body.frame) for body in system.bodies]
+    bodies = zip(system.bodies, frames, strict=True)
+    lagrangian = sum((kinetic_energy_at(body, frame) for body, frame in bodies), start=number(0))
+    if system.root.carrier is None:
+        lagrangian -= potential(system, held)
+    rates = [time_derivative(q) for q in system.coordinates]
+    slopes = gradient(lagrangian, [*rates, *system.coordinates, *free.velocities])
+    slopes = system.by_speeds(substitute(held.released(slopes), free.given))
+    n = len(rates)
+    twists = [_twist(system.by_speeds((*w, *v))) for w, v in free.twists]
+    return Slopes(slopes[:n], slopes[n : 2 * n], tuple(twists), tuple(_twists(slopes[2 * n :])))
+
+
 class _Factors(NamedTuple):
     """The factors of virtual displacements in d'Alembert's principle.
 
@@ -80,28 +114,27 @@ class _Factors(NamedTuple):
 
 
 def _factors(system: System) -> _Factors:
-    free, held = _FreeTwists(), Held()
-    frames = [free.moved(body.frame) for body in system.bodies]
-    bodies = zip(system.bodies, frames, strict=True)
-    energy = sum((kinetic_energy_at(body, frame) for body, frame in bodies), start=number(0))
-    if system.root.carrier is None:
-        energy -= potential(system, held)
-    rates = [time_derivative(q) for q in system.coordinates]
-    slopes = gradient(energy, [*rates, *system.coordinates, *free.velocities])
-    slopes = system.by_speeds(substitute(held.released(slopes), free.given))
-    n = len(rates)
-    momenta = (*slopes[:n], *slopes[2 * n :])
-    changes = system.rate(momenta)
-    of_coordinates = tuple(change - slope for change, slope in zip(changes, slopes[n : 2 * n], strict=False))
-    pairs = zip(free.twists, _twists(momenta[n:]), _twists(changes[n:]), strict=True)
-    return _Factors(of_coordinates, free.twists, tuple(_factor(*each) for each in pairs))
+    slopes = slopes_of_lagrangian(system)
+    n = len(slopes.of_rates)
+    momenta = [entry for twist in slopes.of_twists for part in twist for entry in part]
+    changes = system.rate([*slopes.of_rates, *momenta])
+    of_coordinates = tuple(
+        change - slope for change, slope in zip(changes, slopes.of_coordinates, strict=False)
+    )
+    pairs = zip(slopes.twists, slopes.of_twists, _twists(changes[n:]), strict=True)
+    return _Factors(of_coordinates, slopes.twists, tuple(_factor(*each) for each in pairs))
 
 
 def _factor(twist: Twist, momentum: Twist, change: Twist) -> Twist:
     """Return ``h' + w x h + v x p`` and ``p' + w x p``."""
+    turning = gyroscopic(twist, momentum)
+    return Twist(add3(change.angular, turning.angular), add3(change.linear, turning.linear))
+
+
+def gyroscopic(twist: Twist, momentum: Twist) -> Twist:
+    """Return ``w x h + v x p`` and ``w x p``: Hamel's coefficients of rigid motion, times velocities and momenta."""
     (w, v), (h, p) = twist, momentum
-    angular = add3(add3(change.angular, cross3(w, h)), cross3(v, p))
-    return Twist(angular, add3(change.linear, cross3(w, p)))
+    return Twist(add3(cross3(w, h), cross3(v, p)), cross3(w, p))
 
 
 def _twists(values: Sequence[Expr]) -> list[Twist]:

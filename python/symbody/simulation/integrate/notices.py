@@ -123,7 +123,7 @@ def _uncertainty(motion: Integrated) -> Iterable[Finding]:
 def _violations(motion: Integrated) -> Iterable[Finding]:
     """Return the constraint with the largest violation, if a motion has left its constraints at its end."""
     model, outcome = motion.task.model, motion.outcome
-    if not model.position_constraints or outcome.failure is not None:
+    if not model.system.whole.position_constraints or outcome.failure is not None:
         return []
     kinematics = kinematics_of(model.equations, dict(model.inputs))
     p = np.array([motion.parameters[name] for name in kinematics.parameters])
@@ -134,7 +134,8 @@ def _violations(motion: Integrated) -> Iterable[Finding]:
     worst = int(np.argmax(off))
     if not off[worst] > LEFT:
         return []
-    (name,) = named_constraints(model.system.conditions, [model.system.holonomic[worst]])
+    system = model.system.whole
+    (name,) = named_constraints(system.conditions, [system.holonomic[worst]])
     return [Finding("violation", f"constraint {name}", float(off[worst]))]
 
 

@@ -231,8 +231,11 @@ class Motion:
 
     @cached_property
     def constraint_drift(self) -> float:
-        """The largest violation of a constraint: of positions, and of velocities where it is on these."""
-        return self._largest(self.model.constraints)
+        """The largest violation of a constraint: of positions, and of velocities where it is on these.
+
+        Constraints on positions that `embedded` eliminated count too.
+        """
+        return self._largest((*self.model.constraints, *self.model.system.eliminated_constraints))
 
     @cached_property
     def constraint_rate_drift(self) -> float:
