@@ -856,14 +856,6 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
             "speeds by rates, such as {u: time_derivative(x)*cos(phi) + time_derivative(y)*sin(phi)}"
         ),
     ),
-    (
-        errors.ModelError,
-        lambda: lagrange_equations(chosen({u1: xp})),
-        (
-            "lagrange_equations: the kinematics of the system give x' by speeds that are not rates of coordinates; use "
-            "newton_euler"
-        ),
-    ),
     # --- constraints ---
     (
         errors.ConstraintError,

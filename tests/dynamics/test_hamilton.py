@@ -15,7 +15,6 @@ from symbody import (
     Torque,
     Vector,
     cos,
-    floating_frame,
     functions_of_time,
     gradient,
     ground,
@@ -130,10 +129,6 @@ def test_the_motion_is_that_of_the_equations() -> None:
 @pytest.mark.parametrize(
     ("system", "message"),
     [
-        (
-            System([Body(floating_frame("hull"), m, J, J, J)]),
-            "are not the rates of the coordinates; momenta need frames of coordinates: use another formalism",
-        ),
         (
             System([Body(translate(x, 0, 0), m)], coordinates=[x, y], constraints=[y - cos(x)]),
             "hamilton: the mass matrix of x', y': ",

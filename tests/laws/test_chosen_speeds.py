@@ -7,43 +7,58 @@ from random import Random
 import pytest
 
 from symbody import (
+    Body,
     Matrix,
     System,
+    Vector,
     cos,
     functions_of_time,
+    ground,
     jacobian,
+    moving_frame,
     newton_euler,
+    rotate,
     sin,
     substitute,
     symbols,
     t,
     time_derivative,
+    translate,
 )
-from tests.laws.random_system import random_system
+from tests.laws.random_system import random_constrained_system, random_floating_system, random_system
+from tests.laws.test_formalisms import check_same_nodes
 
 SEEDS = range(10)
 a, b = symbols("a_y b_y")
 
 
-def by_chosen_speeds(system: System, random: Random, *, defined: bool) -> System:
-    """Return a system with a speed for each coordinate: ``q' = Y u + b``, or ``u = Y q' + b``; Y has an inverse."""
-    n = len(system.coordinates)
-    speeds = [functions_of_time(f"u_{k}") for k in range(n)]
-    rates = [time_derivative(q) for q in system.coordinates]
+def by_chosen_speeds(system: System, random: Random, *, defined: bool, embedded: bool = False) -> System:
+    """Return a system with a speed for each rate that was one: ``q' = Y u + b``, or ``u = Y q' + b``.
+
+    Y has an inverse; if speeds are embedded, the last two rates hold one speed, as a constraint on them would have it.
+    The speeds of a floating frame stay, and are in rates and definitions too.
+    """
+    own = system.driving[len(system.quasi_velocities) :]
+    speeds = [functions_of_time(f"u_{k}") for k in range(len(own))]
+    rates = [time_derivative(q) for q in own]
+    if embedded:
+        speeds[-1:] = speeds[-2:-1]
     left, right = (speeds, rates) if defined else (rates, speeds)
     kinematics = {}
-    for k in range(n):
+    for k in range(len(own)):
         slope = 2 + cos(random.choice(system.coordinates))
         kinematics[left[k]] = slope * right[k] + a * sin(t) * random.randint(0, 1)
         if k:
-            kinematics[left[k]] += b * system.coordinates[k] * right[random.randrange(k)]
+            kinematics[left[k]] += b * own[k] * right[random.randrange(k)]
+        if system.quasi_velocities:
+            kinematics[left[k]] += b * own[k] * random.choice(system.quasi_velocities)
     return System(
         system.bodies,
         system.loads,
         system.coordinates,
-        system.constraints,
+        system.conditions,
         system.gravity,
-        speeds=speeds,
+        speeds=[*system.quasi_velocities, *dict.fromkeys(speeds)],
         kinematics=kinematics,
         inputs=system.inputs,
     )
@@ -77,3 +92,52 @@ def test_constraints_of_both_kinds_by_the_chain_rule(seed: int) -> None:
     assert two.constraint_jacobian == one.constraint_jacobian @ Y
     residuals = Matrix([[entry] for entry in chosen.by_speeds(one.residuals)])
     assert two.residuals == (Y.T @ residuals).entries
+
+
+def drawn(seed: int, kind: str) -> System:
+    """Return a random system of a kind by speeds of choice."""
+    floats, constrained = "floating" in kind, "constrained" in kind
+    if constrained:
+        system = random_constrained_system(seed, floats=floats)
+    else:
+        system = random_floating_system(seed) if floats else random_system(seed)
+    embedded = kind == "embedded" and len(system.coordinates) > 1
+    return by_chosen_speeds(system, Random(seed), defined=seed % 2 == 1 and not embedded, embedded=embedded)
+
+
+KINDS = ["tree", "embedded", "floating", "constrained", "floating and constrained"]
+
+
+@pytest.mark.parametrize("kind", KINDS)
+@pytest.mark.parametrize("seed", range(6))
+def test_all_formalisms_give_the_same_nodes(seed: int, kind: str) -> None:
+    system = drawn(seed, kind)
+    assert system.chosen
+    check_same_nodes(system)
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_moving_frames_may_hold_rates_that_are_written_by_speeds(seed: int) -> None:
+    """A twist by a rate is the same as one by the speeds that give the rate, in every formalism."""
+    random = Random(seed)
+    s, u, w = functions_of_time("s u w")
+    rate = 2 * u + s * w * random.randint(0, 1) + a * t
+    pose = translate(*functions_of_time("x y"), 0) * rotate("Z", functions_of_time("th"))
+    by_rate, by_speeds = (
+        moving_frame(v, 0, 0, 0, 0, w + b * v, pose=pose) for v in (time_derivative(s), rate)
+    )
+    systems = [
+        System(
+            [Body(frame * rotate("X", s) * translate(0, 1, b), *symbols("m I_x I_y I_z"))],
+            (),
+            [s],
+            gravity=Vector(ground, 0, symbols("g"), 0),
+            speeds=[u, w],
+            kinematics={time_derivative(s): rate},
+        )
+        for frame in (by_rate, by_speeds)
+    ]
+    one, two = map(newton_euler, systems)
+    assert one.residuals == two.residuals
+    assert one.mass_matrix == two.mass_matrix
+    check_same_nodes(systems[0])

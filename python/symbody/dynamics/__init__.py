@@ -1,12 +1,13 @@
 """Dynamics: from a system to its equations of motion, and to what solves them."""
 
 from symbody.dynamics.equations import of_sympy as _of_sympy  # noqa: F401  enters the converters
+from symbody.dynamics.equations.canonical import CanonicalEquations
 from symbody.dynamics.equations.equations import Equations
 from symbody.dynamics.equations.equations_of import equations_of
 from symbody.dynamics.formalism.euler import euler_equations
 from symbody.dynamics.formalism.generalized_force import generalized_force
 from symbody.dynamics.formalism.gibbs_appell import gibbs_appell
-from symbody.dynamics.formalism.hamilton import CanonicalEquations, hamilton
+from symbody.dynamics.formalism.hamilton import hamilton
 from symbody.dynamics.formalism.kane import kane
 from symbody.dynamics.formalism.lagrange import lagrange, lagrange_equations
 from symbody.dynamics.formalism.newton import newton_equations

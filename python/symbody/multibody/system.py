@@ -89,6 +89,7 @@ class System(Variables):
 
     where = "System"
     contents = "a frame, a load or a constraint"
+    whole: System
 
     @checked(ModelError)
     def __init__(
@@ -161,14 +162,18 @@ class System(Variables):
         """
         return import_module(COUNTED_BY).mobility(self, parameters, q, **options)
 
-    def eliminating(self, dependent: Mapping[Expr, Expr]) -> System:
-        """Return the system in its independent speeds, without constraints.
+    def eliminating(
+        self, dependent: Mapping[Expr, Expr], momenta: Mapping[Expr, Expr] | None = None
+    ) -> System:
+        """Return the system in its independent speeds, without constraints; or in momenta, with all constraints.
 
         The coordinates stay; the rates of some are no longer speeds. Frames keep the dependent speeds: `by_speeds`
         writes expressions without them.
 
         Args:
-            dependent: the other speeds by the independent ones, coordinates and time, as the constraints demand.
+            dependent: the other speeds by the independent ones, coordinates and time, as the constraints demand; all
+                speeds by the momenta, if there are such.
+            momenta: the momenta that take the place of all speeds, each by these.
         """
         reduced = self._copied()
         rates = zip(
@@ -178,8 +183,11 @@ class System(Variables):
             q: dependent[time_derivative(q)] for q in self.coordinates if time_derivative(q) in dependent
         }
         reduced.coordinate_rates = {**dict(rates), **linked}
-        reduced.quasi_velocities = tuple(u for u in self.quasi_velocities if u not in dependent)
-        reduced.conditions, reduced.multipliers = (), ()
+        if momenta:
+            reduced.quasi_velocities, reduced.momenta = tuple(momenta), dict(momenta)
+        else:
+            reduced.quasi_velocities = tuple(u for u in self.quasi_velocities if u not in dependent)
+            reduced.conditions, reduced.multipliers = (), ()
         reduced.eliminated, reduced.whole = dict(dependent), self
         return reduced
 
@@ -314,18 +322,17 @@ def _parts(system: System) -> tuple[Any, ...]:
         system.loads,
         conditions,
         system.inputs,
-        (*rates, *system.eliminated.values(), *system.whole.state_rates.values()),
+        (*rates, *system.eliminated.values(), *system.momenta.values(), *system.whole.state_rates.values()),
         *gravity,
     )
 
 
 def _rebuilt(system: System, parts: Sequence[Any]) -> System:
     bodies, loads, constraints, inputs, expressions, *gravity = parts
-    chosen, dependent = len(system.chosen), len(system.eliminated)
-    rates, speeds, of_states = (
-        expressions[:chosen],
-        expressions[chosen:][:dependent],
-        expressions[chosen + dependent :],
+    remaining = iter(expressions)
+    rates, speeds, momenta = (
+        dict(zip(names, remaining, strict=False))
+        for names in (map(time_derivative, system.chosen), system.eliminated, system.momenta)
     )
     whole = System(
         bodies,
@@ -334,16 +341,15 @@ def _rebuilt(system: System, parts: Sequence[Any]) -> System:
         constraints,
         gravity[0] if gravity else None,
         speeds=system.whole.quasi_velocities,
-        kinematics={time_derivative(q): rate for q, rate in zip(system.chosen, rates, strict=True)},
+        kinematics=rates,
         multipliers=system.whole.multipliers,
         inputs=[each for each in inputs if each.kind == "time_function"],
-        states=dict(zip(system.states, of_states, strict=True)),
+        states=dict(zip(system.states, remaining, strict=True)),
         name=system.name,
     )
     if system.left_out:
         whole = whole.leaving_out([whole.multipliers.index(multiplier) for multiplier in system.left_out])
-    pairs = dict(zip(system.eliminated, speeds, strict=True))
-    return whole.eliminating(pairs) if pairs else whole
+    return whole.eliminating(speeds, momenta) if speeds else whole
 
 
 contains(

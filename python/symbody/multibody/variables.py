@@ -82,8 +82,10 @@ class Variables:
         """The speeds that constraints made dependent, each by the independent ones; none unless `eliminating` did."""
         self.left_out: dict[Expr, Constraint] = {}
         """The constraints that follow from the others, by their multipliers, which are zero; see `leaving_out`."""
-        self.whole = self
-        """The same with all constraints; itself, unless some were eliminated or left out."""
+        self.whole: Variables = self
+        """The same with all constraints, in its own speeds; mostly itself."""
+        self.momenta: dict[Expr, Expr] = {}
+        """The momenta that took the place of all speeds, each by these; none unless `eliminating` brought them."""
         self.conditions = tuple(as_constraint(constraint) for constraint in constraints)
         """The constraints as values, with their names and what they connect."""
         self.others = tuple(others)
@@ -127,6 +129,11 @@ class Variables:
         """The constraints on positions, phi."""
         return tuple(self.constraints[k] for k in self.holonomic)
 
+    @property
+    def eliminated_constraints(self) -> tuple[Expr, ...]:
+        """The constraints on positions that were eliminated with speeds: motions that begin on them keep them."""
+        return self.whole.position_constraints if self.eliminated and not self.constraints else ()
+
     def velocity_level(self, constraints: Sequence[Expr]) -> tuple[Expr, ...]:
         """Return ``A u + b``, one per constraint: the rate of a condition on positions, or the condition itself.
 
@@ -141,7 +148,8 @@ class Variables:
 
     @property
     def _unknowns(self) -> Unknowns:
-        return Unknowns(self.coordinates, self.quasi_velocities, self.speeds, self.by_speeds)
+        speeds = (*self.quasi_velocities, *(u for u in self.eliminated if u.order == 0))
+        return Unknowns(self.coordinates, speeds, self.speeds, self.by_speeds)
 
     @cached_property
     def driving(self) -> tuple[Expr, ...]:
@@ -163,7 +171,8 @@ class Variables:
     def state_names(self) -> tuple[Expr, ...]:
         """The names by which values may be given: coordinates, speeds, rates of coordinates, and states."""
         rates = (time_derivative(q) for q in self.coordinates)
-        return tuple(dict.fromkeys((*self.coordinates, *self.speeds, *rates, *self.states)))
+        replaced = self.eliminated if self.momenta else ()
+        return tuple(dict.fromkeys((*self.coordinates, *self.speeds, *rates, *replaced, *self.states)))
 
     @property
     def has_quasi_velocities(self) -> bool:

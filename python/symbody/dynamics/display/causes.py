@@ -33,7 +33,7 @@ class GeneralizedForces:
 
 def generalized_forces(system: System) -> GeneralizedForces:
     """Return the generalised forces of a system by their causes."""
-    unknown = frozenset(each.name for each in (*system.coordinates, *system.speeds))
+    unknown = frozenset(each.name for each in (*system.coordinates, *system.speeds, *system.eliminated))
     moving, given = list[Action](), list[Action]()
     for action in system.actions:
         free, rest = _split(action.vector, unknown)

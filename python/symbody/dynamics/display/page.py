@@ -58,7 +58,7 @@ class Page:
         texts += [f"kinematics: {side}" for side in sides[n + m : last]]
         texts += [f"state: {side}" for side in sides[last:]]
         title = f"EQUATIONS OF MOTION of {', '.join(map(str, self.system.driving))}"
-        return "\n".join([title, *(line for text in texts for line in _indented(text))])
+        return "\n".join([title, *(line for text in texts for line in indented(text))])
 
     def latex(self) -> str:
         """Return the equations in LaTeX, after the quantities that have names; long ones are broken at terms."""
@@ -72,7 +72,7 @@ class Page:
     @cached_property
     def _pieces(self) -> tuple[Expr, ...]:
         terms = [term for balance in self.balances for term in (*balance.left, *balance.right)]
-        return (*terms, *map(_shorter, self.constraints), *(side for pair in self._rates for side in pair))
+        return (*terms, *map(shorter, self.constraints), *(side for pair in self._rates for side in pair))
 
     def _named_rows(self, notation: str) -> tuple[list[Definition], list[tuple[str, str]]]:
         """Return named quantities, and the left and right sides of all rows with short names."""
@@ -106,12 +106,13 @@ class Page:
         return list(zip(texts[::2], texts[1::2], strict=True))
 
 
-def _shorter(constraint: Expr) -> Expr:
+def shorter(constraint: Expr) -> Expr:
     """Return a constraint as it was given, unless it has a shorter form."""
     form = textbook_form(constraint)
     return form if len(str(form)) < len(str(constraint)) else constraint
 
 
-def _indented(text: str) -> list[str]:
+def indented(text: str) -> list[str]:
+    """Return the lines of a formula on a page; those after the first are indented further."""
     first, *others = lines(text, LINE - 2 * len(_INDENT))
     return [_INDENT + first, *(2 * _INDENT + other for other in others)]

@@ -27,7 +27,7 @@ class Sources:
 
 def sources(system: Variables, mass_matrix: Matrix) -> Sources:
     """Return the symbols of gravity, loads and given forces; those of the mass matrix belong to the bodies."""
-    motion = _names((*system.coordinates, *system.speeds))
+    motion = _names((*system.coordinates, *system.speeds, *system.eliminated))
     inertia = free_symbols(mass_matrix.entries)
     if not isinstance(system, System):
         return Sources(frozenset(), frozenset(), _inputs(system) - inertia)

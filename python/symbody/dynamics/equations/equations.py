@@ -177,7 +177,8 @@ class Equations:
     @cached_property
     def inputs(self) -> tuple[Expr, ...]:
         """The functions of time, and their rates, that are given from outside, by name."""
-        unknowns = (*self.coordinates, *self.speeds, *self.states, *self.multipliers)
+        replaced = self.system.eliminated
+        unknowns = (*self.coordinates, *self.speeds, *replaced, *self.states, *self.multipliers)
         known = {unknown.name for unknown in unknowns}
         given = {leaf for leaf in self._leaves if leaf.kind == "time_function" and leaf.name not in known}
         return tuple(sorted(given, key=lambda function: (function.name, function.order)))
@@ -185,7 +186,8 @@ class Equations:
     @cached_property
     def _leaves(self) -> frozenset[Expr]:
         rates = (*self.system.known_rates.values(), *self.state_rates.values())
-        return free_symbols((*self.residuals, *self.constraints, *rates))
+        constraints = (*self.constraints, *self.system.eliminated_constraints)
+        return free_symbols((*self.residuals, *constraints, *rates))
 
     @checked(ModelError)
     def baumgarte(self, omega: Scalar, zeta: Scalar) -> tuple[Expr, ...]:

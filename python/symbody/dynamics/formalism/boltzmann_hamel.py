@@ -1,4 +1,4 @@
-"""Lagrange's equations in quasi-velocities [Hamel 1904; Greenwood 2003, sec. 4.2; Papastavridis 2002, ch. 3].
+"""Lagrange's equations in any speeds [Hamel 1904; Greenwood 2003, sec. 4.2; Papastavridis 2002, ch. 3].
 
 A frame that moves by velocities in its own axes, ``eta = (w, v)`` in its parent, has virtual displacements
 ``pi = (theta, s)`` in the same axes. Variation and rate don't commute; the difference holds the structure constants of
@@ -16,6 +16,7 @@ principle of d'Alembert, ``delta T - delta V + delta A = 0`` between fixed ends,
 The equation of a speed u_k is their sum, each times the virtual displacement per unit of u_k: ``dv/du_k``, ``dw/du_k``
 and ``dq'/du_k``. In T, all six velocities of each frame are free. Speeds that are linked, as in rolling without
 multipliers, enter afterwards, as they must: T in these speeds alone lacks momenta that Hamel's coefficients multiply.
+So do rates that are written by speeds of the user's choice, ``q' = Y u + b``: ``dq'/du`` is Y (Maggi's equations).
 """
 
 from __future__ import annotations
@@ -23,7 +24,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import NamedTuple, final
 
-from symbody.dynamics.tree.frame_tree import given_twist
+from symbody.dynamics.tree.given_twist import given_twist, with_twists
 from symbody.geometry import Frame
 from symbody.geometry.component.twist import Twist
 from symbody.multibody import System
@@ -40,7 +41,7 @@ from symbody.symbolic import (
     time_derivative,
 )
 
-from .virtual_power import Held, power_of_loads, power_of_weight
+from .virtual_power import Held, along_speeds, power_of_loads, power_of_weight
 from .weight_potential import potential
 
 
@@ -61,7 +62,41 @@ def residuals_in_quasi_velocities(system: System) -> tuple[Expr, ...]:
         power += held.stand_in(factor) * kinematics[time_derivative(coordinate)]
     for (w, v), (angular, linear) in zip(factors.twists, factors.of_twists, strict=True):
         power += dot3(held.stand_ins(angular), w) + dot3(held.stand_ins(linear), v)
-    return held.released(gradient(power, system.speeds))
+    return held.released(along_speeds(power, system))
+
+
+class Slopes(NamedTuple):
+    """The derivatives of T - V, in which all rates and all six velocities of each moving frame are free.
+
+    On a moving master frame, whose height is unknown, V is left out: weight is a load.
+
+    Attributes:
+        of_rates: dT/dq', one per coordinate.
+        of_coordinates: d(T - V)/dq.
+        twists: of the frames that move by velocities, ``(w, v)``, by the speeds.
+        of_twists: ``(h, p)``, of each of these.
+    """
+
+    of_rates: tuple[Expr, ...]
+    of_coordinates: tuple[Expr, ...]
+    twists: tuple[Twist, ...]
+    of_twists: tuple[Twist, ...]
+
+
+def slopes_of_lagrangian(system: System) -> Slopes:
+    """Return the derivatives of T - V by the speeds."""
+    free, held = _FreeTwists(), Held()
+    frames = [free.moved(body.frame) for body in system.bodies]
+    bodies = zip(system.bodies, frames, strict=True)
+    lagrangian = sum((kinetic_energy_at(body, frame) for body, frame in bodies), start=number(0))
+    if system.root.carrier is None:
+        lagrangian -= potential(system, held)
+    rates = [time_derivative(q) for q in system.coordinates]
+    slopes = gradient(lagrangian, [*rates, *system.coordinates, *free.velocities])
+    slopes = system.by_speeds(substitute(held.released(slopes), free.given))
+    n = len(rates)
+    twists = [_twist(system.by_speeds((*w, *v))) for w, v in free.twists]
+    return Slopes(slopes[:n], slopes[n : 2 * n], tuple(twists), tuple(_twists(slopes[2 * n :])))
 
 
 class _Factors(NamedTuple):
@@ -79,28 +114,27 @@ class _Factors(NamedTuple):
 
 
 def _factors(system: System) -> _Factors:
-    free, held = _FreeTwists(), Held()
-    frames = [free.moved(body.frame) for body in system.bodies]
-    bodies = zip(system.bodies, frames, strict=True)
-    energy = sum((kinetic_energy_at(body, frame) for body, frame in bodies), start=number(0))
-    if system.root.carrier is None:
-        energy -= potential(system, held)
-    rates = [time_derivative(q) for q in system.coordinates]
-    slopes = gradient(energy, [*rates, *system.coordinates, *free.velocities])
-    slopes = system.by_speeds(substitute(held.released(slopes), free.given))
-    n = len(rates)
-    momenta = (*slopes[:n], *slopes[2 * n :])
-    changes = system.rate(momenta)
-    of_coordinates = tuple(change - slope for change, slope in zip(changes, slopes[n : 2 * n], strict=False))
-    pairs = zip(free.twists, _twists(momenta[n:]), _twists(changes[n:]), strict=True)
-    return _Factors(of_coordinates, free.twists, tuple(_factor(*each) for each in pairs))
+    slopes = slopes_of_lagrangian(system)
+    n = len(slopes.of_rates)
+    momenta = [entry for twist in slopes.of_twists for part in twist for entry in part]
+    changes = system.rate([*slopes.of_rates, *momenta])
+    of_coordinates = tuple(
+        change - slope for change, slope in zip(changes, slopes.of_coordinates, strict=False)
+    )
+    pairs = zip(slopes.twists, slopes.of_twists, _twists(changes[n:]), strict=True)
+    return _Factors(of_coordinates, slopes.twists, tuple(_factor(*each) for each in pairs))
 
 
 def _factor(twist: Twist, momentum: Twist, change: Twist) -> Twist:
     """Return ``h' + w x h + v x p`` and ``p' + w x p``."""
+    turning = gyroscopic(twist, momentum)
+    return Twist(add3(change.angular, turning.angular), add3(change.linear, turning.linear))
+
+
+def gyroscopic(twist: Twist, momentum: Twist) -> Twist:
+    """Return ``w x h + v x p`` and ``w x p``: Hamel's coefficients of rigid motion, times velocities and momenta."""
     (w, v), (h, p) = twist, momentum
-    angular = add3(add3(change.angular, cross3(w, h)), cross3(v, p))
-    return Twist(angular, add3(change.linear, cross3(w, p)))
+    return Twist(add3(cross3(w, h), cross3(v, p)), cross3(w, p))
 
 
 def _twists(values: Sequence[Expr]) -> list[Twist]:
@@ -138,15 +172,7 @@ class _FreeTwists:
 
     def moved(self, frame: Frame) -> Frame:
         """Return a frame of the same pose whose twists are free."""
-        root, *links = frame.chain
-        result = root if root.carrier is None else Frame.root(root.name, self._free(root, root.carrier))
-        for link in links:
-            motion, given = link.motion, given_twist(link)
-            if motion is not None and given is not None:
-                free = self._free(link, given)
-                motion = motion.rewritten((*motion.variables[:-6], *free.angular, *free.linear))
-            result = result if motion is None else result.then(motion)
-        return result
+        return with_twists(frame, self._free)
 
     def _free(self, frame: Frame, given: Twist) -> Twist:
         if frame.key not in self._by_frame:

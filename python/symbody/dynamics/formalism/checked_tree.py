@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from symbody.dynamics.recursion.added_mass import check_loads
-from symbody.dynamics.tree.frame_tree import FrameTree, frame_tree, given_twist
+from symbody.dynamics.tree.frame_tree import FrameTree, frame_tree
+from symbody.dynamics.tree.given_twist import given_twist
 from symbody.errors import FrameError, ModelError
 from symbody.geometry import Frame
 from symbody.multibody import System
@@ -22,6 +23,11 @@ def checked_tree(system: System, where: str) -> FrameTree:
     Raises:
         ModelError: the system has no equations of motion in its coordinates.
     """
+    if system.momenta:
+        raise ModelError(
+            f"{where}: the speeds of the system are momenta, {brief(', '.join(map(str, system.momenta)))}; derive the "
+            "equations of the system in its own speeds, system.whole"
+        )
     if system.eliminated:
         raise ModelError(
             f"{where}: the system is embedded: its frames still move by {next(iter(system.eliminated))}, which was "

@@ -18,7 +18,6 @@ from symbody.dynamics.recursion.mass_matrix import mass_matrix
 from symbody.dynamics.recursion.recursive_newton_euler import at_rest, bias, recursive_newton_euler
 from symbody.dynamics.recursion.shortest_tree import mass_matrix_and_bias, shortest_tree
 from symbody.dynamics.tree.frame_tree import FrameTree, frame_tree
-from symbody.errors import ModelError
 from symbody.multibody import System
 from symbody.symbolic import (
     Expr,
@@ -26,7 +25,6 @@ from symbody.symbolic import (
     derivation,
     jacobian,
     substitute,
-    time_derivative,
     without_idle_symbols,
 )
 
@@ -51,15 +49,7 @@ def derived(
         where: the formalism, for messages.
         check: what the formalism requires of the frames.
         inertia: the mass matrix, n x n, if there is a shorter way than by differentiation of the residuals.
-
-    Raises:
-        ModelError: the system has speeds of the user's choice, for which only the recursion is written.
     """
-    if system.chosen:
-        raise ModelError(
-            f"{where}: the kinematics of the system give {time_derivative(system.chosen[0])} by speeds that are not "
-            "rates of coordinates; use newton_euler"
-        )
     with derivation(fresh=True):
         tree = checked_tree(system, where)
         if check is not None:

@@ -12,7 +12,7 @@ from symbody.symbolic import Expr, cross3, dot3, gradient, number
 from .body_rates import body_rates
 from .checked_tree import check_rigid
 from .derived import derived
-from .virtual_power import Held, power_of_loads, power_of_weight
+from .virtual_power import Held, along_speeds, power_of_loads, power_of_weight
 
 
 @checked(ModelError)
@@ -42,7 +42,7 @@ def _residuals(system: System) -> tuple[Expr, ...]:
     S = sum((_acceleration_energy(body, system) for body in system.bodies), start=number(0))
     held = Held()
     power = power_of_loads(system, held) + power_of_weight(system, held)
-    forces = held.released(gradient(power, system.speeds))
+    forces = held.released(along_speeds(power, system))
     slopes = gradient(S, system.accelerations)
     return tuple(slope - force for slope, force in zip(slopes, forces, strict=True))
 

@@ -1,10 +1,26 @@
-"""Hamilton's canonical equations [Goldstein, Poole & Safko 2002, ch. 8]: coordinates and momenta as the state."""
+"""Hamilton's canonical equations [Goldstein, Poole & Safko 2002, ch. 8], in momenta of any speeds.
+
+Poincare and Chetaev wrote them in quasi-velocities [Poincare 1901; Chetaev 1989, ch. 4; Rumyantsev 1998]. With the
+speeds u of the system, ``q' = Y u + b`` and the twists ``eta = (w, v)`` of frames that move by velocities, the momenta
+are
+
+    p_k = dT/du_k = P . dq'/du_k + h . dw/du_k + l . dv/du_k        P = dT/dq', h = dT/dw, l = dT/dv
+
+and d'Alembert's principle (`boltzmann_hamel.py`), each factor times its virtual displacement, gives their rates
+
+    p_k' = Q_k + dL/dq . dq'/du_k - (w x h + v x l) . dw/du_k - (w x l) . dv/du_k
+           + P . d/dt(dq'/du_k) + h . d/dt(dw/du_k) + l . d/dt(dv/du_k)
+
+in which no acceleration is left. The last line vanishes where speeds are rates of coordinates: ``p' = dL/dq + Q``. All
+P, h and l count, also those along velocities that kinematics makes dependent, as in rolling without multipliers. The
+speeds are ``u = dH/dp`` of the Hamiltonian ``H = p . u - L``, which is ``T_2 - T_0 + V``.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
 
+from symbody.dynamics.equations.canonical import CanonicalEquations
 from symbody.dynamics.equations.constraint_force import with_multipliers
 from symbody.dynamics.equations.independence import check_independent
 from symbody.errors import ExpressionError, ModelError
@@ -13,6 +29,7 @@ from symbody.multibody import System, kinetic_energy
 from symbody.symbolic import (
     Expr,
     derivation,
+    dot3,
     functions_of_time,
     gradient,
     jacobian,
@@ -21,57 +38,27 @@ from symbody.symbolic import (
     substitute,
     time_derivative,
 )
-from symbody.symbolic.given.arguments import brief
 
+from .boltzmann_hamel import Slopes, gyroscopic, slopes_of_lagrangian
 from .checked_tree import checked_tree
-from .virtual_power import Held, power_of_loads
+from .virtual_power import Held, along_speeds, power_of_loads, power_of_weight
 from .weight_potential import potential
 
 _WHERE = "hamilton"
 
 
-@dataclass(frozen=True, eq=False)
-class CanonicalEquations:
-    """Hamilton's equations ``q' = dH/dp, p' = -dH/dq + Q + phi_q^T lambda``.
-
-    Attributes:
-        system: the system to which they belong.
-        momenta: p, one function of time per coordinate, called p_q.
-        hamiltonian: ``H = p . q' - L``, a function of q, p and t; the energy, unless a frame is driven.
-        rates: q' and p' by q, p, t and the multipliers.
-
-    >>> from symbody import Body, System, functions_of_time, hamilton, symbols, time_derivative, translate
-    >>> x, m = functions_of_time("x"), symbols("m")
-    >>> free = hamilton(System([Body(translate(x, 0, 0), m)], coordinates=[x]))
-    >>> free.momenta, free.rates[time_derivative(x)]
-    ((p_x,), p_x/m)
-    """
-
-    system: System
-    momenta: tuple[Expr, ...]
-    hamiltonian: Expr
-    rates: dict[Expr, Expr]
-
-    @property
-    def coordinates(self) -> tuple[Expr, ...]:
-        """The coordinates q."""
-        return self.system.coordinates
-
-    def __repr__(self) -> str:
-        names = ", ".join(map(str, (*self.coordinates, *self.momenta)))
-        return f"CanonicalEquations({names})"
-
-
 @checked(ModelError)
 def hamilton(system: System) -> CanonicalEquations:
-    """Return Hamilton's equations of a system whose speeds are the rates of its coordinates.
+    """Return Hamilton's equations: ``q' = Y dH/dp + b``, and the rates of the momenta ``p = dT/du``.
 
-    The momenta are ``p = dT/dq'``, linear in the rates, and solved for these. The rates of the momenta are taken at
-    constant q', where ``-dH/dq = dL/dq``, so that the inverse of the mass matrix is not differentiated. Q are the
-    generalised forces of the loads; constraints keep their multipliers.
+    The speeds u may be rates of coordinates, whose momenta are called p_q, or any others: those of moving and floating
+    frames, and speeds of the user's choice. Their momenta are called p_u, and the equations are those of Poincare and
+    Chetaev. The momenta are linear in the speeds, and solved for these. Their rates are taken at constant speeds, where
+    ``-dH/dq = dL/dq``, so that the inverse of the mass matrix is not differentiated. Q are the generalised forces of
+    the loads; constraints keep their multipliers. `CanonicalEquations.equations` are simulated and compiled.
 
     Raises:
-        ModelError: a speed is not the rate of a coordinate, a coordinate moves no mass, or loads hold accelerations.
+        ModelError: a coordinate moves no mass, or loads hold accelerations.
 
     >>> from symbody import Body, System, Vector, ground, functions_of_time, rotate, symbols, translate
     >>> theta, (m, l, g) = functions_of_time("theta"), symbols("m l g")
@@ -82,36 +69,74 @@ def hamilton(system: System) -> CanonicalEquations:
     >>> found.hamiltonian
     p_theta**2/(2*m*l**2) - g*l*m*cos(theta)
     """
-    _check(system)
     check_independent(system)
-    n, u = len(system.coordinates), system.speeds
-    momenta = _momenta(system)
+    u, p = system.speeds, _momenta(system)
     with derivation(fresh=True):
         checked_tree(system, _WHERE)
-        held = Held()
-        lagrangian = kinetic_energy(system) - potential(system, held)
-        slopes = gradient(lagrangian, [*u, *system.coordinates])
-        rates = dict(zip(u, _solved(slopes[:n], u, momenta), strict=True))
-        loads = gradient(power_of_loads(system, held), u)
-        forces = held.released(slope + load for slope, load in zip(slopes[n:], loads, strict=True))
+        (kinetic,) = system.by_speeds([kinetic_energy(system)])
+        momenta = gradient(kinetic, u)
+        speeds = dict(zip(u, _solved(momenta, u, p), strict=True))
+        forces = _forces(system)
         _check_known(system, forces)
         needed = with_multipliers([-force for force in forces], system)
-        (energy,) = held.released([sum((p * v for p, v in zip(momenta, u, strict=True)), start=-lagrangian)])
-        *changes, hamiltonian = substitute([*(-each for each in needed), energy], rates)
-    moved = {time_derivative(p): change for p, change in zip(momenta, changes, strict=True)}
-    return CanonicalEquations(system, momenta, hamiltonian, rates | moved)
+        *changes, hamiltonian = substitute([*(-each for each in needed), _energy(system, kinetic, p)], speeds)
+        moved = substitute([*system.kinematics.values()], speeds)
+        rates = dict(zip((*system.kinematics, *map(time_derivative, p)), (*moved, *changes), strict=True))
+        by_speeds = dict(zip(p, momenta, strict=True))
+        rates |= _of_states(system.eliminating(speeds, by_speeds), rates)
+    return CanonicalEquations(system, p, hamiltonian, rates, speeds, by_speeds)
 
 
-def _check(system: System) -> None:
-    if system.has_quasi_velocities or system.root.carrier is not None:
-        raise ModelError(
-            f"hamilton: the speeds {brief(', '.join(map(str, system.speeds)))} are not the rates of the coordinates; "
-            "momenta need frames of coordinates: use another formalism, such as newton_euler"
-        )
+def _forces(system: System) -> tuple[Expr, ...]:
+    """Return the rates of the momenta, without the forces of constraints."""
+    slopes, held = slopes_of_lagrangian(system), Held()
+    power = power_of_loads(system, held)
+    if system.root.carrier is not None:
+        power += power_of_weight(system, held)
+    for slope, rate in zip(slopes.of_coordinates, system.kinematics.values(), strict=True):
+        power += held.stand_in(slope) * rate
+    for twist, momentum in zip(slopes.twists, slopes.of_twists, strict=True):
+        turning = gyroscopic(twist, momentum)
+        power -= dot3(held.stand_ins(turning.angular), twist.angular)
+        power -= dot3(held.stand_ins(turning.linear), twist.linear)
+    forces = system.by_speeds(held.released(along_speeds(power, system)))
+    return tuple(a + b for a, b in zip(forces, _transport(system, slopes), strict=True))
+
+
+def _transport(system: System, slopes: Slopes) -> tuple[Expr, ...]:
+    """Return ``P . d/dt(dq'/du)`` and the like: where velocities per unit of a speed change, momenta do."""
+    velocities = [*system.kinematics.values()]
+    velocities += [component for twist in slopes.twists for part in twist for component in part]
+    momenta = [*slopes.of_rates]
+    momenta += [component for twist in slopes.of_twists for part in twist for component in part]
+    partial = jacobian(velocities, system.speeds)
+    changes, n = system.rate(partial.entries), len(system.speeds)
+    return tuple(
+        sum((p * change for p, change in zip(momenta, changes[k::n], strict=True)), start=number(0))
+        for k in range(n)
+    )
+
+
+def _energy(system: System, kinetic: Expr, momenta: Sequence[Expr]) -> Expr:
+    """Return ``H = p . u - L = (p - p_0) . u / 2 - T_0 + V``; p_0 and T_0 are momenta and energy at zero speeds."""
+    held, u = Held(), system.speeds
+    energy = number(0) if system.root.carrier is not None else potential(system, held)
+    resting, *drift = substitute([kinetic, *gradient(kinetic, u)], dict.fromkeys(u, number(0)))
+    for p, rest, speed in zip(momenta, drift, u, strict=True):
+        energy += (p - rest) * speed / 2
+    (energy,) = held.released([energy - resting])
+    return energy
+
+
+def _of_states(system: System, rates: dict[Expr, Expr]) -> dict[Expr, Expr]:
+    """Return the rates of states by the momenta; those of momenta may be in them."""
+    names = tuple(system.state_rates)
+    values = substitute(system.by_speeds([*system.state_rates.values()]), rates)
+    return dict(zip(names, values, strict=True))
 
 
 def _momenta(system: System) -> tuple[Expr, ...]:
-    names = [f"p_{q.name}" for q in system.coordinates]
+    names = [f"p_{each.name}" for each in system.driving]
     taken = {leaf.name for leaf in (*system.leaves, *system.multipliers)}
     clash = next((name for name in names if name in taken), None)
     if clash is not None:
@@ -122,7 +147,7 @@ def _momenta(system: System) -> tuple[Expr, ...]:
 
 
 def _solved(slopes: Sequence[Expr], speeds: Sequence[Expr], momenta: Sequence[Expr]) -> tuple[Expr, ...]:
-    """Return the rates of the coordinates by the momenta: ``M q' = p - dT/dq' at rest``."""
+    """Return the speeds by the momenta: ``M u = p - dT/du at rest``."""
     drift = substitute(slopes, dict.fromkeys(speeds, number(0)))
     try:
         return ldl_solve(jacobian(slopes, speeds), [p - each for p, each in zip(momenta, drift, strict=True)])

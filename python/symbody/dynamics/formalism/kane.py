@@ -7,12 +7,12 @@ from symbody.dynamics.equations.independence import check_independent
 from symbody.errors import ModelError
 from symbody.geometry.given.argument import checked
 from symbody.multibody import System
-from symbody.symbolic import Expr, add3, cross3, dot3, gradient, scale3
+from symbody.symbolic import Expr, add3, cross3, dot3, scale3
 
 from .body_rates import body_rates
 from .checked_tree import check_rigid
 from .derived import derived
-from .virtual_power import Held, power_of_loads, power_of_weight
+from .virtual_power import Held, along_speeds, power_of_loads, power_of_weight
 
 
 @checked(ModelError)
@@ -48,4 +48,4 @@ def _residuals(system: System) -> tuple[Expr, ...]:
         if not body.is_particle:
             moment = add3(body.spin_momentum(spin_rate), cross3(w, body.spin_momentum(w)))
             power += dot3(held.stand_ins(moment), w)
-    return held.released(gradient(power, system.speeds))
+    return held.released(along_speeds(power, system))

@@ -41,10 +41,10 @@ def lagrange_equations(system: System) -> Equations:
     """Return the equations of motion by differentiating ``T - V``: ``d/dt dL/dq' - dL/dq - Q - phi_q^T lambda``.
 
     Q are the generalised forces of the loads, and lambda the multipliers of the constraints phi in
-    ``L + sum(lambda phi)``. Where frames move by velocities in their own axes, as floating ones do, the equations are
-    those of Boltzmann and Hamel (`boltzmann_hamel.py`). If all frames are rigid, the recursion of `newton_euler` is
-    derived first. Expressions of equal value then take its form: both derivations give the same nodes if, and only if,
-    they agree.
+    ``L + sum(lambda phi)``. Where frames move by velocities in their own axes, as floating ones do, and for speeds of
+    the user's choice, the equations are those of Boltzmann and Hamel (`boltzmann_hamel.py`). If all frames are rigid,
+    the recursion of `newton_euler` is derived first. Expressions of equal value then take its form: both derivations
+    give the same nodes if, and only if, they agree.
 
     >>> from symbody import Body, System, Vector, ground, functions_of_time, rotate, symbols, translate
     >>> theta, (m, l, g) = functions_of_time("theta"), symbols("m l g")
@@ -58,12 +58,13 @@ def lagrange_equations(system: System) -> Equations:
 
 
 def _inertia(system: System) -> Matrix:
-    momenta = gradient(kinetic_energy(system), system.speeds)
+    (energy,) = system.by_speeds([kinetic_energy(system)])
+    momenta = gradient(energy, system.speeds)
     return with_added_mass(jacobian(momenta, system.speeds), system)
 
 
 def _residuals(system: System) -> tuple[Expr, ...]:
-    if moves_by_twists(system):
+    if system.chosen or moves_by_twists(system):
         return residuals_in_quasi_velocities(system)
     n = len(system.coordinates)
     speeds = [time_derivative(q) for q in system.coordinates]

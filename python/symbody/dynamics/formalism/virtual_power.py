@@ -15,7 +15,7 @@ from symbody.geometry import velocity
 from symbody.geometry.component.triple import Triple
 from symbody.multibody import System
 from symbody.multibody.load import action_velocity
-from symbody.symbolic import Expr, dot3, number, scale3, substitute, symbol
+from symbody.symbolic import Expr, dot3, gradient, number, scale3, substitute, symbol
 
 
 @final
@@ -41,6 +41,11 @@ class Held:
     def released(self, expressions: Iterable[Expr]) -> tuple[Expr, ...]:
         """Return expressions with the forces put in again."""
         return substitute(tuple(expressions), self._values) if self._values else tuple(expressions)
+
+
+def along_speeds(power: Expr, system: System) -> tuple[Expr, ...]:
+    """Return the power per unit of each speed; velocities are linear in the speeds, and the forces are held."""
+    return gradient(system.by_speeds([power])[0], system.speeds)
 
 
 def power_of_loads(system: System, held: Held) -> Expr:

@@ -35,9 +35,10 @@ def embedded(eqs: Equations, independent: Speeds | None = None) -> Equations:
     are his equations with the dependent speeds eliminated. Applied to `lagrange_equations`, they are Maggi's.
 
     The equations have no constraints and no multipliers. All coordinates stay, with their rates by the independent
-    speeds. So a motion must begin at positions that satisfy the constraints, and keeps them up to the errors of
-    integration. The equations divide by the determinant of the dependent columns of A; where it vanishes, other speeds
-    must be independent.
+    speeds. A motion begins at positions that satisfy the eliminated constraints: those that are not given are solved
+    for. It keeps them up to the errors of integration, which `Motion.constraint_drift` shows. Equilibria and inverse
+    dynamics know them too. The equations divide by the determinant of the dependent columns of A; where it vanishes,
+    other speeds must be independent.
 
     Args:
         eqs: the equations of motion, by any formalism.
@@ -62,6 +63,13 @@ def embedded(eqs: Equations, independent: Speeds | None = None) -> Equations:
             "embedded: the equations were given by M and f; expected equations of a system with bodies, such as "
             "newton_euler(system)"
         )
+    if eqs.system.momenta:
+        raise ModelError(
+            f"embedded: the speeds of the equations are momenta, {brief(', '.join(map(str, eqs.speeds)))}; expected "
+            "equations in speeds, such as newton_euler(system), or constraints that the kinematics of the system embed"
+        )
+    if not eqs.constraints and independent is None:
+        return eqs
     with derivation(fresh=True):
         relation = _chosen(eqs, independent)
         dependent, rows = relation.dependent, relation.rows

@@ -9,13 +9,13 @@ from functools import cached_property
 from symbody.errors import ModelError
 from symbody.geometry import Frame
 from symbody.geometry.component.triple import NULL
-from symbody.geometry.component.twist import Twist
 from symbody.geometry.motion.frame_motion import FrameMotion
 from symbody.geometry.motion.translation import Translation
 from symbody.multibody import Action, Body, System
 from symbody.symbolic import Expr, derivation, free_symbols
 from symbody.symbolic.given.arguments import brief
 
+from .given_twist import by_speeds, given_twist
 from .partial_motion import PartialTwist, partial_twists, partial_twists_by_speeds, twist_of
 from .shifted_origin import with_shifted_origins
 
@@ -91,20 +91,16 @@ def targets(system: System) -> list[Frame]:
     return frames + [action.anchor.frame for action in system.actions if action.is_force]
 
 
-def given_twist(frame: Frame) -> Twist | None:
-    """Return the twist of a frame in its parent, or in ground, if it is given by speeds."""
-    return frame.carrier if frame.motion is None else frame.motion.twist
-
-
 def tree_of_forms(system: System, forms: Mapping[bytes, Frame]) -> FrameTree:
     """Return the tree of a system with the frames of its bodies and forces in other forms, by their keys."""
     given = targets(system)
-    chosen = [forms.get(frame.key, frame) for frame in given]
-    frames, _ = _ordered(system.root, chosen)
+    chosen = [by_speeds(forms.get(frame.key, frame), system) for frame in given]
+    root = by_speeds(system.root, system)
+    frames, _ = _ordered(root, chosen)
     numeric = all(_is_numeric(body) for body in system.bodies)
     needed = chosen[len(system.bodies) :] if numeric else chosen
     moved = with_shifted_origins(frames, needed, numeric=numeric)
-    ordered, parents = _ordered(system.root, [moved[frame.key] for frame in chosen])
+    ordered, parents = _ordered(root, [moved[frame.key] for frame in chosen])
     places = {frame.key: place for place, frame in enumerate(ordered)}
     places |= {key: places[frame.key] for key, frame in moved.items() if frame.key in places}
     places |= {

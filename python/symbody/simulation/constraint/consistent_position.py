@@ -171,7 +171,7 @@ def _unsatisfied(kinematics: Kinematics, p: Array, t: float, q: Array, fixed: Ma
         fixed: the values of fixed coordinates.
     """
     phi, phi_q, sizes = kinematics.position(t, q, p)
-    system = kinematics.system
+    system = kinematics.system if kinematics.system.constraints else kinematics.system.whole
     against = (
         contradictory_equations(phi_q, phi, term_sizes(q, phi_q, sizes)) if np.isfinite(phi_q).all() else ()
     )

@@ -7,7 +7,7 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from symbody.errors import ConstraintError
+from symbody.errors import ConstraintError, ParameterError
 from symbody.simulation.model.named_constraint import named_constraint
 from symbody.symbolic import Expr, time_derivative
 
@@ -35,7 +35,8 @@ def velocities(
 ) -> Array:
     """Return the speeds, shape (n,): the fixed values, and the smallest change of the others from their guess.
 
-    Fixed rates of coordinates that are not speeds, ``q' = K u + k``, are conditions like those of the constraints.
+    Where the speeds are momenta and none of these is given, they are those of such speeds. Fixed rates of coordinates
+    that are not speeds, ``q' = K u + k``, are conditions like those of the constraints.
 
     Args:
         kinematics: the constraints and the kinematics.
@@ -48,6 +49,10 @@ def velocities(
     Raises:
         ConstraintError: no speeds with these values satisfy the constraints.
     """
+    if kinematics.system.momenta and _is_given_in_speeds(kinematics, fixed, guess):
+        whole = kinematics.in_speeds
+        u = velocities(whole, kinematics.parameters_of(whole, p), t, q, fixed, guess)
+        return np.asarray(kinematics.momenta(t, np.concatenate([q, u]), p), dtype=np.float64)
     speeds, m = kinematics.system.speeds, len(kinematics.constraints)
     A, b = kinematics.velocity(t, q, p)
     u = _guessed(kinematics, A[m:], b[m:], guess)
@@ -72,6 +77,21 @@ def velocities(
             raise ConstraintError(f"{_WHERE}: at t = {t:g} s {contradiction}")
         raise ConstraintError(_impossible(kinematics, t, error, places, fixed))
     return u
+
+
+def _is_given_in_speeds(
+    kinematics: Kinematics, fixed: Mapping[Expr, float], guess: Mapping[Expr, float]
+) -> bool:
+    """Return whether a state in momenta is given by the speeds that these replaced, or by rates of coordinates."""
+    system = kinematics.system
+    momentum = next((name for name in (*fixed, *guess) if name in system.momenta), None)
+    speed = next((name for name in (*fixed, *guess) if name in system.whole.quasi_velocities), None)
+    if momentum is not None and speed is not None:
+        raise ParameterError(
+            f"{_WHERE}: values of the momentum {momentum} and of the speed {speed}; expected momenta, or speeds and "
+            "rates of coordinates"
+        )
+    return momentum is None
 
 
 def _usual_sizes(kinematics: Kinematics, p: Array, t: float, q: Array) -> Array:

@@ -42,8 +42,9 @@ class Kinematics:
 
     @cached_property
     def position_constraints(self) -> tuple[Expr, ...]:
-        """The constraints phi on positions."""
-        return tuple(self.constraints[k] for k in self.system.holonomic)
+        """The constraints phi on positions, also those that were eliminated with speeds."""
+        eliminated = self._with_inputs(self.system.eliminated_constraints)
+        return (*(self.constraints[k] for k in self.system.holonomic), *eliminated)
 
     @property
     def velocity_constraints(self) -> tuple[Expr, ...]:
@@ -61,7 +62,8 @@ class Kinematics:
     def among_all(self, values: Array) -> Array:
         """Return values of the constraints on positions with zeros for those on velocities, shape (m,)."""
         whole = np.zeros(len(self.constraints))
-        whole[list(self.system.holonomic)] = values
+        if self.constraints:  # eliminated ones demand no velocities
+            whole[list(self.system.holonomic)] = values
         return whole
 
     @cached_property
@@ -72,7 +74,30 @@ class Kinematics:
     @cached_property
     def leaves(self) -> frozenset[Expr]:
         """The variables in constraints and kinematics."""
-        return free_symbols((*self.constraints, *self._velocities))
+        own = free_symbols((*self.constraints, *self.position_constraints, *self._velocities))
+        if not self.system.momenta:
+            return own
+        return own | self.in_speeds.leaves | free_symbols(self._momenta)
+
+    @cached_property
+    def in_speeds(self) -> Kinematics:
+        """The kinematics in the speeds that momenta replaced."""
+        return Kinematics(self.system.whole, self.given)
+
+    def parameters_of(self, other: Kinematics, p: Array) -> Array:
+        """Return the values of the parameters of other kinematics, which are among the own ones."""
+        values = dict(zip(self.parameters, p, strict=True))
+        return np.array([values[name] for name in other.parameters])
+
+    @property
+    def _momenta(self) -> tuple[Expr, ...]:
+        return substitute_inputs(self.system.whole, self.given, [*self.system.momenta.values()])
+
+    @cached_property
+    def momenta(self) -> CompiledFunction:
+        """The function of t, (q, u) and p that returns the momenta, of the speeds u that these replaced."""
+        state = [*self.system.coordinates, *self.system.whole.speeds]
+        return lambdify(self._arguments(state), list(self._momenta))
 
     @cached_property
     def position(self) -> CompiledFunction:
@@ -109,7 +134,7 @@ class Kinematics:
             ModelError: some of them do not.
         """
         system = self.system
-        known = {leaf.name for leaf in (*system.coordinates, *system.speeds)}
+        known = {leaf.name for leaf in (*system.coordinates, *system.speeds, *system.eliminated)}
         unknown = sorted(
             {leaf.name for leaf in self.leaves if leaf.kind == "time_function" and leaf.name not in known}
         )

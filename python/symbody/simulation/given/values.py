@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from symbody.dynamics import Equations
+from symbody.dynamics import CanonicalEquations, Equations
 from symbody.errors import ArgumentError, ModelError, ParameterError
 from symbody.multibody import Variables
 from symbody.symbolic import Expr, ExprLike, t
@@ -199,6 +199,11 @@ def check_equations(eqs: object, where: str) -> None:
     Raises:
         ArgumentError: the argument is something else.
     """
+    if isinstance(eqs, CanonicalEquations):
+        raise ArgumentError(
+            f"{where}: the argument is canonical equations; expected equations of motion: pass their attribute "
+            "equations, as in hamilton(system).equations"
+        )
     if not isinstance(eqs, Equations):
         raise ArgumentError(
             f"{where}: {described(eqs)}; expected equations of motion, such as newton_euler(system)"

@@ -143,9 +143,17 @@ class InverseDynamics:
 
 
 def _check_states(eqs: object) -> None:
-    """Check that the loads hold no states: a prescribed motion gives positions, and not what came before them."""
+    """Check that the speeds are no momenta, and that the loads hold no states.
+
+    A prescribed motion gives positions, and not what came before them.
+    """
     if not isinstance(eqs, Equations):
         return  # an error of its own tells what was given
+    if eqs.system.momenta:
+        raise ModelError(
+            f"{_WHERE}: the speeds of the equations are momenta, along which no forces act; expected equations in "
+            "speeds, such as newton_euler(system)"
+        )
     held = sorted({*eqs.states} & free_symbols(eqs.residuals), key=str)
     if held:
         raise ModelError(

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from symbody.dynamics import Equations
-from symbody.errors import ModelNotice, SimulationError
+from symbody.errors import ModelError, ModelNotice, SimulationError
 from symbody.simulation.constraint.consistent_position import positions, starting_points
 from symbody.simulation.constraint.kinematics import kinematics_of
 from symbody.simulation.given.unused import warn_of_unused
@@ -198,6 +198,11 @@ def _place(
         eqs.system, guess, where=_WHERE, argument="guess", has_speeds=False, has_states=bool(eqs.states)
     )
     warn_of_unused(eqs, parameters or {}, list(given.values()), _WHERE, stacklevel=4)
+    if held and eqs.system.momenta:
+        raise ModelError(
+            f"{_WHERE}, fixed: the speeds of the equations are momenta, along which no forces act; expected equations "
+            "in speeds, such as newton_euler(system), to hold coordinates"
+        )
     problem = Balance(statics, t, p, tuple(held))
     constants = dict(zip(statics.parameters, p, strict=True))
     of_constraints = np.array([constants[name] for name in kinematics.parameters])
@@ -289,9 +294,11 @@ def _unbalanced(problem: Balance, q: Array, forces: Array) -> str:
     F, _, _ = problem.values(q, forces)
     error = np.abs(F / problem.scale(q, forces))
     worst = int(np.argmax(np.where(np.isfinite(error), error, np.inf)))
+    whole = eqs.system.whole
+    conditions = eqs.system.conditions or [whole.conditions[k] for k in whole.holonomic]
     names = [
         *(f"the equation of motion of {name}" for name in eqs.system.driving),
-        *(f"constraint {k + 1}, {named_constraint(each)}," for k, each in enumerate(eqs.system.conditions)),
+        *(f"constraint {k + 1}, {named_constraint(each)}," for k, each in enumerate(conditions)),
         *(f"the norm of {', '.join(map(str, four))}" for four in problem.statics.quaternions),
         *(f"the rate of the state {state}" for state in eqs.states),
     ]

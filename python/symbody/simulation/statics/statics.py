@@ -53,12 +53,16 @@ class Statics:
 
     @cached_property
     def conditions(self) -> tuple[Expr, ...]:
-        """Expressions that are zero at rest: residuals, constraints, norms of quaternions less one, rates of states."""
+        """Expressions that are zero at rest: residuals, constraints, norms of quaternions less one, rates of states.
+
+        Eliminated constraints on positions follow the others; they have no multipliers.
+        """
         at_rest = dict.fromkeys((*self.equations.accelerations, *self.equations.speeds), number(0))
         power = sum((h * rate for h, rate in zip(self.holding, self._rates, strict=False)), start=number(0))
         along = gradient(power, self.equations.speeds)
         residuals = substitute([r - h for r, h in zip(self._residuals, along, strict=True)], at_rest)
-        constraints = substitute(self._substitute_inputs(self.equations.constraints), at_rest)
+        kept = (*self.equations.constraints, *self.equations.system.eliminated_constraints)
+        constraints = substitute(self._substitute_inputs(kept), at_rest)
         norms = [sum((e * e for e in four), start=number(-1)) for four in self.quaternions]
         return (*residuals, *constraints, *norms, *substitute(self._state_rates, at_rest))
 

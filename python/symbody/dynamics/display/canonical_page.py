@@ -1,0 +1,130 @@
+"""Hamilton's equations on a page: the Hamiltonian, the rates of coordinates and momenta, the constraints."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import cached_property
+
+from symbody.multibody import System
+from symbody.symbolic import Expr, cost, latex, listing_of_equations, symbols
+from symbody.symbolic.calculus.reader import Reader
+from symbody.symbolic.expression.html_table import html_table
+from symbody.symbolic.expression.latex_layout import aligned, broken
+from symbody.symbolic.given.arguments import counted
+
+from .difference import differences
+from .page import indented, shorter
+from .row import written
+from .short_names import Definition, shortened
+
+_ADVICE = "Too long to be read at once. One of them: readable(canonical.rates[time_derivative(canonical.momenta[0])])."
+
+
+@dataclass(frozen=True)
+class CanonicalPage:
+    """Hamilton's equations in the form for the reader.
+
+    Attributes:
+        system: the system to which the equations belong.
+        momenta: p.
+        hamiltonian: H.
+        rates: q', p', and those of states.
+    """
+
+    system: System
+    momenta: tuple[Expr, ...]
+    hamiltonian: Expr
+    rates: Mapping[Expr, Expr]
+
+    @property
+    def _title(self) -> str:
+        return ", ".join(map(str, (*self.system.coordinates, *self.momenta)))
+
+    @property
+    def _name_of_h(self) -> str:
+        """H, unless the model holds something of this name."""
+        return "Hamiltonian" if "H" in {leaf.name for leaf in self.system.leaves} else "H"
+
+    def description(self) -> str:
+        """Return the equations line by line, after the quantities that have names."""
+        definitions, sides = self._named_rows("text")
+        n = 1 + len(self.rates)
+        names = (self._name_of_h, *self.rates)
+        texts = [f"{name} := {value}" for name, value in definitions]
+        texts += [f"{name} = {side}" for name, side in zip(names, sides[:n], strict=True)]
+        constraints = (f"constraint {each.name}".strip() for each in self.system.conditions)
+        texts += [f"{name}: {side} = 0" for name, side in zip(constraints, sides[n:], strict=True)]
+        return "\n".join(
+            [f"CANONICAL EQUATIONS of {self._title}", *(line for text in texts for line in indented(text))]
+        )
+
+    def latex(self) -> str:
+        """Return the equations in LaTeX, after the quantities that have names; long ones are broken at terms."""
+        definitions, sides = self._named_rows("latex")
+        made = [row for name, value in definitions for row in broken(f"{name} &= ", value)]
+        names = map(latex, (symbols(self._name_of_h), *self.rates))
+        n = 1 + len(self.rates)
+        for name, side in zip(names, sides[:n], strict=True):
+            made += broken(f"{name} &= ", side)
+        made += [row for side in sides[n:] for row in broken("&", f"{side} = 0")]
+        return aligned(made)
+
+    def _named_rows(self, notation: str) -> tuple[list[Definition], list[str]]:
+        """Return named quantities, and the right sides of all rows."""
+        rows = [self._terms(value) for value in (self.hamiltonian, *self.rates.values())]
+        rows += [(shorter(constraint),) for constraint in self.system.constraints]
+        definitions, texts = listing_of_equations(
+            [term for row in rows for term in row],
+            notation,
+            self.system.coordinates,
+            (*self.momenta, *self.system.multipliers),
+        )
+        remaining = iter(texts)
+        return shortened([written(next(remaining) for _ in row) for row in rows], (), definitions, notation)
+
+    def _terms(self, value: Expr) -> tuple[Expr, ...]:
+        """Return the terms of momenta, of positions alone, and of multipliers, each in its form for the reader."""
+        without = value.subs(dict.fromkeys(self.system.multipliers, 0))
+        at_rest = without.subs(dict.fromkeys(self.momenta, 0))
+        parts = (without - at_rest, at_rest, value - without)
+        return tuple(self._reader(part) for part in parts if not part.is_zero)
+
+    @cached_property
+    def _reader(self) -> Reader:
+        return Reader(differences(self.system))
+
+    # --- equations that are too long to be read ---
+
+    @property
+    def _sizes(self) -> list[tuple[str, int]]:
+        values = {
+            self._name_of_h: self.hamiltonian,
+            **{str(rate): value for rate, value in self.rates.items()},
+        }
+        return [(name, cost(value).total) for name, value in values.items()]
+
+    @property
+    def _total(self) -> str:
+        n, total = len(self.momenta), cost((self.hamiltonian, *self.rates.values())).total
+        return f"{n} {'momentum' if n == 1 else 'momenta'}: {counted(total, 'operation')} in all"
+
+    def summary(self) -> str:
+        """Return the number and the sizes of equations, and how to see one of them."""
+        sizes = [f"{name}: {counted(size, 'operation')}" for name, size in self._sizes]
+        return "\n    ".join([f"CANONICAL EQUATIONS of {self._total}", *sizes, _ADVICE])
+
+    def summary_in_latex(self) -> str:
+        """Return the number and the sizes of equations in LaTeX."""
+        names = map(latex, (symbols(self._name_of_h), *self.rates))
+        sizes = [
+            rf"{name} &\colon \text{{{counted(size, 'operation')}}}"
+            for name, (_, size) in zip(names, self._sizes, strict=True)
+        ]
+        return aligned([rf"&\text{{Canonical equations of {self._total}}}", *sizes])
+
+    def summary_table(self) -> str:
+        """Return the number and the sizes of equations for a notebook, in HTML."""
+        return html_table(
+            f"Canonical equations of {self._total}", ["equation of", "operations"], self._sizes, _ADVICE
+        )
