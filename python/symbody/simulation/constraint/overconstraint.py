@@ -115,7 +115,9 @@ def _is_so_anywhere(model: Model, rank: int, parameters: Mapping[Expr, float]) -
     kinematics = kinematics_of(model.equations, dict(model.inputs))
     p = np.array([parameters[name] for name in kinematics.parameters])
     m, count = len(model.constraints), len(model.coordinates)
-    draw = np.random.Generator(np.random.PCG64(1)).uniform(-1, 1, (OTHERS, count))
+    random = np.random.Generator(np.random.PCG64(1))
+    draw = random.uniform(-1, 1, (OTHERS, count))
+    kinematics = kinematics.beside(random.uniform(-1, 1, len(model.states)))
     with np.errstate(all="ignore"):
         slopes = [kinematics.velocity(0.0, q, p)[0][:m] for q in draw]
     fit = [J for J in slopes if np.isfinite(J).all()]

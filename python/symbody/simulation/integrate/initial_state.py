@@ -41,6 +41,7 @@ def initial_state(
     if model.constraints:
         kinematics = kinematics_of(model.equations, dict(model.inputs))
         p = np.array([parameters[name] for name in kinematics.parameters])
-        slopes, _ = kinematics.velocity(t, state[: len(model.coordinates)], p)
+        here = kinematics.beside(state[len(model.state) - len(model.states) : len(model.state)])
+        slopes, _ = here.velocity(t, state[: len(model.coordinates)], p)
         check_rank(model, slopes[: len(model.constraints)], parameters)
     return state
