@@ -166,8 +166,26 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
         errors.ConstraintError,
         lambda: with_states({z: x}, constraints=[x - z]),
         (
-            "System: constraint 1 holds the state z; a state has a rate but no acceleration with which bodies could "
-            "follow it; expected states in loads: model the drive as a load that holds the state, or as a coordinate"
+            "System: constraint 1, x - z = 0, holds the state z; a state has a rate but no acceleration with which "
+            "bodies could follow it; expected states in loads and in constraints on velocities: give the rate of the "
+            "constraint, or model the drive as a coordinate"
+        ),
+    ),
+    (
+        errors.ConstraintError,
+        lambda: with_states({z: time_derivative(x, 2)}, constraints=[Constraint(xp - z, "belt")]),
+        (
+            "System: constraint 1, belt, x' - z = 0, holds z, whose rate depends on x''; expected states whose rates "
+            "depend on positions, speeds, states and inputs, as accelerations and multipliers follow from the "
+            "constraint"
+        ),
+    ),
+    (
+        errors.ConstraintError,
+        lambda: with_states({z: t * x}, constraints=[xp - time_derivative(z, 2)]),
+        (
+            "System: constraint 1, x' - z'' = 0, holds z''; expected states whose rates depend on positions, speeds, "
+            "states and inputs, as accelerations and multipliers follow from the constraint"
         ),
     ),
     (

@@ -39,8 +39,13 @@ sympy = pytest.importorskip("sympy")
 mechanics = pytest.importorskip("sympy.physics.mechanics")
 
 
-def kanes_rows() -> list[object]:
-    """Return Fr + Fr* of SymPy's KanesMethod, with the auxiliary speeds u4 and u5 of the contact, and forces on it."""
+def kanes_rows(*, by_contact: bool = False) -> list[object]:
+    """Return Fr + Fr* of SymPy's KanesMethod, with the auxiliary speeds u4 and u5 of the contact, and forces on it.
+
+    Args:
+        by_contact: whether the acceleration of the centre is that of the contact and of two points of a body; the
+            contact is no point of the body, and this is a mistake in SymPy's own test.
+    """
     q = mechanics.dynamicsymbols("q1 q2 q3")
     u = mechanics.dynamicsymbols("u1 u2 u3")
     slip, forces = mechanics.dynamicsymbols("u4 u5"), mechanics.dynamicsymbols("f1 f2")
@@ -58,6 +63,8 @@ def kanes_rows() -> list[object]:
     centre.v2pt_theory(
         contact, N, R
     )  # its acceleration is the rate of this, as the contact is a new point at each t
+    if by_contact:
+        centre.a2pt_theory(contact, N, R)
     inertia = mechanics.inertia(L, mass * radius**2 / 4, mass * radius**2 / 2, mass * radius**2 / 4)
     disc = mechanics.RigidBody("disc", centre, R, mass, (inertia, centre))
     method = mechanics.KanesMethod(N, q_ind=q, u_ind=u, kd_eqs=kinematics, u_auxiliary=slip)

@@ -1,73 +1,72 @@
-"""SymPy's expectations of its own mechanics, at random points: constraints with multipliers.
+"""SymPy's expectations of its own mechanics: every system of its tests that the file holds, built and derived here.
 
-Those of the rolling disc by LagrangesMethod are left out: they follow from a Lagrangian into which the rolling was
-substituted, which is no principle of mechanics. Upright rolling has ``psi'' = -(C/A) phi' theta'``, -2 phi' theta'
-for a thin disc, and not -6. `test_nonholonomic.py` has the disc.
-Only relations that don't depend on the order and signs of equations are compared: accelerations and multipliers.
+The definitions of the systems are those of the tests in SymPy 1.14, which are all complete. Results are compared as
+expressions, so that the signs and the order of SymPy's equations are put in where they differ; the expressions are
+checked at the file's random points. Three expectations are no principle of mechanics. `test_disc_of_sympy.py` has them.
 """
 
 from __future__ import annotations
 
-from typing import Any
+from collections.abc import Callable
+from functools import cache, partial
 
-import numpy as np
 import pytest
-from numpy.testing import assert_allclose
 
-from symbody import (
-    Body,
-    System,
-    Vector,
-    forward_dynamics,
-    functions_of_time,
-    ground,
-    newton_euler,
-    rotate,
-    sin,
-    substitute,
-    symbols,
-    time_derivative,
-    translate,
+from tests.reference.mechanisms.sympy_expectation import QUANTITIES, Derived, assert_expected
+from tests.reference.mechanisms.sympy_joints import (
+    chaos_pendulum,
+    pin_joint,
+    sliding_masses,
+    spherical_joint,
 )
-from tests.reference.mechanisms.problem import reference
+from tests.reference.mechanisms.sympy_nonholonomic import disc_with_dependent_speeds, free_body, tricycle
+from tests.reference.mechanisms.sympy_particles import (
+    cartesian_pendulum,
+    disc_on_an_incline,
+    double_pendulum_with_interaction,
+    linear_pendulum,
+    masses_in_series,
+    oscillator,
+    pendulum,
+    pendulum_on_cart,
+)
 
-TESTS = {test["id"]: test["quantities"] for test in reference("sympy_mechanics")["tests"]}
+SYSTEMS: dict[str, Callable[[], Derived]] = {
+    "test_kane::test_one_dof": oscillator,
+    "test_kane::test_pend": pendulum,
+    "test_kane::test_implicit_kinematics": free_body,
+    "test_kane2::test_aux_dep": disc_with_dependent_speeds,
+    "test_kane2::test_sub_qdot": tricycle,
+    "test_kane4::test_replace_qdots_in_force": double_pendulum_with_interaction,
+    "test_lagrange::test_disc_on_an_incline_plane": disc_on_an_incline,
+    "test_lagrange::test_nonminimal_pendulum": cartesian_pendulum,
+    "test_linearize::test_linearize_pendulum_kane_minimal": partial(linear_pendulum, by_kane=True),
+    "test_linearize::test_linearize_pendulum_lagrange_minimal": partial(linear_pendulum, by_kane=False),
+    "test_jointsmethod::test_two_dof_joints": sliding_masses,
+    "test_jointsmethod::test_chaos_pendulum": chaos_pendulum,
+    "test_models::test_multi_mass_spring_damper_higher_order": masses_in_series,
+    "test_models::test_n_link_pendulum_on_cart_higher_order": pendulum_on_cart,
+    "test_joint::test_spherical_joint_orient_body": spherical_joint,
+    "test_joint::test_pin_joint_axis": pin_joint,
+}
+"""The systems by the name of SymPy's test."""
+
+REFUTED = {
+    "test_kane::test_aux": "the acceleration of the point that touches the ground was taken for zero",
+    "test_lagrange::test_rolling_disc": "the condition of rolling was substituted into the Lagrangian",
+    "test_linearize::test_linearize_rolling_disc_lagrange": "it is the linear model of the one before",
+}
+"""The expectations that `test_disc_of_sympy.py` refutes, and why they are wrong."""
+
+derived = cache(lambda test: SYSTEMS[test]())
 
 
-def quantity(test: str, name: str) -> tuple[dict[str, float], np.ndarray]:
-    """Return the point and the values of an expectation."""
-    found: dict[str, Any] = TESTS[test][name]
-    return found["params"], np.array(found["values"]).reshape(found["shape"])
+def test_every_expectation_is_compared() -> None:
+    assert {*SYSTEMS, *REFUTED} == {*QUANTITIES}
 
 
-def test_disc_on_an_incline() -> None:
-    p, rhs = quantity("test_lagrange::test_disc_on_an_incline_plane", "rhs")
-    y, theta = functions_of_time("y theta")
-    names = m, R, g, alpha = symbols("m R g alpha")
-    disc = Body(translate(0, y, 0) * rotate("Z", theta), m, Iz=m * R**2 / 2)
-    rolling = [y - R * theta]
-    weight = Vector(ground, 0, g * sin(alpha), 0)
-    solution = forward_dynamics(newton_euler(System([disc], (), [y, theta], rolling, weight)))
-    values = substitute(
-        [*solution.accelerations, *solution.multipliers], {name: p[name.name] for name in names}
-    )
-    assert_allclose([float(value) for value in values], rhs[2:, 0], rtol=1e-12)
-
-
-@pytest.mark.parametrize("form", ["positions", "velocities"])
-def test_pendulum_with_a_multiplier(form: str) -> None:
-    p, multiplier = quantity("test_lagrange::test_nonminimal_pendulum", "lam_sol")
-    a, b, m = *functions_of_time("q1 q2"), symbols("m")
-    length = a**2 + b**2 - symbols("L") ** 2
-    condition = length if form == "positions" else time_derivative(a) * 2 * a + time_derivative(b) * 2 * b
-    bob = Body(translate(a, b, 0), m)
-    equations = newton_euler(System([bob], (), [a, b], [condition], Vector(ground, 9.8, 0, 0)))
-    state = {
-        a: p["q1"],
-        b: p["q2"],
-        time_derivative(a): p["q1_dot"],
-        time_derivative(b): p["q2_dot"],
-        m: p["m"],
-    }
-    (value,) = substitute(forward_dynamics(equations).multipliers, state)
-    assert_allclose(-float(value), multiplier.item(), rtol=1e-12)
+@pytest.mark.parametrize(
+    ("test", "quantity"), [(test, quantity) for test in SYSTEMS for quantity in QUANTITIES[test]]
+)
+def test_expectation(test: str, quantity: str) -> None:
+    assert_expected(test, quantity, derived(test))

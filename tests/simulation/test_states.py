@@ -30,7 +30,7 @@ from symbody import (
     time_derivative,
     translate,
 )
-from symbody.errors import ModelError, ParameterError, SimulationError, SymbodyError
+from symbody.errors import ParameterError, SimulationError, SymbodyError
 from symbody.symbolic import ExprLike
 from tests.dynamics.state_models import (
     Cf,
@@ -398,15 +398,6 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
             "motion: no values of y; this motion has values of time, the coordinates x, the speeds x', the states z, "
             "accelerations, multipliers and parameters; y is neither a coordinate nor a speed of this system: use "
             "those, or add it to the system before simulating"
-        ),
-    ),
-    (
-        ModelError,
-        lambda: inverse_dynamics(newton_euler(with_states({z: x}, z)), {x: t}, {m: 1}, (0, 1)),
-        (
-            "inverse_dynamics: the equations of motion hold the state z, whose rate is an equation of its own, and "
-            "which the motion at an instant doesn't determine; make the system with inputs=[z] instead of states, and "
-            "give its values along the motion as an input"
         ),
     ),
     (

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from typing import NamedTuple
 
 from symbody.errors import ConstraintError, ModelError
@@ -10,10 +10,11 @@ from symbody.geometry import Frame, Vector
 from symbody.symbolic import Expr
 from symbody.symbolic.given.arguments import brief, described, expression
 
+from .constraint import Constraint
 from .coordinate import check_function_of_time
 from .load import Load
 
-__all__ = ["Unknown", "check_holders", "check_states", "given_rates"]
+__all__ = ["Unknown", "check_constraints", "check_holders", "check_states", "given_rates"]
 
 
 class Unknown(NamedTuple):
@@ -36,6 +37,14 @@ class Unknown(NamedTuple):
         """The highest order of the rates that the rate of a state may hold, by the name of the unknown."""
         highest = {q.name: 2 for q in self.coordinates} | {u.name: 1 for u in self.quasi_velocities}
         return highest | {each.name: 0 for each in self.multipliers}
+
+    def beyond_speeds(self, rate: Expr) -> Expr | None:
+        """Return the first by name of the accelerations and multipliers in the rate of a state."""
+        orders = {name: max(order - 1, -1) for name, order in self.orders.items()}
+        leaves = (leaf for leaf in rate.free_symbols if leaf.kind == "time_function")
+        return min(
+            (leaf for leaf in leaves if leaf.order > orders.get(leaf.name, leaf.order)), key=str, default=None
+        )
 
 
 def given_rates(states: Mapping[Expr, object] | None) -> dict[Expr, Expr]:
@@ -102,30 +111,23 @@ def check_holders(
     frames: Iterable[Frame],
     gravity: Vector | None,
     loads: Iterable[Load],
-    constraints: Iterable[Expr],
     unknown: Unknown,
 ) -> None:
-    """Check that states are in loads alone, and that the rates of states in loads hold no accelerations.
+    """Check that no frame and no gravity holds states, and that the rates of states in loads hold no accelerations.
 
     Args:
         rates: the rate of each state.
         frames: all frames of the system.
         gravity: the acceleration of weight.
         loads: the loads.
-        constraints: the conditions on positions and velocities.
         unknown: the other unknowns of the system.
 
     Raises:
-        ModelError: something else holds a state, or a load the rate of a state that depends on accelerations.
-        ConstraintError: a constraint holds a state.
+        ModelError: a frame or the gravity holds a state, or a load the rate of a state that depends on accelerations.
     """
     if not rates:
         return
     names = {state.name for state in rates}
-    for number, constraint in enumerate(constraints, start=1):
-        held = _held(constraint.free_symbols, names)
-        if held:
-            raise ConstraintError(f"System: constraint {number} {held}; {_MOVING}")
     for frame in frames:
         held = _held(_moving(frame), names)
         if held:
@@ -140,10 +142,49 @@ def check_holders(
         _check_load(load, rates, unknown)
 
 
-_MOVING = (
-    "a state has a rate but no acceleration with which bodies could follow it; expected states in loads: model the "
-    "drive as a load that holds the state, or as a coordinate"
-)
+def check_constraints(
+    rates: Mapping[Expr, Expr],
+    constraints: Sequence[Constraint],
+    on_positions: Collection[int],
+    unknown: Unknown,
+) -> None:
+    """Check that constraints on velocities alone hold states, whose rates depend on no accelerations.
+
+    The acceleration of such a constraint, ``A u' + c = 0``, holds the rates of the states.
+
+    Args:
+        rates: the rate of each state.
+        constraints: all constraints.
+        on_positions: the places of those on positions.
+        unknown: the other unknowns of the system.
+
+    Raises:
+        ConstraintError: a constraint on positions holds a state, or one on velocities a state that follows from
+            accelerations.
+    """
+    by_name = {state.name: rate for state, rate in rates.items()}
+    for place, constraint in enumerate(constraints):
+        leaves = [leaf for leaf in constraint.condition.free_symbols if leaf.kind == "time_function"]
+        held = sorted((leaf for leaf in leaves if leaf.name in by_name), key=str)
+        where = f"System: constraint {place + 1}, {constraint},"
+        if held and place in on_positions:
+            raise ConstraintError(
+                f"{where} holds the state {held[0].name}; {_NO_ACCELERATION}; expected states in loads and in "
+                "constraints on velocities: give the rate of the constraint, or model the drive as a coordinate"
+            )
+        for leaf in held:
+            strange = unknown.beyond_speeds(by_name[leaf.name])
+            if leaf.order > 1 or strange is not None:
+                found = f"{leaf}" if strange is None else f"{leaf.name}, whose rate depends on {strange}"
+                raise ConstraintError(
+                    f"{where} holds {found}; expected states whose rates depend on positions, speeds, states and "
+                    "inputs, as accelerations and multipliers follow from the constraint"
+                )
+
+
+_NO_ACCELERATION = "a state has a rate but no acceleration with which bodies could follow it"
+_IN_LOADS = "expected states in loads: model the drive as a load that holds the state, or as a coordinate"
+_MOVING = f"{_NO_ACCELERATION}; {_IN_LOADS}"
 
 
 def _held(leaves: Iterable[Expr], names: set[str]) -> str:
@@ -161,21 +202,15 @@ def _moving(frame: Frame) -> frozenset[Expr]:
 
 def _check_load(load: Load, rates: Mapping[Expr, Expr], unknown: Unknown) -> None:
     by_name = {state.name: rate for state, rate in rates.items()}
-    orders = {name: max(order - 1, -1) for name, order in unknown.orders.items()}
     for leaf in sorted(_rates_in(load, by_name), key=str):
         if leaf.order > 1:
             raise ModelError(
                 f"System: {brief(load)} holds {leaf}; expected the states and their first rates, which are given"
             )
-        strange = [
-            x
-            for x in by_name[leaf.name].free_symbols
-            if x.kind == "time_function" and x.order > orders.get(x.name, x.order)
-        ]
-        if strange:
-            first = min(strange, key=str)
+        strange = unknown.beyond_speeds(by_name[leaf.name])
+        if strange is not None:
             raise ModelError(
-                f"System: {brief(load)} holds {leaf}, and the rate of {leaf.name} depends on {first}, which follows "
+                f"System: {brief(load)} holds {leaf}, and the rate of {leaf.name} depends on {strange}, which follows "
                 "from the loads; write the load by states alone, or the rate without accelerations and multipliers"
             )
 

@@ -25,7 +25,7 @@ from .load import COLUMNS, Action, Load
 from .oversight import notices
 from .physical_inertia import report_impossible_differences
 from .picture import picture
-from .state import Unknown, check_holders, check_states, given_rates
+from .state import Unknown, check_constraints, check_holders, check_states, given_rates
 from .variables import Conditions, Coordinates, Variables, check_single, check_substitution
 
 Thing = TypeVar("Thing", Body, Load)
@@ -213,7 +213,8 @@ class System(Variables):
     def _check_states(self) -> None:
         unknown = Unknown(self.coordinates, self.quasi_velocities, self.multipliers, self.inputs)
         check_states(self._given_rates, unknown)
-        check_holders(self._given_rates, self._frames, self.gravity, self.loads, self.constraints, unknown)
+        check_constraints(self._given_rates, self.conditions, self.holonomic, unknown)
+        check_holders(self._given_rates, self._frames, self.gravity, self.loads, unknown)
 
     def _check_gravity(self) -> None:
         if self.gravity is not None and self.gravity.frame.ancestor != self.root:

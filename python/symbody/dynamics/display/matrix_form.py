@@ -1,4 +1,8 @@
-"""Equations in matrix form: ``M(q) q'' + C(q, q') q' + g(q) + loads = Q + phi_q^T lambda``."""
+"""Equations in matrix form: ``M(q) q'' + C(q, q') q' + g(q) + loads = Q + phi_q^T lambda``.
+
+Where the terms come from is known of systems of bodies alone. Equations that were given by M and f have the form
+``M q'' = f + phi_q^T lambda``; with Christoffel's symbols, which follow from M, f is without the terms of ``C q'``.
+"""
 
 from __future__ import annotations
 
@@ -7,8 +11,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from symbody.errors import ModelNotice
-from symbody.multibody import Variables
-from symbody.symbolic import Expr, Matrix, diff, free_symbols, number
+from symbody.multibody import System, Variables
+from symbody.symbolic import Expr, Matrix, diff, free_symbols, number, zeros
 from symbody.symbolic.calculus.rewrite import textbook_form
 from symbody.symbolic.expression.latex_layout import aligned, bmatrix, displayed
 
@@ -32,7 +36,8 @@ class MatrixForm:
         coriolis: C(q, q') n x n by Christoffel's symbols, or the vector c(q, q'), n x 1.
         gravity: g(q), n x 1.
         loads: the forces of springs, dampers and others, n x 1.
-        applied: the given forces Q, n x 1.
+        applied: the given forces Q, n x 1; of equations that were given by M and f, all forces f, as nothing tells
+            weight, springs and products of speeds apart there.
         constraints: ``phi_q^T lambda``, n x 1.
         is_christoffel: whether `coriolis` is C, not c.
 
@@ -86,7 +91,8 @@ class MatrixForm:
     def _matrices(self) -> list[tuple[str, Matrix]]:
         name = "C" if self.is_christoffel else "c"
         matrices = (self.mass_matrix, self.coriolis, self.gravity, self.loads, self.applied, self.constraints)
-        return list(zip(("M", name, "g", "k", "Q", "R"), matrices, strict=True))
+        applied = "Q" if isinstance(self.system, System) else "f"
+        return list(zip(("M", name, "g", "k", applied, "R"), matrices, strict=True))
 
     def _labelled(self) -> list[tuple[str, Expr]]:
         """Return the entries and their labels: ``M12``, or ``M[1,2]`` if a name of the model looks like one."""
@@ -145,10 +151,11 @@ def matrix_form(
 
     A notice (`ModelNotice`) tells why c(q, q') stands in the place of C(q, q').
     """
+    if not isinstance(system, System):
+        return _of_given(system, mass_matrix, balances, christoffel=christoffel)
     coriolis, is_christoffel = _column([balance.velocities for balance in balances]), False
     if christoffel and system.has_quasi_velocities:
-        first = ", ".join(map(str, system.quasi_velocities[:_NAMED]))
-        _notice(f"the speeds {first} are not rates of coordinates, on which Christoffel's symbols depend")
+        _notice(_no_rates(system))
     elif christoffel:
         found = by_christoffel(mass_matrix, system)
         if found @ Matrix([[u] for u in system.speeds]) == coriolis:
@@ -170,9 +177,36 @@ def matrix_form(
     )
 
 
-def _notice(reason: str) -> None:
+def _of_given(
+    system: Variables, mass_matrix: Matrix, balances: Sequence[Balance], *, christoffel: bool
+) -> MatrixForm:
+    """Return the matrices of equations that were given without bodies; C, if it is wanted, follows from M alone."""
+    n = len(balances)
+    nothing = zeros(n, 1)
+    terms = [(*balance.velocities, *balance.gravity, *balance.loads) for balance in balances]
+    forces = _column([balance.applied for balance in balances]) - _column(terms)
+    coriolis, is_christoffel = nothing, False
+    if christoffel and (system.has_quasi_velocities or mass_matrix != mass_matrix.T):
+        reason = _no_rates(system) if system.has_quasi_velocities else "the mass matrix isn't symmetric"
+        _notice(reason, "f(q, q')")
+    elif christoffel:
+        coriolis, is_christoffel = by_christoffel(mass_matrix, system), True
+        products = coriolis @ Matrix([[u] for u in system.speeds])
+        forces = Matrix([[textbook_form(each)] for each in (forces + products).entries])
+    constraints = _column([balance.constraints for balance in balances])
+    return MatrixForm(
+        system, mass_matrix, coriolis, nothing, nothing, forces, constraints, is_christoffel=is_christoffel
+    )
+
+
+def _no_rates(system: Variables) -> str:
+    first = ", ".join(map(str, system.quasi_velocities[:_NAMED]))
+    return f"the speeds {first} are not rates of coordinates, on which Christoffel's symbols depend"
+
+
+def _notice(reason: str, instead: str = "c(q, q')") -> None:
     warnings.warn(
-        f"matrix_form: c(q, q') is returned instead of the matrix C(q, q'), since {reason}",
+        f"matrix_form: {instead} is returned instead of the matrix C(q, q'), since {reason}",
         ModelNotice,
         stacklevel=4,
     )

@@ -260,6 +260,9 @@ class Equations:
     def matrix_form(self, *, christoffel: bool = False) -> MatrixForm:
         """Return ``M q'' + c + g + loads = Q + phi_q^T lambda`` with each entry in its form for the reader.
 
+        Equations that were given by M and f are ``M q'' = f + phi_q^T lambda``: what is weight there, and what a
+        spring, isn't known.
+
         Args:
             christoffel: whether c(q, q') is written as C(q, q') q', by Christoffel's symbols, if it follows from M:
                 with quasi-velocities, and on a moving support, it does not, and a notice (`ModelNotice`) says why.

@@ -1,4 +1,4 @@
-"""Equations that SymPy's methods of mechanics derived: `from_sympy` of a KanesMethod or a LagrangesMethod.
+"""Equations that SymPy's methods of mechanics derived: `from_sympy` of a KanesMethod, a LagrangesMethod, or joints.
 
 Kane's method eliminates the forces of constraints: for n speeds, m of them dependent, SymPy has n - m equations
 ``K u' = f`` [Kane & Levinson 1985, sec. 4.11]. Here they are the first rows of n equations with the multipliers of the
@@ -72,7 +72,17 @@ def of_kane(method: Any, convert: Convert) -> Equations:
 @converts(f"{_MECHANICS}.jointsmethod.JointsMethod")
 def of_joints(method: Any, convert: Convert) -> Any:
     """Return the equations of the method to which a JointsMethod delegates."""
+    if method.method is None:
+        raise _not_formed(method, "form_eoms()")
     return convert(method.method)
+
+
+@converts(f"{_MECHANICS}.system.System")
+def of_system(system: Any, convert: Convert) -> Any:
+    """Return the equations of the method to which a System of SymPy delegates."""
+    if system.eom_method is None:
+        raise _not_formed(system, "form_eoms()")
+    return convert(system.eom_method)
 
 
 def _not_formed(method: object, call: str) -> ModelError:

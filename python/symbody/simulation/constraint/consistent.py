@@ -83,14 +83,14 @@ def solved_state(
         guess: the values near which the others should be.
         t: the time, in s.
     """
+    system = kinematics.system
+    fixed = state_values(system, initial, where=_WHERE)
+    near = state_values(system, guess, where=_WHERE, argument="guess")
+    z = [fixed.get(state, near.get(state, 0.0)) for state in system.states]
+    kinematics = kinematics.beside(z)
     kinematics.check_inputs(_WHERE)
-    beside = kinematics.system.state_names
-    p = parameter_values(kinematics.parameters, parameters, where=_WHERE, beside=beside)
-    fixed = state_values(kinematics.system, initial, where=_WHERE)
-    near = state_values(kinematics.system, guess, where=_WHERE, argument="guess")
+    p = parameter_values(kinematics.parameters, parameters, where=_WHERE, beside=system.state_names)
     q = positions(kinematics, p, t, fixed, near)
     u = velocities(kinematics, p, t, q, fixed, near)
-    system = kinematics.system
-    z = [fixed.get(state, near.get(state, 0.0)) for state in system.states]
     names = (*system.coordinates, *system.speeds, *system.states)
     return dict(zip(names, map(float, [*q, *u, *z]), strict=True))

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
+from copy import copy
 from dataclasses import dataclass
 from functools import cached_property, lru_cache
+from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from symbody.codegen import CompiledFunction, lambdify
 from symbody.dynamics import Equations
@@ -30,10 +32,44 @@ class Kinematics:
     Attributes:
         system: the system.
         given: the expressions that replace input functions of time.
+        states: the values of the states beside the mechanics, shape (k,) or (k, N), if constraints hold states.
     """
 
     system: Variables
     given: Given = ()
+    states: Array | None = None
+
+    @cached_property
+    def has_states(self) -> bool:
+        """Whether constraints on velocities, or the rates of coordinates, hold states, whose values are needed then."""
+        return not self._written.isdisjoint(self.system.states)
+
+    @cached_property
+    def _written(self) -> frozenset[Expr]:
+        """The variables in constraints and kinematics as they were written, without what inputs bring in."""
+        system = self.system
+        return free_symbols((*system.velocity_level(system.constraints), *system.rate(system.coordinates)))
+
+    def beside(self, states: ArrayLike) -> Kinematics:
+        """Return the same, with the same compiled code, for values of the states."""
+        if not self.has_states:
+            return self
+        _ = self._velocity, self._acceleration
+        made = copy(self)
+        vars(made).pop("in_speeds", None)
+        object.__setattr__(made, "states", np.asarray(states, dtype=np.float64))
+        return made
+
+    def _with_states(self, place: Array) -> Array:
+        return place if self.states is None else np.concatenate([place, self.states])
+
+    def velocity(self, t: ArrayLike, q: Array, p: Array) -> Any:
+        """Return A and b of ``(phi', q') = A u + b``, with all constraints."""
+        return self._velocity(t, self._with_states(q), p)
+
+    def acceleration(self, t: ArrayLike, state: Array, p: Array) -> Any:
+        """Return c of ``(phi'', q'') = A u' + c``, at coordinates and speeds."""
+        return self._acceleration(t, self._with_states(state), p)
 
     @cached_property
     def constraints(self) -> tuple[Expr, ...]:
@@ -73,8 +109,10 @@ class Kinematics:
 
     @cached_property
     def leaves(self) -> frozenset[Expr]:
-        """The variables in constraints and kinematics."""
-        own = free_symbols((*self.constraints, *self.position_constraints, *self._velocities))
+        """The variables in constraints and kinematics, and in the rates of the states that constraints hold."""
+        levels = free_symbols((*self.constraints, *self.position_constraints, *self._velocities))
+        rates = zip(self.system.states, self.system.state_rates.values(), strict=True)
+        own = levels | free_symbols(self._with_inputs(rate for z, rate in rates if z in levels))
         if not self.system.momenta:
             return own
         return own | self.in_speeds.leaves | free_symbols(self._momenta)
@@ -82,7 +120,8 @@ class Kinematics:
     @cached_property
     def in_speeds(self) -> Kinematics:
         """The kinematics in the speeds that momenta replaced."""
-        return Kinematics(self.system.whole, self.given)
+        made = Kinematics(self.system.whole, self.given)
+        return made if self.states is None else made.beside(self.states)
 
     def parameters_of(self, other: Kinematics, p: Array) -> Array:
         """Return the values of the parameters of other kinematics, which are among the own ones."""
@@ -106,20 +145,28 @@ class Kinematics:
         return lambdify(self._arguments(q), [phi, jacobian(phi, q), [magnitude(each) for each in phi]])
 
     @cached_property
-    def velocity(self) -> CompiledFunction:
-        """The function of t, q and p that returns A and b: ``(phi', q') = A u + b``, with all constraints."""
+    def _velocity(self) -> CompiledFunction:
+        """The function of t, q (and z) and p that returns A and b."""
         u = list(self.system.speeds)
         rest = substitute(self._velocities, dict.fromkeys(u, number(0)))
         outputs = [jacobian(list(self._velocities), u), list(rest)]
-        return lambdify(self._arguments(list(self.system.coordinates)), outputs)
+        return lambdify(self._arguments([*self.system.coordinates, *self._held]), outputs)
 
     @cached_property
-    def acceleration(self) -> CompiledFunction:
-        """The function of t, (q, u) and p that returns c: ``(phi'', q'') = A u' + c``."""
+    def _acceleration(self) -> CompiledFunction:
+        """The function of t, (q, u) (and z) and p that returns c."""
         with derivation():
             rates = self.system.rate(self._velocities)
             rest = substitute(rates, dict.fromkeys(self.system.accelerations, number(0)))
-        return lambdify(self._arguments([*self.system.coordinates, *self.system.speeds]), list(rest))
+            rest = self._with_inputs(rest) if self.has_states else rest
+        return lambdify(
+            self._arguments([*self.system.coordinates, *self.system.speeds, *self._held]), list(rest)
+        )
+
+    @property
+    def _held(self) -> tuple[Expr, ...]:
+        """The states, if constraints hold any of them; their rates may hold the others."""
+        return self.system.states if self.has_states else ()
 
     def _arguments(self, state: list[Expr]) -> list[Expr | list[Expr]]:
         return [t, state, list(self.parameters)]
@@ -134,7 +181,13 @@ class Kinematics:
             ModelError: some of them do not.
         """
         system = self.system
-        known = {leaf.name for leaf in (*system.coordinates, *system.speeds, *system.eliminated)}
+        if self.has_states and self.states is None:
+            first = next(z for z in system.states if z in self._written)
+            raise ModelError(
+                f"{where}: the constraints hold the state {first}, whose value isn't known here; expected constraints "
+                "without states: make the system with a number, or an input, in its place"
+            )
+        known = {leaf.name for leaf in (*system.coordinates, *system.speeds, *system.eliminated, *self._held)}
         unknown = sorted(
             {leaf.name for leaf in self.leaves if leaf.kind == "time_function" and leaf.name not in known}
         )

@@ -65,7 +65,10 @@ def overconstraint(
     if not steady:
         return None
     driven = [k for k in range(len(system.conditions)) if k not in steady]
-    undriven = Kinematics(system.leaving_out(driven), kinematics.given) if driven else kinematics
+    undriven = kinematics
+    if driven:
+        undriven = Kinematics(system.leaving_out(driven), kinematics.given)
+        undriven = undriven if kinematics.states is None else undriven.beside(kinematics.states)
     values = dict(zip(kinematics.parameters, p, strict=True))
     found = _redundancy(undriven, np.array([values[name] for name in undriven.parameters]), time, q, where)
     return None if found is None else found.among(system.conditions, steady)

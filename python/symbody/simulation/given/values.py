@@ -111,6 +111,7 @@ def state_values(
     argument: str = "initial",
     has_speeds: bool = True,
     has_states: bool = False,
+    kept: Sequence[Expr] | None = None,
 ) -> dict[Expr, float]:
     """Return the given values of coordinates, rates of coordinates, speeds, and states.
 
@@ -121,13 +122,16 @@ def state_values(
         argument: the name of the argument, for messages.
         has_speeds: whether rates, speeds and states may be given, or only coordinates.
         has_states: whether states may be given beside coordinates, where speeds may not.
+        kept: the states that may be given, if nothing else may.
 
     Raises:
         ParameterError: a key is not a coordinate, a rate of one or a speed; or a value is not finite.
         ArgumentError: the argument is not a mapping, or a value is not a number.
     """
     values, place = _mapping(given, where, argument), f"{where}, {argument}"
-    if has_speeds:
+    if kept is not None:
+        check_known(values, kept, place, "a state of this system that is integrated")
+    elif has_speeds:
         check_state_names(system, values, place)
     elif has_states:
         check_known(

@@ -99,12 +99,14 @@ def _contradiction(
         parameters: the values of its parameters.
         span: the duration of the motion, in s.
         t: the time, in s.
-        state: coordinates and speeds, shape (n_q + n,).
+        state: coordinates, speeds and states, shape (model.state,).
         are_speeds_noted: whether the linear solver reported equations of speeds.
     """
     kinematics = kinematics_of(model.equations, dict(model.inputs))
     p = np.array([parameters[name] for name in kinematics.parameters])
-    rows = contradictory_constraints(kinematics, p, t, state, span)
+    mechanical = len(model.coordinates) + len(model.speeds)
+    kinematics = kinematics.beside(state[mechanical : mechanical + len(model.states)])
+    rows = contradictory_constraints(kinematics, p, t, state[:mechanical], span)
     if rows:
         return contradiction_between(model.system.conditions, rows)
     return unbalanced_speeds(model, parameters, t, state) if are_speeds_noted else ""

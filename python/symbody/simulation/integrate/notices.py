@@ -127,6 +127,7 @@ def _singular_start(motion: Integrated) -> Iterable[Finding]:
     if not model.constraints:
         return []
     kinematics = kinematics_of(model.equations, dict(model.inputs))
+    kinematics = kinematics.beside(state[len(state) - len(model.states) :])
     p = np.array([motion.parameters[name] for name in kinematics.parameters])
     t, q = float(motion.task.instants[0]), state[: len(model.coordinates)]
     if not may_be_singular(kinematics, p, t, q, model.independent_constraints):

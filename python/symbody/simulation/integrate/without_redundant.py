@@ -33,7 +33,9 @@ def without_redundant(task: Task, parameters: Mapping[Expr, float], state: NDArr
     model = task.unstabilized
     if not model.constraints:
         return task
+    mechanical = len(model.coordinates) + len(model.speeds)
     kinematics = kinematics_of(model.equations, dict(model.inputs))
+    kinematics = kinematics.beside(state[mechanical : len(model.state)])
     p = np.array([parameters[name] for name in kinematics.parameters])
     q, t = state[: len(model.coordinates)], float(task.instants[0])
     found = overconstraint(kinematics, p, t, q)

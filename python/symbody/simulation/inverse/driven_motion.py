@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping
+from collections.abc import Callable, Collection, Mapping
 from dataclasses import dataclass
 
 import numpy as np
@@ -17,6 +17,7 @@ from symbody.symbolic.given.arguments import described
 
 from .kinematic_analysis import Trajectory, kinematic_analysis
 from .prescription import prescription_of
+from .states_along import Beside, StateRates
 
 __all__ = ["DrivenMotion", "prescribed_motion", "simulated_motion"]
 
@@ -50,6 +51,7 @@ def prescribed_motion(
     needed: Collection[Expr],
     parameters: Parameters,
     guess: Mapping[Expr, ArrayLike] | None,
+    beside: Callable[[tuple[Expr, ...], Mapping[Expr, float]], Beside | None],
 ) -> DrivenMotion:
     """Return the motion that a prescription and the constraints determine.
 
@@ -60,6 +62,7 @@ def prescribed_motion(
         needed: the symbols that need values, in addition to those in the prescription.
         parameters: the values of symbols.
         guess: coordinates near the first position.
+        beside: returns the states beside the mechanics, of the prescribed coordinates and the values of parameters.
 
     Raises:
         SimulationError: instants do not increase, samples have another length, or the motion is not determined.
@@ -72,30 +75,45 @@ def prescribed_motion(
     values = _values({*needed, *prescription.parameters}, parameters)
     near = state_values(kinematics.system, guess, where=_WHERE, argument="guess", has_speeds=False)
     p = np.array([values[name] for name in kinematics.parameters])
-    along = kinematic_analysis(kinematics, p, prescription.compiled(values), instants, near, _WHERE)
+    path, states = prescription.compiled(values), beside(prescription.coordinates, values)
+    along = kinematic_analysis(kinematics, p, path, instants, near, states, _WHERE)
     return DrivenMotion(prescription.coordinates, instants, along, values)
 
 
 def simulated_motion(
-    kinematics: Kinematics, motion: Motion, needed: Collection[Expr], parameters: Parameters
+    kinematics: Kinematics,
+    motion: Motion,
+    needed: Collection[Expr],
+    parameters: Parameters,
+    states: StateRates,
 ) -> DrivenMotion:
-    """Return a simulated motion. Parameters may have other values, except those in the constraints.
+    """Return a simulated motion. Parameters may have other values, except those in constraints and rates of states.
+
+    Args:
+        kinematics: the constraints.
+        motion: the simulated motion.
+        needed: the symbols that need values.
+        parameters: values other than those of the motion.
+        states: the rates of the states.
 
     Raises:
-        ConstraintError: a parameter in the constraints has another value.
+        ConstraintError: a parameter in the constraints or in the rate of a state has another value.
         ParameterError: a value is missing or not finite.
     """
     values, system = _values(needed, {**motion.parameters, **parameters}), kinematics.system
-    for name in kinematics.parameters:
+    places = dict.fromkeys(states.parameters, "the rate of a state")
+    places |= dict.fromkeys(kinematics.parameters, "the constraints or the kinematics")
+    for name, place in places.items():
         own = motion.parameters.get(name, values[name])
         if values[name] != own:
             raise ConstraintError(
-                f"{_WHERE}, parameters: {name} = {values[name]:g} is in the constraints or the kinematics, but the "
-                f"motion has {name} = {own:g}; simulate it with the same value"
+                f"{_WHERE}, parameters: {name} = {values[name]:g} is in {place}, but the motion has {name} = {own:g}; "
+                "simulate it with the same value"
             )
     q, n = len(system.coordinates), len(system.speeds)
-    rows = motion.evaluate([*system.coordinates, *system.speeds, *system.accelerations]).T
-    along = Trajectory(rows[:, :q], rows[:, q : q + n], rows[:, q + n :])
+    names = [*system.coordinates, *system.speeds, *system.accelerations, *states.states]
+    rows = motion.evaluate(names).T
+    along = Trajectory(rows[:, :q], rows[:, q : q + n], rows[:, q + n : q + 2 * n], rows[:, q + 2 * n :])
     return DrivenMotion(system.driving, motion.t, along, values)
 
 

@@ -49,6 +49,11 @@ class DrivingLoads:
     where: str
 
     @property
+    def states(self) -> tuple[Expr, ...]:
+        """The states beside the mechanics whose values are known: those that are not solved for."""
+        return tuple(z for z in self.equations.states if z not in self.loads)
+
+    @property
     def names(self) -> tuple[Expr, ...]:
         """The unknowns, except the multipliers."""
         return self.along + self.loads
@@ -65,7 +70,7 @@ class DrivingLoads:
 
     @cached_property
     def function(self) -> CompiledFunction:
-        """The function of t, (q, u, u') and p that returns r, B, and the magnitudes of the terms of r.
+        """The function of t, (q, u, u', z) and p that returns r, B, and the magnitudes of the terms of r.
 
         Raises:
             ModelError: the equations aren't linear in the loads.
@@ -79,7 +84,7 @@ class DrivingLoads:
         B = Matrix([[*column, *row] for column, row in zip(columns, slopes, strict=True)])
         variables: list[Expr | list[Expr]] = [
             t,
-            [*eqs.coordinates, *eqs.speeds, *eqs.accelerations],
+            [*eqs.coordinates, *eqs.speeds, *eqs.accelerations, *self.states],
             list(self.parameters),
         ]
         return lambdify(variables, [list(rest), B, [magnitude(each) for each in rest]])
@@ -115,7 +120,7 @@ class DrivingLoads:
         Raises:
             SimulationError: loads are not determined, or the equations are not balanced or not finite.
         """
-        state = np.hstack([trajectory.coordinates, trajectory.speeds, trajectory.accelerations]).T
+        state = trajectory.rows.T
         p = np.array([values[name] for name in self.parameters]).reshape(-1, 1)
         r, B, sizes = self.function(instants, state, p)
         r, B, sizes = r.T, np.moveaxis(B, -1, 0), sizes.T
@@ -125,6 +130,13 @@ class DrivingLoads:
         self._check_balanced(instants, left, sizes + np.einsum("kij,kj->ki", np.abs(B), np.abs(x)))
         self._check_determined(instants, determined[:, : len(self.names)])
         return x[:, : len(self.names)], x[:, len(self.names) :]
+
+    def at(self, time: float, motion: Array, values: Mapping[Expr, float]) -> tuple[Array, Array]:
+        """Return loads and multipliers at an instant, of (q, u, u', z)."""
+        n, k = len(self.equations.coordinates), len(self.equations.speeds)
+        parts = np.split(motion[None], [n, n + k, n + 2 * k], axis=1)
+        loads, multipliers = self.solution(np.array([time]), Trajectory(*parts), values)
+        return loads[0], multipliers[0]
 
     def _check_finite(self, instants: Array, r: Array, B: Array) -> None:
         is_strange = ~(np.isfinite(r) & np.isfinite(B).all(axis=2))

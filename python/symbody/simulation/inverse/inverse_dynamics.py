@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
+from functools import partial
 from typing import NoReturn
 
 import numpy as np
@@ -17,7 +18,7 @@ from symbody.simulation.constraint.kinematics import Kinematics, kinematics_of
 from symbody.simulation.given.given_input import substitute_inputs
 from symbody.simulation.given.parameter import parameters_among
 from symbody.simulation.given.unused import warn_of_unused
-from symbody.simulation.given.values import given_inputs
+from symbody.simulation.given.values import given_inputs, state_values
 from symbody.simulation.model.unknown import unknown_variables
 from symbody.simulation.motion.motion import Motion
 from symbody.simulation.motion.range_table import range_table
@@ -30,6 +31,7 @@ from symbody.symbolic.numeric.deficiency import reporting
 
 from .driven_motion import prescribed_motion, simulated_motion
 from .driving_load import driving_loads
+from .states_along import Beside, StateRates, state_rates
 
 __all__ = ["InverseDynamics", "inverse_dynamics"]
 
@@ -60,6 +62,7 @@ class InverseDynamics:
         forces: the loads that were solved for, shape (N,) each; the keys of generalised forces are coordinates.
         multipliers: the multipliers of the constraints, shape (N, number of constraints); those of minimum norm if
             constraints are dependent.
+        states: the states beside the mechanics that were integrated, shape (N,) each.
         parameters: the values of the parameters.
         inputs: the expressions that replaced input functions of time.
 
@@ -80,6 +83,7 @@ class InverseDynamics:
     multipliers: Array
     parameters: Mapping[Expr, float]
     inputs: Mapping[Expr, Expr] = field(default_factory=dict)
+    states: Mapping[Expr, Array] = field(default_factory=dict)
 
     def __repr__(self) -> str:
         names = ", ".join(map(str, self.forces))
@@ -88,8 +92,8 @@ class InverseDynamics:
     def _repr_html_(self) -> str:
         """Return the ranges of the loads that were solved for, of the motion, and of the multipliers."""
         system = self.system
-        names = [*system.coordinates, *system.speeds, *system.multipliers]
-        columns = np.hstack([self.coordinates, self.speeds, self.multipliers]).T
+        names = [*system.coordinates, *system.speeds, *self.states, *system.multipliers]
+        columns = [*self.coordinates.T, *self.speeds.T, *self.states.values(), *self.multipliers.T]
         loads = [(_name_of_load(load, system), values) for load, values in self.forces.items()]
         return range_table(str(self), "quantity", [*loads, *zip(names, columns, strict=True)])
 
@@ -123,7 +127,7 @@ class InverseDynamics:
         wanted = self._by_state(asked)
         states = [*system.coordinates, *system.speeds, *system.accelerations, *system.multipliers]
         own = {*system.coordinates, *system.driving}
-        loads = {name: values for name, values in self.forces.items() if name not in own}
+        loads = {name: values for name, values in self.forces.items() if name not in own} | dict(self.states)
         self._check_known(asked, {symbolic_time, *states, *loads, *self.parameters})
         function = lambdify([symbolic_time, states, list(loads), list(self.parameters)], list(wanted))
         rows = np.hstack([self.coordinates, self.speeds, self.accelerations, self.multipliers]).T
@@ -142,24 +146,12 @@ class InverseDynamics:
             raise SimulationError(unknown_variables(_WHERE, strange, self.system, loads) + note)
 
 
-def _check_states(eqs: object) -> None:
-    """Check that the speeds are no momenta, and that the loads hold no states.
-
-    A prescribed motion gives positions, and not what came before them.
-    """
-    if not isinstance(eqs, Equations):
-        return  # an error of its own tells what was given
-    if eqs.system.momenta:
+def _check_speeds(eqs: object) -> None:
+    """Check that the speeds are no momenta."""
+    if isinstance(eqs, Equations) and eqs.system.momenta:
         raise ModelError(
             f"{_WHERE}: the speeds of the equations are momenta, along which no forces act; expected equations in "
             "speeds, such as newton_euler(system)"
-        )
-    held = sorted({*eqs.states} & free_symbols(eqs.residuals), key=str)
-    if held:
-        raise ModelError(
-            f"{_WHERE}: the equations of motion hold the state {held[0]}, whose rate is an equation of its own, and "
-            f"which the motion at an instant doesn't determine; make the system with inputs=[{held[0]}] instead of "
-            "states, and give its values along the motion as an input"
         )
 
 
@@ -181,12 +173,14 @@ def inverse_dynamics(
     unknowns: Sequence[Expr] | None = None,
     inputs: Mapping[Expr, ExprLike] | None = None,
     guess: Mapping[Expr, ArrayLike] | None = None,
+    initial: Mapping[Expr, ArrayLike] | None = None,
 ) -> InverseDynamics:
     """Return the loads that make a system follow a prescribed motion.
 
     The coordinates that are not prescribed follow from the constraints, with their velocities and accelerations. Then
     ``M u' - forcing - phi_q^T lambda - K^T f = 0`` is linear in lambda and in the forces f along the prescribed
-    coordinates, or in the loads given as unknowns [Nikravesh 1988, sec. 5.5].
+    coordinates, or in the loads given as unknowns [Nikravesh 1988, sec. 5.5]. States beside the mechanics are
+    integrated along the motion, unless they are unknowns.
 
     Args:
         eqs: the equations of motion.
@@ -195,14 +189,16 @@ def inverse_dynamics(
         parameters: the values of all symbols, except the unknowns.
         t: the first and the last instant (1001 evenly spaced instants), or all instants, in s.
         unknowns: the symbols or functions of time in the loads that are solved for. By default, a generalised force
-            along each prescribed coordinate, or each speed of a simulated motion, acts in addition to the loads.
+            along each prescribed coordinate, or each speed of a simulated motion, acts in addition to the loads. A
+            state that is solved for does not follow its rate.
         inputs: expressions of time and state for the input functions of time.
         guess: coordinates near the first position, if they are not prescribed.
+        initial: the values of states at the first instant, zero by default; a simulated motion has its own.
 
     Raises:
         SimulationError: the motion or the loads are not determined, or no loads balance the equations.
         ConstraintError: the constraints do not allow the motion.
-        ModelError: a prescription or an unknown is not allowed, or loads hold states beside the mechanics.
+        ModelError: a prescription or an unknown is not allowed.
         ParameterError: a value is missing, has an unknown key, or is not finite.
 
     >>> from symbody import Body, System, functions_of_time, newton_euler, symbols, translate
@@ -212,19 +208,21 @@ def inverse_dynamics(
     >>> inverse_dynamics(eqs, {x: time**2}, {m: 3}, [0, 1, 2]).forces
     {x: array([6., 6., 6.])}
     """
-    _check_states(eqs)
+    _check_speeds(eqs)
     loads = _listed(unknowns)
     given = _inputs(eqs, motion, inputs, loads)
     kinematics = kinematics_of(eqs, given)
     _check_unknowns(eqs, kinematics, motion, loads)
     needed = _parameters(eqs, kinematics) - {*loads}
     numbers = _without(parameters, loads)
+    rates = state_rates(eqs, kinematics.given, tuple(z for z in eqs.states if z not in loads), loads)
     with reporting(_WHERE):
         if isinstance(motion, Motion):
-            _check_left_out(t=t, guess=guess)
-            driven = simulated_motion(kinematics, motion, needed, numbers)
+            _check_left_out(t=t, guess=guess, initial=initial)
+            driven = simulated_motion(kinematics, motion, needed, numbers, rates)
         else:
-            driven = prescribed_motion(kinematics, motion, t, needed, numbers, guess)
+            beside = partial(_beside, rates, initial)
+            driven = prescribed_motion(kinematics, motion, t, needed, numbers, guess, beside)
     formulas = (
         [value for value in motion.values() if isinstance(value, Expr)] if isinstance(motion, Mapping) else []
     )
@@ -242,6 +240,40 @@ def inverse_dynamics(
         multipliers,
         {name: value for name, value in driven.parameters.items() if name not in loads},
         given,
+        dict(zip(rates.states, driven.trajectory.states.T, strict=True)),
+    )
+
+
+def _beside(
+    rates: StateRates,
+    initial: Mapping[Expr, ArrayLike] | None,
+    prescribed: tuple[Expr, ...],
+    values: Mapping[Expr, float],
+) -> Beside | None:
+    """Return the states beside a prescribed motion; None if there are none to be integrated.
+
+    Args:
+        rates: the rates of the states.
+        initial: the values of states at the first instant.
+        prescribed: the coordinates that are prescribed.
+        values: the values of the parameters.
+    """
+    start = state_values(rates.equations.system, initial, where=_WHERE, argument="initial", kept=rates.states)
+    if not rates.states:
+        return None
+    along = () if rates.loads else prescribed
+    equations = driving_loads(rates.equations, rates.given, along, rates.loads, _WHERE)
+    m = len(along)
+
+    def forces(time: float, motion: Array) -> Array:
+        loads, multipliers = equations.at(time, motion, values)
+        return np.concatenate([loads[m:], multipliers])
+
+    return Beside(
+        rates,
+        np.array([start.get(z, 0.0) for z in rates.states]),
+        np.array([values[name] for name in rates.parameters]),
+        forces,
     )
 
 
@@ -279,12 +311,14 @@ def _parameters(eqs: Equations, kinematics: Kinematics) -> set[Expr]:
 
 def _check_unknowns(eqs: Equations, kinematics: Kinematics, motion: object, loads: Sequence[Expr]) -> None:
     """Check that unknowns are in the equations, and do not influence the motion."""
-    functions = [leaf for leaf in eqs.inputs if not leaf.order and leaf not in dict(kinematics.given)]
+    held = [z for z in eqs.states if z in free_symbols(eqs.residuals)]
+    functions = [leaf for leaf in eqs.inputs if not leaf.order and leaf not in dict(kinematics.given)] + held
     known = [*sorted(_parameters(eqs, kinematics), key=str), *functions]
     formulas = (
         [value for value in motion.values() if isinstance(value, Expr)] if isinstance(motion, Mapping) else []
     )
-    moving = {leaf.name for leaf in kinematics.leaves | free_symbols(formulas)}
+    in_constraints = eqs.states if kinematics.has_states else ()
+    moving = {leaf.name for leaf in kinematics.leaves | free_symbols(formulas) | {*in_constraints}}
     for name in loads:
         if name not in known:
             raise ModelError(

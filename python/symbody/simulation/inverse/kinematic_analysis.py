@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 
 import numpy as np
@@ -17,6 +17,7 @@ from symbody.simulation.model.named_constraint import named_constraint
 from symbody.symbolic import Expr, jacobian
 
 from .prescription import Path
+from .states_along import Beside, integrated_states
 
 __all__ = ["Trajectory", "kinematic_analysis"]
 
@@ -36,15 +37,28 @@ _ROUNDING = 1e-12
 
 @dataclass(frozen=True, eq=False)
 class Trajectory:
-    """The coordinates, speeds and accelerations along a motion, one row for each of the N instants."""
+    """The coordinates, speeds, accelerations and states along a motion, one row for each of the N instants."""
 
     coordinates: Array
     speeds: Array
     accelerations: Array
+    states: Array = field(default_factory=lambda: np.zeros((1, 0)))
+
+    @property
+    def rows(self) -> Array:
+        """All of them in one row for each instant."""
+        states = np.broadcast_to(self.states, (len(self.coordinates), self.states.shape[1]))
+        return np.hstack([self.coordinates, self.speeds, self.accelerations, states])
 
 
 def kinematic_analysis(
-    kinematics: Kinematics, p: Array, path: Path, instants: Array, guess: Mapping[Expr, float], where: str
+    kinematics: Kinematics,
+    p: Array,
+    path: Path,
+    instants: Array,
+    guess: Mapping[Expr, float],
+    beside: Beside | None,
+    where: str,
 ) -> Trajectory:
     """Return the motion that the constraints and the prescription determine.
 
@@ -57,19 +71,22 @@ def kinematic_analysis(
         path: the prescribed coordinates as functions of time.
         instants: the instants, shape (N,), in s.
         guess: coordinates near the first position.
+        beside: the states beside the mechanics, which are integrated along the motion.
         where: the function that the user called, for messages.
 
     Raises:
         ConstraintError: the constraints do not allow the motion.
         SimulationError: the motion is not determined, or the prescription is not finite.
     """
-    driven = _Driven(kinematics, p, path, where)
-    q = driven.positions(instants, guess)
-    velocities, accelerations = driven.levels(instants, q)
+    driven = _Driven(kinematics, p, path, where, beside)
+    q, z = driven.positions(instants, guess)
+    velocities, accelerations = driven.levels(instants, q, z)
     driven.check_determined(instants, velocities)
     driven.check_satisfied(instants, velocities, "speeds")
     driven.check_satisfied(instants, accelerations, "accelerations")
-    return Trajectory(q, velocities.x, accelerations.x)
+    if beside is not None and not driven.is_path_dependent:
+        z = integrated_states(beside, lambda time: driven.motion_at(time, instants, q), instants, where)
+    return Trajectory(q, velocities.x, accelerations.x, z)
 
 
 @dataclass(frozen=True, eq=False)
@@ -129,6 +146,7 @@ class _Driven:
     p: Array
     path: Path
     where: str
+    beside: Beside | None = None
 
     @property
     def prescribed(self) -> tuple[Expr, ...]:
@@ -147,25 +165,27 @@ class _Driven:
         free[self.places] = False
         return free
 
-    def positions(self, instants: Array, guess: Mapping[Expr, float]) -> Array:
-        """Return the coordinates, one row for each instant."""
+    def positions(self, instants: Array, guess: Mapping[Expr, float]) -> tuple[Array, Array]:
+        """Return the coordinates, one row for each instant, and the states, where constraints are on velocities."""
         path = self.path.at(instants)
         self._check_finite(instants, path)
         first = dict(zip(self.prescribed, map(float, path[0, :, 0]), strict=True))
         q = positions(self.kinematics, self.p, float(instants[0]), first, guess, where=self.where)
         rows = np.tile(q, (len(instants), 1))
         rows[:, self.places] = path[0].T
-        if self._is_path_dependent:
-            self._follow(rows, instants)
+        beside = np.zeros(0) if self.beside is None else self.beside.start
+        states = np.tile(beside, (len(instants), 1))
+        if self.is_path_dependent:
+            self._follow(rows, states, instants)
         elif self.kinematics.position_constraints and self.is_free.any():
             for k in range(1, len(instants)):
                 rows[k] = self.advanced(rows[k - 1], float(instants[k - 1]), float(instants[k]))
         elif self.kinematics.position_constraints:
             self.check(rows, instants)
-        return rows
+        return rows, states
 
     @property
-    def _is_path_dependent(self) -> bool:
+    def is_path_dependent(self) -> bool:
         """Whether the prescription doesn't determine positions by the instant alone.
 
         So it is with constraints on velocities, also where these were eliminated, or are embedded by the kinematics.
@@ -180,26 +200,42 @@ class _Driven:
             not count or jacobian(list(self.kinematics.position_constraints), free).rank() < len(free)
         )
 
-    def _follow(self, rows: Array, instants: Array) -> None:
-        """Put in the coordinates along the way: constraints on velocities don't tell positions by the instant alone."""
+    def motion_at(self, time: float, instants: Array, rows: Array) -> Array:
+        """Return coordinates, speeds and accelerations at any time, from the positions at instants."""
+        k = max(int(np.searchsorted(instants, time, side="right")) - 1, 0)
+        q = rows[k].copy()
+        q[self.places] = self.path.at(time)[0]
+        if self.kinematics.position_constraints and self.is_free.any() and time > instants[k]:
+            q = self.advanced(rows[k], float(instants[k]), time)
+        velocities, accelerations = self.levels(np.array([time]), q[None], np.zeros((1, 0)))
+        return np.concatenate([q, velocities.x[0], accelerations.x[0]])
+
+    def _follow(self, rows: Array, states: Array, instants: Array) -> None:
+        """Put in positions and states along the way: constraints on velocities don't tell them by the instant alone."""
         from scipy.integrate import solve_ivp  # noqa: PLC0415 - slow to load, and rarely needed
 
         for k in range(1, len(instants)):
             span = float(instants[k - 1]), float(instants[k])
-            found = solve_ivp(self._rates_at, span, rows[k - 1], "DOP853", rtol=_EXACT_WAY, atol=_EXACT_WAY)
+            begin, n = np.concatenate([rows[k - 1], states[k - 1]]), rows.shape[1]
+            found = solve_ivp(self._rates_at, span, begin, "DOP853", rtol=_EXACT_WAY, atol=_EXACT_WAY)
             if not found.success:
-                raise ConstraintError(self._stuck(found.y[:, -1], float(found.t[-1])))
-            reached = found.y[:, -1]
+                raise ConstraintError(self._stuck(found.y[:n, -1], float(found.t[-1])))
+            reached, states[k] = found.y[:n, -1], found.y[n:, -1]
             reached[self.places] = rows[k, self.places]
             problem = Positions.at(self.kinematics, self.p, span[1], reached)
             rows[k] = problem.solution(reached, self.is_free) if self.is_free.any() else reached
             if not problem.error(rows[k]) <= EXACT:
                 raise ConstraintError(self._stuck(rows[k - 1], span[0]))
 
-    def _rates_at(self, time: float, q: Array) -> Array:
-        velocities, _ = self.levels(np.array([time]), q[None])
+    def _rates_at(self, time: float, place: Array) -> Array:
+        n = len(self.kinematics.system.coordinates)
+        q, z = place[:n], place[n:]
+        velocities, accelerations = self.levels(np.array([time]), q[None], z[None])
         rates: Array = velocities.rates[0, len(self.kinematics.constraints) :]
-        return rates
+        if self.beside is None:
+            return rates
+        motion = np.concatenate([q, velocities.x[0], accelerations.x[0], z])
+        return np.concatenate([rates, self.beside.rates_at(time, motion)])
 
     def check(self, rows: Array, instants: Array) -> None:
         """Check that the constraints are satisfied if all coordinates are prescribed."""
@@ -225,7 +261,7 @@ class _Driven:
     def step_result(self, q: Array, start: float, end: float) -> Array | None:
         """Return the coordinates after one step; None if they are not near the prediction by their rates."""
         h, m = end - start, len(self.kinematics.constraints)
-        velocities, accelerations = self.levels(np.array([start]), q[None])
+        velocities, accelerations = self.levels(np.array([start]), q[None], np.zeros((1, 0)))
         predicted = q + h * velocities.rates[0, m:] + h * h / 2 * accelerations.rates[0, m:]
         predicted[self.places] = self.path.at(end)[0]
         if not np.isfinite(predicted).all():
@@ -236,16 +272,17 @@ class _Driven:
         is_near = off <= max(_FAR * moved, 1e-6 * (1 + np.abs(q).max()))
         return found if is_near and problem.error(found) <= EXACT else None
 
-    def levels(self, instants: Array, q: Array) -> tuple[_Level, _Level]:
-        """Return the equations for velocities and for accelerations, at positions for each instant."""
+    def levels(self, instants: Array, q: Array, z: Array) -> tuple[_Level, _Level]:
+        """Return the equations for velocities and for accelerations, at positions and states for each instant."""
+        kinematics = self.kinematics.beside(z.T)
         m, p = len(self.kinematics.constraints), self.p[:, None]
         rows = [*range(m), *(m + place for place in self.places)]
         _, first, second = self.path.at(instants)
         at_rest = np.zeros((len(instants), m))
-        A, b = self.kinematics.velocity(instants, q.T, p)
+        A, b = kinematics.velocity(instants, q.T, p)
         A = np.moveaxis(A, -1, 0)
         velocities = _Level(A, b.T, np.hstack([at_rest, first.T]), rows)
-        c = self.kinematics.acceleration(instants, np.vstack([q.T, velocities.x.T]), p)
+        c = kinematics.acceleration(instants, np.vstack([q.T, velocities.x.T]), p)
         return velocities, _Level(A, c.T, np.hstack([at_rest, second.T]), rows)
 
     def _check_finite(self, instants: Array, path: Array) -> None:

@@ -14,6 +14,7 @@ from symbody.simulation.constraint.gauss_newton import gauss_newton
 from symbody.simulation.constraint.least_norm import least_norm
 from symbody.simulation.statics.small_motion import SmallMotion
 from symbody.simulation.statics.small_motion_of_states import SmallMotionOfStates, StatesAlong
+from symbody.simulation.statics.small_motion_with_rates import Rates, SmallMotionWithRates
 from symbody.simulation.statics.statics import Statics
 from symbody.symbolic import Expr
 
@@ -137,7 +138,9 @@ class Balance:
         least: Array = determined @ least_norm(slopes[:n, len(q) :] @ determined, -F[:n])[0]
         return least if self.error(q, least) <= max(self.error(q, forces), _ROUNDED) else forces
 
-    def small_motion(self, q: Array, forces: Array, *, is_held: bool) -> SmallMotion | SmallMotionOfStates:
+    def small_motion(
+        self, q: Array, forces: Array, *, is_held: bool
+    ) -> SmallMotion | SmallMotionOfStates | SmallMotionWithRates:
         """Return the linear equations of the motions that the constraints allow.
 
         Args:
@@ -149,25 +152,32 @@ class Balance:
         M, C, K, driving = self.statics.small_motion(self.t, q, forces[:m], self.p)
         _, slopes, _ = self.values(q, forces)
         reactions = slopes[:n, len(q) : None if is_held else len(q) + m].T
-        _, Z = least_norm(reactions, np.zeros(len(reactions)))
+        giving = self.statics.giving_rates
+        others = np.delete(reactions, giving, axis=0)
+        _, Z = least_norm(others, np.zeros(len(others)))
         coordinates, states = len(self.equations.coordinates), len(self.equations.states)
         S = slopes[:n, :coordinates] @ K
         mechanical = SmallMotion(Z.T @ M @ Z, Z.T @ C @ Z, Z.T @ S @ Z)
-        if not states:
+        if not states and not giving:
             return mechanical
         # Reactions follow from the equations of motion, R^T df = M du' + C du + S dx + S_z dz.
         by_reactions = np.zeros((states, len(reactions)))
-        by_reactions[:, :m] = slopes[-states:, len(q) : len(q) + m]
+        of_rates = slopes[len(slopes) - states :]
+        by_reactions[:, :m] = of_rates[:, len(q) : len(q) + m]
         back = by_reactions @ -np.linalg.pinv(reactions.T)
         by_states = slopes[:n, coordinates : len(q)]
         of_states = StatesAlong(
             force=Z.T @ by_states,
             inertia=(driving[:, n:] + back @ M) @ Z,
             damping=(driving[:, :n] + back @ C) @ Z,
-            stiffness=(slopes[-states:, :coordinates] @ K + back @ S) @ Z,
-            rate=slopes[-states:, coordinates : len(q)] + back @ by_states,
+            stiffness=(of_rates[:, :coordinates] @ K + back @ S) @ Z,
+            rate=of_rates[:, coordinates : len(q)] + back @ by_states,
         )
-        return SmallMotionOfStates(mechanical, of_states)
+        if not giving:
+            return SmallMotionOfStates(mechanical, of_states)
+        rows = slopes[[n + k for k in giving]]
+        rates = Rates(-reactions[giving] @ Z, rows[:, :coordinates] @ K @ Z, rows[:, coordinates : len(q)])
+        return SmallMotionWithRates(mechanical, of_states, rates)
 
 
 _FAINT = 1e-6

@@ -64,8 +64,8 @@ class RestPosition:
 
     def _is_singular(self, held: Sequence[object]) -> bool:
         names = [q for q in self.problem.order if q in held]
-        coordinates = self.q[: len(self.problem.equations.coordinates)]
-        return is_singular(self.kinematics, self.p, self.problem.t, coordinates, names)
+        n = len(self.problem.equations.coordinates)
+        return is_singular(self.kinematics.beside(self.q[n:]), self.p, self.problem.t, self.q[:n], names)
 
     def eigenvalues(self, *, is_held: bool) -> NDArray[np.complex128]:
         """Return the eigenvalues of small motions; NaN if the position is singular."""

@@ -67,6 +67,13 @@ class Statics:
         return (*residuals, *constraints, *norms, *substitute(self._state_rates, at_rest))
 
     @cached_property
+    def giving_rates(self) -> list[int]:
+        """The places of the constraints on velocities that depend on the position or on states at rest."""
+        n, eqs = len(self.equations.speeds), self.equations
+        on_velocities = [k for k in range(len(eqs.constraints)) if k not in eqs.system.holonomic]
+        return [k for k in on_velocities if free_symbols([self.conditions[n + k]]) & {*self.positions}]
+
+    @cached_property
     def function(self) -> CompiledFunction:
         """The function of t, (q, z), lambda, h and p that returns the conditions, their slopes, and term magnitudes."""
         unknowns = [[*self.positions], [*self.equations.multipliers], [*self.holding]]
