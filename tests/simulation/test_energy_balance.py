@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import warnings
 from collections.abc import Callable
 
@@ -83,10 +84,11 @@ def test_a_body_at_rest_on_loads_alone_has_no_notice(method: str, away: float) -
 
 @pytest.mark.parametrize("instants", [3, 5, 1001])
 def test_large_losses_have_a_notice_at_loose_tolerances(instants: int) -> None:
-    """A kite loses more than a quarter of its energy at singular positions."""
+    """A kite loses more than a quarter of its energy at singular positions, or nearly all: rounding decides."""
     motion, said = moved(kite(), -5.0, t=np.linspace(0, 10, instants), method="ida3", rtol=1e-4)
     assert motion.energy_drift > 0.25
-    assert any("the energy balance, including work, is off by" in text for text in said)
+    off = [re.search(r"the energy balance, including work, is off by ([\d.]+) of", text) for text in said]
+    assert [f"{float(found[1]):.1g}" for found in off if found] == [f"{motion.energy_drift:.1g}"]
 
 
 @pytest.mark.parametrize(("make", "end"), [(natural_simple_pendulum, 100), (heavy_top, 2)])

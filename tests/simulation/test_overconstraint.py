@@ -484,7 +484,10 @@ def test_the_notice_without_a_motion_says_so_as_well() -> None:
 
 
 def test_choices_are_those_apart_from_singular_positions() -> None:
-    """The walk meets the flat position, in which all constraints along x depend on each other, whatever is left out."""
+    """The walk meets the flat position, in which all constraints along x depend on each other, whatever is left out.
+
+    How near to it a walk comes, rounding decides, so that the smallest ratios differ by a factor.
+    """
     plate, raised = translate(x, y, 0) * rotate("Z", theta), {a: 1.0, b: 1.0, c: 1.0}
     constraints, bodies = [], [Body(plate, m, 0, 0, m)]
     for place, angle in enumerate((a, b, c)):
@@ -496,6 +499,7 @@ def test_choices_are_those_apart_from_singular_positions() -> None:
     beside = redundant_constraints(system, VALUES, guess=raised | {x: np.cos(1.0), y: np.sin(1.0)})
     assert flat.rows == beside.rows == (0, 1, 2, 3, 4, 5)
     assert min(beside.ratios.values()) > 1e-3
+    assert ", best 2, 4 or 6; not 1" in flat.choices
+    assert ", best 2, 4 or 6; not 1" in beside.choices
     for row, ratio in beside.ratios.items():
-        # Next to the flat position, the ratio of a bad choice depends on where the steps of the walk end.
-        assert flat.ratios[row] == pytest.approx(ratio, rel=0.3, abs=5e-3)
+        assert ratio / 3 < flat.ratios[row] < 3 * ratio
