@@ -13,6 +13,7 @@ from symbody.dynamics import (
     CanonicalEquations,
     Equations,
     ForwardDynamics,
+    Reaction,
     dependent_speeds,
     embedded,
     equations_of,
@@ -26,6 +27,7 @@ from symbody.dynamics import (
     lagrange_equations,
     newton_equations,
     newton_euler,
+    reaction,
 )
 from symbody.dynamics.equations.independence import register_adviser
 from symbody.errors import ModelNotice, SymbodyError
@@ -188,6 +190,7 @@ __all__ = [
     "Occurrence",
     "Piecewise",
     "Point",
+    "Reaction",
     "Redundancy",
     "Runs",
     "SymbodyError",
@@ -272,6 +275,7 @@ __all__ = [
     "power",
     "prismatic",
     "project",
+    "reaction",
     "readable",
     "redundant_constraints",
     "report",

@@ -106,7 +106,7 @@ class System(Variables):
         multipliers: Coordinates = (),
         inputs: Coordinates = (),
         states: Rates | None = None,
-        joints: Sequence[Any] = (),
+        joints: Sequence[object] = (),
         name: str = "",
     ) -> None:
         self.bodies: tuple[Body, ...] = _ordered(bodies)
