@@ -18,15 +18,23 @@ from symbody import (
     Link,
     Mechanism,
     assemble,
+    cos,
     cylindrical,
     fixed,
     free,
+    functions_of_time,
+    gear,
     ground,
     number,
     planar,
+    point_on_curve,
     prismatic,
+    rack,
     revolute,
+    rolling,
     rotate,
+    screw,
+    sin,
     spherical,
     translate,
     universal,
@@ -48,6 +56,10 @@ def _spherical(draw: Random, *parts: object, **places: object) -> Joint:
     return spherical(*parts, axes=draw.choice(["ZYX", "ZXZ", "XYZ", "YXY"]), **places)  # type: ignore[arg-type]
 
 
+def _helix(s: Expr) -> tuple[Expr, Expr, Expr]:
+    return 2 * cos(s), sin(s), s + s**2 / 4
+
+
 def _free(draw: Random, *parts: object, **places: object) -> Joint:
     return free(*parts, axes=draw.choice(["ZYX", "ZXZ"]), **places)  # type: ignore[arg-type]
 
@@ -61,8 +73,20 @@ KINDS: dict[str, Make] = {
     "planar": _by_axis(planar),
     "fixed": lambda draw, *parts, **places: fixed(*parts, **places),
     "free": _free,
+    "screw": lambda draw, *parts, **places: screw(
+        *parts, axis=draw.choice("XYZ"), pitch=number(draw.choice(["-2", "1", "1/2"])), **places
+    ),
+    "rolling": lambda draw, *parts, **places: rolling(
+        *parts, radius=2, crown=number(draw.choice(["0", "2", "1/2"])), **places
+    ),
+    "point_on_curve": lambda draw, *parts, **places: point_on_curve(
+        *parts, curve=_helix, axes=draw.choice(["ZYX", "XY", "Z", ""]), **places
+    ),
 }
 """A joint of each kind, from what is drawn: its axes."""
+
+MESHES = ("gear", "rack")
+"""Kinds that couple two joints."""
 
 
 @dataclass
@@ -86,7 +110,7 @@ def random_mechanism(
     """
     draw = Random(seed)
     joints, members = list[Joint](), list[Link]()
-    kinds = [kind for kind in KINDS if closing is None or kind not in ("free", "fixed")]
+    kinds = [kind for kind in KINDS if closing is None or kind not in ("free", "fixed", "rolling")]
     for k in range(links):
         link = _link(draw, f"L{k}")
         parent = (
@@ -98,9 +122,30 @@ def random_mechanism(
         members.append(link)
     tree = assemble(joints)
     position = {q: round(draw.uniform(0.3, 1.2), 3) for q in tree.coordinates}
-    if closing is not None:
+    if closing in MESHES:
+        joints += _meshing(draw, closing, members[-1])
+        position |= {q: 0.3 for q in assemble(joints).coordinates if q not in position}
+    elif closing is not None:
         joints.append(_closing(draw, closing, tree, position, members[-1]))
-    return RandomMechanism(assemble(joints), position)
+    made = assemble(joints)
+    if closing == "rack":
+        position[functions_of_time("s_B")] = -0.6
+    if closing == "gear":
+        position[functions_of_time("phi_B")] = 0.6
+    return RandomMechanism(made, position)
+
+
+def _meshing(draw: Random, kind: str, carrier: Link) -> list[Joint]:
+    """Return two joints on a carrier, and the mesh of their children, at angles 0.3 and 0.6 or a shift of -0.6."""
+    place = _place(draw)
+    first = revolute("A", carrier, _link(draw, "pinion"), at=place, to=_place(draw))
+    if kind == "rack":
+        at = place * translate(number("0.7"), 2, 0)
+        second = prismatic("B", carrier, _link(draw, "bar"), at=at, to=_place(draw), axis="X")
+        return [first, second, rack("G", first, second, 2)]
+    at = place * translate(0, -1, 0)
+    second = revolute("B", carrier, _link(draw, "ring"), at=at, to=_place(draw))
+    return [first, second, gear("G", first, second, 2, 1, internal=True)]
 
 
 def _closing(draw: Random, kind: str, tree: Mechanism, position: dict[Expr, float], last: Link) -> Joint:
@@ -109,6 +154,7 @@ def _closing(draw: Random, kind: str, tree: Mechanism, position: dict[Expr, floa
     trial = KINDS[kind](draw, "C", ground, last, at=at)
     motion = trial.pair.motion(trial.coordinates)
     somewhere = {q: round(draw.uniform(-0.9, 0.9), 3) for q in trial.coordinates}
+    position |= {q: somewhere[q] for q in trial.pair.keeps}
     target = _numbers(at, {}) @ _numbers(motion, somewhere)
     to = np.linalg.solve(_numbers(tree.frame(last), position), target)
     axes = "".join(getattr(trial.pair, "slides", "") + getattr(trial.pair, "turns", ""))

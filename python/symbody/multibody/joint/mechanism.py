@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from types import MappingProxyType
 from typing import Annotated, Any, TypeAlias, final
@@ -20,6 +20,7 @@ from symbody.symbolic.given.arguments import brief, counted
 from .closure import Sides
 from .joint import Joint
 from .link import Link
+from .mesh import Mesh
 from .placed_joint import PlacedJoint
 from .spanning_tree import Branch, spanning_tree
 
@@ -186,7 +187,10 @@ def assemble(joints: Joints) -> Mechanism:
     revolute C: rod -> slider closes a loop by C.x, C.y; by themselves hold C.z, C.about x, C.about y
     """
     _check_names(joints)
-    branches, loops = spanning_tree(joints)
+    meshes = [(joint, joint.pair) for joint in joints if isinstance(joint.pair, Mesh)]
+    needed = [each for _, mesh in meshes for each in (mesh.first, mesh.second)]
+    branches, loops = spanning_tree(joints, needed)
+    _check_meshes(joints, branches, meshes)
     frames = dict[Link, Frame]()
     sides = dict[Joint, Sides]()
     for branch in branches:
@@ -194,8 +198,11 @@ def assemble(joints: Joints) -> Mechanism:
     for joint in loops:
         at, to = (_frame_of(part, frames) for part in (joint.parent, joint.child))
         sides[joint] = Sides(at * joint.mounting.at, to * joint.mounting.to)
+    for joint, mesh in meshes:
+        sides[joint] = Sides(sides[mesh.first].child, sides[mesh.second].child)
     outboard = _outboard(branches)
     placed = tuple(PlacedJoint.of(joint, sides[joint], outboard.get(joint)) for joint in joints)
+    placed = _with_meshes(placed, sides)
     for joint in loops:
         _report_idle_coordinates(joint)
     links = dict.fromkeys(
@@ -220,6 +227,33 @@ def _check_names(joints: Sequence[Joint]) -> None:
             raise JointError(
                 f"assemble: two {kind} have the name {twice}; expected a name of its own for each"
             )
+
+
+def _check_meshes(
+    joints: Sequence[Joint], branches: Sequence[Branch], meshes: Sequence[tuple[Joint, Mesh]]
+) -> None:
+    opening = [branch.joint for branch in branches]
+    for joint, mesh in meshes:
+        for needed in (mesh.first, mesh.second):
+            if needed not in joints:
+                raise JointError(
+                    f"assemble: {joint} couples {needed}, which isn't in the list; add it to the joints"
+                )
+            if needed not in opening:
+                raise JointError(
+                    f"assemble: {joint} couples {needed}, which closes a loop and has no coordinate; choose by "
+                    "loop=True another joint that closes it"
+                )
+
+
+def _with_meshes(placed: Sequence[PlacedJoint], sides: Mapping[Joint, Sides]) -> tuple[PlacedJoint, ...]:
+    """Return the joints with the closures of meshes, which need the places of other joints."""
+    return tuple(
+        replace(each, closures=each.joint.pair.meshing(str(each.joint), sides))
+        if isinstance(each.joint.pair, Mesh)
+        else each
+        for each in placed
+    )
 
 
 def _frame_of(part: Link | Frame, frames: Mapping[Link, Frame]) -> Frame:

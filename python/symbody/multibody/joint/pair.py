@@ -11,7 +11,7 @@ from symbody.symbolic import Expr, atan2, number
 
 from .closure import AXES, Closure, Sides, along, held_point, perpendicular
 
-__all__ = ["Pair", "SlideAndTurn"]
+__all__ = ["Pair", "SlideAndTurn", "held_turns", "turned"]
 
 
 class Pair(ABC):
@@ -36,6 +36,11 @@ class Pair(ABC):
     def closures(self, sides: Sides) -> tuple[Closure, ...]:
         """Return the conditions, as many as freedoms are missing to six; they are independent near every position."""
 
+    def opened(self, sides: Sides, coordinates: Sequence[Expr]) -> tuple[Closure, ...]:
+        """Return the same where the joint opens a tree, in forms that may use its coordinates."""
+        del coordinates
+        return self.closures(sides)
+
     def measured(self, sides: Sides) -> Expr | None:
         """Return the value of the one coordinate between any two frames; None for pairs that have several."""
         del sides
@@ -55,7 +60,7 @@ class SlideAndTurn(Pair):
     def __init__(self, slides: str = "", turns: str = "") -> None:
         self.slides, self.turns = slides, turns
         along = ("s",) if len(slides) == 1 else tuple(slides.lower())
-        self.names = (*along, *_ANGLES[len(turns)])
+        self.names = (*along, *ANGLES[len(turns)])
 
     def motion(self, coordinates: Sequence[Expr]) -> Frame:
         n = len(self.slides)
@@ -66,25 +71,12 @@ class SlideAndTurn(Pair):
         return frame
 
     def closures(self, sides: Sides) -> tuple[Closure, ...]:
-        return *self._positions(sides), *self._orientations(sides)
+        return *self._positions(sides), *held_turns(sides, self.turns)
 
     def _positions(self, sides: Sides) -> tuple[Closure, ...]:
         if not self.slides:
             return held_point(sides)
         return tuple(along(sides, k) for k, axis in enumerate(AXES) if axis not in self.slides)
-
-    def _orientations(self, sides: Sides) -> tuple[Closure, ...]:
-        turns = [AXES.index(axis) for axis in self.turns]
-        match turns:
-            case []:
-                return tuple(perpendicular(sides, k, (k + 2) % 3, (k + 1) % 3) for k in range(3))
-            case [axis]:
-                others = [k for k in range(3) if k != axis]
-                return tuple(perpendicular(sides, k, 3 - axis - k, axis) for k in others)
-            case [first, second]:
-                return (perpendicular(sides, 3 - first - second, first, second),)
-            case _:
-                return ()
 
     def measured(self, sides: Sides) -> Expr | None:
         if len(self.slides) + len(self.turns) != 1:
@@ -95,7 +87,21 @@ class SlideAndTurn(Pair):
         return turned(sides, axis)
 
 
-_ANGLES = {0: (), 1: ("phi",), 2: ("phi", "theta"), 3: ("psi", "theta", "phi")}
+def held_turns(sides: Sides, axes: str) -> tuple[Closure, ...]:
+    """Return the closures of all rotations but those about given axes in turn."""
+    match [AXES.index(axis) for axis in axes]:
+        case []:
+            return tuple(perpendicular(sides, k, (k + 2) % 3, (k + 1) % 3) for k in range(3))
+        case [axis]:
+            others = [k for k in range(3) if k != axis]
+            return tuple(perpendicular(sides, k, 3 - axis - k, axis) for k in others)
+        case [first, second]:
+            return (perpendicular(sides, 3 - first - second, first, second),)
+        case _:
+            return ()
+
+
+ANGLES = {0: (), 1: ("phi",), 2: ("phi", "theta"), 3: ("psi", "theta", "phi")}
 
 
 def turned(sides: Sides, axis: int) -> Expr:

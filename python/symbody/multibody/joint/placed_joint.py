@@ -52,7 +52,7 @@ class PlacedJoint:
             sides.parent,
             sides.child,
             joint.coordinates if opens else joint.pair.keeps,
-            joint.pair.closures(sides),
+            joint.pair.opened(sides, joint.coordinates) if opens else joint.pair.closures(sides),
             outboard,
             joint.limits,
             _measured(joint, sides, opens=opens),
