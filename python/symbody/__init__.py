@@ -163,6 +163,7 @@ if TYPE_CHECKING:
         redundant_constraints,
         simulate,
         simulate_many,
+        stops,
     )
 
     __version__: str
@@ -301,6 +302,7 @@ __all__ = [
     "solve",
     "spherical",
     "sqrt",
+    "stops",
     "subs",
     "substitute",
     "symbols",

@@ -232,6 +232,8 @@ class System(Variables):
             yield from action.vector.components
             if action.point is not None:
                 yield from action.point.coordinates
+        for joint in self.joints:
+            yield from (limit for limit in joint.limits if limit is not None)
         if self.gravity is not None:
             yield from self.gravity.components
         for frame in self._frames:

@@ -14,7 +14,7 @@ from symbody.multibody import Body, Constraint, Link, Load, System
 from symbody.multibody.joint.closure import Closure
 from symbody.multibody.joint.joint import Joint
 from symbody.multibody.joint.placed_joint import PlacedJoint
-from symbody.symbolic import Expr, derivation
+from symbody.symbolic import Expr, cost, derivation, simplify
 from symbody.symbolic.expression.container import Container, contains
 from symbody.symbolic.given.arguments import brief
 
@@ -121,18 +121,30 @@ def reaction(
     >>> mechanism = assemble([pin])
     >>> equations = newton_euler(mechanism.system(gravity=Vector(ground, 0, -g, 0)))
     >>> reaction(equations, pin, frame=mechanism.frame(bob)).force.components[1]
-    m*(g*cos(phi_A) + phi_A'**2*l)
+    m*(l*phi_A'**2 + g*cos(phi_A))
     """
     system = _system(equations)
     placed = _placed(system, cut)
     with derivation():
         if placed is None:
-            found = _on_part(system, _bodies(system, cut), about, frame)
-            return found if about is None else found.about(about)
+            return _readable(_on_part(system, _bodies(system, cut), about, frame))
         found = _of_tree(system, placed) if placed.opens else _of_loop(system, placed)
         found = found if about is None else found.about(about)
         found = found.projected(placed.parent_side if frame is None else frame)
-        return _on_side(found, placed, on)
+        return _on_side(_readable(found), placed, on)
+
+
+SHORT = 500
+"""The most operations of a reaction that is simplified, as a reader expects it."""
+
+
+def _readable(found: Reaction) -> Reaction:
+    """Return a reaction in its shortest form, unless it is too long for a reader anyway."""
+    vectors = found.force, found.moment
+    if cost([component for vector in vectors for component in vector.components]).total > SHORT:
+        return found
+    force, moment = (Vector(v.frame, *map(simplify, v.components)) for v in vectors)
+    return Reaction(force, moment, found.at, found.on)
 
 
 def _system(equations: Equations) -> System:
