@@ -163,10 +163,9 @@ def _placed(system: System, cut: Any) -> PlacedJoint | None:
         if cut is placed.joint or cut == placed.name:
             return placed
     if isinstance(cut, Joint):
-        known = f"its joints are {brief(', '.join(j.name for j in joints))}" if joints else "it has no joints"
-        raise ModelError(
-            f"reaction: {cut} isn't a joint of {brief(system)}; {known}: make the system by assemble([...]).system()"
-        )
+        names = brief(", ".join(joint.name for joint in joints))
+        known = f"its joints are {names}" if joints else "it has none: make it by assemble([...]).system()"
+        raise ModelError(f"reaction: {cut} isn't a joint of {brief(system)}; {known}")
     return None
 
 

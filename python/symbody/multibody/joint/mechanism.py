@@ -189,8 +189,9 @@ def assemble(joints: Joints) -> Mechanism:
     _check_names(joints)
     meshes = [(joint, joint.pair) for joint in joints if isinstance(joint.pair, Mesh)]
     needed = [each for _, mesh in meshes for each in (mesh.first, mesh.second)]
+    _check_meshes(joints, meshes)
     branches, loops = spanning_tree(joints, needed)
-    _check_meshes(joints, branches, meshes)
+    _check_loops(loops, meshes)
     frames = dict[Link, Frame]()
     sides = dict[Joint, Sides]()
     for branch in branches:
@@ -229,21 +230,30 @@ def _check_names(joints: Sequence[Joint]) -> None:
             )
 
 
-def _check_meshes(
-    joints: Sequence[Joint], branches: Sequence[Branch], meshes: Sequence[tuple[Joint, Mesh]]
-) -> None:
-    opening = [branch.joint for branch in branches]
+def _check_meshes(joints: Sequence[Joint], meshes: Sequence[tuple[Joint, Mesh]]) -> None:
     for joint, mesh in meshes:
-        for needed in (mesh.first, mesh.second):
-            if needed not in joints:
-                raise JointError(
-                    f"assemble: {joint} couples {needed}, which isn't in the list; add it to the joints"
-                )
-            if needed not in opening:
-                raise JointError(
-                    f"assemble: {joint} couples {needed}, which closes a loop and has no coordinate; choose by "
-                    "loop=True another joint that closes it"
-                )
+        missing = next((each for each in (mesh.first, mesh.second) if each not in joints), None)
+        if missing is not None:
+            raise JointError(
+                f"assemble: {joint} couples {missing}, which isn't in the list; add it to the joints"
+            )
+
+
+def _check_loops(loops: Sequence[Joint], meshes: Sequence[tuple[Joint, Mesh]]) -> None:
+    """Check that joints that close loops hold something, and that none of them is needed for its coordinate."""
+    for joint, mesh in meshes:
+        closing = next((each for each in (mesh.first, mesh.second) if each in loops), None)
+        if closing is not None:
+            raise JointError(
+                f"assemble: {joint} couples {closing}, which closes a loop and has no coordinate; choose by loop=True "
+                "another joint that closes it"
+            )
+    idle = next((joint for joint in loops if joint.kind == "free"), None)
+    if idle is not None:
+        raise JointError(
+            f"assemble: {idle} closes a loop, where it holds nothing; leave it out, or let another joint close the "
+            "loop: loop=True"
+        )
 
 
 def _with_meshes(placed: Sequence[PlacedJoint], sides: Mapping[Joint, Sides]) -> tuple[PlacedJoint, ...]:

@@ -105,7 +105,7 @@ def check_coupled(where: str, first: Joint, second: Joint, kinds: tuple[str, str
     """
     for joint, kind in zip((first, second), kinds, strict=True):
         if joint.kind != kind:
-            raise JointError(f"{where}: {joint}; expected a {kind} joint")
+            raise JointError(f"{where}: couples {joint}; expected a {kind} joint")
     if first is second:
         raise JointError(f"{where}: {first} meshes with itself; expected two joints")
     one, other = first.parent, second.parent

@@ -11,7 +11,7 @@ from symbody.geometry import Frame, Scalar, rotate, translate
 from symbody.geometry.component.triple import NULL, Triple, triple
 from symbody.geometry.given.argument import checked
 from symbody.symbolic import Expr
-from symbody.symbolic.given.arguments import counted, described
+from symbody.symbolic.given.arguments import brief
 
 from .axis import Axis
 from .closure import AXES, Closure, Sides
@@ -71,10 +71,13 @@ def point_on_curve(
     mounting = mounted("point_on_curve", name, (parent, child), at, to, loop=loop)
     joint = joined("point_on_curve", mounting, Track(letters), coordinates)
     parameter = joint.coordinates[0]
-    place: object = curve(parameter)
-    if not isinstance(place, Sequence) or len(place) != 3:
-        found = counted(len(place), "coordinate") if isinstance(place, Sequence) else described(place)
-        raise JointError(f"{where}: the curve gives {found}; expected three, such as (s, a*s**2, 0)")
+    given: object = curve
+    place = given(parameter) if callable(given) else given
+    if not callable(given) or not isinstance(place, Sequence) or len(place) != 3:
+        raise JointError(
+            f"{where}: the curve {'gives' if callable(given) else 'is'} {brief(place)}; expected a function from the "
+            "parameter to three coordinates, such as lambda s: (s, a*s**2, 0)"
+        )
     track = Track(letters, triple(*place), parameter)
     return Joint(joint.kind, mounting, track, joint.coordinates, joint.are_given)
 
