@@ -9,10 +9,13 @@ import pytest
 from symbody import (
     Body,
     Constraint,
+    Equations,
     Expr,
     Force,
     Frame,
+    Link,
     Matrix,
+    Mechanism,
     ModelNotice,
     Point,
     SymbodyError,
@@ -21,15 +24,19 @@ from symbody import (
     Vector,
     angular_momentum,
     angular_velocity,
+    assemble,
     center_of_mass,
     dot,
+    embedded,
     equations_of,
     errors,
     euler_equations,
     floating_frame,
     forward_dynamics,
+    free,
     frozen_velocity,
     functions_of_time,
+    gear,
     generalized_force,
     gradient,
     gravitational_energy,
@@ -41,18 +48,30 @@ from symbody import (
     moving_frame,
     newton_equations,
     newton_euler,
+    planar,
+    point_on_curve,
     power,
+    prismatic,
     project,
+    rack,
+    reaction,
+    revolute,
+    rolling,
     rotate,
+    screw,
     show,
     sin,
+    spherical,
+    stops,
     subs,
     symbols,
     t,
     time_derivative,
     translate,
+    universal,
     velocity,
 )
+from symbody.multibody.joint.joint import Joint
 
 m, a, b, F = symbols("m a b F")
 x, y, z, phi = functions_of_time("x y z phi")
@@ -87,6 +106,32 @@ def with_states(states: object, force: object = None, **options: object) -> Syst
     cart = Body(translate(x, 0, 0), m, name="cart")
     drive = Force(ground, force or 0, 0, 0, at=cart.center_of_mass, on=cart, name="drive")  # type: ignore[arg-type]
     return System([cart], [] if force is None else [drive], [x], states=states, **options)  # type: ignore[arg-type]
+
+
+A, B, C = Link("A", 1), Link("B", 1), Link("C", 1)
+pin, other_pin = revolute("P", ground, A), revolute("Q", ground, B)
+belt = Constraint(pin.coordinate - 2 * other_pin.coordinate, name="belt")
+
+
+def pendulum() -> Equations:
+    return newton_euler(assemble([pin]).system())
+
+
+def slider_crank() -> Equations:
+    joints = [
+        pin,
+        revolute("Q", A, B, at=(1, 0, 0)),
+        revolute("R", B, C, at=(3, 0, 0)),
+        prismatic("S", ground, C, axis="X"),
+    ]
+    return newton_euler(assemble(joints).system())
+
+
+def meshed(mesh: Callable[..., Joint], second: Joint, *sizes: object) -> Mechanism:
+    """Return the pin and another joint with a mesh of both, and any other joints."""
+    others = [size for size in sizes if isinstance(size, Joint)]
+    radii = [size for size in sizes if not isinstance(size, Joint)]
+    return assemble([pin, second, *others, mesh("G", pin, second, *radii)])
 
 
 MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
@@ -208,6 +253,417 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
         (
             "subs: z is an unknown of System(1 body, 0 loads, 1 coordinate, 1 state); expected parameters and inputs. "
             "Substitute in expressions of the system, such as equations.residuals"
+        ),
+    ),
+    # --- joints and reactions ---
+    (
+        errors.JointError,
+        lambda: Link("", 1),
+        "Link: no name; expected a text, such as 'rod', by which its body is called",
+    ),
+    (
+        errors.JointError,
+        lambda: Link("rod", 1, center=(1, 0)),
+        "Link rod: center has 2 coordinates; expected three, or a frame at the centre of mass",
+    ),
+    (
+        errors.JointError,
+        lambda: revolute("front axle", ground, A),
+        (
+            "revolute: the name 'front axle'; expected letters, digits and underscores, such as 'A' or "
+            "'front_axle': the names of coordinates and conditions contain it"
+        ),
+    ),
+    (
+        errors.JointError,
+        lambda: revolute("P", A, A),
+        "revolute P: joins A to A; expected two links, or a frame and a link",
+    ),
+    (
+        errors.JointError,
+        lambda: revolute("P", ground, ground),
+        "revolute P: joins ground to ground; expected two links, or a frame and a link",
+    ),
+    (
+        errors.JointError,
+        lambda: revolute("P", ground, body),
+        (
+            "revolute: child = bead is a Body; expected a link, such as Link('rod', mass), or a frame that "
+            "carries the mechanism, such as ground"
+        ),
+    ),
+    (
+        errors.JointError,
+        lambda: revolute("P", ground, A, at=(1, 2)),
+        "revolute P: at has 2 coordinates; expected three, or a frame",
+    ),
+    (
+        errors.JointError,
+        lambda: revolute("P", ground, A, at=translate(x, 0, 0)),
+        (
+            "revolute P: at = translate(x, 0, 0) moves; expected a place that is fixed in the body, in whose axes"
+            " it is given"
+        ),
+    ),
+    (
+        errors.JointError,
+        lambda: revolute("P", ground, A, at=3),
+        (
+            "revolute: at = 3 is an int; expected three coordinates, such as (a, 0, 0), or a frame, such as "
+            "translate(a, 0, 0) * rotate('X', alpha)"
+        ),
+    ),
+    (
+        errors.JointError,
+        lambda: revolute("P", ground, A, axis="W"),
+        (
+            "revolute P: unknown axis 'W'; expected 'X', 'Y' or 'Z'; for another axis, turn the places: "
+            "at=rotate(...), to=rotate(...)"
+        ),
+    ),
+    (
+        errors.JointError,
+        lambda: revolute("P", ground, A, axis=(1, 0, 0)),
+        (
+            "revolute: axis = (1, 0, 0) is a tuple; expected 'X', 'Y' or 'Z'; for another axis, turn the places: "
+            "at=rotate(...), to=rotate(...)"
+        ),
+    ),
+    (
+        errors.JointError,
+        lambda: revolute("P", ground, A, coordinate=a),
+        (
+            "revolute P: the coordinate a doesn't depend on time; expected a function of time, such as "
+            "functions_of_time('phi'); a joint that doesn't move is fixed"
+        ),
+    ),
+    (
+        errors.JointError,
+        lambda: revolute("P", ground, A, coordinate="phi"),
+        "revolute: coordinate = 'phi' is a str; expected a function of time, such as functions_of_time('phi')",
+    ),
+    (
+        errors.JointError,
+        lambda: revolute("P", ground, A, limits=(1,)),
+        "revolute P: limits of 1 value; expected two, the least and the largest",
+    ),
+    (
+        errors.JointError,
+        lambda: revolute("P", ground, A, limits=(1, -1)),
+        "revolute P: limits from 1 to -1; expected the least value first",
+    ),
+    (
+        errors.JointError,
+        lambda: revolute("P", ground, A, loop="yes"),
+        "revolute: loop = 'yes' is a str; expected True, False or None",
+    ),
+    (
+        errors.JointError,
+        lambda: planar("P", ground, A, coordinates=[x, y]),
+        "planar P: 2 coordinates; expected 3: x, y, phi",
+    ),
+    (
+        errors.JointError,
+        lambda: universal("P", ground, A, axes="XX"),
+        "universal P: unknown axes 'XX'; expected 2 letters of which neighbours differ, such as 'XY'",
+    ),
+    (
+        errors.JointError,
+        lambda: spherical("P", ground, A, axes="XY"),
+        (
+            "spherical P: unknown axes 'XY'; expected 3 letters of which neighbours differ, such as 'ZYX' or "
+            "'ZXZ'"
+        ),
+    ),
+    (
+        errors.JointError,
+        lambda: spherical("P", ground, A, coordinates=[x, y, a], quaternion=True),
+        (
+            "spherical P: quaternion=True and 3 coordinates; the Euler parameters have names of their own: leave "
+            "coordinates out"
+        ),
+    ),
+    (
+        errors.JointError,
+        lambda: planar("P", ground, A).coordinate,
+        "planar P: 3 coordinates, expected one; use coordinates",
+    ),
+    (
+        errors.JointError,
+        lambda: screw("P", ground, A, pitch=0),
+        "screw P: pitch = 0; expected a constant that isn't zero; a screw that doesn't advance is revolute",
+    ),
+    (
+        errors.JointError,
+        lambda: rolling("P", ground, A, radius=0),
+        "rolling P: radius = 0; expected the distance from the wheel's centre to the contact",
+    ),
+    (
+        errors.JointError,
+        lambda: rolling("P", ground, A, radius=1, crown=-1),
+        "rolling P: crown = -1; expected a constant that isn't negative",
+    ),
+    (
+        errors.JointError,
+        lambda: point_on_curve("P", ground, A, curve=(1, 2, 3)),
+        (
+            "point_on_curve P: the curve is (1, 2, 3); expected a function from the parameter to three "
+            "coordinates, such as lambda s: (s, a*s**2, 0)"
+        ),
+    ),
+    (
+        errors.JointError,
+        lambda: point_on_curve("P", ground, A, curve=lambda s: (s, s)),
+        (
+            "point_on_curve P: the curve gives (s_P, s_P); expected a function from the parameter to three "
+            "coordinates, such as lambda s: (s, a*s**2, 0)"
+        ),
+    ),
+    (
+        errors.JointError,
+        lambda: point_on_curve("P", ground, A, curve=lambda s: s),
+        (
+            "point_on_curve P: the curve gives s_P; expected a function from the parameter to three coordinates, "
+            "such as lambda s: (s, a*s**2, 0)"
+        ),
+    ),
+    (
+        errors.JointError,
+        lambda: point_on_curve("P", ground, A, curve=lambda s: (s, 0, 0), axes="XX"),
+        (
+            "point_on_curve P: unknown axes 'XX'; expected none to three letters of X, Y and Z of which "
+            "neighbours differ"
+        ),
+    ),
+    (
+        errors.JointError,
+        lambda: gear("G", pin, prismatic("Q", ground, B), 1, 2),
+        "gear G: couples prismatic Q; expected a revolute joint",
+    ),
+    (
+        errors.JointError,
+        lambda: gear("G", pin, pin, 1, 2),
+        "gear G: revolute P meshes with itself; expected two joints",
+    ),
+    (
+        errors.JointError,
+        lambda: gear("G", pin, revolute("Q", A, B), 1, 2),
+        (
+            "gear G: the parents of revolute P and revolute Q are ground and A; expected one carrier, against "
+            "which both move"
+        ),
+    ),
+    (
+        errors.JointError,
+        lambda: gear("G", pin, revolute("Q", ground, B), 1, -2),
+        "gear G: the radius -2; expected a positive constant",
+    ),
+    (
+        errors.JointError,
+        lambda: gear("a b", pin, revolute("Q", ground, B), 1, 2),
+        "gear: the name 'a b'; expected letters, digits and underscores, such as 'G'",
+    ),
+    (
+        errors.JointError,
+        lambda: gear("G", revolute("P", A, ground), revolute("Q", A, ground), 1, 2),
+        "gear G: neither child of revolute P and revolute Q is a link; expected one",
+    ),
+    (
+        errors.JointError,
+        lambda: gear("G", pin, B, 1, 2),
+        "gear: second = B is a Link; expected a joint, such as revolute('A', carrier, wheel)",
+    ),
+    (
+        errors.JointError,
+        lambda: rack("R", pin, revolute("Q", ground, B), 1),
+        "rack R: couples revolute Q; expected a prismatic joint",
+    ),
+    (
+        errors.JointError,
+        lambda: rack("R", pin, prismatic("Q", ground, B), x),
+        "rack R: the radius x; expected a positive constant",
+    ),
+    (
+        errors.JointError,
+        lambda: meshed(gear, revolute("Q", ground, B, axis="X", at=(3, 0, 0)), 1, 2),
+        (
+            "gear G: the axes of revolute P and revolute Q aren't parallel with one sense; expected wheels in a "
+            "plane: turn their places on the carrier"
+        ),
+    ),
+    (
+        errors.JointError,
+        lambda: meshed(gear, revolute("Q", ground, B, at=(a, 0, 0)), a, b),
+        (
+            "gear G: the square of the distance of the axes is a**2, and the radii give (a + b)**2; expected the "
+            "same: the pitch circles touch"
+        ),
+    ),
+    (
+        errors.JointError,
+        lambda: meshed(rack, prismatic("Q", ground, B, at=(0, b, 0), axis="X"), a),
+        (
+            "rack G: the bar is -b away from the axis of revolute P, as seen along both; expected the radius, a, "
+            "or -a, and a bar across the axis"
+        ),
+    ),
+    (
+        errors.JointError,
+        lambda: assemble([pin, rack("R", pin, prismatic("Q", ground, B, axis="X"), a)]),
+        "assemble: rack R couples prismatic Q, which isn't in the list; add it to the joints",
+    ),
+    (
+        errors.JointError,
+        lambda: meshed(
+            gear, revolute("Q", ground, B, at=(3, 0, 0), loop=True), 1, 2, spherical("S", ground, B)
+        ),
+        (
+            "assemble: gear G couples revolute Q, which closes a loop and has no coordinate; choose by loop=True "
+            "another joint that closes it"
+        ),
+    ),
+    (
+        errors.JointError,
+        lambda: assemble([]),
+        "assemble: no joints; expected at least one, such as revolute('A', ground, crank)",
+    ),
+    (
+        errors.JointError,
+        lambda: assemble([A]),
+        "assemble: in joints, A is a Link; expected a list of joints, such as [revolute('A', ground, crank)]",
+    ),
+    (
+        errors.JointError,
+        lambda: assemble([pin, revolute("P", A, B)]),
+        "assemble: two joints have the name P; expected a name of its own for each",
+    ),
+    (
+        errors.JointError,
+        lambda: assemble([pin, revolute("Q", ground, Link("A"))]),
+        "assemble: two links have the name A; expected a name of its own for each",
+    ),
+    (
+        errors.JointError,
+        lambda: assemble([pin, revolute("Q", B, Link("C"))]),
+        "assemble: no joints lead from a frame to the link B; add one, such as free('base', ground, B)",
+    ),
+    (
+        errors.JointError,
+        lambda: assemble([revolute("P", ground, A, loop=True)]),
+        (
+            "assemble: no joints lead from a frame to the link A; loop=True of revolute P may be what cuts it "
+            "off; add one, such as free('base', ground, A)"
+        ),
+    ),
+    (
+        errors.JointError,
+        lambda: assemble(
+            [
+                revolute("P", ground, A, loop=False),
+                revolute("Q", A, B, loop=False),
+                revolute("R", ground, B, loop=False),
+            ]
+        ),
+        (
+            "assemble: revolute R closes a loop of joints with loop=False; expected at least one joint that "
+            "closes the loop: leave loop out for one of them"
+        ),
+    ),
+    (
+        errors.JointError,
+        lambda: assemble([pin, free("F", ground, A)]),
+        (
+            "assemble: free F closes a loop, where it holds nothing; leave it out, or let another joint close the"
+            " loop: loop=True"
+        ),
+    ),
+    (
+        errors.JointError,
+        lambda: assemble([pin]).frame("rod"),
+        "Mechanism: no link rod; expected one of A",
+    ),
+    (
+        errors.JointError,
+        lambda: assemble([pin]).body(B),
+        "Mechanism: no link B; expected one of A",
+    ),
+    (
+        errors.JointError,
+        lambda: assemble([pin]).joint("rod"),
+        "Mechanism: no joint rod; expected one of P",
+    ),
+    (
+        errors.JointError,
+        lambda: assemble([pin]).joint(3),
+        "Mechanism.joint: joint = 3 is an int; expected a joint of the mechanism, or its name",
+    ),
+    (
+        errors.ModelError,
+        lambda: reaction(pendulum(), revolute("Q", ground, B)),
+        "reaction: revolute Q isn't a joint of System(1 body, 0 loads, 1 coordinate); its joints are P",
+    ),
+    (
+        errors.ModelError,
+        lambda: reaction(newton_euler(System([body], coordinates=[x, y])), pin),
+        (
+            "reaction: revolute P isn't a joint of System(1 body, 0 loads, 2 coordinates); it has none: make it "
+            "by assemble([...]).system()"
+        ),
+    ),
+    (
+        errors.ModelError,
+        lambda: reaction(pendulum(), "rod"),
+        "reaction: rod isn't a body of System(1 body, 0 loads, 1 coordinate); its bodies are A",
+    ),
+    (
+        errors.ModelError,
+        lambda: reaction(pendulum(), []),
+        "reaction: no body is cut off; give at least one",
+    ),
+    (
+        errors.ModelError,
+        lambda: reaction(pendulum(), pin, on=B),
+        "reaction: revolute P connects ground and A, not B; expected on=one of the two",
+    ),
+    (
+        errors.ModelError,
+        lambda: reaction(pendulum(), 3),
+        (
+            "reaction: cut = 3 is an int; expected a joint, a body, a link, the name of one, or a list of bodies "
+            "that are cut off together"
+        ),
+    ),
+    (
+        errors.ModelError,
+        lambda: reaction(equations_of([[a]], [0], [x]), pin),
+        (
+            "reaction: Equations(1 equation of motion, 0 constraints, coordinate x) were given without bodies; "
+            "expected the equations of a System"
+        ),
+    ),
+    (
+        errors.ModelError,
+        lambda: reaction(newton_euler(assemble([pin, other_pin]).system(constraints=[belt])), pin),
+        (
+            "reaction: the constraint belt, phi_P - 2*phi_Q = 0 isn't one of a joint, and holds phi_P, phi_Q, so "
+            "that it isn't known on which bodies it acts; close the loop by a joint, or take the reaction on a "
+            "body: reaction(equations, body)"
+        ),
+    ),
+    (
+        errors.SimulationError,
+        lambda: stops(pendulum()),
+        (
+            "stops: no joint of System(1 body, 0 loads, 1 coordinate) has a limit; give limits to joints, such as"
+            " revolute('A', ground, crank, limits=(-1, 1)), and make the system by assemble([...]).system()"
+        ),
+    ),
+    (
+        errors.ModelError,
+        lambda: reaction(embedded(slider_crank(), [time_derivative(pin.coordinate)]), pin),
+        (
+            "reaction: the multipliers of these equations are eliminated; expected the equations from which they "
+            "were embedded"
         ),
     ),
     # --- frames ---
@@ -1092,6 +1548,7 @@ def test_errors_are_what_python_calls_them() -> None:
     for kind in (
         errors.FrameError,
         errors.BodyError,
+        errors.JointError,
         errors.LoadError,
         errors.ModelError,
         errors.ExpressionError,

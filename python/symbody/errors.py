@@ -49,6 +49,10 @@ class LoadError(SymbodyError, ValueError):
     """A force or a torque that can't act."""
 
 
+class JointError(SymbodyError, ValueError):
+    """A joint that can't be made, or joints that make no mechanism."""
+
+
 class ModelError(SymbodyError, ValueError):
     """A system whose parts don't fit together."""
 

@@ -12,6 +12,7 @@ from symbody.dynamics.formalism.kane import kane
 from symbody.dynamics.formalism.lagrange import lagrange, lagrange_equations
 from symbody.dynamics.formalism.newton import newton_equations
 from symbody.dynamics.formalism.newton_euler import newton_euler
+from symbody.dynamics.formalism.reaction import Reaction, reaction
 from symbody.dynamics.solution.dependent_speeds import dependent_speeds
 from symbody.dynamics.solution.embedded import embedded
 from symbody.dynamics.solution.equations_program import program
@@ -21,6 +22,7 @@ __all__ = [
     "CanonicalEquations",
     "Equations",
     "ForwardDynamics",
+    "Reaction",
     "dependent_speeds",
     "embedded",
     "equations_of",
@@ -35,4 +37,5 @@ __all__ = [
     "newton_equations",
     "newton_euler",
     "program",
+    "reaction",
 ]

@@ -68,6 +68,7 @@ class System(Variables):
             too, but a notice names them: they may be forgotten coordinates. Functions of time in loads need no list.
         states: functions of time z beside the mechanics, which loads may hold, each with its rate z': an expression of
             time, coordinates, speeds, accelerations, multipliers, states, inputs and parameters.
+        joints: the joints that `assemble` placed, by which `reaction` knows where to cut.
         name: what the system is called.
 
     >>> from symbody import Body, System, Vector, functions_of_time, ground, rotate, symbols, t, translate
@@ -105,11 +106,14 @@ class System(Variables):
         multipliers: Coordinates = (),
         inputs: Coordinates = (),
         states: Rates | None = None,
+        joints: Sequence[object] = (),
         name: str = "",
     ) -> None:
         self.bodies: tuple[Body, ...] = _ordered(bodies)
         self.loads: tuple[Load, ...] = _ordered(loads)
         self.gravity = gravity
+        self.joints: tuple[Any, ...] = tuple(joints)
+        """The placed joints: of a class that is made of systems, and therefore unknown here."""
         self._frames = all_frames(self.bodies, self.loads, gravity)
         motions = [frame.motion for frame in self._frames if frame.motion is not None]
         floating = {q: rate for motion in motions for q, rate in motion.coordinate_rates.items()}
@@ -231,6 +235,8 @@ class System(Variables):
             yield from action.vector.components
             if action.point is not None:
                 yield from action.point.coordinates
+        for joint in self.joints:
+            yield from (limit for limit in joint.limits if limit is not None)
         if self.gravity is not None:
             yield from self.gravity.components
         for frame in self._frames:
@@ -323,13 +329,14 @@ def _parts(system: System) -> tuple[Any, ...]:
         system.loads,
         conditions,
         system.inputs,
+        system.joints,
         (*rates, *system.eliminated.values(), *system.momenta.values(), *system.whole.state_rates.values()),
         *gravity,
     )
 
 
 def _rebuilt(system: System, parts: Sequence[Any]) -> System:
-    bodies, loads, constraints, inputs, expressions, *gravity = parts
+    bodies, loads, constraints, inputs, joints, expressions, *gravity = parts
     remaining = iter(expressions)
     rates, speeds, momenta = (
         dict(zip(names, remaining, strict=False))
@@ -346,6 +353,7 @@ def _rebuilt(system: System, parts: Sequence[Any]) -> System:
         multipliers=system.whole.multipliers,
         inputs=[each for each in inputs if each.kind == "time_function"],
         states=dict(zip(system.states, remaining, strict=True)),
+        joints=joints,
         name=system.name,
     )
     if system.left_out:

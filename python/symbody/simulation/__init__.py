@@ -7,6 +7,7 @@ from symbody.simulation.constraint.consistent import consistent_state
 from symbody.simulation.constraint.mobility import Mobility, mobility
 from symbody.simulation.constraint.redundant_constraints import Redundancy, redundant_constraints
 from symbody.simulation.given.event import Event
+from symbody.simulation.given.stop import stops
 from symbody.simulation.inverse.inverse_dynamics import InverseDynamics, inverse_dynamics
 from symbody.simulation.motion.motion import Motion
 from symbody.simulation.motion.occurrence import Occurrence
@@ -30,4 +31,5 @@ __all__ = [
     "redundant_constraints",
     "simulate",
     "simulate_many",
+    "stops",
 ]

@@ -19,6 +19,7 @@ from symbody.simulation.model.named_constraint import named_constraints
 from symbody.symbolic.numeric.deficiency import Deficiency, strongest
 
 from .integrated import Integrated
+from .joint_limit import passed_limits, unknown_limits
 from .methods import DEFAULT, methods_that
 from .outcome import FailureKind
 
@@ -167,6 +168,15 @@ def _violations(motion: Integrated) -> Iterable[Finding]:
     return [Finding("violation", f"constraint {name}", float(off[worst]))]
 
 
+def _limits(motion: Integrated) -> Iterable[Finding]:
+    """Return the joints that are beyond their limits at some instant."""
+    return [Finding("limit", each.joint, each.size, each.t) for each in passed_limits(motion)]
+
+
+def _unknown_limits(motion: Integrated) -> Iterable[Finding]:
+    return [Finding("unlimited", subject) for subject in unknown_limits(motion)]
+
+
 ROWS: dict[str, _Row] = {
     "deficient": _Row(_deficiencies, "{subject}"),
     "overconstrained": _Row(
@@ -203,6 +213,15 @@ ROWS: dict[str, _Row] = {
         "at t = {t:.6g} s the motion is so close to a singular position of its constraints that rounding errors decide "
         "on which branch it continues; compare it with a motion with another tolerance or max_step, or from a "
         "slightly different initial state",
+    ),
+    "limit": _Row(
+        _limits,
+        "{subject} is beyond its limit by up to {size:.3g}, first at t = {t:.6g} s: limits exert no forces; end the "
+        "motion there with events=stops(equations), begin inside, or model the stop as a load",
+    ),
+    "unlimited": _Row(
+        _unknown_limits,
+        "the limits of {subject}, which has no value, and were not checked; give it among the parameters",
     ),
     "stiff": _Row(
         _stiffness,

@@ -1,0 +1,213 @@
+"""Joints: two links, where they are joined, and the kinematic pair that they form."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Annotated, TypeAlias, final
+
+from symbody.errors import JointError
+from symbody.geometry import Frame, Scalar, translate
+from symbody.geometry.component.triple import expression
+from symbody.symbolic import Expr, functions_of_time
+from symbody.symbolic.given.arguments import brief, counted
+
+from .link import Link, Place
+from .pair import Pair
+
+__all__ = ["Angles", "Joint", "Limits", "Mounting", "Part", "joined"]
+
+Part: TypeAlias = Annotated[
+    Link | Frame, "a link, such as Link('rod', mass), or a frame that carries the mechanism, such as ground"
+]
+Coordinate: TypeAlias = Annotated[Scalar | None, "a function of time, such as functions_of_time('phi')"]
+Angles: TypeAlias = Annotated[
+    Sequence[Scalar] | None, "a list of functions of time, such as functions_of_time('psi theta phi')"
+]
+Limits: TypeAlias = Annotated[
+    Sequence[Scalar | None] | None, "two values of the coordinate, such as (-1, 1), or None for no limit"
+]
+Loop: TypeAlias = Annotated[bool | None, "True, False or None"]
+
+
+@dataclass(frozen=True, eq=False)
+class Mounting:
+    """What a joint connects, and where.
+
+    Attributes:
+        name: the name of the joint.
+        parent: the link or frame that exerts the reaction.
+        child: the link or frame on which the reaction acts.
+        at: the axes of the joint on the parent, from the parent's.
+        to: the axes of the joint on the child, from the child's.
+        loop: whether the joint closes a loop (True), opens the tree (False), or whatever suits (None).
+    """
+
+    name: str
+    parent: Link | Frame
+    child: Link | Frame
+    at: Frame
+    to: Frame
+    loop: bool | None
+
+
+@final
+@dataclass(frozen=True, eq=False)
+class Joint:
+    """A joint between a parent and a child, made by `revolute`, `prismatic` and the like.
+
+    Where it opens a tree, it places the child by its coordinates. Where it closes a loop, it keeps conditions. Either
+    way it has a `reaction`. Two joints are never equal.
+
+    Attributes:
+        kind: the word for it, such as "revolute".
+        mounting: what it connects, and where.
+        pair: how the child may move.
+        coordinates: expressions of functions of time, one per freedom.
+        are_given: whether the user chose the coordinates.
+        limits: the least and the largest value of its one coordinate; None for no limit.
+    """
+
+    kind: str
+    mounting: Mounting
+    pair: Pair
+    coordinates: tuple[Expr, ...]
+    are_given: bool = False
+    limits: tuple[Expr | None, Expr | None] = (None, None)
+
+    @property
+    def name(self) -> str:
+        """The name of the joint, which those of its coordinates and conditions contain."""
+        return self.mounting.name
+
+    @property
+    def parent(self) -> Link | Frame:
+        """The link or frame that exerts the reaction."""
+        return self.mounting.parent
+
+    @property
+    def child(self) -> Link | Frame:
+        """The link or frame on which the reaction acts."""
+        return self.mounting.child
+
+    @property
+    def coordinate(self) -> Expr:
+        """The coordinate of a joint that has one.
+
+        Raises:
+            JointError: it has another number of coordinates.
+        """
+        if len(self.coordinates) != 1:
+            raise JointError(
+                f"{self}: {counted(len(self.coordinates), 'coordinate')}, expected one; use coordinates"
+            )
+        return self.coordinates[0]
+
+    def __repr__(self) -> str:
+        return f"{self.kind} {self.name}"
+
+
+def mounted(
+    kind: str,
+    name: str,
+    parts: tuple[Link | Frame, Link | Frame],
+    at: Place,
+    to: Place,
+    *,
+    loop: bool | None = None,
+) -> Mounting:
+    """Return what a joint connects, with its places as frames.
+
+    Args:
+        kind: the word for the joint.
+        name: its name.
+        parts: parent and child.
+        at: where it is on the parent.
+        to: where it is on the child.
+        loop: whether it closes a loop.
+
+    Raises:
+        JointError: the name is no identifier, a part is joined to itself, or a place moves.
+    """
+    if not name.isidentifier():
+        raise JointError(
+            f"{kind}: the name {brief(repr(name))}; expected letters, digits and underscores, such as 'A' or "
+            "'front_axle': the names of coordinates and conditions contain it"
+        )
+    parent, child = parts
+    if parent is child or (isinstance(parent, Frame) and isinstance(child, Frame)):
+        raise JointError(
+            f"{kind} {name}: joins {brief(parent)} to {brief(child)}; expected two links, or a frame and a link"
+        )
+    return Mounting(
+        name, parent, child, _frame(f"{kind} {name}: at", at), _frame(f"{kind} {name}: to", to), loop
+    )
+
+
+def _frame(where: str, place: Place) -> Frame:
+    if not isinstance(place, Frame):
+        if len(place) != 3:
+            raise JointError(f"{where} has {counted(len(place), 'coordinate')}; expected three, or a frame")
+        place = translate(*place)
+    moving = next((motion for motion in place.motions if not motion.is_constant), None)
+    if moving is not None:
+        raise JointError(
+            f"{where} = {brief(place)} moves; expected a place that is fixed in the body, in whose axes it is given"
+        )
+    return place
+
+
+def joined(
+    kind: str,
+    mounting: Mounting,
+    pair: Pair,
+    coordinates: Sequence[Scalar] | Scalar | None = None,
+    limits: Sequence[Scalar | None] | None = None,
+) -> Joint:
+    """Return a joint, with coordinates of its own unless they are given.
+
+    Args:
+        kind: the word for the joint.
+        mounting: what it connects, and where.
+        pair: how the child may move.
+        coordinates: those that the user gave, or None.
+        limits: of its one coordinate.
+
+    Raises:
+        JointError: there are too many or too few coordinates, one doesn't move, or the limits are no pair.
+    """
+    where = f"{kind} {mounting.name}"
+    if coordinates is None:
+        names = [f"{stem}_{mounting.name}" for stem in pair.names]
+        found = tuple(functions_of_time(names)) if names else ()
+    else:
+        several = isinstance(coordinates, Sequence) and not isinstance(coordinates, str)
+        found = tuple(map(expression, coordinates if several else [coordinates]))  # type: ignore[arg-type]
+        _check_coordinates(where, found, pair.names)
+    return Joint(kind, mounting, pair, found, coordinates is not None, _limits(where, limits))
+
+
+def _check_coordinates(where: str, found: Sequence[Expr], names: Sequence[str]) -> None:
+    if len(found) != len(names):
+        raise JointError(
+            f"{where}: {counted(len(found), 'coordinate')}; expected {len(names)}: {', '.join(names)}"
+        )
+    for each in found:
+        if not each.depends_on_time:
+            raise JointError(
+                f"{where}: the coordinate {brief(each)} doesn't depend on time; expected a function of time, such as "
+                f"functions_of_time('{names[0]}'); a joint that doesn't move is fixed"
+            )
+
+
+def _limits(where: str, given: Sequence[Scalar | None] | None) -> tuple[Expr | None, Expr | None]:
+    if given is None:
+        return None, None
+    if len(given) != 2:
+        raise JointError(
+            f"{where}: limits of {counted(len(given), 'value')}; expected two, the least and the largest"
+        )
+    low, high = (None if value is None else expression(value) for value in given)
+    if low is not None and high is not None and (high - low).is_number and float(high - low) <= 0:
+        raise JointError(f"{where}: limits from {low} to {high}; expected the least value first")
+    return low, high

@@ -1,0 +1,76 @@
+"""Links: rigid bodies before they are placed."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Annotated, TypeAlias, final
+
+from symbody.errors import JointError
+from symbody.geometry import Frame, Point, Scalar
+from symbody.geometry.component.triple import expression, triple
+from symbody.geometry.given.argument import checked
+from symbody.multibody.body import Body
+
+Place: TypeAlias = Annotated[
+    Frame | Sequence[Scalar],
+    "three coordinates, such as (a, 0, 0), or a frame, such as translate(a, 0, 0) * rotate('X', alpha)",
+]
+
+
+@final
+class Link:
+    """A rigid body of a mechanism before it is placed: its mass, centre of mass and inertia in its own axes.
+
+    `assemble` places links by their joints and makes a `Body` of each. Two links are never equal.
+
+    Args:
+        name: what the link and its body are called; each link of a mechanism has a name of its own.
+        mass: the mass.
+        Ix: the moment of inertia about the x axis through the centre of mass; see `Body` for all of them.
+        Iy: about y.
+        Iz: about z.
+        Cyz: the product of inertia, the integral of ``y z dm``.
+        Cxz: that of ``x z dm``.
+        Cxy: that of ``x y dm``.
+        center: the centre of mass in the axes of the link, from its origin; or a frame there, in whose axes the
+            inertia is given.
+
+    >>> from symbody import Link, symbols
+    >>> m, l = symbols("m l")
+    >>> Link("rod", m, Iz=m * l**2 / 12, center=(l / 2, 0, 0))
+    rod
+    """
+
+    @checked(JointError)
+    def __init__(
+        self,
+        name: str,
+        mass: Scalar = 0,
+        Ix: Scalar = 0,
+        Iy: Scalar = 0,
+        Iz: Scalar = 0,
+        Cyz: Scalar = 0,
+        Cxz: Scalar = 0,
+        Cxy: Scalar = 0,
+        *,
+        center: Place = (0, 0, 0),
+    ) -> None:
+        if not name:
+            raise JointError("Link: no name; expected a text, such as 'rod', by which its body is called")
+        self.name = name
+        self.mass = expression(mass)
+        self.moments, self.products = triple(Ix, Iy, Iz), triple(Cyz, Cxz, Cxy)
+        if not isinstance(center, Frame) and len(center) != 3:
+            raise JointError(
+                f"Link {name}: center has {len(center)} coordinates; expected three, or a frame at the centre of mass"
+            )
+        self.center = center
+
+    def body(self, frame: Frame) -> Body:
+        """Return the body of the link, whose axes are those of a frame."""
+        center = self.center
+        place = frame * center if isinstance(center, Frame) else Point(frame, *center)
+        return Body(place, self.mass, *self.moments, *self.products, name=self.name)
+
+    def __repr__(self) -> str:
+        return self.name

@@ -1,0 +1,130 @@
+"""Meshes of gears: what couples the coordinates of two joints, and the force at the pitch point."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import ClassVar, final
+
+from symbody.errors import JointError
+from symbody.geometry import Frame, Point, Vector, cross, dot, ground, origin
+from symbody.symbolic import Expr
+from symbody.symbolic.given.arguments import brief
+
+from .closure import AXES, Closure, Sides
+from .joint import Joint, Mounting
+from .link import Link
+from .pair import Pair, SlideAndTurn
+
+__all__ = ["Mesh", "check_coupled", "coupling"]
+
+
+@final
+class Mesh(Pair):
+    """The teeth of two wheels, or of a pinion and a rack, that roll on each other along their pitch curves.
+
+    The relative velocity of the second at the pitch point is ``phi' f``, so that the multiplier of phi is the force of
+    the first on the second along the tangent f. Forces across it, which keep the wheels apart, are not known from an
+    ideal mesh.
+    """
+
+    names: ClassVar[tuple[str, ...]] = ()  # type: ignore[misc]
+
+    def __init__(self, first: Joint, second: Joint, radii: tuple[Expr, ...]) -> None:
+        self.first, self.second, self.radii = first, second, radii
+
+    def motion(self, coordinates: object) -> Frame:
+        del coordinates
+        return ground
+
+    def closures(self, sides: Sides) -> tuple[Closure, ...]:
+        del sides
+        return ()
+
+    def meshing(self, where: str, sides: Mapping[Joint, Sides]) -> tuple[Closure, ...]:
+        """Return the one condition of the mesh.
+
+        Args:
+            where: the joint, for messages.
+            sides: those of all joints.
+
+        Raises:
+            JointError: the axes or distances don't fit.
+        """
+        first, second = sides[self.first], sides[self.second]
+        make = self._wheels if len(self.radii) == 2 else self._rack
+        condition, at, force = make(where, first, second)
+        return (Closure("mesh", condition, at, force, force * 0),)
+
+    def _wheels(self, where: str, first: Sides, second: Sides) -> tuple[Expr, Point, Vector]:
+        """Return ``r1 q1 + r2 q2``, with -r2 for an internal gear."""
+        (r1, r2), z = self.radii, _axis(self.first, first)
+        if dot(z, _axis(self.second, second)) != 1:
+            raise JointError(
+                f"{where}: the axes of {self.first} and {self.second} aren't parallel with one sense; expected wheels "
+                "in a plane: turn their places on the carrier"
+            )
+        centres = (origin(second.parent) - origin(first.parent)).projected(first.parent)
+        distance = r1 + r2
+        if not (dot(centres, centres) - distance**2).is_zero or distance.is_zero:
+            found = brief(dot(centres, centres))
+            raise JointError(
+                f"{where}: the square of the distance of the axes is {found}, and the radii give "
+                f"{brief(distance**2)}; expected the same: the pitch circles touch"
+            )
+        n = centres / distance
+        condition = r1 * self.first.coordinate + r2 * self.second.coordinate
+        return condition, origin(first.parent) + r1 * n, -cross(z, n)
+
+    def _rack(self, where: str, first: Sides, second: Sides) -> tuple[Expr, Point, Vector]:
+        """Return ``s - r q``, with -r where the rack is on the other side."""
+        (r,), z = self.radii, _axis(self.first, first)
+        e = _axis(self.second, second).projected(first.parent)
+        arm = (origin(second.parent) - origin(first.parent)).projected(first.parent)
+        signed = dot(cross(z, arm), e)
+        if not dot(z, e).is_zero or not (signed**2 - r**2).is_zero:
+            raise JointError(
+                f"{where}: the bar is {brief(signed)} away from the axis of {self.first}, as seen along both; expected "
+                f"the radius, {brief(r)}, or -{brief(r)}, and a bar across the axis"
+            )
+        n = arm - dot(arm, e) * e
+        condition = self.second.coordinate - signed * self.first.coordinate
+        return condition, origin(first.parent) + n, e
+
+
+def _axis(joint: Joint, sides: Sides) -> Vector:
+    """Return the unit vector of a revolute or prismatic joint."""
+    assert isinstance(joint.pair, SlideAndTurn)
+    return sides.of_parent(AXES.index(joint.pair.slides or joint.pair.turns))
+
+
+def check_coupled(where: str, first: Joint, second: Joint, kinds: tuple[str, str]) -> None:
+    """Check that joints can be coupled by a mesh.
+
+    Raises:
+        JointError: one is of another kind, or they are on different carriers.
+    """
+    for joint, kind in zip((first, second), kinds, strict=True):
+        if joint.kind != kind:
+            raise JointError(f"{where}: couples {joint}; expected a {kind} joint")
+    if first is second:
+        raise JointError(f"{where}: {first} meshes with itself; expected two joints")
+    one, other = first.parent, second.parent
+    if one is not other and not (isinstance(one, Frame) and one == other):
+        raise JointError(
+            f"{where}: the parents of {first} and {second} are {brief(one)} and {brief(other)}; expected one carrier, "
+            "against which both move"
+        )
+
+
+def coupling(kind: str, name: str, mesh: Mesh) -> Joint:
+    """Return the joint between the children of two joints that a mesh is."""
+    if not name.isidentifier():
+        raise JointError(
+            f"{kind}: the name {brief(repr(name))}; expected letters, digits and underscores, such as 'G'"
+        )
+    parent, child = mesh.first.child, mesh.second.child
+    if not isinstance(parent, Link) and not isinstance(child, Link):
+        raise JointError(
+            f"{kind} {name}: neither child of {mesh.first} and {mesh.second} is a link; expected one"
+        )
+    return Joint(kind, Mounting(name, parent, child, ground, ground, loop=True), mesh, ())

@@ -1,0 +1,117 @@
+"""Rolling: a disc, a torus or a ball on a plane, without slip."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import final
+
+from symbody.errors import JointError
+from symbody.geometry import Frame, Scalar, Vector, angular_velocity, cross, dot, rotate, translate, velocity
+from symbody.geometry.component.triple import expression
+from symbody.geometry.given.argument import checked
+from symbody.symbolic import Expr, sqrt, time_derivatives
+
+from .closure import Closure, Sides
+from .joint import Angles, Joint, Loop, Part, joined, mounted
+from .link import Place
+from .pair import Pair
+
+
+@checked(JointError)
+def rolling(
+    name: str,
+    parent: Part,
+    child: Part,
+    *,
+    radius: Scalar,
+    crown: Scalar = 0,
+    at: Place = (0, 0, 0),
+    to: Place = (0, 0, 0),
+    coordinates: Angles = None,
+    loop: Loop = None,
+) -> Joint:
+    """Return rolling without slip: a wheel whose axis is the y axis of `to` rolls on the plane z = 0 of `at`.
+
+    It keeps three conditions: contact on positions, and no slip along x and y on velocities. Its reaction is the force
+    of the ground at the contact. Where it opens the tree, five coordinates keep the contact, and the two other
+    conditions stay constraints. A wheel that closes a loop must not lie flat.
+
+    Args:
+        name: the name of the joint.
+        parent: what carries the plane; its other side, z < 0, is inside.
+        child: the wheel.
+        radius: from the centre of the wheel to the contact when it stands upright.
+        crown: the radius of the cross-section: zero of a disc with a sharp edge, between zero and the radius of a
+            torus such as a motorcycle's tyre, and the radius of a ball.
+        at: the plane on the parent, in the parent's axes.
+        to: the centre of the wheel on the child, in the child's axes.
+        coordinates: along x and y, the heading about z, the lean about the heading, and the spin; ``x_<name>``,
+            ``y_<name>``, ``psi_<name>``, ``theta_<name>`` and ``phi_<name>`` by default. With a crown, x and y are
+            those of the centre of the cross-section.
+        loop: True if it shall close a loop, False if it shall open the tree.
+
+    >>> from symbody import Link, assemble, ground, rolling, symbols
+    >>> m, r = symbols("m r")
+    >>> disc = Link("disc", m, m * r**2 / 4, m * r**2 / 2, m * r**2 / 4)
+    >>> coin = assemble([rolling("K", ground, disc, radius=r)])
+    >>> coin.constraints[0]
+    Constraint(K.slip x, x_K' - r*cos(psi_K)*phi_K' = 0)
+    """
+    where = f"rolling {name}"
+    sizes = expression(radius), expression(crown)
+    for word, size in zip(("radius", "crown"), sizes, strict=True):
+        if size.depends_on_time or (size.is_number and float(size) < 0):
+            raise JointError(f"{where}: {word} = {size}; expected a constant that isn't negative")
+    if sizes[0].is_zero:
+        raise JointError(f"{where}: radius = 0; expected the distance from the wheel's centre to the contact")
+    mounting = mounted("rolling", name, (parent, child), at, to, loop=loop)
+    return joined("rolling", mounting, Contact(sizes[0] - sizes[1], sizes[1]), coordinates)
+
+
+@final
+class Contact(Pair):
+    """A torus that rolls on a plane: a circle of centres of cross-sections, and their radius."""
+
+    names = ("x", "y", "psi", "theta", "phi")
+    rolls = True
+
+    def __init__(self, circle: Expr, crown: Expr) -> None:
+        self.circle, self.crown = circle, crown
+
+    def motion(self, coordinates: Sequence[Expr]) -> Frame:
+        return self._leaning(coordinates) * translate(0, 0, self.circle) * rotate("Y", coordinates[4])
+
+    def _leaning(self, coordinates: Sequence[Expr]) -> Frame:
+        """Return the axes that lean with the wheel and don't spin, at the lowest centre of a cross-section."""
+        x, y, heading, lean, _ = coordinates
+        return translate(x, y, self.crown) * rotate("Z", heading) * rotate("X", lean)
+
+    def closures(self, sides: Sides) -> tuple[Closure, ...]:
+        """Return contact and slip at the lowest point, which is along ``-(n - (n . e) e)`` from the centre."""
+        n, e = sides.of_parent(2), sides.of_child(1)
+        arm = -self.crown * n
+        if not self.circle.is_zero:
+            lean = dot(n, e)
+            arm -= self.circle / sqrt(1 - lean**2) * (n - lean * e.projected(n.frame))
+        w = (angular_velocity(sides.child) - angular_velocity(sides.parent)).projected(sides.parent)
+        return _at(sides, arm, velocity(sides.point, sides.parent) + cross(w, arm))
+
+    def opened(self, sides: Sides, coordinates: Sequence[Expr]) -> tuple[Closure, ...]:
+        """Return the same by the axes that don't spin: the slip is ``(x', y', 0) - R phi' e_x - crown w x n``."""
+        n, leaning = sides.of_parent(2), sides.parent * self._leaning(coordinates)
+        dx, dy, heading, lean, spin = time_derivatives(coordinates)
+        w = Vector(leaning, lean, spin, 0).projected(sides.parent) + heading * n
+        arm = Vector(leaning, 0, 0, -self.circle).projected(sides.parent) - self.crown * n
+        slip = Vector(sides.parent, dx, dy, 0) - self.circle * spin * Vector(leaning, 1, 0, 0)
+        return _at(sides, arm, slip - self.crown * cross(w, n))
+
+
+def _at(sides: Sides, arm: Vector, slip: Vector) -> tuple[Closure, ...]:
+    """Return the closures at the contact, an arm away from the centre, where the wheel has a velocity."""
+    place = (sides.point + arm).projected(sides.parent)
+    zero = Vector(sides.parent, 0, 0, 0)
+    slips = (
+        Closure(f"slip {axis}", slip.components[k], place, sides.of_parent(k), zero)
+        for k, axis in enumerate("xy")
+    )
+    return Closure("contact", place.coordinates[2], place, sides.of_parent(2), zero), *slips

@@ -1,0 +1,58 @@
+"""Stops: the instants at which joints reach their limits."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from symbody.dynamics import Equations
+from symbody.errors import SimulationError
+from symbody.geometry.given.argument import checked
+from symbody.multibody import System
+from symbody.symbolic.given.arguments import brief
+
+from .event import Event
+
+if TYPE_CHECKING:
+    from symbody.multibody.joint.placed_joint import PlacedJoint
+
+__all__ = ["stops"]
+
+
+@checked(SimulationError)
+def stops(equations: Equations) -> list[Event]:
+    """Return an event for each limit of a joint, which ends the motion there: ``simulate(..., events=stops(eqs))``.
+
+    Limits are knowledge about a mechanism, and no forces: a motion without these events passes them, and a notice
+    reports it. An event is called after its joint, ``A.lower`` or ``A.upper``. The angle of a revolute joint that
+    closes a loop counts from -pi to pi.
+
+    Args:
+        equations: those of a system that `assemble` made.
+
+    Raises:
+        SimulationError: no joint has a limit.
+
+    >>> from symbody import Link, Vector, assemble, ground, newton_euler, prismatic, simulate
+    >>> lift = assemble([prismatic("A", ground, Link("lift", 1), axis="Z", limits=(-4.905, None))])
+    >>> equations = newton_euler(lift.system(gravity=Vector(ground, 0, 0, -9.81)))
+    >>> motion = simulate(equations, t=(0, 2), events=stops(equations))
+    >>> motion.events[0].event.name, round(motion.events[0].t, 9)
+    ('A.lower', 1.0)
+    """
+    system = equations.system
+    joints: tuple[PlacedJoint, ...] = system.joints if isinstance(system, System) else ()
+    found = []
+    for joint in joints:
+        low, high = joint.limits
+        if joint.measured is None:
+            continue
+        if low is not None:
+            found.append(Event(joint.measured - low, -1, terminal=True, name=f"{joint.name}.lower"))
+        if high is not None:
+            found.append(Event(joint.measured - high, 1, terminal=True, name=f"{joint.name}.upper"))
+    if not found:
+        raise SimulationError(
+            f"stops: no joint of {brief(system)} has a limit; give limits to joints, such as "
+            "revolute('A', ground, crank, limits=(-1, 1)), and make the system by assemble([...]).system()"
+        )
+    return found

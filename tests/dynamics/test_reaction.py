@@ -1,0 +1,198 @@
+"""Reactions of joints and of bodies that are cut off, against closed forms; in symbols and along motions."""
+
+import numpy as np
+
+from symbody import (
+    Body,
+    Constraint,
+    Force,
+    Link,
+    Point,
+    System,
+    Torque,
+    Vector,
+    assemble,
+    cos,
+    fixed,
+    functions_of_time,
+    gear,
+    ground,
+    inverse_dynamics,
+    newton_equations,
+    newton_euler,
+    prismatic,
+    project,
+    reaction,
+    revolute,
+    rolling,
+    screw,
+    simulate,
+    simulate_many,
+    sin,
+    symbols,
+    t,
+    time_derivative,
+    translate,
+)
+
+m, l, g, a, b, h, r, I, J, T, F = symbols("m l g a b h r I J T F")
+phi, q = functions_of_time("phi q")
+weight = Vector(ground, 0, -g, 0)
+values = {m: 1.3, l: 0.8, g: 9.81}
+
+
+def pendulum(**options: object):
+    bob = Link("bob", m, Iz=I, center=(0, -l, 0))
+    pin = revolute("A", ground, bob, coordinate=phi)
+    mechanism = assemble([pin])
+    return mechanism, pin, newton_euler(mechanism.system(gravity=weight, **options))
+
+
+def test_the_pin_of_a_pendulum_in_either_bodys_axes():
+    mechanism, pin, equations = pendulum()
+    rate, acceleration = time_derivative(phi), time_derivative(phi, 2)
+    along = reaction(equations, pin, frame=mechanism.frame("bob"))
+    assert along.force.components == (
+        m * (l * acceleration + g * sin(phi)),
+        m * (l * rate**2 + g * cos(phi)),
+        0,
+    )
+    assert along.moment.components == (0, 0, 0)
+    on_ground = reaction(equations, "A", on=ground)
+    assert on_ground.force.components == tuple(-c for c in project(along.force, ground).components)
+    assert (on_ground.on, along.on) == ("ground", "bob")
+    assert str(along.at) == "A"
+    assert repr(reaction(equations, pin)).startswith("Reaction(on bob: force ")
+
+
+def test_along_motions_batches_and_drives():
+    """The tension of a pendulum that is let go: m g (3 cos(phi) - 2 cos(phi0)), for a mass in a point."""
+    mechanism, pin, equations = pendulum()
+    pull = reaction(equations, pin, frame=mechanism.frame("bob")).force.components[1]
+    exact = {"rtol": 1e-11, "atol": 1e-12}
+    motion = simulate(equations, values | {I: 0.0}, {phi: 1.2}, (0, 3), outputs={"pull": pull}, **exact)
+    expected = 1.3 * 9.81 * (3 * np.cos(motion[phi]) - 2 * np.cos(1.2))
+    np.testing.assert_allclose(motion[pull], expected, rtol=1e-9)
+    np.testing.assert_allclose(motion.outputs["pull"], expected, rtol=1e-9)
+    runs = simulate_many(
+        equations, values | {I: 0.0}, {phi: [1.2]}, t=(0, 3), outputs={"pull": pull}, **exact
+    )
+    np.testing.assert_allclose(runs.outputs["pull"][0], expected, rtol=1e-9)
+    driven = inverse_dynamics(equations, {phi: sin(3 * t)}, values | {I: 0.1}, [0, 2])
+    angle, rate = np.sin(3 * driven.t), 3 * np.cos(3 * driven.t)
+    np.testing.assert_allclose(driven[pull], 1.3 * (9.81 * np.cos(angle) + 0.8 * rate**2), rtol=1e-12)
+
+
+def test_a_cantilever_that_is_lifted():
+    """The force and the moment at a cut at a distance x from the tip, of a beam that is accelerated upwards."""
+    rho, x, lift = symbols("rho x lift")
+    z = functions_of_time("z")
+    left, right = Link("left", rho * (l - x)), Link("right", rho * x, center=(x / 2, 0, 0))
+    joints = [
+        prismatic("lift", ground, left, axis="Y", coordinate=z),
+        fixed("cut", left, right, at=(l - x, 0, 0)),
+    ]
+    mechanism = assemble(joints)
+    push = Force(ground, 0, lift, 0, at=Point(mechanism.frame(left), 0, 0, 0), on=mechanism.body(left))
+    equations = newton_euler(mechanism.system([push], gravity=weight))
+    cut = reaction(equations, "cut")
+    up = g + time_derivative(z, 2)
+    assert cut.force.components == (0, rho * x * up, 0)
+    assert cut.moment.components == (0, 0, rho * x**2 / 2 * up)
+    root = reaction(equations, "lift", about=Point(ground, 0, z, 0))
+    assert root.force.components == (0, 0, 0)  # along the freedom, the lift is a load
+    assert root.moment.components[2] == rho * up * x * (l - x / 2)
+    part = reaction(equations, ["right"], about=cut.at)
+    assert (part.force.components, part.moment.components) == (cut.force.components, cut.moment.components)
+    whole = reaction(equations, mechanism.bodies)
+    assert whole.force.components[1] == rho * l * up - lift
+
+
+def test_a_motor_is_no_reaction_and_a_drive_is_one():
+    """A load across the joint is subtracted; a constraint that moves the coordinate acts in the joint."""
+    mechanism, pin, _ = pendulum()
+    motor = Torque(ground, 0, 0, T, on=mechanism.body("bob"))
+    moved = newton_euler(mechanism.system([motor], gravity=weight))
+    assert reaction(moved, pin).moment.components == (0, 0, 0)
+    held = newton_euler(
+        mechanism.system(gravity=weight, constraints=[Constraint(phi - 3 * t, name="drive", multiplier=q)])
+    )
+    torque = reaction(held, pin).moment.components[2]
+    assert torque == (I + m * l**2) * time_derivative(phi, 2) + m * g * l * sin(phi)
+    motion = simulate(held, values | {I: 0.1}, {}, t=(0, 1))
+    np.testing.assert_allclose(motion[torque], 1.3 * 9.81 * 0.8 * np.sin(3 * motion.t), atol=1e-9)
+    np.testing.assert_allclose(motion[torque], motion[held.multipliers[0]], atol=1e-9)
+
+
+def test_a_nut_turns_its_thread():
+    """A nut that falls on its thread: the force along the axis times the pitch is the moment that turns it."""
+    nut = Link("nut", m, Iz=I)
+    thread = screw("S", ground, nut, pitch=h, coordinate=phi)
+    equations = newton_euler(assemble([thread]).system(gravity=Vector(ground, 0, 0, -g)))
+    found = reaction(equations, thread)
+    force, moment = found.force.components[2], found.moment.components[2]
+    assert force == m * (g + h * time_derivative(phi, 2))
+    assert moment == -h * force
+
+
+def test_the_force_of_gears():
+    """A torque on a pinion, and a wheel that it accelerates: the force at the pitch point is J q''/b."""
+    A = revolute("A", ground, Link("pinion", Iz=I), coordinate=phi)
+    B = revolute("B", ground, Link("wheel", Iz=J), at=(a + b, 0, 0), coordinate=q)
+    G = gear("G", A, B, a, b)
+    mechanism = assemble([A, B, G])
+    drive = Torque(ground, 0, 0, T, on=mechanism.body("pinion"))
+    equations = newton_euler(mechanism.system([drive]))
+    numbers = {I: 0.2, J: 0.5, a: 0.1, b: 0.3, T: 4.0}
+    motion = simulate(equations, numbers, {}, t=(0, 1))
+    alpha = 4.0 / (0.2 + 0.5 / 9)  # of the pinion: I + J (a/b)^2
+    tooth = motion.evaluate(reaction(equations, G, frame=ground).force.components)[:, 0]
+    np.testing.assert_allclose(tooth, [0, 0.5 * alpha / 3 / 0.3, 0], rtol=1e-9)
+    bearing = motion.evaluate(reaction(equations, B).force.components)[:, 0]
+    np.testing.assert_allclose(bearing, -tooth, rtol=1e-9)
+    assert reaction(equations, B).moment.components[2].is_zero
+
+
+def test_a_disc_needs_grip():
+    """A disc on an incline: the friction is m g sin(alpha)/3, the normal force m g cos(alpha)."""
+    alpha = symbols("alpha")
+    disc = Link("disc", m, m * r**2 / 4, m * r**2 / 2, m * r**2 / 4)
+    wheel = rolling("K", ground, disc, radius=r)
+    down = Vector(ground, g * sin(alpha), 0, -g * cos(alpha))
+    equations = newton_euler(assemble([wheel]).system(gravity=down))
+    found = reaction(equations, wheel)
+    numbers = {m: 2.0, r: 0.3, g: 9.81, alpha: 0.2}
+    motion = simulate(equations, numbers, {}, t=(0, 1))
+    force = motion.evaluate(found.force.components)[:, -1]
+    expected = 2 * 9.81 * np.array([-np.sin(0.2) / 3, 0, np.cos(0.2)])
+    np.testing.assert_allclose(force, expected, atol=1e-9)
+    at_contact = found.about(Point(ground, wheel.coordinates[0], wheel.coordinates[1], 0))
+    np.testing.assert_allclose(motion.evaluate(at_contact.moment.components), 0, atol=1e-9)
+
+
+def test_a_tree_that_is_built_towards_the_ground():
+    """The parent beyond the child: the reaction on the child has the opposite sign of what is cut off."""
+    bob = Link("bob", m, center=(0, -l, 0))
+    pin = revolute("A", bob, ground, coordinate=phi)
+    mechanism = assemble([pin])
+    equations = newton_euler(mechanism.system(gravity=weight))
+    on_bob = reaction(equations, pin, on=bob, frame=ground).force
+    whole = newton_equations(mechanism.body(bob), gravity=weight)
+    assert on_bob.components == whole.components
+    assert reaction(equations, pin, frame=ground).force.components == (-whole).components
+
+
+def test_bodies_of_any_system_can_be_cut_off():
+    x, y = functions_of_time("x y")
+    bead = Body(translate(x, y, 0), m, name="bead")
+    wire = System([bead], coordinates=[x, y], constraints=[x**2 + y**2 - l**2], gravity=weight)
+    equations = newton_euler(wire)
+    motion = simulate(equations, values, {x: 0.8, y: 0.0}, t=(0, 1), rtol=1e-10)
+    found = reaction(equations, bead)
+    (multiplier,) = equations.multipliers
+    np.testing.assert_allclose(
+        motion.evaluate(found.force.components[:2]),
+        motion.evaluate([2 * x * multiplier, 2 * y * multiplier]),
+        atol=1e-7,
+    )
+    assert found.moment.components == (0, 0, 0)

@@ -1,0 +1,191 @@
+"""Random mechanisms: trees and loops of links with every kind of joint. A seed gives one mechanism.
+
+A loop is closed at a position that is drawn before: the place of the joint on its child is where the tree has it then.
+So there is a position that keeps all constraints, to rounding.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from random import Random
+
+import numpy as np
+
+from symbody import (
+    Expr,
+    Frame,
+    Link,
+    Mechanism,
+    assemble,
+    cos,
+    cylindrical,
+    fixed,
+    free,
+    functions_of_time,
+    gear,
+    ground,
+    number,
+    planar,
+    point_on_curve,
+    prismatic,
+    rack,
+    revolute,
+    rolling,
+    rotate,
+    screw,
+    sin,
+    spherical,
+    translate,
+    universal,
+)
+from symbody.multibody.joint.joint import Joint
+
+Make = Callable[..., Joint]
+
+
+def _by_axis(kind: Make) -> Make:
+    return lambda draw, *parts, **places: kind(*parts, axis=draw.choice("XYZ"), **places)
+
+
+def _universal(draw: Random, *parts: object, **places: object) -> Joint:
+    return universal(*parts, axes="".join(draw.sample("XYZ", 2)), **places)  # type: ignore[arg-type]
+
+
+def _spherical(draw: Random, *parts: object, **places: object) -> Joint:
+    return spherical(*parts, axes=draw.choice(["ZYX", "ZXZ", "XYZ", "YXY"]), **places)  # type: ignore[arg-type]
+
+
+def _helix(s: Expr) -> tuple[Expr, Expr, Expr]:
+    return 2 * cos(s), sin(s), s + s**2 / 4
+
+
+def _free(draw: Random, *parts: object, **places: object) -> Joint:
+    return free(*parts, axes=draw.choice(["ZYX", "ZXZ"]), **places)  # type: ignore[arg-type]
+
+
+KINDS: dict[str, Make] = {
+    "revolute": _by_axis(revolute),
+    "prismatic": _by_axis(prismatic),
+    "cylindrical": _by_axis(cylindrical),
+    "spherical": _spherical,
+    "universal": _universal,
+    "planar": _by_axis(planar),
+    "fixed": lambda draw, *parts, **places: fixed(*parts, **places),
+    "free": _free,
+    "screw": lambda draw, *parts, **places: screw(
+        *parts, axis=draw.choice("XYZ"), pitch=number(draw.choice(["-2", "1", "1/2"])), **places
+    ),
+    "rolling": lambda draw, *parts, **places: rolling(
+        *parts, radius=2, crown=number(draw.choice(["0", "2", "1/2"])), **places
+    ),
+    "point_on_curve": lambda draw, *parts, **places: point_on_curve(
+        *parts, curve=_helix, axes=draw.choice(["ZYX", "XY", "Z", ""]), **places
+    ),
+}
+"""A joint of each kind, from what is drawn: its axes."""
+
+MESHES = ("gear", "rack")
+"""Kinds that couple two joints."""
+
+
+@dataclass
+class RandomMechanism:
+    """A mechanism, and a position of it at which all loops are closed."""
+
+    mechanism: Mechanism
+    position: dict[Expr, float]
+
+
+def random_mechanism(
+    seed: int, closing: str | None = None, links: int = 4, opening: str = ""
+) -> RandomMechanism:
+    """Return a mechanism of numbers.
+
+    Args:
+        seed: of what is drawn.
+        closing: the kind of joint that closes a loop; None for a tree.
+        links: how many links there are.
+        opening: a kind that is in the tree for certain.
+    """
+    draw = Random(seed)
+    joints, members = list[Joint](), list[Link]()
+    kinds = [kind for kind in KINDS if closing is None or kind not in ("free", "fixed", "rolling")]
+    for k in range(links):
+        link = _link(draw, f"L{k}")
+        parent = (
+            draw.choice([*members[-2:], ground]) if closing is None else (members[-1] if members else ground)
+        )
+        kind = opening if opening and k == 1 else draw.choice(kinds)
+        parts = (parent, link) if draw.random() < 0.7 else (link, parent)
+        joints.append(KINDS[kind](draw, f"J{k}", *parts, at=_place(draw), to=_place(draw)))
+        members.append(link)
+    tree = assemble(joints)
+    position = {q: round(draw.uniform(0.3, 1.2), 3) for q in tree.coordinates}
+    if closing in MESHES:
+        joints += _meshing(draw, closing, members[-1])
+        position |= {q: 0.3 for q in assemble(joints).coordinates if q not in position}
+    elif closing is not None:
+        joints.append(_closing(draw, closing, tree, position, members[-1]))
+    made = assemble(joints)
+    if closing == "rack":
+        position[functions_of_time("s_B")] = -0.6
+    if closing == "gear":
+        position[functions_of_time("phi_B")] = 0.6
+    return RandomMechanism(made, position)
+
+
+def _meshing(draw: Random, kind: str, carrier: Link) -> list[Joint]:
+    """Return two joints on a carrier, and the mesh of their children, at angles 0.3 and 0.6 or a shift of -0.6."""
+    place = _place(draw)
+    first = revolute("A", carrier, _link(draw, "pinion"), at=place, to=_place(draw))
+    if kind == "rack":
+        at = place * translate(number("0.7"), 2, 0)
+        second = prismatic("B", carrier, _link(draw, "bar"), at=at, to=_place(draw), axis="X")
+        return [first, second, rack("G", first, second, 2)]
+    at = place * translate(0, -1, 0)
+    second = revolute("B", carrier, _link(draw, "ring"), at=at, to=_place(draw))
+    return [first, second, gear("G", first, second, 2, 1, internal=True)]
+
+
+def _closing(draw: Random, kind: str, tree: Mechanism, position: dict[Expr, float], last: Link) -> Joint:
+    """Return a joint between the last link and ground that fits at a position."""
+    at = _place(draw)
+    trial = KINDS[kind](draw, "C", ground, last, at=at)
+    motion = trial.pair.motion(trial.coordinates)
+    somewhere = {q: round(draw.uniform(-0.9, 0.9), 3) for q in trial.coordinates}
+    position |= {q: somewhere[q] for q in trial.pair.keeps}
+    target = _numbers(at, {}) @ _numbers(motion, somewhere)
+    to = np.linalg.solve(_numbers(tree.frame(last), position), target)
+    axes = "".join(getattr(trial.pair, "slides", "") + getattr(trial.pair, "turns", ""))
+    del axes
+    return Joint(
+        trial.kind,
+        type(trial.mounting)("C", ground, last, trial.mounting.at, exact(to), True),
+        trial.pair,
+        trial.coordinates,
+    )
+
+
+def exact(matrix: np.ndarray) -> Frame:
+    """Return the frame of a matrix of doubles."""
+    return Frame(matrix.tolist())
+
+
+def _numbers(frame: Frame, values: dict[Expr, float]) -> np.ndarray:
+    return np.array([float(entry.evaluate(values)) for entry in frame.matrix.entries]).reshape(4, 4)
+
+
+def _link(draw: Random, name: str) -> Link:
+    moments = [draw.randint(8, 12) for _ in range(3)]
+    products = [draw.randint(-2, 2) for _ in range(3)]
+    center = [number(str(round(draw.uniform(-1, 1), 2))) for _ in range(3)]
+    return Link(name, draw.randint(1, 4), *moments, *products, center=center)
+
+
+def _place(draw: Random) -> Frame:
+    if draw.random() < 0.2:
+        return ground
+    shift = [number(str(round(draw.uniform(-1, 1), 2))) for _ in range(3)]
+    turned = rotate(draw.choice("XYZ"), number(str(round(draw.uniform(-1, 1), 2))))
+    return translate(*shift) * turned if draw.random() < 0.7 else translate(*shift)

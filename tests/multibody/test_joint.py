@@ -1,0 +1,377 @@
+"""Each kind of joint against the same mechanism written by hand, by value: frames, loop equations and coordinates."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+
+import numpy as np
+import pytest
+
+from symbody import (
+    Body,
+    Constraint,
+    Expr,
+    Frame,
+    Link,
+    ModelNotice,
+    Point,
+    System,
+    Vector,
+    angular_velocity,
+    assemble,
+    atan2,
+    cos,
+    cross,
+    cylindrical,
+    describe,
+    dot,
+    fixed,
+    floating_frame,
+    free,
+    functions_of_time,
+    gear,
+    ground,
+    newton_euler,
+    planar,
+    point_on_curve,
+    prismatic,
+    project,
+    rack,
+    revolute,
+    rolling,
+    rotate,
+    screw,
+    simulate,
+    sin,
+    spherical,
+    sqrt,
+    subs,
+    symbols,
+    time_derivative,
+    translate,
+    universal,
+    velocity,
+)
+from symbody.multibody.joint.joint import Joint
+
+a, b, c, alpha, h, r, R, m = symbols("a b c alpha h r R m")
+q, p, x, y, z, psi, theta, phi = functions_of_time("q p x y z psi theta phi")
+AT, TO = translate(a, b, 0) * rotate("X", alpha), translate(0, c, a) * rotate("Y", alpha)
+
+
+def axis(frame: Frame, k: int) -> Vector:
+    return Vector(frame, *(int(k == i) for i in range(3)))
+
+
+def entry(P: Frame, C: Frame, i: int, j: int) -> Expr:
+    return dot(axis(P, i), axis(C, j))
+
+
+def gap(P: Frame, C: Frame) -> tuple[Expr, ...]:
+    """Return the displacement from P to C in the axes of P."""
+    return project(Point(C, 0, 0, 0), P).coordinates
+
+
+def gap_in_ground(P: Frame, C: Frame) -> tuple[Expr, ...]:
+    return project(Point(C, 0, 0, 0) - Point(P, 0, 0, 0), ground).components
+
+
+Make = Callable[..., Joint]
+By = Callable[[Frame, Frame], tuple[Expr, ...]]
+KINDS: dict[str, tuple[Make, Frame, By]] = {
+    "revolute about x": (
+        lambda *parts, **more: revolute(*parts, axis="X", **more),
+        rotate("X", functions_of_time("phi_J")),
+        lambda P, C: (*gap_in_ground(P, C), -entry(P, C, 2, 0), entry(P, C, 1, 0)),
+    ),
+    "revolute about y": (
+        lambda *parts, **more: revolute(*parts, axis="y", **more),
+        rotate("Y", functions_of_time("phi_J")),
+        lambda P, C: (*gap_in_ground(P, C), entry(P, C, 2, 1), -entry(P, C, 0, 1)),
+    ),
+    "revolute about z": (
+        revolute,
+        rotate("Z", functions_of_time("phi_J")),
+        lambda P, C: (*gap_in_ground(P, C), -entry(P, C, 1, 2), entry(P, C, 0, 2)),
+    ),
+    "prismatic": (
+        lambda *parts, **more: prismatic(*parts, axis="Y", **more),
+        translate(0, functions_of_time("s_J"), 0),
+        lambda P, C: (gap(P, C)[0], gap(P, C)[2], entry(P, C, 2, 1), entry(P, C, 0, 2), entry(P, C, 1, 0)),
+    ),
+    "cylindrical": (
+        cylindrical,
+        translate(0, 0, functions_of_time("s_J")) * rotate("Z", functions_of_time("phi_J")),
+        lambda P, C: (gap(P, C)[0], gap(P, C)[1], -entry(P, C, 1, 2), entry(P, C, 0, 2)),
+    ),
+    "spherical": (
+        spherical,
+        rotate("Z", functions_of_time("psi_J"))
+        * rotate("Y", functions_of_time("theta_J"))
+        * rotate("X", functions_of_time("phi_J")),
+        gap_in_ground,
+    ),
+    "universal": (
+        lambda *parts, **more: universal(*parts, axes="ZX", **more),
+        rotate("Z", functions_of_time("phi_J")) * rotate("X", functions_of_time("theta_J")),
+        lambda P, C: (*gap_in_ground(P, C), -entry(P, C, 2, 0)),
+    ),
+    "planar": (
+        lambda *parts, **more: planar(*parts, axis="Y", **more),
+        translate(functions_of_time("x_J"), 0, functions_of_time("z_J"))
+        * rotate("Y", functions_of_time("phi_J")),
+        lambda P, C: (gap(P, C)[1], entry(P, C, 2, 1), -entry(P, C, 0, 1)),
+    ),
+    "fixed": (
+        fixed,
+        ground,
+        lambda P, C: (*gap_in_ground(P, C), entry(P, C, 2, 1), entry(P, C, 0, 2), entry(P, C, 1, 0)),
+    ),
+    "screw": (
+        lambda *parts, **more: screw(*parts, pitch=h, **more),
+        translate(0, 0, h * functions_of_time("phi_J")) * rotate("Z", functions_of_time("phi_J")),
+        lambda P, C: (
+            *gap(P, C)[:2],
+            h * (sin(gap(P, C)[2] / h) * entry(P, C, 0, 0) - cos(gap(P, C)[2] / h) * entry(P, C, 1, 0)),
+            -entry(P, C, 1, 2),
+            entry(P, C, 0, 2),
+        ),
+    ),
+    "rolling": (
+        lambda *parts, **more: rolling(*parts, radius=R + r, crown=r, **more),
+        translate(functions_of_time("x_J"), functions_of_time("y_J"), r)
+        * rotate("Z", functions_of_time("psi_J"))
+        * rotate("X", functions_of_time("theta_J"))
+        * translate(0, 0, R)
+        * rotate("Y", functions_of_time("phi_J")),
+        lambda P, C: (gap(P, C)[2] - R * sqrt(1 - entry(P, C, 2, 1) ** 2) - r, *slip(P, C)),
+    ),
+    "point on a curve": (
+        lambda *parts, **more: point_on_curve(
+            *parts, curve=lambda s: (s, a * s**2, cos(s)), axes="Z", **more
+        ),
+        translate(functions_of_time("s_J"), a * functions_of_time("s_J") ** 2, cos(functions_of_time("s_J")))
+        * rotate("Z", functions_of_time("phi_J")),
+        lambda P, C: (
+            gap(P, C)[0] - functions_of_time("s_J"),
+            gap(P, C)[1] - a * functions_of_time("s_J") ** 2,
+            gap(P, C)[2] - cos(functions_of_time("s_J")),
+            -entry(P, C, 1, 2),
+            entry(P, C, 0, 2),
+        ),
+    ),
+}
+
+
+def slip(P: Frame, C: Frame) -> tuple[Expr, Expr]:
+    """Return the velocity of the wheel's point at the contact relative to the plane's, along its x and y."""
+    n, e = axis(P, 2), axis(C, 1).projected(P)
+    lean = entry(P, C, 2, 1)
+    arm = -R / sqrt(1 - lean**2) * (n - lean * e) - r * n
+    w = angular_velocity(C).projected(P) - angular_velocity(P)
+    v = velocity(Point(C, 0, 0, 0)) - velocity(Point(P, 0, 0, 0))
+    v = v.projected(P) - cross(angular_velocity(P), Vector(P, *gap(P, C)))
+    return (v + cross(w, arm)).components[:2]
+
+
+@pytest.mark.parametrize("kind", KINDS)
+@pytest.mark.parametrize("is_reversed", [False, True])
+def test_a_joint_that_opens_the_tree_gives_the_frames_written_by_hand(kind: str, is_reversed: bool) -> None:
+    make, motion, _ = KINDS[kind]
+    first, second = Link("first", m), Link("second", m)
+    if is_reversed:
+        made = assemble([revolute("A", ground, second, coordinate=q), make("J", first, second, at=AT, to=TO)])
+        expected = rotate("Z", q) * TO * motion.inverse() * AT.inverse()
+        assert made.frame(first).matrix == expected.matrix
+        return
+    made = assemble([revolute("A", ground, first, coordinate=q), make("J", first, second, at=AT, to=TO)])
+    assert made.frame(second).matrix == (rotate("Z", q) * AT * motion * TO.inverse()).matrix
+    assert made.coordinates == (q, *(coordinate for coordinate in made.joint("J").coordinates))
+    assert len(made.constraints) == (2 if kind == "rolling" else 0)
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_a_joint_that_closes_a_loop_gives_the_equations_written_by_hand(kind: str) -> None:
+    make, _, by_hand = KINDS[kind]
+    first, second = Link("first", m), Link("second", m)
+    made = assemble(
+        [
+            revolute("A", ground, first, coordinate=q),
+            free("F", ground, second, coordinates=[x, y, z, psi, theta, phi], axes="ZXZ"),
+            make("J", first, second, at=AT, to=TO, loop=True),
+        ]
+    )
+    P = rotate("Z", q) * AT
+    C = translate(x, y, z) * rotate("Z", psi) * rotate("X", theta) * rotate("Z", phi) * TO
+    assert [each.condition for each in made.constraints] == list(by_hand(P, C))
+    assert all(each.name.startswith("J.") for each in made.constraints)
+    assert made.constraints[0].on == made.bodies
+
+
+def test_gears_and_racks() -> None:
+    """A wheel inside a ring, a bar below its pinion: velocities at the pitch point agree where the mesh holds."""
+    pinion, wheel, bar = Link("pinion", 1), Link("wheel", 1), Link("bar", 1)
+    A = revolute("A", ground, pinion, coordinate=p)
+    for internal in (False, True):
+        B = revolute("B", ground, wheel, at=(0, R - r if internal else R + r, 0), coordinate=q)
+        made = assemble([A, B, gear("G", A, B, R, r, internal=internal)])
+        (mesh,) = made.constraints
+        assert mesh.condition == R * p + (-r if internal else r) * q
+        at = Point(ground, 0, R, 0)
+        one, two = (velocity_at(at, made.frame(link)) for link in (pinion, wheel))
+        (closure,) = made.joint("G").closures
+        assert (two - one).projected(ground).components == (
+            closure.force * time_derivative(mesh.condition)
+        ).projected(ground).components
+        assert closure.at.projected(ground).coordinates == at.coordinates
+    for side in (1, -1):
+        B = prismatic("B", ground, bar, at=(c, -side * r, 0), axis="X", coordinate=x)
+        (mesh,) = assemble([A, B, rack("K", A, B, r)]).constraints
+        assert mesh.condition == x - side * r * p
+
+
+def velocity_at(place: Point, frame: Frame) -> Vector:
+    """Return the velocity of the point of a frame that turns about its origin."""
+    return cross(angular_velocity(frame), place - Point(frame, 0, 0, 0)).projected(ground)
+
+
+def test_quaternions() -> None:
+    """A free body is a floating frame; a ball has its rotation alone."""
+    top = Link("top", m, 1, 2, 3)
+    made = assemble([free("base", ground, top, quaternion=True)])
+    by_hand = Body(floating_frame("base"), m, 1, 2, 3)
+    weight = Vector(ground, 0, 0, -9.81)
+    one, two = newton_euler(made.system(gravity=weight)), newton_euler(System([by_hand], gravity=weight))
+    assert one.residuals == two.residuals
+    assert one.coordinates == two.coordinates
+    ball = newton_euler(
+        assemble([spherical("O", ground, top, to=(0, 0, -1), quaternion=True)]).system(gravity=weight)
+    )
+    euler = newton_euler(
+        assemble([spherical("O", ground, top, to=(0, 0, -1), axes="ZXZ")]).system(gravity=weight)
+    )
+    e1 = functions_of_time("e1_O")
+    fall = simulate(
+        ball, {m: 1.0}, {functions_of_time("e0_O"): math.cos(0.2), e1: math.sin(0.2)}, t=(0, 1), rtol=1e-10
+    )
+    lean = functions_of_time("theta_O")
+    same = simulate(euler, {m: 1.0}, {lean: 0.4}, t=(0, 1), rtol=1e-10)
+    height = 1 - 2 * fall[e1] ** 2 - 2 * fall[functions_of_time("e2_O")] ** 2
+    np.testing.assert_allclose(height, np.cos(same[lean]), atol=1e-7)
+
+
+def test_a_disc_that_rolls_has_the_equations_of_the_page_on_rolling() -> None:
+    g = symbols("g")
+    plane = translate(x, y, 0) * rotate("Z", psi) * rotate("X", theta)
+    wheel = plane * translate(0, 0, r) * rotate("Y", phi)
+    disc = Body(wheel, m, m * r**2 / 4, m * r**2 / 2, m * r**2 / 4)
+    no_slip = velocity(disc.center_of_mass) + cross(angular_velocity(wheel), Vector(plane, 0, 0, -r))
+    weight = Vector(ground, 0, 0, -g)
+    names = (x, y, psi, theta, phi)
+    by_hand = System([disc], (), names, project(no_slip, ground).components[:2], weight)
+    link = Link("disc", m, m * r**2 / 4, m * r**2 / 2, m * r**2 / 4)
+    made = assemble([rolling("K", ground, link, radius=r, coordinates=names)])
+    assert newton_euler(made.system(gravity=weight)).residuals == newton_euler(by_hand).residuals
+
+
+def test_the_tree_takes_given_coordinates_then_few_freedoms_then_the_order() -> None:
+    A, B = Link("A", 1), Link("B", 1)
+    one, two, three = (
+        revolute("one", ground, A),
+        spherical("two", A, B, at=(1, 0, 0)),
+        revolute("three", ground, B, at=(2, 0, 0)),
+    )
+    assert [joint.opens for joint in assemble([one, two, three]).joints] == [True, False, True]
+    named = spherical("two", A, B, at=(1, 0, 0), coordinates=[psi, theta, phi])
+    assert [joint.opens for joint in assemble([one, named, three]).joints] == [True, True, False]
+    by_hand = revolute("one", ground, A, loop=True)
+    assert [joint.opens for joint in assemble([by_hand, two, three]).joints] == [False, True, True]
+    wanted = spherical("two", A, B, at=(1, 0, 0), loop=False)
+    assert [joint.opens for joint in assemble([one, wanted, three]).joints] == [True, True, False]
+
+
+def test_a_coordinate_of_a_joint_that_closes_a_loop_is_reported() -> None:
+    A, B = Link("A", 1), Link("B", 1)
+    joints = [
+        revolute("one", ground, A, coordinate=q),
+        revolute("two", A, B, at=(1, 0, 0), coordinate=p),
+        revolute("three", ground, B, at=(2, 0, 0), coordinate=x),
+    ]
+    with pytest.warns(ModelNotice) as caught:
+        assemble(joints)
+    (notice,) = (str(each.message) for each in caught)
+    assert notice == (
+        "assemble: revolute three closes a loop, so that its x is no coordinate of the mechanism; leave the "
+        "coordinates of one joint of each loop out, or choose by loop=True which joint closes it"
+    )
+
+
+def test_a_plane_mechanism_in_an_inclined_plane_closes_by_two_conditions() -> None:
+    tilted = rotate("X", alpha) * rotate("Y", 1)
+    crank, rod, rocker = (Link(name, 1) for name in ("crank", "rod", "rocker"))
+    made = assemble(
+        [
+            revolute("A", ground, crank, at=tilted),
+            revolute("B", crank, rod, at=(a, 0, 0)),
+            revolute("D", ground, rocker, at=tilted * translate(b, 0, 0)),
+            revolute("C", rod, rocker, at=(c, 0, 0), to=(a, 0, 0)),
+        ]
+    )
+    flat = assemble(
+        [
+            revolute("A", ground, crank),
+            revolute("B", crank, rod, at=(a, 0, 0)),
+            revolute("D", ground, rocker, at=(b, 0, 0)),
+            revolute("C", rod, rocker, at=(c, 0, 0), to=(a, 0, 0)),
+        ]
+    )
+    for each in (made, flat):
+        assert [constraint.name for constraint in each.constraints] == ["C.x", "C.y"]
+    assert (
+        "revolute C: rod -> rocker closes a loop by C.x, C.y; by themselves hold C.z, C.about x, C.about y"
+        in (describe(made))
+    )
+
+
+def test_coordinates_may_be_expressions_and_inputs() -> None:
+    """Absolute angles, two wheels on one coordinate, and a drive."""
+    A, B, C = (Link(name, 1) for name in "ABC")
+    drive = functions_of_time("drive")
+    joints = [
+        revolute("a", ground, A, coordinate=q),
+        revolute("b", A, B, at=(1, 0, 0), coordinate=p - q),
+        revolute("c", ground, C, coordinate=drive - 2 * q),
+    ]
+    made = assemble(joints)
+    assert made.coordinates == (q, p, drive)
+    assert made.frame(B).matrix == (rotate("Z", q) * translate(1, 0, 0) * rotate("Z", p - q)).matrix
+    assert made.system(inputs=[drive]).coordinates == (q, p)
+
+
+def test_measured_coordinates_of_loops() -> None:
+    link = Link("link", 1)
+    base = free("F", ground, link, coordinates=[x, y, z, psi, theta, phi])
+    frame = translate(x, y, z) * rotate("Z", psi) * rotate("Y", theta) * rotate("X", phi)
+    for joint, expected in (
+        (
+            revolute("J", ground, link, loop=True),
+            atan2(entry(ground, frame, 1, 0), entry(ground, frame, 0, 0)),
+        ),
+        (prismatic("J", ground, link, axis="Y", loop=True), y),
+        (screw("J", ground, link, pitch=h, loop=True), z / h),
+    ):
+        assert assemble([base, joint]).joint("J").measured == expected
+
+
+def test_parameters_are_substituted_in_systems_with_joints() -> None:
+    A, B = Link("A", m), Link("B", m)
+    joints = [
+        revolute("one", ground, A, limits=(-a, a)),
+        revolute("two", A, B, at=(a, 0, 0)),
+        prismatic("three", ground, B, to=(a, 0, 0)),
+    ]
+    system = subs(assemble(joints).system(), {a: 2})
+    assert system.joints[0].limits == (-2, 2)
+    assert all(a not in constraint.free_symbols for constraint in system.constraints)
+    assert isinstance(system.conditions[0], Constraint)

@@ -1,0 +1,71 @@
+"""Linkages of links and joints against the same ones by frames and constraints, and against their references."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+import pytest
+from numpy.testing import assert_allclose
+
+from symbody import System, equilibrium, ground, lagrange_equations, newton_euler, reaction, simulate
+from tests.reference.mechanisms import by_joints
+from tests.reference.mechanisms.andrews import andrews
+from tests.reference.mechanisms.fourbar_statics import fourbar_statics
+from tests.reference.mechanisms.problem import Problem, reference
+from tests.reference.mechanisms.slider_crank import slider_crank
+
+
+@pytest.mark.parametrize(
+    ("of_joints", "by_hand"),
+    [
+        (lambda: by_joints.fourbar()[1], fourbar_statics),
+        (by_joints.slider_crank, slider_crank),
+        (by_joints.andrews, andrews),
+    ],
+    ids=["fourbar_statics", "slider_crank", "andrews"],
+)
+def test_joints_give_the_equations_that_were_written_by_hand(
+    of_joints: Callable[[], System], by_hand: Callable[[], Problem]
+) -> None:
+    one, two = newton_euler(of_joints()), by_hand().equations
+    assert one.coordinates == two.coordinates
+    assert one.constraints == two.constraints
+    assert one.mass_matrix == two.mass_matrix
+    assert one.forcing == two.forcing
+    assert one.residuals == two.residuals
+
+
+def test_pins_of_the_hanging_linkage() -> None:
+    """By statics: the pins on ground carry weight and pull, each bar's moments balance, Q has the reference's force."""
+    numbers, problem = reference("fourbar_statics"), fourbar_statics()
+    linkage, system = by_joints.fourbar()
+    equations = lagrange_equations(system)
+    rest = equilibrium(equations, problem.parameters, guess=problem.initial)
+    motion = simulate(equations, problem.parameters, rest.coordinates, (0, 1e-3))
+
+    def force(name: str) -> np.ndarray:
+        found = reaction(equations, linkage.joint(name).joint, frame=ground)
+        return motion.evaluate(found.force.components)[:2, 0]
+
+    p, q = numbers["parameters"], np.array(numbers["static"]["q_rad"])
+    weights = {name: np.array([p[f"m{name}"] * p["g"], 0]) for name in "ABC"}
+    along = {name: p[f"L{name}"] * np.array([np.cos(a), np.sin(a)]) for name, a in zip("ABC", q, strict=True)}
+    pull = np.array([0, p["H"]])
+    assert_allclose(force("Q"), numbers["static"]["multipliers"], rtol=1e-8)
+    assert_allclose(force("O") + force("R") + sum(weights.values()) + pull, 0, atol=1e-6)
+    assert_allclose(force("P") + force("Q") + weights["B"], 0, atol=1e-6)
+    for name, end in (("A", -force("P")), ("B", force("Q")), ("C", pull - force("Q"))):
+        (x, y), (Fx, Fy) = along[name], weights[name] / 2 + end
+        moment = x * Fy - y * Fx
+        assert abs(moment) < 1e-6
+
+
+def test_multipliers_of_andrews_are_the_forces_of_its_pins() -> None:
+    """At the start, against the Test Set for IVP Solvers; its signs are those of ``M u' = f - G^T lambda``."""
+    problem, system = andrews(), by_joints.andrews()
+    equations = newton_euler(system)
+    motion = simulate(equations, problem.parameters, problem.initial, (0, 1e-4))
+    first = motion.evaluate(reaction(equations, "P3", frame=ground).force.components)[:, 0]
+    assert_allclose(-first[:2], [98.5668703962410896, -6.12268834425566265], rtol=1e-11)
+    assert first[2] == 0
