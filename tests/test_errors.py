@@ -26,9 +26,12 @@ from symbody import (
     angular_velocity,
     assemble,
     center_of_mass,
+    consistent_state,
+    cos,
     dot,
     embedded,
     equations_of,
+    equilibrium,
     errors,
     euler_equations,
     floating_frame,
@@ -38,9 +41,13 @@ from symbody import (
     functions_of_time,
     gear,
     generalized_force,
+    gibbs_appell,
     gradient,
     gravitational_energy,
     ground,
+    hamilton,
+    inverse_dynamics,
+    kane,
     kinetic_energy,
     lagrange,
     lagrange_equations,
@@ -60,6 +67,7 @@ from symbody import (
     rotate,
     screw,
     show,
+    simulate,
     sin,
     spherical,
     stops,
@@ -100,6 +108,22 @@ def chosen(kinematics: Mapping[Expr, Expr]) -> System:
         u for u in (u1, u2) if any(u == left for left in kinematics) or any(u in leaves for leaves in held)
     ]
     return System([body], coordinates=[x, y], speeds=speeds, kinematics=kinematics)
+
+
+def blade() -> System:
+    """Return a skate, whose blade lets it go along phi."""
+    frame = translate(x, y, 0) * rotate("Z", phi)
+    return System(
+        [Body(frame, m, Iz=F)], coordinates=[x, y, phi], constraints=[yp * cos(phi) - xp * sin(phi)]
+    )
+
+
+def pushed() -> System:
+    return System([body], [push], [x, y], [y - x])
+
+
+def driven() -> System:
+    return System([body], (), [x, y], speeds=[u1], kinematics={xp: u1, yp: F + u1})
 
 
 def with_states(states: object, force: object = None, **options: object) -> System:
@@ -1329,6 +1353,270 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
             "System: kinematics = [u1] is a list; expected a dictionary of rates of coordinates by speeds, or of "
             "speeds by rates, such as {u: time_derivative(x)*cos(phi) + time_derivative(y)*sin(phi)}"
         ),
+    ),
+    # --- speeds, momenta and embedded constraints in the formalisms ---
+    (
+        errors.ModelError,
+        lambda: hamilton(
+            System([body], [Force(ground, -F * time_derivative(x, 2), 0, 0, at=G, on=body)], [x, y])
+        ),
+        "hamilton: a load holds the acceleration x'', which momenta don't give; use newton_euler",
+    ),
+    (
+        errors.ModelError,
+        lambda: hamilton(System([other], coordinates=[x, y], constraints=[y - sin(x)])),
+        (
+            "hamilton: the mass matrix of x', y': ldl_solve: row 2 of the 2x2 matrix has no pivot: elimination "
+            "leaves zeros on the diagonal; expected a positive definite matrix; give every coordinate some mass "
+            "to move"
+        ),
+    ),
+    (
+        errors.ModelError,
+        lambda: hamilton(System([Body(translate(u2, y, 0), symbols("p_u2"))], coordinates=[u2, y])),
+        "hamilton: the momentum p_u2 has the name of something in the system; rename that",
+    ),
+    (
+        errors.ModelError,
+        lambda: hamilton(System([Body(afloat, 0, *symbols("I_x I_y I_z"))])),
+        (
+            "hamilton: the mass matrix of u_afloat, v_afloat, w_afloat, p_afloat, q_afloat, r_afloat: ldl_solve: "
+            "row 3 of the 6x6 matrix has no pivot: elimination leaves zeros on the diagonal; expected a positive "
+            "definite matrix; give every coordinate some mass to move"
+        ),
+    ),
+    (
+        errors.ModelError,
+        lambda: hamilton(newton_euler(chosen({u1: xp}))),
+        (
+            "hamilton: system = Equations(2 equations of motion, 0 constraints, speeds and coordinates u1, y) is "
+            "an Equations; expected a system, such as System(bodies, loads, coordinates)"
+        ),
+    ),
+    (
+        errors.ModelError,
+        lambda: kane(hamilton(chosen({u1: xp})).equations.system),
+        (
+            "kane: the speeds of the system are momenta, p_u1, p_y; derive the equations of the system in its "
+            "own speeds, system.whole"
+        ),
+    ),
+    (
+        errors.ModelError,
+        lambda: lagrange_equations(embedded(kane(blade())).system),
+        (
+            "lagrange_equations: the system is embedded: its frames still move by y', which was eliminated; "
+            "derive the equations of the whole system, system.whole, and embed them"
+        ),
+    ),
+    (
+        errors.ModelError,
+        lambda: embedded(hamilton(blade()).equations),
+        (
+            "embedded: the speeds of the equations are momenta, p_x, p_y, p_phi; expected equations in speeds, "
+            "such as newton_euler(system), or constraints that the kinematics of the system embed"
+        ),
+    ),
+    (
+        errors.ModelError,
+        lambda: embedded(hamilton(blade())),
+        (
+            "embedded: eqs = CanonicalEquations(x, y, phi, p_x, p_y, p_phi) is a CanonicalEquations; expected "
+            "equations of motion, such as newton_euler(system)"
+        ),
+    ),
+    (
+        errors.ConstraintError,
+        lambda: embedded(kane(blade()), [xp]),
+        "embedded: 1 independent speed, 3 speeds and 1 independent constraint; expected 2 of them",
+    ),
+    (
+        errors.ConstraintError,
+        lambda: embedded(kane(blade()), [xp, u1]),
+        "embedded: u1 is not a speed; expected some of x', y', phi'",
+    ),
+    (
+        errors.ConstraintError,
+        lambda: embedded(kane(blade()), [xp, yp]),
+        (
+            "embedded: the constraints don't determine phi' by the independent speeds; choose others, or leave "
+            "independent out"
+        ),
+    ),
+    (
+        errors.ConstraintError,
+        lambda: embedded(kane(System([body], coordinates=[x, y], constraints=[xp - a, yp - x]))),
+        (
+            "embedded: the constraints determine all speeds, x', y'; expected fewer constraints: the motion "
+            "follows from them alone"
+        ),
+    ),
+    (
+        errors.ModelError,
+        lambda: embedded(equations_of([[m]], [F], [x])),
+        (
+            "embedded: the equations were given by M and f; expected equations of a system with bodies, such as "
+            "newton_euler(system)"
+        ),
+    ),
+    (
+        errors.ArgumentError,
+        lambda: simulate(hamilton(chosen({u1: xp})), {m: 1}, {}, (0, 1)),
+        (
+            "simulate: the argument is canonical equations; expected equations of motion: pass their attribute "
+            "equations, as in hamilton(system).equations"
+        ),
+    ),
+    (
+        errors.ParameterError,
+        lambda: consistent_state(
+            hamilton(chosen({u1: xp})).equations, {m: 1}, {u1: 1, functions_of_time("p_y"): 2}
+        ),
+        (
+            "consistent_state: values of the momentum p_y and of the speed u1; expected momenta, or speeds and "
+            "rates of coordinates"
+        ),
+    ),
+    (
+        errors.ParameterError,
+        lambda: consistent_state(hamilton(chosen({u1: xp})).equations, {m: 1}, {functions_of_time("p_x"): 1}),
+        (
+            "consistent_state, initial: p_x is not a coordinate, a rate of one or a speed of this system; did "
+            "you mean p_y?"
+        ),
+    ),
+    (
+        errors.ModelError,
+        lambda: inverse_dynamics(hamilton(chosen({u1: xp})).equations, {x: sin(t), y: t}, {m: 1}, (0, 1)),
+        (
+            "inverse_dynamics: the speeds of the equations are momenta, along which no forces act; expected "
+            "equations in speeds, such as newton_euler(system)"
+        ),
+    ),
+    (
+        errors.ModelError,
+        lambda: equilibrium(hamilton(chosen({u1: xp})).equations, {m: 1}, fixed={x: 1}),
+        (
+            "equilibrium, fixed: the speeds of the equations are momenta, along which no forces act; expected "
+            "equations in speeds, such as newton_euler(system), to hold coordinates"
+        ),
+    ),
+    (
+        errors.ConstraintError,
+        lambda: consistent_state(
+            embedded(kane(constrained(x**2 + y**2 - 1, xp - z * yp))), {m: 1}, {x: 1, y: 1}
+        ),
+        (
+            "consistent_state: no coordinates were found with x = 1, y = 1 that satisfy the constraints at t = 0 "
+            "s; nearest, at z = 0: constraint 1, x**2 + y**2 - 1 = 0, is off by 1; give fewer or other values, "
+            "or a guess={coordinate: value} near a solution"
+        ),
+    ),
+    (
+        errors.SimulationError,
+        lambda: equilibrium(embedded(kane(pushed()), [xp]), {m: 1, F: 1}),
+        (
+            "equilibrium: none was found; nearest, at x = 0, y = 0: the equation of motion of x is off by -1; "
+            "expected loads that can balance: give a guess nearer to the equilibrium, or hold coordinates that "
+            "no load holds, such as fixed={x: ...}"
+        ),
+    ),
+    (
+        errors.ModelError,
+        lambda: simulate(newton_euler(driven()), {m: 1, F: 2}, {}, (0, 1)).energy,
+        (
+            "motion: the bodies move while all speeds are zero, as a moving frame, the kinematics or an "
+            "eliminated constraint prescribe, and the equations don't contain the work of this drive: the energy "
+            "isn't constant; prescribe the motion by a constraint with a multiplier, whose work is counted"
+        ),
+    ),
+    (
+        errors.ModelError,
+        lambda: newton_euler(System([body], coordinates=[x, y], speeds=[u1])),
+        (
+            "newton_euler: the speed u1 moves no frame of a body; leave it out of the speeds, or build a moving "
+            "frame with it"
+        ),
+    ),
+    (
+        errors.ModelError,
+        lambda: kane(System([Body(moving_frame(u1 * u2, 0, 0, 0, 0, 0), m)], speeds=[u1, u2])),
+        (
+            "kane: the velocities of moving frame aren't linear in the speed u2; expected velocities that are "
+            "linear in all speeds"
+        ),
+    ),
+    (
+        errors.ModelError,
+        lambda: lagrange_equations(
+            System([Body(translate(u1, y, 0), m)], coordinates=[y], speeds=[u1], kinematics={yp: u1})
+        ),
+        "lagrange_equations: translate(u1, y, 0) is moved by u1, a speed; expected coordinates of its own",
+    ),
+    (
+        errors.ModelError,
+        lambda: gibbs_appell(System([Body(translate(xp, y, 0), m)], coordinates=[x, y], kinematics={u1: xp})),
+        "gibbs_appell: translate(x', y, 0) holds the rate x'; expected frames of coordinates and time alone",
+    ),
+    (
+        errors.ModelError,
+        lambda: hamilton(System([Body(translate(xp, y, 0), m)], coordinates=[x, y], kinematics={u1: xp})),
+        "hamilton: translate(x', y, 0) holds the rate x'; expected frames of coordinates and time alone",
+    ),
+    (
+        errors.FrameError,
+        lambda: kane(System([Body(natural, m)], coordinates=[x, y], kinematics={u1: xp})),
+        (
+            "kane: TN isn't rigid: its matrix isn't a rotation by itself; if constraints make it one, use "
+            "lagrange_equations, and correct the matrix if not"
+        ),
+    ),
+    (
+        errors.FrameError,
+        lambda: gibbs_appell(System([Body(natural, m)], coordinates=[x, y], kinematics={u1: xp})),
+        (
+            "gibbs_appell: TN isn't rigid: its matrix isn't a rotation by itself; if constraints make it one, "
+            "use lagrange_equations, and correct the matrix if not"
+        ),
+    ),
+    (
+        errors.ModelError,
+        lambda: kane(
+            System(
+                [body],
+                [Force(ground, time_derivative(u1, 2), 0, 0, at=G, on=body)],
+                [x, y],
+                kinematics={u1: xp},
+            )
+        ),
+        (
+            "kane: Force(Vector(ground, u1'', 0, 0), at=Point(translat... y, 0), 0, 0, 0), on=bead) holds u1''; "
+            "expected coordinates, speeds and accelerations at most"
+        ),
+    ),
+    (
+        errors.ModelError,
+        lambda: kane(
+            System(
+                [body],
+                [Force(ground, time_derivative(u1) ** 2, 0, 0, at=G, on=body)],
+                [x, y],
+                kinematics={u1: xp},
+            )
+        ),
+        (
+            "kane: Force(Vector(ground, u1'**2, 0, 0), at=Point(transl... y, 0), 0, 0, 0), on=bead) isn't linear "
+            "in the acceleration u1'; give a function of time for the load, and its law as an additional equation"
+        ),
+    ),
+    (
+        errors.ModelError,
+        lambda: hamilton(
+            System(
+                [body], [Force(ground, time_derivative(u1), 0, 0, at=G, on=body)], [x, y], kinematics={u1: xp}
+            )
+        ),
+        "hamilton: a load holds the acceleration u1', which momenta don't give; use newton_euler",
     ),
     # --- constraints ---
     (

@@ -119,3 +119,11 @@ def test_a_load_may_hold_accelerations_of_coordinates_whatever_the_speeds() -> N
     upright = dict(zip(AFLOAT.motions[0].quaternion, (1, 0, 0, 0), strict=True))
     assert eqs.mass_matrix[0, 0].subs(upright) == m + A
     assert eqs.mass_matrix[1, 1].subs(upright) == m
+
+
+def test_the_symbols_of_the_kinematics_belong_to_the_model() -> None:
+    """So no default multiplier takes the name of one of them."""
+    rates = {time_derivative(x): symbols("lambda1") * u, time_derivative(y): u}
+    system = System([Body(translate(x, y, 0), m)], (), [x, y], [x - y], speeds=[u], kinematics=rates)
+    assert symbols("lambda1") in system.leaves
+    assert [str(each) for each in system.multipliers] == ["lambda2"]

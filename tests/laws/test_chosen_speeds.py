@@ -11,7 +11,6 @@ from symbody import (
     Matrix,
     System,
     Vector,
-    cos,
     functions_of_time,
     ground,
     jacobian,
@@ -25,43 +24,12 @@ from symbody import (
     time_derivative,
     translate,
 )
-from tests.laws.random_system import random_constrained_system, random_floating_system, random_system
+from tests.laws.random_speeds import KINDS, by_chosen_speeds, drawn
+from tests.laws.random_system import random_system
 from tests.laws.test_formalisms import check_same_nodes
 
 SEEDS = range(10)
 a, b = symbols("a_y b_y")
-
-
-def by_chosen_speeds(system: System, random: Random, *, defined: bool, embedded: bool = False) -> System:
-    """Return a system with a speed for each rate that was one: ``q' = Y u + b``, or ``u = Y q' + b``.
-
-    Y has an inverse; if speeds are embedded, the last two rates hold one speed, as a constraint on them would have it.
-    The speeds of a floating frame stay, and are in rates and definitions too.
-    """
-    own = system.driving[len(system.quasi_velocities) :]
-    speeds = [functions_of_time(f"u_{k}") for k in range(len(own))]
-    rates = [time_derivative(q) for q in own]
-    if embedded:
-        speeds[-1:] = speeds[-2:-1]
-    left, right = (speeds, rates) if defined else (rates, speeds)
-    kinematics = {}
-    for k in range(len(own)):
-        slope = 2 + cos(random.choice(system.coordinates))
-        kinematics[left[k]] = slope * right[k] + a * sin(t) * random.randint(0, 1)
-        if k:
-            kinematics[left[k]] += b * own[k] * right[random.randrange(k)]
-        if system.quasi_velocities:
-            kinematics[left[k]] += b * own[k] * random.choice(system.quasi_velocities)
-    return System(
-        system.bodies,
-        system.loads,
-        system.coordinates,
-        system.conditions,
-        system.gravity,
-        speeds=[*system.quasi_velocities, *dict.fromkeys(speeds)],
-        kinematics=kinematics,
-        inputs=system.inputs,
-    )
 
 
 @pytest.mark.parametrize("defined", [False, True], ids=["rates", "definitions"])
@@ -92,20 +60,6 @@ def test_constraints_of_both_kinds_by_the_chain_rule(seed: int) -> None:
     assert two.constraint_jacobian == one.constraint_jacobian @ Y
     residuals = Matrix([[entry] for entry in chosen.by_speeds(one.residuals)])
     assert two.residuals == (Y.T @ residuals).entries
-
-
-def drawn(seed: int, kind: str) -> System:
-    """Return a random system of a kind by speeds of choice."""
-    floats, constrained = "floating" in kind, "constrained" in kind
-    if constrained:
-        system = random_constrained_system(seed, floats=floats)
-    else:
-        system = random_floating_system(seed) if floats else random_system(seed)
-    embedded = kind == "embedded" and len(system.coordinates) > 1
-    return by_chosen_speeds(system, Random(seed), defined=seed % 2 == 1 and not embedded, embedded=embedded)
-
-
-KINDS = ["tree", "embedded", "floating", "constrained", "floating and constrained"]
 
 
 @pytest.mark.parametrize("kind", KINDS)

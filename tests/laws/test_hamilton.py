@@ -25,8 +25,8 @@ from symbody import (
     translate,
 )
 from symbody.errors import ModelError
+from tests.laws.random_speeds import KINDS, drawn
 from tests.laws.random_system import random_constrained_system, random_floating_system, random_system
-from tests.laws.test_chosen_speeds import KINDS, drawn
 
 RATES = {
     "rates": random_system,

@@ -228,7 +228,7 @@ class System(Variables):
             )
 
     def _values(self) -> Iterator[Expr]:
-        yield from self.constraints
+        yield from (*self.constraints, *self.coordinate_rates.values())
         for body in self.bodies:
             yield from (body.mass, *body.moments, *body.products)
         for action in (action for load in self.loads for action in load.actions):

@@ -37,6 +37,7 @@ from symbody.symbolic import (
     number,
     substitute,
     time_derivative,
+    without_idle_symbols,
 )
 
 from .boltzmann_hamel import Slopes, gyroscopic, slopes_of_lagrangian
@@ -75,13 +76,14 @@ def hamilton(system: System) -> CanonicalEquations:
         checked_tree(system, _WHERE)
         (kinetic,) = system.by_speeds([kinetic_energy(system)])
         momenta = gradient(kinetic, u)
-        speeds = dict(zip(u, _solved(momenta, u, p), strict=True))
+        speeds = dict(zip(u, without_idle_symbols(_solved(momenta, u, p)), strict=True))
         forces = _forces(system)
         _check_known(system, forces)
         needed = with_multipliers([-force for force in forces], system)
-        *changes, hamiltonian = substitute([*(-each for each in needed), _energy(system, kinetic, p)], speeds)
-        moved = substitute([*system.kinematics.values()], speeds)
-        rates = dict(zip((*system.kinematics, *map(time_derivative, p)), (*moved, *changes), strict=True))
+        changes = [-each for each in needed]
+        moving = [*system.kinematics.values(), *changes, _energy(system, kinetic, p)]
+        *values, hamiltonian = without_idle_symbols(substitute(moving, speeds))
+        rates = dict(zip((*system.kinematics, *map(time_derivative, p)), values, strict=True))
         by_speeds = dict(zip(p, momenta, strict=True))
         rates |= _of_states(system.eliminating(speeds, by_speeds), rates)
     return CanonicalEquations(system, p, hamiltonian, rates, speeds, by_speeds)

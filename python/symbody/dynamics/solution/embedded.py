@@ -75,7 +75,7 @@ def embedded(eqs: Equations, independent: Speeds | None = None) -> Equations:
         dependent, rows = relation.dependent, relation.rows
         level = eqs.system.velocity_level(eqs.constraints)
         speeds = relation.solved(substitute([level[k] for k in rows], dict.fromkeys(dependent, 0)))
-        values = dict(zip(dependent, speeds, strict=True))
+        values = dict(zip(dependent, without_idle_symbols(speeds), strict=True))
         system = eqs.system.eliminating(values)
         assembly = _reduced(eqs, relation, values)
         products = assembly.mass_matrix @ Matrix([[a] for a in system.accelerations])

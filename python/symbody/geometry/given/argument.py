@@ -21,6 +21,7 @@ R = TypeVar("R")
 #: How each kind of thing is called, and written.
 _WRITTEN = {
     "Body": "a body, such as Body(frame, mass)",
+    "Equations": "equations of motion, such as newton_euler(system)",
     "Expr": "an expression, such as symbols('a')",
     "Frame": "a frame, such as ground or rotate('Z', angle)",
     "Load": "a force or a torque, such as Force(frame, x, y, z, at=point, on=body)",

@@ -13,7 +13,7 @@ from symbody.dynamics import CanonicalEquations, Equations
 from symbody.errors import ArgumentError, ModelError, ParameterError
 from symbody.multibody import Variables
 from symbody.symbolic import Expr, ExprLike, t
-from symbody.symbolic.given.arguments import described, expression
+from symbody.symbolic.given.arguments import brief, described, expression
 from symbody.symbolic.given.namesake import namesake_note
 
 from .column import column_of
@@ -282,7 +282,7 @@ def _is_function(thing: object) -> bool:
 
 
 def _found(name: object) -> str:
-    return str(name) if isinstance(name, Expr) else described(name).replace(" is ", ", ", 1) + ","
+    return brief(name) if isinstance(name, Expr) else described(name).replace(" is ", ", ", 1) + ","
 
 
 def _near(name: object, known: Sequence[Expr]) -> str:

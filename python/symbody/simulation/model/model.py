@@ -22,6 +22,7 @@ from symbody.symbolic import jacobian as jacobian_of
 from symbody.symbolic.numeric.deficiency import noting, report
 
 from .constraint_correction import ConstraintCorrection, constraint_correction
+from .drive import is_driven
 
 __all__ = ["DAMPING", "Model", "model_of", "with_equations", "without_stabilization"]
 
@@ -215,10 +216,18 @@ class Model:
         system = self.system
         if not isinstance(system, System):
             return () if self.equations.energy is None else self.with_inputs([self.equations.energy])
-        found = [kinetic_energy(system.bodies)]
-        if system.gravity is not None and system.root.carrier is None:
-            found.append(gravitational_energy(system.bodies, system.gravity))
-        return self.with_inputs(found)
+        return self.with_inputs(_energies(system))
+
+    @property
+    def prescribed(self) -> list[Expr]:
+        """The functions of time by which frames or the gravity move, by name."""
+        if isinstance(self.system, System):
+            energies = substitute(_energies(self.system), dict(self.inputs))
+        else:
+            energies = self.energies
+        known = {*self.state, *self.system.kinematics}
+        leaves = {leaf for leaf in free_symbols(energies) if leaf.depends_on_time} - known
+        return sorted(leaves - {*self.system.eliminated}, key=str)
 
     def with_inputs(self, expressions: Sequence[Expr]) -> tuple[Expr, ...]:
         """Substitute the inputs in expressions, and the rates of coordinates as functions of the speeds."""
@@ -277,29 +286,14 @@ class Model:
             return None
         energies = [*self.energies, number(0)][:2]
         is_carried = self.system.gravity is not None and self.system.root.carrier is not None
-        if (
-            is_carried
-            or self._is_led
-            or self._is_driven
-            or not free_symbols(energies) <= {*self.parameters, *self.state}
-        ):
+        if is_carried or self.is_driven or not free_symbols(energies) <= {*self.parameters, *self.state}:
             return None
         return self.code(energies)
 
-    @property
-    def _is_led(self) -> bool:
-        """Whether eliminated constraints demand motion, by forces whose work is not known without multipliers."""
-        at_rest = dict.fromkeys(self.speeds, number(0))
-        return not all(drift.is_zero for drift in substitute([*self.system.eliminated.values()], at_rest))
-
-    @property
-    def _is_driven(self) -> bool:
-        """Whether the frame that carries the system moves at zero speeds, as at a constant forward velocity."""
-        carrier = self.system.root.carrier if isinstance(self.system, System) else None
-        if carrier is None:
-            return False
-        at_rest = dict.fromkeys(self.speeds, number(0))
-        return not all(each.is_zero for each in substitute((*carrier.angular, *carrier.linear), at_rest))
+    @cached_property
+    def is_driven(self) -> bool:
+        """Whether something is led by a force whose work the equations don't contain, so that the energy varies."""
+        return isinstance(self.system, System) and is_driven(self.system, self.speeds, self.with_inputs)
 
     @cached_property
     def correction_codes(self) -> tuple[PreparedCode, PreparedCode]:
@@ -372,6 +366,14 @@ class MotionFunction:
             result = self.function(*values)
         report(found, self.equation_names, "motion", depth=6)
         return result
+
+
+def _energies(system: System) -> list[Expr]:
+    """Return the kinetic energy, and the potential energy of weight where the height is known."""
+    found = [kinetic_energy(system.bodies)]
+    if system.gravity is not None and system.root.carrier is None:
+        found.append(gravitational_energy(system.bodies, system.gravity))
+    return found
 
 
 _WORK = symbols("work_of_loads")
