@@ -124,9 +124,15 @@ def _check_right(left: Expr, right: Expr, unknowns: GivenUnknowns) -> None:
         )
     rates = {time_derivative(q) for q in unknowns.coordinates}
     if left.order == 0 and rates.isdisjoint(leaves):
+        others = [leaf for leaf in right.free_symbols if leaf.kind == "time_function" and leaf.order == 1]
+        stray = min(others, key=str, default=None)
+        way_out = (
+            "expected a speed, such as {u: time_derivative(x)}, or leave it out"
+            if stray is None
+            else f"{stray} is the rate of no coordinate: add {stray.name} to coordinates=[...], or correct it"
+        )
         raise ModelError(
-            f"System: in kinematics, {left} = {brief(right)} holds no rate of a coordinate; expected a speed, such as "
-            "{u: time_derivative(x)}, or leave it out"
+            f"System: in kinematics, {left} = {brief(right)} holds no rate of a coordinate; {way_out}"
         )
 
 

@@ -10,11 +10,15 @@ from symbody.symbolic.given.namesake import namesake_note
 from .body import Body
 from .load import Load
 
-__all__ = ["notices"]
+__all__ = ["notices", "unlisted_speeds"]
 
 
 def notices(
-    bodies: Collection[Body], loads: Iterable[Load], constraints: Iterable[Expr], known: Collection[Expr]
+    bodies: Collection[Body],
+    loads: Iterable[Load],
+    constraints: Iterable[Expr],
+    known: Collection[Expr],
+    rates: Iterable[Expr] = (),
 ) -> Iterator[str]:
     """Return notices for a user to check: loads on other bodies, motions that are neither unknown nor given, namesakes.
 
@@ -23,9 +27,28 @@ def notices(
         loads: its loads.
         constraints: its constraints.
         known: the functions of time that are listed as unknown or given.
+        rates: the rates of coordinates that were given.
     """
     yield from _foreign_loads({*bodies}, loads)
+    yield from unlisted_speeds(rates, known)
     yield from _given_motions(bodies, constraints, {*known})
+
+
+def unlisted_speeds(rates: Iterable[Expr], known: Collection[Expr]) -> Iterator[str]:
+    """Return the notice of functions of time in the rates of coordinates that aren't listed.
+
+    Args:
+        rates: the rates of coordinates that were given.
+        known: the functions of time that are listed as unknown or given.
+    """
+    leaves = {leaf.name for rate in rates for leaf in rate.free_symbols if leaf.kind == "time_function"}
+    given = sorted(leaves - _named(known))
+    if given:
+        holds, is_none = ("occurs", "is not a speed") if len(given) == 1 else ("occur", "are not speeds")
+        yield (
+            f"{', '.join(given)} {holds} in the kinematics and {is_none}, so that the motion must be given from "
+            "outside; add what is unknown to speeds=[...], what is given to inputs=[...]"
+        )
 
 
 def _foreign_loads(members: Set[Body], loads: Iterable[Load]) -> Iterator[str]:

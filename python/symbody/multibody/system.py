@@ -211,7 +211,8 @@ class System(Variables):
         self._check_states()
         report_impossible_differences(self.bodies)
         known = (*self.coordinates, *self.quasi_velocities, *self.inputs, *self.states)
-        for notice in notices(self.bodies, self.loads, self.constraints, known):
+        rates = [self.coordinate_rates[q] for q in self.chosen]
+        for notice in notices(self.bodies, self.loads, self.constraints, known, rates):
             warnings.warn(f"System: {notice}", ModelNotice, stacklevel=4)
 
     def _check_states(self) -> None:

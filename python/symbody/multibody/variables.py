@@ -244,6 +244,11 @@ class Variables:
         return made
 
     def _check_coordinates(self) -> None:
+        if not self.driving and self.coordinates:
+            raise ModelError(
+                f"{self.where}: no speeds, but the rates of all coordinates are given; list the speeds that they hold: "
+                "speeds=[...]"
+            )
         if not self.driving:
             raise ModelError(
                 f"{self.where}: no coordinates; give the functions of time that describe the motion, in order"
@@ -272,6 +277,14 @@ class Variables:
 
     def _check_constraints(self) -> None:
         m = len(self.constraints)
+        for number, (condition, multiplier) in enumerate(
+            zip(self.conditions, self.multipliers, strict=False), start=1
+        ):
+            if condition.multiplier not in (None, multiplier):
+                raise ConstraintError(
+                    f"{self.where}: constraint {number}, {condition}, has the multiplier {condition.multiplier}, and "
+                    f"multipliers=[...] gives it {multiplier}; leave one of them out"
+                )
         if len(self.multipliers) != m:
             raise ConstraintError(
                 f"{self.where}: {counted(len(self.multipliers), 'multiplier')} for {counted(m, 'constraint')}; "
@@ -289,6 +302,11 @@ class Variables:
         check_single(self.multipliers, f"{self.where}: the multiplier")
         taken = self._names() if self.multipliers else frozenset()
         for multiplier in self.multipliers:
+            if multiplier in self.states:
+                raise ConstraintError(
+                    f"{self.where}: the multiplier {multiplier} is a state, too; expected a function of time of its "
+                    "own, such as functions_of_time('lambda1')"
+                )
             if multiplier.name in taken:
                 raise ConstraintError(
                     f"{self.where}: the multiplier {multiplier} is a coordinate, or in {self.contents}; "

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+import warnings
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Annotated, Any, TypeAlias
 
-from symbody.errors import ModelError
+from symbody.errors import ModelError, ModelNotice
 from symbody.geometry import Scalar
 from symbody.geometry.component.triple import expression
 from symbody.geometry.given.argument import checked
+from symbody.multibody.oversight import unlisted_speeds
 from symbody.multibody.variables import Conditions, Coordinates, Variables
 from symbody.symbolic import Expr, Matrix, derivation, time_derivative
 from symbody.symbolic.given.arguments import brief, counted
@@ -144,15 +146,24 @@ def _coordinate_rates(kinematics: Mapping[Expr, Any], coordinates: Sequence[Expr
 def _check_sizes(M: Matrix, f: Sequence[Expr], variables: Variables) -> None:
     n, (rows, _) = len(variables.speeds), M.shape
     if not len(f) == rows == n:
+        rates = [u for u in variables.speeds if u not in variables.quasi_velocities]
+        mixed = bool(rates and variables.quasi_velocities)
+        note = (
+            f"; rates without kinematics are speeds, too: give those of {brief(', '.join(map(str, rates)))}"
+        )
         raise ModelError(
             f"equations_of: a mass matrix of {counted(rows, 'row')} and {counted(len(f), 'force')} for "
             f"{counted(n, 'speed')}, {brief(', '.join(map(str, variables.speeds)))}; expected as many of each"
+            f"{note if mixed else ''}"
         )
 
 
 def _check_kinematics(variables: Variables) -> None:
     """Check that the rates of coordinates are given by speeds."""
     known = {*variables.speeds, *variables.coordinates}
+    listed = (*variables.coordinates, *variables.quasi_velocities, *variables.inputs)
+    for notice in unlisted_speeds(variables.coordinate_rates.values(), listed):
+        warnings.warn(f"equations_of: {notice}", ModelNotice, stacklevel=4)
     for coordinate, rate in variables.coordinate_rates.items():
         (value,) = variables.by_speeds([rate])
         strange = _strange([value], variables, known)

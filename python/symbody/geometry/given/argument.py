@@ -5,7 +5,7 @@ A wrong type or a wrong order is reported where the user made it, in the user's 
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Sized
+from collections.abc import Callable, Iterable, Mapping, Sequence, Set, Sized
 from functools import cache, wraps
 from inspect import Parameter, signature
 from types import NoneType, UnionType
@@ -142,8 +142,13 @@ def _is_scalar(value: Any) -> bool:
 
 
 def _is_collection(value: object, origin: type) -> bool:
-    """Return whether a value can be iterated over; only once is enough if the annotation says so."""
-    if isinstance(value, str | bytes) or (issubclass(origin, Mapping) and not isinstance(value, Mapping)):
+    """Return whether a value can be iterated over; only once is enough if the annotation says so.
+
+    A dictionary is no list of its keys, and a set has no order.
+    """
+    if isinstance(value, str | bytes) or issubclass(origin, Mapping) != isinstance(value, Mapping):
+        return False
+    if issubclass(origin, Sequence) and isinstance(value, Set):
         return False
     return isinstance(value, Iterable) and (origin is Iterable or isinstance(value, Sized))
 
@@ -170,7 +175,7 @@ def _parts(hint: Any) -> tuple[Any, ...]:
     origin, parts = get_origin(hint), get_args(hint)
     if origin is Annotated:
         return _parts(parts[0])
-    return parts if origin in (Union, UnionType) else (hint,)
+    return tuple(one for part in parts for one in _parts(part)) if origin in (Union, UnionType) else (hint,)
 
 
 def _wanted(hint: Any) -> str:
@@ -180,6 +185,8 @@ def _wanted(hint: Any) -> str:
     if hint == ExprLike:
         return _SCALAR
     if origin in (Union, UnionType):
+        if {*get_args(ExprLike)} <= {*parts}:
+            return _SCALAR
         return ", or ".join(_wanted(part) for part in parts if part is not NoneType)
     if isinstance(hint, TypeVar):
         return _wanted(hint.__bound__)

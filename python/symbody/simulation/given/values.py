@@ -177,7 +177,13 @@ def given_inputs(
     check_equations(eqs, where)
     given = _mapping(inputs, where, "inputs")
     names = sorted({leaf.name for leaf in eqs.inputs})
+    states = {z.name for z in eqs.states}
     for function in given:
+        if _is_function(function) and function.name in states:
+            raise ModelError(
+                f"{where}, inputs: {function} is a state, whose rate is given; expected its initial value, "
+                f"initial={{{function}: ...}}, or make the system with inputs=[{function}] instead of the state"
+            )
         if not _is_function(function) or function.name not in names:
             raise ModelError(
                 f"{where}, inputs: {_found(function)} is not a function of time that the equations contain "
