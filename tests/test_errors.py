@@ -525,9 +525,9 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
     ),
     (
         errors.JointError,
-        lambda: meshed(rack, prismatic("Q", ground, B, at=(0, b, 0), axis="X"), a),
+        lambda: meshed(rack, prismatic("Q", ground, B, at=(0, 2 * b, 0), axis="X"), a),
         (
-            "rack G: the bar is -b away from the axis of revolute P, as seen along both; expected the radius, a, "
+            "rack G: the bar is -2*b away from the axis of revolute P, as seen along both; expected the radius, a, "
             "or -a, and a bar across the axis"
         ),
     ),

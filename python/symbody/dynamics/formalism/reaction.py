@@ -134,7 +134,7 @@ def reaction(
         return _on_side(_readable(found), placed, on)
 
 
-SHORT = 500
+SHORT = 100
 """The most operations of a reaction that is simplified, as a reader expects it."""
 
 
