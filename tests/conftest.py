@@ -2,7 +2,7 @@
 
 A test marked ``needs("gfortran")`` is skipped where that program is missing, and counted in one line at the end. With
 CI in the environment it fails there, unless it is one of those that CI does not have, and no other test may be
-skipped.
+skipped. Tests marked `repeated` run with SYMBODY_FUZZ=all in the environment, and are left out elsewhere, in CI too.
 """
 
 from __future__ import annotations
@@ -33,6 +33,15 @@ def pytest_configure() -> None:
     os.environ["SYMBODY_CACHE"] = "off"
     if signal.getsignal(signal.SIGINT) == signal.SIG_IGN:
         signal.signal(signal.SIGINT, signal.default_int_handler)
+
+
+def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
+    """Leave out the tests marked `repeated`, unless all are wanted."""
+    if os.environ.get("SYMBODY_FUZZ") == "all":
+        return
+    left_out = [item for item in items if item.get_closest_marker("repeated")]
+    config.hook.pytest_deselected(items=left_out)
+    items[:] = [item for item in items if item not in set(left_out)]
 
 
 @pytest.fixture
