@@ -10,6 +10,7 @@ from symbody.dynamics.equations.independence import check_independent
 from symbody.errors import ExpressionError, ModelError
 from symbody.geometry.given.argument import checked
 from symbody.multibody import System, kinetic_energy
+from symbody.multibody.energy import potentials
 from symbody.symbolic import (
     Expr,
     derivation,
@@ -33,6 +34,9 @@ _WHERE = "hamilton"
 @dataclass(frozen=True, eq=False)
 class CanonicalEquations:
     """Hamilton's equations ``q' = dH/dp, p' = -dH/dq + Q + phi_q^T lambda``.
+
+    H holds the potential energy of weight, and of loads that have one, such as springs; Q are the generalised forces of
+    the other loads.
 
     Attributes:
         system: the system to which they belong.
@@ -68,7 +72,7 @@ def hamilton(system: System) -> CanonicalEquations:
 
     The momenta are ``p = dT/dq'``, linear in the rates, and solved for these. The rates of the momenta are taken at
     constant q', where ``-dH/dq = dL/dq``, so that the inverse of the mass matrix is not differentiated. Q are the
-    generalised forces of the loads; constraints keep their multipliers.
+    generalised forces of the loads without a potential; constraints keep their multipliers.
 
     Raises:
         ModelError: a speed is not the rate of a coordinate, a coordinate moves no mass, or loads hold accelerations.
@@ -98,6 +102,7 @@ def hamilton(system: System) -> CanonicalEquations:
         needed = with_multipliers([-force for force in forces], system)
         (energy,) = held.released([sum((p * v for p, v in zip(momenta, u, strict=True)), start=-lagrangian)])
         *changes, hamiltonian = substitute([*(-each for each in needed), energy], rates)
+        hamiltonian = sum(potentials(system.loads, system.bodies), start=hamiltonian)
     moved = {time_derivative(p): change for p, change in zip(momenta, changes, strict=True)}
     return CanonicalEquations(system, momenta, hamiltonian, rates | moved)
 

@@ -13,7 +13,8 @@ from numpy.typing import ArrayLike
 from symbody.codegen import CompiledFunction, PreparedCode, Shortcut, lambdify
 from symbody.dynamics import Equations, ForwardDynamics, forward_dynamics
 from symbody.errors import ModelError
-from symbody.multibody import System, Variables, gravitational_energy, kinetic_energy
+from symbody.multibody import System, Variables, kinetic_energy
+from symbody.multibody.energy import known_potential, potentials
 from symbody.multibody.load import action_power
 from symbody.simulation.given.given_input import substitute_inputs
 from symbody.simulation.given.parameter import parameters_among
@@ -22,6 +23,7 @@ from symbody.symbolic import jacobian as jacobian_of
 from symbody.symbolic.numeric.deficiency import noting, report
 
 from .constraint_correction import ConstraintCorrection, constraint_correction
+from .drive import drives
 
 __all__ = ["DAMPING", "Model", "model_of", "without_stabilization"]
 
@@ -177,19 +179,32 @@ class Model:
     def power(self) -> Expr | None:
         """The power of loads and moving constraints, with accelerations and multipliers.
 
-        None if nothing does work, or no energy is known.
+        What springs and other loads take from their potential energy isn't part of it. None if nothing does work, or no
+        energy is known.
         """
         if not self.energies:
             return None
-        actions = self.system.actions if isinstance(self.system, System) else ()
         with derivation():
-            total = sum(map(action_power, actions), start=number(0))
+            total = self._power_of_loads
         if self.constraints:
             at_rest = dict.fromkeys(self.speeds, number(0))
             drifts = substitute(self.velocity_constraints, at_rest)
             for multiplier, drift in zip(self.multipliers, drifts, strict=True):
                 total -= multiplier * drift
         return None if total.is_zero else total
+
+    @property
+    def _power_of_loads(self) -> Expr:
+        """The power of the loads, plus the rate of the potential energy of those that have one."""
+        system = self.system
+        if not isinstance(system, System):
+            return number(0)
+        total = sum(map(action_power, system.actions), start=number(0))
+        stored = potentials(system.loads, system.bodies)
+        if not stored:
+            return total
+        (total,) = system.by_speeds([total])
+        return sum(system.rate(stored), start=total)
 
     @cached_property
     def rates(self) -> tuple[Expr, ...]:
@@ -208,16 +223,15 @@ class Model:
 
     @cached_property
     def energies(self) -> tuple[Expr, ...]:
-        """The kinetic energy, and the potential energy of weight where the height is known.
+        """The kinetic energy, and the potential energy of loads, and of weight where the height is known.
 
         Of equations that were given without bodies, the given energy; nothing if none was given.
         """
         system = self.system
         if not isinstance(system, System):
             return () if self.equations.energy is None else self.with_inputs([self.equations.energy])
-        found = [kinetic_energy(system.bodies)]
-        if system.gravity is not None and system.root.carrier is None:
-            found.append(gravitational_energy(system.bodies, system.gravity))
+        stored = known_potential(system)
+        found = [kinetic_energy(system.bodies), *([] if stored is None else [stored])]
         return self.with_inputs(found)
 
     def with_inputs(self, expressions: Sequence[Expr]) -> tuple[Expr, ...]:
@@ -267,6 +281,14 @@ class Model:
         return self.code(self.rates, shortcut=shortcut)
 
     @cached_property
+    def drives(self) -> tuple[str, ...]:
+        """The names of what moves frames as given functions of time, or what a given energy holds besides the state."""
+        if isinstance(self.system, System):
+            return drives(self.system)
+        leaves = free_symbols(self.energies)
+        return tuple(sorted(str(leaf) for leaf in leaves if leaf.depends_on_time and leaf not in self.state))
+
+    @cached_property
     def energies_code(self) -> PreparedCode | None:
         """The machine code of the kinetic and the potential energy; None where their sum less the work varies.
 
@@ -277,12 +299,9 @@ class Model:
             return None
         energies = [*self.energies, number(0)][:2]
         is_carried = self.system.gravity is not None and self.system.root.carrier is not None
-        if (
-            is_carried
-            or self._is_led
-            or self._is_driven
-            or not free_symbols(energies) <= {*self.parameters, *self.state}
-        ):
+        if is_carried or self._is_led or self.drives:
+            return None
+        if not free_symbols(energies) <= {t, *self.parameters, *self.state}:
             return None
         return self.code(energies)
 
@@ -291,15 +310,6 @@ class Model:
         """Whether eliminated constraints demand motion, by forces whose work is not known without multipliers."""
         at_rest = dict.fromkeys(self.speeds, number(0))
         return not all(drift.is_zero for drift in substitute([*self.system.eliminated.values()], at_rest))
-
-    @property
-    def _is_driven(self) -> bool:
-        """Whether the frame that carries the system moves at zero speeds, as at a constant forward velocity."""
-        carrier = self.system.root.carrier if isinstance(self.system, System) else None
-        if carrier is None:
-            return False
-        at_rest = dict.fromkeys(self.speeds, number(0))
-        return not all(each.is_zero for each in substitute((*carrier.angular, *carrier.linear), at_rest))
 
     @cached_property
     def correction_codes(self) -> tuple[PreparedCode, PreparedCode]:

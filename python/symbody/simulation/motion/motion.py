@@ -19,7 +19,7 @@ from symbody.simulation.integrate.methods import methods_that
 from symbody.simulation.integrate.outcome import Statistics
 from symbody.simulation.model.model import Model
 from symbody.simulation.model.unknown import explain_unknown
-from symbody.symbolic import Expr, ExprLike, free_symbols
+from symbody.symbolic import Expr, ExprLike
 from symbody.symbolic.given.arguments import counted, described
 
 from .drawing import NotebookPage, drawing_function
@@ -203,13 +203,10 @@ class Motion:
                 "motion: the energy isn't known: the equations were given without bodies; give it to them, as in "
                 "equations_of(M, f, coordinates, energy=E)"
             )
-        driven = sorted(
-            str(leaf) for leaf in free_symbols(energies) if leaf.depends_on_time and leaf not in model.state
-        )
-        if driven:
+        if model.drives:
             raise ModelError(
-                f"motion: frames move by {', '.join(driven)}, a prescribed motion, and the equations don't contain "
-                "the work of its drive: the energy isn't constant; prescribe it by a constraint, whose work is "
+                f"motion: frames move by {', '.join(model.drives)}, a prescribed motion, and the equations don't "
+                "contain the work of its drive: the energy isn't constant; prescribe it by a constraint, whose work is "
                 "counted"
             )
         total: Array = self.evaluate(energies).sum(axis=0) - self.work
