@@ -45,7 +45,7 @@ from symbody.simulation.model.model import model_of
 from symbody.symbolic import free_symbols
 from symbody.symbolic.expression import functions
 from tests.laws import test_formalisms, test_rewrites
-from tests.laws.random_element import ELEMENTS
+from tests.laws.random_element import MADE
 from tests.laws.random_system import random_floating_system, random_system
 from tests.reference import test_robots
 from tests.symbolic import test_textbook_forms
@@ -226,7 +226,7 @@ def test_every_load_occurs_in_the_random_systems() -> None:
 def test_every_element_occurs_in_the_random_systems_or_their_own_laws() -> None:
     drawn_ones = {load.kind for system in systems() for load in system.loads if isinstance(load, Element)}
     made = {name for name, hint in returned(multibody).items() if hint is Element}
-    assert made <= drawn_ones | {*ELEMENTS}
+    assert made <= drawn_ones | {*MADE}
     assert made <= set(symbody.__all__)
 
 

@@ -2,9 +2,15 @@
 
 from .body import Body, center_of_mass
 from .constraint import Constraint
+from .element.air_force import air_force
+from .element.bushing import bushing
+from .element.contact import contact
 from .element.element import Element
+from .element.friction import friction
 from .element.line_force import line_force
+from .element.motor import motor, saturated
 from .element.spring import spring
+from .element.torsion_spring import torsion_spring
 from .energy import gravitational_energy, kinetic_energy, mechanical_energy, potential_energy
 from .load import Action, Force, Load, Torque, power
 from .momentum import angular_momentum, linear_momentum
@@ -22,16 +28,23 @@ __all__ = [
     "System",
     "Torque",
     "Variables",
+    "air_force",
     "angular_momentum",
+    "bushing",
     "center_of_mass",
+    "contact",
     "describe",
+    "friction",
     "gravitational_energy",
     "kinetic_energy",
     "line_force",
     "linear_momentum",
     "mechanical_energy",
+    "motor",
     "potential_energy",
     "power",
+    "saturated",
     "show",
     "spring",
+    "torsion_spring",
 ]
