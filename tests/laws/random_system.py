@@ -21,10 +21,12 @@ from symbody import (
     floating_frame,
     functions_of_time,
     ground,
+    line_force,
     number,
     project,
     rotate,
     sin,
+    spring,
     symbols,
     time_derivative,
     translate,
@@ -129,6 +131,24 @@ class Maker:
     def force(self, vector: Vector, frames: list[Frame], on: Body, reaction: Body | None) -> Load:
         return Force(vector, at=self.point([on.frame, *frames]), on=on, reaction=reaction)
 
+    def spring(self, vector: Vector, frames: list[Frame], on: Body, reaction: Body | None) -> Load:
+        """Return a spring to another body or to ground, with a damper or not; half of them have no free length."""
+        del vector
+        free = {} if self.random.random() < 0.5 else {"free_length": self.parameter("l")}
+        damped = {} if self.random.random() < 0.5 else {"damping": self.parameter("d")}
+        at, to = self.ends(frames, on, reaction)
+        return spring(at, to, self.parameter("k"), **free, **damped, on=on, reaction=reaction)
+
+    def line_force(self, vector: Vector, frames: list[Frame], on: Body, reaction: Body | None) -> Load:
+        at, to = self.ends(frames, on, reaction)
+        return line_force(vector.components[0], at, to, on=on, reaction=reaction)
+
+    def ends(self, frames: list[Frame], on: Body, reaction: Body | None) -> tuple[Point, Point]:
+        at, to = self.point([on.frame]), self.point([reaction.frame if reaction else frames[0]])
+        if (to - at).components == (0, 0, 0):
+            at += Vector(on.frame, 1, 0, 0)
+        return at, to
+
     def point(self, frames: list[Frame]) -> Point:
         return Point(self.random.choice(frames), *self.parameters("a"))
 
@@ -149,6 +169,8 @@ MOTIONS: list[Callable[[Maker], Frame]] = [
 LOADS: list[tuple[float, Callable[[Maker, Vector, list[Frame], Body, Body | None], Load]]] = [
     (0.4, Maker.torque),
     (0.6, Maker.force),
+    (0.3, Maker.spring),
+    (0.1, Maker.line_force),
 ]
 """The loads of random systems, each with its share: made of a vector, frames, and the bodies that act and react."""
 

@@ -28,6 +28,7 @@ from symbody import (
     kinetic_energy,
     lagrange_equations,
     lambdify,
+    moving_frame,
     newton_euler,
     rotate,
     simulate,
@@ -592,3 +593,42 @@ def test_prescribed_motions_have_no_balance(driven):
         match="frames move by t, a prescribed motion, and the equations don't contain the work of its drive",
     ):
         _ = motion.energy_drift
+
+
+def test_a_rotation_at_a_constant_rate_is_a_drive() -> None:
+    """The kinetic energy of a body on a turntable does not hold time, but the drive does work on it."""
+    W = symbols("W")
+    eqs = newton_euler(System([Body(rotate("Z", W * t) * translate(q1, 0, 0), m)], coordinates=[q1]))
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        motion = simulate(eqs, {m: 1, W: 1}, {q1: 0.1}, t=(0, 3))
+    np.testing.assert_allclose(motion[q1], 0.1 * np.cosh(motion.t), rtol=1e-6)
+    with pytest.raises(ModelError, match="frames move by t, a prescribed motion"):
+        _ = motion.energy
+
+
+def test_so_is_an_input_that_is_constant() -> None:
+    """Given as a number, it leaves no function of time in the energies."""
+    angle = functions_of_time("angle")
+    eqs = newton_euler(
+        System([Body(rotate("Z", angle) * translate(q1, 0, 0), m)], coordinates=[q1], inputs=[angle])
+    )
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        motion = simulate(eqs, {m: 1}, {q1: 0.1}, t=(0, 3), inputs={angle: 2 * t})
+    np.testing.assert_allclose(motion[q1], 0.1 * np.cosh(2 * motion.t), rtol=1e-6)
+    with pytest.raises(ModelError, match="frames move by angle, a prescribed motion"):
+        _ = motion.energy
+
+
+def test_a_moving_frame_at_a_given_speed_is_a_drive() -> None:
+    """A mass on a turntable that is a moving frame with a pose: its rate is a parameter."""
+    W, heading = symbols("W"), functions_of_time("heading")
+    table = moving_frame(0, 0, 0, 0, 0, W, pose=rotate("Z", heading))
+    eqs = newton_euler(System([Body(table * translate(q1, 0, 0), m)], coordinates=[heading, q1]))
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        motion = simulate(eqs, {m: 1, W: 1}, {q1: 0.1}, t=(0, 3))
+    np.testing.assert_allclose(motion[q1], 0.1 * np.cosh(motion.t), rtol=1e-6)
+    with pytest.raises(ModelError, match="frames move by W, a prescribed motion"):
+        _ = motion.energy

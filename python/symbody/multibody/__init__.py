@@ -1,8 +1,17 @@
-"""Bodies, loads and systems; their energy, momentum and power."""
+"""Bodies, loads, elements and systems; their energy, momentum and power."""
 
 from .body import Body, center_of_mass
 from .constraint import Constraint
-from .energy import gravitational_energy, kinetic_energy, mechanical_energy
+from .element.air_force import air_force
+from .element.bushing import bushing
+from .element.contact import contact
+from .element.element import Element
+from .element.friction import friction
+from .element.line_force import line_force
+from .element.motor import motor, saturated
+from .element.spring import spring
+from .element.torsion_spring import torsion_spring
+from .energy import gravitational_energy, kinetic_energy, mechanical_energy, potential_energy
 from .joint.cylindrical import cylindrical
 from .joint.fixed import fixed
 from .joint.free import free
@@ -28,6 +37,7 @@ __all__ = [
     "Action",
     "Body",
     "Constraint",
+    "Element",
     "Force",
     "Link",
     "Load",
@@ -35,27 +45,37 @@ __all__ = [
     "System",
     "Torque",
     "Variables",
+    "air_force",
     "angular_momentum",
     "assemble",
+    "bushing",
     "center_of_mass",
+    "contact",
     "cylindrical",
     "describe",
     "fixed",
     "free",
+    "friction",
     "gear",
     "gravitational_energy",
     "kinetic_energy",
+    "line_force",
     "linear_momentum",
     "mechanical_energy",
+    "motor",
     "planar",
     "point_on_curve",
+    "potential_energy",
     "power",
     "prismatic",
     "rack",
     "revolute",
     "rolling",
+    "saturated",
     "screw",
     "show",
     "spherical",
+    "spring",
+    "torsion_spring",
     "universal",
 ]

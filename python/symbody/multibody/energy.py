@@ -1,6 +1,8 @@
-"""Energies of bodies."""
+"""Energies of bodies and loads."""
 
 from __future__ import annotations
+
+from collections.abc import Collection, Iterable
 
 from symbody.errors import ModelError
 from symbody.geometry import Frame, Vector
@@ -9,7 +11,9 @@ from symbody.geometry.given.argument import checked
 from symbody.symbolic import Expr, derivation, dot3, number
 
 from .body import Body
-from .selection import Objects, select_bodies
+from .load import Load
+from .selection import Objects, select, select_bodies
+from .system import System
 
 
 @checked(ModelError)
@@ -74,11 +78,49 @@ def _weight_energy(body: Body, g: tuple[Expr, Expr, Expr]) -> Expr:
 
 
 @checked(ModelError)
-def mechanical_energy(objects: Objects, gravity: Vector | None = None) -> Expr:
-    """Return the kinetic energy, plus the potential energy of weight where there is gravity.
+def potential_energy(objects: Objects, gravity: Vector | None = None) -> Expr:
+    """Return the potential energy of weight, where there is gravity, and of loads that have one, such as springs.
 
     Args:
-        objects: a body, bodies, or a system.
+        objects: a system, a body, a load, or a set or list of bodies and loads. The energy of a load counts if all
+            bodies on which it acts are among the objects, or if there are loads alone.
+        gravity: the acceleration of weight; by default that of the system, if it has one.
+
+    >>> from symbody import Body, functions_of_time, ground, origin, spring, symbols, translate
+    >>> x, k = functions_of_time("x"), symbols("k")
+    >>> slider = Body(translate(x, 0, 0), 1)
+    >>> potential_energy([slider, spring(slider.center_of_mass, origin(ground), k, on=slider)])
+    k*x**2/2
+    """
+    selection = select(objects, "potential_energy", gravity)
+    with derivation():
+        total = sum(potentials(selection.loads, selection.bodies), start=number(0))
+        if selection.gravity is not None and selection.bodies:
+            total += gravitational_energy(selection.bodies, selection.gravity)
+    return total
+
+
+def potentials(loads: Iterable[Load], bodies: Collection[Body]) -> tuple[Expr, ...]:
+    """Return the potential energies of loads that have one, and that act on given bodies alone, if any are given."""
+    members = {*bodies}
+    inside = (load for load in loads if not members or all(action.body in members for action in load.actions))
+    return tuple(load.potential for load in inside if load.potential is not None)
+
+
+def known_potential(system: System) -> Expr | None:
+    """Return the potential energy of a system: of loads, and of weight where the height is known; None without any."""
+    gravity = system.gravity if system.root.carrier is None else None
+    if gravity is None and not potentials(system.loads, system.bodies):
+        return None
+    return potential_energy([*system.bodies, *system.loads], gravity)
+
+
+@checked(ModelError)
+def mechanical_energy(objects: Objects, gravity: Vector | None = None) -> Expr:
+    """Return the kinetic energy, plus the potential energies of weight, where there is gravity, and of loads.
+
+    Args:
+        objects: bodies and loads, or a system.
         gravity: the acceleration of weight; by default that of the system, if it has one.
 
     >>> from symbody import Body, Vector, functions_of_time, ground, mechanical_energy, symbols, translate
@@ -87,9 +129,5 @@ def mechanical_energy(objects: Objects, gravity: Vector | None = None) -> Expr:
     m*z'**2/2 + g*m*z
     """
     selection = select_bodies(objects, "mechanical_energy", gravity)
-    kinetic = kinetic_energy(selection.bodies)
-    return (
-        kinetic
-        if selection.gravity is None
-        else kinetic + gravitational_energy(selection.bodies, selection.gravity)
-    )
+    parts: list[Body | Load] = [*selection.bodies, *selection.loads]
+    return kinetic_energy(parts) + potential_energy(parts, selection.gravity)

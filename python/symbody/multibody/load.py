@@ -6,6 +6,7 @@ from abc import ABC, abstractmethod
 from collections.abc import Mapping, Sequence
 from copy import copy
 from dataclasses import dataclass
+from types import MappingProxyType
 from typing import Any, Self, final
 
 from symbody.errors import LoadError
@@ -89,8 +90,9 @@ COLUMNS = ("kind", "components", "in the axes of", "at", "on")
 class Load(ABC):
     """A load on bodies: the sum of its actions.
 
-    A new kind of load is one file with a final subclass that has `actions`, a cached property (docs/extending.md). Its
-    power, its generalised forces, its part in all equations and what `show` prints follow from them.
+    Most loads are elements: functions that return an `Element` (docs/extending.md). Another kind of load is one file
+    with a final subclass that has `actions`, a cached property. Its power, its generalised forces, its part in all
+    equations and what `show` prints follow from them.
 
     >>> from symbody import Body, Force, functions_of_time, ground, symbols, translate
     >>> (x, y), F = functions_of_time("x y"), symbols("F")
@@ -101,6 +103,10 @@ class Load(ABC):
     """
 
     name: str = ""
+    potential: Expr | None = None
+    """The potential energy whose loss is in the power of the load; None if there is none, or it is unknown."""
+    states: Mapping[Expr, Expr] = MappingProxyType({})
+    """The functions of time beside the mechanics that the load brings along, and their rates."""
 
     @property
     @abstractmethod

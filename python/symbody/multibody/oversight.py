@@ -20,7 +20,7 @@ def notices(
     known: Collection[Expr],
     rates: Iterable[Expr] = (),
 ) -> Iterator[str]:
-    """Return notices for a user to check: loads on other bodies, motions that are neither unknown nor given, namesakes.
+    """Return notices for a user to check: loads on other bodies, reactions, motions that are not given, namesakes.
 
     Args:
         bodies: the bodies of a system.
@@ -31,6 +31,7 @@ def notices(
     """
     yield from _foreign_loads({*bodies}, loads)
     yield from unlisted_speeds(rates, known)
+    yield from _lost_reactions(loads, {*known})
     yield from _given_motions(bodies, constraints, {*known})
 
 
@@ -62,6 +63,20 @@ def _foreign_loads(members: Set[Body], loads: Iterable[Load]) -> Iterator[str]:
         what = "is left out: it acts" if len(strangers) == len(bodies) else "acts"
         left = "" if len(strangers) == len(bodies) else ", which is left out"
         yield f"{load} {what} on {named}, {outside}{left}; add what is missing to bodies"
+
+
+def _lost_reactions(loads: Iterable[Load], known: Set[Expr]) -> Iterator[str]:
+    """Return the loads whose potential energy holds an unknown that moves none of their bodies."""
+    for load in (load for load in loads if load.potential is not None):
+        bodies = dict.fromkeys(action.body for action in load.actions)
+        moved = {leaf for body in bodies for motion in body.frame.motions for leaf in motion.leaves}
+        held = load.potential.free_symbols if load.potential is not None else frozenset[Expr]()
+        lost = sorted(str(leaf) for leaf in (held & known) - moved)
+        if lost:
+            yield (
+                f"{load} is stretched by {lost[0]}, which moves none of its bodies, so that its reaction is lost; give "
+                "reaction=body, the body at its other end, which may be massless: Body(frame, 0)"
+            )
 
 
 def _given_motions(bodies: Iterable[Body], constraints: Iterable[Expr], known: Set[Expr]) -> Iterator[str]:

@@ -14,7 +14,7 @@ from .constraint import Constraint
 from .coordinate import check_function_of_time
 from .load import Load
 
-__all__ = ["Unknown", "check_constraints", "check_holders", "check_states", "given_rates"]
+__all__ = ["Unknown", "all_rates", "check_constraints", "check_holders", "check_states", "given_rates"]
 
 
 class Unknown(NamedTuple):
@@ -62,6 +62,24 @@ def given_rates(states: Mapping[Expr, object] | None) -> dict[Expr, Expr]:
     return {
         z: expression(rate, f"System, the rate of the state {brief(z)}") for z, rate in (states or {}).items()
     }
+
+
+def all_rates(states: Mapping[Expr, object] | None, loads: Iterable[Load]) -> dict[Expr, Expr]:
+    """Return the rates of the states that are given, and of those that loads bring along.
+
+    Raises:
+        ModelError: the states are no dictionary of functions of time, or a state has two rates.
+        ArgumentError: a rate is no expression.
+    """
+    rates = given_rates(states)
+    for load in loads:
+        for state, rate in load.states.items():
+            if rates.setdefault(state, rate) != rate:
+                raise ModelError(
+                    f"System: the state {state} of {brief(load)} has another rate in another load, or in states; give "
+                    "the loads different names, such as name='front'"
+                )
+    return rates
 
 
 def check_states(rates: Mapping[Expr, Expr], unknown: Unknown) -> None:

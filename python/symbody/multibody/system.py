@@ -25,7 +25,7 @@ from .load import COLUMNS, Action, Load
 from .oversight import notices
 from .physical_inertia import report_impossible_differences
 from .picture import picture
-from .state import Unknown, check_constraints, check_holders, check_states, given_rates
+from .state import Unknown, all_rates, check_constraints, check_holders, check_states
 from .variables import Conditions, Coordinates, Variables, check_single, check_substitution
 
 Thing = TypeVar("Thing", Body, Load)
@@ -67,7 +67,8 @@ class System(Variables):
         inputs: the functions of time in frames and constraints that are given from outside. Unlisted ones are inputs
             too, but a notice names them: they may be forgotten coordinates. Functions of time in loads need no list.
         states: functions of time z beside the mechanics, which loads may hold, each with its rate z': an expression of
-            time, coordinates, speeds, accelerations, multipliers, states, inputs and parameters.
+            time, coordinates, speeds, accelerations, multipliers, states, inputs and parameters. Those of loads, such
+            as tyres, are added.
         joints: the joints that `assemble` placed, by which `reaction` knows where to cut.
         name: what the system is called.
 
@@ -130,7 +131,7 @@ class System(Variables):
             constraints=constraints,
             multipliers=multipliers,
             inputs=inputs,
-            states=given_rates(states),
+            states=all_rates(states, self.loads),
             name=name,
         )
         self.check()

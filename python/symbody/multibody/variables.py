@@ -277,12 +277,12 @@ class Variables:
 
     def _check_constraints(self) -> None:
         m = len(self.constraints)
-        for number, (condition, multiplier) in enumerate(
+        for k, (condition, multiplier) in enumerate(
             zip(self.conditions, self.multipliers, strict=False), start=1
         ):
             if condition.multiplier not in (None, multiplier):
                 raise ConstraintError(
-                    f"{self.where}: constraint {number}, {condition}, has the multiplier {condition.multiplier}, and "
+                    f"{self.where}: constraint {k}, {condition}, has the multiplier {condition.multiplier}, and "
                     f"multipliers=[...] gives it {multiplier}; leave one of them out"
                 )
         if len(self.multipliers) != m:

@@ -1,4 +1,4 @@
-"""The energies: kinetic, and potential of weight."""
+"""The energies: kinetic, and potential of weight and loads."""
 
 from __future__ import annotations
 
@@ -7,7 +7,8 @@ from collections.abc import Sequence
 from symbody.document.document import Block, Heading, prose
 from symbody.document.formula import equalities
 from symbody.document.subject import Subject
-from symbody.multibody import gravitational_energy, kinetic_energy
+from symbody.multibody import kinetic_energy
+from symbody.multibody.energy import known_potential, potentials
 from symbody.symbolic import Expr, gradient, jacobian, number, readable
 
 
@@ -19,9 +20,11 @@ def energies(subject: Subject) -> list[Block]:
         return [] if given is None else [Heading("Energies"), *equalities(said, ["E"], subject.read([given]))]
     found = {"T": kinetic_energy(system)}
     sentence = "The kinetic energy is"
-    if system.gravity is not None and system.root.carrier is None:
-        found["V"] = gravitational_energy(system)
-        sentence = "The kinetic energy, and the potential energy of weight, are"
+    stored = known_potential(system)
+    if stored is not None:
+        found["V"] = stored
+        of = "of weight and loads" if potentials(system.loads, system.bodies) else "of weight"
+        sentence = f"The kinetic energy, and the potential energy {of}, are"
     values = list(found.values())
     if not subject.is_large:
         (T,) = system.by_speeds(values[:1])

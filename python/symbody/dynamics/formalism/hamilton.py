@@ -26,6 +26,7 @@ from symbody.dynamics.equations.independence import check_independent
 from symbody.errors import ExpressionError, ModelError
 from symbody.geometry.given.argument import checked
 from symbody.multibody import System, kinetic_energy
+from symbody.multibody.energy import potentials
 from symbody.symbolic import (
     Expr,
     derivation,
@@ -56,7 +57,8 @@ def hamilton(system: System) -> CanonicalEquations:
     frames, and speeds of the user's choice. Their momenta are called p_u, and the equations are those of Poincare and
     Chetaev. The momenta are linear in the speeds, and solved for these. Their rates are taken at constant speeds, where
     ``-dH/dq = dL/dq``, so that the inverse of the mass matrix is not differentiated. Q are the generalised forces of
-    the loads; constraints keep their multipliers. `CanonicalEquations.equations` are simulated and compiled.
+    the loads without a potential; constraints keep their multipliers. `CanonicalEquations.equations` are simulated and
+    compiled.
 
     Raises:
         ModelError: a coordinate moves no mass, or loads hold accelerations.
@@ -83,6 +85,7 @@ def hamilton(system: System) -> CanonicalEquations:
         changes = [-each for each in needed]
         moving = [*system.kinematics.values(), *changes, _energy(system, kinetic, p)]
         *values, hamiltonian = without_idle_symbols(substitute(moving, speeds))
+        hamiltonian = sum(potentials(system.loads, system.bodies), start=hamiltonian)
         rates = dict(zip((*system.kinematics, *map(time_derivative, p)), values, strict=True))
         by_speeds = dict(zip(p, momenta, strict=True))
         rates |= _of_states(system.eliminating(speeds, by_speeds), rates)

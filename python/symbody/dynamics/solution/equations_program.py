@@ -18,7 +18,8 @@ from symbody.dynamics.solution.program_argument import (
 from symbody.dynamics.solution.program_result import matrix_result, output_result, vector_result
 from symbody.errors import ModelError, ProgramError
 from symbody.geometry.given.argument import checked
-from symbody.multibody import System, gravitational_energy, kinetic_energy
+from symbody.multibody import System, kinetic_energy
+from symbody.multibody.energy import known_potential, potentials
 from symbody.symbolic import (
     Expr,
     Program,
@@ -200,13 +201,14 @@ _WAYS = {
 def _energies(eqs: Equations) -> tuple[Result, ...]:
     if not isinstance(eqs.system, System):
         return () if eqs.energy is None else (Result("energy", "the energy", (eqs.energy,), ()),)
-    bodies, gravity, moves = eqs.system.bodies, eqs.system.gravity, eqs.system.root.carrier is not None
-    energy = eqs.system.by_speeds([kinetic_energy(bodies)])
-    kinetic = Result("kinetic", "the kinetic energy", energy, ())
-    if gravity is None or moves:
+    kinetic = Result(
+        "kinetic", "the kinetic energy", eqs.system.by_speeds([kinetic_energy(eqs.system.bodies)]), ()
+    )
+    stored = known_potential(eqs.system)
+    if stored is None:
         return (kinetic,)
-    weight = gravitational_energy(bodies, gravity)
-    return kinetic, Result("potential", "the potential energy of weight", (weight,), ())
+    of = "of weight and loads" if potentials(eqs.system.loads, eqs.system.bodies) else "of weight"
+    return kinetic, Result("potential", f"the potential energy {of}", (stored,), ())
 
 
 def _outputs(outputs: Mapping[str, Output], eqs: Equations) -> tuple[Result, ...]:

@@ -14,6 +14,7 @@ from symbody.codegen import CompiledFunction, PreparedCode, Shortcut, lambdify
 from symbody.dynamics import Equations, ForwardDynamics, forward_dynamics
 from symbody.errors import ModelError
 from symbody.multibody import System, Variables, gravitational_energy, kinetic_energy
+from symbody.multibody.energy import known_potential, potentials
 from symbody.multibody.load import action_power
 from symbody.simulation.given.given_input import substitute_inputs
 from symbody.simulation.given.parameter import parameters_among
@@ -22,7 +23,7 @@ from symbody.symbolic import jacobian as jacobian_of
 from symbody.symbolic.numeric.deficiency import noting, report
 
 from .constraint_correction import ConstraintCorrection, constraint_correction
-from .drive import is_driven
+from .drive import is_driven, names_of_drives
 
 __all__ = ["DAMPING", "Model", "model_of", "with_equations", "without_stabilization"]
 
@@ -178,19 +179,32 @@ class Model:
     def power(self) -> Expr | None:
         """The power of loads and moving constraints, with accelerations and multipliers.
 
-        None if nothing does work, or no energy is known.
+        What springs and other loads take from their potential energy isn't part of it. None if nothing does work, or no
+        energy is known.
         """
         if not self.energies:
             return None
-        actions = self.system.actions if isinstance(self.system, System) else ()
         with derivation():
-            total = sum(map(action_power, actions), start=number(0))
+            total = self._power_of_loads
         if self.constraints:
             at_rest = dict.fromkeys(self.speeds, number(0))
             drifts = substitute(self.velocity_constraints, at_rest)
             for multiplier, drift in zip(self.multipliers, drifts, strict=True):
                 total -= multiplier * drift
         return None if total.is_zero else total
+
+    @property
+    def _power_of_loads(self) -> Expr:
+        """The power of the loads, plus the rate of the potential energy of those that have one."""
+        system = self.system
+        if not isinstance(system, System):
+            return number(0)
+        total = sum(map(action_power, system.actions), start=number(0))
+        stored = potentials(system.loads, system.bodies)
+        if not stored:
+            return total
+        (total,) = system.by_speeds([total])
+        return sum(system.rate(stored), start=total)
 
     @cached_property
     def rates(self) -> tuple[Expr, ...]:
@@ -209,7 +223,7 @@ class Model:
 
     @cached_property
     def energies(self) -> tuple[Expr, ...]:
-        """The kinetic energy, and the potential energy of weight where the height is known.
+        """The kinetic energy, and the potential energy of loads, and of weight where the height is known.
 
         Of equations that were given without bodies, the given energy; nothing if none was given.
         """
@@ -219,15 +233,15 @@ class Model:
         return self.with_inputs(_energies(system))
 
     @property
-    def prescribed(self) -> list[Expr]:
-        """The functions of time by which frames or the gravity move, by name."""
-        if isinstance(self.system, System):
-            energies = substitute(_energies(self.system), dict(self.inputs))
-        else:
-            energies = self.energies
-        known = {*self.state, *self.system.kinematics}
-        leaves = {leaf for leaf in free_symbols(energies) if leaf.depends_on_time} - known
-        return sorted(leaves - {*self.system.eliminated}, key=str)
+    def prescribed(self) -> list[str]:
+        """The names of what moves bodies or gravity without a coordinate; the power of loads knows theirs."""
+        if not isinstance(self.system, System):
+            leaves = free_symbols(self.energies)
+            return sorted(str(leaf) for leaf in leaves if leaf.depends_on_time and leaf not in self.state)
+        energies = substitute(_energies_of_bodies(self.system), dict(self.inputs))
+        known = {*self.state, *self.system.kinematics, *self.system.eliminated}
+        led = {str(leaf) for leaf in free_symbols(energies) if leaf.depends_on_time and leaf not in known}
+        return sorted(led) or (list(names_of_drives(self.system)) if self.is_driven else [])
 
     def with_inputs(self, expressions: Sequence[Expr]) -> tuple[Expr, ...]:
         """Substitute the inputs in expressions, and the rates of coordinates as functions of the speeds."""
@@ -286,7 +300,7 @@ class Model:
             return None
         energies = [*self.energies, number(0)][:2]
         is_carried = self.system.gravity is not None and self.system.root.carrier is not None
-        if is_carried or self.is_driven or not free_symbols(energies) <= {*self.parameters, *self.state}:
+        if is_carried or self.is_driven or not free_symbols(energies) <= {t, *self.parameters, *self.state}:
             return None
         return self.code(energies)
 
@@ -369,7 +383,13 @@ class MotionFunction:
 
 
 def _energies(system: System) -> list[Expr]:
-    """Return the kinetic energy, and the potential energy of weight where the height is known."""
+    """Return the kinetic energy, and the potential energy of loads, and of weight where the height is known."""
+    stored = known_potential(system)
+    return [kinetic_energy(system.bodies), *([] if stored is None else [stored])]
+
+
+def _energies_of_bodies(system: System) -> list[Expr]:
+    """Return the same without loads."""
     found = [kinetic_energy(system.bodies)]
     if system.gravity is not None and system.root.carrier is None:
         found.append(gravitational_energy(system.bodies, system.gravity))

@@ -203,11 +203,10 @@ class Motion:
                 "motion: the energy isn't known: the equations were given without bodies; give it to them, as in "
                 "equations_of(M, f, coordinates, energy=E)"
             )
-        driven = list(map(str, model.prescribed))
-        if driven:
+        if model.prescribed:
             raise ModelError(
-                f"motion: frames move by {', '.join(driven)}, a prescribed motion, and the equations don't contain "
-                "the work of its drive: the energy isn't constant; prescribe it by a constraint, whose work is "
+                f"motion: frames move by {', '.join(model.prescribed)}, a prescribed motion, and the equations don't "
+                "contain the work of its drive: the energy isn't constant; prescribe it by a constraint, whose work is "
                 "counted"
             )
         if model.is_driven:

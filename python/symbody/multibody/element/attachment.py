@@ -1,0 +1,63 @@
+"""Attachment: points and frames that are fixed in bodies, and the actions of an element on both bodies."""
+
+from __future__ import annotations
+
+from symbody.errors import LoadError
+from symbody.geometry import Frame, Point, Vector
+from symbody.geometry.frame.coordinates import path
+from symbody.multibody.body import Body
+from symbody.multibody.load import Action
+from symbody.symbolic.given.arguments import brief
+
+
+def check_bodies(where: str, on: Body, reaction: Body | None) -> None:
+    """Raise an error for an element between a body and itself."""
+    if on is reaction:
+        raise LoadError(
+            f"{where}: acts and reacts on the same body {brief(on)}; name two bodies, or leave reaction out"
+        )
+
+
+def check_fixed(where: str, what: str, place: Point | Frame, body: Body | None) -> None:
+    """Raise an error for a place that moves in its body; the law of the element holds for fixed ones.
+
+    Args:
+        where: the function that the user called.
+        what: the argument.
+        place: the point or frame that is given.
+        body: the body in which it is fixed; None for a place on no body, which may move as it likes.
+    """
+    if body is None:
+        return
+    frame = place if isinstance(place, Frame) else place.frame
+    coordinates = () if isinstance(place, Frame) else place.coordinates
+    up, down = path(frame, body.frame)
+    is_moving = any(x.depends_on_time for x in coordinates)
+    if not is_moving and all(motion.is_constant for motion in (*up, *down)):
+        return
+    raise LoadError(
+        f"{where}: {what} = {brief(place)} moves in the body {brief(body)}; expected a place that is fixed in it, "
+        "built on its frame; if it slides there, give it a body of its own, such as Body(frame, 0)"
+    )
+
+
+def forces(
+    vector: Vector, at: Point, on: Body, reaction: Body | None, back: Point | None = None
+) -> list[Action]:
+    """Return a force on a body, and the opposite force on the body that reacts.
+
+    Args:
+        vector: the force.
+        at: where it acts.
+        on: the body on which it acts.
+        reaction: the body on which the opposite force acts, if there is one.
+        back: where the opposite force acts; by default at the same place.
+    """
+    direct = Action(on, vector, at)
+    return [direct] if reaction is None else [direct, Action(reaction, -vector, back or at)]
+
+
+def torques(vector: Vector, on: Body, reaction: Body | None) -> list[Action]:
+    """Return a torque on a body, and the opposite torque on the body that reacts."""
+    direct = Action(on, vector)
+    return [direct] if reaction is None else [direct, Action(reaction, -vector)]

@@ -1,0 +1,84 @@
+"""Friction along the coordinate of a joint: viscous, dry and Stribeck's, regularised near zero speed."""
+
+from __future__ import annotations
+
+from symbody.errors import LoadError
+from symbody.geometry import Scalar
+from symbody.geometry.component.triple import expression
+from symbody.geometry.given.argument import checked
+from symbody.multibody.body import Body
+from symbody.symbolic import Expr, derivation, exp, tanh
+
+from .element import Element
+from .joint_motion import joint_motion
+
+_WHERE = "friction"
+
+
+@checked(LoadError)
+def friction(
+    coordinate: Expr,
+    *,
+    on: Body,
+    reaction: Body | None = None,
+    viscous: Scalar = 0,
+    coulomb: Scalar = 0,
+    static: Scalar | None = None,
+    stribeck_speed: Scalar | None = None,
+    creep_speed: Scalar | None = None,
+    name: str = "",
+) -> Element:
+    """Return the friction along the coordinate of a joint: ``-(Fc + (Fs - Fc) exp(-(v/vs)^2)) tanh(v/v0) - c v``.
+
+    The law is that of Stribeck [Armstrong-Helouvry, Dupont & Canudas de Wit, Automatica 30 (1994), p. 1083], with the
+    jump of dry friction at zero speed replaced by a steep slope. A joint that sticks creeps therefore: a load F < Fs
+    moves it at about ``v0 atanh(F/Fs)``.
+
+    Args:
+        coordinate: the coordinate of the joint between the bodies; v is its rate.
+        on: the body.
+        reaction: the other body; none by default, such as the ground.
+        viscous: c, in N s/m or N m s/rad.
+        coulomb: Fc, the dry friction of a joint that slides, in N or N m, such as ``mu*N``.
+        static: Fs, the friction that a joint at rest can resist; Fc by default.
+        stribeck_speed: vs, the speed at which the friction has fallen from Fs almost to Fc; needed with `static`.
+        creep_speed: v0, the speed of the steep slope; needed with `coulomb`, best well below the speeds of interest.
+        name: what the friction is called where it is shown.
+
+    Returns:
+        An element without a potential, with the quantities "effort" and "rate".
+
+    >>> from symbody import Body, functions_of_time, power, symbols, translate
+    >>> x, (c, Fc, v0) = functions_of_time("x"), symbols("c Fc v0")
+    >>> cart = Body(translate(x, 0, 0), 1)
+    >>> friction(x, on=cart, viscous=c, coulomb=Fc, creep_speed=v0)["effort"]
+    -c*x' - Fc*tanh(x'/v0)
+    """
+    c, dry = expression(viscous), expression(coulomb)
+    _check(dry, static, stribeck_speed, creep_speed)
+    with derivation():
+        joint = joint_motion(coordinate, on, reaction, _WHERE)
+        v, effort = joint.rate, -c * joint.rate
+        if static is not None and stribeck_speed is not None:
+            dry += (static - dry) * exp(-((v / stribeck_speed) ** 2))
+        if creep_speed is not None:
+            effort -= dry * tanh(v / creep_speed)
+        return Element(
+            _WHERE, joint.actions(effort), quantities={"effort": effort, "rate": joint.rate}, name=name
+        )
+
+
+def _check(dry: Expr, static: Scalar | None, stribeck: Scalar | None, creep: Scalar | None) -> None:
+    if creep is None and (static is not None or not dry.is_zero):
+        raise LoadError(
+            f"{_WHERE}: dry friction without creep_speed; expected the speed below which a joint counts as sticking, "
+            "such as a hundredth of its usual speed: friction by sign(v) jumps, and no integrator passes the jump"
+        )
+    if (static is None) != (stribeck is None):
+        missing, given = ("stribeck_speed", "static") if stribeck is None else ("static", "stribeck_speed")
+        raise LoadError(
+            f"{_WHERE}: {given} without {missing}; expected both, the friction at rest and the speed at which it "
+            "falls, or neither"
+        )
+    if creep is not None and expression(creep).is_zero:
+        raise LoadError(f"{_WHERE}: creep_speed = 0; expected a positive speed")

@@ -1,0 +1,54 @@
+"""The line between two points: its length and its rate."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+from symbody.errors import LoadError
+from symbody.geometry import Point, Vector
+from symbody.geometry.component.triple import rates
+from symbody.geometry.motion.floating import rate_by
+from symbody.symbolic import Expr, derivation, dot3, sqrt
+from symbody.symbolic.given.arguments import brief
+
+
+class Line(NamedTuple):
+    """The vector from one point to another.
+
+    Attributes:
+        vector: the vector.
+        square: the square of its length l.
+        half_rate: ``l l'``, the scalar product of the vector and its rate.
+    """
+
+    vector: Vector
+    square: Expr
+    half_rate: Expr
+
+    @property
+    def length(self) -> Expr:
+        """The length l."""
+        return sqrt(self.square)
+
+    @property
+    def rate(self) -> Expr:
+        """The rate l'."""
+        return self.half_rate / self.length
+
+
+def line_between(at: Point, to: Point, where: str) -> Line:
+    """Return the line from a point to another.
+
+    Raises:
+        LoadError: the points are one, so that the line has no direction.
+    """
+    with derivation():
+        vector = to - at
+        rate = rate_by({**at.frame.coordinate_rates, **to.frame.coordinate_rates})
+        square = dot3(vector.components, vector.components)
+        if square.is_zero:
+            raise LoadError(
+                f"{where}: {brief(at)} and {brief(to)} are the same place at every position, so that the line between "
+                "them has no direction; give two points that move apart, or use a bushing"
+            )
+        return Line(vector, square, dot3(vector.components, rates(vector.components, rate)))

@@ -1,0 +1,74 @@
+"""Springs between two points, with damping along their line."""
+
+from __future__ import annotations
+
+from symbody.errors import LoadError
+from symbody.geometry import Point, Scalar
+from symbody.geometry.component.triple import expression
+from symbody.geometry.given.argument import checked
+from symbody.multibody.body import Body
+from symbody.symbolic import Expr, derivation
+
+from .attachment import check_bodies, check_fixed, forces
+from .element import Element
+from .line import Line, line_between
+
+_WHERE = "spring"
+
+
+@checked(LoadError)
+def spring(
+    at: Point,
+    to: Point,
+    stiffness: Scalar,
+    *,
+    free_length: Scalar = 0,
+    damping: Scalar = 0,
+    on: Body,
+    reaction: Body | None = None,
+    name: str = "",
+) -> Element:
+    """Return a spring between two points, with a damper: ``F = k (l - l0) + c l'`` along their line; positive F pulls.
+
+    A spring of free length zero is linear in the coordinates of its ends, and safe at length zero. Any other spring or
+    damper has no direction there: a simulation that comes to this position exactly ends with an error.
+
+    Args:
+        at: the point of the body.
+        to: the other point.
+        stiffness: k, in N/m.
+        free_length: l0, the length without force, in m.
+        damping: c, in N s/m.
+        on: the body.
+        reaction: the body of the other point; none by default, such as the ground.
+        name: what the spring is called where it is shown.
+
+    Returns:
+        An element with the potential ``k (l - l0)^2/2`` and the quantities "length", "rate" and "force".
+
+    >>> from symbody import Body, functions_of_time, ground, origin, power, symbols, time_derivative, translate
+    >>> z, (k, l, c) = functions_of_time("z"), symbols("k l c")
+    >>> mass = Body(translate(0, 0, z), 1)
+    >>> power(spring(mass.center_of_mass, origin(ground), k, on=mass))
+    -k*z*z'
+    >>> damped = spring(mass.center_of_mass, origin(ground), k, free_length=l, damping=c, on=mass)
+    >>> damped.potential
+    k*(l - Abs(z))**2/2
+    """
+    check_bodies(_WHERE, on, reaction)
+    check_fixed(_WHERE, "at", at, on)
+    check_fixed(_WHERE, "to", to, reaction)
+    k, l0, c = (expression(each) for each in (stiffness, free_length, damping))
+    with derivation():
+        line = line_between(at, to, _WHERE)
+        factor = _factor(line, k, l0, c)
+        potential = k * (line.square if l0.is_zero else (line.length - l0) ** 2) / 2
+        actions = forces(line.vector * factor, at, on, reaction, to)
+        quantities = {"length": line.length, "rate": line.rate, "force": factor * line.length}
+    return Element(_WHERE, actions, potential=potential, quantities=quantities, name=name)
+
+
+def _factor(line: Line, k: Expr, l0: Expr, c: Expr) -> Expr:
+    """Return the force by the length: no root where the free length is zero."""
+    elastic = k if l0.is_zero else k * (1 - l0 / line.length)
+    return elastic if c.is_zero else elastic + c * line.half_rate / line.square

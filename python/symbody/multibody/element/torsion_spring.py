@@ -1,0 +1,62 @@
+"""Springs and dampers along the coordinate of a joint: about a hinge, or along a slide."""
+
+from __future__ import annotations
+
+from symbody.errors import LoadError
+from symbody.geometry import Scalar
+from symbody.geometry.component.triple import expression
+from symbody.geometry.given.argument import checked
+from symbody.multibody.body import Body
+from symbody.symbolic import Expr, derivation
+
+from .element import Element
+from .joint_motion import joint_motion
+
+_WHERE = "torsion_spring"
+
+
+@checked(LoadError)
+def torsion_spring(
+    angle: Expr,
+    stiffness: Scalar,
+    *,
+    free_angle: Scalar = 0,
+    damping: Scalar = 0,
+    on: Body,
+    reaction: Body | None = None,
+    name: str = "",
+) -> Element:
+    """Return a spring about the axis of a hinge, with a damper: the torque ``-k (phi - phi0) - c phi'`` on the body.
+
+    The axis is that of the relative motion of the bodies. Along the coordinate of a slide, the same is a force.
+
+    Args:
+        angle: phi, the coordinate of the hinge between the bodies, or a difference of absolute angles, in rad.
+        stiffness: k, in N m/rad.
+        free_angle: phi0, the angle without torque, in rad.
+        damping: c, in N m s/rad.
+        on: the body.
+        reaction: the other body; none by default, such as the ground.
+        name: what the spring is called where it is shown.
+
+    Returns:
+        An element with the potential ``k (phi - phi0)^2/2`` and the quantities "angle", "rate" and "torque".
+
+    >>> from symbody import Body, System, functions_of_time, newton_euler, rotate, symbols
+    >>> phi, (I, k, c) = functions_of_time("phi"), symbols("I k c")
+    >>> rotor = Body(rotate("Z", phi), 1, Iz=I)
+    >>> newton_euler(System([rotor], [torsion_spring(phi, k, damping=c, on=rotor)], [phi])).residuals
+    (I*phi'' + c*phi' + k*phi,)
+    """
+    k, c = expression(stiffness), expression(damping)
+    with derivation():
+        joint = joint_motion(angle, on, reaction, _WHERE)
+        twist = angle - free_angle
+        torque = -k * twist - c * joint.rate
+        return Element(
+            _WHERE,
+            joint.actions(torque),
+            potential=k * twist**2 / 2,
+            quantities={"angle": twist, "rate": joint.rate, "torque": torque},
+            name=name,
+        )
