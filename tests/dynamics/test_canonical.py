@@ -3,6 +3,9 @@
 from __future__ import annotations
 
 import pickle
+import subprocess
+import sys
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -25,11 +28,13 @@ from symbody import (
     floating_frame,
     forward_dynamics,
     functions_of_time,
+    generate,
     ground,
     hamilton,
     latex,
     mechanical_energy,
     newton_euler,
+    report,
     rotate,
     simulate,
     sin,
@@ -262,3 +267,33 @@ def test_a_bead_on_a_turning_wire() -> None:
     (p,) = found.momenta
     assert found.hamiltonian == p**2 / (2 * m) - m * w**2 * x**2 / 2
     assert list(found.rates.values()) == [p / m, m * w**2 * x - c * x]
+
+
+@pytest.mark.parametrize("make", [double_pendulum, rod, sleigh, embedded_sleigh, motor])
+def test_reports_prove_their_laws(make, tmp_path: Path) -> None:  # type: ignore[no-untyped-def]
+    """The formalisms are compared in the speeds that momenta replaced; the power is along these speeds."""
+    text = Path(report(hamilton(make()).equations, tmp_path / "report.md")).read_text(encoding="utf-8")
+    assert text.count("| proved |") == 3
+    assert "The momenta are $p_{" in text
+    assert "quasi-velocit" not in text
+
+
+@pytest.mark.parametrize("make", [double_pendulum, rod, sleigh, motor])
+def test_python_code_computes_the_rates(make, tmp_path: Path) -> None:  # type: ignore[no-untyped-def]
+    """The generated module agrees with the numbers of its check, which the expressions gave."""
+    generate(hamilton(make()).equations, "python", tmp_path)
+    (check,) = tmp_path.glob("*_check.py")
+    done = subprocess.run(
+        [sys.executable, check.name], cwd=tmp_path, capture_output=True, text=True, check=False
+    )
+    assert done.returncode == 0, done.stdout + done.stderr
+
+
+def test_systems_in_momenta_say_so() -> None:
+    equations = hamilton(sleigh()).equations
+    assert repr(equations) == "Equations(3 equations of motion, 1 constraint, momenta p_v, p_n, p_th)"
+    assert repr(equations.system) == "System(1 body, 0 loads, 3 coordinates, 3 momenta, 1 constraint)"
+    assert "    momenta: p_v, p_n, p_th\n" in describe(equations.system)
+    assert "momenta" in equations.system._repr_html_()  # type: ignore[attr-defined]
+    assert repr(hamilton(sleigh())) == "CanonicalEquations(x, y, th, p_v, p_n, p_th)"
+    assert describe(equations.system).endswith("(l**2*p_n - l*p_th)/J + p_n/m = 0, multiplier lambda1")

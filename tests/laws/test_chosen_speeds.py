@@ -8,12 +8,16 @@ import pytest
 
 from symbody import (
     Body,
+    Frame,
     Matrix,
+    Point,
     System,
     Vector,
     functions_of_time,
     ground,
+    hamilton,
     jacobian,
+    lagrange_equations,
     moving_frame,
     newton_euler,
     rotate,
@@ -95,3 +99,44 @@ def test_moving_frames_may_hold_rates_that_are_written_by_speeds(seed: int) -> N
     assert one.residuals == two.residuals
     assert one.mass_matrix == two.mass_matrix
     check_same_nodes(systems[0])
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_moving_master_frames_too(seed: int) -> None:
+    """A frame whose place is unknown, and which is led by a rate that speeds give."""
+    random = Random(seed)
+    s, u, w = functions_of_time("s u w")
+    rate = 2 * u + s * w * random.randint(0, 1) + a * t
+    turning = [0, 0, 0]
+    turning[random.randrange(3)] = w + b * time_derivative(s)  # type: ignore[call-overload]
+    frame = moving_frame(time_derivative(s), 0, u, *turning)
+    body = Body(frame * rotate("X", s) * translate(0, 1, b), *symbols("m I_x I_y I_z"))
+    weight = Vector(frame, 0, symbols("g"), 0)
+    check_same_nodes(
+        System([body], (), [s], gravity=weight, speeds=[u, w], kinematics={time_derivative(s): rate})
+    )
+
+
+def test_natural_coordinates_by_the_chain_rule() -> None:
+    """Frames that only constraints make rigid, in speeds of choice: Lagrange's equations alone."""
+    x, y, p, q, v, w = functions_of_time("x y p q v w")
+    m, J, g, l = symbols("m J g l")
+    frame = Frame([[p, -q, 0, x], [q, p, 0, y], [0, 0, 1, 0], [0, 0, 0, 1]])
+    bodies, rigid = [Body(frame, m, J, J, J), Body(Point(frame, l, 0, 0), 2 * m)], [p**2 + q**2 - 1]
+    gravity, coordinates = Vector(ground, 0, -g, 0), [x, y, p, q]
+    kinematics = {
+        v: p * time_derivative(x) + q * time_derivative(y),
+        w: p * time_derivative(q) - q * time_derivative(p),
+    }
+    plain = System(bodies, (), coordinates, rigid, gravity)
+    chosen = System(bodies, (), coordinates, rigid, gravity, kinematics=kinematics)
+    one, two = lagrange_equations(plain), lagrange_equations(chosen)
+    Y = jacobian(list(chosen.kinematics.values()), chosen.speeds)
+    residuals = Matrix([[entry] for entry in chosen.by_speeds(one.residuals)])
+    assert two.residuals == (Y.T @ residuals).entries
+    assert two.mass_matrix == Y.T @ one.mass_matrix @ Y
+    found = hamilton(chosen)
+    known = found.momenta_by_speeds
+    changes = chosen.rate([*known.values()])
+    rates = substitute([found.rates[time_derivative(each)] for each in found.momenta], known)
+    assert tuple(c - r for c, r in zip(changes, rates, strict=True)) == two.residuals

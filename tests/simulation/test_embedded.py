@@ -12,6 +12,7 @@ from symbody import (
     Equations,
     Expr,
     Force,
+    ModelNotice,
     Point,
     System,
     Torque,
@@ -29,6 +30,7 @@ from symbody import (
     project,
     rotate,
     simulate,
+    simulate_many,
     sin,
     symbols,
     t,
@@ -193,3 +195,27 @@ def test_hamilton_of_an_embedded_sleigh() -> None:
     two = simulate(hamilton(linked).equations, FREE, start, [0, 0.3, 0.6], rtol=1e-11)  # type: ignore[arg-type]
     for name in (x, y, th):
         assert_allclose(two[name], one[name], atol=1e-9)
+
+
+def test_a_motion_that_leaves_eliminated_constraints_has_a_notice() -> None:
+    reduced = embedded(newton_euler(slider_crank()), [q1p])
+    with pytest.warns(ModelNotice, match=r"left its constraints: at its end constraint 2 \(rail, "):
+        simulate(
+            reduced, NUMBERS, {q1: 0.5, q1p: 1.0}, (0, 20), guess={s: 1.0}, rtol=1e-2, atol=1e-2, method="bdf"
+        )
+
+
+def test_batches_begin_on_eliminated_constraints_and_with_momenta() -> None:
+    """Each case has its own lengths, and so its own start."""
+    full = newton_euler(slider_crank())
+    lengths = [0.2, 0.3]
+    many = {r: lengths, **{name: value for name, value in NUMBERS.items() if name != r}}
+    outputs = {"s": s, "rate": time_derivative(s)}
+    ends = []
+    for equations in (full, embedded(full, [q1p]), hamilton(slider_crank()).equations):
+        found = simulate_many(
+            equations, many, {q1: 0.5, q1p: 1.0}, [0, 0.4], guess={s: 1.0}, rtol=1e-10, outputs=outputs
+        )
+        ends.append([found.outputs[name] for name in outputs])
+    assert_allclose(ends[1], ends[0], rtol=1e-7)
+    assert_allclose(ends[2], ends[0], rtol=1e-7)

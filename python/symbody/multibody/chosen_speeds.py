@@ -34,11 +34,12 @@ _ORDERS = 24
 
 
 class GivenUnknowns(NamedTuple):
-    """The coordinates and quasi-velocities of a system, and the rates that its floating frames give."""
+    """The coordinates and quasi-velocities of a system, and the rates and velocities that its moving frames give."""
 
     coordinates: Sequence[Expr]
     speeds: Sequence[Expr]
     floating: Mapping[Expr, Expr]
+    twists: Sequence[Expr] = ()
 
 
 def defined_speeds(coordinates: Sequence[Expr], kinematics: Mapping[Expr, Scalar]) -> list[Expr]:
@@ -248,8 +249,9 @@ def _check_linear(found: Mapping[Expr, Expr], unknowns: GivenUnknowns) -> None:
 
 
 def _check_apart(found: Mapping[Expr, Expr], unknowns: GivenUnknowns) -> None:
-    """Raise an error for speeds that the rates don't tell apart."""
-    values = [*found.values(), *unknowns.floating.values()]
+    """Raise an error for speeds that neither the rates nor the velocities of frames tell apart."""
+    twists = substitute(list(unknowns.twists), found)
+    values = [*found.values(), *unknowns.floating.values(), *twists]
     held = frozenset[Expr]().union(*(value.free_symbols for value in values))
     speeds = [u for u in unknowns.speeds if u in held]
     for count in range(1, len(speeds) + 1):

@@ -50,6 +50,10 @@ class Constraint:
         self.multiplier = multiplier
         self.on = tuple(on)
 
+    def written(self, condition: Expr) -> Constraint:
+        """Return the constraint with its condition in another form."""
+        return Constraint(condition, self.name, multiplier=self.multiplier, on=self.on)
+
     def __str__(self) -> str:
         return f"{self.name}, {brief(self.condition)} = 0" if self.name else f"{brief(self.condition)} = 0"
 

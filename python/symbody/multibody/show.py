@@ -144,8 +144,10 @@ def _system(system: System, style: _Style) -> str:
     lines = ["SYSTEM" if not system.name else f"{system.name} = SYSTEM"]
     lines.append(f"coordinates: {', '.join(map(str, system.coordinates))}")
     if system.quasi_velocities:
-        lines.append(f"quasi-velocities: {', '.join(map(str, system.quasi_velocities))}")
-    chosen = ((time_derivative(q), system.coordinate_rates[q]) for q in system.chosen)
+        kind = "momenta" if system.momenta else "quasi-velocities"
+        lines.append(f"{kind}: {', '.join(map(str, system.quasi_velocities))}")
+    written = system.coordinates if system.momenta else system.chosen
+    chosen = ((time_derivative(q), system.coordinate_rates[q]) for q in written)
     lines += [f"kinematics: {rate} = {style.text(by_speeds)}" for rate, by_speeds in chosen]
     lines += [f"state: {rate} = {style.text(value)}" for rate, value in system.state_rates.items()]
     lines += [f"body: {_described(body, style)}" for body in system.bodies]

@@ -121,7 +121,9 @@ class System(Variables):
         unknowns = _completed(coordinates, floating)
         defined = defined_speeds(unknowns, kinematics)
         known = _completed(speeds, [*(u for motion in motions for u in motion.speeds), *defined])
-        chosen = chosen_rates(GivenUnknowns(unknowns, known, floating), kinematics)
+        given = [motion.twist for motion in motions] + [frame.carrier for frame in self._frames]
+        twists = [v for twist in given if twist is not None for v in (*twist.angular, *twist.linear)]
+        chosen = chosen_rates(GivenUnknowns(unknowns, known, floating, twists), kinematics)
         self.chosen = tuple(chosen)
         """The coordinates whose rates are written by speeds of the user's choice."""
         super().__init__(
@@ -194,6 +196,11 @@ class System(Variables):
             reduced.quasi_velocities = tuple(u for u in self.quasi_velocities if u not in dependent)
             reduced.conditions, reduced.multipliers = (), ()
         reduced.eliminated, reduced.whole = dict(dependent), self
+        if momenta:
+            reduced.conditions = tuple(
+                each if k in self.holonomic else each.written(*reduced.by_speeds([each.condition]))
+                for k, each in enumerate(self.conditions)
+            )
         return reduced
 
     def check(self) -> None:
@@ -267,7 +274,7 @@ class System(Variables):
             tables.append(html_table("", ["load", *COLUMNS], loads))
         names = {
             "coordinates": self.coordinates,
-            "speeds": self.quasi_velocities,
+            "momenta" if self.momenta else "speeds": self.quasi_velocities,
             "states": self.states,
             "inputs": self.inputs,
         }
@@ -293,7 +300,9 @@ class System(Variables):
             counted(len(self.coordinates), "coordinate"),
         ]
         if self.quasi_velocities:
-            parts.append(counted(len(self.quasi_velocities), "quasi-velocity"))
+            n = len(self.quasi_velocities)
+            momenta = "momentum" if n == 1 else "momenta"
+            parts.append(f"{n} {momenta}" if self.momenta else counted(n, "quasi-velocity"))
         if self.states:
             parts.append(counted(len(self.states), "state"))
         if self.constraints:

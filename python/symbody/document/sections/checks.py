@@ -6,9 +6,10 @@ from collections.abc import Callable, Sequence
 
 from symbody.document.document import Block, Heading, Table, prose
 from symbody.document.subject import Subject
-from symbody.dynamics import lagrange_equations, newton_euler
+from symbody.dynamics import Equations, lagrange_equations, newton_euler
 from symbody.errors import SymbodyError
 from symbody.multibody import gravitational_energy, kinetic_energy, power
+from symbody.simulation.model.drive import moves_at_rest
 from symbody.symbolic import Expr, derivation, number, t
 
 HOLDS, FAILS = "proved", "does not hold"
@@ -28,8 +29,9 @@ def _formalisms_agree(subject: Subject) -> str | None:
     system = subject.mechanism
     if system is None:
         return None
+    whole = system.whole
     try:
-        both = newton_euler(system).residuals == lagrange_equations(system).residuals
+        both = newton_euler(whole).residuals == lagrange_equations(whole).residuals
     except SymbodyError as error:
         return f"does not apply ({str(error).partition(':')[0]} does not derive this system)"
     return HOLDS if both else FAILS
@@ -57,14 +59,22 @@ def _power_balances(subject: Subject) -> str | None:
         given = {each.name for each in energy.free_symbols if each.depends_on_time} - unknown
         if given or t in energy.free_symbols:
             return "does not apply (frames move as given functions of time)"
+        if moves_at_rest(system, system.speeds, system.by_speeds):
+            return "does not apply (the system moves while all speeds are zero)"
         (rate,) = system.rate([energy])
         spent = sum((power(load) for load in system.loads), start=number(0))
         (gained,) = system.by_speeds([rate - spent])
-        left = _dot(found.speeds, found.residuals)
+        left = _dot(_along(found), found.residuals)
         if found.constraints:
             rows = found.constraint_jacobian.tolist()
             left += _dot(found.multipliers, [_dot(row, found.speeds) for row in rows])
     return HOLDS if left == gained else FAILS
+
+
+def _along(found: Equations) -> Sequence[Expr]:
+    """Return what the residuals are multiplied by: the speeds, also those that momenta replaced without constraints."""
+    system = found.system
+    return tuple(system.eliminated.values()) if system.momenta and not found.constraints else found.speeds
 
 
 def _dot(first: Sequence[Expr], second: Sequence[Expr]) -> Expr:

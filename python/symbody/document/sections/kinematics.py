@@ -17,13 +17,14 @@ def kinematics(subject: Subject) -> list[Block]:
         prose("The coordinates are ", *listed(system.coordinates), ".") if system.coordinates else prose(),
     ]
     if system.quasi_velocities:
-        blocks.append(prose("The quasi-velocities are ", *listed(system.quasi_velocities), "."))
+        kind = "momenta" if system.momenta else "quasi-velocities"
+        blocks.append(prose(f"The {kind} are ", *listed(system.quasi_velocities), "."))
     blocks.append(prose(_freedom(subject)))
     rates = {
         rate: by_speeds for rate, by_speeds in system.known_rates.items() if rate not in system.state_rates
     }
     if rates:
-        lead = prose("The rates of the coordinates, by the speeds, are")
+        lead = prose(f"The rates of the coordinates, by the {'momenta' if system.momenta else 'speeds'}, are")
         blocks += equalities(lead, [*map(latex, rates)], [*rates.values()])
     if system.constraints:
         multipliers = listed(system.multipliers)

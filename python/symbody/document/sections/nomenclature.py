@@ -27,7 +27,8 @@ def _entries(subject: Subject) -> Iterator[tuple[Expr, str, str]]:
         yield from ((each, kind, group.unit("s")) for each in group.expressions)
     for group in speeds:
         own = [each for each in group.expressions if each in system.quasi_velocities]
-        kind = "quasi-velocity" if group.kind == "speed" else f"quasi-velocity, {group.kind}"
+        speed = "momentum" if system.momenta else "quasi-velocity"
+        kind = speed if group.kind == "speed" else f"{speed}, {group.kind}"
         yield from ((each, kind, group.unit("s")) for each in own)
     yield from ((each, "state", "") for each in equations.states)
     roles = _roles(subject)

@@ -26,20 +26,18 @@ class CanonicalPage:
     """Hamilton's equations in the form for the reader.
 
     Attributes:
-        system: the system to which the equations belong.
-        momenta: p.
+        system: the system whose speeds are the momenta p.
         hamiltonian: H.
         rates: q', p', and those of states.
     """
 
     system: System
-    momenta: tuple[Expr, ...]
     hamiltonian: Expr
     rates: Mapping[Expr, Expr]
 
     @property
     def _title(self) -> str:
-        return ", ".join(map(str, (*self.system.coordinates, *self.momenta)))
+        return ", ".join(map(str, (*self.system.coordinates, *self.system.speeds)))
 
     @property
     def _name_of_h(self) -> str:
@@ -78,7 +76,7 @@ class CanonicalPage:
             [term for row in rows for term in row],
             notation,
             self.system.coordinates,
-            (*self.momenta, *self.system.multipliers),
+            (*self.system.speeds, *self.system.multipliers),
         )
         remaining = iter(texts)
         return shortened([written(next(remaining) for _ in row) for row in rows], (), definitions, notation)
@@ -86,7 +84,7 @@ class CanonicalPage:
     def _terms(self, value: Expr) -> tuple[Expr, ...]:
         """Return the terms of momenta, of positions alone, and of multipliers, each in its form for the reader."""
         without = value.subs(dict.fromkeys(self.system.multipliers, 0))
-        at_rest = without.subs(dict.fromkeys(self.momenta, 0))
+        at_rest = without.subs(dict.fromkeys(self.system.speeds, 0))
         parts = (without - at_rest, at_rest, value - without)
         return tuple(self._reader(part) for part in parts if not part.is_zero)
 
@@ -106,7 +104,7 @@ class CanonicalPage:
 
     @property
     def _total(self) -> str:
-        n, total = len(self.momenta), cost((self.hamiltonian, *self.rates.values())).total
+        n, total = len(self.system.speeds), cost((self.hamiltonian, *self.rates.values())).total
         return f"{n} {'momentum' if n == 1 else 'momenta'}: {counted(total, 'operation')} in all"
 
     def summary(self) -> str:

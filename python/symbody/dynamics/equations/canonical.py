@@ -60,13 +60,18 @@ class CanonicalEquations:
 
     @property
     def constraints(self) -> tuple[Expr, ...]:
-        """The constraints, expressions that are zero, as those of the system."""
-        return self.system.constraints
+        """The constraints, expressions that are zero: on positions, or on velocities, which are by the momenta."""
+        return self._in_momenta.constraints
 
     @property
     def multipliers(self) -> tuple[Expr, ...]:
         """The multipliers, one per constraint."""
         return self.system.multipliers
+
+    @cached_property
+    def _in_momenta(self) -> System:
+        """The system whose speeds are the momenta."""
+        return self.system.eliminating(self.speeds, self.momenta_by_speeds)
 
     @cached_property
     def equations(self) -> Equations:
@@ -81,7 +86,7 @@ class CanonicalEquations:
         >>> hamilton(System([Body(translate(x, 0, 0), m)], coordinates=[x])).equations.kinematics
         {x': p_x/m}
         """
-        system = self.system.eliminating(self.speeds, self.momenta_by_speeds)
+        system = self._in_momenta
         at_rest = dict.fromkeys(system.multipliers, 0)
         with derivation(fresh=True):
             changes = [time_derivative(p) for p in self.momenta]
@@ -102,7 +107,7 @@ class CanonicalEquations:
 
     @cached_property
     def _page(self) -> CanonicalPage:
-        return CanonicalPage(self.system, self.momenta, self.hamiltonian, self.rates)
+        return CanonicalPage(self._in_momenta, self.hamiltonian, self.rates)
 
     @property
     def _is_readable(self) -> bool:

@@ -223,6 +223,7 @@ class Equations:
         n, m, names = len(self.residuals), len(self.constraints), ", ".join(map(str, self.system.driving))
         alone = "coordinates" if len(self.system.driving) != 1 else "coordinate"
         kind = "speeds and coordinates" if self.system.quasi_velocities else alone
+        kind = "momenta" if self.system.momenta else kind
         states = f", {counted(len(self.states), 'state').split()[1]} {', '.join(map(str, self.states))}"
         return (
             f"Equations({counted(n, 'equation')} of motion, {counted(m, 'constraint')}, {kind} {names}"

@@ -17,7 +17,20 @@ from symbody.multibody import System
 from symbody.multibody.load import action_velocity
 from symbody.symbolic import Expr, Matrix, derivation, jacobian, number, substitute
 
-__all__ = ["is_driven", "names_of_drives"]
+__all__ = ["is_driven", "moves_at_rest", "names_of_drives"]
+
+
+def moves_at_rest(system: System, speeds: Sequence[Expr], by_state: Rate) -> bool:
+    """Return whether bodies or loads have velocities while all speeds are zero.
+
+    Args:
+        system: the system.
+        speeds: u.
+        by_state: writes expressions by time, coordinates and speeds.
+    """
+    with derivation():
+        velocities = by_state(list(_velocities(system)))
+        return not all(each.is_zero for each in substitute(velocities, dict.fromkeys(speeds, number(0))))
 
 
 def is_driven(system: System, speeds: Sequence[Expr], by_state: Rate) -> bool:
