@@ -288,9 +288,11 @@ class Model:
 
     @property
     def _is_led(self) -> bool:
-        """Whether eliminated constraints demand motion, by forces whose work is not known without multipliers."""
-        at_rest = dict.fromkeys(self.speeds, number(0))
-        return not all(drift.is_zero for drift in substitute([*self.system.eliminated.values()], at_rest))
+        """Whether eliminated constraints, or kinematics, demand motion, by forces that no multipliers tell."""
+        system, at_rest = self.system, dict.fromkeys(self.speeds, number(0))
+        chosen = [system.coordinate_rates[q] for q in system.chosen] if isinstance(system, System) else []
+        drifts = substitute([*system.eliminated.values(), *self.with_inputs(chosen)], at_rest)
+        return not all(drift.is_zero for drift in drifts)
 
     @property
     def _is_driven(self) -> bool:
