@@ -112,6 +112,17 @@ def test_the_work_of_the_belt_is_counted() -> None:
     assert motion.work[-1] == pytest.approx(gained + BELT[k] * (0.1**2 - motion[y][-1] ** 2) / 2, abs=1e-8)
 
 
+def test_kinematics_that_hold_a_state() -> None:
+    """The belt again, embedded: its force is unknown, so that no balance of energy is checked."""
+    body = Body(translate(x, y, 0), m)
+    spring = Force(ground, 0, -k * y, 0, at=body.center_of_mass, on=body)
+    led = System([body], [spring], [x, y], kinematics={dx: z}, states={z: (r - z) / T})
+    motion = simulate(newton_euler(led), BELT, {z: 0.2, y: 0.1}, t=(0, 2), rtol=1e-10, atol=1e-10)
+    speed, place, _ = belt_motion(motion.t, 0.2)
+    assert_allclose(motion[x], place, atol=1e-8)
+    assert_allclose(motion[dx], speed, atol=1e-8)
+
+
 def gear() -> Equations:
     """Two rotors, whose ratio of speeds z grows steadily: the Jacobian of the constraint holds the state."""
     first, second = Body(rotate("Z", x), 1, Iz=J), Body(rotate("Z", y), 1, Iz=k)

@@ -14,7 +14,15 @@ from .constraint import Constraint
 from .coordinate import check_function_of_time
 from .load import Load
 
-__all__ = ["Unknown", "all_rates", "check_constraints", "check_holders", "check_states", "given_rates"]
+__all__ = [
+    "Unknown",
+    "all_rates",
+    "check_constraints",
+    "check_holders",
+    "check_kinematics",
+    "check_states",
+    "given_rates",
+]
 
 
 class Unknown(NamedTuple):
@@ -197,6 +205,31 @@ def check_constraints(
                 raise ConstraintError(
                     f"{where} holds {found}; expected states whose rates depend on positions, speeds, states and "
                     "inputs, as accelerations and multipliers follow from the constraint"
+                )
+
+
+def check_kinematics(rates: Mapping[Expr, Expr], kinematics: Mapping[Expr, Expr], unknown: Unknown) -> None:
+    """Check that the rates of the states in kinematics depend on no accelerations, so that these are explicit.
+
+    Args:
+        rates: the rate of each state.
+        kinematics: the rates of coordinates that the user chose, by coordinate.
+        unknown: the other unknowns of the system.
+
+    Raises:
+        ModelError: a state follows from accelerations.
+    """
+    by_name = {state.name: rate for state, rate in rates.items()}
+    for coordinate, value in kinematics.items():
+        leaves = [
+            leaf for leaf in value.free_symbols if leaf.kind == "time_function" and leaf.name in by_name
+        ]
+        for leaf in sorted(leaves, key=str):
+            strange = unknown.beyond_speeds(by_name[leaf.name])
+            if strange is not None:
+                raise ModelError(
+                    f"System: in kinematics, {coordinate}' = {brief(value)} holds {leaf.name}, whose rate depends on "
+                    f"{strange}; expected states whose rates depend on positions, speeds, states and inputs"
                 )
 
 

@@ -25,7 +25,7 @@ from .load import COLUMNS, Action, Load
 from .oversight import notices
 from .physical_inertia import report_impossible_differences
 from .picture import picture
-from .state import Unknown, all_rates, check_constraints, check_holders, check_states
+from .state import Unknown, all_rates, check_constraints, check_holders, check_kinematics, check_states
 from .variables import Conditions, Coordinates, Variables, check_single, check_substitution
 
 Thing = TypeVar("Thing", Body, Load)
@@ -226,6 +226,7 @@ class System(Variables):
     def _check_states(self) -> None:
         unknown = Unknown(self.coordinates, self.quasi_velocities, self.multipliers, self.inputs)
         check_states(self._given_rates, unknown)
+        check_kinematics(self._given_rates, {q: self.coordinate_rates[q] for q in self.chosen}, unknown)
         check_constraints(self._given_rates, self.conditions, self.holonomic, unknown)
         check_holders(self._given_rates, self._frames, self.gravity, self.loads, unknown)
 

@@ -22,6 +22,8 @@ Array = NDArray[np.float64]
 
 _EXACT = 1e-10
 """The relative tolerance with which states are integrated along a motion."""
+_TRIES, _ADVANCE = 2000, 1e-6
+"""The evaluations in which the integration must advance by this part of the motion; it never ends if it doesn't."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -105,22 +107,48 @@ def integrated_states(beside: Beside, motion: Callable[[float], Array], instants
         where: the function that the user called, for messages.
 
     Raises:
-        SimulationError: the states don't stay finite.
+        SimulationError: the states grow beyond bounds.
     """
     from scipy.integrate import solve_ivp  # noqa: PLC0415 - slow to load, and rarely needed
 
     if len(instants) == 1:
         return beside.start[None]
+    progress = _Progress(float(instants[0]), float(instants[-1] - instants[0]))
 
     def rate(time: float, z: Array) -> Array:
-        return beside.rates_at(time, np.concatenate([motion(time), z]))
+        value = beside.rates_at(time, np.concatenate([motion(time), z]))
+        progress.note(time, value)
+        return value
 
-    span, names = (instants[0], instants[-1]), ", ".join(map(str, beside.rates.states))
-    found = solve_ivp(rate, span, beside.start, "LSODA", instants, rtol=_EXACT, atol=_EXACT / 100)
-    rows: Array = found.y.T
-    if not found.success or not np.isfinite(rows).all():
+    span = instants[0], instants[-1]
+    try:
+        found = solve_ivp(rate, span, beside.start, "LSODA", instants, rtol=_EXACT, atol=_EXACT / 100)
+    except FloatingPointError as failure:
+        names = ", ".join(map(str, beside.rates.states))
         raise SimulationError(
-            f"{where}: along the motion, the states {names} can't be integrated beyond t = {found.t[-1]:g} s; give "
-            "other initial values of them, or prescribe another motion"
-        )
+            f"{where}: along the motion, the rates of {names} grow beyond bounds near t = {progress.reached:.3g} s; "
+            "give other initial values, or prescribe another motion"
+        ) from failure
+    rows: Array = found.y.T
     return rows
+
+
+@dataclass
+class _Progress:
+    """How far an integration has come."""
+
+    reached: float
+    span: float
+    tries: int = 0
+
+    def note(self, time: float, rate: Array) -> None:
+        """Note an evaluation.
+
+        Raises:
+            FloatingPointError: the rate is not finite, or the integration doesn't advance.
+        """
+        self.tries += 1
+        if time > self.reached + _ADVANCE * self.span:
+            self.reached, self.tries = time, 0
+        if self.tries > _TRIES or not np.isfinite(rate).all():
+            raise FloatingPointError

@@ -1,0 +1,608 @@
+"""Mistakes with speeds, states, constraints and prescribed motions: their whole messages, beside `test_errors.py`."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import pytest
+
+from symbody import (
+    Body,
+    Constraint,
+    Equations,
+    Expr,
+    Force,
+    ModelNotice,
+    SymbodyError,
+    System,
+    consistent_state,
+    cos,
+    dependent_speeds,
+    embedded,
+    equations_of,
+    equilibrium,
+    errors,
+    forward_dynamics,
+    from_sympy,
+    functions_of_time,
+    ground,
+    hamilton,
+    inverse_dynamics,
+    kane,
+    lagrange_equations,
+    newton_euler,
+    rotate,
+    simulate,
+    sin,
+    sqrt,
+    symbols,
+    time_derivative,
+    translate,
+)
+from symbody import t as time
+
+x, y, z, theta, u, v, w = functions_of_time("x y z theta u v w")
+m, J, F, k, l, T = symbols("m J F k l T")
+dx, dy, turning = map(time_derivative, (x, y, theta))
+
+sledge = Body(translate(x, y, 0) * rotate("Z", theta), m, Iz=J, name="sledge")
+BLADE = Constraint(dy * cos(theta) - dx * sin(theta), "blade")
+VALUES = {m: 1.0, J: 1.0}
+
+
+def system(*constraints: object, force: Expr | None = None, **options: object) -> System:
+    """Return a sledge in a plane, with a force along x if it is given."""
+    push = (
+        []
+        if force is None
+        else [Force(ground, force, 0, 0, at=sledge.center_of_mass, on=sledge, name="push")]
+    )
+    return System([sledge], push, [x, y, theta], constraints, **options)  # type: ignore[arg-type]
+
+
+def skating() -> Equations:
+    return newton_euler(system(BLADE))
+
+
+def cart(force: Expr | int = 0, states: dict[Expr, Expr] | None = None) -> Equations:
+    body = Body(translate(x, 0, 0), m, name="cart")
+    push = Force(ground, force, 0, 0, at=body.center_of_mass, on=body)
+    return newton_euler(System([body], [push], [x], states=states))
+
+
+def bead(*constraints: object) -> Equations:
+    """Return a bead in a plane."""
+    return newton_euler(System([Body(translate(x, y, 0), m)], (), [x, y], constraints))  # type: ignore[arg-type]
+
+
+def kane_without_rate() -> object:
+    """Return SymPy's equations of a pendulum whose velocity constraint is not the rate of its constraint."""
+    mechanics = pytest.importorskip("sympy.physics.mechanics")
+    a, b, c, d = mechanics.dynamicsymbols("a b c d")
+    N, P = mechanics.ReferenceFrame("N"), mechanics.Point("P")
+    P.set_vel(N, c * N.x + d * N.y)
+    method = mechanics.KanesMethod(
+        N,
+        [a],
+        [c],
+        kd_eqs=[a.diff() - c, b.diff() - d],
+        q_dependent=[b],
+        configuration_constraints=[a**2 + b**2 - 1],
+        u_dependent=[d],
+        velocity_constraints=[d - c],
+    )
+    method.kanes_equations([mechanics.Particle("p", P, 1)], [(P, -N.y)])
+    return method
+
+
+MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
+    # --- constraints ---
+    (
+        errors.ConstraintError,
+        lambda: System([sledge], (), [x, y, theta], [dx - dy], speeds=[u], kinematics={dx: u, dy: u}),
+        (
+            "System: constraint 1, x' - y' = 0, holds rates that cancel: by the speeds it is 0 = 0; leave it "
+            "out, or correct it"
+        ),
+    ),
+    (
+        errors.ModelError,
+        lambda: System([sledge], (), [x, y, theta], {dx: 0, dy: 0}),
+        (
+            "System: constraints = {x': 0, y': 0} is a dict; expected a list of expressions that are zero, "
+            "such as [x**2 + y**2 - l**2]"
+        ),
+    ),
+    (
+        errors.ModelError,
+        lambda: System([Body(translate(x, 0, 0), m)], (), {x}),
+        (
+            "System: coordinates = {x} is a set; expected a list of functions of time, such as "
+            "functions_of_time('x y')"
+        ),
+    ),
+    (
+        errors.ConstraintError,
+        lambda: system(Constraint(x - y, multiplier=v), multipliers=[w]),
+        (
+            "System: constraint 1, x - y = 0, has the multiplier v, and multipliers=[...] gives it w; leave "
+            "one of them out"
+        ),
+    ),
+    (
+        errors.ConstraintError,
+        lambda: system(x - y, multipliers=[z], states={z: x}),
+        (
+            "System: the multiplier z is a state, too; expected a function of time of its own, such as "
+            "functions_of_time('lambda1')"
+        ),
+    ),
+    (
+        errors.ModelError,
+        lambda: system(Constraint(x - y, multiplier=v), Constraint(BLADE.condition, multiplier=v)),
+        "System: the multiplier v is given twice; give it once",
+    ),
+    (
+        errors.ModelError,
+        lambda: system(Constraint(x - y, multiplier=F)),
+        "System: the multiplier F isn't a function of time; make it with functions_of_time",
+    ),
+    (
+        errors.ConstraintError,
+        lambda: system(sqrt(dx**2 + dy**2) - v),
+        (
+            "System: constraint 1, sqrt(x'**2 + y'**2) - v = 0, isn't linear in the speed x'; expected A(q, t) "
+            "u + b(q, t), as d'Alembert's principle gives no force for other conditions on velocities: factor "
+            "it into linear conditions, or replace it by a load that keeps it"
+        ),
+    ),
+    (
+        errors.ModelError,
+        lambda: system((x, y)),
+        (
+            "System: in constraints, (x, y) is a tuple; expected a list of expressions that are zero, such as "
+            "[x**2 + y**2 - l**2]"
+        ),
+    ),
+    (
+        errors.ModelError,
+        lambda: Constraint("x - y"),
+        (
+            "Constraint: condition = 'x - y' is a str; expected an expression, such as symbols('a'), or a "
+            "finite number"
+        ),
+    ),
+    (
+        errors.ModelError,
+        lambda: Constraint(x - y, on=sledge),
+        "Constraint: on = sledge is a Body; expected a list of bodies and frames, such as [wheel, ground]",
+    ),
+    (
+        errors.ModelError,
+        lambda: Constraint(x - y, 3),
+        "Constraint: name = 3 is an int; expected a text",
+    ),
+    (
+        errors.ModelError,
+        lambda: Constraint(Constraint(x - y)),
+        (
+            "Constraint: condition = Constraint(x - y = 0) is a Constraint; expected an expression, such as "
+            "symbols('a'), or a finite number"
+        ),
+    ),
+    # --- speeds ---
+    (
+        errors.ModelError,
+        lambda: System([sledge], (), [x, y, theta], kinematics={u: time_derivative(z)}),
+        (
+            "System: in kinematics, u = z' holds no rate of a coordinate; z' is the rate of no coordinate: add "
+            "z to coordinates=[...], or correct it"
+        ),
+    ),
+    (
+        errors.ModelError,
+        lambda: system(kinematics={dx: z}, states={z: time_derivative(y, 2)}),
+        (
+            "System: in kinematics, x' = z holds z, whose rate depends on y''; expected states whose rates "
+            "depend on positions, speeds, states and inputs"
+        ),
+    ),
+    (
+        errors.ModelError,
+        lambda: system(speeds=[dx]),
+        "System: the speed x' isn't a function of time; make it with functions_of_time",
+    ),
+    (
+        errors.ModelError,
+        lambda: newton_euler(system(speeds=[u])),
+        (
+            "newton_euler: the speed u moves no frame of a body; leave it out of the speeds, or build a moving "
+            "frame with it"
+        ),
+    ),
+    (
+        errors.ModelError,
+        lambda: newton_euler(System([Body(translate(x + u, 0, 0), m)], (), [x], speeds=[u])),
+        "newton_euler: translate(u + x, 0, 0) is moved by u, a speed; expected coordinates of its own",
+    ),
+    (
+        errors.ModelError,
+        lambda: newton_euler(embedded(skating()).system),
+        (
+            "newton_euler: the system is embedded: its frames still move by y', which was eliminated; derive "
+            "the equations of the whole system, system.whole, and embed them"
+        ),
+    ),
+    (
+        errors.ConstraintError,
+        lambda: embedded(skating(), [dx]),
+        "embedded: 1 independent speed, 3 speeds and 1 independent constraint; expected 2 of them",
+    ),
+    (
+        errors.ConstraintError,
+        lambda: embedded(skating(), [dx, x]),
+        "embedded: x is not a speed; expected some of x', y', theta'",
+    ),
+    (
+        errors.ConstraintError,
+        lambda: embedded(skating(), [dx, dy]),
+        (
+            "embedded: the constraints don't determine theta' by the independent speeds; choose others, or "
+            "leave independent out"
+        ),
+    ),
+    (
+        errors.ConstraintError,
+        lambda: embedded(bead(dx - time, dy - time**2)),
+        (
+            "embedded: the constraints determine all speeds, x', y'; expected fewer constraints: the motion "
+            "follows from them alone"
+        ),
+    ),
+    (
+        errors.ModelError,
+        lambda: embedded(system(BLADE)),
+        (
+            "embedded: eqs = System(1 body, 0 loads, 3 coordinates, 1 constraint) is a System; expected "
+            "equations of motion, such as newton_euler(system)"
+        ),
+    ),
+    (
+        errors.ModelError,
+        lambda: embedded(equations_of([[m, 0], [0, m]], [0, 0], [x, y], constraints=[x - y])),
+        (
+            "embedded: the equations were given by M and f; expected equations of a system with bodies, such "
+            "as newton_euler(system)"
+        ),
+    ),
+    (
+        errors.ConstraintError,
+        lambda: dependent_speeds(skating(), [turning]),
+        (
+            "dependent_speeds: the constraints don't determine theta', whatever the others are; choose other "
+            "dependent speeds"
+        ),
+    ),
+    (
+        errors.ConstraintError,
+        lambda: dependent_speeds(skating(), [dx, dy]),
+        "dependent_speeds: 2 speeds, 1 constraint; expected one speed per constraint",
+    ),
+    (
+        errors.ConstraintError,
+        lambda: dependent_speeds(skating(), [x]),
+        "dependent_speeds: x is not a speed; expected some of x', y', theta'",
+    ),
+    (
+        errors.ModelError,
+        lambda: lagrange_equations(system(kinematics={u: dx})),
+        (
+            "lagrange_equations: the kinematics of the system give x' by speeds that are not rates of "
+            "coordinates; use newton_euler"
+        ),
+    ),
+    (
+        errors.ModelError,
+        lambda: hamilton(system(kinematics={u: dx})),
+        (
+            "hamilton: the speeds u, y', theta' are not the rates of the coordinates; momenta need frames of "
+            "coordinates: use another formalism, such as newton_euler"
+        ),
+    ),
+    (
+        errors.ModelError,
+        lambda: hamilton(System([sledge], (), [x, y, theta, functions_of_time("p_x")])),
+        "hamilton: the momentum p_x has the name of something in the system; rename that",
+    ),
+    (
+        errors.ModelError,
+        lambda: hamilton(system(force=-k * time_derivative(y, 2))),
+        "hamilton: a load holds the acceleration y'', which momenta don't give; use newton_euler",
+    ),
+    (
+        errors.ModelError,
+        lambda: kane([sledge]),
+        "kane: system = [sledge] is a list; expected a system, such as System(bodies, loads, coordinates)",
+    ),
+    (
+        errors.ModelError,
+        lambda: forward_dynamics(skating(), method="ldl"),
+        (
+            "forward_dynamics: elimination without pivoting is for symmetric mass matrices and no constraints; "
+            "use method='pivoted'"
+        ),
+    ),
+    (
+        errors.ModelError,
+        lambda: forward_dynamics(newton_euler(system()), method="null_space"),
+        (
+            "forward_dynamics: the method 'null_space' is for symmetric mass matrices and constraints; use "
+            "method='auto'"
+        ),
+    ),
+    # --- given equations ---
+    (
+        errors.ModelError,
+        lambda: equations_of([[m]], [F], [x], kinematics={dx: u}),
+        (
+            "equations_of: no speeds, but the rates of all coordinates are given; list the speeds that they "
+            "hold: speeds=[...]"
+        ),
+    ),
+    (
+        errors.ModelError,
+        lambda: equations_of([[m]], [F], [x], speeds=[u]),
+        (
+            "equations_of: a mass matrix of 1 row and 1 force for 2 speeds, u, x'; expected as many of each; "
+            "rates without kinematics are speeds, too: give those of x'"
+        ),
+    ),
+    (
+        errors.ModelError,
+        lambda: equations_of([[m]], [F], [x], energy="m*x"),
+        (
+            "equations_of: energy = 'm*x' is a str; expected an expression, such as symbols('a'), or a finite "
+            "number"
+        ),
+    ),
+    (
+        errors.ModelError,
+        lambda: equations_of("m", [F], [x]),
+        "equations_of: mass_matrix = 'm' is a str; expected a matrix, such as Matrix([[m, 0], [0, m]])",
+    ),
+    (
+        errors.ModelError,
+        lambda: from_sympy(kane_without_rate()),
+        (
+            "from_sympy: the KanesMethod has a configuration constraint whose rate is not among the "
+            "combinations of its velocity constraints, so that its equations don't keep it; add the rate to "
+            "velocity_constraints"
+        ),
+    ),
+    # --- states ---
+    (
+        errors.ModelError,
+        lambda: system(states={"z": x}),
+        (
+            "System: in states, 'z' is a str; expected a dictionary of functions of time and their rates, such "
+            "as {z: (x - z)/T}"
+        ),
+    ),
+    (
+        errors.ArgumentError,
+        lambda: system(states={z: None}),
+        (
+            "System, the rate of the state z: None; expected an expression or a number (int, float, Fraction, "
+            "NumPy scalar)"
+        ),
+    ),
+    (
+        errors.ModelError,
+        lambda: simulate(cart(-z, {z: x}), {m: 1}, {}, t=(0, 1), inputs={z: sin(time)}),
+        (
+            "simulate, inputs: z is a state, whose rate is given; expected its initial value, initial={z: "
+            "...}, or make the system with inputs=[z] instead of the state"
+        ),
+    ),
+    (
+        errors.ParameterError,
+        lambda: simulate(cart(-z, {z: x}), {m: 1}, {time_derivative(z): 1}, t=(0, 1)),
+        (
+            "simulate, initial: z' is not a coordinate, a rate of one, a speed or a state of this system; did "
+            "you mean z?"
+        ),
+    ),
+    (
+        errors.ParameterError,
+        lambda: simulate(cart(-z, {z: x}), {m: 1, z: 2}, {}, t=(0, 1)),
+        "simulate, parameters: z is not a parameter of these equations; expected one of m",
+    ),
+    (
+        errors.ModelError,
+        lambda: consistent_state(
+            newton_euler(system(x - v, states={z: y}, inputs=[v])), {}, {}, inputs={v: z}
+        ),
+        (
+            "consistent_state: the constraints contain an input that is given by the state z; expected "
+            "expressions of time, coordinates and speeds in constraints"
+        ),
+    ),
+    (
+        errors.SimulationError,
+        lambda: inverse_dynamics(cart(-z, {z: z**2 + 1}), {x: time}, {m: 1}, (0, 10)),
+        (
+            "inverse_dynamics: along the motion, the rates of z grow beyond bounds near t = 1.57 s; give other "
+            "initial values, or prescribe another motion"
+        ),
+    ),
+    # --- motions ---
+    (
+        errors.ParameterError,
+        lambda: simulate(skating(), VALUES, {dx: [1, 2]}, t=(0, 1)),
+        (
+            "simulate, initial: x' has values of shape (2,); expected one number; for many motions use "
+            "simulate_many"
+        ),
+    ),
+    (
+        errors.ConstraintError,
+        lambda: simulate(skating(), VALUES, {dy: 1}, t=(0, 1)),
+        (
+            "consistent_state: no speeds with y' = 1 satisfy constraint 1, blade, cos(theta)*y' - "
+            "sin(theta)*x' = 0, at t = 0 s in this position; give some of them as a guess instead, so that "
+            "they are solved for"
+        ),
+    ),
+    (
+        errors.SimulationError,
+        lambda: equilibrium(skating(), VALUES),
+        (
+            "equilibrium: the equilibrium is not isolated: y can be changed without a force; fix a coordinate, "
+            "such as fixed={y: 0}"
+        ),
+    ),
+    (
+        errors.SimulationError,
+        lambda: inverse_dynamics(cart(F * x), {x: 0 * time}, {m: 1}, (0, 1), unknowns=[F]),
+        (
+            "inverse_dynamics: at t = 0 s F is not determined: other values cause the same motion; give as "
+            "many unknowns=[...] as the motion has degrees of freedom, and none that is at a dead centre"
+        ),
+    ),
+    (
+        errors.ModelError,
+        lambda: inverse_dynamics(cart(F**2), {x: time}, {m: 1}, (0, 1), unknowns=[F]),
+        (
+            "inverse_dynamics, unknowns: the equations of motion aren't linear in F; expected loads that are, "
+            "such as a force or its amplitude"
+        ),
+    ),
+    (
+        errors.ModelError,
+        lambda: inverse_dynamics(cart(time_derivative(v) - v), {x: time}, {m: 1}, (0, 1), unknowns=[v]),
+        (
+            "inverse_dynamics, unknowns: the equations of motion contain the rate v'; expected loads that "
+            "enter without their rates"
+        ),
+    ),
+    (
+        errors.SimulationError,
+        lambda: inverse_dynamics(cart(1 / x), {x: time}, {m: 1}, (0, 1)),
+        (
+            "inverse_dynamics: at t = 0 s the equation of motion of x isn't finite; a function may be out of "
+            "its domain there, or a length may be zero"
+        ),
+    ),
+    (
+        errors.ArgumentError,
+        lambda: inverse_dynamics(cart(F), {x: time}, {m: 1}, (0, 1), unknowns=F),
+        "inverse_dynamics, unknowns: F is an Expr; expected a list of symbols or functions of time",
+    ),
+    (
+        errors.ModelError,
+        lambda: inverse_dynamics(bead(x - F * time), {y: time}, {m: 1}, (0, 1), unknowns=[F]),
+        (
+            "inverse_dynamics, unknowns: F occurs in the prescribed motion, the constraints or the kinematics; "
+            "expected unknowns that only loads contain"
+        ),
+    ),
+    (
+        errors.ArgumentError,
+        lambda: inverse_dynamics(cart(), simulate(cart(), {m: 1}, {dx: 1}, t=(0, 1)), t=(0, 1)),
+        "inverse_dynamics: t, and a simulated motion, which has its own; leave out t",
+    ),
+    (
+        errors.SimulationError,
+        lambda: inverse_dynamics(skating(), {x: time}, VALUES, (0, 1)),
+        (
+            "inverse_dynamics: at t = 0 s the speed theta' isn't determined by the constraints and the "
+            "prescribed x; prescribe as many coordinates as the system has degrees of freedom, or other ones "
+            "if the position is singular"
+        ),
+    ),
+    (
+        errors.ConstraintError,
+        lambda: inverse_dynamics(skating(), {x: time, y: time, theta: 0 * time}, VALUES, (0, 1)),
+        (
+            "inverse_dynamics: at t = 0 s no speeds satisfy constraint 1, blade, cos(theta)*y' - sin(theta)*x' "
+            "= 0, together with the other constraints and prescribed coordinates; prescribe fewer, or a motion "
+            "that the constraints allow"
+        ),
+    ),
+    (
+        errors.ParameterError,
+        lambda: inverse_dynamics(skating(), {u: time}, VALUES, (0, 1)),
+        "inverse_dynamics, motion: u is not a coordinate of this system; expected one of x, y, theta",
+    ),
+    (
+        errors.SimulationError,
+        lambda: inverse_dynamics(cart(), {x: sqrt(time)}, {m: 1}, (0, 1)),
+        (
+            "inverse_dynamics, motion: x, or a rate of it, isn't finite at t = 0 s; prescribe a motion with "
+            "finite first and second derivatives"
+        ),
+    ),
+    (
+        errors.ArgumentError,
+        lambda: inverse_dynamics(cart(), [x], {m: 1}, (0, 1)),
+        (
+            "inverse_dynamics, motion: [x] is a list; expected {coordinate: expression of time}, or a "
+            "simulated motion"
+        ),
+    ),
+    (
+        errors.SimulationError,
+        lambda: inverse_dynamics(cart(), {x: [1.0, 2.0, 3.0]}, {m: 1}, [0.0, 1.0, 2.0]),
+        (
+            "inverse_dynamics, motion: x has 3 samples; expected at least six finite ones, for a spline with a "
+            "smooth second derivative"
+        ),
+    ),
+    (
+        errors.SimulationError,
+        lambda: inverse_dynamics(cart(), {x: [1.0, 2.0]}, {m: 1}, [0.0, 1.0, 2.0]),
+        "inverse_dynamics, motion: x has samples of shape (2,); expected one for each of the 3 instants",
+    ),
+    (
+        errors.ModelError,
+        lambda: inverse_dynamics(cart(), {x: sin(y)}, {m: 1}, (0, 1)),
+        (
+            "inverse_dynamics, motion: x is prescribed by y; expected an expression of the time t and of "
+            "parameters"
+        ),
+    ),
+    (
+        errors.ConstraintError,
+        lambda: inverse_dynamics(bead(dx - time, y - 2 * x), {x: time**3}, {m: 1}, (0, 1)),
+        (
+            "inverse_dynamics: at t = 0.001 s no speeds satisfy constraint 1, x' - t = 0, together with the "
+            "other constraints and prescribed coordinates; prescribe fewer, or a motion that the constraints "
+            "allow"
+        ),
+    ),
+]
+
+
+@pytest.mark.parametrize(("kind", "mistake", "message"), MISTAKES)
+def test_message(kind: type[SymbodyError], mistake: Callable[[], object], message: str) -> None:
+    with pytest.raises(SymbodyError) as caught:
+        mistake()
+    assert str(caught.value) == message
+    assert type(caught.value) is kind
+
+
+def test_notices_of_speeds_that_are_not_listed() -> None:
+    """A speed that is forgotten in the list would be an input, and the rate a prescribed motion."""
+    message = (
+        "u occurs in the kinematics and is not a speed, so that the motion must be given from outside; add what is "
+        "unknown to speeds=[...], what is given to inputs=[...]"
+    )
+    for where, mistake in (
+        ("System", lambda: system(kinematics={dx: u * cos(theta), dy: u * sin(theta)})),
+        ("equations_of", lambda: equations_of([[m]], [F], [x, y], kinematics={dx: u})),
+    ):
+        with pytest.warns(ModelNotice) as notices:
+            mistake()
+        assert [str(notice.message) for notice in notices] == [f"{where}: {message}"]
+        assert notices[0].filename == __file__
+    system(kinematics={dx: u * cos(theta), dy: u * sin(theta)}, inputs=[u])
