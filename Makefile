@@ -15,7 +15,7 @@ PYTHON_SOURCES := $(shell find python -name '*.py' 2>/dev/null)
 LOCKED := $(if $(CI),--locked)
 SELECT := $(if $(CI),,-m "not slow")
 RIVALS := $(if $(CI),$(STAMPS)/bench)
-PYTEST := $(BIN)/python -m pytest --numprocesses=2
+PYTEST := $(BIN)/python -m pytest --numprocesses=2 --dist=worksteal
 
 # What the system's package manager has is installed where that is allowed; `make INSTALL=no test` leaves the system as it is.
 override INSTALL := $(if $(filter n no 0 false off,$(shell echo '$(INSTALL)' | tr '[:upper:]' '[:lower:]')),no,yes)
@@ -31,7 +31,6 @@ say = @printf '\n\033[1m== %s\033[0m\n' "$(1)"
 
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
-.NOTPARALLEL:
 .PHONY: help demo build test test-rust test-python lint lint-rust lint-python format bench docs clean
 
 help:  ## list the targets
@@ -96,6 +95,21 @@ docs: $(STAMPS)/build $(STAMPS)/docs $(STAMPS)/develop  ## check the documents, 
 clean:  ## remove all that was made
 	rm -rf $(VENV) target site build dist out
 	find python -name '*.so' -delete
+
+# --- the order -------------------------------------------------------------------------------------------------------
+
+# `CI=true make test` does two steps at a time: the compiler of Rust is beside what downloads, and beside the types of
+# Python. Rust, pip and the system's package manager have one step at a time each, and the tests of Python are alone.
+ifneq ($(and $(CI),$(filter test,$(MAKECMDGOALS))),)
+MAKEFLAGS += --jobs=2
+$(STAMPS)/bench: | $(STAMPS)/develop
+$(STAMPS)/build: | lint-rust $(STAMPS)/bench
+test-rust: | $(STAMPS)/build
+$(STAMPS)/tools-test: | $(STAMPS)/tools-lint
+test-python: | lint-python test-rust
+else
+.NOTPARALLEL:
+endif
 
 # --- the steps -------------------------------------------------------------------------------------------------------
 

@@ -215,10 +215,28 @@ def test_wrong_words_are_told_with_the_usage(script: str, words: list[str], mess
     assert message in done.stderr
 
 
-def steps(*words: str) -> str:
+def steps(*words: str, **environment: str) -> str:
     """What make does on a machine where nothing has been done."""
     command = ["make", "--dry-run", "--always-make", *words, "test"]
-    return subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=True).stdout
+    return subprocess.run(
+        command, cwd=ROOT, env=os.environ | environment, capture_output=True, text=True, check=True
+    ).stdout
+
+
+@pytest.mark.needs("make")
+def test_steps_that_share_something_are_in_order() -> None:
+    """In CI two run at a time: packages are there before what uses them, and the tests of Python are alone."""
+    reported = steps(CI="true")
+    installs = [reported.index(f"--group {group}") for group in ("develop", "bench")]
+    lints = [
+        reported.index(step) for step in ("maturin develop", "bin/mypy", "mypy.stubtest", "lint-imports")
+    ]
+    assert [*installs, *lints] == sorted([*installs, *lints])
+    rust = [
+        reported.index(step) for step in ("cargo clippy", " doc --release", "maturin develop", "cargo test")
+    ]
+    assert rust == sorted(rust)
+    assert reported.index("-m pytest") > max(*lints, *rust, reported.index("scripts/tools.py  test"))
 
 
 @pytest.mark.needs("make")

@@ -19,7 +19,6 @@ import pytest
 from symbody.symbolic import _core
 from tests.symbolic.hostile_values import MAKERS, functions
 
-PROCESSES = 10
 CALLS = 10_000
 
 
@@ -30,7 +29,9 @@ def _run(*arguments: object) -> subprocess.CompletedProcess[str]:
 
 @pytest.mark.slow
 @pytest.mark.skipif(not hasattr(signal, "alarm"), reason="calls are timed by POSIX")
-@pytest.mark.parametrize("seed", range(PROCESSES))
+@pytest.mark.parametrize(
+    "seed", [*range(3), *(pytest.param(seed, marks=pytest.mark.repeated) for seed in range(3, 30))]
+)
 def test_hostile_calls(seed: int, tmp_path: Path) -> None:
     journal = tmp_path / "journal"
     done = _run(seed, CALLS, journal)

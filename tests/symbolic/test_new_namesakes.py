@@ -12,6 +12,8 @@ import sympy
 
 from symbody import Expr, ModelNotice, from_sympy, functions_of_time, latex, maple, parse, symbols, to_sympy
 
+NAMES = "from_sympy, functions_of_time, parse, symbols, time_derivative, to_sympy"
+"""What the programs import: with all names, each of them would load all of the package."""
 SAME = "use the same one in both places"
 POSITIVE_L = "symbols('l', positive=True)"
 OTHER = f"symbols with different assumptions are different symbols; {SAME}"
@@ -21,7 +23,7 @@ OF_TIME = f"a symbol is not a function of time; {SAME}"
 def program(tmp_path: Path, text: str) -> list[str]:
     """Return the notices of a program, each with its line."""
     path = tmp_path / "program.py"
-    path.write_text(f"from symbody import *\n{text}")
+    path.write_text(f"from symbody import {NAMES}\n{text}")
     arguments = [sys.executable, "-W", "always", str(path)]
     result = subprocess.run(arguments, capture_output=True, text=True, check=True)
     lines = result.stderr.splitlines()
@@ -75,7 +77,7 @@ def test_what_is_meant_has_no_notice(tmp_path: Path, text: str) -> None:
 
 
 def test_other_files_may_use_the_same_names(tmp_path: Path) -> None:
-    (tmp_path / "library.py").write_text('from symbody import *\nl = symbols("l", positive=True)\n')
+    (tmp_path / "library.py").write_text('from symbody import symbols\nl = symbols("l", positive=True)\n')
     assert program(tmp_path, 'import library\nl = symbols("l")\n') == []
 
 
