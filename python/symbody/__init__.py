@@ -165,6 +165,7 @@ if TYPE_CHECKING:
         simulate_many,
         stops,
     )
+    from symbody.view import free_body_diagram
 
     __version__: str
 
@@ -240,6 +241,7 @@ __all__ = [
     "floating_frame",
     "forward_dynamics",
     "free",
+    "free_body_diagram",
     "from_sympy",
     "frozen_velocity",
     "function",

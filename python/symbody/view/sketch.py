@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from itertools import product
+from itertools import pairwise, product
 from typing import Any, TypeAlias
 
 import numpy as np
@@ -34,6 +34,9 @@ ROUND = 32
 
 BODY_AXES = 0.09
 """The length of the axes of bodies, in radii of the picture."""
+
+HEAD = 11
+"""The length of the head of an arrow, in points."""
 
 AXIS_COLORS = ("#c0392b", "#27824a", "#2563a8")
 
@@ -110,6 +113,11 @@ def sketch(motion: DrawableMotion, instant: int = 0, options: DrawingOptions | N
     ['x', 'y', 'z', 'ground', 'cart']
     """
     content = scene(motion, options or DrawingOptions(), "")
+    return sketch_of(content, instant)
+
+
+def sketch_of(content: Mapping[str, Any], instant: int = 0) -> Sketch:
+    """Return a scene at one instant; its `actions` are forces and moments to be drawn as arrows."""
     return _Projection(content, instant).sketch()
 
 
@@ -146,6 +154,7 @@ class _Projection:
         marks: list[Mark] = [mark for _, marks in solids for mark in marks]
         behind = [*self._axes(), *self._rods_and_threads("thin")]
         ahead = [*self._rods_and_threads(""), *self._body_axes(), *self._points(), *self._names()]
+        ahead += [mark for each in self.content.get("actions", ()) for mark in self._action(each)]
         return [*behind, *marks, *ahead]
 
     def _flat(self, places: Array) -> list[Place]:
@@ -222,6 +231,21 @@ class _Projection:
         """Return the origin of a frame, and the tips of its axes."""
         return self._flat(self._in_root(pose, np.vstack([np.zeros(3), size * np.eye(3)])))
 
+    def _action(self, action: Mapping[str, Any]) -> list[Mark]:
+        """Return the arrow of a force, or that of a moment: an arc about its axis, or a double head from aside."""
+        at, vector = np.array(action["at"]), np.array(action["vector"])
+        size = float(np.linalg.norm(vector)) or 1.0
+        is_arc = action["is_moment"] and abs(vector @ self.towards) > size / 2
+        path = self._flat(_arc(at, vector) if is_arc else np.array([at, at + vector]))
+        heads = (
+            [_head(path, HEAD)]
+            if is_arc or not action["is_moment"]
+            else [_head(path, HEAD), _head(path, 2 * HEAD)]
+        )
+        lines = [Line(a, b, action["color"], 2.0) for a, b in pairwise(path)]
+        patches = [Patch(head, action["color"], 1.0) for head in heads]
+        return [*lines, *patches, Label(path[-1], action["name"], action["color"])]
+
     def _points(self) -> Iterator[Mark]:
         for body in self.content["bodies"]:
             (centre,) = self._flat(self._in_root(body["pose"], [[0.0, 0.0, 0.0]]))
@@ -237,6 +261,27 @@ class _Projection:
             if body["is_named"]:
                 (centre,) = self._flat(self._in_root(body["pose"], [[0.0, 0.0, 0.0]]))
                 yield Label(centre, body["name"], body["color"])
+
+
+def _arc(at: Array, vector: Array) -> Array:
+    """Return three quarters of a circle about the axis of a moment, in its sense; the radius is half its length."""
+    size = float(np.linalg.norm(vector))
+    axis = vector / size
+    first = np.cross(axis, np.eye(3)[int(np.argmin(np.abs(axis)))])
+    first /= np.linalg.norm(first)
+    angle = np.linspace(0, 3 / 2 * np.pi, ROUND)[:, None]
+    return np.asarray(at + size / 2 * (np.cos(angle) * first + np.sin(angle) * np.cross(axis, first)))
+
+
+def _head(path: Sequence[Place], length: float) -> tuple[Place, ...]:
+    """Return the head of an arrow at the end of a path; twice as long, it is the second one of a moment."""
+    (x, y), tip = path[-2], np.array(path[-1])
+    way = tip - [x, y]
+    way /= float(np.linalg.norm(way)) or 1.0
+    tip = tip - (length - HEAD) * way
+    across = HEAD / 3 * np.array([-way[1], way[0]])
+    corners = (tip, tip - HEAD * way + across, tip - HEAD * way - across)
+    return tuple((round(float(a), 2), round(float(b), 2)) for a, b in corners)
 
 
 def _spread(marks: Sequence[Mark]) -> Iterator[Mark]:
