@@ -201,8 +201,9 @@ def _entries(
 
 
 def _radius(content: dict[str, Any]) -> float:
-    """Return the radius of the part: of its points and centres of mass."""
+    """Return the radius of the part: of its points and centres of mass; where these coincide, by the mechanism's."""
     centres = [np.array(content["poses"][body["pose"]]).reshape(-1, 7)[0, :3] for body in content["bodies"]]
     places = np.array([*centres, *(np.array(point["path"]).reshape(-1, 3)[0] for point in content["points"])])
     middle = (places.min(axis=0) + places.max(axis=0)) / 2
-    return float(np.linalg.norm(places - middle, axis=1).max()) or 1.0
+    radius, whole = float(np.linalg.norm(places - middle, axis=1).max()), float(content["view"]["radius"])
+    return radius if radius > 0.05 * whole else 0.2 * whole

@@ -138,6 +138,8 @@ class _Projection:
         )
         self.radius = float(view["radius"])
         self.scale, self.origin = 1.0, np.zeros(2)
+        self.is_measuring = True
+        """Whether lengths in points, such as those of the heads of arrows, mean nothing yet."""
 
     def sketch(self) -> Sketch:
         """Return the sketch: everything is measured first, and drawn to the scale that fills it."""
@@ -145,9 +147,11 @@ class _Projection:
         low, high = flat.min(axis=0), flat.max(axis=0)
         extent = np.maximum(high - low, 1e-9 * self.radius)
         self.scale = float(min((WIDTH - 2 * MARGIN) / extent[0], (TALLEST - 2 * MARGIN) / extent[1]))
+        self.is_measuring = False
         height = extent[1] * self.scale + 2 * MARGIN
         self.origin = np.array([WIDTH, height]) / 2 - self.scale * (low + high) / 2
-        return Sketch(WIDTH, round(float(height), 2), tuple(_spread(self._marks())))
+        marks = tuple(_spread(self._marks()))
+        return Sketch(_width(marks) if "actions" in self.content else WIDTH, round(float(height), 2), marks)
 
     def _marks(self) -> list[Mark]:
         solids = sorted(self._solids(), key=lambda each: each[0])
@@ -159,7 +163,10 @@ class _Projection:
 
     def _flat(self, places: Array) -> list[Place]:
         flat = (places - self.follow) @ self.plane.T * self.scale + self.origin
-        return [(round(float(x), 2) + 0.0, round(float(y), 2) + 0.0) for x, y in np.atleast_2d(flat)]
+        digits = 15 if self.is_measuring else 2
+        return [
+            (round(float(x), digits) + 0.0, round(float(y), digits) + 0.0) for x, y in np.atleast_2d(flat)
+        ]
 
     def _in_root(self, pose: int, places: Sequence[Sequence[float]] | Array) -> Array:
         row = self.poses[pose]
@@ -243,6 +250,8 @@ class _Projection:
             else [_head(path, HEAD), _head(path, 2 * HEAD)]
         )
         lines = [Line(a, b, action["color"], 2.0) for a, b in pairwise(path)]
+        if self.is_measuring:
+            return [*lines]
         patches = [Patch(head, action["color"], 1.0) for head in heads]
         return [*lines, *patches, Label(path[-1], action["name"], action["color"])]
 
@@ -296,6 +305,11 @@ def _spread(marks: Sequence[Mark]) -> Iterator[Mark]:
             y += 13
         taken.append((x, y))
         yield Label((round(x, 2), round(y, 2)), mark.text, mark.color)
+
+
+def _width(marks: Sequence[Mark]) -> float:
+    """Return the width that holds all names: those of forces are longer than the margin."""
+    return max([WIDTH, *(mark.at[0] + 8 * len(mark.text) + 10 for mark in marks if isinstance(mark, Label))])
 
 
 def _places(mark: Mark) -> tuple[Place, ...]:
