@@ -9,7 +9,7 @@ import sys
 import typing
 from collections.abc import Callable, Iterable, Iterator
 from importlib.util import find_spec
-from inspect import getfile, isabstract
+from inspect import getfile, isabstract, isfunction
 from pathlib import Path
 
 import numpy as np
@@ -37,6 +37,7 @@ from symbody.dynamics import Equations
 from symbody.errors import ModelError, SimulationError
 from symbody.geometry.motion.frame_motion import FrameMotion
 from symbody.multibody import Element, Load, System
+from symbody.multibody.joint.joint import Joint
 from symbody.simulation.given.options import Options
 from symbody.simulation.integrate.methods import METHODS
 from symbody.simulation.integrate.outcome import FailureKind
@@ -46,6 +47,7 @@ from symbody.symbolic import free_symbols
 from symbody.symbolic.expression import functions
 from tests.laws import test_formalisms, test_rewrites
 from tests.laws.random_element import MADE
+from tests.laws.random_mechanism import KINDS, MESHES
 from tests.laws.random_system import random_floating_system, random_system
 from tests.reference import test_robots
 from tests.symbolic import test_textbook_forms
@@ -134,7 +136,7 @@ def test_no_other_page_has_blocks_that_run_in_the_copy_alone() -> None:
     }
     assert titled == {RECIPES}
     assert len(BLOCKS) == len(re.findall(r"^```.* title=", RECIPES.read_text(encoding="utf-8"), re.MULTILINE))
-    assert len(FILES) == len(PROGRAMS) == 3
+    assert len(FILES) == len(PROGRAMS) == 4
 
 
 def test_followed_recipes_keep_the_contracts_of_the_layers(copy: Path) -> None:
@@ -172,12 +174,23 @@ for system in drawn({kind!r}, {parts}):
 @pytest.mark.parametrize(
     ("kind", "parts"),
     [
-        ("Screw", "lambda system: (type(m).__name__ for body in system.bodies for m in body.frame.motions)"),
+        ("Helix", "lambda system: (type(m).__name__ for body in system.bodies for m in body.frame.motions)"),
         ("rope", "lambda system: (getattr(load, 'kind', '') for load in system.loads)"),
     ],
 )
 def test_followed_recipes_obey_the_laws(copy: Path, kind: str, parts: str) -> None:
     run(copy, copy, "-c", LAWS.format(kind=kind, parts=parts))
+
+
+def test_followed_recipes_put_the_joint_into_the_random_mechanisms(copy: Path) -> None:
+    options = ["-q", "--noconftest", "-p", "no:cacheprovider", "-k", "pin_in_slot"]
+    run(copy, copy, "-m", "pytest", *options, "tests/laws/test_joints.py")
+
+
+def test_every_joint_occurs_in_the_random_mechanisms() -> None:
+    public = (getattr(symbody, name) for name in symbody.__all__)
+    hints = {f.__name__: typing.get_type_hints(f) for f in public if isfunction(f)}
+    assert {name for name, hint in hints.items() if hint.get("return") is Joint} == {*KINDS, *MESHES}
 
 
 def drawn(kind: str, parts: Callable[[System], Iterable[str]]) -> list[System]:

@@ -176,6 +176,7 @@ if TYPE_CHECKING:
         simulate_many,
         stops,
     )
+    from symbody.view import free_body_diagram
 
     __version__: str
 
@@ -255,6 +256,7 @@ __all__ = [
     "floating_frame",
     "forward_dynamics",
     "free",
+    "free_body_diagram",
     "friction",
     "from_sympy",
     "frozen_velocity",

@@ -2,6 +2,7 @@
 
 from symbody.view.animation import Animation, animate
 from symbody.view.drawable_motion import DrawableMotion
+from symbody.view.free_body import free_body_diagram
 from symbody.view.plot import plot, save
 from symbody.view.shape import Box, Cylinder, Ellipsoid, Plate, Shape
 
@@ -14,6 +15,7 @@ __all__ = [
     "Plate",
     "Shape",
     "animate",
+    "free_body_diagram",
     "plot",
     "save",
 ]

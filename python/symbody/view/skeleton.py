@@ -9,7 +9,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from symbody.geometry import Point
+from symbody.geometry import Point, origin
+from symbody.multibody import System
 from symbody.view.attachment import RIGID, Attachment, Thread, attachment, natural_points, threads
 from symbody.view.chain import guides, segments
 from symbody.view.drawable_motion import DrawableMotion, mechanism_of
@@ -118,17 +119,30 @@ def _is_drawn(
 
 
 def _points_of_action(motion: DrawableMotion, tracks: Array, size: float) -> list[Attachment]:
-    """Return the points where forces act that are fixed on their bodies."""
-    bodies = list(mechanism_of(motion).bodies)
-    actions = [a for load in mechanism_of(motion).loads for a in load.actions if a.body in bodies]
+    """Return the points where forces act, or joints close loops, that are fixed on their bodies."""
+    system = mechanism_of(motion)
+    bodies = list(system.bodies)
+    actions = [a for load in system.loads for a in load.actions if a.body in bodies]
+    held = [(bodies.index(action.body), action.point) for action in actions if action.point is not None]
     found = []
-    for action in actions:
-        if action.point is not None:
-            k, (path,) = bodies.index(action.body), paths(motion, [action.point])
-            each = attachment(tracks[k : k + 1], path, size)
-            if each is not None:
-                found.append(Attachment(k, each.place))
+    for k, point in (*held, *_loops(system)):
+        (path,) = paths(motion, [point])
+        each = attachment(tracks[k : k + 1], path, size)
+        if each is not None:
+            found.append(Attachment(k, each.place))
     return found
+
+
+def _loops(system: System) -> list[tuple[int, Point]]:
+    """Return the points of joints that close loops, on both sides, each with the index of its body."""
+    names = [body.name for body in system.bodies]
+    return [
+        (names.index(name), origin(side))
+        for joint in system.joints
+        if not joint.opens
+        for name, side in joint.ends
+        if name in names
+    ]
 
 
 def _segments(motion: DrawableMotion, table: FrameTable) -> list[dict[str, Any]]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from itertools import product
+from itertools import pairwise, product
 from typing import Any, TypeAlias
 
 import numpy as np
@@ -34,6 +34,9 @@ ROUND = 32
 
 BODY_AXES = 0.09
 """The length of the axes of bodies, in radii of the picture."""
+
+HEAD = 11
+"""The length of the head of an arrow, in points."""
 
 AXIS_COLORS = ("#c0392b", "#27824a", "#2563a8")
 
@@ -110,6 +113,11 @@ def sketch(motion: DrawableMotion, instant: int = 0, options: DrawingOptions | N
     ['x', 'y', 'z', 'ground', 'cart']
     """
     content = scene(motion, options or DrawingOptions(), "")
+    return sketch_of(content, instant)
+
+
+def sketch_of(content: Mapping[str, Any], instant: int = 0) -> Sketch:
+    """Return a scene at one instant; its `actions` are forces and moments to be drawn as arrows."""
     return _Projection(content, instant).sketch()
 
 
@@ -130,6 +138,8 @@ class _Projection:
         )
         self.radius = float(view["radius"])
         self.scale, self.origin = 1.0, np.zeros(2)
+        self.is_measuring = True
+        """Whether lengths in points, such as those of the heads of arrows, mean nothing yet."""
 
     def sketch(self) -> Sketch:
         """Return the sketch: everything is measured first, and drawn to the scale that fills it."""
@@ -137,20 +147,26 @@ class _Projection:
         low, high = flat.min(axis=0), flat.max(axis=0)
         extent = np.maximum(high - low, 1e-9 * self.radius)
         self.scale = float(min((WIDTH - 2 * MARGIN) / extent[0], (TALLEST - 2 * MARGIN) / extent[1]))
+        self.is_measuring = False
         height = extent[1] * self.scale + 2 * MARGIN
         self.origin = np.array([WIDTH, height]) / 2 - self.scale * (low + high) / 2
-        return Sketch(WIDTH, round(float(height), 2), tuple(_spread(self._marks())))
+        marks = tuple(_spread(self._marks()))
+        return Sketch(_width(marks) if "actions" in self.content else WIDTH, round(float(height), 2), marks)
 
     def _marks(self) -> list[Mark]:
         solids = sorted(self._solids(), key=lambda each: each[0])
         marks: list[Mark] = [mark for _, marks in solids for mark in marks]
         behind = [*self._axes(), *self._rods_and_threads("thin")]
         ahead = [*self._rods_and_threads(""), *self._body_axes(), *self._points(), *self._names()]
+        ahead += [mark for each in self.content.get("actions", ()) for mark in self._action(each)]
         return [*behind, *marks, *ahead]
 
     def _flat(self, places: Array) -> list[Place]:
         flat = (places - self.follow) @ self.plane.T * self.scale + self.origin
-        return [(round(float(x), 2) + 0.0, round(float(y), 2) + 0.0) for x, y in np.atleast_2d(flat)]
+        digits = 15 if self.is_measuring else 2
+        return [
+            (round(float(x), digits) + 0.0, round(float(y), digits) + 0.0) for x, y in np.atleast_2d(flat)
+        ]
 
     def _in_root(self, pose: int, places: Sequence[Sequence[float]] | Array) -> Array:
         row = self.poses[pose]
@@ -222,6 +238,23 @@ class _Projection:
         """Return the origin of a frame, and the tips of its axes."""
         return self._flat(self._in_root(pose, np.vstack([np.zeros(3), size * np.eye(3)])))
 
+    def _action(self, action: Mapping[str, Any]) -> list[Mark]:
+        """Return the arrow of a force, or that of a moment: an arc about its axis, or a double head from aside."""
+        at, vector = np.array(action["at"]), np.array(action["vector"])
+        size = float(np.linalg.norm(vector)) or 1.0
+        is_arc = action["is_moment"] and abs(vector @ self.towards) > size / 2
+        path = self._flat(_arc(at, vector) if is_arc else np.array([at, at + vector]))
+        heads = (
+            [_head(path, HEAD)]
+            if is_arc or not action["is_moment"]
+            else [_head(path, HEAD), _head(path, 2 * HEAD)]
+        )
+        lines = [Line(a, b, action["color"], 2.0) for a, b in pairwise(path)]
+        if self.is_measuring:
+            return [*lines]
+        patches = [Patch(head, action["color"], 1.0) for head in heads]
+        return [*lines, *patches, Label(path[-1], action["name"], action["color"])]
+
     def _points(self) -> Iterator[Mark]:
         for body in self.content["bodies"]:
             (centre,) = self._flat(self._in_root(body["pose"], [[0.0, 0.0, 0.0]]))
@@ -239,6 +272,27 @@ class _Projection:
                 yield Label(centre, body["name"], body["color"])
 
 
+def _arc(at: Array, vector: Array) -> Array:
+    """Return three quarters of a circle about the axis of a moment, in its sense; the radius is half its length."""
+    size = float(np.linalg.norm(vector))
+    axis = vector / size
+    first = np.cross(axis, np.eye(3)[int(np.argmin(np.abs(axis)))])
+    first /= np.linalg.norm(first)
+    angle = np.linspace(0, 3 / 2 * np.pi, ROUND)[:, None]
+    return np.asarray(at + size / 2 * (np.cos(angle) * first + np.sin(angle) * np.cross(axis, first)))
+
+
+def _head(path: Sequence[Place], length: float) -> tuple[Place, ...]:
+    """Return the head of an arrow at the end of a path; twice as long, it is the second one of a moment."""
+    (x, y), tip = path[-2], np.array(path[-1])
+    way = tip - [x, y]
+    way /= float(np.linalg.norm(way)) or 1.0
+    tip = tip - (length - HEAD) * way
+    across = HEAD / 3 * np.array([-way[1], way[0]])
+    corners = (tip, tip - HEAD * way + across, tip - HEAD * way - across)
+    return tuple((round(float(a), 2), round(float(b), 2)) for a, b in corners)
+
+
 def _spread(marks: Sequence[Mark]) -> Iterator[Mark]:
     """Yield the marks with labels moved down until none lies on another one."""
     taken: list[Place] = []
@@ -251,6 +305,11 @@ def _spread(marks: Sequence[Mark]) -> Iterator[Mark]:
             y += 13
         taken.append((x, y))
         yield Label((round(x, 2), round(y, 2)), mark.text, mark.color)
+
+
+def _width(marks: Sequence[Mark]) -> float:
+    """Return the width that holds all names: those of forces are longer than the margin."""
+    return max([WIDTH, *(mark.at[0] + 8 * len(mark.text) + 10 for mark in marks if isinstance(mark, Label))])
 
 
 def _places(mark: Mark) -> tuple[Place, ...]:

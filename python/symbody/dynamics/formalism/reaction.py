@@ -21,7 +21,7 @@ from symbody.symbolic.given.arguments import brief
 from .euler import euler_equations
 from .newton import newton_equations
 
-__all__ = ["Reaction", "reaction"]
+__all__ = ["Reaction", "reaction", "reaction_in"]
 
 Cut: TypeAlias = Annotated[
     Joint | Body | Link | str | Collection[Body | Link | str],
@@ -123,7 +123,21 @@ def reaction(
     >>> reaction(equations, pin, frame=mechanism.frame(bob)).force.components[1]
     m*(l*phi_A'**2 + g*cos(phi_A))
     """
-    system = _system(equations)
+    return reaction_in(_system(equations), cut, on=on, about=about, frame=frame)
+
+
+def reaction_in(
+    system: System, cut: Any, *, on: Any = None, about: Point | None = None, frame: Frame | None = None
+) -> Reaction:
+    """Return the same from a system: reactions depend on it alone.
+
+    Args:
+        system: the system, with its joints and multipliers.
+        cut: see `reaction`.
+        on: see there.
+        about: see there.
+        frame: see there.
+    """
     placed = _placed(system, cut)
     with derivation():
         if placed is None:

@@ -43,6 +43,13 @@ class Mechanism:
         frames: the frames of the links, by link.
         bodies: the bodies of the links, in the order in which the joints name them.
         coordinates: those of the joints that open the tree, in the order of the joints.
+
+    >>> from symbody import Link, Vector, ground, newton_euler, revolute, symbols
+    >>> m, l, g = symbols("m l g")
+    >>> bob = Link("bob", m, center=(0, -l, 0))
+    >>> pendulum = assemble([revolute("A", ground, bob)])
+    >>> newton_euler(pendulum.system(gravity=Vector(ground, 0, -g, 0))).residuals
+    (l*m*(l*phi_A'' + g*sin(phi_A)),)
     """
 
     joints: tuple[PlacedJoint, ...]

@@ -1,0 +1,209 @@
+"""Free-body diagrams: a part that is cut off, and everything that acts on it at one instant."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Collection, Iterator, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from symbody.dynamics import Reaction
+from symbody.dynamics.formalism.reaction import reaction_in
+from symbody.errors import ViewError
+from symbody.geometry import Point, Vector
+from symbody.multibody import Body, Link, System
+from symbody.symbolic import Expr
+from symbody.symbolic.given.arguments import brief
+from symbody.view.drawable_motion import DrawableMotion, mechanism_of
+from symbody.view.drawing_options import DrawingOptions
+from symbody.view.pose import paths, values
+from symbody.view.scene import scene
+from symbody.view.sketch import sketch_of
+from symbody.view.svg import sketch_svg
+from symbody.view.whole_file import write_whole
+
+__all__ = ["free_body_diagram"]
+
+Array = NDArray[np.float64]
+
+LONGEST = 0.6
+"""The length of the longest force, and of the largest moment, in radii of the part."""
+
+LEAST = 1e-6
+"""Forces and moments below this part of the largest one are not drawn."""
+
+COLORS = {"reaction": "#2563a8", "load": "#c0392b", "weight": "#6b5b00"}
+
+
+@dataclass(frozen=True)
+class _Acting:
+    """A force or a moment on the part."""
+
+    name: str
+    kind: str
+    at: Point
+    vector: Vector
+    is_moment: bool = False
+
+
+@dataclass(frozen=True)
+class _Instant:
+    """A motion at one of its instants."""
+
+    motion: DrawableMotion
+    index: int
+
+    @property
+    def t(self) -> Array:
+        return self.motion.t[[self.index]]
+
+    @property
+    def system(self) -> Any:
+        return self.motion.system
+
+    def __getitem__(self, expression: Expr) -> Array:
+        return np.asarray(self.evaluate([expression])[0])
+
+    def evaluate(self, expressions: Sequence[Expr]) -> Array:
+        rows = np.asarray(self.motion.evaluate(expressions), dtype=np.float64)
+        return np.broadcast_to(rows, (len(expressions), len(self.motion.t)))[:, [self.index]]
+
+
+def free_body_diagram(
+    motion: DrawableMotion,
+    part: Body | Link | str | Collection[Body | Link | str],
+    path: str | os.PathLike[str],
+    *,
+    t: float | None = None,
+) -> Path:
+    """Draw a part that is cut off, with its loads, weights and the reactions of its joints, and return the SVG file.
+
+    The lengths of forces are proportional to their magnitudes, and those of moments to theirs, which stand beside the
+    names. A moment about an axis towards the viewer is an arc, any other one an arrow with two heads. What is zero is
+    not drawn.
+
+    Args:
+        motion: a motion of a system that `assemble` made.
+        part: a body or link, its name, or several.
+        path: the file.
+        t: the instant; by default the first one. The nearest instant of the motion is drawn.
+
+    Raises:
+        ViewError: a body is none of the system.
+        PictureError: the file can't be written.
+
+    >>> import os, tempfile
+    >>> from symbody import Link, Vector, assemble, free_body_diagram, ground, newton_euler, revolute, simulate
+    >>> bob = Link("bob", 1, center=(0, -1, 0))
+    >>> pendulum = assemble([revolute("A", ground, bob)])
+    >>> equations = newton_euler(pendulum.system(gravity=Vector(ground, 0, -9.81, 0)))
+    >>> motion = simulate(equations, {}, {equations.coordinates[0]: 0.5}, t=(0, 1))
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     free_body_diagram(motion, bob, os.path.join(folder, "bob.svg"), t=0.5).name
+    'bob.svg'
+    """
+    system = mechanism_of(motion)
+    members = _members(system, part)
+    index = 0 if t is None else int(np.argmin(np.abs(motion.t - t)))
+    drawn = _Instant(motion, index)
+    content = scene(drawn, DrawingOptions(), "")
+    kept = [k for k, body in enumerate(system.bodies) if body in members]
+    content["bodies"] = [content["bodies"][k] for k in kept]
+    content["links"] = [rod for rod in content["links"] if rod["body"] in kept]
+    content["axes"], content["lines"] = [], []
+    content["points"] = _points(drawn, system, members)
+    content["actions"] = _entries(drawn, [*_loads(system, members), *_reactions(system, members)], content)
+    return write_whole(path, _writer(sketch_svg(sketch_of(content))), where="free_body_diagram")
+
+
+def _writer(text: str) -> Callable[[Path], object]:
+    return lambda file: file.write_text(text, encoding="utf-8")
+
+
+def _members(system: System, part: Any) -> list[Body]:
+    things = [part] if isinstance(part, Body | Link | str) else list(part)
+    found = []
+    for thing in things:
+        name = thing if isinstance(thing, str) else thing.name
+        body = next((each for each in system.bodies if each is thing or (name and each.name == name)), None)
+        if body is None:
+            raise ViewError(
+                f"free_body_diagram: {brief(thing)} is not a body of the system; expected one of "
+                f"{brief(', '.join(map(str, system.bodies)))}"
+            )
+        found.append(body)
+    return found
+
+
+def _points(motion: DrawableMotion, system: System, members: Sequence[Body]) -> list[dict[str, Any]]:
+    """Return the points of the joints of the part."""
+    names = [body.name for body in members]
+    points = [joint.point for joint in system.joints if any(name in names for name, _ in joint.ends)]
+    return [{"name": "", "path": path.tolist()} for path in paths(motion, points)]
+
+
+def _loads(system: System, members: Sequence[Body]) -> Iterator[_Acting]:
+    """Yield the loads and weights on the part."""
+    for load in system.loads:
+        for action in load.actions:
+            if action.body in members:
+                at = action.point or action.body.center_of_mass
+                yield _Acting(load.name or "load", "load", at, action.vector, not action.is_force)
+    if system.gravity is not None:
+        for body in members:
+            if not body.mass.is_zero:
+                yield _Acting("weight", "weight", body.center_of_mass, body.mass * system.gravity)
+
+
+def _reactions(system: System, members: Sequence[Body]) -> Iterator[_Acting]:
+    """Yield the force and the moment of each joint between the part and what is cut off."""
+    names = [body.name for body in members]
+    for joint in system.joints:
+        sides = [name in names for name, _ in joint.ends]
+        if sides[0] != sides[1]:
+            on = joint.ends[1 if sides[1] else 0][0]
+            found: Reaction = reaction_in(system, joint.joint, on=on)
+            yield _Acting(joint.name, "reaction", found.at, found.force)
+            yield _Acting(joint.name, "reaction", found.at, found.moment, is_moment=True)
+
+
+def _entries(
+    motion: DrawableMotion, given: Sequence[_Acting], content: dict[str, Any]
+) -> list[dict[str, Any]]:
+    """Return the arrows: forces to one scale, and moments to another one."""
+    radius = _radius(content)
+    places = paths(motion, [each.at for each in given])[:, 0]
+    components = [c for each in given for c in each.vector.projected(each.vector.frame.ancestor).components]
+    vectors = values(motion, components).reshape(-1, 3)
+    sizes = np.linalg.norm(vectors, axis=1)
+    largest = {
+        kind: max(
+            (size for size, each in zip(sizes, given, strict=True) if each.is_moment is kind), default=0.0
+        )
+        for kind in (False, True)
+    }
+    arm = max(largest[False] * radius, largest[True])
+    return [
+        {
+            "name": f"{each.name} {size:.3g}",
+            "at": place.tolist(),
+            "vector": (vector * LONGEST * radius / largest[each.is_moment]).tolist(),
+            "color": COLORS[each.kind],
+            "is_moment": each.is_moment,
+        }
+        for each, place, vector, size in zip(given, places, vectors, sizes, strict=True)
+        if size > LEAST * (arm if each.is_moment else largest[False])
+    ]
+
+
+def _radius(content: dict[str, Any]) -> float:
+    """Return the radius of the part: of its points and centres of mass; where these coincide, by the mechanism's."""
+    centres = [np.array(content["poses"][body["pose"]]).reshape(-1, 7)[0, :3] for body in content["bodies"]]
+    places = np.array([*centres, *(np.array(point["path"]).reshape(-1, 3)[0] for point in content["points"])])
+    middle = (places.min(axis=0) + places.max(axis=0)) / 2
+    radius, whole = float(np.linalg.norm(places - middle, axis=1).max()), float(content["view"]["radius"])
+    return radius if radius > 0.05 * whole else 0.2 * whole

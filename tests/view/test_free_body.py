@@ -1,0 +1,94 @@
+"""Free-body diagrams: what is drawn of a part that is cut off."""
+
+import re
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from symbody import (
+    Link,
+    Torque,
+    Vector,
+    assemble,
+    fixed,
+    free_body_diagram,
+    ground,
+    newton_euler,
+    prismatic,
+    revolute,
+    simulate,
+)
+from symbody.errors import ViewError
+
+HEIGHT = re.compile(r'viewBox="0 0 (\S+) (\S+)"')
+LINE = re.compile(r'<line x1="(\S+)" y1="(\S+)" x2="(\S+)" y2="(\S+)" stroke="(#\w+)" stroke-width="2"')
+
+
+@pytest.fixture(scope="module")
+def motion():
+    """A lift that holds a beam, at rest."""
+    lift, beam = Link("lift", 2.0), Link("beam", 3.0, Iz=0.25, center=(1, 0, 0))
+    made = assemble([prismatic("rail", ground, lift, axis="Y"), fixed("weld", lift, beam)])
+    moment = Torque(ground, 0, 0, -10.0, on=made.body(beam), name="moment")
+    return simulate(newton_euler(made.system([moment], gravity=Vector(ground, 0, -10, 0))), t=(0, 1))
+
+
+def texts(path: Path) -> list[str]:
+    return re.findall(r">([^<>]+)</text>", path.read_text(encoding="utf-8"))
+
+
+def test_it_names_loads_weights_and_reactions_with_their_magnitudes(motion, tmp_path):
+    """In free fall the weld carries no force, only the moment; the rail holds nothing along itself."""
+    drawn = free_body_diagram(motion, "beam", tmp_path / "beam.svg")
+    assert sorted(texts(drawn)) == ["beam", "moment 10", "weight 30", "weld 10"]
+    whole = free_body_diagram(motion, ["lift", "beam"], tmp_path / "whole.svg", t=0.5)
+    assert sorted(texts(whole)) == ["beam", "lift", "moment 10", "rail 10", "weight 20", "weight 30"]
+
+
+def test_arrows_point_along_forces_to_one_scale(tmp_path):
+    """A beam on two posts, with its mass at a quarter of the span."""
+    beam, left, right = Link("beam", 4.0, Iz=1.0, center=(1, 0, 0)), Link("left", 0.1), Link("right", 0.1)
+    pins = [
+        revolute("L", ground, left, at=(0, -1, 0)),
+        revolute("A", left, beam, at=(0, 1, 0)),
+        revolute("R", ground, right, at=(4, -1, 0)),
+        revolute("C", right, beam, at=(0, 1, 0), to=(4, 0, 0)),
+    ]
+    equations = newton_euler(assemble(pins).system(gravity=Vector(ground, 0, -10, 0)))
+    motion = simulate(equations, t=(0, 0.1))
+    drawn = free_body_diagram(motion, beam, tmp_path / "beam.svg")
+    assert sorted(texts(drawn)) == ["A 30", "C 10", "beam", "weight 40"]
+    arrows = {
+        tuple(np.round(np.array([float(x2) - float(x1), float(y1) - float(y2)]), 0)): color
+        for x1, y1, x2, y2, color in LINE.findall(drawn.read_text())
+    }
+    lengths = {color: [] for color in arrows.values()}
+    for (_, up), color in arrows.items():
+        lengths[color].append(up)
+    (weight,) = lengths["#6b5b00"]
+    assert weight < 0
+    assert sorted(lengths["#2563a8"]) == pytest.approx([-weight / 4, -3 * weight / 4], abs=2)
+
+
+def test_a_body_that_is_none_is_refused(motion, tmp_path):
+    with pytest.raises(ViewError) as raised:
+        free_body_diagram(motion, "rod", tmp_path / "rod.svg")
+    assert (
+        str(raised.value) == "free_body_diagram: rod is not a body of the system; expected one of lift, beam"
+    )
+
+
+def test_the_sketch_of_a_small_part_fills_the_picture(tmp_path):
+    """Sizes are measured without rounding: a millimetre is drawn as large as a metre."""
+    sizes = []
+    for size in (1.0, 1e-3):
+        bob = Link("bob", 1.0, center=(0, -size, 0))
+        equations = newton_euler(
+            assemble([revolute("A", ground, bob)]).system(gravity=Vector(ground, 0, -10, 0))
+        )
+        start = {equations.coordinates[0]: 0.5}
+        motion = simulate(equations, {}, start, t=(0, 1e-6))
+        drawn = free_body_diagram(motion, bob, tmp_path / "bob.svg").read_text()
+        sizes.append([float(each) for each in HEIGHT.search(drawn).groups()])
+    assert sizes[0] == pytest.approx(sizes[1], rel=1e-3)
