@@ -8,8 +8,13 @@ from .element.contact import contact
 from .element.element import Element
 from .element.friction import friction
 from .element.line_force import line_force
+from .element.linear_tire import linear_tire
+from .element.magic_formula import magic_formula
 from .element.motor import motor, saturated
 from .element.spring import spring
+from .element.tire import tire
+from .element.tire_force import TireForce, TireLaw
+from .element.tire_kinematics import TireKinematics, tire_kinematics
 from .element.torsion_spring import torsion_spring
 from .energy import gravitational_energy, kinetic_energy, mechanical_energy, potential_energy
 from .load import Action, Force, Load, Torque, power
@@ -26,6 +31,9 @@ __all__ = [
     "Force",
     "Load",
     "System",
+    "TireForce",
+    "TireKinematics",
+    "TireLaw",
     "Torque",
     "Variables",
     "air_force",
@@ -39,6 +47,8 @@ __all__ = [
     "kinetic_energy",
     "line_force",
     "linear_momentum",
+    "linear_tire",
+    "magic_formula",
     "mechanical_energy",
     "motor",
     "potential_energy",
@@ -46,5 +56,7 @@ __all__ = [
     "saturated",
     "show",
     "spring",
+    "tire",
+    "tire_kinematics",
     "torsion_spring",
 ]
