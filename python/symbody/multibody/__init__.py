@@ -1,7 +1,9 @@
 """Bodies, loads, elements and systems; their energy, momentum and power."""
 
 from .body import Body, center_of_mass
+from .combined import combined
 from .constraint import Constraint
+from .displaced import displaced
 from .element.air_force import air_force
 from .element.bushing import bushing
 from .element.contact import contact
@@ -40,8 +42,10 @@ __all__ = [
     "angular_momentum",
     "bushing",
     "center_of_mass",
+    "combined",
     "contact",
     "describe",
+    "displaced",
     "friction",
     "gravitational_energy",
     "kinetic_energy",
