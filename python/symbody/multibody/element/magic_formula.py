@@ -332,8 +332,8 @@ def _check_names(given: Mapping[str, Expr]) -> None:
     for name, value in given.items():
         if name in EXCLUDED and not value.is_zero:
             raise LoadError(
-                f"magic_formula: {name} = {brief(value)} belongs to an effect that isn't included, of speed or of the "
-                "overturning moment in set 6.1; leave it out to do without"
+                f"magic_formula: {name} = {brief(value)} belongs to an effect that the law doesn't have, such as that "
+                "of speed on rolling resistance; leave it out to do without"
             )
         if name not in names | EXCLUDED:
             near = get_close_matches(name.upper(), sorted(names), 1)

@@ -10,7 +10,6 @@ from symbody.geometry.component.triple import expression
 from symbody.geometry.given.argument import checked
 from symbody.multibody.body import Body
 from symbody.symbolic import Abs, Expr, Max, derivation, functions_of_time, sqrt, tanh
-from symbody.symbolic.given.arguments import described
 
 from .attachment import check_bodies, check_fixed, forces, torques
 from .element import Element
@@ -19,6 +18,9 @@ from .tire_kinematics import TireKinematics, tire_kinematics
 
 _WHERE = "tire"
 
+Law: TypeAlias = Annotated[
+    TireLaw, "the law of a tyre, such as linear_tire(cornering=6e4) or magic_formula(coefficients)"
+]
 Lengths: TypeAlias = Annotated[
     tuple[Scalar, Scalar] | list[Scalar], "two lengths, such as (0.1, 0.3): longitudinal and lateral"
 ]
@@ -28,7 +30,7 @@ Lengths: TypeAlias = Annotated[
 def tire(
     wheel: Body,
     radius: Scalar,
-    law: TireLaw,
+    law: Law,
     *,
     load: Scalar | None = None,
     stiffness: Scalar | None = None,
@@ -82,7 +84,7 @@ def tire(
     """
     check_bodies(_WHERE, wheel, reaction)
     check_fixed(_WHERE, "road", road, reaction)
-    _check_load(load, stiffness, law)
+    _check_load(load, stiffness)
     with derivation():
         contact = tire_kinematics(
             wheel,
@@ -131,17 +133,12 @@ class _Vertical(NamedTuple):
     potential: Expr | None
 
 
-def _check_load(load: Scalar | None, stiffness: Scalar | None, law: object) -> None:
+def _check_load(load: Scalar | None, stiffness: Scalar | None) -> None:
     if (load is None) == (stiffness is None):
         given = "neither load nor stiffness" if load is None else "both load and stiffness"
         raise LoadError(
             f"{_WHERE}: {given}; expected the vertical load of the tyre, or the stiffness by which it follows from the "
             "deflection"
-        )
-    if not callable(law):
-        raise LoadError(
-            f"{_WHERE}: law = {described(law)}; expected the law of a tyre, such as linear_tire(cornering=6e4) or "
-            "magic_formula(coefficients)"
         )
 
 
