@@ -9,6 +9,7 @@ import pytest
 from symbody import (
     Body,
     Constraint,
+    Element,
     Equations,
     Expr,
     Force,
@@ -22,12 +23,17 @@ from symbody import (
     System,
     Torque,
     Vector,
+    air_force,
     angular_momentum,
     angular_velocity,
     assemble,
+    bushing,
     center_of_mass,
+    combined,
     consistent_state,
+    contact,
     cos,
+    displaced,
     dot,
     embedded,
     equations_of,
@@ -37,6 +43,7 @@ from symbody import (
     floating_frame,
     forward_dynamics,
     free,
+    friction,
     frozen_velocity,
     functions_of_time,
     gear,
@@ -52,11 +59,18 @@ from symbody import (
     lagrange,
     lagrange_equations,
     lambdify,
+    line_force,
+    linear_tire,
+    magic_formula,
+    motor,
     moving_frame,
     newton_equations,
     newton_euler,
+    origin,
+    pi,
     planar,
     point_on_curve,
+    potential_energy,
     power,
     prismatic,
     project,
@@ -65,16 +79,21 @@ from symbody import (
     revolute,
     rolling,
     rotate,
+    saturated,
     screw,
     show,
     simulate,
     sin,
     spherical,
+    spring,
     stops,
     subs,
     symbols,
     t,
     time_derivative,
+    tire,
+    tire_kinematics,
+    torsion_spring,
     translate,
     universal,
     velocity,
@@ -158,7 +177,320 @@ def meshed(mesh: Callable[..., Joint], second: Joint, *sizes: object) -> Mechani
     return assemble([pin, second, *others, mesh("G", pin, second, *radii)])
 
 
+wheel = Body(translate(x, 0, a) * rotate("Y", phi), m, name="wheel")
+
+
+def relaxed(length: float) -> Element:
+    """Return a tyre with relaxation lengths."""
+    hub = translate(x, 0, a)
+    return tire(wheel, a, linear_tire(), load=F, relaxation=(length, length), carrier=hub, name="front")
+
+
 MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
+    # --- elements ---
+    (
+        errors.LoadError,
+        lambda: spring(G, x, F, on=body),
+        "spring: to = x is an Expr; expected a point, such as Point(frame, x, y, z) or center_of_mass(body)",
+    ),
+    (
+        errors.LoadError,
+        lambda: spring(Point(ground, 0, 0, 0), origin(ground), F, on=body),
+        (
+            "spring: at = Point(ground, 0, 0, 0) moves in the body bead; expected a place that is fixed in it, "
+            "built on its frame; if it slides there, give it a body of its own, such as Body(frame, 0)"
+        ),
+    ),
+    (
+        errors.LoadError,
+        lambda: spring(G, G, F, on=body),
+        (
+            "spring: Point(translate(x, y, 0), 0, 0, 0) and Point(translate(x, y, 0), 0, 0, 0) are the same place"
+            " at every position, so that the line between them has no direction; give two points that move apart,"
+            " or use a bushing"
+        ),
+    ),
+    (
+        errors.LoadError,
+        lambda: spring(G, other.center_of_mass, F, on=body, reaction=body),
+        "spring: acts and reacts on the same body bead; name two bodies, or leave reaction out",
+    ),
+    (
+        errors.LoadError,
+        lambda: spring(G, Point(ground, 0, 0, 0), F, on=body)["strain"],
+        "spring(on bead): no quantity 'strain'; it has 'length', 'rate', 'force'",
+    ),
+    (
+        errors.LoadError,
+        lambda: line_force(F, G, G, on=body),
+        (
+            "line_force: Point(translate(x, y, 0), 0, 0, 0) and Point(translate(x, y, 0), 0, 0, 0) are the same "
+            "place at every position, so that the line between them has no direction; give two points that move "
+            "apart, or use a bushing"
+        ),
+    ),
+    (
+        errors.LoadError,
+        lambda: bushing(body.frame, rotate("Z", phi), [1] * 6, on=body, reaction=other),
+        (
+            'bushing: to = rotate("Z", phi) moves in the body cart; expected a place that is fixed in it, built '
+            "on its frame; if it slides there, give it a body of its own, such as Body(frame, 0)"
+        ),
+    ),
+    (
+        errors.LoadError,
+        lambda: torsion_spring(phi, F, on=body),
+        (
+            "torsion_spring: bead doesn't move against ground about or along one axis at the rate of phi; "
+            "expected the coordinate of a hinge or a slide between them, or the difference of absolute ones; if "
+            "several joints are between them, put massless bodies there: Body(frame, 0)"
+        ),
+    ),
+    (
+        errors.LoadError,
+        lambda: motor(x, F, on=body),
+        (
+            "motor: bead doesn't move against ground about or along one axis at the rate of x; expected the "
+            "coordinate of a hinge or a slide between them, or the difference of absolute ones; if several joints"
+            " are between them, put massless bodies there: Body(frame, 0)"
+        ),
+    ),
+    (
+        errors.LoadError,
+        lambda: saturated(F, 0),
+        "saturated: limit = 0; expected a positive number, the largest effort",
+    ),
+    (
+        errors.LoadError,
+        lambda: friction(x, on=other, coulomb=F),
+        (
+            "friction: dry friction without creep_speed; expected the speed below which a joint counts as "
+            "sticking, such as a hundredth of its usual speed: friction by sign(v) jumps, and no integrator "
+            "passes the jump"
+        ),
+    ),
+    (
+        errors.LoadError,
+        lambda: friction(x, on=other, static=F, creep_speed=a),
+        (
+            "friction: static without stribeck_speed; expected both, the friction at rest and the speed at which "
+            "it falls, or neither"
+        ),
+    ),
+    (
+        errors.LoadError,
+        lambda: friction(x, on=other, coulomb=F, creep_speed=0),
+        "friction: creep_speed = 0; expected a positive speed",
+    ),
+    (
+        errors.LoadError,
+        lambda: air_force(G, on=body, density=a, lift_area=b),
+        (
+            "air_force: lift_area = b without span; expected the unit vector along the wing, such as "
+            "span=Vector(body.frame, 0, 1, 0)"
+        ),
+    ),
+    (
+        errors.LoadError,
+        lambda: air_force(G, on=body, density=a, span=Vector(ground, 0, 2, 0)),
+        (
+            "air_force: span = Vector(ground, 0, 2, 0) isn't of length 1; expected a unit vector, such as "
+            "Vector(body.frame, 0, 1, 0)"
+        ),
+    ),
+    (
+        errors.LoadError,
+        lambda: bushing(body.frame, ground, [1, 2, 3], on=body),
+        (
+            "bushing: stiffness is given by 3 numbers; expected six numbers, for displacements along and "
+            "rotations about x, y and z, or a 6x6 matrix"
+        ),
+    ),
+    (
+        errors.LoadError,
+        lambda: bushing(body.frame, ground, [[a] * 5] * 5, on=body),
+        (
+            "bushing: stiffness is given by a 5x5 matrix; expected six numbers, for displacements along and "
+            "rotations about x, y and z, or a 6x6 matrix"
+        ),
+    ),
+    (
+        errors.LoadError,
+        lambda: bushing(body.frame, ground, [[i + 2 * j for i in range(6)] for j in range(6)], on=body),
+        (
+            "bushing: stiffness isn't symmetric: its entry 2, 1 is 2, and its entry 1, 2 is 1; expected a "
+            "symmetric matrix"
+        ),
+    ),
+    (
+        errors.LoadError,
+        lambda: contact(G, a, F, on=body, exponent=0.5),
+        "contact: exponent = 0.5; expected 1 or more, such as 1.5 for Hertz's contact",
+    ),
+    (
+        errors.LoadError,
+        lambda: contact(G, a, F, on=body, friction=0.3),
+        (
+            "contact: friction = 0.3 without creep_speed; expected the speed below which the sphere counts as "
+            "sticking, such as 0.001: friction by the direction of the velocity alone jumps at rest"
+        ),
+    ),
+    (
+        errors.LoadError,
+        lambda: magic_formula({"FNOMIN": 4000, "UNLOADED_RADIUS": 0.3}, version="2002"),
+        "magic_formula: version = '2002'; expected '5.2' or '6.1'",
+    ),
+    (
+        errors.LoadError,
+        lambda: magic_formula({"FNOMIN": 4000, "pcy1": 1.3}),
+        "magic_formula: 'pcy1' is no coefficient of the Magic Formula; PCY1 is one",
+    ),
+    (
+        errors.LoadError,
+        lambda: magic_formula({"PCY1": 1.3, "FNOMIN": 4000}),
+        (
+            "magic_formula: UNLOADED_RADIUS, PDY1, PKY1, PKY2 missing; expected the nominal load, the unloaded "
+            "radius, and shape, peak and stiffness of a force"
+        ),
+    ),
+    (
+        errors.LoadError,
+        lambda: magic_formula({"FNOMIN": 4000, "UNLOADED_RADIUS": 0.3, "QSY3": 0.1}),
+        (
+            "magic_formula: QSY3 = 0.1 belongs to an effect that the law doesn't have, such as that of speed on "
+            "rolling resistance; leave it out to do without"
+        ),
+    ),
+    (
+        errors.LoadError,
+        lambda: magic_formula({"FNOMIN": 4000, "UNLOADED_RADIUS": 0.3}),
+        (
+            "magic_formula: PCX1 or PCY1 missing; expected the nominal load, the unloaded radius, and shape, peak"
+            " and stiffness of a force"
+        ),
+    ),
+    (
+        errors.LoadError,
+        lambda: magic_formula([1, 2]),
+        (
+            "magic_formula: coefficients = [1, 2] is a list; expected a dictionary of coefficients by the names "
+            "of tyre property files, such as {'FNOMIN': 4000, 'PCY1': 1.3}"
+        ),
+    ),
+    (
+        errors.LoadError,
+        lambda: magic_formula(
+            {"FNOMIN": 1, "UNLOADED_RADIUS": 1, "PCX1": 1, "PDX1": 1, "PKX1": 1}
+        ).relaxation_lengths(1),
+        (
+            "magic_formula: the relaxation lengths need PTX1 and PTY1, of set 5.2; give them, or "
+            "relaxation=(sigma_x, sigma_y) to the tire"
+        ),
+    ),
+    (
+        errors.LoadError,
+        lambda: tire(wheel, a, linear_tire()),
+        (
+            "tire: neither load nor stiffness; expected the vertical load of the tyre, or the stiffness by which "
+            "it follows from the deflection"
+        ),
+    ),
+    (
+        errors.LoadError,
+        lambda: tire(wheel, a, linear_tire(), load=F, stiffness=F),
+        (
+            "tire: both load and stiffness; expected the vertical load of the tyre, or the stiffness by which it "
+            "follows from the deflection"
+        ),
+    ),
+    (
+        errors.LoadError,
+        lambda: tire(wheel, a, 6e4, load=F),
+        (
+            "tire: law = 60000.0 is a float; expected the law of a tyre, such as linear_tire(cornering=6e4) or "
+            "magic_formula(coefficients)"
+        ),
+    ),
+    (
+        errors.LoadError,
+        lambda: tire(wheel, a, linear_tire(), load=F, relaxation=[0.1]),
+        "tire: relaxation of 1 lengths; expected two, longitudinal and lateral, such as (0.1, 0.3)",
+    ),
+    (
+        errors.LoadError,
+        lambda: tire_kinematics(Body(rotate("X", pi / 2), m), a),
+        (
+            "tire_kinematics: the spin axis, y of the wheel's frame, is across the road, whose normal is z; "
+            "expected a wheel that stands on the road"
+        ),
+    ),
+    (
+        errors.LoadError,
+        lambda: tire_kinematics(wheel, a, carrier=rotate("Z", phi)),
+        (
+            'tire_kinematics: the x axis of carrier = rotate("Z", phi) isn\'t along the direction of rolling; '
+            "expected a frame whose x axis is across the spin axis, and in the plane of the road"
+        ),
+    ),
+    (
+        errors.ModelError,
+        lambda: System([wheel], [relaxed(0.1), relaxed(0.2)], [x, phi]),
+        (
+            "System: the state kappa_front of front has another rate in another load, or in states; give the "
+            "loads different names, such as name='front'"
+        ),
+    ),
+    (
+        errors.BodyError,
+        lambda: combined([]),
+        "combined: no bodies; give at least one",
+    ),
+    (
+        errors.BodyError,
+        lambda: combined([body, other]),
+        (
+            "combined: cart moves relative to translate(x, y, 0); expected bodies that are joined rigidly, with "
+            "the same moving frame before their own"
+        ),
+    ),
+    (
+        errors.BodyError,
+        lambda: combined([Body(ground, m, name="ball"), Body(ground, -m, name="hole")]),
+        (
+            "combined: the masses of ball, hole add up to zero, so that there is no centre of mass; give bodies "
+            "with mass"
+        ),
+    ),
+    (
+        errors.BodyError,
+        lambda: Body.of_inertia(ground, m, [[1, 0], [0, 1]]),
+        "Body.of_inertia: a 2x2 matrix; expected the tensor of inertia, 3x3",
+    ),
+    (
+        errors.BodyError,
+        lambda: Body.of_inertia(ground, m, [[1, 2, 0], [3, 1, 0], [0, 0, 1]]),
+        (
+            "Body.of_inertia: the tensor isn't symmetric: its entry 2, 1 is 3, and its entry 1, 2 is 2; expected "
+            "[[Ix, -Cxy, -Cxz], [-Cxy, Iy, -Cyz], [-Cxz, -Cyz, Iz]]"
+        ),
+    ),
+    (
+        errors.ModelError,
+        lambda: displaced(ground, ground),
+        (
+            "displaced: thing = ground is a Frame; expected a point, such as Point(frame, x, y, z) or "
+            "center_of_mass(body), or a vector, such as Vector(frame, x, y, z), or a body, such as Body(frame, "
+            "mass), or a force or a torque, such as Force(frame, x, y, z, at=point, on=body)"
+        ),
+    ),
+    (
+        errors.ModelError,
+        lambda: potential_energy(G),
+        (
+            "potential_energy: objects = Point(translate(x, y, 0), 0, 0, 0) is a Point; expected a system, a "
+            "body, a load, or a set or list of bodies and loads"
+        ),
+    ),
     # --- states beside the mechanics ---
     (
         errors.ModelError,

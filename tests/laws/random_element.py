@@ -21,11 +21,13 @@ from symbody import (
     functions_of_time,
     ground,
     line_force,
+    linear_tire,
     motor,
     number,
     rotate,
     spring,
     symbols,
+    tire,
     torsion_spring,
     translate,
 )
@@ -140,6 +142,12 @@ def _contact(chain: Chain) -> Element:
     )
 
 
+def _tire(chain: Chain) -> Element:
+    """The first body as a wheel, whose axis may point anywhere."""
+    law = linear_tire(longitudinal=chain.parameter("C"), cornering=chain.parameter("C"))
+    return tire(chain.bodies[0], chain.parameter("R"), law, load=chain.parameter("N"), least_speed=1)
+
+
 MADE: dict[str, Callable[[Chain], Element]] = {
     "spring": _spring,
     "line_force": _line_force,
@@ -149,6 +157,7 @@ MADE: dict[str, Callable[[Chain], Element]] = {
     "bushing": _bushing,
     "air_force": _air_force,
     "contact": _contact,
+    "tire": _tire,
 }
 """What draws each element; `test_recipes.py` looks for every one."""
 

@@ -74,7 +74,7 @@ def values(total: Expr, count: int = 200) -> np.ndarray:
 def test_passive_elements_take_energy_or_give_back_what_they_took(kind: str, seed: int) -> None:
     lost = losses(random_element_system(kind, seed))
     assert lost.max() <= 1e-9 * max(1, -lost.min())
-    if kind != "contact":  # which may be open
+    if kind not in {"contact", "tire"}:  # which may be open, or not move at all
         assert lost.min() < -1e-3
 
 
@@ -100,10 +100,12 @@ def test_the_other_body_takes_the_opposite(kind: str) -> None:
             sums = [a + b for a, b in zip(sums, (*parts[0], *parts[1]), strict=True)]
         assert all(each == 0 for each in sums)
         return
-    assert kind == "air_force", "no seed draws two bodies"
+    assert kind in {"air_force", "tire"}, "no seed draws two bodies"
 
 
-@pytest.mark.parametrize("kind", [kind for kind in MADE if kind not in {*DRIVING, "air_force", "friction"}])
+@pytest.mark.parametrize(
+    "kind", [kind for kind in MADE if kind not in {*DRIVING, "air_force", "friction", "tire"}]
+)
 def test_the_mechanical_energy_holds_the_potential(kind: str) -> None:
     system = random_element_system(kind, 1)
     potential = element_of(system).potential

@@ -1,15 +1,22 @@
 """Bodies, loads, elements and systems; their energy, momentum and power."""
 
 from .body import Body, center_of_mass
+from .combined import combined
 from .constraint import Constraint
+from .displaced import displaced
 from .element.air_force import air_force
 from .element.bushing import bushing
 from .element.contact import contact
 from .element.element import Element
 from .element.friction import friction
 from .element.line_force import line_force
+from .element.linear_tire import linear_tire
+from .element.magic_formula import magic_formula
 from .element.motor import motor, saturated
 from .element.spring import spring
+from .element.tire import tire
+from .element.tire_force import TireForce, TireLaw
+from .element.tire_kinematics import TireKinematics, tire_kinematics
 from .element.torsion_spring import torsion_spring
 from .energy import gravitational_energy, kinetic_energy, mechanical_energy, potential_energy
 from .joint.cylindrical import cylindrical
@@ -43,6 +50,9 @@ __all__ = [
     "Load",
     "Mechanism",
     "System",
+    "TireForce",
+    "TireKinematics",
+    "TireLaw",
     "Torque",
     "Variables",
     "air_force",
@@ -50,9 +60,11 @@ __all__ = [
     "assemble",
     "bushing",
     "center_of_mass",
+    "combined",
     "contact",
     "cylindrical",
     "describe",
+    "displaced",
     "fixed",
     "free",
     "friction",
@@ -61,6 +73,8 @@ __all__ = [
     "kinetic_energy",
     "line_force",
     "linear_momentum",
+    "linear_tire",
+    "magic_formula",
     "mechanical_energy",
     "motor",
     "planar",
@@ -76,6 +90,8 @@ __all__ = [
     "show",
     "spherical",
     "spring",
+    "tire",
+    "tire_kinematics",
     "torsion_spring",
     "universal",
 ]

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from symbody.errors import LoadError
-from symbody.geometry import Frame, Point, Vector
-from symbody.geometry.frame.coordinates import path
+from symbody.geometry import Frame, Point, Vector, origin
 from symbody.multibody.body import Body
+from symbody.multibody.constant_form import constant_form
 from symbody.multibody.load import Action
+from symbody.symbolic import Expr
 from symbody.symbolic.given.arguments import brief
 
 
@@ -29,16 +30,21 @@ def check_fixed(where: str, what: str, place: Point | Frame, body: Body | None) 
     """
     if body is None:
         return
-    frame = place if isinstance(place, Frame) else place.frame
-    coordinates = () if isinstance(place, Frame) else place.coordinates
-    up, down = path(frame, body.frame)
-    is_moving = any(x.depends_on_time for x in coordinates)
-    if not is_moving and all(motion.is_constant for motion in (*up, *down)):
+    if all(constant_form(value) is not None for value in _seen(place, body.frame)):
         return
     raise LoadError(
         f"{where}: {what} = {brief(place)} moves in the body {brief(body)}; expected a place that is fixed in it, "
         "built on its frame; if it slides there, give it a body of its own, such as Body(frame, 0)"
     )
+
+
+def _seen(place: Point | Frame, frame: Frame) -> list[Expr]:
+    """Return the coordinates of a place in a frame; of a frame also the components of its axes."""
+    if isinstance(place, Point):
+        return [*place.projected(frame).coordinates]
+    axes = (Vector(place, 1, 0, 0), Vector(place, 0, 1, 0))
+    components = (component for axis in axes for component in axis.projected(frame).components)
+    return [*origin(place).projected(frame).coordinates, *components]
 
 
 def forces(

@@ -1,0 +1,174 @@
+"""Tyres: the forces of the road on a wheel, with relaxation."""
+
+from __future__ import annotations
+
+from typing import Annotated, NamedTuple, TypeAlias
+
+from symbody.errors import LoadError
+from symbody.geometry import Frame, Scalar, ground
+from symbody.geometry.component.triple import expression
+from symbody.geometry.given.argument import checked
+from symbody.multibody.body import Body
+from symbody.symbolic import Abs, Expr, Max, derivation, functions_of_time, sqrt, tanh
+
+from .attachment import check_bodies, check_fixed, forces, torques
+from .element import Element
+from .tire_force import TireLaw
+from .tire_kinematics import TireKinematics, tire_kinematics
+
+_WHERE = "tire"
+
+Law: TypeAlias = Annotated[
+    TireLaw, "the law of a tyre, such as linear_tire(cornering=6e4) or magic_formula(coefficients)"
+]
+Lengths: TypeAlias = Annotated[
+    tuple[Scalar, Scalar] | list[Scalar], "two lengths, such as (0.1, 0.3): longitudinal and lateral"
+]
+
+
+@checked(LoadError)
+def tire(
+    wheel: Body,
+    radius: Scalar,
+    law: Law,
+    *,
+    load: Scalar | None = None,
+    stiffness: Scalar | None = None,
+    damping: Scalar = 0,
+    relaxation: Lengths | None = None,
+    least_speed: Scalar = 0,
+    crown_radius: Scalar = 0,
+    rolling_radius: Scalar | None = None,
+    road: Frame = ground,
+    carrier: Frame | None = None,
+    reaction: Body | None = None,
+    name: str = "",
+) -> Element:
+    """Return the forces of the road on a tyre, by a law of its load, slips and camber.
+
+    The vertical load is given, or that of a spring and a damper which never pull: ``max(k d + c d', 0)`` for the
+    deflection d. With relaxation lengths, the slips follow with a lag [Pacejka 2012, sec. 7.2.1]: they are states,
+    whose rates are ``sigma kappa' = -(VS + VR) - |VS| kappa`` and ``sigma alpha' = VN - |VS| alpha``. Without, they are
+    the ratios of velocities, which need a wheel that moves, or a `least_speed`.
+
+    Args:
+        wheel: the body that spins about the y axis of its frame.
+        radius: the radius of the undeformed tyre, in m.
+        law: the law, such as `linear_tire` or `magic_formula` returns.
+        load: the vertical load in N, where it is known, such as a parameter or the multiplier of a contact. The load
+            itself then is no part of the forces: what holds the wheel on the road gives it.
+        stiffness: k, the vertical stiffness, in N/m, instead of a load.
+        damping: c, the vertical damping, in N s/m.
+        relaxation: the longitudinal and the lateral relaxation length, in m, such as those of a law by set 5.2.
+        least_speed: v0, in m/s: ``sqrt(VS^2 + v0^2)`` stands for the speed |VS| in slips, and the rolling resistance
+            fades below it.
+        crown_radius: the radius of the cross section; zero for a thin disc.
+        rolling_radius: the spin times this is the velocity of a wheel that rolls freely; by default the loaded radius.
+        road: the frame whose x-y plane is the road, with z upwards.
+        carrier: a frame with x along the direction of rolling (`tire_kinematics`).
+        reaction: the body that carries the road; none by default.
+        name: what the tyre is called; its states are called ``kappa_name`` and ``alpha_name``.
+
+    Returns:
+        An element with the quantities "load", "kappa", "lateral_slip", "camber", "deflection", "Fx", "Fy", "Mx", "My",
+        "Mz", "VS", "VN" and "VR", and the potential of the vertical spring.
+
+    >>> from symbody import Body, functions_of_time, linear_tire, rotate, symbols, translate
+    >>> (y, psi), (R, C, N, V) = functions_of_time("y psi"), symbols("R C N V", positive=True)
+    >>> from symbody import t
+    >>> upright = translate(V * t, y, R) * rotate("Z", psi)
+    >>> wheel = Body(upright, 1, name="wheel")
+    >>> front = tire(wheel, R, linear_tire(cornering=C), load=N, carrier=upright, least_speed=V)
+    >>> front["Fy"] == -C * front["lateral_slip"]
+    True
+    """
+    check_bodies(_WHERE, wheel, reaction)
+    check_fixed(_WHERE, "road", road, reaction)
+    _check_load(load, stiffness)
+    with derivation():
+        contact = tire_kinematics(
+            wheel,
+            radius,
+            crown_radius=crown_radius,
+            rolling_radius=rolling_radius,
+            road=road,
+            carrier=carrier,
+        )
+        vertical = _vertical(contact, load, 0 if stiffness is None else stiffness, damping)
+        slip = _slips(contact, relaxation, expression(least_speed), name)
+        found = law(vertical.load, slip.kappa, slip.alpha, contact.camber)
+        resisting = found.rolling
+        if not expression(least_speed).is_zero:
+            resisting *= tanh(-contact.VR / least_speed)
+        force = contact.longitudinal * found.longitudinal + contact.lateral * found.lateral
+        if load is None:
+            force += contact.normal * vertical.load
+        moment = contact.longitudinal * found.overturning + contact.lateral * resisting
+        moment += contact.normal * found.aligning
+        actions = forces(force, contact.contact, wheel, reaction)
+        if not all(component.is_zero for component in moment.components):
+            actions += torques(moment, wheel, reaction)
+        quantities = {
+            "load": vertical.load,
+            "kappa": slip.kappa,
+            "lateral_slip": slip.alpha,
+            "camber": contact.camber,
+            "deflection": contact.deflection,
+            "Fx": found.longitudinal,
+            "Fy": found.lateral,
+            "Mx": found.overturning,
+            "My": resisting,
+            "Mz": found.aligning,
+            "VS": contact.VS,
+            "VN": contact.VN,
+            "VR": contact.VR,
+        }
+    return Element(
+        _WHERE, actions, potential=vertical.potential, states=slip.states, quantities=quantities, name=name
+    )
+
+
+class _Vertical(NamedTuple):
+    load: Expr
+    potential: Expr | None
+
+
+def _check_load(load: Scalar | None, stiffness: Scalar | None) -> None:
+    if (load is None) == (stiffness is None):
+        given = "neither load nor stiffness" if load is None else "both load and stiffness"
+        raise LoadError(
+            f"{_WHERE}: {given}; expected the vertical load of the tyre, or the stiffness by which it follows from the "
+            "deflection"
+        )
+
+
+def _vertical(contact: TireKinematics, load: Scalar | None, k: Scalar, c: Scalar) -> _Vertical:
+    """Return the vertical load and its potential; a load that is given has none."""
+    if load is not None:
+        return _Vertical(expression(load), None)
+    depth, damping = contact.deflection, expression(c)
+    push = k * depth if damping.is_zero else k * depth + damping * contact.sinking
+    return _Vertical(Max(push, 0), k * Max(depth, 0) ** 2 / 2)
+
+
+class _Slips(NamedTuple):
+    kappa: Expr
+    alpha: Expr
+    states: dict[Expr, Expr]
+
+
+def _slips(contact: TireKinematics, relaxation: Lengths | None, least: Expr, name: str) -> _Slips:
+    speed = Abs(contact.VS) if least.is_zero else sqrt(contact.VS**2 + least**2)
+    sliding = contact.VS + contact.VR
+    if relaxation is None:
+        return _Slips(-sliding / speed, contact.VN / speed, {})
+    if len(relaxation) != 2:
+        raise LoadError(
+            f"{_WHERE}: relaxation of {len(relaxation)} lengths; expected two, longitudinal and lateral, such as "
+            "(0.1, 0.3)"
+        )
+    along, across = (expression(each) for each in relaxation)
+    of = name.replace(" ", "_") or _WHERE
+    kappa, alpha = functions_of_time(f"kappa_{of} alpha_{of}")
+    rates = {kappa: (-sliding - speed * kappa) / along, alpha: (contact.VN - speed * alpha) / across}
+    return _Slips(kappa, alpha, rates)

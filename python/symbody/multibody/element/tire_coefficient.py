@@ -1,0 +1,96 @@
+"""The coefficients of the Magic Formula, by the names of tyre property files."""
+
+from __future__ import annotations
+
+from symbody.symbolic import Expr, number
+
+__all__ = ["COEFFICIENTS", "DEFAULTS", "EXCLUDED", "IGNORED", "NEEDED", "SCALES", "at_pressure"]
+
+
+def _series(**last: int) -> frozenset[str]:
+    """Return ``PCX1, PDX1, PDX2, ...``, up to the last number of each series."""
+    return frozenset(f"{name}{k}" for name, count in last.items() for k in range(1, count + 1))
+
+
+EXCLUDED = (
+    frozenset({"QDZ5", "QBZ6", "QBZ7", "QBZ8"})
+    | (_series(QSX=14) - _series(QSX=11))
+    | (_series(QSY=8) - _series(QSY=2))
+)
+"""Coefficients of effects that the law does not have; they must be zero."""
+
+COEFFICIENTS = (
+    frozenset({"FNOMIN", "UNLOADED_RADIUS", "NOMPRES"})
+    | _series(PPX=4, PPY=5, PPZ=2, PPMX=1)
+    | _series(PCX=1, PDX=3, PEX=4, PKX=3, PHX=2, PVX=2, RBX=3, RCX=1, REX=2, RHX=1, PTX=3)
+    | _series(PCY=1, PDY=3, PEY=5, PKY=7, PHY=3, PVY=4, RBY=4, RCY=1, REY=2, RHY=2, RVY=6, PTY=2)
+    | _series(QSX=11, QSY=2, QBZ=10, QCZ=1, QDZ=11, QEZ=5, QHZ=4, SSZ=4)
+) - EXCLUDED
+"""What the law is made of."""
+
+SCALES = frozenset(
+    {
+        *(
+            "LFZO",
+            "LCX",
+            "LMUX",
+            "LEX",
+            "LKX",
+            "LHX",
+            "LVX",
+            "LCY",
+            "LMUY",
+            "LEY",
+            "LKY",
+            "LHY",
+            "LVY",
+            "LKYC",
+        ),
+        *("LTR", "LRES", "LXAL", "LYKA", "LVYKA", "LS", "LKZC", "LMX", "LVMX", "LMY"),
+    }
+)
+"""Factors that scale the effects of coefficients; one by default."""
+
+DEFAULTS: dict[str, Expr] = {name: number(0) for name in COEFFICIENTS}
+"""The values of coefficients that are left out. Set 5.2 has no PKY4; it is 2 there."""
+DEFAULTS |= {name: number(1) for name in SCALES} | {"PKY4": number(2), "NOMPRES": number(1)}
+
+IGNORED = _series(PDXP=3, PKYP=1, PDYP=4, PHYP=4, PECP=2, QDTP=1, QCRP=2, QBRP=1, QDRP=2) | {
+    *("INFLPRES", "LONGVL", "VXLOW", "WIDTH", "ASPECT_RATIO", "RIM_RADIUS", "RIM_WIDTH"),
+    *("VERTICAL_STIFFNESS", "VERTICAL_DAMPING", "BREFF", "DREFF", "FREFF"),
+    *("LGAX", "LGAY", "LGAZ", "LSGKP", "LSGAL"),
+}
+"""What tyre property files hold beside the law: turn slip, sizes, stiffness."""
+
+NEEDED = {
+    "always": ("FNOMIN", "UNLOADED_RADIUS"),
+    "along": ("PCX1", "PDX1", "PKX1"),
+    "across": ("PCY1", "PDY1", "PKY1", "PKY2"),
+}
+"""The least coefficients of each force."""
+
+
+def at_pressure(p: dict[str, Expr], pressure: Expr) -> dict[str, Expr]:
+    """Return the coefficients at an inflation pressure, which scales some of them [Besselink et al. 2010].
+
+    Args:
+        p: the coefficients at the nominal pressure.
+        pressure: the pressure, in the unit of NOMPRES.
+    """
+    d = pressure / p["NOMPRES"] - 1
+
+    def scale(first: str, second: str = "") -> Expr:
+        return 1 + p[first] * d + (p[second] * d**2 if second else 0)
+
+    scaled = {
+        ("PKX1", "PKX2"): scale("PPX1", "PPX2"),
+        ("PDX1", "PDX2"): scale("PPX3", "PPX4"),
+        ("PKY1",): scale("PPY1"),
+        ("PKY2", "PKY5"): scale("PPY2"),
+        ("PDY1", "PDY2"): scale("PPY3", "PPY4"),
+        ("PKY6", "PKY7"): scale("PPY5"),
+        ("QDZ1", "QDZ2"): 2 - scale("PPZ1"),
+        ("QDZ8", "QDZ9"): scale("PPZ2"),
+        ("QSX2",): scale("PPMX1"),
+    }
+    return p | {name: p[name] * factor for names, factor in scaled.items() for name in names}

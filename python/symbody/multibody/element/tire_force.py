@@ -1,0 +1,44 @@
+"""What a tyre does at its contact, and the slips on which it depends."""
+
+from __future__ import annotations
+
+from typing import NamedTuple, Protocol, runtime_checkable
+
+from symbody.geometry import Scalar
+from symbody.symbolic import Expr, number
+
+
+class TireForce(NamedTuple):
+    """The forces and moments of the road on a tyre, in the axes of the contact (ISO 8855: x ahead, y left, z up).
+
+    Attributes:
+        longitudinal: Fx, in N.
+        lateral: Fy, in N.
+        overturning: Mx, in N m.
+        rolling: My, the rolling resistance, in N m.
+        aligning: Mz, in N m.
+
+    >>> from symbody import linear_tire, symbols
+    >>> kappa, C = symbols("kappa C")
+    >>> linear_tire(longitudinal=C)(1000, kappa)
+    TireForce(longitudinal=C*kappa, lateral=0, overturning=0, rolling=0, aligning=0)
+    """
+
+    longitudinal: Expr
+    lateral: Expr
+    overturning: Expr = number(0)
+    rolling: Expr = number(0)
+    aligning: Expr = number(0)
+
+
+@runtime_checkable
+class TireLaw(Protocol):
+    """The law of a tyre: its forces by load, slips and camber, such as `linear_tire` or `magic_formula` return.
+
+    Any function with these arguments is a law: the load in N, the longitudinal slip kappa, the lateral slip, which is
+    the tangent of the slip angle, and the camber in rad.
+    """
+
+    def __call__(
+        self, load: Scalar, kappa: Scalar = 0, lateral_slip: Scalar = 0, camber: Scalar = 0
+    ) -> TireForce: ...

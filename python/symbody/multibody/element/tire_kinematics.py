@@ -1,0 +1,181 @@
+"""The contact of a wheel with the road: where it is, how it moves, and the slips [Pacejka 2012, ch. 2].
+
+A wheel is a torus: the spin axis j is the y axis of its frame, R the radius in the plane of the wheel, and rho that of
+the crown; rho = 0 is a thin disc. With the normal n of the road:
+
+    x_c = j x n/|j x n|     the direction in which the wheel rolls
+    y_c = n x x_c           across it, to the left
+    k = x_c x j             in the plane of the wheel, up
+
+The centre of the crown is ``C - (R - rho) k``, at the height h above the road, and the contact is below it. The
+carrier of the wheel turns with it, but for the spin, whose rate is Omega = w . y_c/(j . y_c). The contact moves at
+v_S + Omega r x_c, where v_S is the velocity of the material point of the wheel there, and r = R - rho + h cos(gamma).
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+from symbody.errors import LoadError
+from symbody.geometry import Frame, Point, Scalar, Triple, Vector, ground, origin
+from symbody.geometry.component.triple import expression
+from symbody.geometry.frame.coordinates import vector_components
+from symbody.geometry.frame.frame_velocity import Seen, material_velocity, spin
+from symbody.geometry.given.argument import checked
+from symbody.multibody.body import Body
+from symbody.symbolic import (
+    Abs,
+    Expr,
+    asin,
+    cos,
+    cross3,
+    derivation,
+    dot3,
+    number,
+    scale3,
+    sin,
+    sqrt,
+    sub3,
+)
+from symbody.symbolic.given.arguments import brief
+
+_WHERE = "tire_kinematics"
+
+
+class TireKinematics(NamedTuple):
+    """The contact of a wheel with the road, and its velocities there.
+
+    Attributes:
+        contact: the point of the road below the wheel.
+        longitudinal: the unit vector along which the wheel rolls.
+        lateral: the unit vector across it in the road, to the left.
+        normal: the normal of the road, upwards.
+        camber: the angle gamma between the plane of the wheel and the normal, positive for a lean to the right, in rad.
+        deflection: how deep the undeformed wheel is in the road, negative above it, in m.
+        sinking: the rate of the deflection, in m/s.
+        VS: the longitudinal velocity of the contact, in m/s.
+        VN: the lateral velocity of the wheel there, positive to the left, in m/s.
+        VR: minus the spin times the rolling radius, in m/s; VS + VR is the velocity at which the wheel slides ahead.
+        kappa: the longitudinal slip ``-(VS + VR)/|VS|``, positive if the wheel drives.
+        lateral_slip: ``VN/|VS|``, the tangent of the slip angle.
+    """
+
+    contact: Point
+    longitudinal: Vector
+    lateral: Vector
+    normal: Vector
+    camber: Expr
+    deflection: Expr
+    sinking: Expr
+    VS: Expr
+    VN: Expr
+    VR: Expr
+
+    @property
+    def kappa(self) -> Expr:
+        """The longitudinal slip."""
+        return -(self.VS + self.VR) / Abs(self.VS)
+
+    @property
+    def lateral_slip(self) -> Expr:
+        """The tangent of the slip angle."""
+        return self.VN / Abs(self.VS)
+
+
+@checked(LoadError)
+def tire_kinematics(
+    wheel: Body,
+    radius: Scalar,
+    *,
+    crown_radius: Scalar = 0,
+    rolling_radius: Scalar | None = None,
+    road: Frame = ground,
+    carrier: Frame | None = None,
+) -> TireKinematics:
+    """Return where a wheel touches the road, and its slips: a torus on the x-y plane of a frame with z upwards.
+
+    Args:
+        wheel: the body that spins about the y axis of its frame; rolling ahead along x, its spin is positive.
+        radius: R, of the undeformed tyre, in m.
+        crown_radius: rho, the radius of the cross section; zero for a thin disc, as a wheel with little camber.
+        rolling_radius: the spin times this is the velocity of a wheel that rolls freely; the loaded radius by default.
+        road: the frame of the road.
+        carrier: a frame with the x axis along the direction of rolling, in which the wheel leans about x and spins
+            about y alone; without it, the direction is computed from the spin axis, by a root.
+
+    >>> from symbody import Body, functions_of_time, rotate, symbols, translate
+    >>> (x, theta), R = functions_of_time("x theta"), symbols("R")
+    >>> wheel = Body(translate(x, 0, R) * rotate("Y", theta), 1)
+    >>> found = tire_kinematics(wheel, R, carrier=translate(x, 0, R))
+    >>> found.VS, found.VR, found.VN, found.camber, found.deflection
+    (x', -R*theta', 0, 0, 0)
+    """
+    R, rho = expression(radius), expression(crown_radius)
+    with derivation():
+        n: Triple = (number(0), number(0), number(1))
+        j = vector_components((number(0), number(1), number(0)), wheel.frame, road)
+        ahead = _ahead(j, n, road, carrier)
+        left, up = cross3(n, ahead), cross3(ahead, j)
+        upright = dot3(j, left)
+        place = sub3(origin(wheel.frame).projected(road).coordinates, scale3(R - rho, up))
+        contact = Point(road, place[0], place[1], number(0))
+        height = place[2]
+        slip = _relative(_carried(contact, wheel.frame), _carried(contact, road), road)
+        turning = _relative(Seen(spin(wheel.frame), wheel.frame), Seen(spin(road), road), road)
+        rate = dot3(turning, left) / upright
+        arm = R - rho + height * upright
+        slides, across = dot3(slip, ahead), dot3(slip, left)
+        rolling = expression(arm if rolling_radius is None else rolling_radius)
+        camber = asin(dot3(j, n)) if carrier is None else _camber(j, n, upright)
+        return TireKinematics(
+            contact,
+            Vector(road, *ahead),
+            Vector(road, *left),
+            Vector(road, *n),
+            camber,
+            rho - height,
+            -dot3(slip, n),
+            slides + rate * arm,
+            across,
+            -rate * rolling,
+        )
+
+
+def _ahead(j: Triple, n: Triple, road: Frame, carrier: Frame | None) -> Triple:
+    """Return x_c in the axes of the road."""
+    across = cross3(j, n)
+    if carrier is None:
+        length = sqrt(dot3(across, across))
+        if length.is_zero:
+            raise LoadError(
+                f"{_WHERE}: the spin axis, y of the wheel's frame, is across the road, whose normal is z; expected a "
+                "wheel that stands on the road"
+            )
+        x, y, z = (component / length for component in across)
+        return x, y, z
+    ahead = vector_components((number(1), number(0), number(0)), carrier, road)
+    if not (dot3(ahead, j).is_zero and dot3(ahead, n).is_zero):
+        raise LoadError(
+            f"{_WHERE}: the x axis of carrier = {brief(carrier)} isn't along the direction of rolling; expected a "
+            "frame whose x axis is across the spin axis, and in the plane of the road"
+        )
+    return ahead
+
+
+def _camber(j: Triple, n: Triple, upright: Expr) -> Expr:
+    """Return the camber as the angle that the components hold, if they are its sine and its cosine."""
+    sine = dot3(j, n)
+    for leaf in sorted(sine.free_symbols, key=str):
+        for angle in (leaf, -leaf):
+            if sin(angle) == sine and cos(angle) == upright:
+                return angle
+    return asin(sine)
+
+
+def _carried(point: Point, frame: Frame) -> Seen:
+    return material_velocity(point.projected(frame).coordinates, frame)
+
+
+def _relative(one: Seen, other: Seen, axes: Frame) -> Triple:
+    first = vector_components(one.components, one.axes, axes)
+    return sub3(first, vector_components(other.components, other.axes, axes))

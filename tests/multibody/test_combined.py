@@ -1,0 +1,179 @@
+"""Several bodies as one, tensors of inertia, rigid displacements, massless bodies, and loads on the ground."""
+
+from __future__ import annotations
+
+import warnings
+
+import numpy as np
+import pytest
+
+from symbody import (
+    Body,
+    Force,
+    ModelNotice,
+    Point,
+    System,
+    Torque,
+    Vector,
+    combined,
+    describe,
+    displaced,
+    functions_of_time,
+    ground,
+    kinetic_energy,
+    moving_frame,
+    newton_equations,
+    newton_euler,
+    number,
+    pi,
+    power,
+    project,
+    rotate,
+    simulate,
+    spring,
+    symbols,
+    time_derivative,
+    translate,
+)
+from symbody.errors import BodyError
+
+m, M, l, a, b, c, J1, J2, J3, F, k, alpha = symbols("m M l a b c J1 J2 J3 F k alpha")
+x, y, phi, psi = functions_of_time("x y phi psi")
+moving = translate(x, y, 0) * rotate("Z", psi) * rotate("X", phi)
+parts = [
+    Body(moving * translate(a, b, 0) * rotate("Y", alpha), m, J1, J2, J3, name="motor"),
+    Body(Point(moving * rotate("X", alpha), 0, l, c), M, J3, J2, J1, J2 / 3, J1 / 5, J3 / 7, name="arm"),
+    Body(Point(moving, a, 0, c), -m / 3, name="hole"),
+]
+
+
+def quiet_system(bodies: list[Body]) -> System:
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", ModelNotice)
+        return System(bodies, [], [x, y, psi, phi])
+
+
+def test_a_combined_body_moves_as_its_parts() -> None:
+    for frame in (None, moving, moving * rotate("Z", alpha)):
+        whole = combined(parts, frame=frame, name="whole")
+        assert whole.mass == 2 * m / 3 + M
+        assert newton_euler(quiet_system([whole])).residuals == newton_euler(quiet_system(parts)).residuals
+        assert kinetic_energy(whole) == kinetic_energy(parts)
+
+
+def test_a_hollow_cylinder_is_one_less_another() -> None:
+    outer, inner = Body(ground, 4, 0, 0, 8), Body(ground, -1, 0, 0, -number("1/2"))
+    hollow = combined([outer, inner])
+    assert (hollow.mass, hollow.moments[2]) == (3, 8 - number("1/2"))
+
+
+def test_bodies_that_move_against_each_other_are_no_body() -> None:
+    with pytest.raises(
+        BodyError, match=r"combined: loose moves relative to .*; expected bodies that are joined rigidly"
+    ):
+        combined([parts[0], Body(translate(x, 0, 0), m, name="loose")])
+    with pytest.raises(BodyError, match="add up to zero"):
+        combined([Body(ground, m), Body(ground, -m)])
+    with pytest.raises(BodyError, match="combined: no bodies"):
+        combined([])
+
+
+def test_a_tensor_as_a_matrix_is_that_of_moments_and_products() -> None:
+    body = parts[1]
+    again = Body.of_inertia(body.frame, body.mass, body.inertia, name="again")
+    assert (again.moments, again.products, again.name) == (body.moments, body.products, "again")
+    assert again.inertia == body.inertia
+
+
+def test_a_tensor_about_another_point_is_moved_to_the_centre() -> None:
+    about = Point(moving, a, b, c)
+    G = Point(moving, l, 0, c)
+    d = np.array([l - a, -b, 0 * l])
+    J = np.array([[J1, 0, 0], [0, J2, 0], [0, 0, J3]]) + m * (d @ d * np.eye(3, dtype=int) - np.outer(d, d))
+    body = Body.of_inertia(G, m, J.tolist(), about=about)
+    assert body.moments == (J1, J2, J3)
+    assert body.products == (0, 0, 0)
+
+
+@pytest.mark.parametrize(
+    ("tensor", "message"),
+    [
+        ([[1, 0], [0, 1]], "a 2x2 matrix; expected the tensor of inertia, 3x3"),
+        (
+            [[1, 0.1, 0], [0.2, 1, 0], [0, 0, 1]],
+            "isn't symmetric: its entry 2, 1 is 0.2, and its entry 1, 2 is 0.1",
+        ),
+    ],
+)
+def test_other_matrices_are_no_tensor(tensor: list[list[float]], message: str) -> None:
+    with pytest.raises(BodyError, match=message):
+        Body.of_inertia(ground, 1, tensor)
+
+
+def test_displaced_points_vectors_and_bodies() -> None:
+    P = Point(ground, l, 0, 0, name="P")
+    assert displaced(P, rotate("Z", alpha)).name == "P"
+    turned = project(displaced(P, rotate("Z", pi / 2), frame=translate(0, a, 0)), ground)
+    assert turned.coordinates == (a, a + l, 0)  # about the axis through (0, a)
+    v = displaced(Vector(moving, 1, 2, 3), translate(a, b, c))
+    assert project(v, moving).components == (1, 2, 3)
+    body = displaced(parts[1], translate(0, 0, l) * rotate("X", alpha), frame=ground)
+    G, before = (project(each.center_of_mass, ground).coordinates for each in (body, parts[1]))
+    at = {x: 0.1, y: 0.2, psi: 0.3, phi: 0.4, alpha: 0.5, l: 0.6, c: 0.7}
+    p = np.array([each.evaluate(at) for each in before])
+    R = np.array([[1, 0, 0], [0, np.cos(0.5), -np.sin(0.5)], [0, np.sin(0.5), np.cos(0.5)]])
+    np.testing.assert_allclose([each.evaluate(at) for each in G], R @ p + [0, 0, 0.6])
+    assert (body.mass, body.moments, body.products) == (M, parts[1].moments, parts[1].products)
+
+
+def test_displaced_loads_act_on_the_same_body_elsewhere() -> None:
+    body = parts[0]
+    force = Force(ground, F, 0, 0, at=Point(ground, 0, l, 0), on=body, name="push")
+    moved = displaced(force, rotate("Z", pi / 2))
+    assert (moved.on, moved.name) == (body, "push")
+    assert project(moved.vector, ground).components == (0, F, 0)
+    assert project(moved.at, ground).coordinates == (-l, 0, 0)
+    torque = displaced(Torque(ground, F, 0, 0, on=body), rotate("Y", pi / 2))
+    assert project(torque.vector, ground).components == (0, 0, -F)
+    band = spring(body.center_of_mass, Point(ground, 0, 0, 0), k, on=body)
+    elsewhere = displaced(band, translate(0, 0, 1))
+    assert elsewhere.potential is None
+    assert elsewhere.actions[0].body is body
+
+
+def test_a_massless_body_carries_loads() -> None:
+    """A massless point between two springs in a row: half the stiffness."""
+    link = Body(translate(y, 0, 0), 0, name="link")
+    cart = Body(translate(x, 0, 0), m, name="cart")
+    first = spring(link.center_of_mass, Point(ground, 0, 0, 0), k, on=link)
+    second = spring(cart.center_of_mass, link.center_of_mass, k, on=cart, reaction=link)
+    system = System([link, cart], [first, second], [y, x])
+    residuals = newton_euler(system).residuals
+    assert residuals == (2 * k * y - k * x, m * time_derivative(x, 2) + k * (x - y))
+    halved = residuals[1].subs({y: x / 2})
+    assert halved == m * time_derivative(x, 2) + k * x / 2
+
+
+def test_the_ground_takes_loads_as_a_massless_body() -> None:
+    """Reactions on it do no work, and Newton's equation of it is the force that holds it."""
+    base = Body(ground, 0, name="base")
+    cart = Body(translate(x, 0, 0), m, name="cart")
+    push = Force(ground, F, 0, 0, at=cart.center_of_mass, on=cart, reaction=base)
+    with_base = newton_euler(System([base, cart], [push], [x]))
+    alone = Force(ground, F, 0, 0, at=cart.center_of_mass, on=cart)
+    assert with_base.residuals == newton_euler(System([cart], [alone], [x])).residuals
+    assert power(push) == power(alone)
+    assert newton_equations([base, push]).components == (F, 0, 0)
+    assert "acting = base" in describe(Force(ground, F, 0, 0, at=Point(ground, 0, 0, 0), on=base))
+    motion = simulate(with_base, {m: 2, F: 1}, {}, t=(0, 1))
+    assert motion[x][-1] == pytest.approx(0.25)
+
+
+def test_the_master_frame_takes_loads_as_well() -> None:
+    u, v, r = functions_of_time("u v r")
+    master = moving_frame(u, v, 0, 0, 0, r, name="car")
+    chassis, point = Body(master, m, Iz=J3), Body(master, 0, name="point")
+    pulls = [Force(master, F, 0, 0, at=Point(master, 0, a, 0), on=body) for body in (chassis, point)]
+    one, two = (newton_euler(System([chassis, point], [pull], speeds=[u, v, r])).residuals for pull in pulls)
+    assert one == two
+    assert one[2] == J3 * time_derivative(r) + a * F

@@ -1,0 +1,296 @@
+"""Tyres: the contact by finite differences and closed forms, laws by their invariants, motions by their balances."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from symbody import (
+    Abs,
+    Body,
+    Element,
+    Frame,
+    Point,
+    System,
+    TireForce,
+    Vector,
+    dot,
+    equilibrium,
+    functions_of_time,
+    ground,
+    kinetic_energy,
+    lagrange_equations,
+    lambdify,
+    linear_tire,
+    magic_formula,
+    motor,
+    newton_euler,
+    number,
+    power,
+    project,
+    rotate,
+    simulate,
+    symbols,
+    tan,
+    time_derivative,
+    tire,
+    tire_kinematics,
+    translate,
+    velocity,
+)
+from symbody.errors import ModelError
+from tests.reference.test_magic_formula import SETS
+
+x, y, z, psi, gamma, theta = functions_of_time("x y z psi gamma theta")
+R, rho, m, I, J, N, C, Ck, k, V, g, sx, sy = symbols("R rho m I J N C Ck k V g sx sy", positive=True)
+upright = (translate(x, y, 0) * rotate("Z", psi)).named("carrier")
+leaning = translate(x, y, z) * rotate("Z", psi) * rotate("X", gamma)
+wheel = Body(leaning * rotate("Y", theta), m, I, J, I, name="wheel")
+MOVING = (x, y, z, psi, gamma, theta)
+AT = dict(zip(MOVING, (0.3, -0.2, 0.31, 0.4, 0.25, 1.1), strict=True))
+RATES = dict(zip(map(time_derivative, MOVING), (9.0, 2.0, -0.3, 0.5, -0.7, 25.0), strict=True))
+NUMBERS = {R: 0.33, rho: 0.08, **AT, **RATES}
+
+
+def lowest(values: dict[object, float]) -> np.ndarray:
+    """The lowest point of a torus by its surface, searched for by brute force over the centre circle."""
+    c, s = np.cos(values[psi]), np.sin(values[psi])
+    cg, sg = np.cos(values[gamma]), np.sin(values[gamma])
+    yaw = np.array([[c, -s, 0], [s, c, 0], [0, 0, 1]])
+    lean = np.array([[1, 0, 0], [0, cg, -sg], [0, sg, cg]])
+    phi = np.linspace(-0.5, 0.5, 100001)
+    circle = np.array([np.sin(phi), 0 * phi, -np.cos(phi)]) * (0.33 - 0.08)
+    centers = yaw @ lean @ circle + np.array([[values[x]], [values[y]], [values[z]]])
+    return centers[:, centers[2].argmin()] - np.array([0, 0, 0.08])
+
+
+def test_the_contact_is_below_the_lowest_point_of_the_torus() -> None:
+    found = tire_kinematics(wheel, R, crown_radius=rho)
+    point = lowest(NUMBERS)
+    contact = [each.evaluate(NUMBERS) for each in found.contact.coordinates]
+    np.testing.assert_allclose(contact, [point[0], point[1], 0], atol=1e-8)
+    assert found.deflection.evaluate(NUMBERS) == pytest.approx(-point[2], abs=1e-9)
+    assert found.camber.evaluate(NUMBERS) == pytest.approx(0.25)
+
+
+@pytest.mark.parametrize("carrier", [None, upright])
+def test_velocities_are_those_of_the_contact(carrier: Frame | None) -> None:
+    """VS is that of the point of contact along the road, VS + VR and VN those of the wheel's material there."""
+    found = tire_kinematics(wheel, R, crown_radius=rho, carrier=carrier)
+    travels = dot(velocity(found.contact), found.longitudinal)
+    assert found.VS.evaluate(NUMBERS) == pytest.approx(travels.evaluate(NUMBERS), rel=1e-12)
+    material = Point(wheel.frame, *project(found.contact, wheel.frame).coordinates)
+    frozen = dict(zip(symbols("p1 p2 p3"), (c.evaluate(NUMBERS) for c in material.coordinates), strict=True))
+    fixed = velocity(Point(wheel.frame, *frozen))
+    values = {**NUMBERS, **frozen}
+    assert (found.VS + found.VR).evaluate(NUMBERS) == pytest.approx(
+        dot(fixed, found.longitudinal).evaluate(values)
+    )
+    assert found.VN.evaluate(NUMBERS) == pytest.approx(dot(fixed, found.lateral).evaluate(values))
+    assert found.sinking.evaluate(NUMBERS) == pytest.approx(
+        time_derivative(found.deflection).evaluate(NUMBERS)
+    )
+    radius = 0.33 - 0.08 + (0.08 - found.deflection.evaluate(NUMBERS)) * np.cos(0.25)
+    assert found.VR.evaluate(NUMBERS) == pytest.approx(-radius * 25, rel=1e-12)
+
+
+def test_a_carrier_gives_the_same_without_roots() -> None:
+    by_axis = tire_kinematics(wheel, R, crown_radius=rho)
+    by_carrier = tire_kinematics(wheel, R, crown_radius=rho, carrier=upright)
+    for one, other in zip(
+        (by_axis.VS, by_axis.VN, by_axis.VR, by_axis.camber),
+        (by_carrier.VS, by_carrier.VN, by_carrier.VR, by_carrier.camber),
+        strict=True,
+    ):
+        assert one.evaluate(NUMBERS) == pytest.approx(other.evaluate(NUMBERS), rel=1e-12)
+    assert by_carrier.camber == gamma
+    assert "sqrt" not in f"{by_carrier.VS}{by_carrier.VN}{by_carrier.VR}"
+
+
+def test_slips_of_mbsymba() -> None:
+    """kappa = 1 + VR/VS and lambda = arctan(-VN/VS) there: both have the other sign."""
+    rolling = Body(translate(x, y, R) * rotate("Z", psi) * rotate("Y", theta), m, I, J, I)
+    found = tire_kinematics(rolling, R, carrier=upright)
+    straight = {psi: 0, time_derivative(psi): 0}
+    VS, VR, VN = (each.subs(straight) for each in (found.VS, found.VR, found.VN))
+    assert (time_derivative(x), -R * time_derivative(theta), time_derivative(y)) == (VS, VR, VN)
+    forward = {
+        time_derivative(x): 10.0,
+        time_derivative(theta): 36.0,
+        R: 0.3,
+        time_derivative(y): 1.0,
+        **straight,
+    }
+    assert found.kappa.evaluate(forward) == pytest.approx(-(1 - 10.8 / 10))
+    assert found.lateral_slip.evaluate(forward) == pytest.approx(0.1)
+
+
+def test_linear_tyres() -> None:
+    kappa, alpha, tilt, Cg, trail = symbols("kappa alpha tilt Cg trail")
+    law = linear_tire(longitudinal=Ck, cornering=C, camber=Cg, trail=trail)
+    assert law(N, kappa, alpha, tilt) == (Ck * kappa, -C * alpha - Cg * tilt, 0, 0, trail * C * alpha)
+    normal = linear_tire(cornering=C, per_load=True)
+    assert normal(N, 0, alpha).lateral == -N * C * alpha
+    assert normal(0, 0, alpha).lateral == 0
+
+
+def book_tyre() -> object:
+    given = SETS["tyre of the book"]
+    return magic_formula(given["coefficients"], version=given["version"])
+
+
+def test_invariants_of_the_magic_formula() -> None:
+    """Without shifts: odd, with the slope BCD, the peak D, and D sin(C pi/2) far beyond."""
+    coefficients = {
+        "FNOMIN": 4000,
+        "UNLOADED_RADIUS": 0.3,
+        "PCX1": 1.6,
+        "PDX1": 1.1,
+        "PKX1": 22,
+        "PEX1": -0.5,
+    }
+    coefficients |= {"PCY1": 1.3, "PDY1": -1.0, "PKY1": -15, "PKY2": 2, "PEY1": -1.0}
+    a = symbols("a")
+    law = magic_formula(coefficients)
+    Fx, Fy = lambdify([a], law(4000, a).longitudinal), lambdify([a], law(4000, 0, a).lateral)
+    slips = np.linspace(-1, 1, 20001)
+    for force, stiffness, peak, C_shape in ((Fx, 22 * 4000, 4400, 1.6), (Fy, -15 * 4000 * 0.8, -4000, 1.3)):
+        np.testing.assert_allclose(force(-slips), -force(slips), atol=1e-9)
+        assert (force(1e-6) / 1e-6) == pytest.approx(stiffness, rel=1e-6)
+        assert np.abs(force(slips)).max() == pytest.approx(abs(peak), rel=1e-6)
+        assert force(1e12) == pytest.approx(peak * np.sin(C_shape * np.pi / 2), rel=1e-6)
+
+
+def test_combined_slip_reduces_both_forces() -> None:
+    law = book_tyre()
+    kappa, a = symbols("kappa a")
+    f = lambdify([kappa, a], list(law(4000, kappa, a))[:2])
+    pure_x, pure_y = f(0.08, 0.0)[0], f(0.0, 0.1)[1]
+    both = f(0.08, 0.1)
+    assert abs(both[0]) < 0.8 * abs(pure_x)
+    assert abs(both[1]) < 0.9 * abs(pure_y)
+
+
+def test_a_wheel_without_load_has_no_forces() -> None:
+    forces = [each.evaluate({}) for each in book_tyre()(0, 0.1, -0.2, 0.05)]
+    assert np.isfinite(forces).all()
+    np.testing.assert_allclose(forces, 0, atol=1e-9)
+
+
+def rolling_wheel(**options: object) -> tuple[Element, System]:
+    """A wheel upright on the road, free to roll along x."""
+    hub = translate(x, 0, R)
+    spinning = Body(hub * rotate("Y", theta), m, I, J, I, name="wheel")
+    found = tire(spinning, R, linear_tire(longitudinal=Ck), load=N, carrier=hub, **options)
+    return found, System([spinning], [found], [x, theta])
+
+
+def test_a_sliding_wheel_comes_to_roll_with_its_angular_momentum_about_the_ground() -> None:
+    """m R v + J w stays; it rolls at w = v/R, and what is lost is the work of the tyre."""
+    found, system = rolling_wheel(relaxation=(sx, sy), name="w")
+    assert [str(each) for each in system.states] == ["kappa_w", "alpha_w"]
+    values = {m: 20, J: 0.9, R: 0.3, Ck: 2e4, sx: 0.2, sy: 0.3}
+    motion = simulate(
+        newton_euler(system), values, {time_derivative(x): 5.0}, t=(0, 8), rtol=1e-9, atol=1e-11, method="bdf"
+    )
+    v, w = motion[time_derivative(x)], motion[time_derivative(theta)]
+    np.testing.assert_allclose(20 * 0.3 * v + 0.9 * w, 20 * 0.3 * 5.0, rtol=1e-7)
+    assert v[-1] == pytest.approx(0.3 * w[-1], rel=1e-4)
+    assert motion.energy_drift < 1e-6
+    np.testing.assert_allclose(np.diff(motion[kinetic_energy(system)]).sum(), motion.work[-1], rtol=1e-6)
+    assert found["kappa"] == system.states[0]
+
+
+def test_relaxation_lags_behind_by_its_length() -> None:
+    """At a constant slip, kappa' approaches it as 1 - exp(-V t/sigma)."""
+    found, system = rolling_wheel(relaxation=(sx, sy))
+    kappa_rate = found.states[system.states[0]]
+    moving = {time_derivative(x): V, time_derivative(theta): V / R * (1 + number("1/10"))}
+    at = kappa_rate.subs(moving)
+    kappa = system.states[0]
+    assert at == (V / 10 - Abs(V) * kappa) / sx
+    assert [*found.states] == [*system.states]
+
+
+def test_a_tyre_from_rest() -> None:
+    """With relaxation, or a least speed, slips need no wheel that moves."""
+    for options in ({"relaxation": (sx, sy)}, {"least_speed": number("1/10")}):
+        found, system = rolling_wheel(**options)
+        spinning = system.bodies[0]
+        pull = motor(theta, 30, on=spinning)
+        driven = newton_euler(System([spinning], [found, pull], [x, theta]))
+        values = {m: 20, J: 0.9, R: 0.3, Ck: 2e4, N: 200, sx: 0.2, sy: 0.3}
+        motion = simulate(
+            driven, {p: v for p, v in values.items() if p in driven.parameters}, {}, t=(0, 2), method="bdf"
+        )
+        # (m + J/R^2) a = M/R once it rolls
+        speed = motion[time_derivative(x)]
+        assert (speed[-1] - speed[-101]) / (motion.t[-1] - motion.t[-101]) == pytest.approx(
+            100 / (20 + 0.9 / 0.09), rel=5e-3
+        )
+
+
+def test_the_vertical_spring_carries_the_wheel_and_lets_it_go() -> None:
+    hub = translate(x, 0, z)
+    hanging = Body(hub * rotate("Y", theta), m, I, J, I)
+    found = tire(hanging, R, linear_tire(), stiffness=k, carrier=hub, least_speed=1)
+    system = System([hanging], [found], [x, z, theta], gravity=Vector(ground, 0, 0, -g))
+    assert found["load"].evaluate({k: 2e5, R: 0.3, z: 0.29}) == pytest.approx(2000)
+    assert found["load"].evaluate({k: 2e5, R: 0.3, z: 0.31}) == 0
+    rest = equilibrium(
+        newton_euler(system), {m: 20, J: 1, g: 9.81, R: 0.3, k: 2e5}, guess={z: 0.299}, fixed={x: 0, theta: 0}
+    )
+    assert rest.coordinates[z] == pytest.approx(0.3 - 20 * 9.81 / 2e5)
+
+
+def test_both_formalisms_give_the_same_nodes_with_a_leaning_wheel() -> None:
+    for options in (
+        {"crown_radius": rho, "stiffness": k},
+        {"load": N, "relaxation": (sx, sy), "carrier": upright},
+    ):
+        found = tire(wheel, R, linear_tire(longitudinal=Ck, cornering=C, camber=C, trail=rho), **options)
+        system = System([wheel], [found], MOVING, gravity=Vector(ground, 0, 0, -g))
+        one, two = newton_euler(system), lagrange_equations(system)
+        assert [each.id for each in one.residuals] == [each.id for each in two.residuals]
+
+
+def test_power_is_that_of_the_sliding_velocities() -> None:
+    """Fx (VS + VR) + Fy VN + N (-sinking), for a tyre without moments."""
+    found = tire(
+        wheel, R, linear_tire(longitudinal=Ck, cornering=C), stiffness=k, crown_radius=rho, carrier=upright
+    )
+    contact = tire_kinematics(wheel, R, crown_radius=rho, carrier=upright)
+    slides = found["Fx"] * (contact.VS + contact.VR) + found["Fy"] * contact.VN
+    assert power(found) == slides - found["load"] * contact.sinking
+    values = {**NUMBERS, Ck: 1e4, C: 2e4, k: 1e5}
+    assert slides.evaluate(values) < 0
+
+
+def test_a_law_of_the_user() -> None:
+    """Any function of load, slips and camber."""
+
+    def brush(load: object, kappa: object = 0, lateral_slip: object = 0, camber: object = 0) -> TireForce:
+        del kappa, camber
+        return TireForce(number(0), -load * tan(lateral_slip))  # type: ignore[arg-type, operator]
+
+    found = tire(wheel, R, brush, load=N, carrier=upright)
+    assert found["Fy"] == -N * tan(found["lateral_slip"])
+
+
+def test_tyres_need_names_to_have_states_of_their_own() -> None:
+    first = tire(wheel, R, linear_tire(), load=N, relaxation=(sx, sy), carrier=upright)
+    other = Body(leaning * translate(0, 1, 0) * rotate("Y", theta), m, I, J, I)
+    second = tire(other, R, linear_tire(), load=N, relaxation=(sx, sy), carrier=upright)
+    with pytest.raises(
+        ModelError, match="has another rate in another load, or in states; give the loads different"
+    ):
+        System([wheel, other], [first, second], MOVING)
+
+
+def test_a_road_on_a_body_takes_the_reaction() -> None:
+    drum = Body(translate(0, 0, functions_of_time("h")), m, name="drum")
+    found = tire(wheel, R, linear_tire(cornering=C, trail=rho), stiffness=k, road=drum.frame, reaction=drum)
+    assert [action.body.name for action in found.actions] == ["wheel", "drum", "wheel", "drum"]
+    assert found["deflection"].evaluate({**NUMBERS, functions_of_time("h"): 0.05}) == pytest.approx(
+        0.05 + 0.33 * np.cos(0.25) - 0.31
+    )
