@@ -122,10 +122,19 @@ def _uncertainty(motion: Integrated) -> Iterable[Finding]:
 
 def _violations(motion: Integrated) -> Iterable[Finding]:
     """Return the constraint with the largest violation, if a motion has left its constraints at its end."""
+    return _left(motion, "violation") if motion.task.model.position_constraints else []
+
+
+def _departures(motion: Integrated) -> Iterable[Finding]:
+    """Return the same of constraints that were eliminated, which nothing enforces."""
+    return _left(motion, "departure") if motion.task.model.system.eliminated_constraints else []
+
+
+def _left(motion: Integrated, kind: str) -> Iterable[Finding]:
     model, outcome = motion.task.model, motion.outcome
-    if not model.system.whole.position_constraints or outcome.failure is not None:
+    if outcome.failure is not None:
         return []
-    kinematics = kinematics_of(model.equations, dict(model.inputs))
+    kinematics, system = kinematics_of(model.equations, dict(model.inputs)), model.system.whole
     p = np.array([motion.parameters[name] for name in kinematics.parameters])
     q = np.array(outcome.end[1][: len(model.coordinates)])
     with np.errstate(all="ignore"):
@@ -134,9 +143,8 @@ def _violations(motion: Integrated) -> Iterable[Finding]:
     worst = int(np.argmax(off))
     if not off[worst] > LEFT:
         return []
-    system = model.system.whole
     (name,) = named_constraints(system.conditions, [system.holonomic[worst]])
-    return [Finding("violation", f"constraint {name}", float(off[worst]))]
+    return [Finding(kind, f"constraint {name}", float(off[worst]))]
 
 
 ROWS: dict[str, _Row] = {
@@ -152,6 +160,11 @@ ROWS: dict[str, _Row] = {
         "the motion has left its constraints: at its end {subject} is off by {size:.1g} of the magnitude of its "
         "terms; use smaller tolerances or another way to enforce them (constraints=...), and leave out those that "
         "follow from others",
+    ),
+    "departure": _Row(
+        _departures,
+        "the motion has left constraints that were eliminated: at its end {subject} is off by {size:.1g} of the "
+        "magnitude of its terms; use smaller tolerances, or simulate the equations with multipliers, which are kept",
     ),
     "imbalance": _Row(
         _imbalance,
