@@ -18,6 +18,7 @@ from symbody import (
     embedded,
     forward_dynamics,
     functions_of_time,
+    gibbs_appell,
     ground,
     kane,
     kinetic_energy,
@@ -39,9 +40,20 @@ from symbody import (
 )
 from symbody.errors import ConstraintError, ModelError
 from symbody.symbolic import free_symbols
+from tests.laws.random_speeds import drawn
 from tests.laws.random_system import random_constrained_system
 
 SEEDS = [(seed, floats) for seed in range(10) for floats in (False, True)]
+RATES_DEPEND = [
+    (seed, floats)
+    for seed, floats in SEEDS
+    if {
+        each.order
+        for each in embedded(newton_euler(random_constrained_system(seed, floats=floats))).system.eliminated
+    }
+    == {1}
+]
+"""Those whose dependent speeds are rates of coordinates, as kinematics have it."""
 
 
 def numbers(expressions: list[Expr], seed: int = 0) -> np.ndarray:
@@ -61,7 +73,11 @@ def by_independent_speeds(equations: Equations, reduced: Equations, method: str)
 
 @pytest.mark.parametrize(("seed", "floats"), SEEDS)
 def test_embedding_is_the_null_space_is_the_multipliers(seed: int, floats: bool) -> None:
-    equations = newton_euler(random_constrained_system(seed, floats=floats))
+    check_three_ways(random_constrained_system(seed, floats=floats))
+
+
+def check_three_ways(system: System) -> None:
+    equations = newton_euler(system)
     reduced = embedded(equations)
     assert len(reduced.speeds) == len(equations.speeds) - 2
     assert reduced.constraints == reduced.multipliers == ()
@@ -75,12 +91,43 @@ def test_embedding_is_the_null_space_is_the_multipliers(seed: int, floats: bool)
         np.testing.assert_allclose(found, expected, rtol=1e-6, atol=1e-6)
 
 
+@pytest.mark.parametrize("kind", ["rates", "constrained", "floating and constrained"])
 @pytest.mark.parametrize("seed", range(4))
-def test_every_formalism_is_reduced_to_the_same_nodes(seed: int) -> None:
-    system = random_constrained_system(seed)
-    first, *others = (embedded(formalism(system)) for formalism in (newton_euler, lagrange_equations, kane))
+def test_every_formalism_is_reduced_to_the_same_nodes(seed: int, kind: str) -> None:
+    """By rates, and by speeds of choice."""
+    system = random_constrained_system(seed) if kind == "rates" else drawn(seed, kind)
+    formalisms = (newton_euler, lagrange_equations, kane, gibbs_appell)
+    first, *others = (embedded(formalism(system)) for formalism in formalisms)
     for other in others:
         assert [r.id for r in other.residuals] == [r.id for r in first.residuals]
+
+
+@pytest.mark.parametrize("kind", ["constrained", "floating and constrained"])
+@pytest.mark.parametrize("seed", range(6))
+def test_embedding_is_the_null_space_is_the_multipliers_in_speeds_of_choice(seed: int, kind: str) -> None:
+    check_three_ways(drawn(seed, kind))
+
+
+@pytest.mark.parametrize(("seed", "floats"), RATES_DEPEND)
+def test_kinematics_embed_the_same_constraints(seed: int, floats: bool) -> None:
+    """Dependent rates that the constraints give are kinematics of a system without constraints: the same equations."""
+    whole = random_constrained_system(seed, floats=floats)
+    reduced = embedded(newton_euler(whole))
+    linked = System(
+        whole.bodies,
+        whole.loads,
+        whole.coordinates,
+        (),
+        whole.gravity,
+        speeds=whole.quasi_velocities,
+        kinematics=reduced.system.eliminated,
+        inputs=whole.inputs,
+    )
+    for formalism in (kane, lagrange_equations):
+        found = formalism(linked)
+        assert found.speeds == reduced.speeds
+        assert found.residuals == reduced.residuals
+        assert found.mass_matrix == reduced.mass_matrix
 
 
 @pytest.mark.parametrize(("seed", "floats"), SEEDS[:8])

@@ -151,10 +151,20 @@ def _uncertainty(motion: Integrated) -> Iterable[Finding]:
 
 def _violations(motion: Integrated) -> Iterable[Finding]:
     """Return the constraint with the largest violation, if a motion has left its constraints at its end."""
+    model = motion.task.model
+    return _left(motion, "violation") if model.position_constraints or model.system.left_out else []
+
+
+def _departures(motion: Integrated) -> Iterable[Finding]:
+    """Return the same of constraints that were eliminated, which nothing enforces."""
+    return _left(motion, "departure") if motion.task.model.system.eliminated_constraints else []
+
+
+def _left(motion: Integrated, kind: str) -> Iterable[Finding]:
     model, outcome = motion.task.model, motion.outcome
-    system = model.system.whole
-    if not system.position_constraints or outcome.failure is not None:
+    if outcome.failure is not None:
         return []
+    system = model.system.whole
     kinematics = kinematics_in(system, dict(model.inputs))
     p = np.array([motion.parameters[name] for name in kinematics.parameters])
     q = np.array(outcome.end[1][: len(model.coordinates)])
@@ -165,7 +175,7 @@ def _violations(motion: Integrated) -> Iterable[Finding]:
     if not off[worst] > LEFT:
         return []
     (name,) = named_constraints(system.conditions, [system.holonomic[worst]])
-    return [Finding("violation", f"constraint {name}", float(off[worst]))]
+    return [Finding(kind, f"constraint {name}", float(off[worst]))]
 
 
 def _limits(motion: Integrated) -> Iterable[Finding]:
@@ -195,6 +205,11 @@ ROWS: dict[str, _Row] = {
         "the motion has left its constraints: at its end {subject} is off by {size:.1g} of the magnitude of its "
         "terms; use smaller tolerances or another way to enforce them (constraints=...), and leave out those that "
         "follow from others",
+    ),
+    "departure": _Row(
+        _departures,
+        "the motion has left constraints that were eliminated: at its end {subject} is off by {size:.1g} of the "
+        "magnitude of its terms; use smaller tolerances, or simulate the equations with multipliers, which are kept",
     ),
     "imbalance": _Row(
         _imbalance,
