@@ -38,7 +38,7 @@ class CanonicalEquations:
         system: the system to which they belong.
         momenta: p, one function of time per coordinate, called p_q.
         hamiltonian: ``H = p . q' - L``, a function of q, p and t; the energy, unless a frame is driven.
-        rates: q' and p' by q, p, t and the multipliers.
+        rates: q', p' and, of states z beside the mechanics, z', by q, p, z, t and the multipliers.
 
     >>> from symbody import Body, System, functions_of_time, hamilton, symbols, time_derivative, translate
     >>> x, m = functions_of_time("x"), symbols("m")
@@ -71,7 +71,8 @@ def hamilton(system: System) -> CanonicalEquations:
     generalised forces of the loads; constraints keep their multipliers.
 
     Raises:
-        ModelError: a speed is not the rate of a coordinate, a coordinate moves no mass, or loads hold accelerations.
+        ModelError: a speed is not the rate of a coordinate, a coordinate moves no mass, or loads or rates of states
+            hold accelerations.
 
     >>> from symbody import Body, System, Vector, ground, functions_of_time, rotate, symbols, translate
     >>> theta, (m, l, g) = functions_of_time("theta"), symbols("m l g")
@@ -97,9 +98,11 @@ def hamilton(system: System) -> CanonicalEquations:
         _check_known(system, forces)
         needed = with_multipliers([-force for force in forces], system)
         (energy,) = held.released([sum((p * v for p, v in zip(momenta, u, strict=True)), start=-lagrangian)])
+        _check_states(system)
         *changes, hamiltonian = substitute([*(-each for each in needed), energy], rates)
+        beside = zip(system.state_rates, substitute([*system.state_rates.values()], rates), strict=True)
     moved = {time_derivative(p): change for p, change in zip(momenta, changes, strict=True)}
-    return CanonicalEquations(system, momenta, hamiltonian, rates | moved)
+    return CanonicalEquations(system, momenta, hamiltonian, rates | moved | dict(beside))
 
 
 def _check(system: System) -> None:
@@ -131,6 +134,15 @@ def _solved(slopes: Sequence[Expr], speeds: Sequence[Expr], momenta: Sequence[Ex
             f"hamilton: the mass matrix of {', '.join(map(str, speeds))}: {failure}; give every coordinate some mass "
             "to move"
         ) from failure
+
+
+def _check_states(system: System) -> None:
+    for state, rate in system.state_rates.items():
+        acceleration = next((a for a in system.accelerations if a in rate.free_symbols), None)
+        if acceleration is not None:
+            raise ModelError(
+                f"hamilton: {state} holds the acceleration {acceleration}, which momenta don't give; use newton_euler"
+            )
 
 
 def _check_known(system: System, forces: Sequence[Expr]) -> None:
