@@ -152,3 +152,20 @@ def test_loads_of_accelerations() -> None:
     water = Force(ground, -c * time_derivative(x, 2), 0, 0, at=cart.center_of_mass, on=cart)
     with pytest.raises(ModelError, match=re.escape("hamilton: a load holds the acceleration x''")):
         hamilton(System([cart], [water], [x]))
+
+
+def test_states_beside_the_mechanics() -> None:
+    """The rates of states by the momenta: the motion is that of the equations by Newton and Euler."""
+    z = functions_of_time("z")
+    bead = Body(translate(x, 0, 0), m)
+    drag = Force(ground, -c * z - k * x, 0, 0, at=bead.center_of_mass, on=bead)
+    system = System([bead], [drag], [x], states={z: w * (time_derivative(x) - z)})
+    found = hamilton(system)
+    (p,) = found.momenta
+    assert found.rates == {
+        time_derivative(x): p / m,
+        time_derivative(p): -c * z - k * x,
+        time_derivative(z): w * (p / m - z),
+    }
+    led = System([bead], [drag], [x], states={z: time_derivative(x, 2)})
+    assert hamilton(led).rates[time_derivative(z)] == (-c * z - k * x) / m

@@ -214,18 +214,21 @@ class _Driven:
         """Put in positions and states along the way: constraints on velocities don't tell them by the instant alone."""
         from scipy.integrate import solve_ivp  # noqa: PLC0415 - slow to load, and rarely needed
 
+        if len(instants) == 1:
+            return
+        begin, n = np.concatenate([rows[0], states[0]]), rows.shape[1]
+        span = float(instants[0]), float(instants[-1])
+        found = solve_ivp(self._rates_at, span, begin, "DOP853", instants, rtol=_EXACT_WAY, atol=_EXACT_WAY)
+        states[: found.y.shape[1]] = found.y[n:].T
+        if not found.success:
+            raise ConstraintError(self._stuck(found.y[:n, -1], float(found.t[-1])))
         for k in range(1, len(instants)):
-            span = float(instants[k - 1]), float(instants[k])
-            begin, n = np.concatenate([rows[k - 1], states[k - 1]]), rows.shape[1]
-            found = solve_ivp(self._rates_at, span, begin, "DOP853", rtol=_EXACT_WAY, atol=_EXACT_WAY)
-            if not found.success:
-                raise ConstraintError(self._stuck(found.y[:n, -1], float(found.t[-1])))
-            reached, states[k] = found.y[:n, -1], found.y[n:, -1]
+            reached = found.y[:n, k].copy()
             reached[self.places] = rows[k, self.places]
-            problem = Positions.at(self.kinematics, self.p, span[1], reached)
+            problem = Positions.at(self.kinematics, self.p, float(instants[k]), reached)
             rows[k] = problem.solution(reached, self.is_free) if self.is_free.any() else reached
             if not problem.error(rows[k]) <= EXACT:
-                raise ConstraintError(self._stuck(rows[k - 1], span[0]))
+                raise ConstraintError(self._stuck(rows[k - 1], float(instants[k - 1])))
 
     def _rates_at(self, time: float, place: Array) -> Array:
         n = len(self.kinematics.system.coordinates)
