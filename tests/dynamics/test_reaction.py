@@ -14,6 +14,7 @@ from symbody import (
     assemble,
     cos,
     fixed,
+    free,
     functions_of_time,
     gear,
     ground,
@@ -29,6 +30,7 @@ from symbody import (
     simulate,
     simulate_many,
     sin,
+    spherical,
     symbols,
     t,
     time_derivative,
@@ -196,3 +198,29 @@ def test_bodies_of_any_system_can_be_cut_off():
         atol=1e-7,
     )
     assert found.moment.components == (0, 0, 0)
+
+
+def test_chosen_speeds_and_quaternions():
+    """Reactions don't depend on the speeds; by Euler parameters too, a ball carries no moment, a free body nothing."""
+    mechanism, pin, equations = pendulum(kinematics={q: l * time_derivative(phi)})
+    found = reaction(equations, pin, frame=mechanism.frame("bob"))
+    assert found.moment.components == (0, 0, 0)
+    numbers = values | {I: 0.1}
+    motion = simulate(equations, numbers, {phi: 0.5}, t=(0, 1), rtol=1e-11)
+    pull = motion.evaluate(found.force.components)[1]
+    rate = motion[time_derivative(phi)]
+    np.testing.assert_allclose(pull, 1.3 * (0.8 * rate**2 + 9.81 * np.cos(motion[phi])), rtol=1e-9)
+
+    top = Link("top", m, I, I, 2 * I, center=(0, 0, l))
+    ball, afloat = spherical("O", ground, top, quaternion=True), free("F", ground, top, quaternion=True)
+    of_ball, of_free = (
+        newton_euler(assemble([joint]).system(gravity=Vector(ground, 0, 0, -g))) for joint in (ball, afloat)
+    )
+    held = reaction(of_ball, ball)
+    assert held.moment.components == (0, 0, 0)
+    assert (
+        held.force.components
+        == newton_equations(of_ball.system.bodies, gravity=of_ball.system.gravity).components
+    )
+    nothing = reaction(of_free, afloat)
+    assert (*nothing.force.components, *nothing.moment.components) == (0,) * 6

@@ -27,6 +27,7 @@ from symbody import (
     lambdify,
     newton_equations,
     newton_euler,
+    origin,
     reaction,
     time_derivative,
 )
@@ -201,6 +202,24 @@ def test_reactions_move_each_body(kind: str, form: str, seed: int) -> None:
                 moment = moment - sign * each.about(at).moment
         left = case.numbers([*force.components, *moment.components])
         assert np.abs(left).max() < 1e-8 * max(1.0, *map(abs, case.state.values()))
+
+
+@pytest.mark.parametrize(("kind", "form", "seed"), CASES)
+def test_a_part_that_is_cut_off_is_held_by_the_joints_at_the_cuts(kind: str, form: str, seed: int) -> None:
+    case = moving(kind, form, seed)
+    bodies = [body.name for body in case.mechanism.bodies]
+    part = Random(seed).sample(bodies, len(bodies) // 2)
+    O = origin(ground)
+    whole = reaction(case.equations, part, about=O)
+    force, moment = whole.force, whole.moment
+    for placed in case.mechanism.joints:
+        inside = [str(end) in part for end in (placed.joint.parent, placed.joint.child)]
+        if inside[0] != inside[1]:
+            on = placed.joint.child if inside[1] else placed.joint.parent
+            each = reaction(case.equations, placed.joint, on=on, about=O)
+            force, moment = force - each.force, moment - each.moment
+    left = case.numbers([*force.components, *moment.components])
+    assert np.abs(left).max() < 1e-8 * max(1.0, *map(abs, case.state.values()))
 
 
 @pytest.mark.parametrize(("kind", "form", "seed"), CASES)

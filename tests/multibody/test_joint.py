@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import pickle
 from collections.abc import Callable
 
 import numpy as np
@@ -375,3 +376,25 @@ def test_parameters_are_substituted_in_systems_with_joints() -> None:
     assert system.joints[0].limits == (-2, 2)
     assert all(a not in constraint.free_symbols for constraint in system.constraints)
     assert isinstance(system.conditions[0], Constraint)
+
+
+def test_mechanisms_are_pickled_and_shown() -> None:
+    first, second = Link("first", m), Link("second", m)
+    made = assemble(
+        [
+            revolute("A", ground, first, limits=(-1, 1)),
+            spherical("B", first, second, at=AT),
+            point_on_curve("C", ground, second, curve=lambda s: (s, a * s**2, 0)),
+        ]
+    )
+    again = pickle.loads(pickle.dumps(made))
+    assert again.description() == made.description()
+    assert [each.condition for each in again.constraints] == [each.condition for each in made.constraints]
+    assert (
+        newton_euler(pickle.loads(pickle.dumps(made.system()))).residuals
+        == newton_euler(made.system()).residuals
+    )
+    assert (
+        ">psi_B, theta_B, phi_B</td>"
+        in made._repr_html_()
+    )

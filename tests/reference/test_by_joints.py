@@ -11,6 +11,7 @@ from numpy.testing import assert_allclose
 from symbody import System, equilibrium, ground, lagrange_equations, newton_euler, reaction, simulate
 from tests.reference.mechanisms import by_joints
 from tests.reference.mechanisms.andrews import andrews
+from tests.reference.mechanisms.bicycle import bicycle
 from tests.reference.mechanisms.fourbar_statics import fourbar_statics
 from tests.reference.mechanisms.problem import Problem, reference
 from tests.reference.mechanisms.slider_crank import slider_crank
@@ -34,6 +35,20 @@ def test_joints_give_the_equations_that_were_written_by_hand(
     assert one.mass_matrix == two.mass_matrix
     assert one.forcing == two.forcing
     assert one.residuals == two.residuals
+
+
+def test_the_bicycle_rolls_on_two_joints_of_which_one_closes_a_loop() -> None:
+    """The same equations but for the order and the signs of the constraints, as z points up in rolling joints."""
+    one, two = newton_euler(by_joints.bicycle()), bicycle().equations
+    assert {*one.coordinates} == {*two.coordinates}
+    order = [one.coordinates.index(q) for q in two.coordinates]
+    n = len(order)
+    assert all(
+        one.mass_matrix[order[i], order[j]] == two.mass_matrix[i, j] for i in range(n) for j in range(n)
+    )
+    assert [one.forcing[k] for k in order] == list(two.forcing)
+    rear_x, rear_y, contact, front_x, front_y = one.constraints
+    assert (-contact, rear_x, -rear_y, front_x, -front_y) == two.constraints
 
 
 def test_pins_of_the_hanging_linkage() -> None:

@@ -14,9 +14,12 @@ from symbody import (
     functions_of_time,
     ground,
     origin,
+    pi,
     prismatic,
     project,
     revolute,
+    rolling,
+    rotate,
     sqrt,
     symbols,
     time_derivative,
@@ -24,6 +27,7 @@ from symbody import (
 )
 from symbody.symbolic import Expr
 
+from .bicycle import NAMES
 from .problem import reference
 
 
@@ -70,6 +74,50 @@ def slider_crank() -> System:
         Force(ground, F, 0, 0, at=linkage.point(rod, 1, 0, 0), on=on, name="push"),
     ]
     return linkage.system(loads)
+
+
+def bicycle() -> System:
+    """Return the Carvallo-Whipple bicycle of `bicycle`: the rear wheel opens the tree, the front wheel closes it.
+
+    z points down there, and up in the axes of a rolling joint: y, the yaw and the angle of the wheel change signs.
+    """
+    p = dict(zip(NAMES.split(), symbols(NAMES), strict=True))
+    w, c, tilt, rear_radius, front_radius = (p[name] for name in ("w", "c", "lam", "rR", "rF"))
+    x, y, yaw, lean, pitch, steer, rear_angle, front_angle = functions_of_time(
+        "x y yaw lean pitch steer rear_angle front_angle"
+    )
+    lean_torque, steer_torque = functions_of_time("T_lean T_steer")
+    rear = Link("rear", p["mR"], p["IRxx"], p["IRyy"], p["IRxx"])
+    frame, fork = (
+        Link(
+            name,
+            p[f"m{part}"],
+            *(p[f"I{part}{axes}"] for axes in ("xx", "yy", "zz")),
+            Cxz=-p[f"I{part}xz"],
+            center=(p[f"x{part}"], 0, p[f"z{part}"]),
+        )
+        for name, part in (("frame", "B"), ("fork", "H"))
+    )
+    front = Link("front", p["mF"], p["IFxx"], p["IFyy"], p["IFxx"])
+    up = rotate("X", pi)
+    head = translate(w + c, 0, 0) * rotate("Y", tilt)
+    contact = [x, -y, -yaw, lean, -rear_angle]
+    made = assemble(
+        [
+            rolling("R", ground, rear, radius=rear_radius, at=up, to=up, coordinates=contact),
+            revolute("hub", rear, frame, to=(0, 0, -rear_radius), axis="Y", coordinate=pitch - rear_angle),
+            revolute("head", frame, fork, at=head, to=head, coordinate=steer),
+            revolute("axle", fork, front, at=(w, 0, -front_radius), axis="Y", coordinate=front_angle),
+            rolling("F", ground, front, radius=front_radius, at=up, to=up),
+        ]
+    )
+    leaned = translate(x, y, 0) * rotate("Z", yaw) * rotate("X", lean)
+    steering = made.joint("head").parent_side
+    loads = [
+        Torque(leaned, lean_torque, 0, 0, on=made.body(frame)),
+        Torque(steering, 0, 0, steer_torque, on=made.body(fork), reaction=made.body(frame)),
+    ]
+    return made.system(loads, gravity=Vector(ground, 0, 0, p["g"]), inputs=[lean_torque, steer_torque])
 
 
 def andrews() -> System:

@@ -281,7 +281,7 @@ def _is_free(system: System, placed: PlacedJoint, driven: frozenset[Expr]) -> bo
 
     They aren't where a coordinate is an expression, is driven, belongs to several joints, or has no speed of its own.
     """
-    if system.chosen or system.eliminated:
+    if system.eliminated or (system.chosen and len(system.speeds) < len(system.coordinates)):
         return False
     others = [q for joint in system.joints if joint is not placed for q in joint.coordinates]
     shared = {leaf for q in others for leaf in q.free_symbols}

@@ -15,6 +15,7 @@ from symbody.multibody.body import Body
 from symbody.multibody.constraint import Condition, Constraint
 from symbody.multibody.system import Loads, System
 from symbody.symbolic import Expr
+from symbody.symbolic.expression.html_table import html_table
 from symbody.symbolic.given.arguments import brief, counted
 
 from .closure import Sides
@@ -40,7 +41,7 @@ class Mechanism:
 
     Attributes:
         joints: the joints where they are placed, in the order given.
-        frames: the frames of the links, by link.
+        places: the links with their frames.
         bodies: the bodies of the links, in the order in which the joints name them.
         coordinates: those of the joints that open the tree, in the order of the joints.
 
@@ -53,9 +54,14 @@ class Mechanism:
     """
 
     joints: tuple[PlacedJoint, ...]
-    frames: Mapping[Link, Frame]
+    places: tuple[tuple[Link, Frame], ...]
     bodies: tuple[Body, ...]
     coordinates: tuple[Expr, ...]
+
+    @property
+    def frames(self) -> dict[Link, Frame]:
+        """The frames of the links, by link."""
+        return dict(self.places)
 
     @cached_property
     def constraints(self) -> tuple[Constraint, ...]:
@@ -149,6 +155,19 @@ class Mechanism:
             name=name,
         )
 
+    def _repr_html_(self) -> str:
+        """Return a table of the joints: what they join, their coordinates and their conditions."""
+        rows = [
+            [
+                each,
+                *(brief(part) for part in (each.joint.parent, each.joint.child)),
+                ", ".join(map(str, each.coordinates)),
+                ", ".join(f"{each.name}.{closure.name}" for closure in each.active),
+            ]
+            for each in self.joints
+        ]
+        return html_table(str(self), ["joint", "parent", "child", "coordinates", "constraints"], rows)
+
     def description(self) -> str:
         """Return what `show` prints: one line per joint, with its part in the spanning tree."""
         return "\n".join([str(self), *(joint.description() for joint in self.joints)])
@@ -218,7 +237,7 @@ def assemble(joints: Joints) -> Mechanism:
     )
     return Mechanism(
         placed,
-        MappingProxyType({link: frames[link] for link in links}),
+        tuple((link, frames[link]) for link in links),
         tuple(link.body(frames[link]) for link in links),
         _coordinates(placed),
     )

@@ -9,7 +9,7 @@ from symbody.errors import JointError
 from symbody.geometry import Frame, Scalar, Vector, angular_velocity, cross, dot, rotate, translate, velocity
 from symbody.geometry.component.triple import expression
 from symbody.geometry.given.argument import checked
-from symbody.symbolic import Expr, sqrt, time_derivatives
+from symbody.symbolic import Expr, number, sqrt, time_derivatives
 
 from .closure import Closure, Sides
 from .joint import Angles, Joint, Loop, Part, joined, mounted
@@ -88,13 +88,15 @@ class Contact(Pair):
 
     def closures(self, sides: Sides) -> tuple[Closure, ...]:
         """Return contact and slip at the lowest point, which is along ``-(n - (n . e) e)`` from the centre."""
-        n, e = sides.of_parent(2), sides.of_child(1)
+        axle, spin = _axle(sides)
+        n, e = sides.of_parent(2).projected(axle), sides.of_child(1).projected(axle)
         arm = -self.crown * n
         if not self.circle.is_zero:
             lean = dot(n, e)
-            arm -= self.circle / sqrt(1 - lean**2) * (n - lean * e.projected(n.frame))
-        w = (angular_velocity(sides.child) - angular_velocity(sides.parent)).projected(sides.parent)
-        return _at(sides, arm, velocity(sides.point, sides.parent) + cross(w, arm))
+            arm -= self.circle / sqrt(1 - lean**2) * (n - lean * e)
+        w = angular_velocity(axle) + spin * e - angular_velocity(sides.parent)
+        slip = velocity(sides.point, sides.parent) + cross(w, arm)
+        return _at(sides, arm.projected(sides.parent), slip)
 
     def opened(self, sides: Sides, coordinates: Sequence[Expr]) -> tuple[Closure, ...]:
         """Return the same by the axes that don't spin: the slip is ``(x', y', 0) - R phi' e_x - crown w x n``."""
@@ -104,6 +106,27 @@ class Contact(Pair):
         arm = Vector(leaning, 0, 0, -self.circle).projected(sides.parent) - self.crown * n
         slip = Vector(sides.parent, dx, dy, 0) - self.circle * spin * Vector(leaning, 1, 0, 0)
         return _at(sides, arm, slip - self.crown * cross(w, n))
+
+
+def _axle(sides: Sides) -> tuple[Frame, Expr]:
+    """Return a frame that carries the wheel's axis and doesn't spin with it, and the rate of the spin in it.
+
+    Without the spin the conditions are shorter. Where the last motion of the child is none about its axis, the frame is
+    that of the child, in which nothing spins.
+    """
+    spinning = sides.child.last_moving
+    motion, before = spinning.motion, spinning.parent
+    if (
+        before is not None
+        and motion is not None
+        and motion.turn_axis is not None
+        and motion.turn_angle is not None
+    ):
+        along = sides.of_child(1).projected(spinning).components[motion.turn_axis]
+        if (along * along - 1).is_zero:
+            (rate,) = time_derivatives([motion.turn_angle])
+            return before, along * rate
+    return sides.child, number(0)
 
 
 def _at(sides: Sides, arm: Vector, slip: Vector) -> tuple[Closure, ...]:
