@@ -68,7 +68,8 @@ class Kinematics:
     @cached_property
     def leaves(self) -> frozenset[Expr]:
         """The variables in constraints and kinematics."""
-        own = free_symbols((*self.constraints, *self.position_constraints, *self._velocities))
+        eliminated = self._with_inputs(self.eliminated)
+        own = free_symbols((*self.constraints, *self.position_constraints, *self._velocities, *eliminated))
         if not self.system.momenta:
             return own
         return own | self.in_speeds.leaves | free_symbols(self._momenta)
@@ -106,6 +107,20 @@ class Kinematics:
         rest = substitute(self._velocities, dict.fromkeys(u, number(0)))
         outputs = [jacobian(list(self._velocities), u), list(rest)]
         return lambdify(self._arguments(list(self.system.coordinates)), outputs)
+
+    @property
+    def eliminated(self) -> list[Expr]:
+        """The speeds that were eliminated, or replaced by momenta, and that are no rates of coordinates."""
+        return [u for u in self.system.eliminated if u.order == 0]
+
+    @cached_property
+    def eliminated_speeds(self) -> CompiledFunction:
+        """The function of t, q and p that returns D and d: these are ``D u + d``."""
+        u, values = list(self.system.speeds), self._with_inputs(self.eliminated)
+        rest = substitute(values, dict.fromkeys(u, number(0)))
+        return lambdify(
+            self._arguments(list(self.system.coordinates)), [jacobian(list(values), u), list(rest)]
+        )
 
     @cached_property
     def acceleration(self) -> CompiledFunction:
