@@ -1801,16 +1801,6 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
     ),
     (
         errors.ParameterError,
-        lambda: consistent_state(
-            hamilton(chosen({u1: xp})).equations, {m: 1}, {u1: 1, functions_of_time("p_y"): 2}
-        ),
-        (
-            "consistent_state: values of the momentum p_y and of the speed u1; expected momenta, or speeds and "
-            "rates of coordinates"
-        ),
-    ),
-    (
-        errors.ParameterError,
         lambda: consistent_state(hamilton(chosen({u1: xp})).equations, {m: 1}, {functions_of_time("p_x"): 1}),
         (
             "consistent_state, initial: p_x is not a coordinate, a rate of one or a speed of this system; did "

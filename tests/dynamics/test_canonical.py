@@ -214,6 +214,11 @@ def test_starts_by_speeds_of_choice() -> None:
         found.equations, numbers, {th: 0.3, xp: 1.5 * np.cos(0.3), yp: 1.5 * np.sin(0.3), thp: 1.0}
     )
     assert [rates[p] for p in found.momenta] == pytest.approx([state[p] for p in found.momenta])
+    p_v, _, p_th = found.momenta
+    both = consistent_state(found.equations, numbers, {th: 0.3, p_v: 3.0, thp: 1.0})
+    assert [both[p] for p in found.momenta] == pytest.approx([state[p] for p in found.momenta])
+    mixed = consistent_state(found.equations, numbers, {th: 0.3, v: 1.5, p_th: state[p_th]})
+    assert [mixed[p] for p in found.momenta] == pytest.approx([state[p] for p in found.momenta])
 
 
 def test_rest_and_small_motions() -> None:

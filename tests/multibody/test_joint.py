@@ -394,7 +394,4 @@ def test_mechanisms_are_pickled_and_shown() -> None:
         newton_euler(pickle.loads(pickle.dumps(made.system()))).residuals
         == newton_euler(made.system()).residuals
     )
-    assert (
-        ">psi_B, theta_B, phi_B</td>"
-        in made._repr_html_()
-    )
+    assert ">psi_B, theta_B, phi_B</td>" in made._repr_html_()

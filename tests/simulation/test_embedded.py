@@ -22,10 +22,13 @@ from symbody import (
     embedded,
     equilibrium,
     functions_of_time,
+    gibbs_appell,
     ground,
     hamilton,
     inverse_dynamics,
     kane,
+    lagrange_equations,
+    moving_frame,
     newton_euler,
     project,
     rotate,
@@ -221,3 +224,38 @@ def test_batches_begin_on_eliminated_constraints_and_with_momenta() -> None:
         ends.append([found.outputs[name] for name in outputs])
     assert_allclose(ends[1], ends[0], rtol=1e-7)
     assert_allclose(ends[2], ends[0], rtol=1e-7)
+
+
+def test_everything_at_once() -> None:
+    """A cart on a moving frame, a slide by a speed of choice, a link between three speeds, and a drive with a state.
+
+    Four formalisms with a multiplier, Hamilton's equations, and the elimination of a speed of the moving frame.
+    """
+    u, w, z, c, T = *functions_of_time("u w z"), *symbols("c T")
+    cart = moving_frame(u, 0, 0, 0, 0, w, pose=translate(x, y, 0) * rotate("Z", th))
+    chassis = Body(cart * translate(a, 0, 0), m, J, J, J)
+    load = Body(cart * translate(s, l, 0), m / 2, J, J, J)
+    pull = Force(
+        cart, z - k * s - c * time_derivative(s), 0, 0, at=load.center_of_mass, on=load, reaction=chassis
+    )
+    system = System(
+        [chassis, load],
+        [pull],
+        [s],
+        [Constraint(u - w / 2 - v / 4, name="link")],
+        speeds=[u, w],
+        kinematics={v: time_derivative(s) + u / 5},
+        states={z: (sin(t) - z) / T + time_derivative(v) / 10},
+    )
+    numbers = {m: 1.0, J: 0.1, a: 0.1, l: 0.3, k: 3.0, c: 0.2, T: 0.5}
+    forms = [formalism(system) for formalism in (newton_euler, lagrange_equations, kane, gibbs_appell)]
+    forms += [hamilton(system).equations, embedded(kane(system))]
+    assert w in forms[-1].system.eliminated  # by which the motion begins all the same
+    ends = []
+    for form in forms:
+        motion = simulate(form, numbers, {s: 0.1, w: 0.7}, [0, 0.5, 1, 2], rtol=1e-11, atol=1e-12)
+        ends.append([motion[name] for name in (x, y, th, s, z, u, w, v, time_derivative(v))])
+        assert motion.energy_drift < 1e-9
+    assert np.ptp(ends[0], axis=1).min() > 1e-2
+    for end in ends[1:]:
+        assert_allclose(end, ends[0], rtol=0, atol=1e-9)

@@ -171,8 +171,8 @@ class Variables:
     def state_names(self) -> tuple[Expr, ...]:
         """The names by which values may be given: coordinates, speeds, rates of coordinates, and states."""
         rates = (time_derivative(q) for q in self.coordinates)
-        replaced = self.eliminated if self.momenta else ()
-        return tuple(dict.fromkeys((*self.coordinates, *self.speeds, *rates, *replaced, *self.states)))
+        known = (*self.coordinates, *self.speeds, *rates, *self.eliminated, *self.states)
+        return tuple(dict.fromkeys(known))
 
     @property
     def has_quasi_velocities(self) -> bool:

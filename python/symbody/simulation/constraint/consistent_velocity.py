@@ -7,7 +7,7 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from symbody.errors import ConstraintError, ParameterError
+from symbody.errors import ConstraintError
 from symbody.simulation.model.named_constraint import named_constraint
 from symbody.symbolic import Expr, time_derivative
 
@@ -36,7 +36,7 @@ def velocities(
     """Return the speeds, shape (n,): the fixed values, and the smallest change of the others from their guess.
 
     Where the speeds are momenta and none of these is given, they are those of such speeds. Fixed rates of coordinates
-    that are not speeds, ``q' = K u + k``, are conditions like those of the constraints.
+    that are not speeds, ``q' = K u + k``, are conditions like those of the constraints; so are eliminated speeds.
 
     Args:
         kinematics: the constraints and the kinematics.
@@ -49,12 +49,15 @@ def velocities(
     Raises:
         ConstraintError: no speeds with these values satisfy the constraints.
     """
-    if kinematics.system.momenta and _is_given_in_speeds(kinematics, fixed, guess):
+    if kinematics.system.momenta and kinematics.system.momenta.keys().isdisjoint((*fixed, *guess)):
         whole = kinematics.in_speeds
         u = velocities(whole, kinematics.parameters_of(whole, p), t, q, fixed, guess)
         return np.asarray(kinematics.momenta(t, np.concatenate([q, u]), p), dtype=np.float64)
     speeds, m = kinematics.system.speeds, len(kinematics.constraints)
     A, b = kinematics.velocity(t, q, p)
+    if kinematics.eliminated:
+        more, rest = kinematics.eliminated_speeds(t, q, p)
+        A, b = np.vstack([A, more]), np.append(b, rest)
     u = _guessed(kinematics, A[m:], b[m:], guess)
     is_free = np.array([speed not in fixed for speed in speeds])
     u[~is_free] = [fixed[speed] for speed in speeds if speed in fixed]
@@ -77,21 +80,6 @@ def velocities(
             raise ConstraintError(f"{_WHERE}: at t = {t:g} s {contradiction}")
         raise ConstraintError(_impossible(kinematics, t, error, places, fixed))
     return u
-
-
-def _is_given_in_speeds(
-    kinematics: Kinematics, fixed: Mapping[Expr, float], guess: Mapping[Expr, float]
-) -> bool:
-    """Return whether a state in momenta is given by the speeds that these replaced, or by rates of coordinates."""
-    system = kinematics.system
-    momentum = next((name for name in (*fixed, *guess) if name in system.momenta), None)
-    speed = next((name for name in (*fixed, *guess) if name in system.whole.quasi_velocities), None)
-    if momentum is not None and speed is not None:
-        raise ParameterError(
-            f"{_WHERE}: values of the momentum {momentum} and of the speed {speed}; expected momenta, or speeds and "
-            "rates of coordinates"
-        )
-    return momentum is None
 
 
 def _usual_sizes(kinematics: Kinematics, p: Array, t: float, q: Array) -> Array:
@@ -124,11 +112,15 @@ def _guessed(kinematics: Kinematics, K: Array, k: Array, guess: Mapping[Expr, fl
 
 
 def _given_rates(kinematics: Kinematics, given: Mapping[Expr, float]) -> tuple[list[int], list[float]]:
-    """Return the indices of the coordinates whose rates are given but are not speeds, and these rates."""
-    speeds = kinematics.system.speeds
-    rates = [time_derivative(q) for q in kinematics.system.coordinates]
+    """Return the places of rates of coordinates, and of eliminated speeds, that are given but no speeds; the values."""
+    speeds, rates = kinematics.system.speeds, _rates(kinematics)
     places = [place for place, rate in enumerate(rates) if rate in given and rate not in speeds]
     return places, [given[rates[place]] for place in places]
+
+
+def _rates(kinematics: Kinematics) -> list[Expr]:
+    """Return what may be given instead of speeds: the rates of the coordinates, then eliminated speeds."""
+    return [*(time_derivative(q) for q in kinematics.system.coordinates), *kinematics.eliminated]
 
 
 def _impossible(
@@ -140,11 +132,11 @@ def _impossible(
         kinematics: the constraints.
         t: the time, in s.
         error: the relative residuals of the equations for speeds.
-        places: the indices of coordinates whose rates are fixed.
+        places: the places of fixed rates and eliminated speeds.
         fixed: the values of fixed speeds and rates.
     """
     system = kinematics.system
-    rates = [time_derivative(system.coordinates[place]) for place in places]
+    rates = [_rates(kinematics)[place] for place in places]
     conditions = [
         *(
             f"satisfy constraint {k + 1}, {named_constraint(each)},"

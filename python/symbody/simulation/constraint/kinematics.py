@@ -110,7 +110,8 @@ class Kinematics:
     @cached_property
     def leaves(self) -> frozenset[Expr]:
         """The variables in constraints and kinematics, and in the rates of the states that constraints hold."""
-        levels = free_symbols((*self.constraints, *self.position_constraints, *self._velocities))
+        eliminated = self._with_inputs(self.eliminated)
+        levels = free_symbols((*self.constraints, *self.position_constraints, *self._velocities, *eliminated))
         rates = zip(self.system.states, self.system.state_rates.values(), strict=True)
         own = levels | free_symbols(self._with_inputs(rate for z, rate in rates if z in levels))
         if not self.system.momenta:
@@ -151,6 +152,20 @@ class Kinematics:
         rest = substitute(self._velocities, dict.fromkeys(u, number(0)))
         outputs = [jacobian(list(self._velocities), u), list(rest)]
         return lambdify(self._arguments([*self.system.coordinates, *self._held]), outputs)
+
+    @property
+    def eliminated(self) -> list[Expr]:
+        """The speeds that were eliminated, or replaced by momenta, and that are no rates of coordinates."""
+        return [u for u in self.system.eliminated if u.order == 0]
+
+    @cached_property
+    def eliminated_speeds(self) -> CompiledFunction:
+        """The function of t, q and p that returns D and d: these are ``D u + d``."""
+        u, values = list(self.system.speeds), self._with_inputs(self.eliminated)
+        rest = substitute(values, dict.fromkeys(u, number(0)))
+        return lambdify(
+            self._arguments(list(self.system.coordinates)), [jacobian(list(values), u), list(rest)]
+        )
 
     @cached_property
     def _acceleration(self) -> CompiledFunction:
