@@ -28,6 +28,7 @@ def check_independent(system: Variables) -> None:
             Or the independent ones leave no motion whatever the dimensions are, and none of them drives the system.
     """
     pivots: dict[int, _Combination] = {}
+    found: list[str] = []
     phi_q, rates = constraint_jacobian(system), _rates(system)
     for place in (*system.holonomic, *_nonholonomic(system)):
         slopes = {column: entry for column, entry in enumerate(phi_q.row(place)) if not entry.is_zero}
@@ -39,8 +40,14 @@ def check_independent(system: Variables) -> None:
         pivots[place] = combination
         if not combination.slopes:
             rest = combination.value if place in system.holonomic else combination.rate
-            _report(system, place, combined, rest)
-    _check_motion_is_left(system, [each for each in pivots.values() if each.slopes])
+            found.append(_report(system, place, combined, rest))
+    independent = [each for each in pivots.values() if each.slopes]
+    if len(independent) == len(system.speeds) and not _is_driven(system):
+        found = [
+            _without_motion(system, independent)
+        ]  # any other constraint depends on as many as there are speeds
+    for notice in found:
+        warnings.warn(notice, ModelNotice, stacklevel=4)
 
 
 def _nonholonomic(system: Variables) -> tuple[int, ...]:
@@ -54,10 +61,9 @@ def _rates(system: Variables) -> tuple[Expr, ...]:
     return system.velocity_level(system.constraints)
 
 
-def _check_motion_is_left(system: Variables, independent: Sequence[_Combination]) -> None:
+def _without_motion(system: Variables, independent: Sequence[_Combination]) -> str:
+    """Return a notice of constraints that leave no motion; raise an error if no dimensions can change that."""
     n, what = len(system.speeds), "speeds" if system.has_quasi_velocities else "coordinates"
-    if len(independent) < n or _is_driven(system):
-        return
     found = f"{system.where}: {n} independent constraints on {n} {what} leave no motion"
     if all(
         each.slopes[each.pivot].is_constant for each in independent
@@ -69,7 +75,7 @@ def _check_motion_is_left(system: Variables, independent: Sequence[_Combination]
         "With parameters that are all 1 nothing moves; leave out a constraint, unless the dimensions that you will "
         "give are special ones"
     )
-    warnings.warn(f"{found} for almost all dimensions. {advice}", ModelNotice, stacklevel=5)
+    return f"{found} for almost all dimensions. {advice}"
 
 
 def _is_driven(system: Variables) -> bool:
@@ -126,7 +132,8 @@ class _Combination(NamedTuple):
         return _Combination(left, self.value - factor * other.value, self.rate - factor * other.rate)
 
 
-def _report(system: Variables, place: int, combined: Sequence[int], rest: Expr) -> None:
+def _report(system: Variables, place: int, combined: Sequence[int], rest: Expr) -> str:
+    """Return a notice of a constraint that depends on others; raise an error if it contradicts them everywhere."""
     constraint, others = (
         f"{system.where}: constraint {place + 1}, {system.conditions[place]},",
         _named(combined),
@@ -136,25 +143,15 @@ def _report(system: Variables, place: int, combined: Sequence[int], rest: Expr) 
             f"{constraint} contradicts {others}: together they say that {brief(rest)} = 0; correct one of them"
         )
     if not rest.is_zero and _contradicts(system, place, rest):
-        warnings.warn(
+        return (
             f"{constraint} contradicts {others} wherever {rest} isn't zero: their gradients are combinations of each "
-            "other; correct one of them, or leave it out",
-            ModelNotice,
-            stacklevel=5,
+            "other; correct one of them, or leave it out"
         )
-        return
     if not combined:
-        warnings.warn(
-            f"{constraint} always holds, and restrains nothing; leave it out, or correct it",
-            ModelNotice,
-            stacklevel=5,
-        )
-        return
-    warnings.warn(
+        return f"{constraint} always holds, and restrains nothing; leave it out, or correct it"
+    return (
         f"{constraint} depends on {others}: its gradient is a combination of theirs, so that their multipliers aren't "
-        "determined; forward dynamics takes those of minimum norm; leave it out if it is redundant",
-        ModelNotice,
-        stacklevel=5,
+        "determined; forward dynamics takes those of minimum norm; leave it out if it is redundant"
     )
 
 

@@ -18,7 +18,7 @@ from symbody.errors import SymbodyError
 from symbody.multibody import Constraint, Variables
 from symbody.simulation.given.values import parameter_values, state_values
 from symbody.simulation.given.wording import joined_by_and
-from symbody.simulation.model.named_constraint import named_constraints
+from symbody.simulation.model.named_constraint import briefly_named
 from symbody.symbolic import Expr, ExprLike, number
 from symbody.symbolic.numeric.deficiency import noting, reporting
 
@@ -94,7 +94,7 @@ class Redundancy:
         """Return what is redundant, and what to leave out."""
         if not self.count:
             return "the constraints are independent where the mechanism moves"
-        names = joined_by_and(named_constraints(self.conditions, self.rows, most=_SHOWN), most=8)
+        names = joined_by_and(briefly_named(self.conditions, self.rows, most=_SHOWN), most=8)
         amount = "one" if self.count == 1 else str(self.count)
         return (
             f"the mechanism is overconstrained: constraints {names} depend on each other wherever it moves, {amount} "

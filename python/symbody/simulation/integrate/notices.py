@@ -15,7 +15,7 @@ from symbody.simulation.constraint.singular_passage import singular_passages
 from symbody.simulation.constraint.singular_position import SINGULAR, is_singular, may_be_singular
 from symbody.simulation.given.wording import joined_by_and
 from symbody.simulation.model.model import Model
-from symbody.simulation.model.named_constraint import named_constraints
+from symbody.simulation.model.named_constraint import briefly_named, named_constraints
 from symbody.symbolic.numeric.deficiency import Deficiency, strongest
 
 from .integrated import Integrated
@@ -104,7 +104,7 @@ def _redundancy(motion: Integrated) -> Iterable[Finding]:
     if found is None:
         return []
     others = [str(row + 1) for row in found.rows if row not in found.choice]
-    out = joined_by_and(named_constraints(found.conditions, found.choice), most=_NAMED)
+    out = joined_by_and(briefly_named(found.conditions, found.choice), most=_NAMED)
     several = found.count > 1
     reason = (
         f"follow from {joined_by_and(others, most=_NAMED)} wherever it moves"
@@ -162,9 +162,9 @@ def _departures(motion: Integrated) -> Iterable[Finding]:
 
 def _left(motion: Integrated, kind: str) -> Iterable[Finding]:
     model, outcome = motion.task.model, motion.outcome
-    if outcome.failure is not None:
-        return []
     system = model.system.whole
+    if outcome.failure is not None or not system.position_constraints:
+        return []
     kinematics = kinematics_in(system, dict(model.inputs))
     p = np.array([motion.parameters[name] for name in kinematics.parameters])
     q = np.array(outcome.end[1][: len(model.coordinates)])

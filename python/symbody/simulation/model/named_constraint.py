@@ -7,7 +7,7 @@ from collections.abc import Iterable, Sequence
 from symbody.multibody import Constraint
 from symbody.symbolic import Expr, readable
 
-__all__ = ["named_constraint", "named_constraints", "shortened"]
+__all__ = ["briefly_named", "named_constraint", "named_constraints", "shortened"]
 
 _SHOWN = 80
 _READABLE = 3000
@@ -39,3 +39,16 @@ def named_constraints(
     ['2 (y = 0)']
     """
     return [f"{row + 1} ({named_constraint(constraints[row], most)})" for row in rows]
+
+
+def briefly_named(constraints: Sequence[Constraint], rows: Iterable[int], most: int = _SHOWN) -> list[str]:
+    """Return the same for lists of many constraints: of those with a name, the name alone.
+
+    >>> from symbody import Constraint, symbols
+    >>> x, y = symbols("x y")
+    >>> briefly_named([Constraint(x), Constraint(y, "pin.y")], [0, 1])
+    ['1 (x = 0)', '2 (pin.y)']
+    """
+    return [
+        f"{row + 1} ({constraints[row].name or named_constraint(constraints[row], most)})" for row in rows
+    ]
