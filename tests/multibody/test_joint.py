@@ -394,7 +394,20 @@ def test_mechanisms_are_pickled_and_shown() -> None:
         newton_euler(pickle.loads(pickle.dumps(made.system()))).residuals
         == newton_euler(made.system()).residuals
     )
-    assert (
-        ">psi_B, theta_B, phi_B</td>"
-        in made._repr_html_()
+    assert ">psi_B, theta_B, phi_B</td>" in made._repr_html_()
+
+
+def test_rounded_places_make_no_constraints_of_rounding_errors() -> None:
+    """A plane four-bar linkage in a plane that is given by doubles: three conditions hold up to 1e-16."""
+    tilted = Frame((rotate("X", 0.3) * rotate("Y", 0.7)).matrix.subs({}))
+    rounded = Frame([[float(entry) for entry in tilted.matrix.entries[4 * k : 4 * k + 4]] for k in range(4)])
+    crank, rod, rocker = (Link(name, 1) for name in ("crank", "rod", "rocker"))
+    made = assemble(
+        [
+            revolute("A", ground, crank, at=rounded),
+            revolute("B", crank, rod, at=(1, 0, 0)),
+            revolute("D", ground, rocker, at=rotate("X", 0.3) * rotate("Y", 0.7) * translate(2, 0, 0)),
+            revolute("C", rod, rocker, at=(2.5, 0, 0), to=(1.5, 0, 0)),
+        ]
     )
+    assert [constraint.name for constraint in made.constraints] == ["C.x", "C.y"]
