@@ -7,7 +7,7 @@ So there is a position that keeps all constraints, to rounding.
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from random import Random
 
 import numpy as np
@@ -126,7 +126,7 @@ def random_mechanism(
         joints += _meshing(draw, closing, members[-1])
         position |= {q: 0.3 for q in assemble(joints).coordinates if q not in position}
     elif closing is not None:
-        joints.append(_closing(draw, closing, tree, position, members[-1]))
+        joints.append(_closing(draw, closing, tree, position, members))
     made = assemble(joints)
     if closing == "rack":
         position[functions_of_time("s_B")] = -0.6
@@ -148,28 +148,20 @@ def _meshing(draw: Random, kind: str, carrier: Link) -> list[Joint]:
     return [first, second, gear("G", first, second, 2, 1, internal=True)]
 
 
-def _closing(draw: Random, kind: str, tree: Mechanism, position: dict[Expr, float], last: Link) -> Joint:
-    """Return a joint between the last link and ground that fits at a position."""
-    at = _place(draw)
-    trial = KINDS[kind](draw, "C", ground, last, at=at)
+def _closing(
+    draw: Random, kind: str, tree: Mechanism, position: dict[Expr, float], members: list[Link]
+) -> Joint:
+    """Return a joint of the last link with ground, or with the first link, that fits at a position."""
+    at, last = _place(draw), members[-1]
+    parent = draw.choice([ground, members[0]])
+    trial = KINDS[kind](draw, "C", parent, last, at=at)
     motion = trial.pair.motion(trial.coordinates)
     somewhere = {q: round(draw.uniform(-0.9, 0.9), 3) for q in trial.coordinates}
     position |= {q: somewhere[q] for q in trial.pair.keeps}
-    target = _numbers(at, {}) @ _numbers(motion, somewhere)
+    base = tree.frame(parent) if isinstance(parent, Link) else parent
+    target = _numbers(base * at, position) @ _numbers(motion, somewhere)
     to = np.linalg.solve(_numbers(tree.frame(last), position), target)
-    axes = "".join(getattr(trial.pair, "slides", "") + getattr(trial.pair, "turns", ""))
-    del axes
-    return Joint(
-        trial.kind,
-        type(trial.mounting)("C", ground, last, trial.mounting.at, exact(to), True),
-        trial.pair,
-        trial.coordinates,
-    )
-
-
-def exact(matrix: np.ndarray) -> Frame:
-    """Return the frame of a matrix of doubles."""
-    return Frame(matrix.tolist())
+    return replace(trial, mounting=replace(trial.mounting, to=Frame(to.tolist()), loop=True))
 
 
 def _numbers(frame: Frame, values: dict[Expr, float]) -> np.ndarray:

@@ -39,12 +39,14 @@ from symbody import (
     prismatic,
     project,
     rack,
+    reaction,
     revolute,
     rolling,
     rotate,
     screw,
     simulate,
     sin,
+    solve,
     spherical,
     sqrt,
     subs,
@@ -232,6 +234,29 @@ def test_gears_and_racks() -> None:
         assert mesh.condition == x - side * r * p
 
 
+def test_a_planetary_gear_turns_as_willis_says() -> None:
+    """The ring is the ground, and the carrier turns in it: ``w_sun = w_carrier (1 + r_ring/r_sun)``."""
+    r_sun, r_planet = symbols("r_sun r_planet")
+    r_ring = r_sun + 2 * r_planet
+    carrier, sun, planet = (Link(name, 1, Iz=1) for name in ("carrier", "sun", "planet"))
+    R = revolute("R", carrier, ground, coordinate=-q)
+    S = revolute("S", carrier, sun, coordinate=p)
+    P = revolute("P", carrier, planet, at=(r_sun + r_planet, 0, 0), coordinate=x)
+    made = assemble(
+        [R, S, P, gear("G1", S, P, r_sun, r_planet), gear("G2", R, P, r_ring, r_planet, internal=True)]
+    )
+    solved = solve([constraint.condition for constraint in made.constraints], [p, x])
+    assert angular_velocity(made.frame(carrier)).components[2] == time_derivative(q)
+    assert time_derivative(q + solved[p]) == (1 + r_ring / r_sun) * time_derivative(q)
+    assert angular_velocity(made.frame(sun)).components[2] == time_derivative(q + p)
+    equations = newton_euler(made.system())
+    numbers = {r_sun: 0.2, r_planet: 0.1}
+    motion = simulate(equations, numbers, {time_derivative(q): 2.0}, t=(0, 1))
+    assert motion.energy_drift < 1e-9
+    teeth = [motion.evaluate(reaction(equations, name).force.components) for name in ("G1", "G2")]
+    assert all(np.abs(each).max() < 1e-9 for each in teeth)  # nothing accelerates
+
+
 def velocity_at(place: Point, frame: Frame) -> Vector:
     """Return the velocity of the point of a frame that turns about its origin."""
     return cross(angular_velocity(frame), place - Point(frame, 0, 0, 0)).projected(ground)
@@ -395,3 +420,19 @@ def test_mechanisms_are_pickled_and_shown() -> None:
         == newton_euler(made.system()).residuals
     )
     assert ">psi_B, theta_B, phi_B</td>" in made._repr_html_()
+
+
+def test_rounded_places_make_no_constraints_of_rounding_errors() -> None:
+    """A plane four-bar linkage in a plane that is given by doubles: three conditions hold up to 1e-16."""
+    tilted = Frame((rotate("X", 0.3) * rotate("Y", 0.7)).matrix.subs({}))
+    rounded = Frame([[float(entry) for entry in tilted.matrix.entries[4 * k : 4 * k + 4]] for k in range(4)])
+    crank, rod, rocker = (Link(name, 1) for name in ("crank", "rod", "rocker"))
+    made = assemble(
+        [
+            revolute("A", ground, crank, at=rounded),
+            revolute("B", crank, rod, at=(1, 0, 0)),
+            revolute("D", ground, rocker, at=rotate("X", 0.3) * rotate("Y", 0.7) * translate(2, 0, 0)),
+            revolute("C", rod, rocker, at=(2.5, 0, 0), to=(1.5, 0, 0)),
+        ]
+    )
+    assert [constraint.name for constraint in made.constraints] == ["C.x", "C.y"]

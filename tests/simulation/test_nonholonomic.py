@@ -283,8 +283,6 @@ def test_redundant_constraints_on_velocities() -> None:
     )
     with pytest.warns(ModelNotice, match=said):
         eqs = newton_euler(system)
-    with pytest.warns(
-        ModelNotice, match=r"constraint 2 \(other wheel\) follows from 1 wherever it moves"
-    ):
+    with pytest.warns(ModelNotice, match=r"constraint 2 \(other wheel\) follows from 1 wherever it moves"):
         motion = simulate(eqs, {m: 1.7, J: 0.3}, {xd: 1.0, thetad: 1.0}, t=(0, 2), **EXACT)
     assert motion[x] == pytest.approx(np.sin(motion.t), abs=1e-9)

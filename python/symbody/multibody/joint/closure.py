@@ -16,7 +16,16 @@ from symbody.geometry import Frame, Point, Vector, cross, dot, origin
 from symbody.symbolic import Expr
 from symbody.symbolic.expression.container import Container, contains
 
-__all__ = ["AXES", "Closure", "Sides", "along", "held_point", "perpendicular"]
+__all__ = [
+    "AXES",
+    "Closure",
+    "Sides",
+    "along",
+    "held_point",
+    "holds_by_itself",
+    "names_that_constrain",
+    "perpendicular",
+]
 
 AXES = "XYZ"
 
@@ -92,6 +101,33 @@ def _unit(frame: Frame, axis: int) -> Vector:
     return Vector(frame, *(int(axis == k) for k in range(3)))
 
 
+def names_that_constrain(closures: Sequence[Closure]) -> tuple[str, ...]:
+    """Return the names of the conditions that don't hold by themselves."""
+    return tuple(closure.name for closure in closures if not holds_by_itself(closure.condition))
+
+
+def holds_by_itself(condition: Expr) -> bool:
+    """Whether a condition is zero at every position; with numbers for all parameters, up to rounding.
+
+    Doubles in places leave 1e-17 or 1e-17*sin(q) of what is zero in a plane mechanism: such conditions would depend on
+    others, or contradict them.
+    """
+    leaves = sorted(condition.free_symbols, key=str)
+    if condition.is_zero or any(not leaf.depends_on_time for leaf in leaves):
+        return condition.is_zero
+    positions = (
+        {leaf: 0.3 + (turn * k * _GOLDEN) % 1 for k, leaf in enumerate(leaves, start=1)}
+        for turn in range(1, _POSITIONS + 1)
+    )
+    return all(abs(condition.evaluate(position)) < _ROUNDING for position in positions)
+
+
+_POSITIONS = 5
+_GOLDEN = 0.6180339887498949
+"""Multiples of the golden ratio spread evenly."""
+_ROUNDING = 1e-12
+
+
 def held_point(sides: Sides) -> tuple[Closure, ...]:
     """Return the closures of two points that coincide: ``r_C - r_P = 0``.
 
@@ -108,7 +144,7 @@ def held_point(sides: Sides) -> tuple[Closure, ...]:
                 for k, (name, component) in enumerate(zip("xyz", gap.components, strict=True))
             )
         )
-    return max(ways, key=lambda way: sum(closure.condition.is_zero for closure in way))
+    return max(ways, key=lambda way: sum(holds_by_itself(closure.condition) for closure in way))
 
 
 def along(sides: Sides, axis: int) -> Closure:

@@ -18,7 +18,7 @@ from symbody.symbolic import Expr
 from symbody.symbolic.expression.html_table import html_table
 from symbody.symbolic.given.arguments import brief, counted
 
-from .closure import Sides
+from .closure import Closure, Sides, names_that_constrain
 from .joint import Joint
 from .link import Link
 from .mesh import Mesh
@@ -285,11 +285,15 @@ def _check_loops(loops: Sequence[Joint], meshes: Sequence[tuple[Joint, Mesh]]) -
 def _with_meshes(placed: Sequence[PlacedJoint], sides: Mapping[Joint, Sides]) -> tuple[PlacedJoint, ...]:
     """Return the joints with the closures of meshes, which need the places of other joints."""
     return tuple(
-        replace(each, closures=each.joint.pair.meshing(str(each.joint), sides))
+        _with_closures(each, each.joint.pair.meshing(str(each.joint), sides))
         if isinstance(each.joint.pair, Mesh)
         else each
         for each in placed
     )
+
+
+def _with_closures(placed: PlacedJoint, closures: tuple[Closure, ...]) -> PlacedJoint:
+    return replace(placed, closures=closures, constraining=names_that_constrain(closures))
 
 
 def _frame_of(part: Link | Frame, frames: Mapping[Link, Frame]) -> Frame:

@@ -11,7 +11,7 @@ from symbody.symbolic import Expr
 from symbody.symbolic.expression.container import Container, contains
 from symbody.symbolic.given.arguments import brief
 
-from .closure import Closure, Sides
+from .closure import Closure, Sides, names_that_constrain
 from .joint import Joint
 from .link import Link
 
@@ -29,6 +29,7 @@ class PlacedJoint:
         child_side: its axes C on the child.
         coordinates: those that place a link; empty where it closes a loop.
         closures: what it holds, and by which forces.
+        constraining: the names of the closures that make constraints: those that don't hold by themselves.
         outboard: the names of the links beyond it, where it opens the tree; None where it closes a loop.
         limits: the least and the largest value of its coordinate.
         measured: the value of its coordinate, if it has one.
@@ -39,6 +40,7 @@ class PlacedJoint:
     child_side: Frame
     coordinates: tuple[Expr, ...]
     closures: tuple[Closure, ...]
+    constraining: tuple[str, ...]
     outboard: tuple[str, ...] | None
     limits: tuple[Expr | None, Expr | None] = (None, None)
     measured: Expr | None = None
@@ -47,12 +49,14 @@ class PlacedJoint:
     def of(cls, joint: Joint, sides: Sides, outboard: tuple[str, ...] | None) -> PlacedJoint:
         """Return a joint between frames; one that opens the tree leads to links."""
         opens = outboard is not None
+        closures = joint.pair.opened(sides, joint.coordinates) if opens else joint.pair.closures(sides)
         return cls(
             joint,
             sides.parent,
             sides.child,
             joint.coordinates if opens else joint.pair.keeps,
-            joint.pair.opened(sides, joint.coordinates) if opens else joint.pair.closures(sides),
+            closures,
+            () if opens and not joint.pair.rolls else names_that_constrain(closures),
             outboard,
             joint.limits,
             _measured(joint, sides, opens=opens),
@@ -83,10 +87,8 @@ class PlacedJoint:
 
     @property
     def active(self) -> tuple[Closure, ...]:
-        """The conditions that make constraints: those that don't hold by themselves."""
-        if self.opens and not self.joint.pair.rolls:
-            return ()
-        return tuple(closure for closure in self.closures if not closure.condition.is_zero)
+        """The conditions that make constraints."""
+        return tuple(closure for closure in self.closures if closure.name in self.constraining)
 
     def description(self) -> str:
         """Return one line: what it joins, its coordinates or its conditions."""
@@ -96,7 +98,7 @@ class PlacedJoint:
             text += f", by {', '.join(map(str, self.coordinates))}"
         if self.active:
             text += f"{' and' if self.opens else ' closes a loop by'} {self._named(self.active)}"
-        idle = [closure for closure in self.closures if closure not in self.active]
+        idle = [closure for closure in self.closures if closure.name not in self.constraining]
         if not self.opens and idle:
             text += f"{';' if self.active else ' closes a loop:'} by themselves hold {self._named(idle)}"
         return text
