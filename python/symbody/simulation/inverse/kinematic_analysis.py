@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
@@ -40,13 +40,12 @@ class Trajectory:
     coordinates: Array
     speeds: Array
     accelerations: Array
-    states: Array = field(default_factory=lambda: np.zeros((1, 0)))
+    states: Array
 
     @property
     def rows(self) -> Array:
         """All of them in one row for each instant."""
-        states = np.broadcast_to(self.states, (len(self.coordinates), self.states.shape[1]))
-        return np.hstack([self.coordinates, self.speeds, self.accelerations, states])
+        return np.hstack([self.coordinates, self.speeds, self.accelerations, self.states])
 
 
 def kinematic_analysis(
