@@ -81,7 +81,7 @@ def kinematic_analysis(
     driven.check_determined(instants, velocities)
     driven.check_satisfied(instants, velocities, "speeds")
     driven.check_satisfied(instants, accelerations, "accelerations")
-    if beside is not None and kinematics.system.is_holonomic:
+    if beside is not None and not driven.is_followed(instants, q):
         z = integrated_states(beside, lambda time: driven.motion_at(time, instants, q), instants, where)
     return Trajectory(q, velocities.x, accelerations.x, z)
 
@@ -161,7 +161,7 @@ class _Driven:
         return free
 
     def positions(self, instants: Array, guess: Mapping[Expr, float]) -> tuple[Array, Array]:
-        """Return the coordinates, one row for each instant, and the states, where constraints are on velocities."""
+        """Return the coordinates, one row for each instant, and the states, where they are integrated together."""
         path = self.path.at(instants)
         self._check_finite(instants, path)
         first = dict(zip(self.prescribed, map(float, path[0, :, 0]), strict=True))
@@ -170,7 +170,7 @@ class _Driven:
         rows[:, self.places] = path[0].T
         beside = np.zeros(0) if self.beside is None else self.beside.start
         states = np.tile(beside, (len(instants), 1))
-        if not self.kinematics.system.is_holonomic:
+        if self.is_followed(instants, rows):
             self._follow(rows, states, instants)
         elif self.kinematics.constraints and self.is_free.any():
             for k in range(1, len(instants)):
@@ -178,6 +178,21 @@ class _Driven:
         elif self.kinematics.constraints:
             self.check(rows, instants)
         return rows, states
+
+    def is_followed(self, instants: Array, rows: Array) -> bool:
+        """Return whether positions follow from rates alone: by constraints on velocities, or by kinematics.
+
+        Positions at one instant determine other coordinates only if as many constraints on positions hold these.
+        """
+        system, is_free = self.kinematics.system, self.is_free
+        if not system.is_holonomic:
+            return True
+        if not is_free.any() or not system.has_quasi_velocities:
+            return False
+        with np.errstate(all="ignore"):
+            _, phi_q, _ = self.kinematics.position(float(instants[0]), rows[0], self.p)
+        rank = np.linalg.matrix_rank(phi_q[:, is_free]) if np.isfinite(phi_q).all() and len(phi_q) else 0
+        return bool(rank < is_free.sum())
 
     def motion_at(self, time: float, instants: Array, rows: Array) -> Array:
         """Return coordinates, speeds and accelerations at any time, from the positions at instants."""
