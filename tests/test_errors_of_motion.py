@@ -437,6 +437,14 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
     ),
     # --- motions ---
     (
+        errors.ModelError,
+        lambda: equilibrium(newton_euler(system(kinematics={dx: y - x})), VALUES),
+        (
+            "equilibrium: the kinematics move x at zero speeds, x' = y - x, and don't tell which force holds it; "
+            "expected a constraint instead: constraints=[time_derivative(x) - (y - x)]"
+        ),
+    ),
+    (
         errors.ParameterError,
         lambda: simulate(skating(), VALUES, {dx: [1, 2]}, t=(0, 1)),
         (
