@@ -29,7 +29,6 @@ from symbody import (
     hamilton,
     inverse_dynamics,
     kane,
-    lagrange_equations,
     newton_euler,
     rotate,
     simulate,
@@ -295,22 +294,6 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
     ),
     (
         errors.ModelError,
-        lambda: lagrange_equations(system(kinematics={u: dx})),
-        (
-            "lagrange_equations: the kinematics of the system give x' by speeds that are not rates of "
-            "coordinates; use newton_euler"
-        ),
-    ),
-    (
-        errors.ModelError,
-        lambda: hamilton(system(kinematics={u: dx})),
-        (
-            "hamilton: the speeds u, y', theta' are not the rates of the coordinates; momenta need frames of "
-            "coordinates: use another formalism, such as newton_euler"
-        ),
-    ),
-    (
-        errors.ModelError,
         lambda: hamilton(System([sledge], (), [x, y, theta, functions_of_time("p_x")])),
         "hamilton: the momentum p_x has the name of something in the system; rename that",
     ),
@@ -436,6 +419,14 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
         ),
     ),
     # --- motions ---
+    (
+        errors.ModelError,
+        lambda: equilibrium(newton_euler(system(kinematics={dx: y - x})), VALUES),
+        (
+            "equilibrium: the kinematics move x at zero speeds, x' = y - x, and don't tell which force holds it; "
+            "expected a constraint instead: constraints=[time_derivative(x) - (y - x)]"
+        ),
+    ),
     (
         errors.ParameterError,
         lambda: simulate(skating(), VALUES, {dx: [1, 2]}, t=(0, 1)),

@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from numpy.testing import assert_allclose
 from scipy.interpolate import make_interp_spline
 from scipy.linalg import solve
 
@@ -248,6 +249,17 @@ def test_few_instants_lead_through_the_same_assembly():
     coarse = drive(slider_crank(), {"phi": w * t}, [0, 0.7, 2], guess={"s": 0.4})
     assert np.allclose(coarse.coordinates, fine.coordinates[[0, 70, 200]], atol=1e-12)
     assert np.allclose(coarse.multipliers, fine.multipliers[[0, 70, 200]], atol=1e-9)
+
+
+def test_coordinates_that_follow_by_kinematics_alone() -> None:
+    """A skate by its one speed: y isn't prescribed, and follows from ``y' = x' tan(theta)`` with ``theta = w t``."""
+    x, y, theta, u, m, w = *functions_of_time("x y theta u"), *symbols("m w")
+    skate = Body(translate(x, y, 0) * rotate("Z", theta), m, Iz=1)
+    kinematics = {time_derivative(x): u * cos(theta), time_derivative(y): u * sin(theta)}
+    eqs = newton_euler(System([skate], (), [x, y, theta], speeds=[u], kinematics=kinematics))
+    result = inverse_dynamics(eqs, {x: t, theta: w * t}, {m: 2.0, w: 0.5}, (0, 1))
+    assert_allclose(result[y], -np.log(np.cos(0.5 * result.t)) / 0.5, atol=1e-11)
+    assert_allclose(result[u], 1 / np.cos(0.5 * result.t), atol=1e-11)
 
 
 def test_dependent_constraints_share_their_force():

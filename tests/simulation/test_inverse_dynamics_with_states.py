@@ -169,6 +169,18 @@ def test_a_gear_with_a_prescribed_rotor() -> None:
     assert_allclose(result.forces[y], torque, atol=1e-8)
 
 
+def test_kinematics_that_hold_a_state() -> None:
+    """The belt embedded: x follows the state, and isn't prescribed."""
+    body = Body(translate(x, y, 0), m)
+    led = newton_euler(System([body], (), [x, y], kinematics={dx: z}, states={z: (r - z) / T}))
+    values = {m: 2.0, T: BELT[T], r: BELT[r]}
+    result = inverse_dynamics(led, {y: time**2}, values, (0, 2), initial={z: 0.2})
+    speed, place, _ = belt_motion(result.t, 0.2)
+    assert_allclose(result[z], speed, atol=1e-9)
+    assert_allclose(result[x], place, atol=1e-9)
+    assert_allclose(result.forces[y], 4.0, atol=1e-9)
+
+
 def test_one_instant_and_tables() -> None:
     result = inverse_dynamics(lagging((dx - z) / T), {x: time}, CART, [0.0], initial={z: 0.7})
     assert result[z] == pytest.approx([0.7])

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
@@ -14,7 +14,7 @@ from symbody.simulation.constraint.consistent_position import EXACT, Positions, 
 from symbody.simulation.constraint.kinematics import Kinematics
 from symbody.simulation.constraint.least_norm import least_norm_many
 from symbody.simulation.model.named_constraint import named_constraint
-from symbody.symbolic import Expr, jacobian
+from symbody.symbolic import Expr
 
 from .prescription import Path
 from .states_along import Beside, integrated_states
@@ -42,13 +42,12 @@ class Trajectory:
     coordinates: Array
     speeds: Array
     accelerations: Array
-    states: Array = field(default_factory=lambda: np.zeros((1, 0)))
+    states: Array
 
     @property
     def rows(self) -> Array:
         """All of them in one row for each instant."""
-        states = np.broadcast_to(self.states, (len(self.coordinates), self.states.shape[1]))
-        return np.hstack([self.coordinates, self.speeds, self.accelerations, states])
+        return np.hstack([self.coordinates, self.speeds, self.accelerations, self.states])
 
 
 def kinematic_analysis(
@@ -84,7 +83,7 @@ def kinematic_analysis(
     driven.check_determined(instants, velocities)
     driven.check_satisfied(instants, velocities, "speeds")
     driven.check_satisfied(instants, accelerations, "accelerations")
-    if beside is not None and not driven.is_path_dependent:
+    if beside is not None and not driven.is_followed(instants, q):
         z = integrated_states(beside, lambda time: driven.motion_at(time, instants, q), instants, where)
     return Trajectory(q, velocities.x, accelerations.x, z)
 
@@ -166,7 +165,7 @@ class _Driven:
         return free
 
     def positions(self, instants: Array, guess: Mapping[Expr, float]) -> tuple[Array, Array]:
-        """Return the coordinates, one row for each instant, and the states, where constraints are on velocities."""
+        """Return the coordinates, one row for each instant, and the states, where they are integrated together."""
         path = self.path.at(instants)
         self._check_finite(instants, path)
         first = dict(zip(self.prescribed, map(float, path[0, :, 0]), strict=True))
@@ -175,7 +174,7 @@ class _Driven:
         rows[:, self.places] = path[0].T
         beside = np.zeros(0) if self.beside is None else self.beside.start
         states = np.tile(beside, (len(instants), 1))
-        if self.is_path_dependent:
+        if self.is_followed(instants, rows):
             self._follow(rows, states, instants)
         elif self.kinematics.position_constraints and self.is_free.any():
             for k in range(1, len(instants)):
@@ -184,21 +183,20 @@ class _Driven:
             self.check(rows, instants)
         return rows, states
 
-    @property
-    def is_path_dependent(self) -> bool:
-        """Whether the prescription doesn't determine positions by the instant alone.
+    def is_followed(self, instants: Array, rows: Array) -> bool:
+        """Return whether positions follow from rates alone: by constraints on velocities, or by kinematics.
 
-        So it is with constraints on velocities, also where these were eliminated, or are embedded by the kinematics.
+        Positions at one instant determine other coordinates only if as many constraints on positions hold these.
         """
-        system = self.kinematics.system
-        free = [q for q, is_free in zip(system.coordinates, self.is_free, strict=True) if is_free]
-        if not system.whole.is_holonomic or not free:
-            return not system.whole.is_holonomic
-        count = len(self.kinematics.position_constraints)
-        embeds = len(system.whole.speeds) < len(system.coordinates)
-        return embeds and (
-            not count or jacobian(list(self.kinematics.position_constraints), free).rank() < len(free)
-        )
+        system, is_free = self.kinematics.system, self.is_free
+        if not system.whole.is_holonomic:
+            return True
+        if not is_free.any() or not system.has_quasi_velocities:
+            return False
+        with np.errstate(all="ignore"):
+            _, phi_q, _ = self.kinematics.position(float(instants[0]), rows[0], self.p)
+        rank = np.linalg.matrix_rank(phi_q[:, is_free]) if np.isfinite(phi_q).all() and len(phi_q) else 0
+        return bool(rank < is_free.sum())
 
     def motion_at(self, time: float, instants: Array, rows: Array) -> Array:
         """Return coordinates, speeds and accelerations at any time, from the positions at instants."""

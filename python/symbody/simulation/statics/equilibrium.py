@@ -11,18 +11,20 @@ from numpy.typing import ArrayLike, NDArray
 
 from symbody.dynamics import Equations
 from symbody.errors import ModelError, ModelNotice, SimulationError
+from symbody.multibody import System
 from symbody.simulation.constraint.consistent_position import positions, starting_points
 from symbody.simulation.constraint.kinematics import kinematics_of
 from symbody.simulation.given.unused import warn_of_unused
 from symbody.simulation.given.values import given_inputs, parameter_values, state_values
 from symbody.simulation.model.named_constraint import named_constraint
 from symbody.simulation.statics.force_balance import Balance
-from symbody.symbolic import Expr, ExprLike
+from symbody.symbolic import Expr, ExprLike, number, substitute, time_derivative
 from symbody.symbolic.expression.html_table import html_table
+from symbody.symbolic.given.arguments import brief
 from symbody.symbolic.numeric.deficiency import reporting
 
 from .rest_position import RestPosition
-from .statics import statics_of
+from .statics import Statics, statics_of
 
 __all__ = ["Equilibrium", "equilibrium"]
 
@@ -152,6 +154,7 @@ def equilibrium(
 
     Raises:
         SimulationError: no equilibrium was found, or it is not isolated.
+        ModelError: kinematics move a coordinate at zero speeds.
         ConstraintError: no position satisfies the constraints.
         ParameterError: a value is missing, has an unknown key, or is not finite.
 
@@ -192,6 +195,7 @@ def _place(
     given = given_inputs(eqs, inputs, where=_WHERE)
     kinematics = kinematics_of(eqs, given)
     statics = statics_of(eqs, kinematics.given)
+    _check_kinematics(statics)
     p = parameter_values(statics.parameters, parameters, where=_WHERE, beside=eqs.system.state_names)
     held = state_values(eqs.system, fixed, where=_WHERE, argument="fixed", has_speeds=False)
     near = state_values(
@@ -212,6 +216,27 @@ def _place(
     solution = _solved(problem, q)
     _check_single(problem, solution)
     return RestPosition(problem, kinematics, of_constraints, *solution)
+
+
+def _check_kinematics(statics: Statics) -> None:
+    """Check that no coordinate moves at zero speeds, as ``x' = y - x`` in kinematics: that would be no rest.
+
+    Raises:
+        ModelError: a rate of a coordinate that the user wrote depends on positions or states at zero speeds.
+    """
+    system = statics.equations.system
+    if not isinstance(system, System):
+        return
+    written = {*system.chosen, *(q for q in system.coordinates if time_derivative(q) in system.eliminated)}
+    at_rest = dict.fromkeys(system.speeds, number(0))
+    for q in (q for q in system.coordinates if q in written):
+        (drift,) = substitute([system.kinematics[time_derivative(q)]], at_rest)
+        if not drift.free_symbols.isdisjoint(statics.positions):
+            raise ModelError(
+                f"{_WHERE}: the kinematics move {q} at zero speeds, {time_derivative(q)} = {brief(drift)}, and don't "
+                "tell which force holds it; expected a constraint instead: "
+                f"constraints=[time_derivative({q}) - ({brief(drift)})]"
+            )
 
 
 def _result(place: RestPosition) -> Equilibrium:
