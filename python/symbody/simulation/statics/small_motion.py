@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-__all__ = ["SmallMotion", "ordered"]
+__all__ = ["SmallMotion", "pencil_eigenvalues"]
 
 Array = NDArray[np.float64]
 
@@ -32,20 +32,19 @@ class SmallMotion:
         For conservative systems the squares of s are the eigenvalues of a symmetric pencil. This avoids the loss of
         digits that a double eigenvalue zero has in the general problem.
         """
-        from scipy.linalg import eig, eigh  # noqa: PLC0415 - slow to load, and not needed by simulations
+        from scipy.linalg import eigh  # noqa: PLC0415 - slow to load, and not needed by simulations
 
         if self.is_conservative:
             try:
                 squares = eigh(self.stiffness, self.inertia, eigvals_only=True)
                 roots = np.sqrt(-_without_rounding(squares) + 0j)
-                return ordered(np.concatenate([roots, -roots]))
+                return _ordered(np.concatenate([roots, -roots]))
             except np.linalg.LinAlgError:
                 pass
         n = len(self.inertia)
         right = np.block([[np.eye(n), np.zeros((n, n))], [np.zeros((n, n)), self.inertia]])
         left = np.block([[np.zeros((n, n)), np.eye(n)], [-self.stiffness, -self.damping]])
-        values = eig(left, right, right=False)
-        return ordered(values[np.isfinite(values)])
+        return pencil_eigenvalues(left, right)
 
     @property
     def is_conservative(self) -> bool:
@@ -60,7 +59,15 @@ def _without_rounding(squares: Array) -> Array:
     return np.where(np.abs(squares) <= 1e-11 * size, 0.0, squares)
 
 
-def ordered(values: NDArray[np.complex128]) -> NDArray[np.complex128]:
+def pencil_eigenvalues(left: Array, right: Array) -> NDArray[np.complex128]:
+    """Return the s of ``right s y = left y``, the fastest growing first, without those at infinity."""
+    from scipy.linalg import eig  # noqa: PLC0415 - slow to load, and not needed by simulations
+
+    values = np.asarray(eig(left, right, right=False), np.complex128)
+    return _ordered(values[np.isfinite(values)])
+
+
+def _ordered(values: NDArray[np.complex128]) -> NDArray[np.complex128]:
     """Return eigenvalues, the fastest growing first."""
     order = np.lexsort((values.imag, -np.round(values.real, 9)))
     found: NDArray[np.complex128] = values[order] + 0.0

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from .small_motion import SmallMotion, ordered
+from .small_motion import SmallMotion, pencil_eigenvalues
 
 __all__ = ["SmallMotionOfStates", "StatesAlong"]
 
@@ -47,11 +47,7 @@ class SmallMotionOfStates:
 
     def eigenvalues(self) -> NDArray[np.complex128]:
         """Return the s of the motions ``(x, x', z) exp(s t)``, in 1/s, the fastest growing first."""
-        from scipy.linalg import eig  # noqa: PLC0415 - slow to load, and not needed by simulations
-
-        left, right = self.pencil
-        values = np.asarray(eig(left, right, right=False), np.complex128)
-        return ordered(values[np.isfinite(values)])
+        return pencil_eigenvalues(*self.pencil)
 
     @property
     def pencil(self) -> tuple[Array, Array]:

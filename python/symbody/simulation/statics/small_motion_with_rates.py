@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from symbody.simulation.constraint.least_norm import least_norm
 
-from .small_motion import SmallMotion, ordered
+from .small_motion import SmallMotion, pencil_eigenvalues
 from .small_motion_of_states import StatesAlong
 
 __all__ = ["Rates", "SmallMotionWithRates"]
@@ -51,11 +51,7 @@ class SmallMotionWithRates:
 
     def eigenvalues(self) -> NDArray[np.complex128]:
         """Return the s of the motions ``y exp(s t)``, in 1/s, the fastest growing first."""
-        from scipy.linalg import eig  # noqa: PLC0415 - slow to load, and not needed by simulations
-
-        left, right = self.pencil
-        values = np.asarray(eig(left, right, right=False), np.complex128)
-        return ordered(values[np.isfinite(values)])
+        return pencil_eigenvalues(*self.pencil)
 
     @property
     def pencil(self) -> tuple[Array, Array]:
