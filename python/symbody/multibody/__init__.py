@@ -3,12 +3,13 @@
 from .body import Body, center_of_mass
 from .constraint import Constraint
 from .energy import gravitational_energy, kinetic_energy, mechanical_energy
+from .joint.assemble import assemble
 from .joint.cylindrical import cylindrical
 from .joint.fixed import fixed
 from .joint.free import free
 from .joint.gear import gear
 from .joint.link import Link
-from .joint.mechanism import Mechanism, assemble
+from .joint.mechanism import Mechanism
 from .joint.planar import planar
 from .joint.point_on_curve import point_on_curve
 from .joint.prismatic import prismatic
