@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
-from typing import Annotated, Any, TypeAlias
+from typing import Annotated, TypeAlias
 
 from symbody.errors import JointError, notify
 from symbody.geometry import Frame
@@ -158,24 +158,15 @@ def _opened(branch: Branch, frames: Mapping[Link, Frame]) -> tuple[Sides, Frame]
 
 def _outboard(branches: Sequence[Branch]) -> dict[Joint, tuple[str, ...]]:
     """Return the names of the links beyond each joint of the tree, the one that it places first."""
-    inner = {
-        branch.placed: branch.joint.child if branch.is_reversed else branch.joint.parent
-        for branch in branches
-    }
-    found: dict[Joint, tuple[str, ...]] = {}
-    for branch in branches:
-        beyond = [branch.placed]
-        beyond += [link for link in inner if link is not branch.placed and _leads(link, branch.placed, inner)]
-        found[branch.joint] = tuple(link.name for link in beyond)
-    return found
-
-
-def _leads(link: Link | Frame, to: Link, inner: Mapping[Any, Link | Frame]) -> bool:
-    while isinstance(link, Link):
-        link = inner[link]
-        if link is to:
-            return True
-    return False
+    leading = {branch.placed: branch for branch in branches}
+    found: dict[Joint, list[str]] = {branch.joint: [] for branch in branches}
+    for link in leading:
+        inner: Link | Frame = link
+        while isinstance(inner, Link):
+            branch = leading[inner]
+            found[branch.joint].append(link.name)
+            inner = branch.joint.child if branch.is_reversed else branch.joint.parent
+    return {joint: tuple(names) for joint, names in found.items()}
 
 
 def _coordinates(joints: Sequence[PlacedJoint]) -> tuple[Expr, ...]:
