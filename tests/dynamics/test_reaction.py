@@ -31,6 +31,7 @@ from symbody import (
     simulate_many,
     sin,
     spherical,
+    subs,
     symbols,
     t,
     time_derivative,
@@ -224,3 +225,14 @@ def test_chosen_speeds_and_quaternions():
     )
     nothing = reaction(of_free, afloat)
     assert (*nothing.force.components, *nothing.moment.components) == (0,) * 6
+
+
+def test_parameters_are_substituted_in_equations_with_reactions():
+    mechanism, pin, equations = pendulum()
+    (one, _, _) = reaction(
+        subs(equations, {l: 2}), pin, frame=mechanism.frame("bob").subs({l: 2})
+    ).force.components
+    assert one == m * (2 * time_derivative(phi, 2) + g * sin(phi))
+    found = subs(reaction(equations, "bob"), {l: 2})
+    assert str(found.at) == "centre of bob"
+    assert found.moment.components == (0, 0, I * time_derivative(phi, 2))

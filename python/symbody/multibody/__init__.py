@@ -19,12 +19,13 @@ from .element.tire_force import TireForce, TireLaw
 from .element.tire_kinematics import TireKinematics, tire_kinematics
 from .element.torsion_spring import torsion_spring
 from .energy import gravitational_energy, kinetic_energy, mechanical_energy, potential_energy
+from .joint.assemble import assemble
 from .joint.cylindrical import cylindrical
 from .joint.fixed import fixed
 from .joint.free import free
 from .joint.gear import gear
 from .joint.link import Link
-from .joint.mechanism import Mechanism, assemble
+from .joint.mechanism import Mechanism
 from .joint.planar import planar
 from .joint.point_on_curve import point_on_curve
 from .joint.prismatic import prismatic

@@ -107,7 +107,8 @@ def reaction(
         equations: those of a system that `assemble` made for a joint, and of any system with bodies for bodies.
         cut: the joint; or a body, or several.
         on: which side of the joint the reaction acts on; the child by default. On the parent it has the other sign.
-        about: the point of the moment; by default the origin of the child's axes in the joint, or the centre of mass.
+        about: the point of the moment; by default the origin of the child's axes in the joint, the centre of mass of a
+            body, or the origin of the root for several.
         frame: the axes of the components; by default those of the joint on the parent, or the root.
 
     Raises:
@@ -206,10 +207,14 @@ def _on_part(system: System, bodies: Sequence[Body], about: Point | None, frame:
     members: list[Body | Load] = [*bodies, *loads]
     at = about
     if at is None:
-        at = bodies[0].center_of_mass if len(bodies) == 1 else origin(system.root)
+        at = _center(bodies[0]) if len(bodies) == 1 else origin(system.root)
     force = newton_equations(members, frame, gravity=system.gravity)
     moment = euler_equations(members, at, frame, gravity=system.gravity)
     return Reaction(force, moment, at, ", ".join(map(str, bodies)))
+
+
+def _center(body: Body) -> Point:
+    return Point(body.frame, 0, 0, 0, name=f"centre of {body}")
 
 
 def _of_loop(system: System, placed: PlacedJoint) -> Reaction:

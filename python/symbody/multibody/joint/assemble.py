@@ -1,0 +1,190 @@
+"""Assembly: from joints and links to bodies with frames, coordinates and constraints."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from typing import Annotated, TypeAlias
+
+from symbody.errors import JointError, notify
+from symbody.geometry import Frame
+from symbody.geometry.given.argument import checked
+from symbody.symbolic import Expr
+
+from .closure import Closure, Sides, names_that_constrain
+from .joint import Joint
+from .link import Link
+from .mechanism import Mechanism
+from .mesh import Mesh
+from .placed_joint import PlacedJoint
+from .spanning_tree import Branch, spanning_tree
+
+__all__ = ["assemble"]
+
+Joints: TypeAlias = Annotated[Sequence[Joint], "a list of joints, such as [revolute('A', ground, crank)]"]
+
+
+@checked(JointError)
+def assemble(joints: Joints) -> Mechanism:
+    """Return the mechanism of joints and the links that they join.
+
+    Joints place the links one after the other, as a tree from ground outwards, by their coordinates. A joint between
+    links that are placed already closes a loop by constraints. In the tree come first the joints with ``loop=False``,
+    then those whose coordinates you gave, then those with the fewest freedoms, then those earlier in the list. What was
+    chosen is printed by ``show(mechanism)``.
+
+    Conditions that hold at every position by themselves, such as those across the plane of a plane mechanism, make no
+    constraints. What they would exert cannot be known from rigid bodies, and `reaction` takes it for zero.
+
+    Args:
+        joints: the joints of the mechanism.
+
+    Raises:
+        JointError: no joints lead from a frame to a link, or two things have one name.
+
+    >>> from symbody import Link, ground, prismatic, revolute, show, symbols
+    >>> r, l, m = symbols("r l m")
+    >>> crank, rod, slider = (Link(name, m) for name in ("crank", "rod", "slider"))
+    >>> A, B = revolute("A", ground, crank), revolute("B", crank, rod, at=(r, 0, 0))
+    >>> C, D = revolute("C", rod, slider, at=(l, 0, 0)), prismatic("D", ground, slider)
+    >>> show(assemble([A, B, D, C]))
+    Mechanism(3 bodies, 4 joints, 3 coordinates, 2 constraints)
+    revolute A: ground -> crank, by phi_A
+    revolute B: crank -> rod, by phi_B
+    prismatic D: ground -> slider, by s_D
+    revolute C: rod -> slider closes a loop by C.x, C.y; by themselves hold C.z, C.about x, C.about y
+    """
+    _check_names(joints)
+    meshes = [(joint, joint.pair) for joint in joints if isinstance(joint.pair, Mesh)]
+    needed = [each for _, mesh in meshes for each in (mesh.first, mesh.second)]
+    _check_meshes(joints, meshes)
+    branches, loops = spanning_tree(joints, needed)
+    _check_loops(loops, meshes)
+    frames = dict[Link, Frame]()
+    sides = dict[Joint, Sides]()
+    for branch in branches:
+        sides[branch.joint], frames[branch.placed] = _opened(branch, frames)
+    for joint in loops:
+        at, to = (_frame_of(part, frames) for part in (joint.parent, joint.child))
+        sides[joint] = Sides(at * joint.mounting.at, to * joint.mounting.to)
+    for joint, mesh in meshes:
+        sides[joint] = Sides(sides[mesh.first].child, sides[mesh.second].child)
+    outboard = _outboard(branches)
+    placed = tuple(PlacedJoint.of(joint, sides[joint], outboard.get(joint)) for joint in joints)
+    placed = _with_meshes(placed, sides)
+    for joint in loops:
+        _report_idle_coordinates(joint)
+    links = dict.fromkeys(
+        part for joint in joints for part in (joint.parent, joint.child) if isinstance(part, Link)
+    )
+    return Mechanism(
+        placed,
+        tuple((link, frames[link]) for link in links),
+        tuple(link.body(frames[link]) for link in links),
+        _coordinates(placed),
+    )
+
+
+def _check_names(joints: Sequence[Joint]) -> None:
+    if not joints:
+        raise JointError("assemble: no joints; expected at least one, such as revolute('A', ground, crank)")
+    parts = [part for joint in joints for part in (joint.parent, joint.child) if isinstance(part, Link)]
+    for kind, things in (("joints", joints), ("links", dict.fromkeys(parts))):
+        names = [thing.name for thing in things]
+        twice = next((name for name in names if names.count(name) > 1), None)
+        if twice is not None:
+            raise JointError(
+                f"assemble: two {kind} have the name {twice}; expected a name of its own for each"
+            )
+
+
+def _check_meshes(joints: Sequence[Joint], meshes: Sequence[tuple[Joint, Mesh]]) -> None:
+    for joint, mesh in meshes:
+        missing = next((each for each in (mesh.first, mesh.second) if each not in joints), None)
+        if missing is not None:
+            raise JointError(
+                f"assemble: {joint} couples {missing}, which isn't in the list; add it to the joints"
+            )
+
+
+def _check_loops(loops: Sequence[Joint], meshes: Sequence[tuple[Joint, Mesh]]) -> None:
+    """Check that joints that close loops hold something, and that none of them is needed for its coordinate."""
+    for joint, mesh in meshes:
+        closing = next((each for each in (mesh.first, mesh.second) if each in loops), None)
+        if closing is not None:
+            raise JointError(
+                f"assemble: {joint} couples {closing}, which closes a loop and has no coordinate; choose by loop=True "
+                "another joint that closes it"
+            )
+    idle = next((joint for joint in loops if joint.kind == "free"), None)
+    if idle is not None:
+        raise JointError(
+            f"assemble: {idle} closes a loop, where it holds nothing; leave it out, or let another joint close the "
+            "loop: loop=True"
+        )
+
+
+def _with_meshes(placed: Sequence[PlacedJoint], sides: Mapping[Joint, Sides]) -> tuple[PlacedJoint, ...]:
+    """Return the joints with the closures of meshes, which need the places of other joints."""
+    return tuple(
+        _with_closures(each, each.joint.pair.meshing(str(each.joint), sides))
+        if isinstance(each.joint.pair, Mesh)
+        else each
+        for each in placed
+    )
+
+
+def _with_closures(placed: PlacedJoint, closures: tuple[Closure, ...]) -> PlacedJoint:
+    return replace(placed, closures=closures, constraining=names_that_constrain(closures))
+
+
+def _frame_of(part: Link | Frame, frames: Mapping[Link, Frame]) -> Frame:
+    return part if isinstance(part, Frame) else frames[part]
+
+
+def _opened(branch: Branch, frames: Mapping[Link, Frame]) -> tuple[Sides, Frame]:
+    """Return the sides of a joint of the tree, and the frame of the link that it places."""
+    joint, name = branch.joint, branch.placed.name
+    at, to = joint.mounting.at, joint.mounting.to
+    motion = joint.pair.motion(joint.coordinates)
+    if not branch.is_reversed:
+        one = _frame_of(joint.parent, frames) * at
+        other = one * motion
+        return Sides(one, other), (other * to.inverse()).named(name)
+    other = _frame_of(joint.child, frames) * to
+    one = other * motion.inverse()
+    return Sides(one, other), (one * at.inverse()).named(name)
+
+
+def _outboard(branches: Sequence[Branch]) -> dict[Joint, tuple[str, ...]]:
+    """Return the names of the links beyond each joint of the tree, the one that it places first."""
+    leading = {branch.placed: branch for branch in branches}
+    found: dict[Joint, list[str]] = {branch.joint: [] for branch in branches}
+    for link in leading:
+        inner: Link | Frame = link
+        while isinstance(inner, Link):
+            branch = leading[inner]
+            found[branch.joint].append(link.name)
+            inner = branch.joint.child if branch.is_reversed else branch.joint.parent
+    return {joint: tuple(names) for joint, names in found.items()}
+
+
+def _coordinates(joints: Sequence[PlacedJoint]) -> tuple[Expr, ...]:
+    """Return the functions of time in the coordinates of the joints, in their order; those of one by name."""
+    found: dict[Expr, None] = {}
+    for joint in joints:
+        for each in joint.coordinates:
+            functions = (
+                leaf for leaf in each.free_symbols if leaf.kind == "time_function" and not leaf.order
+            )
+            found |= dict.fromkeys(sorted(functions, key=lambda leaf: leaf.name))
+    return tuple(found)
+
+
+def _report_idle_coordinates(joint: Joint) -> None:
+    if joint.are_given:
+        listed = ", ".join(map(str, joint.coordinates))
+        notify(
+            f"assemble: {joint} closes a loop, so that its {listed} is no coordinate of the mechanism; leave the "
+            "coordinates of one joint of each loop out, or choose by loop=True which joint closes it"
+        )
