@@ -14,6 +14,7 @@ from symbody import (
     System,
     TireForce,
     Vector,
+    cos,
     dot,
     equilibrium,
     functions_of_time,
@@ -24,12 +25,14 @@ from symbody import (
     linear_tire,
     magic_formula,
     motor,
+    moving_frame,
     newton_euler,
     number,
     power,
     project,
     rotate,
     simulate,
+    sin,
     symbols,
     tan,
     time_derivative,
@@ -294,3 +297,47 @@ def test_a_road_on_a_body_takes_the_reaction() -> None:
     assert found["deflection"].evaluate({**NUMBERS, functions_of_time("h"): 0.05}) == pytest.approx(
         0.05 + 0.33 * np.cos(0.25) - 0.31
     )
+
+
+def test_a_single_track_car_on_a_moving_frame() -> None:
+    """m (v' + V r) = sum of lateral forces, I r' = their moments; steering at the front, as in any textbook."""
+    v, r, delta = functions_of_time("v r delta")
+    a, b = symbols("a b", positive=True)
+    car = moving_frame(V, v, 0, 0, 0, r, name="car")
+    chassis = Body(car, m, Iz=I, name="chassis")
+    fork, axle = car * translate(a, 0, R) * rotate("Z", delta), car * translate(-b, 0, R)
+    wheels = [Body(fork, 0, name="front"), Body(axle, 0, name="rear")]
+    law = linear_tire(cornering=C)
+    tires = [
+        tire(each, R, law, load=N, road=car, carrier=carrier, name=each.name)
+        for each, carrier in zip(wheels, (fork, axle), strict=True)
+    ]
+    front, rear = tires
+    assert front["VS"] == V * cos(delta) + (v + a * r) * sin(delta)
+    assert front["VN"] == (v + a * r) * cos(delta) - V * sin(delta)
+    assert (rear["VS"], rear["VN"]) == (V, v - b * r)
+    equations = newton_euler(System([chassis, *wheels], tires, speeds=[v, r], inputs=[delta]))
+    straight = {delta: 0}
+    sideways, turning = (each.subs(straight) for each in equations.residuals)
+    Ff, Fr = -C * (v + a * r) / V, -C * (v - b * r) / V
+    assert sideways == m * (time_derivative(v) + V * r) - Ff - Fr
+    assert turning == I * time_derivative(r) - a * Ff + b * Fr
+    lagging = [
+        tire(each, R, law, load=N, road=car, carrier=carrier, relaxation=(sx, sy), name=each.name)
+        for each, carrier in zip(wheels, (fork, axle), strict=True)
+    ]
+    system = System([chassis, *wheels], lagging, speeds=[v, r], inputs=[delta])
+    assert [str(state) for state in system.states] == [
+        "kappa_front",
+        "alpha_front",
+        "kappa_rear",
+        "alpha_rear",
+    ]
+    numbers = {m: 1200, I: 1500, a: 1.1, b: 1.5, V: 20, C: 5e4, sx: 0.2, sy: 0.5}
+    motion = simulate(
+        newton_euler(system), numbers, {}, t=(0, 6), inputs={delta: 0.02}, method="bdf", rtol=1e-8
+    )
+    yaw_rate = (
+        0.02 * 20 / (2.6 + 1200 * 20**2 * (1.5 - 1.1) / (2.6 * 5e4))
+    )  # V delta/(L + m V^2 (b - a)/(L C))
+    assert motion[r][-1] == pytest.approx(yaw_rate, rel=2e-3)

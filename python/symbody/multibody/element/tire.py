@@ -64,7 +64,7 @@ def tire(
             fades below it.
         crown_radius: the radius of the cross section; zero for a thin disc.
         rolling_radius: the spin times this is the velocity of a wheel that rolls freely; by default the loaded radius.
-        road: the frame whose x-y plane is the road, with z upwards.
+        road: the frame whose x-y plane is the road, with z upwards; or the moving master frame that travels along it.
         carrier: a frame with x along the direction of rolling (`tire_kinematics`).
         reaction: the body that carries the road; none by default.
         name: what the tyre is called; its states are called ``kappa_name`` and ``alpha_name``.

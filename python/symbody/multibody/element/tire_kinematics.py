@@ -18,7 +18,7 @@ from typing import NamedTuple
 
 from symbody.errors import LoadError
 from symbody.geometry import Frame, Point, Scalar, Triple, Vector, ground, origin
-from symbody.geometry.component.triple import expression
+from symbody.geometry.component.triple import NULL, expression
 from symbody.geometry.frame.coordinates import vector_components
 from symbody.geometry.frame.frame_velocity import Seen, material_velocity, spin
 from symbody.geometry.given.argument import checked
@@ -99,7 +99,7 @@ def tire_kinematics(
         radius: R, of the undeformed tyre, in m.
         crown_radius: rho, the radius of the cross section; zero for a thin disc, as a wheel with little camber.
         rolling_radius: the spin times this is the velocity of a wheel that rolls freely; the loaded radius by default.
-        road: the frame of the road.
+        road: the frame of the road. A moving master frame stands for a road at rest, in whose plane it travels.
         carrier: a frame with the x axis along the direction of rolling, in which the wheel leans about x and spins
             about y alone; without it, the direction is computed from the spin axis, by a root.
 
@@ -120,8 +120,9 @@ def tire_kinematics(
         place = sub3(origin(wheel.frame).projected(road).coordinates, scale3(R - rho, up))
         contact = Point(road, place[0], place[1], number(0))
         height = place[2]
-        slip = _relative(_carried(contact, wheel.frame), _carried(contact, road), road)
-        turning = _relative(Seen(spin(wheel.frame), wheel.frame), Seen(spin(road), road), road)
+        base = _Base.of(contact, road)
+        slip = _relative(_carried(contact, wheel.frame), base.velocity, road)
+        turning = _relative(Seen(spin(wheel.frame), wheel.frame), base.spin, road)
         rate = dot3(turning, left) / upright
         arm = R - rho + height * upright
         slides, across = dot3(slip, ahead), dot3(slip, left)
@@ -170,6 +171,19 @@ def _camber(j: Triple, n: Triple, upright: Expr) -> Expr:
             if sin(angle) == sine and cos(angle) == upright:
                 return angle
     return asin(sine)
+
+
+class _Base(NamedTuple):
+    """How the road moves at the contact."""
+
+    velocity: Seen
+    spin: Seen
+
+    @classmethod
+    def of(cls, contact: Point, road: Frame) -> _Base:
+        if road.ancestor.carrier is not None:  # it travels along a road that is at rest
+            return cls(Seen(NULL, road), Seen(NULL, road))
+        return cls(_carried(contact, road), Seen(spin(road), road))
 
 
 def _carried(point: Point, frame: Frame) -> Seen:
