@@ -6,8 +6,10 @@ Each report is written by a process of its own.
 from __future__ import annotations
 
 import os
+import random
 import subprocess
 import sys
+from itertools import pairwise
 from pathlib import Path
 
 import pytest
@@ -16,15 +18,22 @@ from symbody import (
     cos,
     cost,
     expand,
+    factor_terms,
     functions_of_time,
     lagrange_equations,
+    latex,
     newton_euler,
+    readable,
     rotate,
+    show,
     simplify,
     sin,
     symbols,
+    time_derivative,
     translate,
 )
+from symbody.codegen.sources.generate import source
+from symbody.symbolic.calculus.rewrite import textbook_form
 from tests.reference.robot import robot
 from tests.reference.test_double_pendulum_natural import natural
 from tests.symbolic import test_textbook_forms as textbook
@@ -78,10 +87,31 @@ def unrelated_work(k: int) -> None:
         simplify(m2 * l * cos(theta2 - theta1) + entry * g - (i + k) * m)
 
 
+def forms_of_models(first: int) -> None:
+    """Print models whose names were made before, in another order and in other products, in all forms for readers."""
+    made = [symbols(name) for name in ("m", "g", "l", "m1", "m2", "l1", "l2", "A", "B", "C", "M", "R")]
+    made += functions_of_time("theta theta1 theta2 phi psi x q1 q2 q3")
+    random.Random(first).shuffle(made)
+    for one, two in pairwise(made):
+        str((one + two) ** 2 * sin(two) - time_derivative(one * two))
+    models = textbook.double_pendulum, textbook.heavy_top, textbook.spherical_pendulum, textbook.cart_pole
+    for equations in (newton_euler(make()) for make in models):
+        show(equations)
+        for residual in equations.residuals:
+            for form in (textbook_form, readable, simplify, factor_terms):
+                print(form(residual), latex(form(residual)))
+        print(*source(equations.program(), "c").values())
+
+
 def written_by_a_process(seed: str, *, busy: bool) -> bytes:
-    program = f"from tests.test_determinism import report; report(busy={busy})"
+    return printed(
+        OTHER_NAMES_FIRST * busy + f"from tests.test_determinism import report; report(busy={busy})", seed
+    )
+
+
+def printed(program: str, seed: str) -> bytes:
     return subprocess.run(
-        [sys.executable, "-c", OTHER_NAMES_FIRST * busy + program],
+        [sys.executable, "-c", program],
         cwd=ROOT,
         env=os.environ | {"PYTHONHASHSEED": seed, "PYTHONIOENCODING": "utf-8"},
         capture_output=True,
@@ -94,6 +124,16 @@ def reference() -> bytes:
     text = written_by_a_process("0", busy=False)
     assert len(text.splitlines()) > 300
     return text
+
+
+def test_the_order_in_which_names_are_made_does_not_show(capsys: pytest.CaptureFixture[str]) -> None:
+    """In two processes of their own, and in this one."""
+    call = "from tests.test_determinism import forms_of_models; forms_of_models({})"
+    texts = {printed(call.format(first), "0").decode() for first in range(2)}
+    forms_of_models(2)
+    texts.add(capsys.readouterr().out)
+    assert len(texts) == 1
+    assert len(texts.pop().splitlines()) > 300
 
 
 @pytest.mark.parametrize(("seed", "busy"), [("1", False), ("12345", False), ("0", True), ("777", True)])

@@ -58,6 +58,28 @@ def arm(axes: str) -> System:
     return System(bodies, coordinates=list(q), gravity=Vector(ground, 0, 0, -g))
 
 
+@pytest.mark.parametrize(
+    "terms",
+    [
+        "2*b*c*cos(p - q), -b*cos(p - q)*q'**2, c*a**4*q', -a**3*p', -c*cos(p - q), -c*a**2*cos(q)*sin(2*q)",
+        "3*l*q', -a*l**3*sin(p)*q', l, -a*l**2*sin(q), -a*l*k**2*cos(p - q)*p'**2, a**2*l**2*sin(q)*p'",
+        "c**3*cos(p)*sin(2*q)*q', c**2*k**2*cos(p)*sin(2*p), 2*m**2*sin(q)*p', 3*m**2*sin(p)*q'**2, m*cos(p - q)",
+    ],
+)
+def test_names_decide_among_arrangements_and_not_what_was_added_first(terms: str) -> None:
+    p, q = functions_of_time("p q")
+    names = {"a": a, "b": b, "c": c, "k": k, "l": l, "m": m, "p": p, "q": q}
+    added = [parse(term, names) for term in terms.split(",")]
+    forms = set()
+    for seed in range(24):
+        random.Random(seed).shuffle(added)
+        total = added[0]
+        for term in added[1:]:
+            total += term
+        forms.add(str(textbook_form(total)))
+    assert len(forms) == 1
+
+
 @pytest.mark.parametrize("seed", range(12))
 def test_forms_for_the_reader_keep_the_value(seed: int) -> None:
     rng = random.Random(seed)

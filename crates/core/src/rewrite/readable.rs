@@ -11,6 +11,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use crate::error::Error;
 use crate::graph::{Function, Graph, Id, NumberId, View};
 use crate::polynomial::{Budget, Monomial, Polynomial};
+use crate::print::compare_names;
 use crate::value::Number;
 
 use super::expand::Opening;
@@ -91,7 +92,7 @@ impl Graph {
         if !matches!(self.view(part), View::Sum(_)) {
             return Ok(part);
         }
-        let mut ring = Ring::new(self, Budget::new(JOINED, WORK));
+        let mut ring = Ring::for_reader(self, Budget::new(JOINED, WORK), part);
         let Ok(sum) = ring.polynomial(part, Opening::Sums) else { return Ok(part) };
         if sum.len() > JOINED || !ring.is_of_pairs(&sum) {
             return Ok(part);
@@ -109,8 +110,9 @@ impl Graph {
             return part;
         }
         // A sum that is kept closed takes the place of what equals it, so that each opening has a ring of its own.
-        let mut candidates = Ring::new(self, Budget::new(TERMS, WORK)).closed_forms(part);
-        let mut ring = Ring::new(self, Budget::new(TERMS, WORK));
+        let budget = Budget::new(TERMS, WORK);
+        let mut candidates = Ring::for_reader(self, budget, part).closed_forms(part);
+        let mut ring = Ring::for_reader(self, budget, part);
         for polynomial in ring.flat_forms(part) {
             candidates.extend(ring.arrangements(&polynomial));
             candidates.extend(ring.over_common_denominator(&polynomial));
@@ -271,6 +273,32 @@ impl Graph {
             }
             _ => false,
         }
+    }
+}
+
+impl<'g> Ring<'g> {
+    /// A ring in which the atoms of a part are numbered by kind and name, so that among equal arrangements names decide
+    /// and not the order in which the part was put together.
+    fn for_reader(graph: &'g mut Graph, budget: Budget, part: Id) -> Self {
+        let mut named: Vec<(u8, String, Id)> = Vec::new();
+        for id in graph.post_order(&[part]) {
+            let kind = match graph.view(id) {
+                View::Symbol(..) => 0,
+                View::TimeFunction(..) => 1,
+                View::Application { .. } => 2,
+                View::Function(..) => 3,
+                _ => continue,
+            };
+            named.push((kind, graph.to_text(id), id));
+        }
+        named.sort_by(|(a, x, _), (b, y, _)| {
+            a.cmp(b).then_with(|| compare_names(x, y)).then_with(|| x.cmp(y))
+        });
+        let mut ring = Self::new(graph, budget);
+        for (_, _, id) in named {
+            ring.atom(id);
+        }
+        ring
     }
 }
 
