@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import Annotated, Any, TypeAlias, final
 
 from symbody.dynamics.equations.equations import Equations
+from symbody.dynamics.recursion.part_wrench import part_wrench
 from symbody.errors import ModelError
 from symbody.geometry import Frame, Point, Vector, cross, dot, origin
 from symbody.geometry.given.argument import checked
@@ -203,14 +204,18 @@ def _bodies(system: System, cut: Any) -> list[Body]:
 
 def _on_part(system: System, bodies: Sequence[Body], about: Point | None, frame: Frame | None) -> Reaction:
     """Return what holds bodies beside the loads and the weight: ``sum(m a) - sum(F) - sum(m g)``, and of moments."""
-    loads = [load for load in system.loads if any(action.body in bodies for action in load.actions)]
-    members: list[Body | Load] = [*bodies, *loads]
     at = about
     if at is None:
         at = _center(bodies[0]) if len(bodies) == 1 else origin(system.root)
-    force = newton_equations(members, frame, gravity=system.gravity)
-    moment = euler_equations(members, at, frame, gravity=system.gravity)
-    return Reaction(force, moment, at, ", ".join(map(str, bodies)))
+    axes = system.root if frame is None else frame
+    name = ", ".join(map(str, bodies))
+    if all(body.frame.is_rigid for body in bodies):
+        return Reaction(*part_wrench(system, bodies, at, axes), at, name)
+    loads = [load for load in system.loads if any(action.body in bodies for action in load.actions)]
+    members: list[Body | Load] = [*bodies, *loads]
+    force = newton_equations(members, axes, gravity=system.gravity)
+    moment = euler_equations(members, at, axes, gravity=system.gravity)
+    return Reaction(force, moment, at, name)
 
 
 def _center(body: Body) -> Point:
