@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from symbody.dynamics import Reaction
 from symbody.dynamics.formalism.reaction import reaction_in
 from symbody.errors import ViewError
-from symbody.geometry import Point, Vector
+from symbody.geometry import Point, Vector, origin
 from symbody.multibody import Body, Link, System
 from symbody.symbolic import Expr
 from symbody.symbolic.given.arguments import brief
@@ -112,8 +112,10 @@ def free_body_diagram(
     drawn = _Instant(motion, index)
     content = scene(drawn, DrawingOptions(), "")
     kept = [k for k, body in enumerate(system.bodies) if body in members]
+    members = [system.bodies[k] for k in kept]
     content["bodies"] = [content["bodies"][k] for k in kept]
     content["links"] = [rod for rod in content["links"] if rod["body"] in kept]
+    content["links"] += _arms(drawn, system, members, content["bodies"])
     content["axes"], content["lines"] = [], []
     content["points"] = _points(drawn, system, members)
     content["actions"] = _entries(drawn, [*_loads(system, members), *_reactions(system, members)], content)
@@ -137,6 +139,19 @@ def _members(system: System, part: Any) -> list[Body]:
             )
         found.append(body)
     return found
+
+
+def _arms(
+    motion: DrawableMotion, system: System, members: Sequence[Body], shown: Sequence[dict[str, Any]]
+) -> Iterator[dict[str, Any]]:
+    """Yield rods from the centres of mass to the joints, for those that a neighbour's rod showed before."""
+    for joint in system.joints:
+        for name, side in joint.ends:
+            for body, entry in zip(members, shown, strict=True):
+                if name == body.name:
+                    place = values(motion, origin(side).projected(body.frame).coordinates)[:, 0]
+                    ends = {"from": [0.0, 0.0, 0.0], "to": place.tolist()}
+                    yield {"pose": entry["pose"], "color": entry["color"], **ends}
 
 
 def _points(motion: DrawableMotion, system: System, members: Sequence[Body]) -> list[dict[str, Any]]:
