@@ -4,11 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from numpy.typing import ArrayLike
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
 
 from symbody.dynamics import Equations
+from symbody.errors import ConstraintError
 from symbody.simulation.given.unused import warn_of_unused
 from symbody.simulation.given.values import check_equations, parameter_values, state_values
+from symbody.simulation.model.named_constraint import named_constraints
 from symbody.symbolic import Expr, ExprLike, number
 from symbody.symbolic.numeric.deficiency import reporting
 
@@ -91,6 +94,24 @@ def solved_state(
     kinematics.check_inputs(_WHERE)
     p = parameter_values(kinematics.parameters, parameters, where=_WHERE, beside=system.state_names)
     q = positions(kinematics, p, t, fixed, near)
+    _check_finite(kinematics, p, t, q)
     u = velocities(kinematics, p, t, q, fixed, near)
     names = (*system.coordinates, *system.speeds, *system.states)
     return dict(zip(names, map(float, [*q, *u, *z]), strict=True))
+
+
+def _check_finite(kinematics: Kinematics, p: NDArray[np.float64], t: float, q: NDArray[np.float64]) -> None:
+    """Check that the constraints are defined on the level of velocities at a position."""
+    with np.errstate(all="ignore"):
+        A, b = (part[: len(kinematics.constraints)] for part in kinematics.velocity(t, q, p))
+    strange = np.flatnonzero(~np.isfinite(np.column_stack([A, b])).all(axis=1))
+    if len(strange):
+        (name,) = named_constraints(kinematics.system.conditions, strange[:1])
+        place = ", ".join(
+            f"{name} = {value:.6g}"
+            for name, value in zip(kinematics.system.coordinates[:12], q, strict=False)
+        )
+        raise ConstraintError(
+            f"{_WHERE}: constraint {name}, or its rate, isn't finite at {place}; expected a position at which it is "
+            "defined: give other coordinates, or look for a division by zero"
+        )

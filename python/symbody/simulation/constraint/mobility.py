@@ -216,7 +216,7 @@ def _branch(
     near = state_values(system, q, where=_WHERE, argument="q", has_speeds=False)
     begin = positions(kinematics, p, t, {}, near, where=_WHERE)
     gradients = [scaled(J) for J in walk_configurations(kinematics, p, t, begin, STEPS)]
-    redundant = redundancy(system.conditions, gradients)
+    redundant = redundancy(system, gradients)
     n, m = len(system.speeds), len(system.constraints)
     with np.errstate(all="ignore"):
         here = scaled(kinematics.velocity(t, begin, p)[0][:m])

@@ -97,7 +97,7 @@ def _redundancy(kinematics: Kinematics, p: Array, time: float, q: Array, where: 
         if not redundant:
             return None
     gradients = [scaled(J) for J in walk_configurations(kinematics, p, time, q, STEPS)]
-    found = redundancy(system.conditions, gradients)
+    found = redundancy(system, gradients)
     if not is_usual and (len(gradients) <= _STANDING or found.count == redundant):
         _check_moves_elsewhere(system, phi_q, A, kernel, where)
     return found if found.count else None

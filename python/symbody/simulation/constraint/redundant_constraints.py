@@ -8,7 +8,7 @@ positions.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -40,6 +40,8 @@ STEPS = 80
 MOST = 12
 """The largest number of redundant constraints for which each choice is tried."""
 _SHOWN = 40
+_MUCH = 0.1
+"""The ratio of ratios below which one is much smaller."""
 _ROUNDED = 1e-3
 """The relative difference of ratios that counts as rounding: machines must not differ in their choice."""
 
@@ -166,9 +168,7 @@ def redundant_constraints(
     )
     with reporting(where):
         begin = positions(kinematics, p, t, fixed, near, where)
-        return redundancy(
-            system.conditions, [scaled(J) for J in walk_configurations(kinematics, p, t, begin, STEPS)]
-        )
+        return redundancy(system, [scaled(J) for J in walk_configurations(kinematics, p, t, begin, STEPS)])
 
 
 def advice(system: Variables) -> str:
@@ -182,8 +182,13 @@ def advice(system: Variables) -> str:
     return str(found) if found.count else ""
 
 
-def redundancy(conditions: tuple[Constraint, ...], gradients: Sequence[Array]) -> Redundancy:
-    """Return what is redundant, from Jacobians at some positions, with rows scaled to the length 1."""
+def redundancy(system: Variables, gradients: Sequence[Array]) -> Redundancy:
+    """Return what is redundant, from Jacobians at some positions, with rows scaled to the length 1.
+
+    Constraints on velocities are rather left out than those on positions, which they cannot keep from drifting.
+    """
+    conditions = system.conditions
+    on_velocity = {*range(len(conditions))} - {*system.holonomic}
     combinations = [vanishing_combinations(J, CANCELLED) for J in gradients]
     count = min((len(found) for found in combinations), default=0)
     regular = [(J, found) for J, found in zip(gradients, combinations, strict=True) if len(found) == count]
@@ -191,24 +196,42 @@ def redundancy(conditions: tuple[Constraint, ...], gradients: Sequence[Array]) -
     places = _apart_from_singular([J for J, _ in regular], count)
     if len(rows) > MOST:
         return Redundancy(conditions, count, tuple(rows), {}, _pivots(places, count))
-    removals = {row: _removal(places, row, rows, count) for row in rows}
+    removals = {row: _removal(places, row, rows, count, on_velocity) for row in rows}
     ratios = {row: _least(places, removed, count) for row, removed in removals.items()}
-    choice = tuple(sorted(removals[_best(ratios)])) if rows else ()
+    choice = tuple(sorted(removals[_best(ratios, on_velocity)])) if rows else ()
     return Redundancy(conditions, count, tuple(rows), ratios, choice)
 
 
-def _best(ratios: Mapping[int, float]) -> int:
-    """Return the row with the largest ratio; of rows with the same ratio but for rounding, the last."""
+def _best(ratios: Mapping[int, float], preferred: Collection[int]) -> int:
+    """Return the row with the largest ratio; of rows with the same ratio but for rounding, the last.
+
+    Args:
+        ratios: the smallest ratio of singular values without each row.
+        preferred: rows that are chosen unless their ratios are much smaller.
+    """
     largest = max(ratios.values())
+    fit = {row: ratio for row, ratio in ratios.items() if row in preferred and ratio >= largest * _MUCH}
+    if fit and len(fit) < len(ratios):
+        return _best(fit, ())
     return max(row for row, ratio in ratios.items() if ratio >= largest * (1 - _ROUNDED))
 
 
-def _removal(places: Sequence[Array], row: int, rows: Sequence[int], count: int) -> list[int]:
-    """Return a row and the best choice of the others to leave out."""
+def _removal(
+    places: Sequence[Array], row: int, rows: Sequence[int], count: int, preferred: Collection[int]
+) -> list[int]:
+    """Return a row and the best choice of the others to leave out.
+
+    Args:
+        places: Jacobians of the constraints at some positions.
+        row: the row that is left out first.
+        rows: the rows that are dependent.
+        count: how many are left out.
+        preferred: rows that are rather left out.
+    """
     removed = [row]
     while len(removed) < count:
         others = {r: _least(places, [*removed, r], count) for r in rows if r not in removed}
-        removed.append(_best(others))
+        removed.append(_best(others, preferred))
     return removed
 
 

@@ -39,7 +39,7 @@ def equilibrated(matrices: Array) -> Array:
     """
     rows = np.linalg.norm(matrices, axis=2).max(axis=0)
     by_row = matrices / np.where(rows > 0, rows, 1.0)[:, None]
-    columns = np.abs(by_row).max(axis=(0, 1))
+    columns = np.abs(by_row).max(axis=(0, 1), initial=0.0)
     whole: Array = by_row / np.where(columns > ROUNDED * columns.max(initial=0.0), columns, 1.0)
     return whole
 
