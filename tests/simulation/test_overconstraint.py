@@ -16,6 +16,7 @@ from symbody import (
     Torque,
     Vector,
     consistent_state,
+    cos,
     equilibrium,
     functions_of_time,
     gibbs_appell,
@@ -280,6 +281,61 @@ def test_a_driven_one() -> None:
     four = simulate(newton_euler(driven([0, 1, 2, 4])), BRICARDS, {}, t=(0, 1))
     np.testing.assert_allclose(motion.states, four.states, atol=1e-12)
     np.testing.assert_allclose(motion.multipliers, four.multipliers, atol=1e-9)
+
+
+@pytest.mark.filterwarnings(
+    "ignore:System. constraint 4", "ignore:simulate. the mechanism is overconstrained"
+)
+@pytest.mark.parametrize("method", ["dop853", "bdf", "ida"])
+def test_one_that_frames_drive(method: str) -> None:
+    """The first of three equal cranks turns by a given function of time: the others follow it."""
+    equations = newton_euler(equal_cranks(0.4 * sin(3 * time) + 1))
+    settings = {"guess": {b: 1.0, c: 1.0}, "method": method, "rtol": 1e-10, "atol": 1e-12}
+    motion = simulate(equations, {m: 1, l: 0.5}, {}, t=(0, 3), **settings)
+    np.testing.assert_allclose(motion[b], 0.4 * np.sin(3 * motion.t) + 1, atol=1e-9)
+    assert motion.statistics.steps < 3000
+
+
+def equal_cranks(first: Expr) -> System:
+    """Three cranks of length l, one of them at a given angle, and a bar that they carry."""
+    bar = translate(l * cos(first), l * sin(first), 0) * rotate("Z", theta)
+    cranks = [translate(k, 0, 0) * rotate("Z", angle) for k, angle in enumerate((first, b, c))]
+    closing = [
+        component
+        for k in (1, 2)
+        for component in project(Point(bar, k, 0, 0) - Point(cranks[k], l, 0, 0), ground).components[:2]
+    ]
+    bodies = [Body(frame, m, Iz=m * l**2) for frame in (*cranks, bar)]
+    coordinates = [q for q in (a, b, c, theta) if q in (b, c, theta) or q == first]
+    return System(bodies, [], coordinates, closing)
+
+
+@pytest.mark.filterwarnings("ignore:System. 4 independent")
+def test_inverse_dynamics_of_cranks_that_turn() -> None:
+    """At a constant rate nothing accelerates, but for the translation of the bar, whose weight isn't there."""
+    equations = newton_euler(equal_cranks(a))
+    turning = {a: 1 + 2 * time}
+    found = inverse_dynamics(
+        equations, turning, {m: 1, l: 0.5}, np.linspace(0, 3, 31), guess={b: 1.0, c: 1.0}
+    )
+    np.testing.assert_allclose(found[b], 1 + 2 * found.t, atol=1e-9)
+    np.testing.assert_allclose(found.forces[a], 0, atol=1e-9)
+
+
+def test_the_position_is_kept_rather_than_its_rate() -> None:
+    rod, rate = x**2 + y**2 - 1, 2 * x * time_derivative(x) + 2 * y * time_derivative(y)
+    for constraints in ([rate, rod], [rod, rate]):
+        system = System([Body(translate(x, y, 0), m)], (), [x, y], constraints, Vector(ground, 0, -g, 0))
+        with pytest.warns(ModelNotice, match=r"\(2\*x\*x' \+ 2\*y\*y' = 0\) follows from"):
+            motion = simulate(
+                quietly(newton_euler, system),
+                {m: 1, g: 9.81},
+                {x: 0.6},
+                t=(0, 20),
+                guess={y: -0.5},
+                rtol=1e-5,
+            )
+        assert motion.constraint_drift < 1e-14
 
 
 @pytest.mark.filterwarnings("ignore:equilibrium. lambda1 of constraint 1")

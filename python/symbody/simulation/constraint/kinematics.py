@@ -18,7 +18,18 @@ from symbody.multibody import System, Variables
 from symbody.multibody.frames import all_frames
 from symbody.simulation.given.given_input import Given, substitute_inputs
 from symbody.simulation.given.parameter import parameters_among
-from symbody.symbolic import Abs, Expr, ExprLike, derivation, free_symbols, jacobian, number, substitute, t
+from symbody.symbolic import (
+    Abs,
+    Expr,
+    ExprLike,
+    Matrix,
+    derivation,
+    free_symbols,
+    jacobian,
+    number,
+    substitute,
+    t,
+)
 
 __all__ = ["Kinematics", "kinematics_in", "kinematics_of", "magnitude", "neutral_position", "quaternions"]
 
@@ -86,6 +97,27 @@ class Kinematics:
     def velocity_constraints(self) -> tuple[Expr, ...]:
         """The constraints on the level of velocities, ``A u + b``."""
         return self._velocities[: len(self.constraints)]
+
+    @cached_property
+    def _drifts(self) -> tuple[Expr, ...]:
+        """B of ``A u + b``, symbolically."""
+        return substitute(self.velocity_constraints, dict.fromkeys(self.system.speeds, number(0)))
+
+    @cached_property
+    def is_rheonomic(self) -> bool:
+        """Whether constraints, or rates of coordinates, are led by the time, or at given velocities."""
+        at_rest = substitute(self._velocities, dict.fromkeys(self.system.speeds, number(0)))
+        return not all(each.is_zero for each in at_rest)
+
+    @cached_property
+    def rank(self) -> int:
+        """The number of constraints that are independent at almost every position, of ``(A b)`` of ``A u + b``."""
+        if not self.constraints:
+            return 0
+        A = jacobian(list(self.velocity_constraints), list(self.system.speeds))
+        if all(drift.is_zero for drift in self._drifts):
+            return A.rank()
+        return Matrix([[*A.row(k), drift] for k, drift in enumerate(self._drifts)]).rank()
 
     @cached_property
     def _velocities(self) -> tuple[Expr, ...]:

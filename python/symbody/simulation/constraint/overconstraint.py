@@ -17,7 +17,7 @@ from symbody.errors import ConstraintError
 from symbody.multibody import Variables
 from symbody.simulation.given.wording import joined_by_and
 from symbody.simulation.model.named_constraint import named_constraints
-from symbody.symbolic import Expr, Matrix, number, substitute, t
+from symbody.symbolic import Expr, Matrix
 
 from .kinematics import Kinematics
 from .least_norm import least_norm
@@ -40,9 +40,9 @@ _NEARLY = 1e-3
 def overconstraint(
     kinematics: Kinematics, p: Array, time: float, q: Array, where: str = "simulate"
 ) -> Redundancy | None:
-    """Return which constraints are redundant where a mechanism moves, if they are not so at almost every position.
+    """Return which constraints are redundant where a mechanism moves.
 
-    Constraints that hold the time, or demand speeds, drive the mechanism; only the others can be redundant.
+    A constraint that holds the time is redundant only if it follows from the others at all instants.
 
     Args:
         kinematics: the constraints.
@@ -55,51 +55,21 @@ def overconstraint(
         ConstraintError: the constraints leave no motion, or only at this position.
     """
     system = kinematics.system
-    at_rest = dict.fromkeys(system.speeds, number(0))
-    demanded = substitute(kinematics.velocity_constraints, at_rest)
-    steady = [
-        k
-        for k, (phi, rate) in enumerate(zip(kinematics.constraints, demanded, strict=True))
-        if t not in phi.free_symbols and rate.is_zero
-    ]
-    if not steady:
-        return None
-    driven = [k for k in range(len(system.conditions)) if k not in steady]
-    undriven = kinematics
-    if driven:
-        undriven = Kinematics(system.leaving_out(driven), kinematics.given)
-        undriven = undriven if kinematics.states is None else undriven.beside(kinematics.states)
-    values = dict(zip(kinematics.parameters, p, strict=True))
-    found = _redundancy(undriven, np.array([values[name] for name in undriven.parameters]), time, q, where)
-    return None if found is None else found.among(system.conditions, steady)
-
-
-def _redundancy(kinematics: Kinematics, p: Array, time: float, q: Array, where: str) -> Redundancy | None:
-    """Return the same of constraints none of which holds the time.
-
-    Args:
-        kinematics: the constraints.
-        p: the values of their parameters.
-        time: the time, in s.
-        q: the coordinates of a position.
-        where: the function that the user called, for messages.
-    """
-    system = kinematics.system
     m = len(system.conditions)
     with np.errstate(all="ignore"):
-        A = kinematics.velocity(time, q, p)[0][:m]
-    kernel = least_norm(A, np.zeros(m))[1]
-    phi_q = constraint_jacobian(system)
-    redundant = m - phi_q.rank()
-    is_usual = kernel.shape[1] == len(system.speeds) - m + redundant
+        A, b = (part[:m] for part in kinematics.velocity(time, q, p))
+    slopes = np.column_stack([A, b]) if kinematics.is_rheonomic else A
+    kernel = least_norm(slopes, np.zeros(m))[1]
+    redundant = m - kinematics.rank
+    is_usual = kernel.shape[1] == slopes.shape[1] - m + redundant
     if is_usual:
-        _check_motion_is_left(system, A, kernel, where)
+        _check_motion_is_left(system, slopes, kernel, where)
         if not redundant:
             return None
     gradients = [scaled(J) for J in walk_configurations(kinematics, p, time, q, STEPS)]
     found = redundancy(system, gradients)
     if not is_usual and (len(gradients) <= _STANDING or found.count == redundant):
-        _check_moves_elsewhere(system, phi_q, A, kernel, where)
+        _check_moves_elsewhere(system, slopes, kernel, where)
     return found if found.count else None
 
 
@@ -108,11 +78,11 @@ def _check_motion_is_left(system: Variables, A: Array, kernel: Array, where: str
 
     Args:
         system: the mechanism.
-        A: the Jacobian of the constraints with respect to the speeds, at a position.
+        A: the Jacobian of the constraints with respect to the speeds, and the time if it leads them, at a position.
         kernel: a basis of the speeds that they allow, as columns, shape (n, f).
         where: the function that the user called, for messages.
     """
-    if kernel.shape[1] or len(A) < len(system.speeds):
+    if kernel.shape[1]:
         return
     s = np.linalg.svd(scaled(A), compute_uv=False)
     ratio = float(s[len(system.speeds) - 1] / s[0])
@@ -129,20 +99,19 @@ def _check_motion_is_left(system: Variables, A: Array, kernel: Array, where: str
     )
 
 
-def _check_moves_elsewhere(system: Variables, phi_q: Matrix, A: Array, kernel: Array, where: str) -> None:
+def _check_moves_elsewhere(system: Variables, A: Array, kernel: Array, where: str) -> None:
     """Check that speeds which the constraints allow at a singular position are not zero at all others.
 
     Args:
         system: the mechanism.
-        phi_q: the Jacobian of the constraints with respect to the speeds.
-        A: its values at the position.
+        A: the Jacobian of the constraints with respect to the speeds, and the time if it leads them, at the position.
         kernel: a basis of the speeds that they allow there, as columns, shape (n, f).
         where: the function that the user called, for messages.
     """
-    moves = np.abs(kernel).max(axis=1) > _SHARE
+    phi_q, moves = constraint_jacobian(system), np.abs(kernel).max(axis=1) > _SHARE
     locked = [
         speed
-        for speed, is_free in zip(system.speeds, moves, strict=True)
+        for speed, is_free in zip(system.speeds, moves, strict=False)
         if is_free and _is_locked(system.speeds, phi_q, speed)
     ]
     if locked:

@@ -43,7 +43,8 @@ def walk_configurations(
     """Yield the Jacobian of the constraints with respect to the speeds at positions that a mechanism reaches.
 
     Walks go from the first position along each freedom, to both sides. If that is singular, they start at neighbouring
-    positions instead, where most constraints are independent: one of these for each set of dependent constraints.
+    positions instead, where most constraints are independent: one of these for each set of dependent constraints. If
+    constraints hold the time, it is one more coordinate, and b of ``A u + b`` the last column.
 
     Args:
         kinematics: the constraints.
@@ -52,8 +53,8 @@ def walk_configurations(
         begin: the coordinates of the first position.
         steps: the number of positions of each walk.
     """
-    space = ConfigurationSpace(kinematics, p, t)
-    for first in _departures(space, begin):
+    space = ConfigurationSpace(kinematics, p, t, follows_time=kinematics.is_rheonomic)
+    for first in _departures(space, np.append(begin, t) if kinematics.is_rheonomic else begin):
         for direction in _freedoms(space.slopes(first)[0]):
             for sign in (1.0, -1.0):
                 yield from _walked(space, first, sign * direction, steps)
@@ -98,75 +99,110 @@ def _dependence(J: Array) -> tuple[tuple[int, ...], ...]:
 
 @dataclass(frozen=True, eq=False)
 class ConfigurationSpace:
-    """The positions that satisfy the constraints at an instant.
+    """The positions that satisfy the constraints at an instant, or at all of them: then time is the last coordinate.
 
     Attributes:
         kinematics: the constraints.
         p: the values of their parameters.
         t: the time, in s.
         held: the coordinates that are held.
+        follows_time: whether time is a coordinate.
     """
 
     kinematics: Kinematics
     p: Array
     t: float
     held: Sequence[Expr] = ()
+    follows_time: bool = False
 
     @cached_property
     def _is_free(self) -> NDArray[np.bool_]:
         return np.array([q not in self.held for q in self.kinematics.system.coordinates])
 
-    def slopes(self, q: Array) -> tuple[Array, Array]:
-        """Return the Jacobian of constraints and held coordinates, and that of all coordinates, for the speeds."""
-        m = len(self.kinematics.constraints)
-        with np.errstate(all="ignore"):
-            A, _ = self.kinematics.velocity(self.t, q, self.p)
-        return np.vstack([A[:m], A[m:][~self._is_free]]), A[m:]
+    @property
+    def _may_vary(self) -> NDArray[np.bool_]:
+        return np.append(self._is_free, True) if self.follows_time else self._is_free
 
-    def step(self, q: Array, rates: Array) -> Array:
+    def _parts(self, place: Array) -> tuple[Array, float]:
+        """Return the coordinates without the time, and the time."""
+        return (place[:-1], float(place[-1])) if self.follows_time else (place, self.t)
+
+    def slopes(self, place: Array) -> tuple[Array, Array]:
+        """Return the Jacobian of constraints and held coordinates, and that of all coordinates, for the speeds."""
+        m, (q, t) = len(self.kinematics.constraints), self._parts(place)
+        with np.errstate(all="ignore"):
+            A, b = self.kinematics.velocity(t, q, self.p)
+        if self.follows_time:
+            A = np.vstack([np.column_stack([A, b]), np.eye(1, A.shape[1] + 1, A.shape[1])])
+        return np.vstack([A[:m], A[m:][~self._may_vary]]), A[m:]
+
+    def step(self, place: Array, rates: Array) -> Array:
         """Return the position after a step, put back onto the constraints; an empty array if there is none."""
         if not rates.any():
             return np.zeros(0)
-        onward = q + STEP * max(1.0, float(np.abs(q).max())) * rates / np.abs(rates).max()
-        problem = Positions.at(self.kinematics, self.p, self.t, onward)
-        found = problem.solution(onward, self._is_free, BACK)
-        return found if problem.error(found) < CANCELLED * 1e-2 else np.zeros(0)
+        found = place + STEP * max(1.0, float(np.abs(place).max())) * rates / np.abs(rates).max()
+        q, t = self._parts(found)
+        problem = Positions.at(self.kinematics, self.p, t, q)
+        found[: len(q)] = problem.solution(q, self._is_free, BACK)
+        return found if self._is_on(problem, found) else np.zeros(0)
 
-    def neighbours(self, q: Array, count: int, near: float = CANCELLED) -> Iterator[Array]:
+    def _is_on(self, problem: Positions, place: Array) -> bool:
+        return problem.error(self._parts(place)[0]) < CANCELLED * 1e-2
+
+    def neighbours(self, place: Array, count: int, near: float = CANCELLED) -> Iterator[Array]:
         """Yield positions at a distance, near directions that the constraints allow to first order.
 
         At a singular position, most of these directions belong to no motion. So ``phi = 0`` is solved together with
         ``|q - q0| = r``, and the search cannot end where it started.
         """
-        J, K = self.slopes(q)
+        J, K = self.slopes(place)
         if not np.isfinite(J).all():
             return
         free = free_directions(J, near)
         draw = np.random.Generator(np.random.PCG64(1)).uniform(-1, 1, (count, len(free)))
         for direction in draw @ free:
-            found = self._at_distance(q, K @ direction)
+            found = self._at_distance(place, K @ direction)
             if len(found):
                 yield found
 
-    def _at_distance(self, q: Array, rates: Array) -> Array:
+    def _at_distance(self, place: Array, rates: Array) -> Array:
         """Return a position at the distance `AWAY`, near a direction; an empty array if there is none."""
-        r = AWAY * max(1.0, float(np.abs(q).max()))
+        r = AWAY * max(1.0, float(np.abs(place).max()))
         if not rates.any():
             return np.zeros(0)
-        found = q + r * rates / np.linalg.norm(rates)
-        problem = Positions.at(self.kinematics, self.p, self.t, found)
+        found = place + r * rates / np.linalg.norm(rates)
+        q, t = self._parts(found)
+        scale = Positions.at(self.kinematics, self.p, t, q).scale
 
         def on_sphere(free: Array) -> tuple[Array, Array]:
-            found[self._is_free] = free
-            phi, J = problem.linearization(found, self._is_free)
-            away = (found - q) / r
+            found[self._may_vary] = free
+            phi, J = self._linearization(found, scale)
+            away = (found - place) / r
             return np.append(phi / r**2, (away @ away - 1) / 2), np.vstack(
-                [J / r**2, away[self._is_free] / r]
+                [J / r**2, away[self._may_vary] / r]
             )
 
-        found[self._is_free] = gauss_newton(on_sphere, found[self._is_free])
-        is_away = float(np.linalg.norm(found - q)) > r / 2
-        return found if is_away and problem.error(found) < CANCELLED * 1e-2 else np.zeros(0)
+        found[self._may_vary] = gauss_newton(on_sphere, found[self._may_vary])
+        is_away = float(np.linalg.norm(found - place)) > r / 2
+        q, t = self._parts(found)
+        return (
+            found
+            if is_away and self._is_on(Positions.at(self.kinematics, self.p, t, q), found)
+            else np.zeros(0)
+        )
+
+    def _linearization(self, place: Array, scale: Array) -> tuple[Array, Array]:
+        """Return the scaled constraints on positions and their derivatives with respect to what may vary."""
+        q, t = self._parts(place)
+        problem = Positions(self.kinematics, self.p, t, scale)
+        phi, phi_q = problem.linearization(q, np.ones_like(self._is_free))
+        if not self.follows_time:
+            return phi, phi_q[:, self._is_free]
+        m = len(self.kinematics.constraints)
+        with np.errstate(all="ignore"):
+            _, b = self.kinematics.velocity(t, q, self.p)
+        phi_t = b[:m][[*self.kinematics.system.holonomic]] / scale - phi_q @ b[m:]
+        return phi, np.column_stack([phi_q, phi_t])[:, self._may_vary]
 
 
 def scaled(J: Array, near: float = CANCELLED) -> Array:

@@ -97,12 +97,14 @@ class _Level:
         b: these rates at x = 0, shape (N, m + n_q).
         d: the required rates: zero for constraints, prescribed for coordinates.
         rows: the rows of A that belong to these equations.
+        terms: the magnitudes of what cancels in b, as far as they are known, shape (N, number of rows), or zero.
     """
 
     A: Array
     b: Array
     d: Array
     rows: list[int]
+    terms: Array | float = 0.0
 
     @cached_property
     def _solution(self) -> tuple[Array, Array]:
@@ -132,8 +134,9 @@ class _Level:
         sizes = np.abs(A).sum(axis=2) * np.abs(self.x).max(axis=1, initial=0.0)[:, None]
         left = np.abs(self.rates[:, self.rows] - self.d)
         own = sizes + np.abs(self.d) + np.abs(b)
+        rounded = (own + self.terms).max(axis=1, keepdims=True, initial=0.0)
         # All terms of one equation may be rounding errors of others: of a blade along which nothing accelerates.
-        is_off: Flags = ~(left <= _OFF * own + _ROUNDING * own.max(axis=1, keepdims=True, initial=0.0))
+        is_off: Flags = ~(left <= _OFF * own + _ROUNDING * rounded)
         return is_off
 
 
@@ -284,7 +287,9 @@ class _Driven:
         A = np.moveaxis(A, -1, 0)
         velocities = _Level(A, b.T, np.hstack([at_rest, first.T]), rows)
         c = kinematics.acceleration(instants, np.vstack([q.T, velocities.x.T]), p)
-        return velocities, _Level(A, c.T, np.hstack([at_rest, second.T]), rows)
+        # The terms of c are products of speeds with rates of A, which are about as large as A.
+        terms = np.abs(A[:, rows]).sum(axis=2) * np.abs(velocities.x).max(axis=1, initial=0.0)[:, None] ** 2
+        return velocities, _Level(A, c.T, np.hstack([at_rest, second.T]), rows, terms)
 
     def _check_finite(self, instants: Array, path: Array) -> None:
         is_strange: Flags = np.logical_not(np.isfinite(path)).max(axis=0)
