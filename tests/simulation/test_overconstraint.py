@@ -1,5 +1,6 @@
 """Mechanisms that move by their special dimensions alone, and others that begin in a singular position."""
 
+import math
 import warnings
 from collections.abc import Callable, Sequence
 
@@ -11,10 +12,12 @@ from symbody import (
     Body,
     Equations,
     Expr,
+    Link,
     Point,
     System,
     Torque,
     Vector,
+    assemble,
     consistent_state,
     cos,
     equilibrium,
@@ -27,6 +30,7 @@ from symbody import (
     lagrange_equations,
     newton_euler,
     project,
+    revolute,
     rotate,
     simulate,
     simulate_many,
@@ -294,6 +298,31 @@ def test_one_that_frames_drive(method: str) -> None:
     motion = simulate(equations, {m: 1, l: 0.5}, {}, t=(0, 3), **settings)
     np.testing.assert_allclose(motion[b], 0.4 * np.sin(3 * motion.t) + 1, atol=1e-9)
     assert motion.statistics.steps < 3000
+
+
+@pytest.mark.filterwarnings("ignore:System. constraint", "ignore:simulate. the mechanism is overconstrained")
+def test_hinges_of_bennett_that_frames_drive() -> None:
+    """The constraints that are left determine the speeds at all angles of the crank: two turns take few steps."""
+    sides = (l, 0.7), (d, math.asin(0.6 / 0.5 * math.sin(0.7)))
+    crank, coupler, rocker = (Link(name, m, m, m, m) for name in ("crank", "coupler", "rocker"))
+    (near, far), (_, twist) = [translate(side, 0, 0) * rotate("X", angle) for side, angle in sides], sides[1]
+    mechanism = assemble(
+        [
+            revolute("A", ground, crank, coordinate=3 * time + 1),
+            revolute("B", crank, coupler, at=near),
+            revolute("C", coupler, rocker, at=far),
+            revolute("D", ground, rocker, at=rotate("X", -twist) * translate(-d, 0, 0), to=near),
+        ]
+    )
+    second, third = mechanism.coordinates
+    equations = newton_euler(mechanism.system())
+    motion = simulate(
+        equations, {m: 1, l: 0.5, d: 0.6}, {}, t=(0, 4), guess={second: 2.0, third: 2.0}, rtol=1e-9
+    )
+    assert motion.constraint_drift < 1e-11
+    assert motion.statistics.steps < 500
+    turned = motion[third] + 3 * motion.t  # opposite hinges turn together
+    np.testing.assert_allclose(turned, turned[0], atol=1e-9)
 
 
 def equal_cranks(first: Expr) -> System:

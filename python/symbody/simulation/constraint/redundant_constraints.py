@@ -185,7 +185,9 @@ def advice(system: Variables) -> str:
 def redundancy(system: Variables, gradients: Sequence[Array]) -> Redundancy:
     """Return what is redundant, from Jacobians at some positions, with rows scaled to the length 1.
 
-    Constraints on velocities are rather left out than those on positions, which they cannot keep from drifting.
+    These may have one column more than there are speeds, that of the time. It counts for what is redundant, but not for
+    the choice: at each instant, the speeds follow from the constraints that are left, without it. Constraints on
+    velocities are rather left out than those on positions, which they cannot keep from drifting.
     """
     conditions = system.conditions
     on_velocity = {*range(len(conditions))} - {*system.holonomic}
@@ -193,7 +195,7 @@ def redundancy(system: Variables, gradients: Sequence[Array]) -> Redundancy:
     count = min((len(found) for found in combinations), default=0)
     regular = [(J, found) for J, found in zip(gradients, combinations, strict=True) if len(found) == count]
     rows = sorted({int(row) for _, found in regular for y in found for row in np.flatnonzero(y)})
-    places = _apart_from_singular([J for J, _ in regular], count)
+    places = _apart_from_singular([_for_speeds(system, J, count) for J, _ in regular], count)
     if len(rows) > MOST:
         return Redundancy(conditions, count, tuple(rows), {}, _pivots(places, count))
     removals = {row: _removal(places, row, rows, count, on_velocity) for row in rows}
@@ -246,6 +248,12 @@ def _pivots(places: Sequence[Array], count: int) -> tuple[int, ...]:
     combinations = np.linalg.svd(regular)[0][:, len(regular) - count :].T
     pivots = qr(combinations, mode="r", pivoting=True)[1]
     return tuple(sorted(int(row) for row in pivots[:count]))
+
+
+def _for_speeds(system: Variables, J: Array, count: int) -> Array:
+    """Return the columns of the speeds, unless more constraints are independent than there are speeds."""
+    n = len(system.speeds)
+    return scaled(J[:, :n]) if n < J.shape[1] and len(J) - count <= n else J
 
 
 def _apart_from_singular(places: Sequence[Array], count: int) -> list[Array]:
