@@ -251,6 +251,14 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
         ),
     ),
     (
+        errors.ModelError,
+        lambda: embedded(newton_euler(system(BLADE, multipliers=[w], states={z: (w - z) / T}))),
+        (
+            "embedded: z' = (w - z)/T holds the multiplier w, which embedded equations don't have; expected rates of "
+            "states without multipliers: simulate the equations with multipliers"
+        ),
+    ),
+    (
         errors.ConstraintError,
         lambda: embedded(bead(dx - time, dy - time**2)),
         (

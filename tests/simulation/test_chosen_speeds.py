@@ -18,6 +18,7 @@ from symbody import (
     Point,
     System,
     Vector,
+    angular_velocity,
     consistent_state,
     cos,
     equilibrium,
@@ -28,6 +29,7 @@ from symbody import (
     kinetic_energy,
     mechanical_energy,
     newton_euler,
+    project,
     report,
     rotate,
     simulate,
@@ -125,6 +127,37 @@ def test_states_by_rates_or_by_speeds() -> None:
     by_rates = consistent_state(eqs, values(eqs), START | {xp: 0.7, yp: -0.2, phip: 0.5})
     expected = [0.7 * np.cos(0.3) - 0.2 * np.sin(0.3), -0.7 * np.sin(0.3) - 0.2 * np.cos(0.3), 0.5]
     assert_allclose([by_rates[u] for u in (u1, u2, u3)], expected, rtol=1e-12)
+
+
+def test_rates_that_are_not_given_are_zero() -> None:
+    """With Euler angles and angular velocities in the body's axes, two rates at rest leave q1' alone."""
+    f = rotate("Z", x) * rotate("X", y) * rotate("Z", phi)
+    spins = project(angular_velocity(f), f).components
+    gyro = newton_euler(
+        System(
+            [Body(f, 1, 0.2, 0.2, 0.1)],
+            (),
+            [x, y, phi],
+            kinematics=dict(zip((u1, u2, u3), spins, strict=True)),
+        )
+    )
+    by_rate = consistent_state(gyro, {}, {y: 0.5, phi: 0.4, xp: 3})
+    at = {x: 0, y: 0.5, phi: 0.4, xp: 3, yp: 0, phip: 0}
+    assert_allclose([by_rate[u] for u in (u1, u2, u3)], [float(subs(w, at)) for w in spins], atol=1e-12)
+    # Speeds change least where a speed is given, and rates stay near guessed speeds.
+    by_speed = consistent_state(gyro, {}, {y: 0.5, phi: 0.4, u1: 2})
+    assert_allclose([by_speed[u] for u in (u1, u2, u3)], [2, 0, 0], atol=1e-12)
+    near = consistent_state(gyro, {}, {y: 0.5, phi: 0.4, xp: 3}, guess={yp: 0.7})
+    moved = {**at, yp: 0.7}
+    assert_allclose([near[u] for u in (u1, u2, u3)], [float(subs(w, moved)) for w in spins], atol=1e-12)
+
+
+def test_rates_change_least_where_constraints_bind_them() -> None:
+    """A corner that moves along x + y + 2*phi = 0 with x' = 1: |y'|^2 + |phi'|^2 is least at y' = -1/5, phi' = -2/5."""
+    bound = newton_euler(System([PLATE], (), [x, y, phi], [x + y + 2 * phi], kinematics=IN_PLATE))
+    state = consistent_state(bound, {}, {x: 0.2, y: 0.4, phi: -0.3, xp: 1})
+    c, s = np.cos(-0.3), np.sin(-0.3)
+    assert_allclose([state[u] for u in (u1, u2, u3)], [c - 0.2 * s, -s - 0.2 * c, -0.4], atol=1e-12)
 
 
 def test_the_same_equilibrium() -> None:

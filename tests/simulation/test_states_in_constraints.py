@@ -15,6 +15,7 @@ from symbody import (
     System,
     Torque,
     consistent_state,
+    cos,
     embedded,
     equilibrium,
     forward_dynamics,
@@ -27,6 +28,7 @@ from symbody import (
     rotate,
     simulate,
     simulate_many,
+    sin,
     substitute,
     symbols,
     time_derivative,
@@ -121,6 +123,25 @@ def test_kinematics_that_hold_a_state() -> None:
     speed, place, _ = belt_motion(motion.t, 0.2)
     assert_allclose(motion[x], place, atol=1e-8)
     assert_allclose(motion[dx], speed, atol=1e-8)
+
+
+def test_an_embedded_speed_that_a_state_gives() -> None:
+    """A plate that turns at a constant rate W and slips across at n = s: along it, v' - W s = 0 and s = s0 exp(-t)."""
+    v, n, s = functions_of_time("v n s")
+    plate = Body(translate(x, y, 0) * rotate("Z", theta), 1, Iz=1)
+    speeds = {v: dx * cos(theta) + dy * sin(theta), n: dy * cos(theta) - dx * sin(theta)}
+    whole = newton_euler(System([plate], [], [x, y, theta], [n - s], kinematics=speeds, states={s: -s}))
+    start, W, s0 = {v: 1.0, s: 0.1, turning: 0.5}, 0.5, 0.1
+    motion = simulate(embedded(whole), {}, start, t=(0, 2), rtol=1e-10, atol=1e-12)
+    decay = np.exp(-motion.t)
+    along, across = 1 + W * s0 * (1 - decay), s0 * decay
+    assert_allclose(motion[v], along, atol=1e-8)
+    assert_allclose(motion[n], across, atol=1e-8)
+    turn = W * motion.t
+    assert_allclose(motion[dx], along * np.cos(turn) - across * np.sin(turn), atol=1e-8)
+    assert consistent_state(embedded(whole), {}, {s: 0.1, dx: 1.0})[v] == pytest.approx(1)
+    with pytest.raises(ConstraintError, match=r"no speeds with n = 0\.3"):
+        consistent_state(embedded(whole), {}, {s: 0.1, n: 0.3})
 
 
 def gear() -> Equations:

@@ -48,6 +48,7 @@ def embedded(eqs: Equations, independent: Speeds | None = None) -> Equations:
 
     Raises:
         ConstraintError: there are too few or too many speeds, or the constraints don't determine the others.
+        ModelError: the speeds are momenta, or the rate of a state holds a multiplier.
 
     >>> from symbody import Body, System, functions_of_time, kane, symbols, time_derivative, translate
     >>> (x, y), (m, a) = functions_of_time("x y"), symbols("m a")
@@ -70,6 +71,7 @@ def embedded(eqs: Equations, independent: Speeds | None = None) -> Equations:
         )
     if not eqs.constraints and independent is None:
         return eqs
+    _check_states(eqs)
     with derivation(fresh=True):
         relation = _chosen(eqs, independent)
         dependent, rows = relation.dependent, relation.rows
@@ -83,6 +85,21 @@ def embedded(eqs: Equations, independent: Speeds | None = None) -> Equations:
             product + rest for product, rest in zip(products.entries, assembly.bias, strict=True)
         )
     return Equations(system, without_idle_symbols(residuals), Derived(assembly.without_idle_symbols()))
+
+
+def _check_states(eqs: Equations) -> None:
+    """Check that no rate of a state holds a multiplier, which the embedded equations don't have.
+
+    Raises:
+        ModelError: one does.
+    """
+    for name, rate in eqs.state_rates.items():
+        held = next((each for each in eqs.multipliers if each in rate.free_symbols), None)
+        if held is not None:
+            raise ModelError(
+                f"embedded: {name} = {brief(rate)} holds the multiplier {held}, which embedded equations don't have; "
+                "expected rates of states without multipliers: simulate the equations with multipliers"
+            )
 
 
 class _Relation(NamedTuple):

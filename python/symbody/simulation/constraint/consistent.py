@@ -36,7 +36,8 @@ def consistent_state(
     """Return a state that has the given values and satisfies the constraints; the other values change least.
 
     ``min |q - q0|^2`` with ``phi(q, t) = 0``, then ``min |u - u0|^2`` with ``phi_q u + phi_t = 0``, over the values
-    that are not given [Nikravesh 1988, sec. 5.2; Eich-Soellner & Fuehrer 1998, sec. 5.4]. Constraints may be
+    that are not given [Nikravesh 1988, sec. 5.2; Eich-Soellner & Fuehrer 1998, sec. 5.4]. If rates q' are given and no
+    speeds of the user's choice, ``|q' - q0'|^2`` is least instead of ``|u - u0|^2``. Constraints may be
     dependent. Given values that violate the constraints by rounding, a millionth of the terms, are corrected.
 
     Args:

@@ -14,7 +14,7 @@ from symbody.symbolic import Expr, time_derivative
 from .consistent_position import EXACT, ROUNDED, listed_values
 from .contradiction import contradiction_between, contradictory_equations
 from .kinematics import Kinematics
-from .least_norm import least_norm
+from .least_norm import RANK, least_norm
 
 __all__ = ["velocities"]
 
@@ -34,6 +34,9 @@ def velocities(
     guess: Mapping[Expr, float],
 ) -> Array:
     """Return the speeds, shape (n,): the fixed values, and the smallest change of the others from their guess.
+
+    If rates of coordinates are fixed and no speeds of the user's choice, the other rates change least from their guess:
+    such speeds are combinations of rates, and of a coordinate that nobody mentions one expects that it rests.
 
     Where the speeds are momenta and none of these is given, they are those of such speeds. Fixed rates of coordinates
     that are not speeds, ``q' = K u + k``, are conditions like those of the constraints; so are eliminated speeds.
@@ -58,14 +61,20 @@ def velocities(
     if kinematics.eliminated:
         more, rest = kinematics.eliminated_speeds(t, q, p)
         A, b = np.vstack([A, more]), np.append(b, rest)
-    u = _guessed(kinematics, A[m:], b[m:], guess)
-    is_free = np.array([speed not in fixed for speed in speeds])
+    K, k = A[m:], b[m:]
+    near = _guessed(kinematics, K, k, guess)
+    u, is_free = near.copy(), np.array([speed not in fixed for speed in speeds])
     u[~is_free] = [fixed[speed] for speed in speeds if speed in fixed]
     places, values = _given_rates(kinematics, fixed)
     rows = [*range(m), *(m + place for place in places)]
     A, b = A[rows], -b[rows] + np.array([0.0] * m + values)
     least = np.append(_usual_sizes(kinematics, p, t, q), np.zeros(len(places)))
-    u[is_free] += least_norm(A[:, is_free], b - A @ u)[0]
+    change, kernel = least_norm(A[:, is_free], b - A @ u)
+    u[is_free] += change
+    if _has_rates_only(kinematics, fixed):
+        excess = K @ u + k - _rates_near(kinematics, K @ near + k, guess)
+        of_coordinates = slice(len(kinematics.system.coordinates))
+        u[is_free] += kernel @ _quietest(excess[of_coordinates], (K[:, is_free] @ kernel)[of_coordinates])
     error = _relative(A, b, u, least)
     if (error > EXACT).any() and (error <= ROUNDED).all():
         change = least_norm(A, b - A @ u)[0]
@@ -109,6 +118,26 @@ def _guessed(kinematics: Kinematics, K: Array, k: Array, guess: Mapping[Expr, fl
     places, values = _given_rates(kinematics, guess)
     shift: Array = least_norm(K[places], np.array(values) - k[places] - K[places] @ u)[0]
     return u + shift
+
+
+def _has_rates_only(kinematics: Kinematics, fixed: Mapping[Expr, float]) -> bool:
+    """Return whether rates are fixed, and none of the speeds that are no rates, of which there are some."""
+    system = kinematics.system
+    chosen = {u for u in (*system.speeds, *system.eliminated) if u.order == 0}
+    return bool(chosen) and chosen.isdisjoint(fixed) and any(rate in fixed for rate in _rates(kinematics))
+
+
+def _rates_near(kinematics: Kinematics, near: Array, guess: Mapping[Expr, float]) -> Array:
+    """Return the rates near which the others should be: those of guessed speeds, or the guessed ones, or zero."""
+    rates = _rates(kinematics)
+    if any(name.order == 0 and name in guess for name in (*kinematics.system.speeds, *kinematics.eliminated)):
+        return near
+    return np.array([guess.get(rate, 0.0) for rate in rates])
+
+
+def _quietest(rates: Array, slopes: Array) -> Array:
+    """Return the shortest x with the least ``|rates + slopes x|``: unlike in `least_norm`, all rates count alike."""
+    return np.asarray(np.linalg.lstsq(slopes, -rates, rcond=RANK)[0], dtype=np.float64)
 
 
 def _given_rates(kinematics: Kinematics, given: Mapping[Expr, float]) -> tuple[list[int], list[float]]:

@@ -52,14 +52,16 @@ class Kinematics:
 
     @cached_property
     def has_states(self) -> bool:
-        """Whether constraints on velocities, or the rates of coordinates, hold states, whose values are needed then."""
+        """Whether constraints on velocities, rates or eliminated speeds hold states, whose values are needed then."""
         return not self._written.isdisjoint(self.system.states)
 
     @cached_property
     def _written(self) -> frozenset[Expr]:
         """The variables in constraints and kinematics as they were written, without what inputs bring in."""
         system = self.system
-        return free_symbols((*system.velocity_level(system.constraints), *system.rate(system.coordinates)))
+        eliminated = [system.eliminated[u] for u in self.eliminated]
+        levels = system.velocity_level(system.constraints)
+        return free_symbols((*levels, *system.rate(system.coordinates), *eliminated))
 
     def beside(self, states: ArrayLike) -> Kinematics:
         """Return the same, with the same compiled code, for values of the states."""
@@ -190,14 +192,17 @@ class Kinematics:
         """The speeds that were eliminated, or replaced by momenta, and that are no rates of coordinates."""
         return [u for u in self.system.eliminated if u.order == 0]
 
+    def eliminated_speeds(self, t: ArrayLike, q: Array, p: Array) -> Any:
+        """Return D and d: the eliminated speeds are ``D u + d``."""
+        return self._eliminated_speeds(t, self._with_states(q), p)
+
     @cached_property
-    def eliminated_speeds(self) -> CompiledFunction:
-        """The function of t, q and p that returns D and d: these are ``D u + d``."""
+    def _eliminated_speeds(self) -> CompiledFunction:
+        """The function of t, q (and z) and p that returns D and d."""
         u, values = list(self.system.speeds), self._with_inputs(self.eliminated)
         rest = substitute(values, dict.fromkeys(u, number(0)))
-        return lambdify(
-            self._arguments(list(self.system.coordinates)), [jacobian(list(values), u), list(rest)]
-        )
+        place = self._arguments([*self.system.coordinates, *self._held])
+        return lambdify(place, [jacobian(list(values), u), list(rest)])
 
     @cached_property
     def _acceleration(self) -> CompiledFunction:
