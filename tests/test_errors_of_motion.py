@@ -98,6 +98,14 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
     # --- constraints ---
     (
         errors.ConstraintError,
+        lambda: System([sledge], (), [x, y, theta], [Constraint(u)], kinematics={dx: u + dy}),
+        (
+            "System: constraint 1, u = 0, holds none of the coordinates and speeds, and u, which the kinematics "
+            "holds; list it, speeds=[u], or correct the constraint"
+        ),
+    ),
+    (
+        errors.ConstraintError,
         lambda: System([sledge], (), [x, y, theta], [dx - dy], speeds=[u], kinematics={dx: u, dy: u}),
         (
             "System: constraint 1, x' - y' = 0, holds rates that cancel: by the speeds it is 0 = 0; leave it "
