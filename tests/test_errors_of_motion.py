@@ -95,7 +95,32 @@ def kane_without_rate() -> object:
 
 
 MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
+    # --- singular mass matrices ---
+    (
+        errors.ModelError,
+        lambda: simulate(equations_of([[m, m], [m, m]], [x, y], [x, y]), {m: 1}, {x: 1}, (0, 1)),
+        (
+            "forward_dynamics: the mass matrix is singular: a combination of x', y' moves no mass; give it some, or "
+            "leave a coordinate out"
+        ),
+    ),
+    (
+        errors.ModelError,
+        lambda: simulate(equations_of([[m, 2 * m], [m, 2 * m]], [x, y], [x, y]), {m: 1}, {x: 1}, (0, 1)),
+        (
+            "forward_dynamics: the mass matrix is singular: a combination of x', y' moves no mass; give it some, or "
+            "leave a coordinate out"
+        ),
+    ),
     # --- constraints ---
+    (
+        errors.ConstraintError,
+        lambda: System([sledge], (), [x, y, theta], [Constraint(u)], kinematics={dx: u + dy}),
+        (
+            "System: constraint 1, u = 0, holds none of the coordinates and speeds, and u, which the kinematics "
+            "holds; list it, speeds=[u], or correct the constraint"
+        ),
+    ),
     (
         errors.ConstraintError,
         lambda: System([sledge], (), [x, y, theta], [dx - dy], speeds=[u], kinematics={dx: u, dy: u}),

@@ -21,6 +21,7 @@ from symbody import (
     forward_dynamics,
     functions_of_time,
     ground,
+    lambdify,
     newton_euler,
     report,
     rotate,
@@ -171,3 +172,13 @@ def test_energy_is_unknown_unless_it_is_given() -> None:
     motion = simulate(equations_of([[1]], [-x], [x]), {}, {x: 1}, t=(0, 1))
     with pytest.raises(ModelError, match="the energy isn't known"):
         _ = motion.energy_drift
+
+
+def test_regular_matrices_with_zeros_on_the_diagonal_are_pivoted() -> None:
+    """``M u' = f`` with M = [[0, m], [m, 0]]: no mass moves alone, and the accelerations are known."""
+    a, b = symbols("a b")
+    swapped = equations_of([[0, m], [m, 0]], [a, b], [x, y])
+    solution = forward_dynamics(swapped)
+    assert solution.method == "pivoted"
+    found = lambdify([m, a, b], list(solution.accelerations))(2.0, 3.0, 5.0)
+    assert_allclose(found, [2.5, 1.5], rtol=1e-14)

@@ -131,7 +131,7 @@ def test_the_motion_is_that_of_the_equations() -> None:
     [
         (
             System([Body(translate(x, 0, 0), m)], coordinates=[x, y], constraints=[y - cos(x)]),
-            "hamilton: the mass matrix of x', y': ",
+            "hamilton: the mass matrix is singular: y' moves no mass",
         ),
         (
             System(

@@ -82,7 +82,7 @@ def check_three_ways(system: System) -> None:
     assert len(reduced.speeds) == len(equations.speeds) - 2
     assert reduced.constraints == reduced.multipliers == ()
     if reduced.mass_matrix.rank() < len(reduced.speeds):  # random bodies leave some motion without inertia
-        with pytest.raises(ModelError, match="no pivot"):
+        with pytest.raises(ModelError, match="the mass matrix is singular"):
             forward_dynamics(reduced)
         return
     found = numbers(list(forward_dynamics(reduced).accelerations))

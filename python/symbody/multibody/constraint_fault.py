@@ -14,12 +14,16 @@ __all__ = ["Unknowns", "fault_of", "is_on_velocity"]
 
 
 class Unknowns(NamedTuple):
-    """What constraints may hold: coordinates, quasi-velocities, all speeds; and what writes rates by the speeds."""
+    """What constraints may hold: coordinates, quasi-velocities, all speeds; and what writes rates by the speeds.
+
+    The rates of coordinates that were given tell which functions of time may be forgotten speeds.
+    """
 
     coordinates: Sequence[Expr]
     quasi_velocities: Sequence[Expr]
     speeds: Sequence[Expr]
     by_speeds: Rate
+    rates: Sequence[Expr] = ()
 
 
 def is_on_velocity(condition: Expr, unknowns: Unknowns) -> bool:
@@ -41,7 +45,7 @@ def fault_of(condition: Expr, unknowns: Unknowns) -> str:
     motions = _motions(condition, unknowns)
     if not motions:
         leaves = condition.free_symbols
-        return _without_unknowns(leaves) + namesake_note(
+        return _without_unknowns(leaves, unknowns) + namesake_note(
             unknowns.coordinates, leaves, ("among the coordinates", "in the constraint")
         )
     highest = max(motions, key=lambda motion: motion[1])
@@ -77,10 +81,17 @@ def _fault_of_speeds(condition: Expr, unknowns: Unknowns) -> str:
     return ""
 
 
-def _without_unknowns(leaves: frozenset[Expr]) -> str:
+def _without_unknowns(leaves: frozenset[Expr], unknowns: Unknowns) -> str:
     if not leaves:
         return "is never true; correct it, or leave it out"
     functions = sorted((leaf for leaf in leaves if leaf.kind == "time_function"), key=str)
+    in_rates = frozenset[Expr]().union(*(rate.free_symbols for rate in unknowns.rates))
+    speeds = [each for each in functions if each in in_rates]
+    if speeds:
+        return (
+            f"holds none of the coordinates and speeds, and {speeds[0]}, which the kinematics holds; list it, "
+            f"speeds=[{speeds[0]}], or correct the constraint"
+        )
     if functions:
         return (
             f"holds none of the coordinates, and {functions[0]}, a function of time; add {functions[0].name} to "

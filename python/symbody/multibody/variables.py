@@ -149,7 +149,8 @@ class Variables:
     @property
     def _unknowns(self) -> Unknowns:
         speeds = (*self.quasi_velocities, *(u for u in self.eliminated if u.order == 0))
-        return Unknowns(self.coordinates, speeds, self.speeds, self.by_speeds)
+        rates = tuple(self.coordinate_rates.values())
+        return Unknowns(self.coordinates, speeds, self.speeds, self.by_speeds, rates)
 
     @cached_property
     def driving(self) -> tuple[Expr, ...]:

@@ -23,6 +23,7 @@ from collections.abc import Sequence
 from symbody.dynamics.equations.canonical import CanonicalEquations
 from symbody.dynamics.equations.constraint_force import with_multipliers
 from symbody.dynamics.equations.independence import check_independent
+from symbody.dynamics.equations.singular_mass import described_singularity
 from symbody.errors import ExpressionError, ModelError
 from symbody.geometry.given.argument import checked
 from symbody.multibody import System, kinetic_energy
@@ -154,13 +155,14 @@ def _momenta(system: System) -> tuple[Expr, ...]:
 def _solved(slopes: Sequence[Expr], speeds: Sequence[Expr], momenta: Sequence[Expr]) -> tuple[Expr, ...]:
     """Return the speeds by the momenta: ``M u = p - dT/du at rest``."""
     drift = substitute(slopes, dict.fromkeys(speeds, number(0)))
+    M = jacobian(slopes, speeds)
     try:
-        return ldl_solve(jacobian(slopes, speeds), [p - each for p, each in zip(momenta, drift, strict=True)])
+        return ldl_solve(M, [p - each for p, each in zip(momenta, drift, strict=True)])
     except ExpressionError as failure:
-        raise ModelError(
-            f"hamilton: the mass matrix of {', '.join(map(str, speeds))}: {failure}; give every coordinate some mass "
-            "to move"
-        ) from failure
+        found = described_singularity(M, speeds) or (
+            f"the mass matrix of {', '.join(map(str, speeds))}: {failure}; give every coordinate some mass to move"
+        )
+        raise ModelError(f"hamilton: {found}") from failure
 
 
 def _check_known(system: System, forces: Sequence[Expr]) -> None:

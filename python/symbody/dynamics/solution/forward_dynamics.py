@@ -19,6 +19,7 @@ from functools import partial
 
 from symbody.dynamics.equations.baumgarte import Damping
 from symbody.dynamics.equations.equations import Equations
+from symbody.dynamics.equations.singular_mass import described_singularity
 from symbody.dynamics.recursion import articulated_body
 from symbody.dynamics.recursion.shortest_tree import articulated_tree
 from symbody.dynamics.tree.frame_tree import FrameTree
@@ -135,7 +136,17 @@ def _shortest(eqs: Equations, baumgarte: Damping) -> ForwardDynamics:
             recursive = articulated_body.is_applicable(eqs.system, tree)
         if recursive:
             return _shortest_for_tree(eqs, tree)
-    return _ldl(eqs, None) if eqs.mass_matrix == eqs.mass_matrix.T else _by_saddle_point("pivoted", eqs, None)
+    M = eqs.mass_matrix
+    if M == M.T:
+        try:
+            return _ldl(eqs, None)
+        except ModelError:
+            if M.rank() < M.rows:
+                raise
+    singular = described_singularity(M, eqs.speeds)
+    if singular:
+        raise ModelError(f"forward_dynamics: {singular}")
+    return _by_saddle_point("pivoted", eqs, None)
 
 
 def _shortest_with_constraints(eqs: Equations, baumgarte: Damping) -> ForwardDynamics:
@@ -239,11 +250,14 @@ def _by_saddle_point(method: str, eqs: Equations, baumgarte: Damping) -> Forward
 
 
 def _massless(eqs: Equations, failure: ExpressionError) -> str:
+    singular = described_singularity(eqs.mass_matrix, eqs.speeds)
+    if singular:
+        way_out = (
+            "; method='pivoted' solves the equations if constraints determine it" if eqs.constraints else ""
+        )
+        return f"forward_dynamics: {singular}{way_out}"
     names = ", ".join(map(str, eqs.speeds))
-    return (
-        f"forward_dynamics: the mass matrix of {names}: {failure}; give every coordinate some mass to move, or use "
-        "method='pivoted'"
-    )
+    return f"forward_dynamics: the mass matrix of {names}: {failure}; use method='pivoted'"
 
 
 _METHODS: dict[str, Callable[[Equations, Damping], ForwardDynamics]] = {
