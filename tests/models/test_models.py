@@ -14,6 +14,7 @@ from symbody import (
     models,
     newton_euler,
     simulate,
+    symbols,
 )
 from symbody.errors import ModelError
 from symbody.models import MODELS, ClassicSystem
@@ -77,6 +78,15 @@ def test_names() -> None:
     assert model["theta2"] is model.system.coordinates[1]
     assert [*model.names][:6] == ["theta1", "theta2", "theta1'", "theta2'", "tau1", "m1"]
     assert repr(model).startswith("ClassicSystem(System")
+
+
+def test_names_of_models_are_their_own() -> None:
+    """A function of time in one of them, a symbol in the other, and here: no notice."""
+    F = symbols("F")
+    push, drive = models.slider_crank()["F"], models.cart_pole()["F"]
+    assert push == F
+    assert drive != F
+    assert drive.depends_on_time
 
 
 def test_mistakes() -> None:
