@@ -8,6 +8,7 @@ from .blades import chaplygin_sleigh, skate, snakeboard
 from .cars import full_car, half_car, quarter_car, single_track_car
 from .classic_system import ClassicSystem
 from .linkages import andrews_mechanism, bricard_mechanism, four_bar, slider_crank
+from .motorcycle import motorcycle
 from .pendulums import cart_pole, furuta_pendulum, n_pendulum
 from .quadrotor import quadrotor_with_slung_load
 from .rolling_bodies import rattleback, rolling_disc
@@ -33,6 +34,7 @@ MODELS = (
     snakeboard,
     balancing_robot,
     bicycle,
+    motorcycle,
     quarter_car,
     half_car,
     full_car,
@@ -57,6 +59,7 @@ __all__ = [
     "gyroscope_in_gimbals",
     "half_car",
     "heavy_top",
+    "motorcycle",
     "n_pendulum",
     "planar_arm",
     "quadrotor_with_slung_load",
