@@ -162,6 +162,7 @@ from symbody.symbolic import (
 from symbody.symbolic.given.hint import no_attribute
 
 if TYPE_CHECKING:
+    from symbody import models as models
     from symbody.codegen import CompiledFunction, MachineCode, generate, lambdify
     from symbody.document import report
     from symbody.simulation import (
@@ -356,7 +357,7 @@ __all__ = [
     "zeros",
 ]
 
-_LATER = ("codegen", "simulation", "view", "document")
+_LATER = ("codegen", "simulation", "view", "document", "models")
 """The layers that are loaded when one of their names is first used, the lower ones first."""
 
 

@@ -125,11 +125,16 @@ def notify(message: str) -> None:
 
 
 def user_frame() -> FrameType | None:
-    """Return the frame of the user's line, the innermost one outside of symbody, if there is one."""
+    """Return the frame that makes variables: the innermost one outside of symbody, or of a function of `models`."""
     frame = inspect.currentframe()
-    while frame is not None and _is_ours(frame):
+    while frame is not None and _is_ours(frame) and not _is_of_models(frame):
         frame = frame.f_back
     return frame
+
+
+def _is_of_models(frame: FrameType) -> bool:
+    """Whether a frame is one of `symbody.models`, whose names are its own: F of one is not F of the other."""
+    return str(frame.f_globals.get("__name__")).startswith("symbody.models.")
 
 
 def _is_ours(frame: FrameType) -> bool:

@@ -11,6 +11,7 @@ from symbody import (
     Vector,
     functions_of_time,
     ground,
+    models,
     rotate,
     symbols,
     t,
@@ -49,15 +50,6 @@ def double_cart_pole() -> System:
     return System([cart, *rods], [drive], [theta0, theta1, theta2], gravity=DOWN)
 
 
-def ball_and_beam() -> System:
-    """The ball's rolling is a rotation about the beam's axis, so that it adds no momentum about the pivot."""
-    J, Jb, R, G = symbols("J Jb R G")
-    beam = Body(rotate("Z", theta), 0, Iz=J)
-    ball = Body(beam.frame * translate(r, 0, 0) * rotate("X", r / R), M, Jb, Jb, Jb)
-    drive = Torque(ground, 0, 0, tau, on=beam)
-    return System([beam, ball], [drive], [r, theta], gravity=Vector(ground, 0, -G, 0))
-
-
 def crane_with_hoist() -> System:
     mx, ml, l = symbols("mx"), symbols("ml"), functions_of_time("l")
     fx, fl = functions_of_time("fx fl")
@@ -80,20 +72,6 @@ def crane_with_two_angles() -> System:
         Force(ground, 0, fy, 0, at=trolley.center_of_mass, on=trolley),
     ]
     return System([trolley, girder, load], drives, [x, y, thetax, thetay], gravity=Vector(ground, 0, 0, -g))
-
-
-def furuta_pendulum() -> System:
-    J1, J2 = symbols("J1 J2")
-    tau1 = functions_of_time("tau1")
-    arm = rotate("Z", theta1)
-    pole = arm * translate(L1, 0, 0) * rotate("X", theta2)
-    first, second = Body(Point(arm, l1, 0, 0), m1, Iz=J1), Body(Point(pole, 0, 0, -l2), m2, J2, J2, 0)
-    return System(
-        [first, second],
-        [Torque(ground, 0, 0, tau1, on=first)],
-        [theta1, theta2],
-        gravity=Vector(ground, 0, 0, -g),
-    )
 
 
 def reaction_wheel_pendulum() -> System:
@@ -165,7 +143,7 @@ CARTS = (
     Classic(
         "Ball and beam",
         "Hauser, Sastry & Kokotovic, IEEE Trans. Automatic Control 37 (1992), p. 392",
-        ball_and_beam,
+        lambda: models.ball_and_beam().system,
         (
             "(Jb/R**2 + M)*r'' + M*G*sin(theta) - M*r*theta'**2 = 0",
             "(M*r**2 + J + Jb)*theta'' + 2*M*r*r'*theta' + M*G*r*cos(theta) = tau",
@@ -208,7 +186,7 @@ CARTS = (
     Classic(
         "Furuta's pendulum",
         "Cazzolato & Prime, J. Control Science and Engineering 2011, 528341, with the abbreviations put in",
-        furuta_pendulum,
+        lambda: models.furuta_pendulum().system,
         (
             (
                 "(J1 + m1*l1**2 + m2*L1**2 + (J2 + m2*l2**2)*sin(theta2)**2)*theta1'' + m2*L1*l2*cos(theta2)*theta2''"

@@ -12,6 +12,7 @@ from symbody import (
     cos,
     functions_of_time,
     ground,
+    models,
     rotate,
     sin,
     symbols,
@@ -23,21 +24,6 @@ from .classic import Classic
 m1, m2, m3, m4, l1, l2, l3, l4 = symbols("m1 m2 m3 m4 l1 l2 l3 l4")
 lc1, lc2, lc3, lc4, I1, I2, I3, I4, g = symbols("lc1 lc2 lc3 lc4 I1 I2 I3 I4 g")
 q1, q2, q3, q4, psi, theta, phi, alpha, beta, L = functions_of_time("q1 q2 q3 q4 psi theta phi alpha beta L")
-
-
-def gyroscope_in_gimbals() -> System:
-    """The outer gimbal turns about the vertical, the inner one about x, and the rotor about its own axis."""
-    A, C, A1, B1, C1, C2 = symbols("A C A1 B1 C1 C2")
-    M1, M2, M3 = functions_of_time("M1 M2 M3")
-    outer = Body(rotate("Z", psi), 0, Iz=C2)
-    inner = Body(outer.frame * rotate("X", theta), 0, A1, B1, C1)
-    rotor = Body(inner.frame * rotate("Z", phi), 0, A, A, C)
-    motors = [
-        Torque(outer.frame, 0, 0, M1, on=outer),
-        Torque(outer.frame, M2, 0, 0, on=inner, reaction=outer),
-        Torque(inner.frame, 0, 0, M3, on=rotor, reaction=inner),
-    ]
-    return System([outer, inner, rotor], motors, [psi, theta, phi])
 
 
 def stewart_leg() -> System:
@@ -88,7 +74,7 @@ SPATIAL = (
     Classic(
         "Gyroscope in gimbals",
         "Magnus, Kreisel: Theorie und Anwendungen, 1971 (the kinetic energy)",
-        gyroscope_in_gimbals,
+        lambda: models.gyroscope_in_gimbals().system,
         (
             (
                 "(C2 + (A + B1)*sin(theta)**2 + (C + C1)*cos(theta)**2)*psi'' + C*cos(theta)*phi''"

@@ -7,14 +7,13 @@ from symbody import (
     Force,
     Point,
     System,
-    Torque,
     Vector,
     functions_of_time,
     ground,
+    models,
     moving_frame,
     rotate,
     symbols,
-    t,
     translate,
 )
 
@@ -40,32 +39,6 @@ def skate() -> System:
     x, y, psi, v, omega = functions_of_time("x y psi v omega")
     blade = moving_frame(v, 0, 0, 0, 0, omega, pose=translate(x, y, 0) * rotate("Z", psi))
     return System([Body(Point(blade, a, 0, 0), m, Iz=I)], speeds=[v, omega])
-
-
-def quarter_car() -> System:
-    ms, mu, ks, cs, kt = symbols("ms mu ks cs kt")
-    zs, zu, zr = functions_of_time("zs zu zr")
-    body, wheel = Body(translate(0, 0, zs), ms), Body(translate(0, 0, zu), mu)
-    strut = -ks * (zs - zu) - cs * (zs.diff(t) - zu.diff(t))
-    loads = [
-        Force(ground, 0, 0, strut, at=body.center_of_mass, on=body, reaction=wheel),
-        Force(ground, 0, 0, -kt * (zu - zr), at=wheel.center_of_mass, on=wheel),
-    ]
-    return System([body, wheel], loads, [zs, zu])
-
-
-def half_car() -> System:
-    """For small angles: the body's heave and pitch are those of two bodies without inertia and mass."""
-    k1, k2, c1, c2 = symbols("k1 k2 c1 c2")
-    z, theta = functions_of_time("z theta")
-    heave, pitch = Body(translate(0, 0, z), m), Body(rotate("Y", theta), 0, Iy=I)
-    z1, z2 = z - a * theta, z + b * theta
-    f1, f2 = -k1 * z1 - c1 * z1.diff(t), -k2 * z2 - c2 * z2.diff(t)
-    loads = [
-        Force(ground, 0, 0, f1 + f2, at=heave.center_of_mass, on=heave),
-        Torque(ground, 0, b * f2 - a * f1, 0, on=pitch),
-    ]
-    return System([heave, pitch], loads, [z, theta])
 
 
 def two_wheeled_robot() -> System:
@@ -94,7 +67,7 @@ VEHICLES = (
     Classic(
         "Quarter car",
         "Rajamani, Vehicle Dynamics and Control, 2012, ch. 10",
-        quarter_car,
+        lambda: models.quarter_car().system,
         (
             "ms*zs'' + cs*(zs' - zu') + ks*(zs - zu) = 0",
             "mu*zu'' - cs*(zs' - zu') - ks*(zs - zu) + kt*(zu - zr) = 0",
@@ -103,7 +76,7 @@ VEHICLES = (
     Classic(
         "Half car on two springs and dampers",
         "Rao, Mechanical Vibrations, 2011, ch. 5 (the car on springs), with dampers",
-        half_car,
+        lambda: models.half_car().system,
         (
             "m*z'' + c1*(z' - a*theta') + c2*(z' + b*theta') + k1*(z - a*theta) + k2*(z + b*theta) = 0",
             (

@@ -8,8 +8,10 @@ import numpy as np
 import pytest
 from numpy.testing import assert_allclose
 
-from symbody import System, equilibrium, ground, lagrange_equations, newton_euler, reaction, simulate
-from tests.reference.mechanisms import by_joints
+from symbody import equilibrium, ground, lagrange_equations, newton_euler, reaction, simulate
+from symbody.models import ClassicSystem, andrews_mechanism, four_bar
+from symbody.models import bicycle as bicycle_of_joints
+from symbody.models import slider_crank as slider_crank_of_joints
 from tests.reference.mechanisms.andrews import andrews
 from tests.reference.mechanisms.bicycle import bicycle
 from tests.reference.mechanisms.fourbar_statics import fourbar_statics
@@ -20,16 +22,18 @@ from tests.reference.mechanisms.slider_crank import slider_crank
 @pytest.mark.parametrize(
     ("of_joints", "by_hand"),
     [
-        (lambda: by_joints.fourbar()[1], fourbar_statics),
-        (by_joints.slider_crank, slider_crank),
-        (by_joints.andrews, andrews),
+        (four_bar, fourbar_statics),
+        (slider_crank_of_joints, slider_crank),
+        (andrews_mechanism, andrews),
     ],
     ids=["fourbar_statics", "slider_crank", "andrews"],
 )
 def test_joints_give_the_equations_that_were_written_by_hand(
-    of_joints: Callable[[], System], by_hand: Callable[[], Problem]
+    of_joints: Callable[[], ClassicSystem], by_hand: Callable[[], Problem]
 ) -> None:
-    one, two = newton_euler(of_joints()), by_hand().equations
+    model, problem = of_joints(), by_hand()
+    one, two = newton_euler(model.system), problem.equations
+    assert model.parameters == problem.parameters
     assert one.coordinates == two.coordinates
     assert one.constraints == two.constraints
     assert one.mass_matrix == two.mass_matrix
@@ -39,7 +43,7 @@ def test_joints_give_the_equations_that_were_written_by_hand(
 
 def test_the_bicycle_rolls_on_two_joints_of_which_one_closes_a_loop() -> None:
     """The same equations but for the order and the signs of the constraints, as z points up in rolling joints."""
-    one, two = newton_euler(by_joints.bicycle()), bicycle().equations
+    one, two = newton_euler(bicycle_of_joints().system), bicycle().equations
     assert {*one.coordinates} == {*two.coordinates}
     order = [one.coordinates.index(q) for q in two.coordinates]
     n = len(order)
@@ -54,13 +58,12 @@ def test_the_bicycle_rolls_on_two_joints_of_which_one_closes_a_loop() -> None:
 def test_pins_of_the_hanging_linkage() -> None:
     """By statics: the pins on ground carry weight and pull, each bar's moments balance, Q has the reference's force."""
     numbers, problem = reference("fourbar_statics"), fourbar_statics()
-    linkage, system = by_joints.fourbar()
-    equations = lagrange_equations(system)
+    equations = lagrange_equations(four_bar().system)
     rest = equilibrium(equations, problem.parameters, guess=problem.initial)
     motion = simulate(equations, problem.parameters, rest.coordinates, (0, 1e-3))
 
     def force(name: str) -> np.ndarray:
-        found = reaction(equations, linkage.joint(name).joint, frame=ground)
+        found = reaction(equations, name, frame=ground)
         return motion.evaluate(found.force.components)[:2, 0]
 
     p, q = numbers["parameters"], np.array(numbers["static"]["q_rad"])
@@ -78,8 +81,8 @@ def test_pins_of_the_hanging_linkage() -> None:
 
 def test_multipliers_of_andrews_are_the_forces_of_its_pins() -> None:
     """At the start, against the Test Set for IVP Solvers; its signs are those of ``M u' = f - G^T lambda``."""
-    problem, system = andrews(), by_joints.andrews()
-    equations = newton_euler(system)
+    problem = andrews()
+    equations = newton_euler(andrews_mechanism().system)
     motion = simulate(equations, problem.parameters, problem.initial, (0, 1e-4))
     first = motion.evaluate(reaction(equations, "P3", frame=ground).force.components)[:, 0]
     assert_allclose(-first[:2], [98.5668703962410896, -6.12268834425566265], rtol=1e-11)

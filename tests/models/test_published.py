@@ -1,0 +1,317 @@
+"""Each model against equations or numbers that were published, or a closed form."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import numpy as np
+import pytest
+from numpy.polynomial.laguerre import lagroots
+from numpy.testing import assert_allclose
+from numpy.typing import NDArray
+
+from symbody import (
+    Equations,
+    Expr,
+    cos,
+    embedded,
+    jacobian,
+    models,
+    newton_euler,
+    parse,
+    simulate,
+    sin,
+    time_derivative,
+)
+from symbody.models import ClassicSystem
+from tests.models.classics import BALANCING, CLASSICS, ELBOW, ELBOW_WEIGHT
+from tests.page.classic import Classic
+from tests.reference.mechanisms.heavy_top import heavy_top
+from tests.reference.mechanisms.problem import reference
+
+TIGHT = {"rtol": 1e-11, "atol": 1e-12}
+
+
+@pytest.mark.parametrize("classic", CLASSICS, ids=lambda classic: classic.name)
+def test_equations_of_the_book(classic: Classic) -> None:
+    residuals = classic.equations.residuals
+    for row, residual in zip(classic.book, residuals, strict=True):
+        assert classic.difference(row) == residual, row
+
+
+def values(model: ClassicSystem, at: Mapping[str, float], **numbers: float) -> dict[Expr, float]:
+    """Return the values of all symbols of a model at rest in a position, and other numbers by name."""
+    system = model.system
+    leaves = (*system.coordinates, *system.speeds)
+    rest = dict.fromkeys([*leaves, *map(time_derivative, leaves)], 0.0)
+    named = {model[name]: value for name, value in {**at, **numbers}.items()}
+    return {**rest, **model.parameters, **model.inputs, **named}
+
+
+def linear(
+    equations: Equations, model: ClassicSystem, at: Mapping[str, float], **numbers: float
+) -> tuple[NDArray[np.float64], ...]:
+    """Return M, C and K of the small motions ``M q'' + C q' + K q = 0``."""
+    known = values(model, at, **numbers)
+
+    def matrix(entries: object) -> NDArray[np.float64]:
+        rows = [[entries[i, j].evaluate(known) for j in range(n)] for i in range(n)]  # type: ignore[index]
+        return np.array(rows)
+
+    bias, n = equations.bias, len(equations.bias)
+    rates = [time_derivative(q) for q in equations.coordinates]
+    return (
+        matrix(equations.mass_matrix),
+        matrix(jacobian(bias, rates)),
+        matrix(jacobian(bias, equations.coordinates)),
+    )
+
+
+def eigenvalues(model: ClassicSystem, at: Mapping[str, float], **numbers: float) -> NDArray[np.complex128]:
+    M, C, K = linear(newton_euler(model.system), model, at, **numbers)
+    n = len(M)
+    state = np.block([[np.zeros((n, n)), np.eye(n)], [-np.linalg.solve(M, K), -np.linalg.solve(M, C)]])
+    return np.linalg.eigvals(state)
+
+
+def frequencies(model: ClassicSystem, at: Mapping[str, float], **numbers: float) -> NDArray[np.float64]:
+    """Return the frequencies of undamped small motions, ascending, in rad/s."""
+    M, _, K = linear(newton_euler(model.system), model, at, **numbers)
+    squares = np.linalg.eigvals(np.linalg.solve(M, K))
+    assert np.abs(squares.imag).max() < 1e-9
+    return np.sqrt(np.sort(squares.real).clip(0))
+
+
+@pytest.mark.parametrize("n", [1, 2, 5])
+def test_small_motions_of_n_pendulums_have_zeros_of_laguerre(n: int) -> None:
+    zeros = lagroots([*[0] * n, 1])
+    assert_allclose(frequencies(models.n_pendulum(n), {}), np.sqrt(9.81 * np.sort(zeros)), rtol=1e-9)
+
+
+def test_poles_of_the_cart_with_a_pole() -> None:
+    """Those that the tutorial prints, with four digits behind the point."""
+    found = np.sort(eigenvalues(models.cart_pole(), {}).real)
+    assert_allclose(found, [-5.6041, -0.1428, 0, 5.5651], atol=5.1e-5)
+
+
+def test_ball_and_beam_has_the_constant_of_the_paper() -> None:
+    """r'' = B (r theta'^2 - G sin(theta)), B = 0.7143."""
+    model = models.ball_and_beam()
+    M, _, K = linear(newton_euler(model.system), model, {})
+    assert_allclose(K[0, 1] / M[0, 0] / 9.81, 0.7143, atol=5e-5)
+
+
+def test_elbow_manipulator() -> None:
+    model = models.spatial_arm()
+    equations = newton_euler(model.system)
+    M = equations.mass_matrix
+    printed = [parse(entry, model.names) for entry in ELBOW]
+    assert [M[0, 0], M[1, 1], M[1, 2], M[2, 2]] == printed
+    assert M[0, 1].is_zero
+    assert M[0, 2].is_zero
+    rest = {time_derivative(q): 0 for q in equations.coordinates} | dict.fromkeys(equations.inputs, 0)
+    assert [each.subs(rest) for each in equations.bias] == [0, *(parse(w, model.names) for w in ELBOW_WEIGHT)]
+
+
+def test_heavy_top_is_that_of_the_reference() -> None:
+    model, problem = models.heavy_top(), heavy_top()
+    assert newton_euler(model.system).residuals == problem.equations.residuals
+    assert model.parameters == problem.parameters
+    assert {q: v for q, v in problem.initial.items() if v} == model.initial
+
+
+def test_bricard_moves_although_one_closing_condition_is_left_out() -> None:
+    """The fifth condition, that the last hinge has no component along y, is kept by the other four."""
+    model = models.bricard_mechanism()
+    equations = newton_euler(model.system)
+    motion = simulate(equations, model.parameters, model.initial, (0, 2), **TIGHT)
+    axes = model.system.bodies[-1].frame.matrix
+    hinge = motion.evaluate([axes[i, 0] for i in range(3)])
+    assert_allclose(hinge, [[1], [0], [0]] * np.ones_like(hinge), atol=1e-9)
+    assert np.ptp(motion[model["q1"]]) > 1
+
+
+@pytest.mark.parametrize("turn", reference("rolling_disc")["steady_turns"])
+def test_steady_turns_of_the_disc(turn: dict[str, float]) -> None:
+    model = models.rolling_disc()
+    x, y, psi, theta, phi = model.system.coordinates
+    start = {theta: -turn["lean"], time_derivative(theta): 0.0}
+    start |= {time_derivative(psi): turn["yaw_rate"], time_derivative(phi): turn["spin_rate"]}
+    period = 2 * np.pi / abs(turn["yaw_rate"])
+    motion = simulate(newton_euler(model.system), model.parameters, start, (0, period / 2), **TIGHT)
+    assert_allclose(motion[theta], -turn["lean"], atol=1e-8)
+    across = np.hypot(np.ptp(motion[x][[0, -1]]), np.ptp(motion[y][[0, -1]]))
+    assert_allclose(across, 2 * turn["contact_circle_radius"], rtol=1e-7)
+
+
+def test_small_motions_of_the_rattleback() -> None:
+    """It rocks about the contact, whose radii of curvature are a^2/c and b^2/c."""
+    model = models.rattleback()
+    alpha, beta, gamma = model.system.coordinates[2:]
+    equations = embedded(newton_euler(model.system), [time_derivative(q) for q in (alpha, beta, gamma)])
+    known = values(model, {})
+    bias = jacobian(equations.bias, [beta, gamma])
+    M = np.array([[equations.mass_matrix[i, j].evaluate(known) for j in (1, 2)] for i in (1, 2)])
+    K = np.array([[bias[i, j].evaluate(known) for j in (0, 1)] for i in (1, 2)])
+    p = {str(symbol): value for symbol, value in model.parameters.items()}
+    height = p["c"] - p["h"]
+    inertia = np.array([[p["A"], p["D"]], [p["D"], p["B"]]]) + p["M"] * height**2 * np.eye(2)
+    stiffness = p["M"] * p["g"] * np.diag([p["b"] ** 2 / p["c"] - height, p["a"] ** 2 / p["c"] - height])
+    expected = np.linalg.eigvals(np.linalg.solve(inertia, stiffness))
+    assert_allclose(np.sort(np.linalg.eigvals(np.linalg.solve(M, K))), np.sort(expected), rtol=1e-9)
+
+
+def test_the_rattleback_turns_back_in_one_direction_only() -> None:
+    """As Kane and Levinson show it; without resistance, it keeps its energy."""
+    model = models.rattleback()
+    equations = newton_euler(model.system)
+    spin = time_derivative(model["alpha"])
+    least, greatest = {}, {}
+    for sign in (-1, 1):
+        start = {**model.initial, spin: 5.0 * sign}
+        motion = simulate(equations, model.parameters, start, (0, 10), rtol=1e-9)
+        least[sign], greatest[sign] = motion[spin].min(), motion[spin].max()
+        assert motion.energy_drift < 1e-6
+    assert greatest[-1] > 5
+    assert least[1] > 1
+
+
+def test_skate_on_an_incline() -> None:
+    model, numbers = models.skate(), reference("nonholonomic")["knife_edge"]
+    given = numbers["parameters"]
+    assert {given["m"], given["J"], given["incline"], given["g"]} == {*model.parameters.values()}
+    t, *columns = np.array(numbers["rows"]).T
+    start = model.initial | dict.fromkeys(model.system.coordinates, 0.0)
+    motion = simulate(newton_euler(model.system), model.parameters, start, t, **TIGHT)
+    for coordinate, expected in zip(model.system.coordinates, columns, strict=True):
+        assert_allclose(motion[coordinate], expected, atol=1e-9)
+
+
+def test_chaplygins_sleigh() -> None:
+    """v = V tanh(k (t - t0)), where V is the speed of straight running with the same energy [Bloch 2003]."""
+    model = models.chaplygin_sleigh()
+    m, I, a = model.parameters.values()
+    motion = simulate(newton_euler(model.system), model.parameters, model.initial, (0, 5), **TIGHT)
+    x, y, psi = model.system.coordinates
+    ahead = motion[cos(psi) * time_derivative(x) + sin(psi) * time_derivative(y)]
+    V = np.sqrt(ahead[0] ** 2 + (I / m + a**2) * 2.0**2)
+    k = m * a * V / (I + m * a**2)
+    assert_allclose(ahead, V * np.tanh(k * motion.t + np.arctanh(ahead[0] / V)), atol=1e-8)
+    assert ahead[-1] > 0.9 * V
+
+
+def test_snakeboard_turns_about_the_intersection_of_its_axles() -> None:
+    model = models.snakeboard()
+    start = {**model.initial, time_derivative(model["phi"]): 0.0, model["theta"]: 0.0}
+    motion = simulate(
+        newton_euler(model.system), model.parameters, start, (0, 1e-3), inputs=model.inputs, **TIGHT
+    )
+    x, theta = (time_derivative(model[name]) for name in ("x", "theta"))
+    assert_allclose(motion[x][0] / motion[theta][0], 0.2 / np.tan(0.5), rtol=1e-9)
+
+
+def test_momentum_of_the_snakeboard() -> None:
+    """p' = 2 Jr cos(phi)^2 phi' psi' - tan(phi) phi' p, where J + Jr + 2 Jw = m l^2 [Ostrowski et al. 1994]."""
+    model = models.snakeboard()
+    m, J, Jr, Jw, l = (model[name] for name in ("m", "J", "Jr", "Jw", "l"))
+    assert_allclose((J + Jr + 2 * Jw - m * l**2).evaluate(model.parameters), 0, atol=1e-12)
+    theta, phi = model["theta"], model["phi"]
+    dx, dy, dtheta, dpsi, dphi = map(time_derivative, model.system.coordinates)
+    # Steering by phi at the front turns the board to the left there; the paper's axles steer by -phi at the front.
+    p = (
+        2 * m * l * cos(phi) ** 2 * (cos(theta) * dx + sin(theta) * dy)
+        + m * l**2 * sin(2 * phi) * dtheta
+        + Jr * sin(2 * phi) * dpsi
+    )
+    rate = 2 * Jr * cos(phi) ** 2 * dphi * dpsi - sin(phi) / cos(phi) * dphi * p
+    start = {phi: 0.3, theta: 0.2, dtheta: 0.5, dpsi: 2.0, dphi: 1.0}
+    inputs = {model["Mr"]: 0.05, model["Ms"]: -0.002}
+    motion = simulate(newton_euler(model.system), model.parameters, start, (0, 0.5), inputs=inputs, **TIGHT)
+    assert_allclose(motion[time_derivative(p)], motion[rate], rtol=1e-6, atol=1e-8)
+
+
+def test_balancing_robot() -> None:
+    model = models.balancing_robot()
+    x, y, psi, *_ = model.system.coordinates
+    v, r = cos(psi) * time_derivative(x) + sin(psi) * time_derivative(y), time_derivative(psi)
+    inputs = {model["TL"]: 0.3, model["TR"]: -0.2}
+    motion = simulate(
+        newton_euler(model.system), model.parameters, model.initial, (0, 0.5), inputs=inputs, **TIGHT
+    )
+    for row in BALANCING:
+        text = row.replace("v'", "vdot").replace(" r'", " rdot").replace("*r'", "*rdot")
+        names = model.names | {"v": v, "r": r, "vdot": time_derivative(v), "rdot": time_derivative(r)}
+        names |= {
+            "thetaddot": time_derivative(model["theta"], 2),
+            "thetadot": time_derivative(model["theta"]),
+        }
+        text = text.replace("theta''", "thetaddot").replace("theta'", "thetadot")
+        assert_allclose(motion[parse(text, names).subs(inputs)], 0, atol=1e-7)
+
+
+def test_frequency_without_influence_of_the_strut() -> None:
+    """At sqrt(kt/mu), the acceleration of the body by that of the road is -kt/(ms w^2) [Rajamani 2012, ch. 10]."""
+    model = models.quarter_car()
+    equations = newton_euler(model.system)
+    ms, mu, kt = (model.parameters[model[name]] for name in ("ms", "mu", "kt"))
+    w = np.sqrt(kt / mu)
+    for ks, cs in ((16000.0, 1000.0), (9000.0, 3000.0)):
+        M, C, K = linear(equations, model, {}, ks=ks, cs=cs)
+        response = np.linalg.solve(-(w**2) * M + 1j * w * C + K, [0, kt])
+        assert_allclose(-(w**2) * response[0], kt / ms, rtol=1e-9)
+
+
+def test_frequencies_of_the_half_car() -> None:
+    """Those that Rao prints: 5.8593 and 9.4341 rad/s."""
+    assert_allclose(frequencies(models.half_car(), {}), [5.8593, 9.4341], atol=5e-5)
+
+
+def test_full_car_of_equal_corners_is_quarter_cars() -> None:
+    """Heave, roll and pitch are those of quarter cars with the masses m/4, Ix/w^2 and Iy/(2 a)^2."""
+    car, quarter = models.full_car(), models.quarter_car()
+    p = {str(symbol): value for symbol, value in car.parameters.items()}
+    found = frequencies(car, {}, kr=p["kf"], b=p["a"], cf=0.0, cr=0.0)
+    expected = [np.sqrt((p["kf"] + p["kt"]) / p["mu"])]  # wheels move crosswise, the body is at rest
+    for mass in (p["m"] / 4, p["Ix"] / p["w"] ** 2, p["Iy"] / (2 * p["a"]) ** 2):
+        expected += [*frequencies(quarter, {}, ms=mass, mu=p["mu"], ks=p["kf"], kt=p["kt"], cs=0.0)]
+    assert_allclose(found, np.sort(expected), rtol=1e-9)
+
+
+def test_weight_on_the_wheels_of_the_full_car() -> None:
+    """Without motion, it stays where it is."""
+    model = models.full_car()
+    known = values(model, {})
+    assert_allclose([each.evaluate(known) for each in newton_euler(model.system).bias], 0, atol=1e-8)
+
+
+def test_critical_speed_and_yaw_gain_of_the_single_track_car() -> None:
+    """[Pacejka 2012, sec. 1.3]: u_crit^2 = C1 C2 l^2/(m (a C1 - b C2)), r/delta = u/(l (1 - u^2/u_crit^2))."""
+    model = models.single_track_car()
+    equations = newton_euler(model.system)
+    m, _, a, b, C1, C2, _ = model.parameters.values()
+    C1 = 1.5 * C1
+    critical = np.sqrt(C1 * C2 * (a + b) ** 2 / (m * (a * C1 - b * C2)))
+
+    def slopes(u: float) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+        known = values(model, {"u": u, "C1": C1})
+        by_speed, by_steering = (
+            jacobian(equations.bias, equations.speeds),
+            jacobian(equations.bias, [model["delta"]]),
+        )
+        K = np.array([[by_speed[i, j].evaluate(known) for j in range(2)] for i in range(2)])
+        return K, np.array([-by_steering[i, 0].evaluate(known) for i in range(2)])
+
+    K, _ = slopes(critical)
+    assert abs(np.linalg.det(K)) < 1e-9 * np.abs(K).max() ** 2
+    for u in (10.0, 0.8 * critical):
+        _, rate = np.linalg.solve(*slopes(u))
+        assert_allclose(rate, u / ((a + b) * (1 - u**2 / critical**2)), rtol=1e-9)
+
+
+def test_the_load_of_the_hovering_quadrotor_swings_by_the_reduced_mass() -> None:
+    """w^2 = g (M + m)/(M l), along x and y; nothing else has a stiffness."""
+    model = models.quadrotor_with_slung_load()
+    found = frequencies(model, {})
+    M, m, l = (model.parameters[model[name]] for name in ("M", "m", "l"))
+    assert_allclose(found[:6], 0, atol=1e-6)
+    assert_allclose(found[6:], np.sqrt(9.81 * (M + m) / (M * l)), rtol=1e-9)
