@@ -102,6 +102,7 @@ clean:  ## remove all that was made
 # Python. Rust, pip and the system's package manager have one step at a time each, and the tests of Python are alone.
 ifneq ($(and $(CI),$(filter test,$(MAKECMDGOALS))),)
 MAKEFLAGS += --jobs=2
+unexport MAKEFLAGS MFLAGS  # not for the tests: they run make, cargo and compilers, whose words they read
 $(STAMPS)/bench: | $(STAMPS)/develop
 $(STAMPS)/build: | lint-rust $(STAMPS)/bench
 test-rust: | $(STAMPS)/build
