@@ -84,7 +84,7 @@ def _begun(
             try:
                 parameters = cases.parameters_of(case)
                 states[case] = initial_state(task, parameters, cases.initial_of(case))
-                own = without_redundant(task, parameters, states[case])
+                own = without_redundant(task, parameters, states[case], reduced.values())
                 out = () if own.redundancy is None else own.redundancy.choice
                 tasks[case] = task if own is task else reduced.setdefault(out, own)
             except SymbodyError as error:

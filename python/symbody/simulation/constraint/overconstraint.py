@@ -7,7 +7,7 @@ way ``k (x - y) = 0`` is a constraint unless k = 0. Such constraints follow from
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 
 import numpy as np
 from numpy.typing import NDArray
@@ -38,7 +38,12 @@ _NEARLY = 1e-3
 
 
 def overconstraint(
-    kinematics: Kinematics, p: Array, time: float, q: Array, where: str = "simulate"
+    kinematics: Kinematics,
+    p: Array,
+    time: float,
+    q: Array,
+    known: Iterable[Redundancy] = (),
+    where: str = "simulate",
 ) -> Redundancy | None:
     """Return which constraints are redundant where a mechanism moves.
 
@@ -49,6 +54,7 @@ def overconstraint(
         p: the values of their parameters.
         time: the time, in s.
         q: the coordinates of a position.
+        known: what was found for other parameters or positions; if it suits here, the mechanism isn't moved again.
         where: the function that the user called, for messages.
 
     Raises:
@@ -66,6 +72,9 @@ def overconstraint(
         _check_motion_is_left(system, slopes, kernel, where)
         if not redundant:
             return None
+    suitable = next((each for each in known if each.suits(system, slopes)), None)
+    if suitable is not None:
+        return suitable
     gradients = [scaled(J) for J in walk_configurations(kinematics, p, time, q, STEPS)]
     found = redundancy(system, gradients)
     if not is_usual and (len(gradients) <= _STANDING or found.count == redundant):

@@ -46,7 +46,7 @@ _ROUNDED = 1e-3
 """The relative difference of ratios that counts as rounding: machines must not differ in their choice."""
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Redundancy:
     """The redundant constraints of a mechanism.
 
@@ -86,6 +86,17 @@ class Redundancy:
             {places[row]: ratio for row, ratio in self.ratios.items()},
             tuple(sorted(places[row] for row in self.choice)),
         )
+
+    def suits(self, system: Variables, J: Array) -> bool:
+        """Return whether the same choice leaves all independent constraints of another position, far from dependent.
+
+        Args:
+            system: the mechanism.
+            J: the Jacobian of its constraints there, with the column of the time if that leads them.
+        """
+        rank = int(np.linalg.matrix_rank(scaled(J), CANCELLED))
+        here = _for_speeds(system, scaled(J), self.count)
+        return rank == len(J) - self.count and _least([here], self.choice, self.count) >= NEAR
 
     @property
     def constraints(self) -> tuple[Expr, ...]:

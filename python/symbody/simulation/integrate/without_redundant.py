@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import replace
 
 import numpy as np
@@ -19,13 +19,16 @@ from .task import Task
 __all__ = ["without_redundant"]
 
 
-def without_redundant(task: Task, parameters: Mapping[Expr, float], state: NDArray[np.float64]) -> Task:
+def without_redundant(
+    task: Task, parameters: Mapping[Expr, float], state: NDArray[np.float64], known: Iterable[Task] = ()
+) -> Task:
     """Return the task in which overconstrained mechanisms move: the best choice of redundant constraints is left out.
 
     Args:
         task: the task.
         parameters: the values of the parameters.
         state: an initial state, shape (model.width,).
+        known: the same tasks of other cases.
 
     Raises:
         ConstraintError: the constraints leave no motion, or only at this position.
@@ -38,8 +41,9 @@ def without_redundant(task: Task, parameters: Mapping[Expr, float], state: NDArr
     kinematics = kinematics.beside(state[mechanical : len(model.state)])
     p = np.array([parameters[name] for name in kinematics.parameters])
     q, t = state[: len(model.coordinates)], float(task.instants[0])
-    found = overconstraint(kinematics, p, t, q)
-    if found is None:
-        return task
+    others = {each.redundancy: each for each in known if each.redundancy is not None}
+    found = overconstraint(kinematics, p, t, q, others)
+    if found is None or found in others:
+        return task if found is None else others[found]
     reduced = leaving_out(model.equations, found.choice)
     return replace(task, model=with_equations(task.model, reduced), redundancy=found)
