@@ -116,8 +116,11 @@ def test_redundant_constraints_that_rounding_parts_go_on(off: float) -> None:
     equations = beads(x - a * sin(t), x - b * sin(t))
     values = {m: 1, a: 1.0, b: 1.0 + off}
     notices = notices_of(lambda: simulate(equations, values, t=(0, 5)))
-    assert len(notices) == 1
-    assert "equation x - b*sin(t) follows from the others there" in notices[0]
+    (notice,) = notices
+    assert notice == (
+        "simulate: the equations of motion are of deficient rank at some points: equation x - b*sin(t) follows from "
+        "the others there; the minimum-norm solution is returned"
+    )
 
 
 def test_of_many_cases_only_those_fail_that_contradict() -> None:
@@ -131,7 +134,10 @@ def test_of_many_cases_only_those_fail_that_contradict() -> None:
     )
     texts = [str(notice.message) for notice in notices]
     assert any(
-        text.startswith("simulate_many: in 2 of 3 cases, first case 0: linear system 1") for text in texts
+        text.startswith(
+            "simulate_many: in 2 of 3 cases, first case 0: the equations of motion are of deficient"
+        )
+        for text in texts
     )
     np.testing.assert_allclose(runs[x][[0, 2], -1], 1.0, atol=1e-9)
 

@@ -65,6 +65,12 @@ class ForwardDynamics:
     conditions: tuple[Expr, ...] = ()
     equation_names: tuple[str, ...] = ()
 
+    @property
+    def equations_together(self) -> str:
+        """What the equations of the linear system that is solved at run time are called together, in messages."""
+        by_multipliers = self.method == "schur_complement"
+        return "the equations of the multipliers" if by_multipliers else "the equations of motion"
+
     def put_into(self, eqs: Equations, expressions: Sequence[Expr]) -> tuple[Expr, ...]:
         """Return expressions in which accelerations and multipliers are replaced by this solution.
 

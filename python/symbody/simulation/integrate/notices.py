@@ -248,8 +248,8 @@ ROWS: dict[str, _Row] = {
 
 def deficiency_findings(deficiencies: Iterable[Deficiency], model: Model) -> tuple[Finding, ...]:
     """Return the findings about linear systems without a unique solution, in the names of a model."""
-    names = model.equation_names
-    return tuple(Finding("deficient", found.sentence(names)) for found in strongest(deficiencies))
+    names, together = model.equation_names, model.equations_together
+    return tuple(Finding("deficient", found.sentence(names, together)) for found in strongest(deficiencies))
 
 
 def findings_of(motion: Integrated) -> tuple[Finding, ...]:

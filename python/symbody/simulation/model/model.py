@@ -170,6 +170,11 @@ class Model:
         """The names of the rows of the linear system that is solved at run time."""
         return list(self.solution.equation_names)
 
+    @property
+    def equations_together(self) -> str:
+        """What these rows are called together in messages."""
+        return self.solution.equations_together
+
     @cached_property
     def coordinate_rates(self) -> tuple[Expr, ...]:
         """The rates of the coordinates as functions of the speeds."""
@@ -358,7 +363,9 @@ class Model:
         if key not in self._functions:
             values = list((self.with_inputs if known else self.along_motion)(key[0]))
             arguments = [t, *self.state, *known, *parameters]
-            self._functions[key] = MotionFunction(lambdify(arguments, values), tuple(self.equation_names))
+            self._functions[key] = MotionFunction(
+                lambdify(arguments, values), tuple(self.equation_names), self.equations_together
+            )
         return self._functions[key]
 
 
@@ -369,16 +376,18 @@ class MotionFunction:
     Attributes:
         function: the compiled function.
         equation_names: the names of the model's equations.
+        together: what they are called together.
     """
 
     function: CompiledFunction
     equation_names: tuple[str, ...]
+    together: str
 
     def __call__(self, *values: ArrayLike) -> Any:
         """Evaluate."""
         with noting() as found:
             result = self.function(*values)
-        report(found, self.equation_names, "motion", depth=6)
+        report(found, self.equation_names, "motion", depth=6, together=self.together)
         return result
 
 

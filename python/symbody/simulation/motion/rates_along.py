@@ -30,5 +30,5 @@ def accelerations_along(model: Model, parameters: Mapping[Expr, float], t: Array
     rows[:, 0], rows[:, 1 : 1 + states.shape[1]] = t, states
     with noting() as found:
         rates = code.evaluate_rows(np.array([parameters[name] for name in code.parameters]), rows)
-    report(found, model.equation_names, "motion")
+    report(found, model.equation_names, "motion", together=model.equations_together)
     return rates[:, first : first + len(model.speeds)]

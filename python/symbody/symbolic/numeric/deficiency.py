@@ -31,25 +31,31 @@ class Deficiency:
     dependent: tuple[int, ...] = ()
     contradictions: tuple[tuple[int, tuple[int, ...]], ...] = ()
 
-    def sentence(self, names: Sequence[str] = ()) -> str:
+    def sentence(self, names: Sequence[str] = (), together: str = "") -> str:
         """Return the sentence of a notice.
 
         Args:
             names: names of the equations; used if there is one for each equation of the system.
+            together: what these equations are called, in the plural, if they are those of a model: other systems were
+                written into it. By default a system has a number.
         """
-        called = names if len(names) == self.equations else [f"number {k + 1}" for k in range(self.equations)]
+        is_named = len(names) == self.equations
+        called = names if is_named else [f"number {k + 1}" for k in range(self.equations)]
         clauses = [
             _contradicting(called[row], [called[k] for k in rows]) for row, rows in self.contradictions
         ]
         if self.dependent:
             clauses.append(_following([called[row] for row in self.dependent]))
         what, way = (
-            ("has no solution", "the least-squares solution is returned")
+            ("no solution", "the least-squares solution is returned")
             if self.contradictions
-            else ("is of deficient rank", "the minimum-norm solution is returned")
+            else ("of deficient rank", "the minimum-norm solution is returned")
         )
-        listed = "; ".join(clauses)
-        return f"linear system {self.system + 1} of the function {what} at some points: {listed} there; {way}"
+        has, have = ("has", "have") if self.contradictions else ("is", "are")
+        subject = f"linear system {self.system + 1} of the function {has}"
+        if together:
+            subject = f"{together} {have}" if is_named else f"a linear system in the model {has}"
+        return f"{subject} {what} at some points: {'; '.join(clauses)} there; {way}"
 
 
 def _following(names: Sequence[str]) -> str:
@@ -124,7 +130,12 @@ def noting() -> Iterator[set[Deficiency]]:
 
 
 def report(
-    found: Iterable[Deficiency], names: Sequence[str] = (), where: str = "lambdify", depth: int = 4
+    found: Iterable[Deficiency],
+    names: Sequence[str] = (),
+    where: str = "lambdify",
+    depth: int = 4,
+    *,
+    together: str = "",
 ) -> None:
     """Pass deficient systems to the open `noting` block of this thread; without one, warn of each.
 
@@ -133,12 +144,13 @@ def report(
         names: names of their equations.
         where: the function that the user called.
         depth: the number of calls between the warning and the user's line.
+        together: what the equations with these names are called, in the plural.
     """
     if _scopes():
         _scopes()[-1].update(found)
         return
     for deficiency in strongest(found):
-        warnings.warn(f"{where}: {deficiency.sentence(names)}", ModelNotice, stacklevel=depth)
+        warnings.warn(f"{where}: {deficiency.sentence(names, together)}", ModelNotice, stacklevel=depth)
 
 
 @contextmanager
@@ -154,7 +166,7 @@ def reporting(where: str, names: Sequence[str] = ()) -> Iterator[None]:
         with noting() as found:
             yield
     finally:
-        report(found, names, where, depth=5)
+        report(found, names, where, depth=5, together="the equations")
 
 
 def report_noted(noted: Iterable[Noted], where: str) -> None:
