@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from tests.reference.mechanisms.andrews import andrews as mechanism
+from symbody import newton_euler
+from symbody.models import andrews_mechanism
 from tests.reference.mechanisms.problem import reference
 
 from .problem import Problem
@@ -10,12 +11,12 @@ from .problem import Problem
 
 def andrews() -> Problem:
     """Return it over the 0.03 s of the literature, in which the crank turns two and a half times."""
-    described = mechanism()
+    model = andrews_mechanism()
     return Problem(
         "Andrews' squeezing mechanism",
-        described.equations,
-        described.parameters,
-        described.initial,
+        newton_euler(model.system),
+        model.parameters,
+        model.initial,
         0.03,
         tuple(reference("andrews")["published_solution_t003"]),
     )

@@ -59,7 +59,7 @@ def snakeboard() -> ClassicSystem:
     """Return a snakeboard: a board with a rotor for the rider, and two axles that steer by phi and -phi.
 
     The axles are at the distance l from the middle. The rotor turns by psi; the inputs Mr and Ms are the torques on the
-    rotor and on each axle.
+    rotor and on each axle. The number of J makes J + Jr + 2 Jw = m l^2, which the source assumes.
 
     >>> from symbody import newton_euler
     >>> newton_euler(snakeboard().system)
