@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
+import numpy as np
 import pytest
 
 from symbody import (
@@ -92,6 +93,24 @@ def kane_without_rate() -> object:
     )
     method.kanes_equations([mechanics.Particle("p", P, 1)], [(P, -N.y)])
     return method
+
+
+def knife() -> Equations:
+    """Return a sledge that its kinematics let slide along its blade only."""
+    along, across = dx * cos(theta) + dy * sin(theta), dy * cos(theta) - dx * sin(theta)
+    return embedded(newton_euler(system(u, kinematics={v: along, u: across})))
+
+
+def spherical() -> Equations:
+    """Return a point on a sphere by azimuth x and polar angle y, in velocities along both circles."""
+    point = Body(rotate("Z", x) * rotate("Y", y) * translate(0, 0, 1), 1)
+    return newton_euler(System([point], (), [x, y], kinematics={u: dx * sin(y), v: dy}))
+
+
+def tilted() -> Equations:
+    """Return a rod on two hinges, with a speed that vanishes where it points along the first."""
+    rod = Body(rotate("Z", x) * rotate("X", y) * translate(0, 0, 1), 1, 0.1, 0.1, 0.1)
+    return newton_euler(System([rod], (), [x, y], kinematics={u: dx * cos(y), v: dy}))
 
 
 MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
@@ -281,6 +300,32 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
         (
             "embedded: z' = (w - z)/T holds the multiplier w, which embedded equations don't have; expected rates of "
             "states without multipliers: simulate the equations with multipliers"
+        ),
+    ),
+    (
+        errors.ConstraintError,
+        lambda: consistent_state(knife(), {}, {dx: 1, dy: 1}),
+        (
+            "consistent_state: no speeds with x' = 1, y' = 1 satisfy the kinematics y' = v*sin(theta) at t = 0 s in "
+            "this position; give some of them as a guess instead, so that they are solved for"
+        ),
+    ),
+    (
+        errors.ConstraintError,
+        lambda: consistent_state(embedded(skating(), [dx, turning]), {}, {theta: np.pi / 2, dx: 1, dy: 1}),
+        (
+            "consistent_state: no speeds with x' = 1, y' = 1 satisfy the kinematics y' = sin(theta)*x'/cos(theta) at "
+            "t = 0 s in this position; the speed x' and the rate y' hardly determine each other at x = 0, y = 0, "
+            "theta = 1.5708: a factor of 3e+14 is between them, beside usual ones; choose other independent speeds, "
+            "embedded(..., independent=[...]), or begin at another position"
+        ),
+    ),
+    (
+        errors.ConstraintError,
+        lambda: consistent_state(spherical(), {}, {dx: 1}),
+        (
+            "consistent_state: the kinematics x' = u/sin(y) are not finite at x = 0, y = 0; choose other speeds or "
+            "coordinates, or begin at another position"
         ),
     ),
     (
@@ -630,3 +675,43 @@ def test_notices_of_speeds_that_are_not_listed() -> None:
         assert [str(notice.message) for notice in notices] == [f"{where}: {message}"]
         assert notices[0].filename == __file__
     system(kinematics={dx: u * cos(theta), dy: u * sin(theta)}, inputs=[u])
+
+
+def test_notices_of_singular_kinematics() -> None:
+    """The map between speeds and rates is judged beside its values at other positions, so that units don't matter."""
+    initial = {y: np.pi / 2, u: 0.1, v: 1.0}
+    found = (
+        "the speed u and the rate x' hardly determine each other at x = 0, y = 1.5708: a factor of 8e+14 is between "
+        "them, beside usual ones; choose other speeds or coordinates, or begin at another position"
+    )
+    with pytest.warns(ModelNotice) as notices:
+        consistent_state(tilted(), {}, initial)
+    assert [str(notice.message) for notice in notices] == [
+        f"consistent_state: the kinematics are ill-conditioned: {found}"
+    ]
+    assert notices[0].filename == __file__
+    with pytest.warns(ModelNotice) as notices:
+        simulate(tilted(), {}, initial, (0, 0.1))
+    assert str(notices[0].message) == (
+        "simulate: the kinematics are ill-conditioned where the motion starts, so that rounding errors may decide it: "
+        f"{found}"
+    )
+    with pytest.warns(ModelNotice, match=r"x' = u/sin\(y\) is not finite at x = 0, y = 0"):
+        consistent_state(spherical(), {}, {u: 1})
+    with pytest.warns(ModelNotice, match=r"the speeds u, v and the rates x', y' hardly determine each other"):
+        consistent_state(skew(1e-12), {}, {u: 1})
+
+
+@pytest.mark.parametrize("unit", [1e-12, 1e12])
+def test_units_of_speeds_make_no_singular_kinematics(unit: float) -> None:
+    points = [Body(translate(x, 0, 0), 1), Body(translate(0, y, 0), 1)]
+    scaled = newton_euler(System(points, (), [x, y], kinematics={u: unit * dx, v: dx + dy}))
+    assert consistent_state(scaled, {}, {u: unit, v: 3})[v] == 3
+    assert consistent_state(skew(1e-6), {}, {u: 1})[u] == 1
+    assert consistent_state(tilted(), {}, {y: np.pi / 2 - 1e-6, u: 1})[u] == 1
+
+
+def skew(small: float) -> Equations:
+    """Return two points in speeds that nearly depend on each other."""
+    points = [Body(translate(x, 0, 0), 1), Body(translate(0, y, 0), 1)]
+    return newton_euler(System(points, (), [x, y], kinematics={u: dx + (1 + small) * dy, v: dx + dy}))

@@ -72,8 +72,8 @@ def embedded(eqs: Equations, independent: Speeds | None = None) -> Equations:
     if not eqs.constraints and independent is None:
         return eqs
     _check_states(eqs)
+    relation = _chosen(eqs, independent)  # its quotients by pivots must not take part in the derivation
     with derivation(fresh=True):
-        relation = _chosen(eqs, independent)
         dependent, rows = relation.dependent, relation.rows
         level = eqs.system.velocity_level(eqs.constraints)
         speeds = relation.solved(substitute([level[k] for k in rows], dict.fromkeys(dependent, 0)))

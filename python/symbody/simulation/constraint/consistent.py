@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import warnings
 from collections.abc import Mapping
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from symbody.dynamics import Equations
-from symbody.errors import ConstraintError
+from symbody.errors import ConstraintError, ModelNotice
 from symbody.simulation.given.unused import warn_of_unused
 from symbody.simulation.given.values import check_equations, parameter_values, state_values
 from symbody.simulation.model.named_constraint import named_constraints
@@ -18,6 +19,7 @@ from symbody.symbolic.numeric.deficiency import reporting
 from .consistent_position import positions
 from .consistent_velocity import velocities
 from .kinematics import Kinematics, kinematics_of
+from .singular_kinematics import another_choice, singular_kinematics
 
 __all__ = ["consistent_state", "solved_state"]
 
@@ -66,9 +68,23 @@ def consistent_state(
     """
     with reporting(_WHERE):
         check_equations(eqs, _WHERE)
-        state = solved_state(kinematics_of(eqs, inputs), parameters, initial, guess, t)
+        kinematics = kinematics_of(eqs, inputs)
+        state = solved_state(kinematics, parameters, initial, guess, t)
+    notice = _notice(kinematics, parameters, state, t)
+    if notice:
+        warnings.warn(f"{_WHERE}: {notice}", ModelNotice, stacklevel=2)
     warn_of_unused(eqs, parameters or {}, [number(value) for value in (inputs or {}).values()], _WHERE)
     return state
+
+
+def _notice(
+    kinematics: Kinematics, parameters: Mapping[Expr, ArrayLike] | None, state: Mapping[Expr, float], t: float
+) -> str:
+    system = kinematics.system
+    kinematics = kinematics.beside([state[z] for z in system.states])
+    p = parameter_values(kinematics.parameters, parameters, where=_WHERE, beside=system.state_names)
+    found = singular_kinematics(kinematics, p, t, np.array([state[q] for q in system.coordinates]))
+    return found and f"the kinematics are ill-conditioned: {found}; {another_choice(kinematics)}"
 
 
 def solved_state(

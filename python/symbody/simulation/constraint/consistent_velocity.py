@@ -10,11 +10,13 @@ from numpy.typing import NDArray
 from symbody.errors import ConstraintError
 from symbody.simulation.model.named_constraint import named_constraint
 from symbody.symbolic import Expr, time_derivative
+from symbody.symbolic.given.arguments import brief
 
 from .consistent_position import EXACT, ROUNDED, listed_values
 from .contradiction import contradiction_between, contradictory_equations
 from .kinematics import Kinematics
 from .least_norm import RANK, least_norm
+from .singular_kinematics import another_choice, singular_kinematics
 
 __all__ = ["velocities"]
 
@@ -67,6 +69,7 @@ def velocities(
     u[~is_free] = [fixed[speed] for speed in speeds if speed in fixed]
     places, values = _given_rates(kinematics, fixed)
     rows = [*range(m), *(m + place for place in places)]
+    _check_finite(kinematics, q, A, b, rows if not _has_rates_only(kinematics, fixed) else range(len(A)))
     A, b = A[rows], -b[rows] + np.array([0.0] * m + values)
     least = np.append(_usual_sizes(kinematics, p, t, q), np.zeros(len(places)))
     change, kernel = least_norm(A[:, is_free], b - A @ u)
@@ -87,8 +90,42 @@ def velocities(
         if against:
             contradiction = contradiction_between(kinematics.system.conditions, against)
             raise ConstraintError(f"{_WHERE}: at t = {t:g} s {contradiction}")
-        raise ConstraintError(_impossible(kinematics, t, error, places, fixed))
+        singular = singular_kinematics(kinematics, p, t, q) if places else ""
+        raise ConstraintError(_impossible(kinematics, t, error, places, fixed, singular))
     return u
+
+
+def _check_finite(kinematics: Kinematics, q: Array, A: Array, b: Array, rows: Sequence[int]) -> None:
+    """Check that the rates of constraints, and the rates of coordinates that are needed, are finite.
+
+    Args:
+        kinematics: the constraints and the kinematics.
+        q: the coordinates.
+        A: the rates by the speeds.
+        b: the rates at zero speeds.
+        rows: the rows of those that are needed.
+    """
+    worst = next((k for k in rows if not (np.isfinite(A[k]).all() and np.isfinite(b[k]))), None)
+    if worst is None:
+        return
+    system, m = kinematics.system, len(kinematics.constraints)
+    place = listed_values(system.coordinates, dict(zip(system.coordinates, q, strict=True)))
+    if worst < m:
+        raise ConstraintError(
+            f"{_WHERE}: the rate of constraint {worst + 1}, {named_constraint(system.conditions[worst])}, is not "
+            f"finite at {place}; expected no division by zero, and no root or logarithm of a negative value, there"
+        )
+    raise ConstraintError(
+        f"{_WHERE}: the kinematics {_equation(kinematics, worst - m)} are not finite at {place}; "
+        f"{another_choice(kinematics)}"
+    )
+
+
+def _equation(kinematics: Kinematics, place: int) -> str:
+    """Return the equation that gives the rate of a coordinate, or an eliminated speed."""
+    system, left = kinematics.system, _rates(kinematics)[place]
+    right = system.eliminated[left] if left.order == 0 else system.kinematics[left]
+    return f"{left} = {brief(right)}"
 
 
 def _usual_sizes(kinematics: Kinematics, p: Array, t: float, q: Array) -> Array:
@@ -153,7 +190,12 @@ def _rates(kinematics: Kinematics) -> list[Expr]:
 
 
 def _impossible(
-    kinematics: Kinematics, t: float, error: Array, places: Sequence[int], fixed: Mapping[Expr, float]
+    kinematics: Kinematics,
+    t: float,
+    error: Array,
+    places: Sequence[int],
+    fixed: Mapping[Expr, float],
+    singular: str,
 ) -> str:
     """Return which equation no speeds satisfy, and the way out.
 
@@ -163,6 +205,7 @@ def _impossible(
         error: the relative residuals of the equations for speeds.
         places: the places of fixed rates and eliminated speeds.
         fixed: the values of fixed speeds and rates.
+        singular: which speeds and rates hardly determine each other in this position.
     """
     system = kinematics.system
     rates = [_rates(kinematics)[place] for place in places]
@@ -171,7 +214,7 @@ def _impossible(
             f"satisfy constraint {k + 1}, {named_constraint(each)},"
             for k, each in enumerate(system.conditions)
         ),
-        *(f"give {rate} = {fixed[rate]:.6g}" for rate in rates),
+        *(f"satisfy the kinematics {_equation(kinematics, place)}" for place in places),
     ]
     worst = conditions[int(np.argmax(np.where(np.isfinite(error), error, np.inf)))]
     named = [name for name in dict.fromkeys((*system.speeds, *rates)) if name in fixed]
@@ -180,7 +223,9 @@ def _impossible(
             f"{_WHERE}: no speeds {worst} at t = {t:g} s in this position: the constraints change with time, and the "
             "system can't follow; give other coordinates"
         )
-    return (
-        f"{_WHERE}: no speeds with {listed_values(named, fixed)} {worst} at t = {t:g} s in this position; give some of "
-        "them as a guess instead, so that they are solved for"
+    way_out = (
+        f"{singular}; {another_choice(kinematics)}"
+        if singular
+        else "give some of them as a guess instead, so that they are solved for"
     )
+    return f"{_WHERE}: no speeds with {listed_values(named, fixed)} {worst} at t = {t:g} s in this position; {way_out}"

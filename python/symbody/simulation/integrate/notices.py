@@ -11,6 +11,7 @@ import numpy as np
 from symbody.simulation.constraint.consistent_position import term_sizes
 from symbody.simulation.constraint.dependent_constraints import dependent_constraints, named_dependence
 from symbody.simulation.constraint.kinematics import kinematics_in, kinematics_of
+from symbody.simulation.constraint.singular_kinematics import another_choice, singular_kinematics
 from symbody.simulation.constraint.singular_passage import singular_passages
 from symbody.simulation.constraint.singular_position import SINGULAR, is_singular, may_be_singular
 from symbody.simulation.given.wording import joined_by_and
@@ -138,6 +139,20 @@ def _singular_start(motion: Integrated) -> Iterable[Finding]:
     return [Finding("start", named)] if named and is_singular(kinematics, p, t, q) else []
 
 
+def _singular_kinematics(motion: Integrated) -> Iterable[Finding]:
+    """Return which speeds and rates hardly determine each other at the initial position."""
+    model = motion.task.model
+    if not model.system.has_quasi_velocities:
+        return []
+    state = motion.outcome.states[0][: len(model.state)]
+    kinematics = kinematics_of(model.equations, dict(model.inputs))
+    kinematics = kinematics.beside(state[len(state) - len(model.states) :])
+    p = np.array([motion.parameters[name] for name in kinematics.parameters])
+    t, q = float(motion.task.instants[0]), state[: len(model.coordinates)]
+    found = singular_kinematics(kinematics, p, t, q)
+    return [Finding("kinematics", f"{found}; {another_choice(kinematics)}")] if found else []
+
+
 def _passages(motion: Integrated) -> Iterable[Finding]:
     """Return the singular positions that were passed, if the method does not keep the motion on its branch."""
     passed = singular_passages(motion.task.model, motion.parameters, motion.outcome.trail)
@@ -199,6 +214,10 @@ ROWS: dict[str, _Row] = {
         "the motion starts at a singular position, from which several motions may continue: {subject}, but not at "
         "neighbouring positions; start at another position of the intended motion, or check that this is the "
         "intended one",
+    ),
+    "kinematics": _Row(
+        _singular_kinematics,
+        "the kinematics are ill-conditioned where the motion starts, so that rounding errors may decide it: {subject}",
     ),
     "violation": _Row(
         _violations,
