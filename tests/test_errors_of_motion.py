@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import warnings
 from collections.abc import Callable
 
 import numpy as np
@@ -31,6 +32,8 @@ from symbody import (
     inverse_dynamics,
     kane,
     newton_euler,
+    origin,
+    project,
     rotate,
     simulate,
     sin,
@@ -73,6 +76,34 @@ def cart(force: Expr | int = 0, states: dict[Expr, Expr] | None = None) -> Equat
 def bead(*constraints: object) -> Equations:
     """Return a bead in a plane."""
     return newton_euler(System([Body(translate(x, y, 0), m)], (), [x, y], constraints))  # type: ignore[arg-type]
+
+
+def twice_held() -> Equations:
+    """Return a bead with the same constraint twice."""
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # dependent constraints
+        return bead(x - y, 2 * x - 2 * y)
+
+
+def three_cranks() -> Equations:
+    """Return three cranks x, y, z of length l that carry a coupler theta: it moves if they are equal and parallel."""
+    cranks = [translate(k * F, 0, 0) * rotate("Z", angle) for k, angle in enumerate((x, y, z))]
+    coupler = cranks[0] * translate(l, 0, 0) * rotate("Z", theta - x)
+    pins = [project(origin(crank * translate(l, 0, 0)), ground).coordinates[:2] for crank in cranks[1:]]
+    ends = [project(origin(coupler * translate(k * F, 0, 0)), ground).coordinates[:2] for k in (1, 2)]
+    gaps = [a - b for pin, end in zip(pins, ends, strict=True) for a, b in zip(pin, end, strict=True)]
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # special dimensions
+        return newton_euler(
+            System([Body(frame, m, Iz=J) for frame in (*cranks, coupler)], (), [x, y, z, theta], gaps)
+        )
+
+
+def entangled() -> Equations:
+    """Return five points on a line with four conditions, each on all of them."""
+    places = (u, v, w, x, y)
+    conditions = [sum(each**k for each in places) - l for k in range(1, 5)]
+    return newton_euler(System([Body(translate(each, 0, 0), m) for each in places], (), places, conditions))
 
 
 def kane_without_rate() -> object:
@@ -326,6 +357,49 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
         (
             "consistent_state: the kinematics x' = u/sin(y) are not finite at x = 0, y = 0; choose other speeds or "
             "coordinates, or begin at another position"
+        ),
+    ),
+    (
+        errors.ConstraintError,
+        lambda: embedded(three_cranks()),
+        (
+            "embedded: the constraints determine all speeds, x', y', z', theta', unless dimensions are special; "
+            "expected fewer constraints: if special dimensions let the mechanism move, leave out the redundant ones, "
+            "which system.mobility(parameters, q) names"
+        ),
+    ),
+    (
+        errors.ConstraintError,
+        lambda: embedded(three_cranks(), [dx]),
+        (
+            "embedded: the constraints determine all speeds, x', y', z', theta', unless dimensions are special; "
+            "expected fewer constraints: if special dimensions let the mechanism move, leave out the redundant ones, "
+            "which system.mobility(parameters, q) names"
+        ),
+    ),
+    (
+        errors.ModelError,
+        lambda: forward_dynamics(three_cranks(), method="null_space"),
+        (
+            "forward_dynamics, method='null_space': the constraints determine all speeds, x', y', z', theta', unless "
+            "dimensions are special; expected fewer constraints: if special dimensions let the mechanism move, leave "
+            "out the redundant ones, which system.mobility(parameters, q) names, or use method='auto'"
+        ),
+    ),
+    (
+        errors.ModelError,
+        lambda: forward_dynamics(twice_held(), method="null_space"),
+        (
+            "forward_dynamics, method='null_space': the rank of 2 constraints is 1: some depend on others; leave out "
+            "those, which system.mobility(parameters, q) names, or use method='auto'"
+        ),
+    ),
+    (
+        errors.ModelError,
+        lambda: forward_dynamics(entangled(), method="null_space"),
+        (
+            "forward_dynamics, method='null_space': the constraints on u', v', w', x', y' are entangled: more than 3 "
+            "of them have to be solved together, and the inverse would be too long; use method='auto'"
         ),
     ),
     (

@@ -42,7 +42,7 @@ def check_independent(system: Variables) -> None:
             rest = combination.value if place in system.holonomic else combination.rate
             found.append(_report(system, place, combined, rest))
     independent = [each for each in pivots.values() if each.slopes]
-    if len(independent) == len(system.speeds) and not _is_driven(system):
+    if len(independent) == len(system.speeds) and not is_driven(system):
         found = [
             _without_motion(system, independent)
         ]  # any other constraint depends on as many as there are speeds
@@ -78,7 +78,7 @@ def _without_motion(system: Variables, independent: Sequence[_Combination]) -> s
     return f"{found} for almost all dimensions. {advice}"
 
 
-def _is_driven(system: Variables) -> bool:
+def is_driven(system: Variables) -> bool:
     """Return whether constraints demand speeds other than zero."""
     if any(t in constraint.free_symbols for constraint in system.constraints):
         return True

@@ -7,6 +7,7 @@ from contextlib import suppress
 from typing import Annotated, NamedTuple, TypeAlias
 
 from symbody.dynamics.equations.equations import Assembly, Derived, Equations
+from symbody.dynamics.equations.independence import is_driven
 from symbody.errors import ConstraintError, ExpressionError, ModelError
 from symbody.geometry.given.argument import checked
 from symbody.multibody import System
@@ -161,6 +162,8 @@ def _chosen(eqs: Equations, independent: Speeds | None) -> _Relation:
     given = None if independent is None else [_place(eqs, speed) for speed in independent]
     rows, columns = _pivots(A, range(len(speeds)) if given is None else _others(given, len(speeds)), eqs)
     rank = len(rows) if given is None else A.rank()
+    if rank == len(speeds):
+        raise ConstraintError(f"embedded: {without_freedom(eqs)}")
     if given is not None and len(set(given)) != len(speeds) - rank:
         raise ConstraintError(
             f"embedded: {counted(len(set(given)), 'independent speed')}, {counted(len(speeds), 'speed')} and "
@@ -172,12 +175,22 @@ def _chosen(eqs: Equations, independent: Speeds | None) -> _Relation:
             f"embedded: the constraints don't determine {brief(left)} by the independent speeds; choose others, or "
             "leave independent out"
         )
-    if len(columns) == len(speeds):
-        raise ConstraintError(
-            f"embedded: the constraints determine all speeds, {brief(', '.join(map(str, speeds)))}; expected fewer "
-            "constraints: the motion follows from them alone"
-        )
     return _Relation(A, rows, columns, speeds)
+
+
+def without_freedom(eqs: Equations) -> str:
+    """Return what is wrong with equations whose constraints determine all speeds, and the way out."""
+    speeds = brief(", ".join(map(str, eqs.speeds)))
+    if is_driven(eqs.system):
+        return (
+            f"the constraints determine all speeds, {speeds}; expected fewer constraints: the motion follows from them "
+            "alone"
+        )
+    return (
+        f"the constraints determine all speeds, {speeds}, unless dimensions are special; expected fewer constraints: "
+        "if special dimensions let the mechanism move, leave out the redundant ones, which system.mobility(parameters, "
+        "q) names"
+    )
 
 
 def _others(places: Sequence[int], count: int) -> list[int]:

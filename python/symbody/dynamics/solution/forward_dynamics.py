@@ -35,6 +35,10 @@ from symbody.symbolic import (
     substitute,
     without_idle_symbols,
 )
+from symbody.symbolic.given.arguments import brief, counted
+from symbody.symbolic.linear.block_triangular import LARGEST, block_triangular
+
+from .embedded import without_freedom
 
 
 @dataclass(frozen=True)
@@ -241,10 +245,9 @@ def _eliminated(method: str, eqs: Equations, baumgarte: Damping) -> ForwardDynam
     try:
         return _by_saddle_point(method, eqs, baumgarte)
     except ExpressionError as failure:
-        if method == "null_space":
-            raise ModelError(
-                f"forward_dynamics: independent speeds: {failure}; use method='auto'"
-            ) from failure
+        entangled = _without_blocks(eqs) if method == "null_space" else ""
+        if entangled:
+            raise ModelError(f"forward_dynamics, method='null_space': {entangled}") from failure
         raise ModelError(_massless(eqs, failure)) from failure
 
 
@@ -253,6 +256,27 @@ def _by_saddle_point(method: str, eqs: Equations, baumgarte: Damping) -> Forward
         right = [-entry for entry in eqs.constraint_bias(*(baumgarte or (0, 0)))] if eqs.constraints else []
         solution = saddle_point_solve(eqs.mass_matrix, eqs.constraint_jacobian, eqs.forcing, right, method)
     return ForwardDynamics(solution.x, solution.y, method, solution.conditions).without_idle_symbols()
+
+
+def _without_blocks(eqs: Equations) -> str:
+    """Return why the constraints don't give dependent speeds in small blocks; the empty text if they do."""
+    A = eqs.constraint_jacobian
+    rank, count = A.rank(), len(eqs.constraints)
+    if rank < count:
+        return (
+            f"the rank of {counted(count, 'constraint')} is {rank}: some depend on others; leave out those, which "
+            "system.mobility(parameters, q) names, or use method='auto'"
+        )
+    if rank == len(eqs.speeds):
+        return f"{without_freedom(eqs)}, or use method='auto'"
+    try:
+        block_triangular(A)
+    except ExpressionError:
+        return (
+            f"the constraints on {brief(', '.join(map(str, eqs.speeds)))} are entangled: more than {LARGEST} of them "
+            "have to be solved together, and the inverse would be too long; use method='auto'"
+        )
+    return ""
 
 
 def _massless(eqs: Equations, failure: ExpressionError) -> str:
