@@ -10,6 +10,7 @@ from symbody import (
     Body,
     Constraint,
     Equations,
+    Event,
     Expr,
     Force,
     ModelNotice,
@@ -33,6 +34,7 @@ from symbody import (
     rotate,
     simulate,
     sin,
+    solve,
     sqrt,
     symbols,
     time_derivative,
@@ -110,6 +112,39 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
         (
             "forward_dynamics: the mass matrix is singular: a combination of x', y' moves no mass; give it some, or "
             "leave a coordinate out"
+        ),
+    ),
+    # --- comparisons in place of expressions ---
+    (
+        errors.ModelError,
+        lambda: System([sledge], (), [x, y, theta], [x == y]),
+        (
+            "Constraint: condition = False is a bool; expected an expression, such as symbols('a'), or a finite "
+            "number; == compares two expressions, which gives a bool: write a == b as a - b"
+        ),
+    ),
+    (
+        errors.ModelError,
+        lambda: System([sledge], (), [x, y, theta], kinematics={dx: dx == u}),  # type: ignore[dict-item]
+        (
+            "System: in kinematics, x' = False is a bool; expected an expression of rates and speeds; == compares "
+            "two expressions, which gives a bool: write a == b as a - b"
+        ),
+    ),
+    (
+        errors.ArgumentError,
+        lambda: solve([x == y], [x]),
+        (
+            "solve, equations: False is a bool; expected an expression or a number (int, float, Fraction, NumPy "
+            "scalar); == compares two expressions, which gives a bool: write a == b as a - b"
+        ),
+    ),
+    (
+        errors.SimulationError,
+        lambda: Event(x == 1),  # type: ignore[arg-type]
+        (
+            "Event: False is a bool; expected an expression that passes zero, such as z - h; == compares two "
+            "expressions, which gives a bool: write a == b as a - b"
         ),
     ),
     # --- constraints ---

@@ -13,7 +13,7 @@ from typing import Annotated, Any, NamedTuple, ParamSpec, TypeVar, Union, get_ar
 
 from symbody.errors import SymbodyError
 from symbody.symbolic import Expr, ExprLike, number
-from symbody.symbolic.given.arguments import described
+from symbody.symbolic.given.arguments import comparison_note, described
 
 P = ParamSpec("P")
 R = TypeVar("R")
@@ -102,8 +102,11 @@ class _Door(NamedTuple):
         found_text = (
             f"{name} = {described(value)}" if found is None else f"in {name}, {described(found.value)}"
         )
-        of_sympy = type(value if found is None else found.value).__module__.startswith("sympy.")
+        stranger = value if found is None else found.value
+        of_sympy = type(stranger).__module__.startswith("sympy.")
         way_out = "; from_sympy converts it" if of_sympy else ""
+        if "expression" in _wanted(hint):
+            way_out += comparison_note(stranger)
         raise self.error(f"{self.where}: {found_text}; expected {_wanted(hint)}{way_out}")
 
 
