@@ -114,6 +114,20 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
             "leave a coordinate out"
         ),
     ),
+    # --- arguments that don't exist ---
+    (
+        errors.ArgumentError,
+        lambda: system().mobility(foo=1),
+        "System.mobility: there is no argument 'foo'; expected some of parameters, q, t, inputs",
+    ),
+    (
+        errors.ArgumentError,
+        lambda: equations_of([[m]], [F], [x], speed=[u]),  # type: ignore[call-arg]
+        (
+            "equations_of: there is no argument 'speed'; did you mean 'speeds'? Expected some of mass_matrix, forcing, "
+            "coordinates, constraints, speeds, kinematics, multipliers, inputs, energy, name"
+        ),
+    ),
     # --- comparisons in place of expressions ---
     (
         errors.ModelError,
