@@ -12,6 +12,7 @@ from symbody import (
     Body,
     Constraint,
     Equations,
+    Event,
     Expr,
     Force,
     ModelNotice,
@@ -37,6 +38,7 @@ from symbody import (
     rotate,
     simulate,
     sin,
+    solve,
     sqrt,
     symbols,
     time_derivative,
@@ -160,6 +162,53 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
         (
             "forward_dynamics: the mass matrix is singular: a combination of x', y' moves no mass; give it some, or "
             "leave a coordinate out"
+        ),
+    ),
+    # --- arguments that don't exist ---
+    (
+        errors.ArgumentError,
+        lambda: system().mobility(foo=1),
+        "System.mobility: there is no argument 'foo'; expected some of parameters, q, t, inputs",
+    ),
+    (
+        errors.ArgumentError,
+        lambda: equations_of([[m]], [F], [x], speed=[u]),  # type: ignore[call-arg]
+        (
+            "equations_of: there is no argument 'speed'; did you mean 'speeds'? Expected some of mass_matrix, forcing, "
+            "coordinates, constraints, speeds, kinematics, multipliers, inputs, energy, name"
+        ),
+    ),
+    # --- comparisons in place of expressions ---
+    (
+        errors.ModelError,
+        lambda: System([sledge], (), [x, y, theta], [x == y]),
+        (
+            "Constraint: condition = False is a bool; expected an expression, such as symbols('a'), or a finite "
+            "number; == compares two expressions, which gives a bool: write a == b as a - b"
+        ),
+    ),
+    (
+        errors.ModelError,
+        lambda: System([sledge], (), [x, y, theta], kinematics={dx: dx == u}),  # type: ignore[dict-item]
+        (
+            "System: in kinematics, x' = False is a bool; expected an expression of rates and speeds; == compares "
+            "two expressions, which gives a bool: write a == b as a - b"
+        ),
+    ),
+    (
+        errors.ArgumentError,
+        lambda: solve([x == y], [x]),
+        (
+            "solve, equations: False is a bool; expected an expression or a number (int, float, Fraction, NumPy "
+            "scalar); == compares two expressions, which gives a bool: write a == b as a - b"
+        ),
+    ),
+    (
+        errors.SimulationError,
+        lambda: Event(x == 1),  # type: ignore[arg-type]
+        (
+            "Event: False is a bool; expected an expression that passes zero, such as z - h; == compares two "
+            "expressions, which gives a bool: write a == b as a - b"
         ),
     ),
     # --- constraints ---

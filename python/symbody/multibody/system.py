@@ -9,10 +9,10 @@ from importlib import import_module
 from types import MappingProxyType
 from typing import Annotated, Any, TypeAlias, TypeVar, final
 
-from symbody.errors import ModelError, ModelNotice
+from symbody.errors import ArgumentError, ModelError, ModelNotice
 from symbody.geometry import Frame, Vector
 from symbody.geometry.component.triple import expression
-from symbody.geometry.given.argument import checked
+from symbody.geometry.given.argument import checked, unknown_option
 from symbody.symbolic import Expr, substitute, time_derivative
 from symbody.symbolic.expression.container import Container, contains
 from symbody.symbolic.expression.html_table import html_table
@@ -32,6 +32,8 @@ Thing = TypeVar("Thing", Body, Load)
 
 COUNTED_BY = "symbody.simulation.constraint.mobility"
 """What counts degrees of freedom in numbers: a module name, not an import, as the layer is above this one."""
+_COUNTED_WITH = ("parameters", "q", "t", "inputs")
+"""The arguments that it takes."""
 
 
 Bodies: TypeAlias = Annotated[Collection[Body], "a list of bodies, such as [Body(frame, mass)]"]
@@ -167,6 +169,9 @@ class System(Variables):
         >>> System([Body(translate(x, y, 0), 1)], coordinates=[x, y], constraints=[x * y - 1]).mobility()
         Mobility(1 degree of freedom, 0 redundant)
         """
+        for name in options:
+            if name not in _COUNTED_WITH:
+                raise ArgumentError(f"System.mobility: {unknown_option(name, _COUNTED_WITH)}")
         return import_module(COUNTED_BY).mobility(self, parameters, q, **options)
 
     def eliminating(

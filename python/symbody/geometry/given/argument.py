@@ -6,14 +6,15 @@ A wrong type or a wrong order is reported where the user made it, in the user's 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence, Set, Sized
+from difflib import get_close_matches
 from functools import cache, wraps
 from inspect import Parameter, signature
 from types import NoneType, UnionType
 from typing import Annotated, Any, NamedTuple, ParamSpec, TypeVar, Union, get_args, get_origin, get_type_hints
 
-from symbody.errors import SymbodyError
+from symbody.errors import ArgumentError, SymbodyError
 from symbody.symbolic import Expr, ExprLike, number
-from symbody.symbolic.given.arguments import described
+from symbody.symbolic.given.arguments import comparison_note, described
 
 P = ParamSpec("P")
 R = TypeVar("R")
@@ -60,6 +61,18 @@ center_of_mass(body), or a vector, such as Vector(frame, x, y, z)
     return decorate
 
 
+def unknown_option(name: str, known: Iterable[str]) -> str:
+    """Return what is wrong with the name of an argument that a function doesn't have, and which one may be meant.
+
+    >>> unknown_option("speed", ["bodies", "speeds"])
+    "there is no argument 'speed'; did you mean 'speeds'? Expected some of bodies, speeds"
+    """
+    names = [each for each in known if each != "self"]
+    near = get_close_matches(name, names, 1)
+    guess = f"; did you mean {near[0]!r}? Expected" if near else "; expected"
+    return f"there is no argument {name!r}{guess} some of {', '.join(names)}"
+
+
 class _Door(NamedTuple):
     """The arguments of one function, and what their annotations expect."""
 
@@ -69,11 +82,14 @@ class _Door(NamedTuple):
     repeated: tuple[str, Any] | None
     """The argument that takes all further ones."""
     named: dict[str, Any]
+    takes_others: bool
+    """Whether further arguments with names are passed on."""
 
     @classmethod
     def of(cls, function: Callable[..., object], error: type[SymbodyError]) -> _Door:
         hints = get_type_hints(function, include_extras=True)
         parameters = signature(function).parameters.values()
+        kinds = {p.kind for p in parameters}
         named = {p.name: hints.get(p.name, object) for p in parameters}
         in_order = [p.name for p in parameters if p.kind is Parameter.POSITIONAL_OR_KEYWORD]
         repeated = [p.name for p in parameters if p.kind is Parameter.VAR_POSITIONAL]
@@ -83,6 +99,7 @@ class _Door(NamedTuple):
             tuple((name, named[name]) for name in in_order),
             (repeated[0], named[repeated[0]]) if repeated else None,
             named,
+            Parameter.VAR_KEYWORD in kinds,
         )
 
     def check(self, args: tuple[object, ...], kwargs: dict[str, object]) -> None:
@@ -94,6 +111,8 @@ class _Door(NamedTuple):
         for name, value in kwargs.items():
             if name in self.named:
                 self._check(name, self.named[name], value)
+            elif not self.takes_others:
+                raise ArgumentError(f"{self.where}: {unknown_option(name, self.named)}")
 
     def _check(self, name: str, hint: Any, value: object) -> None:
         if type(value) is hint or (type(value) is Expr and hint is ExprLike) or accepts(hint, value):
@@ -102,8 +121,11 @@ class _Door(NamedTuple):
         found_text = (
             f"{name} = {described(value)}" if found is None else f"in {name}, {described(found.value)}"
         )
-        of_sympy = type(value if found is None else found.value).__module__.startswith("sympy.")
+        stranger = value if found is None else found.value
+        of_sympy = type(stranger).__module__.startswith("sympy.")
         way_out = "; from_sympy converts it" if of_sympy else ""
+        if "expression" in _wanted(hint):
+            way_out += comparison_note(stranger)
         raise self.error(f"{self.where}: {found_text}; expected {_wanted(hint)}{way_out}")
 
 

@@ -17,7 +17,7 @@ from symbody.symbolic import _core
 from symbody.symbolic._core import Expr
 from symbody.symbolic.expression.latex_layout import aligned, bmatrix, upright, with_definitions
 from symbody.symbolic.expression.matrix import Matrix
-from symbody.symbolic.given.arguments import described
+from symbody.symbolic.given.arguments import described, expression
 
 __all__ = [
     "Container",
@@ -107,7 +107,7 @@ def in_latex(value: Any, place: str) -> str:
     def collect(part: Any, path: str) -> None:
         entry = _entry(part)
         if entry is None:
-            leaves.append(_core.number(part, f"{place}, entry {path}" if path else place))
+            leaves.append(expression(part, f"{place}, entry {path}" if path else place))
             return
         if entry.layout is None:
             raise ArgumentError(
@@ -163,7 +163,7 @@ class _Pass:
         entry = _entry(value)
         if entry is None:
             where = f"{self.place}, entry {path}" if path else self.place
-            self.leaves.append(_core.number(value, where))
+            self.leaves.append(expression(value, where))
             return partial(self.result, len(self.leaves) - 1)
         if id(value) not in self.made:
             self.kept.append(value)

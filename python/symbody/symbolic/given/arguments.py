@@ -6,7 +6,7 @@ from symbody.errors import ArgumentError
 from symbody.symbolic import _core
 from symbody.symbolic._core import Expr
 
-__all__ = ["brief", "counted", "described", "expression", "size"]
+__all__ = ["brief", "comparison_note", "counted", "described", "expression", "size"]
 
 
 _SHOWN = 80
@@ -31,6 +31,21 @@ def described(value: object) -> str:
     return shown if value is None else f"{shown} is {article} {kind}"
 
 
+def comparison_note(value: object) -> str:
+    """Return the hint for a bool in place of an expression: it mostly comes from an equation written with ``==``.
+
+    >>> comparison_note(1 == 2)
+    '; == compares two expressions, which gives a bool: write a == b as a - b'
+    """
+    return (
+        "; == compares two expressions, which gives a bool: write a == b as a - b" if _is_bool(value) else ""
+    )
+
+
+def _is_bool(value: object) -> bool:
+    return type(value).__name__ in ("bool", "bool_")  # also NumPy's
+
+
 def counted(count: int, noun: str) -> str:
     """Return a count with its noun, in the plural where needed.
 
@@ -51,4 +66,7 @@ def size(value: int, place: str, what: str) -> int:
 
 def expression(value: object, place: str) -> Expr:
     """Return a number or an expression as an expression; ``place`` names the argument in the error."""
+    if _is_bool(value):
+        wanted = "expected an expression or a number (int, float, Fraction, NumPy scalar)"
+        raise ArgumentError(f"{place}: {described(value)}; {wanted}{comparison_note(value)}")
     return _core.number(value, place)

@@ -7,6 +7,7 @@ from collections.abc import Sequence
 from symbody.symbolic import _core
 from symbody.symbolic._core import Expr
 from symbody.symbolic.expression.leaves import ExprLike
+from symbody.symbolic.given.arguments import expression
 
 __all__ = ["solve"]
 
@@ -32,5 +33,8 @@ def solve(equations: Expr | Sequence[ExprLike], unknowns: Expr | Sequence[Expr])
     >>> solve([x + y - a, x - y], [x, y])
     {x: a/2, y: a/2}
     """
+    for each in equations if isinstance(equations, Sequence) else [equations]:
+        if isinstance(each, bool):
+            expression(each, "solve, equations")  # raises an error that says so
     values = _core.solve(equations, unknowns)
     return dict(zip([unknowns] if isinstance(unknowns, Expr) else unknowns, values, strict=True))
