@@ -1781,14 +1781,6 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
         ),
     ),
     (
-        errors.ModelError,
-        lambda: embedded(equations_of([[m]], [F], [x])),
-        (
-            "embedded: the equations were given by M and f; expected equations of a system with bodies, such as "
-            "newton_euler(system)"
-        ),
-    ),
-    (
         errors.ArgumentError,
         lambda: simulate(hamilton(chosen({u1: xp})), {m: 1}, {}, (0, 1)),
         (

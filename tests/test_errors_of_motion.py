@@ -175,7 +175,7 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
         lambda: equations_of([[m]], [F], [x], speed=[u]),  # type: ignore[call-arg]
         (
             "equations_of: there is no argument 'speed'; did you mean 'speeds'? Expected some of mass_matrix, forcing, "
-            "coordinates, constraints, speeds, kinematics, multipliers, inputs, energy, name"
+            "coordinates, constraints, speeds, kinematics, multipliers, inputs, states, energy, name"
         ),
     ),
     # --- comparisons in place of expressions ---
@@ -465,14 +465,6 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
         (
             "embedded: eqs = System(1 body, 0 loads, 3 coordinates, 1 constraint) is a System; expected "
             "equations of motion, such as newton_euler(system)"
-        ),
-    ),
-    (
-        errors.ModelError,
-        lambda: embedded(equations_of([[m, 0], [0, m]], [0, 0], [x, y], constraints=[x - y])),
-        (
-            "embedded: the equations were given by M and f; expected equations of a system with bodies, such "
-            "as newton_euler(system)"
         ),
     ),
     (

@@ -12,10 +12,12 @@ from scipy.integrate import solve_ivp
 from symbody import (
     Body,
     Equations,
+    Force,
     System,
     Vector,
     consistent_state,
     cos,
+    embedded,
     equations_of,
     equilibrium,
     forward_dynamics,
@@ -182,3 +184,55 @@ def test_regular_matrices_with_zeros_on_the_diagonal_are_pivoted() -> None:
     assert solution.method == "pivoted"
     found = lambdify([m, a, b], list(solution.accelerations))(2.0, 3.0, 5.0)
     assert_allclose(found, [2.5, 1.5], rtol=1e-14)
+
+
+def test_embedding_of_given_equations() -> None:
+    """As of a system with bodies: the same mass matrix and bias in one speed, and the same motion."""
+    x, y, theta = functions_of_time("x y theta")
+    m, J, k = symbols("m J k")
+    xt, yt = time_derivative(x), time_derivative(y)
+    blade = yt * cos(theta) - xt * sin(theta)
+    body = Body(translate(x, y, 0) * rotate("Z", theta), m, Iz=J)
+    pull = Force(ground, -k * x, 0, 0, at=body.center_of_mass, on=body)
+    whole = newton_euler(System([body], [pull], [x, y, theta], [blade]))
+    given = equations_of(
+        [[m, 0, 0], [0, m, 0], [0, 0, J]],
+        [-k * x, 0, 0],
+        [x, y, theta],
+        constraints=[blade],
+        energy=(m * (xt**2 + yt**2) + J * time_derivative(theta) ** 2 + k * x**2) / 2,
+    )
+    speeds = [xt, time_derivative(theta)]
+    one, other = embedded(whole, speeds), embedded(given, speeds)
+    assert other.mass_matrix == one.mass_matrix
+    assert other.bias == one.bias
+    start = {xt: 1.0, time_derivative(theta): 0.3}
+    motion = simulate(other, {m: 2, J: 0.1, k: 3}, start, t=(0, 2), rtol=1e-10, atol=1e-12)
+    assert motion.energy_drift < 1e-9
+    assert_allclose(
+        motion[y],
+        simulate(whole, {m: 2, J: 0.1, k: 3}, start, t=(0, 2), rtol=1e-10, atol=1e-12)[y],
+        atol=1e-8,
+    )
+    stiffer = embedded(subs(given, {k: 2 * k}), speeds)
+    assert subs(other, {k: 2 * k}).bias == stiffer.bias
+    assert subs(other, {k: 2 * k}).system.eliminated == stiffer.system.eliminated
+
+
+def test_states_beside_given_equations() -> None:
+    """A force that lags behind the position: the motion of a system of first order by SciPy."""
+    x, z = functions_of_time("x z")
+    m, k, T = symbols("m k T")
+    lagging = equations_of([[m]], [-k * z], [x], states={z: (x - z) / T})
+    motion = simulate(lagging, {m: 1.0, k: 4.0, T: 0.1}, {x: 1.0, z: 1.0}, t=(0, 3), rtol=1e-10, atol=1e-12)
+    found = solve_ivp(
+        lambda _, s: [s[1], -4 * s[2], (s[0] - s[2]) / 0.1],
+        (0, 3),
+        [1.0, 0.0, 1.0],
+        t_eval=motion.t,
+        rtol=1e-11,
+        atol=1e-12,
+    ).y
+    assert_allclose(motion[x], found[0], atol=1e-8)
+    assert_allclose(motion[z], found[2], atol=1e-8)
+    assert subs(lagging, {T: 0.2}).state_rates == {time_derivative(z): (x - z) / 0.2}

@@ -13,7 +13,7 @@ from symbody.errors import ArgumentError, ModelError, ModelNotice
 from symbody.geometry import Frame, Vector
 from symbody.geometry.component.triple import expression
 from symbody.geometry.given.argument import checked, unknown_option
-from symbody.symbolic import Expr, substitute, time_derivative
+from symbody.symbolic import Expr, time_derivative
 from symbody.symbolic.expression.container import Container, contains
 from symbody.symbolic.expression.html_table import html_table
 from symbody.symbolic.given.arguments import brief, counted
@@ -173,40 +173,6 @@ class System(Variables):
             if name not in _COUNTED_WITH:
                 raise ArgumentError(f"System.mobility: {unknown_option(name, _COUNTED_WITH)}")
         return import_module(COUNTED_BY).mobility(self, parameters, q, **options)
-
-    def eliminating(
-        self, dependent: Mapping[Expr, Expr], momenta: Mapping[Expr, Expr] | None = None
-    ) -> System:
-        """Return the system in its independent speeds, without constraints; or in momenta, with all constraints.
-
-        The coordinates stay; the rates of some are no longer speeds. Frames keep the dependent speeds: `by_speeds`
-        writes expressions without them.
-
-        Args:
-            dependent: the other speeds by the independent ones, coordinates and time, as the constraints demand; all
-                speeds by the momenta, if there are such.
-            momenta: the momenta that take the place of all speeds, each by these.
-        """
-        reduced = self._copied()
-        rates = zip(
-            self.coordinate_rates, substitute([*self.coordinate_rates.values()], dependent), strict=True
-        )
-        linked = {
-            q: dependent[time_derivative(q)] for q in self.coordinates if time_derivative(q) in dependent
-        }
-        reduced.coordinate_rates = {**dict(rates), **linked}
-        if momenta:
-            reduced.quasi_velocities, reduced.momenta = tuple(momenta), dict(momenta)
-        else:
-            reduced.quasi_velocities = tuple(u for u in self.quasi_velocities if u not in dependent)
-            reduced.conditions, reduced.multipliers = (), ()
-        reduced.eliminated, reduced.whole = dict(dependent), self
-        if momenta:
-            reduced.conditions = tuple(
-                each if k in self.holonomic else each.written(*reduced.by_speeds([each.condition]))
-                for k, each in enumerate(self.conditions)
-            )
-        return reduced
 
     def check(self) -> None:
         """Check that bodies, loads and gravity belong together, and the variables.

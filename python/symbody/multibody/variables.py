@@ -236,6 +236,38 @@ class Variables:
         reduced.left_out = self.left_out | {self.multipliers[k]: self.conditions[k] for k in sorted(places)}
         return reduced
 
+    def eliminating(self, dependent: Mapping[Expr, Expr], momenta: Mapping[Expr, Expr] | None = None) -> Self:
+        """Return the same in its independent speeds, without constraints; or in momenta, with all constraints.
+
+        The coordinates stay; the rates of some are no longer speeds. Frames keep the dependent speeds: `by_speeds`
+        writes expressions without them.
+
+        Args:
+            dependent: the other speeds by the independent ones, coordinates and time, as the constraints demand; all
+                speeds by the momenta, if there are such.
+            momenta: the momenta that take the place of all speeds, each by these.
+        """
+        reduced = self._copied()
+        rates = zip(
+            self.coordinate_rates, substitute([*self.coordinate_rates.values()], dependent), strict=True
+        )
+        linked = {
+            q: dependent[time_derivative(q)] for q in self.coordinates if time_derivative(q) in dependent
+        }
+        reduced.coordinate_rates = {**dict(rates), **linked}
+        if momenta:
+            reduced.quasi_velocities, reduced.momenta = tuple(momenta), dict(momenta)
+        else:
+            reduced.quasi_velocities = tuple(u for u in self.quasi_velocities if u not in dependent)
+            reduced.conditions, reduced.multipliers = (), ()
+        reduced.eliminated, reduced.whole = dict(dependent), self
+        if momenta:
+            reduced.conditions = tuple(
+                each if k in self.holonomic else each.written(*reduced.by_speeds([each.condition]))
+                for k, each in enumerate(self.conditions)
+            )
+        return reduced
+
     def _copied(self) -> Self:
         """Return a copy without what was found from its attributes."""
         made = copy(self)
@@ -376,24 +408,42 @@ def check_substitution(variables: Variables, mapping: Mapping[Any, Any]) -> None
 
 
 def _parts(variables: Variables) -> tuple[Any, ...]:
-    rates = tuple(variables.coordinate_rates.values())
-    return rates, variables.conditions, variables.inputs, variables.others
+    whole = variables.whole
+    return (
+        tuple(whole.coordinate_rates.values()),
+        whole.conditions,
+        variables.inputs,
+        variables.others,
+        tuple(variables.eliminated.values()),
+        tuple(variables.momenta.values()),
+        tuple(whole.state_rates.values()),
+    )
 
 
 def _rebuilt(variables: Variables, parts: Sequence[Any]) -> Variables:
-    rates, constraints, inputs, others = parts
+    rates, constraints, inputs, others, speeds, momenta, of_states = parts
+    whole = variables.whole
     made = Variables(
         variables.coordinates,
-        dict(zip(variables.coordinate_rates, rates, strict=True)),
-        speeds=variables.quasi_velocities,
+        dict(zip(whole.coordinate_rates, rates, strict=True)),
+        speeds=whole.quasi_velocities,
         constraints=constraints,
-        multipliers=variables.multipliers,
+        multipliers=whole.multipliers,
         inputs=[each for each in inputs if each.kind == "time_function"],
+        states=dict(zip(variables.states, of_states, strict=True)),
         others=others,
         name=variables.name,
     )
     made.check()
-    return made
+    if variables.left_out:
+        made = made.leaving_out([made.multipliers.index(multiplier) for multiplier in variables.left_out])
+    if not speeds:
+        return made
+    pairs = (
+        dict(zip(names, values, strict=True))
+        for names, values in ((variables.eliminated, speeds), (variables.momenta, momenta))
+    )
+    return made.eliminating(*pairs)
 
 
 contains(

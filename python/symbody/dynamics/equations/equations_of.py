@@ -11,6 +11,7 @@ from symbody.geometry import Scalar
 from symbody.geometry.component.triple import expression
 from symbody.geometry.given.argument import checked
 from symbody.multibody.oversight import unlisted_speeds
+from symbody.multibody.state import Unknown, check_constraints, check_states, given_rates
 from symbody.multibody.variables import Conditions, Coordinates, Variables
 from symbody.symbolic import Expr, Matrix, derivation, time_derivative
 from symbody.symbolic.given.arguments import brief, counted
@@ -23,6 +24,10 @@ Rows: TypeAlias = Annotated[Matrix | Sequence[Sequence[Scalar]], "a matrix, such
 Column: TypeAlias = Annotated[Matrix | Sequence[Scalar], "a list of expressions, one per speed"]
 Kinematics: TypeAlias = Annotated[
     Mapping[Expr, Scalar] | None, "a dictionary of rates, such as {time_derivative(q): u}"
+]
+Rates: TypeAlias = Annotated[
+    Mapping[Expr, object] | None,
+    "a dictionary of functions of time and their rates, such as {z: (x - z)/T}",
 ]
 
 
@@ -37,6 +42,7 @@ def equations_of(
     kinematics: Kinematics = None,
     multipliers: Coordinates = (),
     inputs: Coordinates = (),
+    states: Rates = None,
     energy: Scalar | None = None,
     name: str = "",
 ) -> Equations:
@@ -54,6 +60,7 @@ def equations_of(
         kinematics: the rates ``q' = Y u + b`` of the coordinates; rates without an entry are speeds.
         multipliers: one function of time per constraint; ``lambda1``, ``lambda2``, ... by default.
         inputs: the functions of time that are given from outside; unlisted ones are inputs too.
+        states: functions of time beside the mechanics, which f may hold, each with its rate; see `System`.
         energy: the energy, which is constant but for the work of moving constraints; `Motion.energy_drift` checks it.
         name: what the system is called.
 
@@ -72,6 +79,7 @@ def equations_of(
     M = _square(mass_matrix)
     f = _column(forcing)
     rates = _coordinate_rates(kinematics or {}, coordinates)
+    beside = given_rates(states)
     given: tuple[Expr, ...] = () if energy is None else (expression(energy),)
     variables = Variables(
         [expression(each) for each in coordinates],
@@ -80,10 +88,16 @@ def equations_of(
         constraints=constraints,
         multipliers=multipliers,
         inputs=inputs,
+        states=beside,
         others=(*M.entries, *f, *given),
         name=name,
     )
     variables.check()
+    unknown = Unknown(
+        variables.coordinates, variables.quasi_velocities, variables.multipliers, variables.inputs
+    )
+    check_states(beside, unknown)
+    check_constraints(beside, variables.conditions, variables.holonomic, unknown)
     _check_sizes(M, f, variables)
     _check_kinematics(variables)
     with derivation():

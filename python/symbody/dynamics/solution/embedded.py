@@ -10,7 +10,6 @@ from symbody.dynamics.equations.equations import Assembly, Derived, Equations
 from symbody.dynamics.equations.independence import is_driven
 from symbody.errors import ConstraintError, ExpressionError, ModelError
 from symbody.geometry.given.argument import checked
-from symbody.multibody import System
 from symbody.symbolic import (
     Dependence,
     Expr,
@@ -60,11 +59,6 @@ def embedded(eqs: Equations, independent: Speeds | None = None) -> Equations:
     >>> skate.mass_matrix[0, 0] == m * (1 + a**2 * x**2), skate.bias[0] == m * a**2 * x * xt**2
     (True, True)
     """
-    if not isinstance(eqs.system, System):
-        raise ModelError(
-            "embedded: the equations were given by M and f; expected equations of a system with bodies, such as "
-            "newton_euler(system)"
-        )
     if eqs.system.momenta:
         raise ModelError(
             f"embedded: the speeds of the equations are momenta, {brief(', '.join(map(str, eqs.speeds)))}; expected "
@@ -85,7 +79,10 @@ def embedded(eqs: Equations, independent: Speeds | None = None) -> Equations:
         residuals = tuple(
             product + rest for product, rest in zip(products.entries, assembly.bias, strict=True)
         )
-    return Equations(system, without_idle_symbols(residuals), Derived(assembly.without_idle_symbols()))
+        energy = None if eqs.energy is None else system.by_speeds([eqs.energy])[0]
+    return Equations(
+        system, without_idle_symbols(residuals), Derived(assembly.without_idle_symbols()), energy
+    )
 
 
 def _check_states(eqs: Equations) -> None:
