@@ -39,6 +39,7 @@ from symbody import (
     simulate,
     sin,
     solve,
+    spring,
     sqrt,
     symbols,
     time_derivative,
@@ -85,6 +86,13 @@ def twice_held() -> Equations:
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")  # dependent constraints
         return bead(x - y, 2 * x - 2 * y)
+
+
+def damped() -> Equations:
+    """Return a bead on a spring with a damper, whose ends meet at the origin."""
+    pin = Body(translate(x, y, 0), m)
+    band = spring(pin.center_of_mass, origin(ground), 5, damping=0.4, on=pin, name="band")
+    return newton_euler(System([pin], [band], [x, y]))
 
 
 def three_cranks() -> Equations:
@@ -406,6 +414,24 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
         (
             "consistent_state: the kinematics x' = u/sin(y) are not finite at x = 0, y = 0; choose other speeds or "
             "coordinates, or begin at another position"
+        ),
+    ),
+    (
+        errors.SimulationError,
+        lambda: equilibrium(damped(), {m: 1}, guess={x: 0.5}),
+        (
+            "equilibrium: the equations of motion are not finite at rest at x = 0, y = 0, nor are those of small "
+            "motions; band has the length zero there, so that its line has no direction; keep its ends apart, or "
+            "replace it: a spring of free length zero without damping, or a bushing, is safe there"
+        ),
+    ),
+    (
+        errors.SimulationError,
+        lambda: simulate(damped(), {m: 1}, {}, (0, 1)),
+        (
+            "simulate: at t = 0 s: x'', y'', the power are not finite there, at x = 0, y = 0; band has the length zero "
+            "there, so that its line has no direction; keep its ends apart, or replace it: a spring of free length "
+            "zero without damping, or a bushing, is safe there; what was computed is the error's motion"
         ),
     ),
     (

@@ -15,6 +15,7 @@ from symbody import (
     System,
     Vector,
     dot,
+    equilibrium,
     functions_of_time,
     generalized_force,
     gradient,
@@ -84,10 +85,24 @@ def test_a_spring_of_free_length_zero_has_no_root() -> None:
     np.testing.assert_allclose(motion[x], np.cos(2 * motion.t), atol=1e-8)
 
 
+NO_DIRECTION = r"x'', y'' are not finite there, at x = 0, y = 0; spring\(on .*\) has the length zero there"
+
+
+@pytest.mark.parametrize("length", [0, l])
+def test_no_rest_where_a_damper_has_no_direction(length: object) -> None:
+    """The force at rest is finite, but that of small motions is not; so it is if the search ends beside the place."""
+    band = spring(mass.center_of_mass, O, k, free_length=length, damping=1, on=mass)  # type: ignore[arg-type]
+    equations = newton_euler(System([mass], [band], [x, y]))
+    with pytest.raises(
+        SimulationError, match=r"not finite at rest at x = 0, y = 0, nor .* has the length zero there"
+    ):
+        equilibrium(equations, {m: 1, k: 4} | ({l: 0} if length is l else {}), guess={x: 0.5})
+
+
 def test_any_other_spring_that_comes_to_length_zero_ends_with_an_error() -> None:
     band = spring(mass.center_of_mass, O, k, free_length=l, on=mass)
     equations = newton_euler(System([mass], [band], [x, y]))
-    with pytest.raises(SimulationError, match="x'', y'' are not finite there; look for a division by zero"):
+    with pytest.raises(SimulationError, match=NO_DIRECTION):
         simulate(equations, {m: 1, k: 4, l: 1}, {}, t=(0, 3))
 
 

@@ -350,8 +350,8 @@ class TestEndsBeforeTheEnd:
     def test_not_a_number_at_the_begin_names_the_rate(self):
         message, motion = self.failed(oscillator(k / x), {m: 1, k: 4}, {x: 0})
         assert message == (
-            "simulate: at t = 0 s: x'', the power are not finite there; look for a division by zero, a root or "
-            "logarithm of a negative value, or parameters that make no sense; what was computed is the error's "
+            "simulate: at t = 0 s: x'', the power are not finite there, at x = 0; look for a division by zero, a root "
+            "or logarithm of a negative value, or parameters that make no sense; what was computed is the error's "
             "motion"
         )
         assert len(motion) == 1

@@ -5,12 +5,15 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from symbody.simulation.constraint.consistent_position import listed_values
 from symbody.simulation.constraint.dependent_constraints import (
     NEAR,
     dependent_constraints,
     described_dependence,
 )
 from symbody.simulation.model.model import Model
+from symbody.simulation.model.zero_length import without_direction
+from symbody.symbolic import t as time
 
 from .integrated import Integrated
 from .methods import DEFAULT, methods_that
@@ -124,10 +127,12 @@ def _dependent(model: Model, parameters: Array, t: float, state: Array, near: fl
 def _out_of_domain(model: Model, parameters: Array, t: float, state: Array) -> str:
     names = _not_finite(model, parameters, t, state)
     if names:
-        return (
-            f"{names} not finite there; look for a division by zero, a root or logarithm of a negative value, or "
-            "parameters that make no sense"
+        variables = (*model.parameters, *model.damping, time, *model.state)
+        known = dict(zip(variables, [*parameters, t, *state], strict=True))
+        cause = without_direction(model.system, model.inputs, known) or (
+            "look for a division by zero, a root or logarithm of a negative value, or parameters that make no sense"
         )
+        return f"{names} not finite there, at {listed_values(model.coordinates, known)}; {cause}"
     return (
         "a rate of the state is not finite after the next step, however short that is; look for a function that "
         "leaves its domain"

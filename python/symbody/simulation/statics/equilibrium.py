@@ -12,13 +12,15 @@ from numpy.typing import ArrayLike, NDArray
 from symbody.dynamics import Equations
 from symbody.errors import ModelError, ModelNotice, SimulationError
 from symbody.multibody import System
-from symbody.simulation.constraint.consistent_position import positions, starting_points
+from symbody.simulation.constraint.consistent_position import listed_values, positions, starting_points
 from symbody.simulation.constraint.kinematics import kinematics_of
 from symbody.simulation.given.unused import warn_of_unused
 from symbody.simulation.given.values import given_inputs, parameter_values, state_values
 from symbody.simulation.model.named_constraint import named_constraint
+from symbody.simulation.model.zero_length import without_direction
 from symbody.simulation.statics.force_balance import Balance
 from symbody.symbolic import Expr, ExprLike, number, substitute, time_derivative
+from symbody.symbolic import t as time
 from symbody.symbolic.expression.html_table import html_table
 from symbody.symbolic.given.arguments import brief
 from symbody.symbolic.numeric.deficiency import reporting
@@ -153,7 +155,7 @@ def equilibrium(
         inputs: expressions of time and coordinates for the input functions of time.
 
     Raises:
-        SimulationError: no equilibrium was found, or it is not isolated.
+        SimulationError: no equilibrium was found, or it is not isolated, or the equations are not finite there.
         ModelError: kinematics move a coordinate at zero speeds.
         ConstraintError: no position satisfies the constraints.
         ParameterError: a value is missing, has an unknown key, or is not finite.
@@ -214,6 +216,7 @@ def _place(
     q = positions(kinematics, of_constraints, t, held, at, where=_WHERE)
     q = np.append(q, [near.get(state, 0.0) for state in eqs.states])
     solution = _solved(problem, q)
+    _check_finite(problem, solution)
     _check_single(problem, solution)
     return RestPosition(problem, kinematics, of_constraints, *solution)
 
@@ -275,6 +278,33 @@ def _solved(problem: Balance, start: Array) -> tuple[Array, Array]:
         if error < least:
             best, least = found, error
     raise SimulationError(_unbalanced(problem, *best))
+
+
+def _check_finite(problem: Balance, solution: tuple[Array, Array]) -> None:
+    """Check that the equations have derivatives at an equilibrium.
+
+    Raises:
+        SimulationError: they have none, as at the end of a damper whose direction is not determined.
+    """
+    q, forces = solution
+    near = np.where(
+        np.abs(q) > _ROUNDED * max(1.0, np.abs(q).max()), q, 0.0
+    )  # where a search ends beside the place
+    if problem.is_finite(q, forces) and problem.is_finite(near, forces):
+        return
+    q = near
+    eqs, statics = problem.equations, problem.statics
+    place = dict(zip(statics.positions, q, strict=True))
+    known = dict(zip(statics.parameters, problem.p, strict=True)) | {time: problem.t} | place
+    cause = without_direction(eqs.system, statics.given, known | dict.fromkeys(eqs.speeds, 0.0))
+    raise SimulationError(
+        f"{_WHERE}: the equations of motion are not finite at rest at {listed_values(statics.positions, place)}, nor "
+        f"are those of small motions; {cause or _STRANGE}"
+    )
+
+
+_ROUNDED = 1e-12
+_STRANGE = "look for a division by zero, or for a root that vanishes there"
 
 
 def _check_single(problem: Balance, solution: tuple[Array, Array]) -> None:

@@ -103,6 +103,13 @@ class Balance:
         whole[is_free] = z[: is_free.sum()]
         return whole, unit * z[is_free.sum() :]
 
+    def is_finite(self, q: Array, forces: Array) -> bool:
+        """Return whether the equations and their derivatives, also by speeds, are finite at a position."""
+        m = len(self.equations.constraints)
+        with np.errstate(all="ignore"):
+            parts = [*self.values(q, forces)[:2], *self.statics.small_motion(self.t, q, forces[:m], self.p)]
+        return all(np.isfinite(part).all() for part in parts)
+
     def neutral(self, q: Array, forces: Array) -> Array:
         """Return directions of the coordinates that change no condition to first order, one per column."""
         _, slopes, _ = self.values(q, forces)
