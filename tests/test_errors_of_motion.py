@@ -856,3 +856,20 @@ def skew(small: float) -> Equations:
     """Return two points in speeds that nearly depend on each other."""
     points = [Body(translate(x, 0, 0), 1), Body(translate(0, y, 0), 1)]
     return newton_euler(System(points, (), [x, y], kinematics={u: dx + (1 + small) * dy, v: dx + dy}))
+
+
+def test_notice_of_forces_of_constraints_that_are_given() -> None:
+    """The multiplier of f would be an input, beside the one that is added."""
+    force = functions_of_time("lambda1")
+    with pytest.warns(ModelNotice) as notices:
+        equations_of([[m, 0], [0, m]], [2 * force * x, 2 * force * y], [x, y], constraints=[x**2 + y**2 - 1])
+    assert [str(notice.message) for notice in notices] == [
+        (
+            "equations_of: f holds lambda1 as the multiplier of a constraint would stand there, and lambda1 is an "
+            "input, which has to be given; the forces of the constraints are added to f: leave them out of it, or "
+            "list inputs=[lambda1] if it is one"
+        )
+    ]
+    assert notices[0].filename == __file__
+    equations_of([[m, 0], [0, m]], [force, 0], [x, y], constraints=[x**2 + y**2 - 1])
+    equations_of([[m, 0], [0, m]], [force, 0], [x, y], constraints=[x - 1], inputs=[force])

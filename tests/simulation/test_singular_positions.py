@@ -19,6 +19,7 @@ from symbody import (
     Point,
     System,
     Vector,
+    consistent_state,
     dot,
     functions_of_time,
     ground,
@@ -367,3 +368,23 @@ def test_steps_that_get_nowhere_are_looked_at_once(monkeypatch: pytest.MonkeyPat
     passed = singular_passages(model, found.parameters, np.vstack([trail[:41], piled, trail[41:]]))
     np.testing.assert_allclose(passed, [np.pi / 2 / 1.1], atol=1e-3)
     assert looked < 1000
+
+
+@pytest.mark.parametrize("method", ["dop853", "tsit5"])
+@pytest.mark.parametrize("begin", [0.9, 0.94, 1.0, 1.06])
+def test_instants_at_a_singular_position(method: str, begin: float) -> None:
+    """A free parallelogram turns evenly; at an output instant, t = begin/2, all of its bars lie along one line."""
+    p1, p2, p3 = functions_of_time("p1 p2 p3")
+    crank, rocker = rotate("Z", p1), translate(1, 0, 0) * rotate("Z", p2)
+    coupler = crank * translate(0.3, 0, 0) * rotate("Z", p3)
+    gap = project(Point(coupler, 1, 0, 0) - Point(rocker, 0.3, 0, 0), ground).components[:2]
+    bars = [Body(crank, 1, Iz=0.1), Body(rocker, 1, Iz=0.1)]
+    equations = newton_euler(System(bars, (), [p1, p2, p3], gap))
+    given = {p1: begin, time_derivative(p1): -2}
+    initial = consistent_state(equations, {}, given, guess={p2: begin, p3: -begin})
+    motion = simulate(equations, {}, initial, t=(0, 2), method=method)
+    angle = begin - 2 * motion.t
+    assert np.abs(angle).min() < 1e-12
+    for q, sign in ((p1, 1), (p2, 1), (p3, -1)):
+        np.testing.assert_allclose(motion[q], sign * angle, atol=1e-9)
+        np.testing.assert_allclose(motion[time_derivative(q)], np.full(len(angle), -2.0 * sign), atol=1e-6)

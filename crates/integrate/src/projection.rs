@@ -42,12 +42,12 @@ impl<'a> Projection<'a> {
     }
 
     /// Write the state at an instant of the last step, projected onto the constraints. If that would take a leap of the
-    /// speeds, write the state of the dense output. Return whether the state is on the constraints.
-    pub fn read(&mut self, stepper: &mut dyn Stepper, t: f64, out: &mut [f64]) -> Result<bool, Failure> {
+    /// speeds, write the state of the dense output.
+    pub fn read(&mut self, stepper: &mut dyn Stepper, t: f64, out: &mut [f64]) -> Result<(), Failure> {
         stepper.interpolate(t, out)?;
         match if self.is_needed() { self.project(t, out) } else { Ok(()) } {
-            Err(Failure::Singular { .. }) => stepper.interpolate(t, out).map(|()| false),
-            other => other.map(|()| true),
+            Err(Failure::Singular { .. }) => stepper.interpolate(t, out),
+            other => other,
         }
     }
 

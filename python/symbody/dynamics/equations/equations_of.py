@@ -13,10 +13,10 @@ from symbody.geometry.given.argument import checked
 from symbody.multibody.oversight import unlisted_speeds
 from symbody.multibody.state import Unknown, check_constraints, check_states, given_rates
 from symbody.multibody.variables import Conditions, Coordinates, Variables
-from symbody.symbolic import Expr, Matrix, derivation, time_derivative
+from symbody.symbolic import Expr, Matrix, derivation, diff, time_derivative
 from symbody.symbolic.given.arguments import brief, counted
 
-from .constraint_force import with_multipliers
+from .constraint_force import constraint_jacobian, with_multipliers
 from .equations import Assembly, Derived, Equations
 from .independence import check_independent
 
@@ -109,6 +109,7 @@ def equations_of(
     for k, entry in enumerate(f):
         _check_leaves(f"f[{k}]", entry, variables)
     check_independent(variables)
+    _report_forces_of_constraints(f, variables)
     return _equations(Matrix.from_entries(n, n, entries), f, variables, given[0] if given else None)
 
 
@@ -195,6 +196,31 @@ def _check_leaves(place: str, value: Expr, variables: Variables) -> None:
         f"equations_of: {place} holds the acceleration {strange}; expected coordinates, speeds and inputs, with the "
         "coefficients of accelerations in the mass matrix"
     )
+
+
+def _report_forces_of_constraints(f: Sequence[Expr], variables: Variables) -> None:
+    """Give a notice of an input that stands in f as a multiplier would: its coefficients are the row of a constraint.
+
+    The multipliers of f would be inputs, beside those that are added.
+    """
+    if not variables.conditions:
+        return
+    rows = constraint_jacobian(variables).tolist()
+    listed = {each.name for each in variables.inputs}
+    functions = {leaf for each in f for leaf in each.free_symbols if leaf.kind == "time_function"}
+    known = {*variables.coordinates, *variables.speeds}
+    for leaf in sorted((leaf for leaf in functions - known if leaf.name not in listed), key=str):
+        slopes = [diff(each, leaf) for each in f]
+        if any(Matrix([row, slopes]).rank() == 1 for row in rows) and not all(
+            each.is_zero for each in slopes
+        ):
+            warnings.warn(
+                f"equations_of: f holds {leaf} as the multiplier of a constraint would stand there, and {leaf} is an "
+                "input, which has to be given; the forces of the constraints are added to f: leave them out of it, or "
+                f"list inputs=[{leaf}] if it is one",
+                ModelNotice,
+                stacklevel=4,
+            )
 
 
 def _strange(values: Iterable[Expr], variables: Variables, known: set[Expr]) -> Expr | None:
