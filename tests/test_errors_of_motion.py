@@ -873,3 +873,15 @@ def test_notice_of_forces_of_constraints_that_are_given() -> None:
     assert notices[0].filename == __file__
     equations_of([[m, 0], [0, m]], [force, 0], [x, y], constraints=[x**2 + y**2 - 1])
     equations_of([[m, 0], [0, m]], [force, 0], [x, y], constraints=[x - 1], inputs=[force])
+
+
+def test_given_coordinates_where_constraints_disagree() -> None:
+    """They agree at pi/3: the value is wrong, not the constraints."""
+    with pytest.warns(ModelNotice, match="depends on constraint 1"):
+        equations = bead(2 * cos(x) - 1, 2 * sin(x) - sqrt(3))
+    with pytest.raises(errors.ConstraintError) as caught:
+        consistent_state(equations, {}, {x: 1.0})
+    assert str(caught.value) == (
+        "consistent_state: the given coordinates, x = 1, don't satisfy the constraints at t = 0 s; values that do: "
+        "x = 1.0472; give these, or the coordinates as a guess, so that they are solved for"
+    )

@@ -175,10 +175,17 @@ def _unsatisfied(kinematics: Kinematics, p: Array, t: float, q: Array, fixed: Ma
     against = (
         contradictory_equations(phi_q, phi, term_sizes(q, phi_q, sizes)) if np.isfinite(phi_q).all() else ()
     )
+    named = [name for name in system.coordinates if name in fixed]
     if against:
+        agreed = _agreed(kinematics, p, t, q) if named else None
+        if agreed is not None:
+            near = listed_values(named, dict(zip(system.coordinates, agreed, strict=True)))
+            return (
+                f"the given coordinates, {listed_values(named, fixed)}, don't satisfy the constraints at t = {t:g} s; "
+                f"values that do: {near}; give these, or the coordinates as a guess, so that they are solved for"
+            )
         rows = [system.holonomic[row] for row in against]
         return f"at t = {t:g} s {contradiction_between(system.conditions, rows)}"
-    named = [name for name in system.coordinates if name in fixed]
     left = [
         f"constraint {k + 1}, {named_constraint(system.conditions[k])}, is off by {value:.3g}"
         for k, value, size in zip(system.holonomic, phi, sizes, strict=True)
@@ -199,6 +206,17 @@ def _unsatisfied(kinematics: Kinematics, p: Array, t: float, q: Array, fixed: Ma
         f"no coordinates were found {what} that satisfy the constraints at t = {t:g} s; nearest, at "
         f"{nearest}: {found}; give fewer or other values, or a guess={{coordinate: value}} near a solution"
     )
+
+
+def _agreed(kinematics: Kinematics, p: Array, t: float, q: Array) -> Array | None:
+    """Return a position near a given one that satisfies the constraints if no coordinate is fixed; None without one."""
+    is_free = np.ones(len(q), bool)
+    for beginning in starting_points(q, is_free):
+        problem = Positions.at(kinematics, p, t, beginning)
+        found = problem.solution(beginning, is_free)
+        if problem.error(found) <= EXACT:
+            return found
+    return None
 
 
 def listed_values(names: Sequence[Expr], values: Mapping[Expr, float]) -> str:
