@@ -397,6 +397,20 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
     ),
     (
         errors.LoadError,
+        lambda: tire(wheel, a, linear_tire(cornering=F), stiffness=F),
+        (
+            "tire: stiffness, with a linear tyre whose forces don't depend on the load, so that it would steer and "
+            "brake in the air as well; expected linear_tire(..., per_load=True) with stiffnesses per load, or load=N "
+            "for a wheel that stays on the road"
+        ),
+    ),
+    (
+        errors.LoadError,
+        lambda: friction(x, on=body, coulomb=-2, creep_speed=0.1),
+        "friction: coulomb = -2; expected a number that isn't negative, as a size or a resistance is",
+    ),
+    (
+        errors.LoadError,
         lambda: tire(wheel, a, linear_tire(), load=F, stiffness=F),
         (
             "tire: both load and stiffness; expected the vertical load of the tyre, or the stiffness by which it "

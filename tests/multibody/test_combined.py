@@ -177,3 +177,9 @@ def test_the_master_frame_takes_loads_as_well() -> None:
     one, two = (newton_euler(System([chassis, point], [pull], speeds=[u, v, r])).residuals for pull in pulls)
     assert one == two
     assert one[2] == J3 * time_derivative(r) + a * F
+
+
+def test_tensors_of_doubles_are_symmetric_but_for_rounding() -> None:
+    """0.1 + 0.2 is not 0.3 in doubles; the entry above the diagonal counts."""
+    body = Body.of_inertia(ground, 1, [[1, 0.1 + 0.2, 0], [0.3, 1, 0], [0, 0, 1]])
+    assert float(body.products[2]) == -(0.1 + 0.2)

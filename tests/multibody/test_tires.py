@@ -251,7 +251,8 @@ def test_both_formalisms_give_the_same_nodes_with_a_leaning_wheel() -> None:
         {"crown_radius": rho, "stiffness": k},
         {"load": N, "relaxation": (sx, sy), "carrier": upright},
     ):
-        found = tire(wheel, R, linear_tire(longitudinal=Ck, cornering=C, camber=C, trail=rho), **options)
+        law = linear_tire(longitudinal=Ck, cornering=C, camber=C, trail=rho, per_load=True)
+        found = tire(wheel, R, law, **options)
         system = System([wheel], [found], MOVING, gravity=Vector(ground, 0, 0, -g))
         one, two = newton_euler(system), lagrange_equations(system)
         assert [each.id for each in one.residuals] == [each.id for each in two.residuals]
@@ -260,7 +261,12 @@ def test_both_formalisms_give_the_same_nodes_with_a_leaning_wheel() -> None:
 def test_power_is_that_of_the_sliding_velocities() -> None:
     """Fx (VS + VR) + Fy VN + N (-sinking), for a tyre without moments."""
     found = tire(
-        wheel, R, linear_tire(longitudinal=Ck, cornering=C), stiffness=k, crown_radius=rho, carrier=upright
+        wheel,
+        R,
+        linear_tire(longitudinal=Ck, cornering=C, per_load=True),
+        stiffness=k,
+        crown_radius=rho,
+        carrier=upright,
     )
     contact = tire_kinematics(wheel, R, crown_radius=rho, carrier=upright)
     slides = found["Fx"] * (contact.VS + contact.VR) + found["Fy"] * contact.VN
@@ -292,7 +298,14 @@ def test_tyres_need_names_to_have_states_of_their_own() -> None:
 
 def test_a_road_on_a_body_takes_the_reaction() -> None:
     drum = Body(translate(0, 0, functions_of_time("h")), m, name="drum")
-    found = tire(wheel, R, linear_tire(cornering=C, trail=rho), stiffness=k, road=drum.frame, reaction=drum)
+    found = tire(
+        wheel,
+        R,
+        linear_tire(cornering=C, trail=rho, per_load=True),
+        stiffness=k,
+        road=drum.frame,
+        reaction=drum,
+    )
     assert [action.body.name for action in found.actions] == ["wheel", "drum", "wheel", "drum"]
     assert found["deflection"].evaluate({**NUMBERS, functions_of_time("h"): 0.05}) == pytest.approx(
         0.05 + 0.33 * np.cos(0.25) - 0.31
@@ -341,3 +354,28 @@ def test_a_single_track_car_on_a_moving_frame() -> None:
         0.02 * 20 / (2.6 + 1200 * 20**2 * (1.5 - 1.1) / (2.6 * 5e4))
     )  # V delta/(L + m V^2 (b - a)/(L C))
     assert motion[r][-1] == pytest.approx(yaw_rate, rel=2e-3)
+
+
+ROLLING = {"FNOMIN": 4000, "UNLOADED_RADIUS": 0.3, "PCX1": 1.685, "PDX1": 1.21, "PKX1": 21.5, "QSY1": 0.02}
+
+
+@pytest.mark.parametrize("speed", [5.0, 0.0, -5.0])
+def test_rolling_resistance_takes_energy_in_both_directions(speed: float) -> None:
+    """At rest it is none: nothing starts by itself, and a wheel that rolls back is braked as one that rolls ahead."""
+    place, turn = functions_of_time("place turn")
+    hub_frame = translate(place, 0, 0.3)
+    rolling = Body(hub_frame * rotate("Y", turn), 20, 1, 1, 1, name="rolling")
+    resisted = tire(rolling, 0.3, magic_formula(ROLLING), load=200, relaxation=(0.2, 0.2), carrier=hub_frame)
+    system = System([rolling], [resisted], [place, turn])
+    start = {time_derivative(place): speed, time_derivative(turn): speed / 0.3}
+    motion = simulate(newton_euler(system), {}, start, t=(0, 2))
+    energy = motion[kinetic_energy(rolling)]
+    assert (energy[-1] < energy[0] - 10) if speed else (energy[-1] == 0)
+
+
+def test_a_load_that_pulls_gives_no_forces() -> None:
+    law = magic_formula(ROLLING)
+    assert law(-100, 0.1, 0.1).longitudinal.is_zero
+    assert linear_tire(longitudinal=20, per_load=True)(-5, 0.1).longitudinal.is_zero
+    assert law(N, 0.1) == law(N, 0.1)
+    assert law(4000, 0.1).longitudinal.evaluate({}) > 0

@@ -16,6 +16,7 @@ from symbody.symbolic.expression.container import Container, contains
 from symbody.symbolic.expression.latex_layout import aligned, displayed
 from symbody.symbolic.given.arguments import brief
 
+from .constant_form import agree
 from .physical_inertia import report_impossible_inertia
 
 Place: TypeAlias = Annotated[
@@ -103,12 +104,13 @@ class Body:
             raise BodyError(f"Body.of_inertia: a {size} matrix; expected the tensor of inertia, 3x3")
         J = [[expression(entry) for entry in row] for row in rows]
         for i, j in ((1, 0), (2, 0), (2, 1)):
-            if J[i][j] != J[j][i]:
+            if not agree(J[i][j], J[j][i]):
                 raise BodyError(
                     f"Body.of_inertia: the tensor isn't symmetric: its entry {i + 1}, {j + 1} is {brief(J[i][j])}, and "
                     f"its entry {j + 1}, {i + 1} is {brief(J[j][i])}; expected [[Ix, -Cxy, -Cxz], [-Cxy, Iy, -Cyz], "
                     "[-Cxz, -Cyz, Iz]]"
                 )
+        J = [[J[min(i, j)][max(i, j)] for j in range(3)] for i in range(3)]
         if about is not None:
             center = place if isinstance(place, Point) else origin(place)
             d = (center - about.projected(center.frame)).components

@@ -14,3 +14,19 @@ def constant_form(value: Expr) -> Expr | None:
         return value
     here = value.subs({leaf: number(0) for leaf in value.free_symbols if leaf.depends_on_time})
     return here if here == value else None
+
+
+_ROUNDED = 1e-12
+"""The relative difference of numbers that rounding explains."""
+
+
+def agree(one: Expr, other: Expr) -> bool:
+    """Return whether two entries of a symmetric matrix are equal; numbers but for rounding.
+
+    >>> from symbody import number
+    >>> agree(number(0.1 + 0.2), number(0.3)), agree(number(1), number(2))
+    (True, False)
+    """
+    if one == other or not (one.is_constant and other.is_constant):
+        return one == other
+    return abs(float(one) - float(other)) <= _ROUNDED * max(abs(float(one)), abs(float(other)))

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from symbody.errors import LoadError
-from symbody.geometry import Frame, Point, Vector, origin
+from symbody.geometry import Frame, Point, Scalar, Vector, origin
+from symbody.geometry.component.triple import expression
 from symbody.multibody.body import Body
 from symbody.multibody.constant_form import constant_form
 from symbody.multibody.load import Action
@@ -67,3 +68,13 @@ def torques(vector: Vector, on: Body, reaction: Body | None) -> list[Action]:
     """Return a torque on a body, and the opposite torque on the body that reacts."""
     direct = Action(on, vector)
     return [direct] if reaction is None else [direct, Action(reaction, -vector)]
+
+
+def check_not_negative(where: str, **values: Scalar | None) -> None:
+    """Raise an error for numbers that are negative, by the names of the arguments."""
+    for name, value in values.items():
+        given = None if value is None else expression(value)
+        if given is not None and given.is_constant and float(given) < 0:
+            raise LoadError(
+                f"{where}: {name} = {brief(given)}; expected a number that isn't negative, as a size or a resistance is"
+            )

@@ -12,6 +12,7 @@ from symbody.geometry.frame.coordinates import vector_components
 from symbody.geometry.given.argument import checked
 from symbody.geometry.motion.floating import rate_by
 from symbody.multibody.body import Body
+from symbody.multibody.constant_form import agree
 from symbody.symbolic import Expr, Matrix, derivation, dot3, number, scale3, sub3
 from symbody.symbolic.given.arguments import brief
 
@@ -124,7 +125,7 @@ def _product(matrix: Sequence[Sequence[Expr]], values: Sequence[Expr]) -> list[E
 
 def _matrix(given: Coefficients, what: str) -> list[list[Expr]]:
     """Return the 6x6 matrix of coefficients, by rows."""
-    rows = given.tolist() if isinstance(given, Matrix) else list(given)
+    rows = given.tolist() if hasattr(given, "tolist") else list(given)
     if all(isinstance(row, Sequence) for row in rows):
         matrix = [[expression(entry) for entry in row] for row in rows if isinstance(row, Sequence)]
     elif len(rows) == 6:
@@ -141,7 +142,7 @@ def _matrix(given: Coefficients, what: str) -> list[list[Expr]]:
         )
     for i in range(6):
         for j in range(i):
-            if matrix[i][j] != matrix[j][i]:
+            if not agree(matrix[i][j], matrix[j][i]):
                 raise LoadError(
                     f"{_WHERE}: {what} isn't symmetric: its entry {i + 1}, {j + 1} is {brief(matrix[i][j])}, and its "
                     f"entry {j + 1}, {i + 1} is {brief(matrix[j][i])}; expected a symmetric matrix"

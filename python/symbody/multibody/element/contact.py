@@ -10,7 +10,7 @@ from symbody.multibody.body import Body
 from symbody.symbolic import Expr, Max, derivation, number, sqrt
 from symbody.symbolic.given.arguments import brief
 
-from .attachment import check_bodies, check_fixed, forces
+from .attachment import check_bodies, check_fixed, check_not_negative, forces
 from .element import Element
 
 _WHERE = "contact"
@@ -62,6 +62,7 @@ def contact(
     check_bodies(_WHERE, on, reaction)
     check_fixed(_WHERE, "center", center, on)
     check_fixed(_WHERE, "plane", plane, reaction)
+    check_not_negative(_WHERE, radius=radius, friction=friction, creep_speed=creep_speed)
     mu, n = expression(friction), _exponent(exponent)
     _check_friction(mu, creep_speed)
     with derivation():
@@ -100,7 +101,9 @@ def _exponent(given: Scalar | None) -> Expr:
 
 
 def _check_friction(mu: Expr, creep_speed: Scalar | None) -> None:
-    if creep_speed is None and not mu.is_zero:
+    if mu.is_zero:
+        return
+    if creep_speed is None or expression(creep_speed).is_zero:
         raise LoadError(
             f"{_WHERE}: friction = {brief(mu)} without creep_speed; expected the speed below which the sphere counts "
             "as sticking, such as 0.001: friction by the direction of the velocity alone jumps at rest"

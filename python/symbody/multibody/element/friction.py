@@ -9,6 +9,7 @@ from symbody.geometry.given.argument import checked
 from symbody.multibody.body import Body
 from symbody.symbolic import Expr, derivation, exp, tanh
 
+from .attachment import check_not_negative
 from .element import Element
 from .joint_motion import joint_motion
 
@@ -56,6 +57,14 @@ def friction(
     """
     c, dry = expression(viscous), expression(coulomb)
     _check(dry, static, stribeck_speed, creep_speed)
+    check_not_negative(
+        _WHERE,
+        viscous=viscous,
+        coulomb=coulomb,
+        static=static,
+        stribeck_speed=stribeck_speed,
+        creep_speed=creep_speed,
+    )
     with derivation():
         joint = joint_motion(coordinate, on, reaction, _WHERE)
         v, effort = joint.rate, -c * joint.rate

@@ -11,7 +11,7 @@ from symbody.geometry.component.triple import expression
 from symbody.geometry.given.argument import checked
 from symbody.symbolic import Expr, derivation, number
 
-from .tire_force import TireForce
+from .tire_force import TireForce, pressing
 
 
 @final
@@ -25,12 +25,17 @@ class LinearTire:
     trail: Expr
     per_load: bool
 
+    @property
+    def has_no_forces(self) -> bool:
+        """Whether all stiffnesses are zero: the tyre only carries."""
+        return all(each.is_zero for each in (self.longitudinal, self.cornering, self.camber_stiffness))
+
     def __call__(
         self, load: Scalar, kappa: Scalar = 0, lateral_slip: Scalar = 0, camber: Scalar = 0
     ) -> TireForce:
         """Return the forces of the tyre."""
         with derivation():
-            size = expression(load) if self.per_load else number(1)
+            size = pressing(load) if self.per_load else number(1)
             lateral = -size * (self.cornering * lateral_slip + self.camber_stiffness * camber)
             aligning = size * self.cornering * lateral_slip * self.trail
             return TireForce(size * self.longitudinal * kappa, lateral, aligning=aligning)

@@ -24,7 +24,7 @@ from symbody.symbolic import Abs, Expr, Min, atan, cos, derivation, exp, number,
 from symbody.symbolic.given.arguments import brief
 
 from .tire_coefficient import COEFFICIENTS, DEFAULTS, EXCLUDED, IGNORED, NEEDED, SCALES, at_pressure
-from .tire_force import TireForce
+from .tire_force import TireForce, pressing
 
 Coefficients: TypeAlias = Annotated[
     Mapping[str, Scalar],
@@ -67,8 +67,8 @@ class MagicFormula:
     ) -> TireForce:
         """Return the forces of the tyre."""
         with derivation():
-            slips = (expression(each) for each in (load, kappa, lateral_slip, camber))
-            return _Forces(self.coefficients, self.version, *slips).found
+            slips = (expression(each) for each in (kappa, lateral_slip, camber))
+            return _Forces(self.coefficients, self.version, pressing(load), *slips).found
 
     def relaxation_lengths(self, load: Scalar, camber: Scalar = 0) -> tuple[Expr, Expr]:
         """Return the longitudinal and the lateral relaxation length of set 5.2, in m."""

@@ -9,10 +9,11 @@ from symbody.geometry import Frame, Scalar, ground
 from symbody.geometry.component.triple import expression
 from symbody.geometry.given.argument import checked
 from symbody.multibody.body import Body
-from symbody.symbolic import Abs, Expr, Max, derivation, functions_of_time, sqrt, tanh
+from symbody.symbolic import Abs, Expr, Max, derivation, functions_of_time, sign, sqrt, tanh
 
 from .attachment import check_bodies, check_fixed, forces, torques
 from .element import Element
+from .linear_tire import LinearTire
 from .tire_force import TireLaw
 from .tire_kinematics import TireKinematics, tire_kinematics
 
@@ -61,7 +62,7 @@ def tire(
         damping: c, the vertical damping, in N s/m.
         relaxation: the longitudinal and the lateral relaxation length, in m, such as those of a law by set 5.2.
         least_speed: v0, in m/s: ``sqrt(VS^2 + v0^2)`` stands for the speed |VS| in slips, and the rolling resistance
-            fades below it.
+            fades below it; without, it changes its sign at rest.
         crown_radius: the radius of the cross section; zero for a thin disc.
         rolling_radius: the spin times this is the velocity of a wheel that rolls freely; by default the loaded radius.
         road: the frame whose x-y plane is the road, with z upwards; or the moving master frame that travels along it.
@@ -96,10 +97,9 @@ def tire(
         )
         vertical = _vertical(contact, load, 0 if stiffness is None else stiffness, damping)
         slip = _slips(contact, relaxation, expression(least_speed), name)
+        _check_lift_off(law, stiffness)
         found = law(vertical.load, slip.kappa, slip.alpha, contact.camber)
-        resisting = found.rolling
-        if not expression(least_speed).is_zero:
-            resisting *= tanh(-contact.VR / least_speed)
+        resisting = found.rolling * _ahead(contact.VR, expression(least_speed))
         force = contact.longitudinal * found.longitudinal + contact.lateral * found.lateral
         if load is None:
             force += contact.normal * vertical.load
@@ -128,6 +128,11 @@ def tire(
     )
 
 
+def _ahead(VR: Expr, least: Expr) -> Expr:
+    """Return 1 for a wheel that rolls ahead, -1 for one that rolls back: rolling resistance opposes the spin."""
+    return sign(-VR) if least.is_zero else tanh(-VR / least)
+
+
 class _Vertical(NamedTuple):
     load: Expr
     potential: Expr | None
@@ -139,6 +144,16 @@ def _check_load(load: Scalar | None, stiffness: Scalar | None) -> None:
         raise LoadError(
             f"{_WHERE}: {given}; expected the vertical load of the tyre, or the stiffness by which it follows from the "
             "deflection"
+        )
+
+
+def _check_lift_off(law: TireLaw, stiffness: Scalar | None) -> None:
+    """Check that the forces of a wheel that may lift off depend on its load."""
+    if stiffness is not None and isinstance(law, LinearTire) and not (law.per_load or law.has_no_forces):
+        raise LoadError(
+            f"{_WHERE}: stiffness, with a linear tyre whose forces don't depend on the load, so that it would steer "
+            "and brake in the air as well; expected linear_tire(..., per_load=True) with stiffnesses per load, or "
+            "load=N for a wheel that stays on the road"
         )
 
 

@@ -5,7 +5,8 @@ from __future__ import annotations
 from typing import NamedTuple, Protocol, runtime_checkable
 
 from symbody.geometry import Scalar
-from symbody.symbolic import Expr, number
+from symbody.geometry.component.triple import expression
+from symbody.symbolic import Expr, Max, number
 
 
 class TireForce(NamedTuple):
@@ -42,3 +43,15 @@ class TireLaw(Protocol):
     def __call__(
         self, load: Scalar, kappa: Scalar = 0, lateral_slip: Scalar = 0, camber: Scalar = 0
     ) -> TireForce: ...
+
+
+def pressing(load: Scalar) -> Expr:
+    """Return the load where it presses the tyre onto the road; zero where a given one pulls, as no road does.
+
+    >>> from symbody import symbols
+    >>> pressing(symbols("N", positive=True)), pressing(symbols("F")), pressing(-5)
+    (N, Max(0, F), 0)
+    """
+    given = expression(load)
+    pushing = Max(given, 0)
+    return given if pushing == given else pushing
