@@ -406,6 +406,14 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
     ),
     (
         errors.LoadError,
+        lambda: tire(wheel, a, linear_tire(), load=F, relaxation=(0, 0.1)),
+        (
+            "tire: relaxation = (0, 0.1); expected two positive lengths, or no relaxation: slips that follow at once "
+            "need a least_speed, or a wheel that moves"
+        ),
+    ),
+    (
+        errors.LoadError,
         lambda: friction(x, on=body, coulomb=-2, creep_speed=0.1),
         "friction: coulomb = -2; expected a number that isn't negative, as a size or a resistance is",
     ),
@@ -983,7 +991,7 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
     (
         errors.ModelError,
         lambda: reaction(pendulum(), "rod"),
-        "reaction: rod isn't a body of System(1 body, 0 loads, 1 coordinate); its bodies are A",
+        "reaction: rod isn't a joint or a body of System(1 body, 0 loads, 1 coordinate); its bodies are A, its joints P",
     ),
     (
         errors.ModelError,

@@ -22,7 +22,7 @@ def displaced(thing: Thing, motion: Frame, *, frame: Frame | None = None) -> Thi
 
     Args:
         thing: the point, vector, body or load. A load acts on the same bodies afterwards, elsewhere and in another
-            direction.
+            direction, and has no potential any more: displace the points of a spring instead.
         motion: the displacement in the axes of the frame, such as ``translate(1, 0, 0)`` or ``rotate("Z", alpha)``.
         frame: the frame that is displaced; by default that of the thing.
 

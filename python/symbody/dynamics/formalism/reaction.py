@@ -192,9 +192,12 @@ def _bodies(system: System, cut: Any) -> list[Body]:
         name = thing if isinstance(thing, str) else thing.name
         body = next((b for b in system.bodies if b is thing or (name and b.name == name)), None)
         if body is None:
+            joints = ", ".join(joint.name for joint in system.joints)
+            kind = "a joint or a body" if joints and isinstance(thing, str) else "a body"
+            others = f", its joints {brief(joints)}" if joints else ""
             raise ModelError(
-                f"reaction: {brief(thing)} isn't a body of {brief(system)}; its bodies are "
-                f"{brief(', '.join(map(str, system.bodies)))}"
+                f"reaction: {brief(thing)} isn't {kind} of {brief(system)}; its bodies are "
+                f"{brief(', '.join(map(str, system.bodies)))}{others}"
             )
         found.append(body)
     if not found:

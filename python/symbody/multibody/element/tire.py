@@ -183,6 +183,11 @@ def _slips(contact: TireKinematics, relaxation: Lengths | None, least: Expr, nam
             "(0.1, 0.3)"
         )
     along, across = (expression(each) for each in relaxation)
+    if along.is_zero or across.is_zero:
+        raise LoadError(
+            f"{_WHERE}: relaxation = ({along}, {across}); expected two positive lengths, or no relaxation: slips that "
+            "follow at once need a least_speed, or a wheel that moves"
+        )
     of = name.replace(" ", "_") or _WHERE
     kappa, alpha = functions_of_time(f"kappa_{of} alpha_{of}")
     rates = {kappa: (-sliding - speed * kappa) / along, alpha: (contact.VN - speed * alpha) / across}
