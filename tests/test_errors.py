@@ -991,7 +991,10 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
     (
         errors.ModelError,
         lambda: reaction(pendulum(), "rod"),
-        "reaction: rod isn't a joint or a body of System(1 body, 0 loads, 1 coordinate); its bodies are A, its joints P",
+        (
+            "reaction: rod isn't a joint or a body of System(1 body, 0 loads, 1 coordinate); its bodies are A, its "
+            "joints P"
+        ),
     ),
     (
         errors.ModelError,
