@@ -42,7 +42,7 @@ def made(seed: int, kind: str) -> System:
 def hamilton_of(system: System) -> CanonicalEquations | None:
     """Return Hamilton's equations; none where random bodies leave some motion without inertia."""
     if newton_euler(system).mass_matrix.rank() < len(system.speeds):
-        with pytest.raises(ModelError, match="the mass matrix of"):
+        with pytest.raises(ModelError, match="the mass matrix is singular"):
             hamilton(system)
         return None
     return hamilton(system)

@@ -9,7 +9,7 @@ from symbody.geometry.given.argument import checked
 from symbody.multibody.body import Body
 from symbody.symbolic import Expr, derivation
 
-from .attachment import check_bodies, check_fixed, check_not_negative, forces
+from .attachment import check_bodies, check_fixed, forces
 from .element import Element
 from .line import Line, line_between
 
@@ -58,7 +58,6 @@ def spring(
     check_bodies(_WHERE, on, reaction)
     check_fixed(_WHERE, "at", at, on)
     check_fixed(_WHERE, "to", to, reaction)
-    check_not_negative(_WHERE, free_length=free_length)
     k, l0, c = (expression(each) for each in (stiffness, free_length, damping))
     with derivation():
         line = line_between(at, to, _WHERE)

@@ -23,7 +23,7 @@ from .kinematics import Kinematics
 from .least_norm import least_norm
 from .redundant_constraints import STEPS, Redundancy, redundancy
 from .vanishing_combinations import vanishing_combinations
-from .walk import CANCELLED, scaled, walk_configurations
+from .walk import CANCELLED, scaled, time_goes_on, walk_configurations
 
 __all__ = ["overconstraint"]
 
@@ -72,14 +72,17 @@ def overconstraint(
         _check_motion_is_left(system, slopes, kernel, where)
         if not redundant:
             return None
+    if kinematics.is_rheonomic and not time_goes_on(kinematics, p, time, q):
+        return None  # they contradict each other from now on
     suitable = next((each for each in known if each.suits(system, slopes)), None)
     if suitable is not None:
         return suitable
     gradients = [scaled(J) for J in walk_configurations(kinematics, p, time, q, STEPS)]
     found = redundancy(system, gradients)
-    if not is_usual and (len(gradients) <= _STANDING or found.count == redundant):
+    is_standing = len(gradients) <= _STANDING  # what holds at one position alone is no redundancy
+    if not is_usual and (is_standing or found.count == redundant):
         _check_moves_elsewhere(system, slopes, kernel, where)
-    return found if found.count else None
+    return found if found.count and (is_usual or not is_standing) else None
 
 
 def _check_motion_is_left(system: Variables, A: Array, kernel: Array, where: str) -> None:

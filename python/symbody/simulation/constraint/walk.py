@@ -17,7 +17,14 @@ from .gauss_newton import gauss_newton
 from .kinematics import Kinematics
 from .vanishing_combinations import vanishing_combinations
 
-__all__ = ["CANCELLED", "ConfigurationSpace", "free_directions", "scaled", "walk_configurations"]
+__all__ = [
+    "CANCELLED",
+    "ConfigurationSpace",
+    "free_directions",
+    "scaled",
+    "time_goes_on",
+    "walk_configurations",
+]
 
 Array = NDArray[np.float64]
 
@@ -58,6 +65,23 @@ def walk_configurations(
         for direction in _freedoms(space.slopes(first)[0]):
             for sign in (1.0, -1.0):
                 yield from _walked(space, first, sign * direction, steps)
+
+
+def time_goes_on(kinematics: Kinematics, p: Array, t: float, begin: Array) -> bool:
+    """Return whether the constraints can be satisfied a step later, along the direction nearest to that of the time.
+
+    Args:
+        kinematics: the constraints, some of which hold the time.
+        p: the values of their parameters.
+        t: the time, in s.
+        begin: the coordinates of the position.
+    """
+    space, place = ConfigurationSpace(kinematics, p, t, follows_time=True), np.append(begin, t)
+    J, K = space.slopes(place)
+    if not np.isfinite(J).all():
+        return False
+    free = free_directions(J)
+    return bool(len(space.step(place, K @ (free.T @ free[:, -1]))))
 
 
 def _walked(space: ConfigurationSpace, begin: Array, direction: Array, steps: int) -> Iterator[Array]:
