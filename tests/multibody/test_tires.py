@@ -377,5 +377,10 @@ def test_a_load_that_pulls_gives_no_forces() -> None:
     law = magic_formula(ROLLING)
     assert law(-100, 0.1, 0.1).longitudinal.is_zero
     assert linear_tire(longitudinal=20, per_load=True)(-5, 0.1).longitudinal.is_zero
-    assert law(N, 0.1) == law(N, 0.1)
-    assert law(4000, 0.1).longitudinal.evaluate({}) > 0
+    pulling = symbols("pulling")
+    assert law(pulling, 0.1).longitudinal.evaluate({pulling: -100}) == 0
+    assert (
+        law(pulling, 0.1).longitudinal.evaluate({pulling: 4000})
+        == law(4000, 0.1).longitudinal.evaluate({})
+        > 3000
+    )

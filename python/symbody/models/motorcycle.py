@@ -2,11 +2,44 @@
 
 from __future__ import annotations
 
+from typing import NamedTuple
+
 from symbody.geometry import Point, Vector, ground, rotate, translate
 from symbody.multibody import Body, Constraint, Element, Force, System, friction, motor, tire_kinematics
+from symbody.multibody.element.tire_kinematics import TireKinematics
 from symbody.symbolic import Expr, cos, functions_of_time, sin, symbols, time_derivative
 
 from .classic_system import ClassicSystem
+
+_NUMBERS = {
+    "mr": 217.45,
+    "mf": 30.65,
+    "h": 0.6157,
+    "a": 0.9485,
+    "b": 0.4798,
+    "e": 0.0244,
+    "f": 0.0283,
+    "tn": 0.1158,
+    "eps": 0.4715,
+    "Rr": 0.3048,
+    "Rf": 0.3048,
+    "Irx": 31.184,
+    "Iry": 30.0,
+    "Irz": 21.068,
+    "Crxz": 1.7354,
+    "Ifx": 1.2338,
+    "Ify": 1.2,
+    "Ifz": 0.442,
+    "iry": 1.0508,
+    "ify": 0.7186,
+    "Cr1": 15831.0,
+    "Cr2": 1325.6,
+    "Cf1": 11174.0,
+    "Cf2": 938.6,
+    "sigma": 0.2438,
+    "K": 6.7791,
+    "g": 9.81,
+}
 
 
 def motorcycle() -> ClassicSystem:
@@ -26,9 +59,9 @@ def motorcycle() -> ClassicSystem:
     >>> *model.system.states, len(model.system.constraints)
     (Yr, Yf, 4)
     """
-    mr, mf, h, a, b, e, f, tn, eps, Rr, Rf = symbols("mr mf h a b e f tn eps Rr Rf")
-    Irx, Iry, Irz, Crxz, Ifx, Ify, Ifz, iry, ify = symbols("Irx Iry Irz Crxz Ifx Ify Ifz iry ify")
-    Cr1, Cr2, Cf1, Cf2, sigma, K, g = symbols("Cr1 Cr2 Cf1 Cf2 sigma K g")
+    parameters = symbols(" ".join(_NUMBERS))
+    mr, mf, h, a, b, e, f, tn, eps, Rr, Rf, Irx, Iry, Irz, Crxz, *others = parameters
+    Ifx, Ify, Ifz, iry, ify, Cr1, Cr2, Cf1, Cf2, sigma, K, g = others
     coordinates = functions_of_time("x y z psi phi theta delta phir phif")
     x, y, z, psi, phi, theta, delta, phir, phif = coordinates
     Yr, Yf, tau = functions_of_time("Yr Yf tau")
@@ -43,68 +76,51 @@ def motorcycle() -> ClassicSystem:
     rear = Body(main * translate(-b, 0, Rr) * rotate("Y", phir), 0, Iy=iry, name="rear wheel")
     front = Body(fork * hub * rotate("Y", phif), 0, Iy=ify, name="front wheel")
 
-    loads: list[Force | Element] = [
+    steering: list[Force | Element] = [
         motor(delta, tau, on=steered, reaction=frame, name="steering torque"),
         friction(delta, viscous=K, on=steered, reaction=frame, name="steering damper"),
     ]
-    constraints: list[Constraint] = []
-    states: dict[Expr, Expr] = {}
-    for wheel, radius, carrier, Y, C1, C2 in (
-        (rear, Rr, heading, Yr, Cr1, Cr2),
-        (front, Rf, None, Yf, Cf1, Cf2),
-    ):
-        contact = tire_kinematics(wheel, radius, carrier=carrier)
-        loads.append(
-            Force(Y * contact.lateral, at=contact.contact, on=wheel, name=f"tyre of the {wheel.name}")
-        )
-        states[Y] = -(C1 * contact.VN + contact.VS * (C2 * contact.camber + Y)) / sigma
-        constraints += [
-            Constraint(contact.deflection, f"the {wheel.name} touches the ground"),
-            Constraint(contact.VS + contact.VR, f"the {wheel.name} rolls"),
-        ]
+    tyres = [
+        _on_tyre(rear, tire_kinematics(rear, Rr, carrier=heading), Yr, (Cr1, Cr2, sigma)),
+        _on_tyre(front, tire_kinematics(front, Rf), Yf, (Cf1, Cf2, sigma)),
+    ]
     system = System(
         [frame, steered, rear, front],
-        loads,
+        [*steering, *(tyre.force for tyre in tyres)],
         coordinates,
-        constraints,
+        [constraint for tyre in tyres for constraint in tyre.constraints],
         Vector(ground, 0, 0, -g),
-        states=states,
+        states={tyre.state: tyre.rate for tyre in tyres},
         name="Motorcycle",
     )
-    numbers = {
-        mr: 217.45,
-        mf: 30.65,
-        h: 0.6157,
-        a: 0.9485,
-        b: 0.4798,
-        e: 0.0244,
-        f: 0.0283,
-        tn: 0.1158,
-        eps: 0.4715,
-        Rr: 0.3048,
-        Rf: 0.3048,
-        Irx: 31.184,
-        Iry: 30.0,
-        Irz: 21.068,
-        Crxz: 1.7354,
-        Ifx: 1.2338,
-        Ify: 1.2,
-        Ifz: 0.442,
-        iry: 1.0508,
-        ify: 0.7186,
-        Cr1: 15831.0,
-        Cr2: 1325.6,
-        Cf1: 11174.0,
-        Cf2: 938.6,
-        sigma: 0.2438,
-        K: 6.7791,
-        g: 9.81,
-    }
     return ClassicSystem(
         system,
         "Sharp, The stability and control of motorcycles, J. Mechanical Engineering Science 13 (1971), p. 316, with"
         " numbers in SI units as later work quotes them; Iry and Ify, which do not occur there, are typical",
-        numbers,
+        {each: _NUMBERS[str(each)] for each in parameters},
         {time_derivative(x): 15.0, time_derivative(phi): 0.2},
         {tau: 0.0},
+    )
+
+
+class _Tyre(NamedTuple):
+    """A wheel on the road: its lateral force, which is a state, and the constraints of its contact."""
+
+    force: Force
+    state: Expr
+    rate: Expr
+    constraints: tuple[Constraint, Constraint]
+
+
+def _on_tyre(wheel: Body, contact: TireKinematics, Y: Expr, law: tuple[Expr, Expr, Expr]) -> _Tyre:
+    """Return the tyre of a wheel by the law of cornering stiffness, camber stiffness and relaxation length."""
+    C1, C2, sigma = law
+    return _Tyre(
+        Force(Y * contact.lateral, at=contact.contact, on=wheel, name=f"tyre of the {wheel.name}"),
+        Y,
+        -(C1 * contact.VN + contact.VS * (C2 * contact.camber + Y)) / sigma,
+        (
+            Constraint(contact.deflection, f"the {wheel.name} touches the ground"),
+            Constraint(contact.VS + contact.VR, f"the {wheel.name} rolls"),
+        ),
     )

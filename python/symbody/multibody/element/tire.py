@@ -9,12 +9,13 @@ from symbody.geometry import Frame, Scalar, ground
 from symbody.geometry.component.triple import expression
 from symbody.geometry.given.argument import checked
 from symbody.multibody.body import Body
-from symbody.symbolic import Abs, Expr, Max, derivation, functions_of_time, sign, sqrt, tanh
+from symbody.multibody.load import Action
+from symbody.symbolic import Abs, Expr, Max, derivation, functions_of_time, number, sign, sqrt, tanh
 
 from .attachment import check_bodies, check_fixed, forces, torques
 from .element import Element
 from .linear_tire import LinearTire
-from .tire_force import TireLaw
+from .tire_force import TireForce, TireLaw
 from .tire_kinematics import TireKinematics, tire_kinematics
 
 _WHERE = "tire"
@@ -99,33 +100,54 @@ def tire(
         slip = _slips(contact, relaxation, expression(least_speed), name)
         _check_lift_off(law, stiffness)
         found = law(vertical.load, slip.kappa, slip.alpha, contact.camber)
-        resisting = found.rolling * _ahead(contact.VR, expression(least_speed))
-        force = contact.longitudinal * found.longitudinal + contact.lateral * found.lateral
-        if load is None:
-            force += contact.normal * vertical.load
-        moment = contact.longitudinal * found.overturning + contact.lateral * resisting
-        moment += contact.normal * found.aligning
-        actions = forces(force, contact.contact, wheel, reaction)
-        if not all(component.is_zero for component in moment.components):
-            actions += torques(moment, wheel, reaction)
-        quantities = {
-            "load": vertical.load,
-            "kappa": slip.kappa,
-            "lateral_slip": slip.alpha,
-            "camber": contact.camber,
-            "deflection": contact.deflection,
-            "Fx": found.longitudinal,
-            "Fy": found.lateral,
-            "Mx": found.overturning,
-            "My": resisting,
-            "Mz": found.aligning,
-            "VS": contact.VS,
-            "VN": contact.VN,
-            "VR": contact.VR,
-        }
+        found = found._replace(rolling=found.rolling * _ahead(contact.VR, expression(least_speed)))
+        carried = vertical.load if load is None else number(0)
+        actions = _actions(contact, found, carried, wheel, reaction)
+    quantities = _quantities(contact, found, vertical.load, slip)
     return Element(
         _WHERE, actions, potential=vertical.potential, states=slip.states, quantities=quantities, name=name
     )
+
+
+def _actions(
+    contact: TireKinematics, found: TireForce, carried: Expr, wheel: Body, reaction: Body | None
+) -> list[Action]:
+    """Return the force at the contact and the moment about it.
+
+    Args:
+        contact: the contact, and its axes.
+        found: the forces and moments in these axes.
+        carried: the vertical load, if it is part of the force.
+        wheel: the wheel.
+        reaction: the body that carries the road, if there is one.
+    """
+    force = contact.longitudinal * found.longitudinal + contact.lateral * found.lateral
+    if not carried.is_zero:
+        force += contact.normal * carried
+    moment = contact.longitudinal * found.overturning + contact.lateral * found.rolling
+    moment += contact.normal * found.aligning
+    actions = forces(force, contact.contact, wheel, reaction)
+    if all(component.is_zero for component in moment.components):
+        return actions
+    return actions + torques(moment, wheel, reaction)
+
+
+def _quantities(contact: TireKinematics, found: TireForce, load: Expr, slip: _Slips) -> dict[str, Expr]:
+    return {
+        "load": load,
+        "kappa": slip.kappa,
+        "lateral_slip": slip.alpha,
+        "camber": contact.camber,
+        "deflection": contact.deflection,
+        "Fx": found.longitudinal,
+        "Fy": found.lateral,
+        "Mx": found.overturning,
+        "My": found.rolling,
+        "Mz": found.aligning,
+        "VS": contact.VS,
+        "VN": contact.VN,
+        "VR": contact.VR,
+    }
 
 
 def _ahead(VR: Expr, least: Expr) -> Expr:
