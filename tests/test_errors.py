@@ -642,7 +642,7 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
     (
         errors.JointError,
         lambda: Link("rod", 1, center=(1, 0)),
-        "Link rod: center has 2 coordinates; expected three, or a frame at the centre of mass",
+        "Link rod: center has 2 coordinates; expected three, or a frame",
     ),
     (
         errors.JointError,
@@ -2196,8 +2196,8 @@ def test_notice_of_dependent_constraints() -> None:
     frame = translate(x, y, z) * rotate("X", phi)
     beads = System([Body(frame, m)], coordinates=[x, y, z, phi], constraints=[x**2 - y, y - z, x**2 - z])
     rest = (
-        "its gradient is a combination of theirs, so that their multipliers aren't determined; forward dynamics takes "
-        "those of minimum norm; leave it out if it is redundant"
+        "its gradient is a combination of theirs, so that their multipliers aren't determined: forward dynamics takes "
+        "those of minimum norm, and a simulation leaves out what is redundant"
     )
     for mistake, message in (
         (

@@ -158,6 +158,14 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
     # --- singular mass matrices ---
     (
         errors.ModelError,
+        lambda: equations_of([[1]], [0], [x], states={x: dx}),
+        (
+            "equations_of: x is both a state and a coordinate; the equations of motion determine coordinates and "
+            "speeds, and inputs are given: leave it out of one of them"
+        ),
+    ),
+    (
+        errors.ModelError,
         lambda: simulate(equations_of([[m, m], [m, m]], [x, y], [x, y]), {m: 1}, {x: 1}, (0, 1)),
         (
             "forward_dynamics: the mass matrix is singular: a combination of x', y' moves no mass; give it some, or "

@@ -55,7 +55,7 @@ class Unknown(NamedTuple):
         )
 
 
-def given_rates(states: Mapping[Expr, object] | None) -> dict[Expr, Expr]:
+def given_rates(states: Mapping[Expr, object] | None, where: str = "System") -> dict[Expr, Expr]:
     """Return the rates of states as expressions.
 
     Raises:
@@ -64,11 +64,12 @@ def given_rates(states: Mapping[Expr, object] | None) -> dict[Expr, Expr]:
     """
     if states is not None and not isinstance(states, Mapping):
         raise ModelError(
-            f"System: states = {described(states)}; expected a dictionary of functions of time and their rates, such "
+            f"{where}: states = {described(states)}; expected a dictionary of functions of time and their rates, such "
             "as {z: (x - z)/T}"
         )
     return {
-        z: expression(rate, f"System, the rate of the state {brief(z)}") for z, rate in (states or {}).items()
+        z: expression(rate, f"{where}, the rate of the state {brief(z)}")
+        for z, rate in (states or {}).items()
     }
 
 
@@ -90,27 +91,28 @@ def all_rates(states: Mapping[Expr, object] | None, loads: Iterable[Load]) -> di
     return rates
 
 
-def check_states(rates: Mapping[Expr, Expr], unknown: Unknown) -> None:
+def check_states(rates: Mapping[Expr, Expr], unknown: Unknown, where: str = "System") -> None:
     """Check that states are functions of time of their own, with rates that the motion determines.
 
     Args:
         rates: the rate of each state, as it was given.
         unknown: the other unknowns of the system.
+        where: the function that the user called, for messages.
 
     Raises:
         ModelError: a state or a rate is something else.
     """
     taken = {each.name: kind for kind, each in _kinds(unknown)}
     for state in rates:
-        check_function_of_time(state, "System: the state")
+        check_function_of_time(state, f"{where}: the state")
     states = {state.name for state in rates}
     for state, rate in rates.items():
         if state.name in taken:
             raise ModelError(
-                f"System: {state} is both a state and {taken[state.name]}; the equations of motion determine "
+                f"{where}: {state} is both a state and {taken[state.name]}; the equations of motion determine "
                 "coordinates and speeds, and inputs are given: leave it out of one of them"
             )
-        _check_rate(state, rate, states, unknown.orders)
+        _check_rate(f"{where}: the rate of the state {state}", rate, states, unknown.orders)
 
 
 def _kinds(unknown: Unknown) -> Iterable[tuple[str, Expr]]:
@@ -118,16 +120,16 @@ def _kinds(unknown: Unknown) -> Iterable[tuple[str, Expr]]:
     return ((name, each) for name, members in zip(names, unknown, strict=True) for each in members)
 
 
-def _check_rate(state: Expr, rate: Expr, states: set[str], orders: Mapping[str, int]) -> None:
+def _check_rate(what: str, rate: Expr, states: set[str], orders: Mapping[str, int]) -> None:
     for leaf in sorted((leaf for leaf in rate.free_symbols if leaf.kind == "time_function"), key=str):
         if leaf.name in states and leaf.order > 0:
             raise ModelError(
-                f"System: the rate of the state {state} holds {leaf}; expected an expression of states, not of their "
+                f"{what} holds {leaf}; expected an expression of states, not of their "
                 "rates: substitute the rate, or give an equation of second order by two states"
             )
         if leaf.order > orders.get(leaf.name, leaf.order):
             raise ModelError(
-                f"System: the rate of the state {state} holds {leaf}, which the equations of motion don't determine; "
+                f"{what} holds {leaf}, which the equations of motion don't determine; "
                 "expected coordinates, speeds, accelerations, multipliers, states, inputs and time"
             )
 
@@ -173,6 +175,7 @@ def check_constraints(
     constraints: Sequence[Constraint],
     on_positions: Collection[int],
     unknown: Unknown,
+    where: str = "System",
 ) -> None:
     """Check that constraints on velocities alone hold states, whose rates depend on no accelerations.
 
@@ -183,6 +186,7 @@ def check_constraints(
         constraints: all constraints.
         on_positions: the places of those on positions.
         unknown: the other unknowns of the system.
+        where: the function that the user called, for messages.
 
     Raises:
         ConstraintError: a constraint on positions holds a state, or one on velocities a state that follows from
@@ -192,10 +196,10 @@ def check_constraints(
     for place, constraint in enumerate(constraints):
         leaves = [leaf for leaf in constraint.condition.free_symbols if leaf.kind == "time_function"]
         held = sorted((leaf for leaf in leaves if leaf.name in by_name), key=str)
-        where = f"System: constraint {place + 1}, {constraint},"
+        named = f"{where}: constraint {place + 1}, {constraint},"
         if held and place in on_positions:
             raise ConstraintError(
-                f"{where} holds the state {held[0].name}; {_NO_ACCELERATION}; expected states in loads and in "
+                f"{named} holds the state {held[0].name}; {_NO_ACCELERATION}; expected states in loads and in "
                 "constraints on velocities: give the rate of the constraint, or model the drive as a coordinate"
             )
         for leaf in held:
@@ -203,7 +207,7 @@ def check_constraints(
             if leaf.order > 1 or strange is not None:
                 found = f"{leaf}" if strange is None else f"{leaf.name}, whose rate depends on {strange}"
                 raise ConstraintError(
-                    f"{where} holds {found}; expected states whose rates depend on positions, speeds, states and "
+                    f"{named} holds {found}; expected states whose rates depend on positions, speeds, states and "
                     "inputs, as accelerations and multipliers follow from the constraint"
                 )
 

@@ -79,7 +79,7 @@ def equations_of(
     M = _square(mass_matrix)
     f = _column(forcing)
     rates = _coordinate_rates(kinematics or {}, coordinates)
-    beside = given_rates(states)
+    beside = given_rates(states, Variables.where)
     given: tuple[Expr, ...] = () if energy is None else (expression(energy),)
     variables = Variables(
         [expression(each) for each in coordinates],
@@ -96,8 +96,8 @@ def equations_of(
     unknown = Unknown(
         variables.coordinates, variables.quasi_velocities, variables.multipliers, variables.inputs
     )
-    check_states(beside, unknown)
-    check_constraints(beside, variables.conditions, variables.holonomic, unknown)
+    check_states(beside, unknown, variables.where)
+    check_constraints(beside, variables.conditions, variables.holonomic, unknown, variables.where)
     _check_sizes(M, f, variables)
     _check_kinematics(variables)
     with derivation():

@@ -151,7 +151,7 @@ def _report(system: Variables, place: int, combined: Sequence[int], rest: Expr) 
         return f"{constraint} always holds, and restrains nothing; leave it out, or correct it"
     return (
         f"{constraint} depends on {others}: its gradient is a combination of theirs, so that their multipliers aren't "
-        "determined; forward dynamics takes those of minimum norm; leave it out if it is redundant"
+        "determined: forward dynamics takes those of minimum norm, and a simulation leaves out what is redundant"
     )
 
 

@@ -7,12 +7,12 @@ from dataclasses import dataclass
 from typing import Annotated, TypeAlias, final
 
 from symbody.errors import JointError
-from symbody.geometry import Frame, Scalar, translate
+from symbody.geometry import Frame, Scalar
 from symbody.geometry.component.triple import expression
 from symbody.symbolic import Expr, functions_of_time
 from symbody.symbolic.given.arguments import brief, counted
 
-from .link import Link, Place
+from .link import Link, Place, fixed_place
 from .pair import Pair
 
 __all__ = ["Angles", "Joint", "Limits", "Mounting", "Part", "joined"]
@@ -140,21 +140,13 @@ def mounted(
             f"{kind} {name}: joins {brief(parent)} to {brief(child)}; expected two links, or a frame and a link"
         )
     return Mounting(
-        name, parent, child, _frame(f"{kind} {name}: at", at), _frame(f"{kind} {name}: to", to), loop
+        name,
+        parent,
+        child,
+        fixed_place(f"{kind} {name}: at", at),
+        fixed_place(f"{kind} {name}: to", to),
+        loop,
     )
-
-
-def _frame(where: str, place: Place) -> Frame:
-    if not isinstance(place, Frame):
-        if len(place) != 3:
-            raise JointError(f"{where} has {counted(len(place), 'coordinate')}; expected three, or a frame")
-        place = translate(*place)
-    moving = next((motion for motion in place.motions if not motion.is_constant), None)
-    if moving is not None:
-        raise JointError(
-            f"{where} = {brief(place)} moves; expected a place that is fixed in the body, in whose axes it is given"
-        )
-    return place
 
 
 def joined(

@@ -6,15 +6,30 @@ from collections.abc import Sequence
 from typing import Annotated, TypeAlias, final
 
 from symbody.errors import JointError
-from symbody.geometry import Frame, Point, Scalar
+from symbody.geometry import Frame, Scalar, translate
 from symbody.geometry.component.triple import expression, triple
 from symbody.geometry.given.argument import checked
 from symbody.multibody.body import Body
+from symbody.symbolic.given.arguments import brief, counted
 
 Place: TypeAlias = Annotated[
     Frame | Sequence[Scalar],
     "three coordinates, such as (a, 0, 0), or a frame, such as translate(a, 0, 0) * rotate('X', alpha)",
 ]
+
+
+def fixed_place(where: str, place: Place) -> Frame:
+    """Return a place in a body as a frame; raise an error if it moves there."""
+    if not isinstance(place, Frame):
+        if len(place) != 3:
+            raise JointError(f"{where} has {counted(len(place), 'coordinate')}; expected three, or a frame")
+        place = translate(*place)
+    moving = next((motion for motion in place.motions if not motion.is_constant), None)
+    if moving is not None:
+        raise JointError(
+            f"{where} = {brief(place)} moves; expected a place that is fixed in the body, in whose axes it is given"
+        )
+    return place
 
 
 @final
@@ -60,17 +75,11 @@ class Link:
         self.name = name
         self.mass = expression(mass)
         self.moments, self.products = triple(Ix, Iy, Iz), triple(Cyz, Cxz, Cxy)
-        if not isinstance(center, Frame) and len(center) != 3:
-            raise JointError(
-                f"Link {name}: center has {len(center)} coordinates; expected three, or a frame at the centre of mass"
-            )
-        self.center = center
+        self.center = fixed_place(f"Link {name}: center", center)
 
     def body(self, frame: Frame) -> Body:
         """Return the body of the link, whose axes are those of a frame."""
-        center = self.center
-        place = frame * center if isinstance(center, Frame) else Point(frame, *center)
-        return Body(place, self.mass, *self.moments, *self.products, name=self.name)
+        return Body(frame * self.center, self.mass, *self.moments, *self.products, name=self.name)
 
     def __repr__(self) -> str:
         return self.name

@@ -94,7 +94,7 @@ def _check_motion_is_left(system: Variables, A: Array, kernel: Array, where: str
         kernel: a basis of the speeds that they allow, as columns, shape (n, f).
         where: the function that the user called, for messages.
     """
-    if kernel.shape[1]:
+    if kernel.shape[1] or A.shape[1] > len(system.speeds):  # with the time, some motion is demanded
         return
     s = np.linalg.svd(scaled(A), compute_uv=False)
     ratio = float(s[len(system.speeds) - 1] / s[0])

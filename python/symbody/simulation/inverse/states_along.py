@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from contextlib import suppress
 from dataclasses import dataclass
 from functools import cached_property, lru_cache
 
@@ -120,15 +121,15 @@ def integrated_states(beside: Beside, motion: Callable[[float], Array], instants
         progress.note(time, value)
         return value
 
-    span = instants[0], instants[-1]
-    try:
+    span, found = (instants[0], instants[-1]), None
+    with suppress(FloatingPointError):
         found = solve_ivp(rate, span, beside.start, "LSODA", instants, rtol=_EXACT, atol=_EXACT / 100)
-    except FloatingPointError as failure:
+    if found is None or not found.success:
         names = ", ".join(map(str, beside.rates.states))
         raise SimulationError(
             f"{where}: along the motion, the rates of {names} grow beyond bounds near t = {progress.reached:.3g} s; "
             "give other initial values, or prescribe another motion"
-        ) from failure
+        )
     rows: Array = found.y.T
     return rows
 
