@@ -87,6 +87,9 @@ bench: $(STAMPS)/build $(STAMPS)/bench  ## measure against the rivals (a quarter
 	$(BIN)/python -m benchmarks.evaluate.run
 	$(BIN)/python -m benchmarks.simulate.run
 	$(BIN)/python -m benchmarks.singular.run
+	$(BIN)/python -m benchmarks.linear.small_variables
+	$(BIN)/python -m benchmarks.linear.run
+	$(BIN)/python -m benchmarks.sensitivity.run
 
 docs: $(STAMPS)/build $(STAMPS)/docs $(STAMPS)/develop  ## check the documents, write the API reference into site/
 	$(PYTEST) tests/test_documents.py

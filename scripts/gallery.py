@@ -9,10 +9,12 @@ import inspect
 from collections.abc import Callable
 from pathlib import Path
 
-from symbody import cost, forward_dynamics, newton_euler, simulate
+from symbody import cost, forward_dynamics, newton_euler, number, simulate
 from symbody.models import MODELS, ClassicSystem
 from symbody.view.sketch import sketch
 from symbody.view.svg import sketch_svg
+
+from .gallery_drawings import drawing_of
 
 DOCS = Path(__file__).parents[1] / "docs"
 PAGE = DOCS / "models.md"
@@ -98,22 +100,29 @@ def _section(make: Make, model: ClassicSystem) -> str:
     )
 
 
-def picture(model: ClassicSystem) -> str:
+def picture(make: Make) -> str:
     """Return a model at the first instant of its motion, as SVG."""
+    model = make()
     motion = simulate(
         newton_euler(model.system),
         model.parameters,
         model.initial,
-        (0, 0.5),
+        (0, _duration(model)),
         inputs=model.inputs,
         guess=model.guess,
     )
-    return sketch_svg(sketch(motion))
+    return sketch_svg(sketch(motion, options=drawing_of(make.__name__, model)))
+
+
+def _duration(model: ClassicSystem) -> float:
+    """Return how long a model moves for its picture, in s: less for vehicles, whose way would make them small."""
+    speed = model.initial.get(model.names.get("x'", number(0)), 0.0)
+    return 0.5 if speed < 10 else 0.02
 
 
 if __name__ == "__main__":
     PAGE.write_text(page(), encoding="utf-8")
     PICTURES.mkdir(parents=True, exist_ok=True)
     for each in MODELS:
-        (PICTURES / f"{each.__name__}.svg").write_text(picture(each()), encoding="utf-8")
+        (PICTURES / f"{each.__name__}.svg").write_text(picture(each), encoding="utf-8")
     print(f"{PAGE}: {len(MODELS)} models")

@@ -36,8 +36,11 @@ def pytest_configure() -> None:
 
 
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
-    """Leave out the tests marked `repeated`, unless all are wanted."""
-    if os.environ.get("SYMBODY_FUZZ") == "all":
+    """Leave out the tests marked `repeated`, unless all are wanted: pytest counts them as deselected."""
+    wanted = os.environ.get("SYMBODY_FUZZ", "")
+    if wanted not in ("", "all"):
+        raise pytest.UsageError(f"SYMBODY_FUZZ is {wanted!r}; expected 'all', or no such variable")
+    if wanted == "all":
         return
     left_out = [item for item in items if item.get_closest_marker("repeated")]
     config.hook.pytest_deselected(items=left_out)

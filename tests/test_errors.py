@@ -33,6 +33,7 @@ from symbody import (
     consistent_state,
     contact,
     cos,
+    cylindrical,
     displaced,
     dot,
     embedded,
@@ -40,6 +41,7 @@ from symbody import (
     equilibrium,
     errors,
     euler_equations,
+    fixed,
     floating_frame,
     forward_dynamics,
     free,
@@ -62,6 +64,7 @@ from symbody import (
     line_force,
     linear_tire,
     magic_formula,
+    models,
     motor,
     moving_frame,
     newton_equations,
@@ -76,6 +79,7 @@ from symbody import (
     project,
     rack,
     reaction,
+    resultant,
     revolute,
     rolling,
     rotate,
@@ -84,15 +88,19 @@ from symbody import (
     show,
     simulate,
     sin,
+    small,
     spherical,
     spring,
+    sqrt,
     stops,
     subs,
     symbols,
     t,
+    taylor,
     time_derivative,
     tire,
     tire_kinematics,
+    tire_shape,
     torsion_spring,
     translate,
     universal,
@@ -186,7 +194,92 @@ def relaxed(length: float) -> Element:
     return tire(wheel, a, linear_tire(), load=F, relaxation=(length, length), carrier=hub, name="front")
 
 
+tilt = small(functions_of_time("tilt"))
+
+
+def tilting(**options: object) -> System:
+    """Return a body that tilts a little."""
+    return System([Body(rotate("X", tilt), 1, Ix=1)], coordinates=[tilt], **options)  # type: ignore[arg-type]
+
+
 MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
+    # --- small variables ---
+    (errors.ArgumentError, small, "small: no variables; give some, such as small(x, psi)"),
+    (
+        errors.ArgumentError,
+        lambda: small([x]),
+        (
+            "small: [x] is a list; expected symbols and functions of time, one by one: "
+            "small(*functions_of_time('x psi'))"
+        ),
+    ),
+    (
+        errors.ArgumentError,
+        lambda: small(x + 1),
+        ("small: x + 1 is not a symbol or a function of time; write 1 + x for a value near 1, with x small"),
+    ),
+    (
+        errors.ArgumentError,
+        lambda: small(symbols("length", positive=True)),
+        (
+            "small: length is assumed to be positive, and small variables are real, of either sign; "
+            "use symbols without assumptions"
+        ),
+    ),
+    (
+        errors.ArgumentError,
+        lambda: functions_of_time("x", small=True),
+        "functions_of_time: small is a function, not an option; expected small(*functions_of_time('x'))",
+    ),
+    (
+        errors.ExpressionError,
+        lambda: taylor(sqrt(tilt)),
+        (
+            "sqrt(tilt) has no expansion in small tilt: it is singular, or 0/0, where small variables are zero; "
+            "expand it at a regular value (1 + x for a variable near 1), or leave tilt out of the small variables"
+        ),
+    ),
+    (
+        errors.ArgumentError,
+        lambda: taylor(x, [x + 1]),
+        "taylor: x + 1 is not a variable; expand in symbols or functions of time",
+    ),
+    (errors.ArgumentError, lambda: taylor(x, {x: x + 1}), "taylor: the value x + 1 of x contains x itself"),
+    (
+        errors.ArgumentError,
+        lambda: taylor(x, [x], -1),
+        "taylor: the order is -1; expected 0, 1, 2, ... degrees",
+    ),
+    (errors.ExpressionError, lambda: taylor(x, [x], 21), "degree of an expansion: at most 20, found 21"),
+    (
+        errors.ArgumentError,
+        lambda: taylor(x, "x"),  # type: ignore[arg-type]
+        "taylor: 'x' is a str; expected variables, such as [x, y], or values: {x: 1}",
+    ),
+    (
+        errors.ModelError,
+        lambda: hamilton(tilting()),
+        (
+            "hamilton: tilt is small, but which momenta are small is not known; use lagrange_equations, or variables "
+            "that are not marked as small, and taylor of the result"
+        ),
+    ),
+    (
+        errors.ModelError,
+        lambda: forward_dynamics(newton_euler(tilting()), method="articulated_body"),
+        (
+            "forward_dynamics: the articulated-body recursion doesn't know which accelerations are small; "
+            "use method='auto'"
+        ),
+    ),
+    (
+        errors.ModelError,
+        lambda: tilting(speeds=[phi], kinematics={time_derivative(tilt): 2 * phi}),
+        (
+            "System: tilt is small, but its rate 2*phi is not: it is 2*phi where small variables vanish; "
+            "mark the variables there as small, too, or don't mark tilt"
+        ),
+    ),
     # --- elements ---
     (
         errors.LoadError,
@@ -242,17 +335,100 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
         lambda: torsion_spring(phi, F, on=body),
         (
             "torsion_spring: bead doesn't move against ground about or along one axis at the rate of phi; "
-            "expected the coordinate of a hinge or a slide between them, or the difference of absolute ones; if "
-            "several joints are between them, put massless bodies there: Body(frame, 0)"
+            "expected the coordinate of a joint between them, or the difference of absolute ones; if several joints "
+            "are between them, put massless bodies there: Body(frame, 0); of a joint that closes a loop, give "
+            "mechanism.joint(...).freedom()"
         ),
     ),
     (
         errors.LoadError,
-        lambda: motor(x, F, on=body),
+        lambda: motor(x, F, on=Body(rotate("Z", phi) * translate(1, 0, 0) * rotate("X", x), m, name="bead")),
         (
             "motor: bead doesn't move against ground about or along one axis at the rate of x; expected the "
-            "coordinate of a hinge or a slide between them, or the difference of absolute ones; if several joints"
-            " are between them, put massless bodies there: Body(frame, 0)"
+            "coordinate of a joint between them, or the difference of absolute ones; if several joints are between "
+            "them, put massless bodies there: Body(frame, 0); of a joint that closes a loop, give "
+            "mechanism.joint(...).freedom()"
+        ),
+    ),
+    (
+        errors.LoadError,
+        lambda: motor(phi, F, on=A),
+        (
+            "motor: on = A is a Link; expected a body, such as Body(frame, mass); mechanism.body(link) is the body of "
+            "a link, with mechanism = assemble([...])"
+        ),
+    ),
+    (
+        errors.LoadError,
+        lambda: motor(pin, F, on=body),
+        (
+            "motor: coordinate = revolute P is a Joint; expected a coordinate of a joint, or a freedom of one, such as "
+            "mechanism.joint('C').freedom(); joint.coordinate is the coordinate of a joint of the tree"
+        ),
+    ),
+    (
+        errors.LoadError,
+        lambda: motor(x, F, on=other, limit=-2),
+        "motor: limit = -2; expected a positive number, the largest effort",
+    ),
+    (
+        errors.LoadError,
+        lambda: motor(x, F, on=other, limit=float("nan")),
+        (
+            "motor: limit = nan is a float; expected a positive number or an expression, the largest effort, or None "
+            "for no limit"
+        ),
+    ),
+    (
+        errors.ModelError,
+        lambda: newton_euler(assemble([fixed("W", ground, A)]).system()),
+        (
+            "System: no joint lets anything move, so that there are no coordinates and no equations of motion; the "
+            "forces in the joints of a structure are reaction(system, joint)"
+        ),
+    ),
+    (
+        errors.ModelError,
+        lambda: newton_euler(assemble([pin])),
+        (
+            "newton_euler: system = Mechanism(1 body, 1 joint, 1 coordinate, 0 constraints) is a Mechanism; expected a "
+            "system, such as System(bodies, loads, coordinates); mechanism.system(loads, gravity=...) is its system"
+        ),
+    ),
+    (
+        errors.JointError,
+        lambda: assemble([pin]).system(bodies=[Body(ground, 1)]),
+        (
+            "Mechanism.system: a body has no name; expected a name of its own for each body, such as Body(frame, 1, "
+            "name='rider'): reactions find bodies by their names"
+        ),
+    ),
+    (
+        errors.JointError,
+        lambda: assemble([pin]).system(bodies=[Body(ground, 1, name="A")]),
+        (
+            "Mechanism.system: two bodies have the name A; expected a name of its own for each body, such as "
+            "Body(frame, 1, name='rider'): reactions find bodies by their names"
+        ),
+    ),
+    (
+        errors.JointError,
+        lambda: assemble([cylindrical("P", ground, A)]).system(
+            bodies=[Body(translate(0, 0, functions_of_time("s_P")), 1, name="cross")]
+        ),
+        (
+            "Mechanism.system: the body cross moves by s_P, and no link carries it; expected a frame that is built on "
+            "that of a link, such as mechanism.frame(A) * rotate('X', 1)"
+        ),
+    ),
+    (
+        errors.JointError,
+        lambda: assemble([pin, fixed("W", A, B)]).system(
+            bodies=[Body(rotate("Z", pin.coordinate), 1, name="box")]
+        ),
+        (
+            "Mechanism.system: it isn't known which of A and B carries the body box, as they don't move against each "
+            "other; expected a frame that is built on that of one of them, or a Link on a fixed joint"
         ),
     ),
     (
@@ -419,6 +595,113 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
     ),
     (
         errors.LoadError,
+        lambda: friction(x, on=body),
+        "friction: no friction is given; expected viscous=c, or coulomb=Fc with creep_speed=v0",
+    ),
+    (
+        errors.LoadError,
+        lambda: friction(x, on=body, coulomb=2, static=1, stribeck_speed=0.1, creep_speed=0.01),
+        (
+            "friction: static = 1 is less than coulomb = 2; expected at least as much: a joint at rest resists more "
+            "than one that slides"
+        ),
+    ),
+    (
+        errors.LoadError,
+        lambda: air_force(body.center_of_mass, on=body, density=1.2),
+        "air_force: neither drag_area nor lift_area; expected at least one of them",
+    ),
+    (
+        errors.LoadError,
+        lambda: air_force(body.center_of_mass, on=body, density=-1.2, drag_area=1),
+        "air_force: density = -1.2; expected a number that isn't negative, as a size or a resistance is",
+    ),
+    (
+        errors.LoadError,
+        lambda: contact(body.center_of_mass, 0.1, -1e4, on=body),
+        "contact: stiffness = -10000.0; expected a number that isn't negative, as a size or a resistance is",
+    ),
+    (
+        errors.LoadError,
+        lambda: contact(body.center_of_mass, 0.1, 1e4, on=body, plane=body.frame),
+        (
+            "contact: plane = translate(x, y, 0) is fixed in the body bead of the sphere; expected a frame of another "
+            "body, or the ground"
+        ),
+    ),
+    (
+        errors.LoadError,
+        lambda: spring(body.center_of_mass, Point(body.frame, 0, 0, 1), 5, on=body),
+        (
+            "spring: to = Point(translate(x, y, 0), 0, 0, 1) is fixed in the body bead, on which the element acts; "
+            "expected a point of another body, with reaction=that body, or of the ground"
+        ),
+    ),
+    (
+        errors.LoadError,
+        lambda: spring(body.center_of_mass, origin(ground), 5, free_length=-1, on=body),
+        "spring: free_length = -1; expected a number that isn't negative, as a size or a resistance is",
+    ),
+    (
+        errors.LoadError,
+        lambda: tire(wheel, -0.3, linear_tire(), load=F),
+        "tire_kinematics: radius = -0.3; expected a positive number",
+    ),
+    (
+        errors.LoadError,
+        lambda: tire(wheel, a, linear_tire(), load=-4000),
+        "tire: load = -4000; expected a number that isn't negative, as a size or a resistance is",
+    ),
+    (
+        errors.LoadError,
+        lambda: tire(wheel, a, linear_tire(), load=F, relaxation=(-0.1, 0.3)),
+        (
+            "tire: relaxation = (-0.1, 0.3); expected two positive lengths, or no relaxation: slips that follow at "
+            "once need a least_speed, or a wheel that moves"
+        ),
+    ),
+    (
+        errors.LoadError,
+        lambda: tire(wheel, a, lambda N, kappa, slip, camber: (1, 2), load=F),
+        "tire: the law returns (1, 2); expected a TireForce, such as TireForce(Fx, Fy)",
+    ),
+    (
+        errors.LoadError,
+        lambda: tire(wheel, a, lambda N: N, load=F),
+        (
+            "tire: the law can't be called with four arguments (too many positional arguments); expected a function of "
+            "load, kappa, lateral_slip and camber"
+        ),
+    ),
+    (
+        errors.LoadError,
+        lambda: linear_tire(cornering=-4),
+        "linear_tire: cornering = -4; expected a number that isn't negative, as a size or a resistance is",
+    ),
+    (
+        errors.ModelError,
+        lambda: newton_euler(models.heavy_top()),
+        (
+            "newton_euler: system = ClassicSystem(System(Heavy top, 1 body, 0 loads, 3 coordinates)) is a "
+            "ClassicSystem; expected a system, such as System(bodies, loads, coordinates); model.system is the system "
+            "of a model"
+        ),
+    ),
+    (
+        errors.ModelError,
+        lambda: models.flexible_motorcycle("fast"),
+        (
+            "flexible_motorcycle: speed is 'fast'; expected a number of m/s above 0 and up to 70, for which the "
+            "polynomials of the tyres hold"
+        ),
+    ),
+    (
+        errors.BodyError,
+        lambda: combined([body, body]),
+        "combined: the body bead is given twice; give it once",
+    ),
+    (
+        errors.LoadError,
         lambda: tire(wheel, a, linear_tire(), load=F, stiffness=F),
         (
             "tire: both load and stiffness; expected the vertical load of the tyre, or the stiffness by which it "
@@ -445,6 +728,39 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
             "tire_kinematics: the spin axis, y of the wheel's frame, is across the road, whose normal is z; "
             "expected a wheel that stands on the road"
         ),
+    ),
+    (
+        errors.LoadError,
+        lambda: tire_kinematics(wheel, tire_shape(0, a), crown_radius=b),
+        (
+            "tire_kinematics: crown_radius = b beside a shape; expected a radius with it, or the crown in the profile "
+            "of the shape"
+        ),
+    ),
+    (
+        errors.LoadError,
+        lambda: tire_kinematics(wheel, a, spin_axis="Z"),
+        (
+            "tire_kinematics: spin_axis = 'Z'; expected 'Y' or '-Y', the axis of the wheel that points to the left"
+        ),
+    ),
+    (
+        errors.LoadError,
+        lambda: tire_kinematics(wheel, "big"),  # type: ignore[arg-type]
+        (
+            "tire_kinematics: radius = 'big' is a str; expected the radius of the tyre, or its shape, such as "
+            "tire_shape(y, z) returns"
+        ),
+    ),
+    (
+        errors.LoadError,
+        lambda: tire(wheel, a, linear_tire(), stiffness=F, load_acts=True),
+        "tire: load_acts without load; expected load=N, or a stiffness, whose load always acts",
+    ),
+    (
+        errors.LoadError,
+        lambda: resultant(spring(G, other.center_of_mass, F, on=body, reaction=other), G),
+        ("resultant: the loads act on bead, cart; expected loads on one body, or on=body for one of them"),
     ),
     (
         errors.LoadError,
@@ -666,7 +982,7 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
         errors.JointError,
         lambda: revolute("P", ground, body),
         (
-            "revolute: child = bead is a Body; expected a link, such as Link('rod', mass), or a frame that "
+            "revolute P: child = bead is a Body; expected a link, such as Link('rod', mass), or a frame that "
             "carries the mechanism, such as ground"
         ),
     ),
@@ -687,7 +1003,7 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
         errors.JointError,
         lambda: revolute("P", ground, A, at=3),
         (
-            "revolute: at = 3 is an int; expected three coordinates, such as (a, 0, 0), or a frame, such as "
+            "revolute P: at = 3 is an int; expected three coordinates, such as (a, 0, 0), or a frame, such as "
             "translate(a, 0, 0) * rotate('X', alpha)"
         ),
     ),
@@ -703,7 +1019,7 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
         errors.JointError,
         lambda: revolute("P", ground, A, axis=(1, 0, 0)),
         (
-            "revolute: axis = (1, 0, 0) is a tuple; expected 'X', 'Y' or 'Z'; for another axis, turn the places: "
+            "revolute P: axis = (1, 0, 0) is a tuple; expected 'X', 'Y' or 'Z'; for another axis, turn the places: "
             "at=rotate(...), to=rotate(...)"
         ),
     ),
@@ -718,7 +1034,7 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
     (
         errors.JointError,
         lambda: revolute("P", ground, A, coordinate="phi"),
-        "revolute: coordinate = 'phi' is a str; expected a function of time, such as functions_of_time('phi')",
+        "revolute P: coordinate = 'phi' is a str; expected a function of time, such as functions_of_time('phi')",
     ),
     (
         errors.JointError,
@@ -732,8 +1048,83 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
     ),
     (
         errors.JointError,
+        lambda: cylindrical("P", ground, A, limits={"s": (1, 0)}),
+        "cylindrical P: limits of s from 1 to 0; expected the least value first",
+    ),
+    (
+        errors.JointError,
+        lambda: assemble([pin, revolute("R", ground, A, at=(a, 0, 0), to=(0, 0, 1))]),
+        (
+            "assemble: revolute R doesn't close its loop at any position: R.x = -a, R.z = 1; expected places at and to "
+            "at which ground and A can meet"
+        ),
+    ),
+    (
+        errors.JointError,
+        lambda: cylindrical("P", ground, A, limits={"s": 1}),
+        "cylindrical P: limits of s = 1 is an int; expected two values, such as (-1, 1), or None for no limit",
+    ),
+    (
+        errors.ArgumentError,
+        lambda: revolute("P", ground),
+        "revolute: missing a required argument: 'child'",
+    ),
+    (
+        errors.JointError,
+        lambda: cylindrical("P", ground, A, limits={"x": (0, 1)}),
+        "cylindrical P: limits of 'x'; expected some of 's', 'phi'",
+    ),
+    (
+        errors.JointError,
+        lambda: universal("P", ground, A, limits=(0, 1)),
+        (
+            "universal P: limits = (0, 1) is a tuple; expected a dictionary of pairs of values by the names of "
+            "coordinates, such as {'phi': (-1, 1)}"
+        ),
+    ),
+    (
+        errors.JointError,
+        lambda: spherical("P", ground, A, quaternion=True, limits={"phi": (0, 1)}),
+        "spherical P: limits of 'phi'; expected some of 'cone'",
+    ),
+    (
+        errors.JointError,
+        lambda: assemble(
+            [free("F", ground, A), rolling("K", ground, A, radius=1, loop=True, limits={"theta": (0, 1)})]
+        ),
+        (
+            "assemble: rolling K closes a loop, where theta isn't known, and it has limits of it; let another joint "
+            "close the loop by loop=True, or leave these limits out"
+        ),
+    ),
+    (
+        errors.JointError,
+        lambda: assemble([cylindrical("P", ground, A)]).joint("P").freedom(),
+        "cylindrical P: 2 freedoms; expected one of 's', 'phi'",
+    ),
+    (
+        errors.JointError,
+        lambda: assemble([pin]).joint("P").freedom("s"),
+        "revolute P: no freedom 's'; expected one of 'phi'",
+    ),
+    (
+        errors.JointError,
+        lambda: (
+            assemble([free("F", ground, A), rolling("K", ground, A, radius=1, loop=True)])
+            .joint("K")
+            .freedom("phi")
+        ),
+        "rolling K: it closes a loop, where phi isn't known; let another joint close the loop by loop=True",
+    ),
+    (
+        errors.LoadError,
+        lambda: motor(assemble([pin]).joint("P").freedom(), F, on=body),
+        "motor: on=bead, reaction=None; expected what revolute P connects, a frame and A",
+    ),
+    (
+        errors.JointError,
         lambda: revolute("P", ground, A, loop="yes"),
-        "revolute: loop = 'yes' is a str; expected True, False or None",
+        "revolute P: loop = 'yes' is a str; expected True, False or None",
     ),
     (
         errors.JointError,
@@ -849,7 +1240,7 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
     (
         errors.JointError,
         lambda: gear("G", pin, B, 1, 2),
-        "gear: second = B is a Link; expected a joint, such as revolute('A', carrier, wheel)",
+        "gear G: second = B is a Link; expected a joint, such as revolute('A', carrier, wheel)",
     ),
     (
         errors.JointError,
@@ -2190,6 +2581,18 @@ def test_notice_of_a_load_that_is_left_out() -> None:
     assert [str(notice.message) for notice in notices] == [
         "newton_equations: push is left out: it acts on bead and cart, not in the set"
     ]
+
+
+def test_notice_of_a_load_on_a_body_that_was_assembled_again() -> None:
+    first, again = assemble([pin]), assemble([pin])
+    push = Torque(ground, 0, 0, F, on=again.body(A), name="push")
+    with pytest.warns(ModelNotice) as notices:
+        first.system([push])
+    (notice,) = notices
+    assert str(notice.message) == (
+        "System: push is left out: it acts on A, none of its bodies; another body of it is called A: take the one of "
+        "this system, as links that are assembled again have other bodies"
+    )
 
 
 def test_notice_of_dependent_constraints() -> None:

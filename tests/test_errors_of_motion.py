@@ -15,9 +15,11 @@ from symbody import (
     Event,
     Expr,
     Force,
+    Link,
     ModelNotice,
     SymbodyError,
     System,
+    assemble,
     consistent_state,
     cos,
     dependent_speeds,
@@ -35,6 +37,7 @@ from symbody import (
     newton_euler,
     origin,
     project,
+    revolute,
     rotate,
     simulate,
     sin,
@@ -54,6 +57,23 @@ dx, dy, turning = map(time_derivative, (x, y, theta))
 sledge = Body(translate(x, y, 0) * rotate("Z", theta), m, Iz=J, name="sledge")
 BLADE = Constraint(dy * cos(theta) - dx * sin(theta), "blade")
 VALUES = {m: 1.0, J: 1.0}
+
+
+def open_loop(distance: float) -> Equations:
+    """Return two links of length 1 between pins at a distance."""
+    crank, rod = Link("crank", 1, Iz=1), Link("rod", 1, Iz=1)
+    A, B = revolute("A", ground, crank), revolute("B", crank, rod, at=(1, 0, 0))
+    made = assemble([A, B, revolute("C", ground, rod, at=(distance, 0, 0), to=(1, 0, 0))])
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", ModelNotice)
+        return newton_euler(made.system())
+
+
+def on_a_coil() -> Equations:
+    """Return a mass on a spring whose ends meet at the origin."""
+    mass = Body(translate(x, 0, 0), m, name="mass")
+    coil = spring(mass.center_of_mass, origin(ground), k, free_length=1, on=mass, name="coil")
+    return newton_euler(System([mass], [coil], [x]))
 
 
 def system(*constraints: object, force: Expr | None = None, **options: object) -> System:
@@ -199,8 +219,8 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
         errors.ModelError,
         lambda: System([sledge], (), [x, y, theta], [x == y]),
         (
-            "Constraint: condition = False is a bool; expected an expression, such as symbols('a'), or a finite "
-            "number; == compares two expressions, which gives a bool: write a == b as a - b"
+            "System: in constraints, False is a bool; expected a list of expressions that are zero, such as [x**2 + "
+            "y**2 - l**2]; == compares two expressions, which gives a bool: write a == b as a - b"
         ),
     ),
     (
@@ -796,6 +816,54 @@ MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
             "inverse_dynamics: at t = 0.001 s no speeds satisfy constraint 1, x' - t = 0, together with the "
             "other constraints and prescribed coordinates; prescribe fewer, or a motion that the constraints "
             "allow"
+        ),
+    ),
+    (
+        errors.ArgumentError,
+        lambda: simulate(cart(), {m: 1}, {}, maxstep=0.1),
+        (
+            "simulate: there is no argument 'maxstep'; did you mean 'max_step'? Expected some of eqs, parameters, "
+            "initial, t, inputs, method, rtol, atol, outputs, events, constraints, guess, max_step, sensitivities, "
+            "progress"
+        ),
+    ),
+    (
+        errors.ArgumentError,
+        lambda: equilibrium(cart(), {m: 1}, gues={}),
+        (
+            "equilibrium: there is no argument 'gues'; did you mean 'guess'? Expected some of eqs, parameters, guess, "
+            "fixed, t, inputs"
+        ),
+    ),
+    (
+        errors.ArgumentError,
+        lambda: inverse_dynamics(cart(), {x: time}, {m: 1}, (0, 1), input={}),
+        (
+            "inverse_dynamics: there is no argument 'input'; did you mean 'inputs'? Expected some of eqs, motion, "
+            "parameters, t, unknowns, inputs, guess, initial"
+        ),
+    ),
+    (
+        errors.ArgumentError,
+        lambda: consistent_state(cart(), {m: 1}),
+        "consistent_state: missing a required argument: 'initial'",
+    ),
+    (
+        errors.ConstraintError,
+        lambda: simulate(open_loop(3), {}, {}),
+        (
+            "consistent_state: no position was found that closes the loop at t = 0 s: at the nearest one, phi_A = 0, "
+            "phi_B = 0, the sides of revolute C on ground and rod stay 1 apart; correct the dimensions, or give a "
+            "guess={coordinate: value} near a closed position"
+        ),
+    ),
+    (
+        errors.SimulationError,
+        lambda: simulate(on_a_coil(), {m: 1.0, k: 10.0}, {}),
+        (
+            "simulate: at t = 0 s: x'' is not finite there, at x = 0; coil has the length zero there, so that its line "
+            "has no direction; keep its ends apart, or replace it: a spring of free length zero without damping, or a "
+            "bushing, is safe there; what was computed is the error's motion"
         ),
     ),
 ]

@@ -23,6 +23,7 @@ EXTRAS = {
     "sympy": "to_sympy and from_sympy",
     "casadi": "runs generated CasADi code",
     "jax": "runs generated JAX code",
+    "control": "takes linear models: to_control",
     "dask": "runs simulate_many on the workers of a cluster",
     "sundials": "the methods ida, ida2 and ida3 of simulate",
     "notebook": "Jupyter, which shows expressions, frames and equations as formulas",

@@ -32,6 +32,14 @@ def test_equal_stays_equal(seed: int) -> None:
     assert obeys(report), str(report)
 
 
+def test_a_modulus_whose_rest_is_known_in_the_form_of_a_quotient_ends() -> None:
+    """|a/D| was D**-2 |a D|, and a D was known as b/D: the stack overflowed."""
+    report = congruence.Report()
+    congruence.check(congruence.pair(4, 1_000_003_360), report)
+    assert report.counts["pairs"] == 1
+    assert not report.broken, str(report)
+
+
 @pytest.mark.repeated
 @pytest.mark.parametrize("seed", range(100, 150))
 def test_equal_stays_equal_in_many_pairs(seed: int) -> None:

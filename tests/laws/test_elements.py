@@ -24,8 +24,9 @@ from symbody.symbolic import free_symbols, time_derivative
 from tests.laws.random_element import DRIVING, MADE, random_element_system
 from tests.laws.test_formalisms import check_same_nodes, moving_along
 
-CASES = [(kind, seed) for kind in MADE for seed in ((1, 3) if kind == "contact" else range(4))]
-"""The elements and seeds; contacts between moving bodies take long to compare."""
+SEEDS = {"contact": (1, 6), "tire": (1, 2, 3, 6)}
+"""Seeds whose spheres touch and whose wheels move along the road; contacts of two bodies take long to compare."""
+CASES = [(kind, seed) for kind in MADE for seed in SEEDS.get(kind, range(4))]
 
 
 def element_of(system: System) -> Element:
@@ -74,8 +75,7 @@ def values(total: Expr, count: int = 200) -> np.ndarray:
 def test_passive_elements_take_energy_or_give_back_what_they_took(kind: str, seed: int) -> None:
     lost = losses(random_element_system(kind, seed))
     assert lost.max() <= 1e-9 * max(1, -lost.min())
-    if kind not in {"contact", "tire"}:  # which may be open, or not move at all
-        assert lost.min() < -1e-3
+    assert np.count_nonzero(lost < -1e-3) > 50  # of 200 states; spheres are above the plane in some
 
 
 @pytest.mark.parametrize("kind", MADE)

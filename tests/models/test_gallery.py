@@ -8,7 +8,6 @@ from collections.abc import Callable
 import pytest
 
 from scripts.gallery import PAGE, PICTURES, page, picture
-from symbody import models
 from symbody.models import MODELS, ClassicSystem
 
 
@@ -21,9 +20,9 @@ def test_each_model_has_a_picture() -> None:
     assert {path.name for path in PICTURES.iterdir()} == {f"{make.__name__}.svg" for make in MODELS}
 
 
-@pytest.mark.parametrize("make", [models.four_bar, models.furuta_pendulum], ids=lambda make: make.__name__)
+@pytest.mark.parametrize("make", MODELS, ids=lambda make: make.__name__)
 def test_pictures_show_the_bodies(make: Callable[[], ClassicSystem]) -> None:
-    drawn = ET.fromstring(picture(make()))
+    drawn = ET.fromstring(picture(make))
     stored = ET.fromstring((PICTURES / f"{make.__name__}.svg").read_text(encoding="utf-8"))
     labels = [
         [text.text for text in each.iter("{http://www.w3.org/2000/svg}text")] for each in (drawn, stored)

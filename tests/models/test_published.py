@@ -9,16 +9,19 @@ import pytest
 from numpy.polynomial.laguerre import lagroots
 from numpy.testing import assert_allclose
 from numpy.typing import NDArray
+from scipy.integrate import solve_ivp
 
 from symbody import (
     Equations,
     Expr,
     cos,
     embedded,
+    ground,
     jacobian,
     models,
     newton_euler,
     parse,
+    project,
     simulate,
     sin,
     time_derivative,
@@ -131,6 +134,21 @@ def test_bricard_moves_although_one_closing_condition_is_left_out() -> None:
     assert np.ptp(motion[model["q1"]]) > 1
 
 
+def test_angles_of_bricards_mechanism() -> None:
+    """The hinges turn by two angles in turn: ``cos a + cos b + cos a cos b = 0`` [Chen, You & Tarnai 2005, twist 90°].
+
+    They are measured from the cube here, where both are 90°. So q1 stays between -30° and 210°, and reaches both.
+    """
+    model = models.bricard_mechanism()
+    motion = simulate(newton_euler(model.system), model.parameters, model.initial, (0, 3), **TIGHT)
+    q1, q2, q3, q4, q5 = (motion[q] for q in model.system.coordinates)
+    for one, other in ((q1, -q3), (q1, -q5), (q2, -q4)):
+        assert_allclose(one, other, atol=1e-9)
+    a, b = q1 - np.pi / 2, q2 + np.pi / 2
+    assert_allclose(np.cos(a) + np.cos(b) + np.cos(a) * np.cos(b), 0, atol=1e-9)
+    assert_allclose(np.degrees([q1.min(), q1.max()]), [-30, 210], atol=0.01)
+
+
 @pytest.mark.parametrize("turn", reference("rolling_disc")["steady_turns"])
 def test_steady_turns_of_the_disc(turn: dict[str, float]) -> None:
     model = models.rolling_disc()
@@ -155,25 +173,57 @@ def test_small_motions_of_the_rattleback() -> None:
     K = np.array([[bias[i, j].evaluate(known) for j in (0, 1)] for i in (1, 2)])
     p = {str(symbol): value for symbol, value in model.parameters.items()}
     height = p["c"] - p["h"]
-    inertia = np.array([[p["A"], p["D"]], [p["D"], p["B"]]]) + p["M"] * height**2 * np.eye(2)
+    inertia = np.array([[p["A"], -p["D"]], [-p["D"], p["B"]]]) + p["M"] * height**2 * np.eye(2)
     stiffness = p["M"] * p["g"] * np.diag([p["b"] ** 2 / p["c"] - height, p["a"] ** 2 / p["c"] - height])
     expected = np.linalg.eigvals(np.linalg.solve(inertia, stiffness))
     assert_allclose(np.sort(np.linalg.eigvals(np.linalg.solve(M, K))), np.sort(expected), rtol=1e-9)
 
 
-def test_the_rattleback_turns_back_in_one_direction_only() -> None:
-    """As Kane and Levinson show it; without resistance, it keeps its energy."""
-    model = models.rattleback()
-    equations = newton_euler(model.system)
-    spin = time_derivative(model["alpha"])
-    least, greatest = {}, {}
-    for sign in (-1, 1):
-        start = {**model.initial, spin: 5.0 * sign}
-        motion = simulate(equations, model.parameters, start, (0, 10), rtol=1e-9)
-        least[sign], greatest[sign] = motion[spin].min(), motion[spin].max()
-        assert motion.energy_drift < 1e-6
-    assert greatest[-1] > 5
-    assert least[1] > 1
+def kane_and_levinson(_t: float, y: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Return the rates of alpha, beta, gamma and omega of [Kane & Levinson 1982, eqs. (16) to (70)], z downwards.
+
+    In vectors, as in PyDy's example rattleback, reproduceKane1982.cc (commit d4e0616), but for an error in zeta_1.
+    """
+    (s1, s2, _), (c1, c2, _), w = np.sin(y[:3]), np.cos(y[:3]), y[3:]
+    A, B, C, D, squares = 2e-4, 1.6e-3, 1.7e-3, -2e-5, np.array([0.2, 0.03, 0.02]) ** 2
+    mu = np.array([-c1 * s2, s1, c1 * c2])
+    mu_rate = np.cross(mu, w)
+    e = np.sqrt(squares @ mu**2)
+    x_rate = squares * (mu_rate * e - mu * (squares @ (mu * mu_rate)) / e) / e**2
+    x = squares * mu / e - np.array([0, 0, 0.01])
+    tensor = np.array([[A, D, 0], [D, B, 0], [0, 0, C]])
+    about_contact = tensor + x @ x * np.eye(3) - np.outer(x, x)
+    moments = (
+        9.81 * np.cross(mu, x) + np.cross(tensor @ w, w) + np.cross(x, np.cross(w, np.cross(x, w) - x_rate))
+    )
+    gamma_rate = (w[2] * c2 - w[0] * s2) / c1
+    angles = [w[2] * s2 + w[0] * c2, w[1] - gamma_rate * s1, gamma_rate]
+    return np.array([*angles, *np.linalg.solve(about_contact, moments)])
+
+
+@pytest.mark.parametrize("omega", [5.0, -5.0])
+def test_the_rattleback_of_kane_and_levinson(omega: float) -> None:
+    """Their angles are roll, minus the pitch, and minus the heading; with omega_3 = -5 rad/s it turns back, with 5 not.
+
+    Without resistance, as here, it keeps its energy.
+    """
+    model, degree = models.rattleback(), np.pi / 180
+    alpha, beta, gamma = model.system.coordinates[2:]
+    start = {beta: 0.5 * degree, gamma: -0.5 * degree}
+    # omega = (0, 0, omega_3) in the axes of the body
+    y0 = np.array([0.5 * degree, 0.5 * degree, 0, 0, 0, omega])
+    first, second, third, *_ = kane_and_levinson(0, y0)
+    start |= {time_derivative(beta): first, time_derivative(gamma): -second, time_derivative(alpha): -third}
+    t = np.linspace(0, 4, 101)
+    motion = simulate(newton_euler(model.system), model.parameters, start, t, rtol=1e-9, atol=1e-11)
+    theirs = solve_ivp(kane_and_levinson, (0, 4), y0, method="DOP853", t_eval=t, rtol=1e-9, atol=1e-11)
+    for coordinate, expected in zip((beta, gamma, alpha), theirs.y[:3] * [[1], [-1], [-1]], strict=True):
+        assert_allclose(motion[coordinate], expected, atol=1e-6)
+    spin = motion[time_derivative(alpha)]
+    assert spin[0] == pytest.approx(-omega, rel=1e-3)
+    turns_back = spin[-1] * spin[0] < 0
+    assert turns_back == (omega < 0)
+    assert motion.energy_drift < 1e-6
 
 
 def test_skate_on_an_incline() -> None:
@@ -277,6 +327,44 @@ def test_full_car_of_equal_corners_is_quarter_cars() -> None:
     assert_allclose(found, np.sort(expected), rtol=1e-9)
 
 
+def test_equations_of_the_full_car() -> None:
+    """Those that Ikenaga et al. print for small motions: heave, pitch and roll, and the wheels in turn.
+
+    Their pitch is theta here, nose down; roll phi raises the left side.
+    """
+    model = models.full_car()
+    p = {str(symbol): value for symbol, value in model.parameters.items()}
+    a, b, w = p["a"], p["b"], p["w"]
+
+    def printed(front: float, rear: float, tyre: float) -> NDArray[np.float64]:
+        side = w / 2
+        body = [
+            [2 * front + 2 * rear, -2 * (a * front - b * rear), 0, -front, -front, -rear, -rear],
+            [
+                -2 * (a * front - b * rear),
+                2 * (a**2 * front + b**2 * rear),
+                0,
+                a * front,
+                a * front,
+                -b * rear,
+                -b * rear,
+            ],
+            [0, 0, w**2 / 2 * (front + rear), -side * front, side * front, -side * rear, side * rear],
+        ]
+        wheels = [
+            [-front, a * front, -side * front, front + tyre, 0, 0, 0],
+            [-front, a * front, side * front, 0, front + tyre, 0, 0],
+            [-rear, -b * rear, -side * rear, 0, 0, rear + tyre, 0],
+            [-rear, -b * rear, side * rear, 0, 0, 0, rear + tyre],
+        ]
+        return np.array([*body, *wheels])
+
+    M, C, K = linear(newton_euler(model.system), model, {})
+    assert_allclose(M, np.diag([p["m"], p["Iy"], p["Ix"], *[p["mu"]] * 4]), atol=1e-12)
+    assert_allclose(C, printed(p["cf"], p["cr"], 0), atol=1e-9)
+    assert_allclose(K, printed(p["kf"], p["kr"], p["kt"]), atol=1e-6)
+
+
 def test_weight_on_the_wheels_of_the_full_car() -> None:
     """Without motion, it stays where it is."""
     model = models.full_car()
@@ -315,3 +403,21 @@ def test_the_load_of_the_hovering_quadrotor_swings_by_the_reduced_mass() -> None
     M, m, l = (model.parameters[model[name]] for name in ("M", "m", "l"))
     assert_allclose(found[:6], 0, atol=1e-6)
     assert_allclose(found[6:], np.sqrt(9.81 * (M + m) / (M * l)), rtol=1e-9)
+
+
+def test_equation_of_the_load_below_the_quadrotor() -> None:
+    """``(M + m) (a + g e3) = (q . f R e3 - M l q'.q') q``, q from the quadrotor to the load [Sreenath et al. 2013]."""
+    model = models.quadrotor_with_slung_load()
+    body, load = model.system.bodies
+    inputs = {model["f"]: 7.0, model["M1"]: 1e-3, model["M2"]: -2e-3, model["M3"]: 1e-3}
+    start = {**model.initial, time_derivative(model["alpha"]): 1.5, model["phi"]: 0.2, model["theta"]: -0.1}
+    motion = simulate(newton_euler(model.system), model.parameters, start, (0, 0.5), inputs=inputs, **TIGHT)
+    M, m, l, g = (model.parameters[model[name]] for name in ("M", "m", "l", "g"))
+    at = project(load.center_of_mass, ground).coordinates
+    towards = [project(load.center_of_mass - body.center_of_mass, ground).components[k] / l for k in range(3)]
+    a = motion.evaluate([time_derivative(each, 2) for each in at])
+    q, q_rate = (motion.evaluate([time_derivative(each, n) for each in towards]) for n in (0, 1))
+    thrust = 7.0 * motion.evaluate([body.frame.matrix[k, 2] for k in range(3)])
+    pull = (q * thrust).sum(axis=0) - M * l * (q_rate**2).sum(axis=0)
+    assert_allclose((M + m) * (a + np.array([[0], [0], [g]])), pull * q, atol=1e-8)
+    assert np.ptp(pull) > 1

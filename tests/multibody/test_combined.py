@@ -33,6 +33,7 @@ from symbody import (
     spring,
     symbols,
     time_derivative,
+    torsion_spring,
     translate,
 )
 from symbody.errors import BodyError
@@ -136,9 +137,27 @@ def test_displaced_loads_act_on_the_same_body_elsewhere() -> None:
     torque = displaced(Torque(ground, F, 0, 0, on=body), rotate("Y", pi / 2))
     assert project(torque.vector, ground).components == (0, 0, -F)
     band = spring(body.center_of_mass, Point(ground, 0, 0, 0), k, on=body)
-    elsewhere = displaced(band, translate(0, 0, 1))
+    with pytest.warns(ModelNotice) as notices:
+        elsewhere = displaced(band, translate(0, 0, 1))
+    (notice,) = notices
+    assert str(notice.message) == (
+        f"displaced: {band} has no potential energy any more, as its actions have another power where they are now, so "
+        "that energies leave it out; to keep it, make the element of displaced points or frames"
+    )
     assert elsewhere.potential is None
     assert elsewhere.actions[0].body is body
+
+
+def test_a_displaced_torsion_spring_keeps_its_potential() -> None:
+    """A torque that is shifted has the same power; one that is turned out of its axis has not."""
+    phi = functions_of_time("phi")
+    rotor = Body(rotate("Z", phi), 1, Iz=1)
+    coil = torsion_spring(phi, k, on=rotor)
+    moved = displaced(coil, translate(1, 2, 3))
+    assert moved.potential == coil.potential
+    assert power(moved) == -time_derivative(moved.potential)
+    with pytest.warns(ModelNotice, match="has no potential energy any more"):
+        assert displaced(coil, rotate("X", pi / 2)).potential is None
 
 
 def test_a_massless_body_carries_loads() -> None:

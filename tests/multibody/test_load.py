@@ -18,6 +18,7 @@ from symbody import (
     newton_equations,
     power,
     project,
+    resultant,
     rotate,
     symbols,
     time_derivative,
@@ -89,3 +90,20 @@ def test_generalized_force_for_any_variable() -> None:
     assert forces[0] == F
     assert forces[1].subs({alpha: 0}) == M - F * a
     assert generalized_force(load, s) == F
+
+
+def test_the_resultant_of_a_load_and_of_its_reaction_are_opposite() -> None:
+    """About any point; that of several loads is the sum."""
+    mast = Body(translate(x, 1, 0), 1, name="mast")
+    loads = [
+        Force(ground, F, 2 * F, 0, at=Point(cart.frame, 0, a, 0), on=cart, reaction=mast),
+        Torque(ground, 0, 0, M, on=mast, reaction=cart),
+    ]
+    about = Point(ground, 0, 0, 1)
+    one, other = (resultant(loads, about, on=body) for body in (cart, mast))
+    assert one.force.components == (F, 2 * F, 0)
+    assert one.moment.components == (2 * F, -F, 2 * F * x - F * a - M)
+    for mine, yours in zip(one, other, strict=True):
+        assert all(
+            (left + right).is_zero for left, right in zip(mine.components, yours.components, strict=True)
+        )

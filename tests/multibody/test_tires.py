@@ -28,16 +28,20 @@ from symbody import (
     moving_frame,
     newton_euler,
     number,
+    pi,
     power,
     project,
+    resultant,
     rotate,
     simulate,
     sin,
     symbols,
+    t,
     tan,
     time_derivative,
     tire,
     tire_kinematics,
+    tire_shape,
     translate,
     velocity,
 )
@@ -108,6 +112,128 @@ def test_a_carrier_gives_the_same_without_roots() -> None:
         assert one.evaluate(NUMBERS) == pytest.approx(other.evaluate(NUMBERS), rel=1e-12)
     assert by_carrier.camber == gamma
     assert "sqrt" not in f"{by_carrier.VS}{by_carrier.VN}{by_carrier.VR}"
+
+
+def test_a_torus_as_a_shape() -> None:
+    """Its profile at the camber gives the same contact, and the same slips, as its radii."""
+    by_radii = tire_kinematics(wheel, R, crown_radius=rho)
+    torus = tire_shape(-rho * sin(gamma), R - rho + rho * cos(gamma))
+    by_profile = tire_kinematics(wheel, torus)
+    for name in ("camber", "deflection", "sinking", "VS", "VN", "VR"):
+        one, other = getattr(by_radii, name), getattr(by_profile, name)
+        assert one.evaluate(NUMBERS) == pytest.approx(other.evaluate(NUMBERS), rel=1e-12), name
+    for one, other in zip(by_radii.contact.coordinates, by_profile.contact.coordinates, strict=True):
+        assert one.evaluate(NUMBERS) == pytest.approx(other.evaluate(NUMBERS), rel=1e-12)
+
+
+def deformed(at: dict[object, float], by: tuple[float, float, float], turned: float) -> np.ndarray:
+    """Return the place of a material point of the tread, by hand: yaw, lean, spin, and the belt that is displaced."""
+    c, s = np.cos, np.sin
+    yaw = np.array([[c(at[psi]), -s(at[psi]), 0], [s(at[psi]), c(at[psi]), 0], [0, 0, 1]])
+    lean = np.array([[1, 0, 0], [0, c(at[gamma]), -s(at[gamma])], [0, s(at[gamma]), c(at[gamma])]])
+    angle = at[theta] + turned
+    roll = np.array([[c(angle), 0, s(angle)], [0, 1, 0], [-s(angle), 0, c(angle)]])
+    a, b, e = by  # a place in the belt, which is displaced by b along the axis and e towards the road
+    return np.array([at[x], at[y], at[z]]) + yaw @ lean @ (roll @ [0, 0, -a] + [0, b, -e])
+
+
+def test_slips_of_a_deformed_tyre_are_the_velocities_of_its_tread() -> None:
+    """The belt turns, moves aside and yields; the velocity of its material at the contact is by differences."""
+    turn, aside, loaded = functions_of_time("turn aside loaded")
+    shape = tire_shape(0, R, spin_deformation=turn, y_deformation=aside, z_deformation=loaded)
+    more = {turn: 0.02, aside: 0.011, loaded: -0.03}
+    rates = {time_derivative(turn): 1.3, time_derivative(aside): -0.4, time_derivative(loaded): 0.2}
+    lowered = {z: (0.33 - 0.03) * np.cos(0.25) - 0.011 * np.sin(0.25)}
+    found = tire_kinematics(wheel, shape, carrier=upright)
+    values = {**NUMBERS, **more, **rates, **lowered}
+    assert found.deflection.evaluate(values) == pytest.approx(0, abs=1e-15)
+    here = {**AT, **lowered, theta: 0.0}
+
+    def place(h: float) -> np.ndarray:
+        moved = {each: value + h * RATES[time_derivative(each)] for each, value in here.items()}
+        by = (0.33, 0.011 - 0.4 * h, -0.03 + 0.2 * h)
+        return deformed(moved, by, 1.3 * h)
+
+    contact = [each.evaluate(values) for each in found.contact.coordinates]
+    np.testing.assert_allclose(contact, place(0.0), atol=1e-14)
+    tread = (place(1e-5) - place(-1e-5)) / 2e-5
+    ahead, left = (
+        [each.evaluate(values) for each in v.components] for v in (found.longitudinal, found.lateral)
+    )
+    # The belt keeps its radius R; the rolling radius is less by 0.03.
+    spin_of_tread = RATES[time_derivative(theta)] + 1.3
+    yielding = 0.03 * spin_of_tread
+    assert (found.VS + found.VR).evaluate(values) == pytest.approx(tread @ ahead + yielding, rel=1e-6)
+    assert found.VN.evaluate(values) == pytest.approx(tread @ left, rel=1e-8)
+
+
+def test_a_carcass_that_yields_lags_like_a_relaxation_length() -> None:
+    """A spring of the carcass k, s' = -VN - k VS s/C, gives Fy = k s: the force of the relaxation length C/k.
+
+    The contact moves aside by s, some 2 cm, which changes its velocity ahead in a turn.
+    """
+    s, stiffness = functions_of_time("s"), symbols("stiffness", positive=True)
+    hub = translate(V * t, y, R) * rotate("Z", psi)
+    body = Body(hub, m, Iz=I, name="wheel")
+    rigid = tire_kinematics(body, R, carrier=hub)
+    law = linear_tire(cornering=C)
+    yielding = tire(body, tire_shape(0, R, y_deformation=s), law, load=N, carrier=hub, name="yielding")
+    rate = -rigid.VN - stiffness * rigid.VS * s / C
+    of_carcass = System([body], [yielding], [y, psi], states={s: rate})
+    lagging = tire(body, R, law, load=N, carrier=hub, relaxation=(1, C / stiffness), name="lagging")
+    of_length = System([body], [lagging], [y, psi])
+    numbers = {V: 20.0, m: 300.0, I: 5.0, C: 3e4, stiffness: 1e5, R: 0.3}
+    start = {psi: 0.05, time_derivative(psi): 0.4}
+    instants = np.linspace(0, 0.5, 51)
+    forces = [
+        simulate(newton_euler(system), numbers, start, instants, rtol=1e-10, atol=1e-12)[element["Fy"]]
+        for system, element in ((of_carcass, yielding), (of_length, lagging))
+    ]
+    np.testing.assert_allclose(*forces, rtol=1e-3)
+    assert np.ptp(forces[0]) > 100
+
+
+def test_kinematics_by_hand_with_z_downwards() -> None:
+    """R. Lot, Kinematics of a Motorcycle Tire (2004): C = G + rho v, VS and VN by its velocity, VR = theta' z_C."""
+    down = translate(x, y, z) * rotate("Z", psi)
+    lean = down * rotate("X", gamma)
+    spinning = Body(lean * rotate("Y", theta), m, I, J, I)
+    center, radius = Point(lean, 0, 0, 0), functions_of_time("radius")
+    contact = center + Vector(lean, 0, 0, radius)
+    VS, VN, _ = project(velocity(contact), down).components
+    found = tire_kinematics(
+        spinning, tire_shape(0, 0, z_deformation=radius), road=rotate("X", pi), carrier=down, spin_axis="-Y"
+    )
+    touching = {z: -0.3 * np.cos(0.25), radius: 0.3, time_derivative(radius): 0.1}
+    sinking = 0.1 * np.cos(0.25) - 0.3 * np.sin(0.25) * RATES[time_derivative(gamma)]
+    values = {**NUMBERS, **touching, time_derivative(z): -sinking}
+    assert found.VS.evaluate(values) == pytest.approx(VS.evaluate(values), rel=1e-12)
+    assert found.VN.evaluate(values) == pytest.approx(-VN.evaluate(values), rel=1e-12)
+    assert found.VR.evaluate(values) == pytest.approx(
+        (0.3 * time_derivative(theta)).evaluate(values), rel=1e-12
+    )
+    at = project(found.contact, ground).coordinates
+    for one, other in zip(at, project(contact, ground).coordinates, strict=True):
+        assert one.evaluate(values) == pytest.approx(other.evaluate(values), abs=1e-14)
+
+
+def test_the_resultant_of_a_tyre_about_the_centre_of_its_wheel() -> None:
+    """A force and a moment as `make_TIRE` has them: the moment contains that of the contact force."""
+    X, Y, Z, Mx, My, Mz = symbols("X Y Z Mx My Mz")
+    upright_wheel = Body(translate(x, y, R) * rotate("Y", theta), m, I, J, I, name="wheel")
+    carried = tire(
+        upright_wheel,
+        tire_shape(0, R),
+        TireForce(X, Y, Mx, My, Mz),
+        load=Z,
+        load_acts=True,
+        carrier=translate(x, y, R),
+    )
+    force, moment = resultant(carried, upright_wheel.center_of_mass)
+    assert force.components == (X, Y, Z)
+    assert moment.components == (Mx + R * Y, My - R * X, Mz)
+    without = tire(upright_wheel, R, TireForce(X, Y), load=Z, carrier=translate(x, y, R))
+    assert resultant([without], upright_wheel.center_of_mass).force.components == (X, Y, 0)
 
 
 def test_slips_of_mbsymba() -> None:

@@ -30,7 +30,7 @@ from symbody import (
     translate,
 )
 from symbody.errors import ConstraintError, ModelError, ParameterError, SimulationError
-from symbody.simulation.statics.equilibrium import equilibrium
+from symbody.simulation.steady_state.equilibrium import equilibrium
 from tests.simulation.linkages import double_pendulum, fourbar, hanging_box, pendulum_on_rail, slider_crank
 
 

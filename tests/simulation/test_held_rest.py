@@ -25,7 +25,7 @@ from symbody import (
     translate,
 )
 from symbody.simulation.constraint.kinematics import neutral_position, quaternions
-from symbody.simulation.statics.equilibrium import equilibrium
+from symbody.simulation.steady_state.equilibrium import equilibrium
 from tests.simulation.test_rates import NUMBERS, planar, psi, r, u, x, y
 
 a, b = functions_of_time("a b")

@@ -38,7 +38,7 @@ from symbody.simulation.integrate.notices import Finding, findings_of, notices_o
 from symbody.simulation.integrate.outcome import Outcome, Statistics
 from symbody.simulation.inverse.inverse_dynamics import inverse_dynamics
 from symbody.simulation.model.model import model_of
-from symbody.simulation.statics.equilibrium import equilibrium
+from symbody.simulation.steady_state.equilibrium import equilibrium
 from symbody.symbolic.numeric.deficiency import noting
 from tests.simulation.tasks import a_task
 

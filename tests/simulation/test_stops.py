@@ -4,22 +4,33 @@ import numpy as np
 import pytest
 
 from symbody import (
+    Force,
     Link,
     ModelNotice,
     Vector,
     assemble,
+    cylindrical,
+    free,
     ground,
+    motor,
     newton_euler,
+    planar,
+    point_on_curve,
     prismatic,
     revolute,
+    rolling,
     simulate,
     simulate_many,
+    spherical,
     stops,
     symbols,
     time_derivative,
+    universal,
 )
+from symbody.errors import JointError
 
 a = symbols("a")
+LINK = Link("link", 1, 1, 1, 1)
 weight = Vector(ground, 0, -9.81, 0)
 
 
@@ -88,3 +99,141 @@ def test_a_joint_that_closes_a_loop_stops_too():
     assert end.event.name == "D.lower"
     angle = end.state[phi]
     assert np.cos(angle) + np.sqrt(9 - np.sin(angle) ** 2) == pytest.approx(2.5, abs=1e-8)
+
+
+def test_each_coordinate_of_a_joint_has_its_own_limits():
+    shaft = Link("shaft", 2.0, 1, 1, 0.5)
+    bush = cylindrical("A", ground, shaft, limits={"s": (None, 1), "phi": (-a, a)})
+    made = assemble([bush])
+    equations = newton_euler(made.system([motor(bush.coordinates[1], 1.0, on=made.body(shaft))]))
+    names = [event.name for event in stops(equations)]
+    assert names == ["A.s.upper", "A.phi.lower", "A.phi.upper"]
+    motion = simulate(equations, {a: 4.0}, {}, t=(0, 5), events=stops(equations), rtol=1e-10)
+    assert motion.events[0].event.name == "A.phi.upper"
+    assert motion.events[0].t == pytest.approx(2, abs=1e-8)  # phi'' = 2
+    with pytest.warns(ModelNotice, match=r"cylindrical A \(phi\) is beyond its limit by up to 5"):
+        simulate(equations, {a: 4.0}, {}, t=(0, 3))
+
+
+@pytest.mark.parametrize("quaternion", [False, True])
+@pytest.mark.parametrize("loop", [False, True])
+def test_the_cone_of_a_ball_joint(quaternion: bool, loop: bool):
+    """A pendulum on a ball leaves its cone, of which the axis is turned, where its angle from the vertical is 0.8."""
+    bob = Link("bob", 1.0, 0.1, 0.1, 0.1, center=(0, 0, -1))
+    ball = spherical(
+        "B", ground, bob, quaternion=quaternion and not loop, loop=loop, limits={"cone": (None, 0.8)}
+    )
+    joints = [ball, *([free("F", ground, bob, quaternion=quaternion)] if loop else [])]
+    made = assemble(joints)
+    push = Force(ground, 3, 4, 0, at=made.body(bob).center_of_mass, on=made.body(bob))
+    equations = newton_euler(made.system([push], gravity=Vector(ground, 0, 0, -9.81)))
+    motion = simulate(equations, {}, {}, t=(0, 5), events=stops(equations), rtol=1e-10, atol=1e-12)
+    (end,) = motion.events
+    assert end.event.name == "B.cone.upper"
+    centre = made.body(bob).center_of_mass.projected(ground).coordinates
+    x, y, z = (motion[each][-1] for each in centre)
+    assert np.hypot(x, y) == pytest.approx(np.sin(0.8), abs=1e-7)
+    assert z == pytest.approx(-np.cos(0.8), abs=1e-7)
+
+
+@pytest.mark.parametrize(
+    ("make", "name", "value"),
+    [
+        (lambda **given: universal("J", ground, LINK, **given), "theta", 0.4),
+        (lambda **given: planar("J", ground, LINK, **given), "y", -0.2),
+        (lambda **given: spherical("J", ground, LINK, axes="ZXZ", **given), "theta", 0.9),
+        (lambda **given: free("J", ground, LINK, **given), "z", 0.1),
+        (lambda **given: rolling("J", ground, LINK, radius=1, **given), "theta", 0.2),
+        (
+            lambda **given: point_on_curve("J", ground, LINK, curve=lambda s: (s, s**2, 0), **given),
+            "s",
+            0.3,
+        ),
+    ],
+)
+def test_limits_of_all_joints_are_those_of_their_coordinates(make, name, value):
+    made = assemble([make(limits={name: (value, None)})])
+    (event,) = stops(newton_euler(made.system()))
+    assert event.name == f"J.{name}.lower"
+    assert event.expression == value - made.joint("J").measured[name]
+
+
+def test_the_parameter_of_a_curve_has_limits_where_it_closes_a_loop():
+    """A pin in a parabolic slot, from rest: by the energy, it comes as far on the other side, and stops before."""
+    pin = Link("pin", 1.0, Iz=0.1)
+    slot = point_on_curve(
+        "W", ground, pin, curve=lambda s: (s, s**2, 0), axes="Z", loop=True, limits={"s": (-0.4, None)}
+    )
+    equations = newton_euler(assemble([planar("F", ground, pin), slot]).system(gravity=weight))
+    start = {slot.coordinates[0]: 0.5}
+    motion = simulate(equations, {}, start, t=(0, 5), events=stops(equations), rtol=1e-9)
+    assert motion.events[0].event.name == "W.s.lower"
+    x, y = motion[equations.coordinates[0]][-1], motion[equations.coordinates[1]][-1]
+    assert (x, y) == (pytest.approx(-0.4, abs=1e-8), pytest.approx(0.16, abs=1e-8))
+
+
+def test_the_limit_of_a_pin_that_closes_a_plane_loop_counts_turns():
+    crank, slider = Link("crank", 1, Iz=1), Link("slider", 1)
+    joints = [
+        prismatic("D", ground, slider, axis="X"),
+        revolute("B", slider, crank, at=(0, 0, 0)),
+        revolute("A", ground, crank, loop=True, limits=(None, 10)),
+    ]
+    made = assemble(joints)
+    equations = newton_euler(made.system())
+    spin = {time_derivative(made.joint("B").joint.coordinate): 2.0}
+    motion = simulate(equations, {}, spin, t=(0, 9), events=stops(equations))
+    assert motion.events[0].t == pytest.approx(5)
+
+
+def spatial_pin(*limits: object):
+    """A body that a pin alone leads, and that closes a loop in space: its angle is known up to whole turns."""
+    rotor = Link("rotor", 2.0, 1.0, 1.0, 0.5)
+    body = free("F", ground, rotor)
+    made = assemble([body, revolute("J", ground, rotor, loop=True, limits=limits)])
+    return newton_euler(made.system()), body.coordinates[3]
+
+
+@pytest.mark.parametrize(("speed", "name", "time"), [(2.0, "upper", 2.0), (-2.0, "lower", 0.5)])
+def test_a_pin_that_closes_a_loop_in_space_stops_beyond_half_a_turn(speed: float, name: str, time: float):
+    equations, angle = spatial_pin(-1, 4)
+    motion = simulate(equations, {}, {time_derivative(angle): speed}, t=(0, 4), events=stops(equations))
+    (end,) = motion.events
+    assert (end.event.name, end.t) == (f"J.{name}", pytest.approx(time))
+
+
+def test_a_pin_that_closes_a_loop_in_space_is_followed_beyond_its_limits():
+    equations, angle = spatial_pin(-1, 4)
+    with pytest.warns(ModelNotice, match=r"revolute J is beyond its limit by up to 5, first at t = 2\.1 s"):
+        simulate(equations, {}, {time_derivative(angle): 2.0}, t=np.linspace(0, 4.5, 46))
+
+
+@pytest.mark.parametrize("limits", [(None, 4), (-1, None), (-3, 4)])
+def test_limits_that_a_pin_in_space_cannot_tell_are_refused(limits):
+    with pytest.raises(JointError) as caught:
+        spatial_pin(*limits)
+    low, high = limits
+    assert str(caught.value) == (
+        f"assemble: revolute J closes a loop in space, where its phi is known up to whole turns, and has the limits "
+        f"{low} and {high}; expected two limits less than a turn apart; or let another joint close the loop by "
+        "loop=True"
+    )
+
+
+def test_limits_with_symbols_that_turn_out_too_wide_are_reported():
+    equations, _ = spatial_pin(-a, a)
+    with pytest.warns(
+        ModelNotice, match="the limits of revolute J are a turn apart or more, and don't tell when it"
+    ):
+        simulate(equations, {a: 3.5}, {}, t=(0, 0.1))
+
+
+def test_limits_that_turn_out_reversed_are_reported():
+    equations, phi = pendulum(a, -a)
+    with pytest.warns(ModelNotice) as caught:
+        simulate(equations, {a: 0.5}, {phi: 1.0}, t=(0, 0.1))
+    (message,) = (str(each.message) for each in caught)
+    assert message == (
+        "simulate: the limits of revolute A have the least value above the largest one, so that no position is within "
+        "them"
+    )

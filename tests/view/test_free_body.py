@@ -16,6 +16,7 @@ from symbody import (
     ground,
     newton_euler,
     prismatic,
+    reaction,
     revolute,
     simulate,
 )
@@ -92,3 +93,28 @@ def test_the_sketch_of_a_small_part_fills_the_picture(tmp_path):
         drawn = free_body_diagram(motion, bob, tmp_path / "bob.svg").read_text()
         sizes.append([float(each) for each in HEIGHT.search(drawn).groups()])
     assert sizes[0] == pytest.approx(sizes[1], rel=1e-3)
+
+
+def test_a_plane_part_is_seen_along_its_normal(tmp_path):
+    """So the angles in the picture are those of the forces."""
+    bob = Link("bob", 1.0, center=(0, -1, 0))
+    equations = newton_euler(assemble([revolute("A", ground, bob)]).system(gravity=Vector(ground, 0, -10, 0)))
+    motion = simulate(equations, {}, {equations.coordinates[0]: 0.5}, t=(0, 0.1))
+    pull = [float(value[0]) for value in motion.evaluate(reaction(equations, "A").force.components[:2])]
+    drawn = free_body_diagram(motion, bob, tmp_path / "bob.svg").read_text(encoding="utf-8")
+    lines = [tuple(map(float, found[:4])) for found in LINE.findall(drawn) if found[4] == "#2563a8"]
+    x1, y1, x2, y2 = max(lines, key=lambda line: np.hypot(line[2] - line[0], line[3] - line[1]))
+    assert np.arctan2(y1 - y2, x2 - x1) == pytest.approx(np.arctan2(pull[1], pull[0]), abs=0.01)
+
+
+@pytest.mark.parametrize("t", [50, -3, float("nan"), "now"])
+def test_the_instant_is_one_of_the_motion(motion, tmp_path, t):
+    with pytest.raises(ViewError, match=r"expected an instant of the motion, from 0 to 1$"):
+        free_body_diagram(motion, "beam", tmp_path / "beam.svg", t=t)
+
+
+def test_a_body_is_cut_off_once_and_drawn_as_svg(motion, tmp_path):
+    with pytest.raises(ViewError, match=r"the body beam is given twice; give it once"):
+        free_body_diagram(motion, ["beam", "beam"], tmp_path / "beam.svg")
+    with pytest.raises(ViewError, match=r"beam\.png is no SVG file; expected a name such as beam\.svg"):
+        free_body_diagram(motion, "beam", tmp_path / "beam.png")

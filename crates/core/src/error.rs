@@ -63,6 +63,13 @@ pub enum Error {
         /// A function of time that it contains.
         function: String,
     },
+    /// An expression is singular where the variables of an expansion vanish.
+    NoExpansion {
+        /// The singular part of the expression.
+        expression: String,
+        /// The variables that vanish.
+        variables: String,
+    },
     /// An input of a compiled function has no value.
     MissingInput(String),
 }
@@ -120,6 +127,12 @@ impl fmt::Display for Error {
                 f,
                 "{expression} contains the function of time {function}, so it has two derivatives with respect to t: \
                  time_derivative(e) is the total one, partial_derivative(e, t) the one that holds {function} fixed"
+            ),
+            Self::NoExpansion { expression, variables } => write!(
+                f,
+                "{expression} has no expansion in small {variables}: it is singular, or 0/0, where small variables are \
+                 zero; expand it at a regular value (1 + x for a variable near 1), or leave {variables} out of the \
+                 small variables"
             ),
             Self::NotAVariable(text) => {
                 write!(

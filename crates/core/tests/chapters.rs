@@ -1,5 +1,5 @@
-//! The chapters of the crate use only chapters below them, and every file lies in a chapter. No files of a chapter, and
-//! of the crates above, use one another in a circle.
+//! The chapters of the crate use only chapters below them, and every file lies in a chapter or in one of its sections,
+//! which are folders. No files of a chapter or section, and of the crates above, use one another in a circle.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -40,6 +40,20 @@ fn entries(folder: &Path) -> Vec<PathBuf> {
     paths
 }
 
+/// The files of a folder and of its sections.
+fn files_below(folder: &Path) -> Vec<PathBuf> {
+    let (sections, mut files): (Vec<PathBuf>, Vec<PathBuf>) =
+        entries(folder).into_iter().partition(|path| path.is_dir());
+    files.extend(sections.iter().flat_map(|section| files_below(section)));
+    files
+}
+
+/// The text of a file, or of each file of a section.
+fn texts(path: &Path) -> Vec<String> {
+    let files = if path.is_dir() { files_below(path) } else { vec![path.to_owned()] };
+    files.iter().map(|file| read(file)).collect()
+}
+
 fn name(path: &Path) -> &str {
     path.file_name().and_then(|name| name.to_str()).expect("names are text")
 }
@@ -75,7 +89,7 @@ fn every_file_lies_in_a_chapter() {
 #[test]
 fn chapters_use_only_chapters_below_them() {
     for folder in entries(&sources()).iter().filter(|path| path.is_dir()) {
-        for path in entries(folder) {
+        for path in files_below(folder) {
             for chapter in named_after("crate::", &read(&path)) {
                 let below = rank(&chapter).expect("paths begin with a chapter");
                 assert!(
@@ -89,16 +103,18 @@ fn chapters_use_only_chapters_below_them() {
     }
 }
 
-/// The files of a folder, by name, and those among them that each one uses.
+/// The files and sections of a folder, by name, and those among them that each one uses.
 fn uses(folder: &Path, prefixes: &[&str]) -> BTreeMap<String, Vec<String>> {
-    let files = entries(folder).into_iter().filter(|path| path.is_file());
+    let files = entries(folder).into_iter();
     let stem =
         |path: &Path| path.file_stem().and_then(|stem| stem.to_str()).expect("names are text").to_owned();
     let mut uses: BTreeMap<String, Vec<String>> = files
         .filter(|path| !["lib", "mod"].contains(&stem(path).as_str()))
         .map(|path| {
-            let text = read(&path);
-            (stem(&path), prefixes.iter().flat_map(|prefix| named_after(prefix, &text)).collect())
+            let texts = texts(&path);
+            let used =
+                texts.iter().flat_map(|text| prefixes.iter().flat_map(|prefix| named_after(prefix, text)));
+            (stem(&path), used.collect())
         })
         .collect();
     let known: Vec<String> = uses.keys().cloned().collect();
@@ -122,9 +138,13 @@ fn in_circles(mut uses: BTreeMap<String, Vec<String>>) -> Vec<String> {
 #[test]
 fn no_files_use_one_another_in_a_circle() {
     for chapter in CHAPTERS.iter().filter(|chapter| !["error", "interrupt"].contains(*chapter)) {
-        let prefix = format!("crate::{chapter}::");
-        let found = in_circles(uses(&sources().join(chapter), &["super::", &prefix]));
+        let (folder, prefix) = (sources().join(chapter), format!("crate::{chapter}::"));
+        let found = in_circles(uses(&folder, &["super::", &prefix]));
         assert!(found.is_empty(), "{chapter}: a circle among {found:?}");
+        for section in entries(&folder).iter().filter(|path| path.is_dir()) {
+            let found = in_circles(uses(section, &["super::"]));
+            assert!(found.is_empty(), "{}: a circle among {found:?}", section.display());
+        }
     }
     for other in ["integrate", "python"] {
         let found = in_circles(uses(&sources().join("../..").join(other).join("src"), &["crate::"]));

@@ -22,6 +22,8 @@ pub struct Dynamics<F = BoundCode> {
     pub position_correction: Option<F>,
     /// The change of the speeds that leads onto the rates of the constraints: the speeds follow the coordinates.
     pub velocity_correction: Option<F>,
+    /// The change of the sensitivities that leads onto the derivatives of the constraints, and their first place.
+    pub sensitivity_correction: Option<(F, usize)>,
     /// The kinetic and the potential energy, where their balance can be watched.
     pub energies: Option<F>,
     /// The functions whose zeros are events, and the kind of each.
@@ -42,6 +44,10 @@ impl Dynamics<MachineCode> {
             jacobian: self.jacobian.as_ref().map(|(code, places)| (function(code), places.clone())),
             position_correction: self.position_correction.as_ref().map(&mut function),
             velocity_correction: self.velocity_correction.as_ref().map(&mut function),
+            sensitivity_correction: self
+                .sensitivity_correction
+                .as_ref()
+                .map(|(code, first)| (function(code), *first)),
             energies: self.energies.as_ref().map(&mut function),
             events: self.events.as_ref().map(|(code, kinds)| (function(code), kinds.clone())),
         }
@@ -56,6 +62,7 @@ impl Dynamics<MachineCode> {
             jacobian,
             self.position_correction.as_ref(),
             self.velocity_correction.as_ref(),
+            self.sensitivity_correction.as_ref().map(|(code, _)| code),
             self.energies.as_ref(),
             events,
         ]

@@ -51,7 +51,8 @@ impl<'a> Projection<'a> {
         }
     }
 
-    /// Change first the coordinates and then the speeds so that they satisfy the constraints.
+    /// Change first the coordinates and then the speeds so that they satisfy the constraints; then the sensitivities,
+    /// so that they satisfy the derivatives of the constraints, which are linear in them.
     pub fn project(&mut self, t: f64, state: &mut [f64]) -> Result<(), Failure> {
         let mut coordinates = 0;
         if let Some(correction) = &self.dynamics.position_correction {
@@ -80,6 +81,14 @@ impl<'a> Projection<'a> {
             let change = self.change.iter().fold(0.0, |size: f64, change| size.max(change.abs()));
             if change > self.bound {
                 return Err(Failure::Singular { t, change, bound: self.bound });
+            }
+        }
+        if let Some((correction, first)) = &self.dynamics.sensitivity_correction {
+            self.change.resize(correction.outputs(), 0.0);
+            correction.call(t, state, &mut self.change);
+            let size = apply(&self.change, &mut state[*first..first + correction.outputs()]);
+            if size.is_nan() {
+                return Err(Failure::Projection { t, change: size });
             }
         }
         Ok(())

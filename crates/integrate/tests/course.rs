@@ -47,6 +47,7 @@ fn on_circle() -> Dynamics {
     Dynamics {
         position_correction: Some(code(back_onto_circle, 4, 0, 2)),
         velocity_correction: Some(code(along_circle, 4, 0, 2)),
+        sensitivity_correction: None,
         ..free(code(circle, 4, 0, 4), None)
     }
     .with_constants(&[])

@@ -15,7 +15,7 @@ fn substitute<'py>(py: Python<'py>, expressions: &Object<'py>, mapping: &Object<
     let (roots, pairs) = (operands(expressions, "subs")?, pairs(mapping)?);
     notice_namesakes(py, "subs", &roots, &keys(&pairs))?;
     let replaced = long_with_forms(py, |graph| graph.substitute(&roots, &pairs))?;
-    tuple(py, replaced)
+    tuple(py, long_with_graph(py, |_| Ok(replaced.clone()))?)
 }
 
 /// The derivatives of several expressions with respect to one variable: total ones with respect to t.
@@ -56,6 +56,27 @@ fn derivatives<'py>(
 fn time_derivatives<'py>(py: Python<'py>, expressions: &Object<'py>) -> Tuple<'py> {
     let roots = operands(expressions, "time_derivative")?;
     tuple(py, long_with_graph(py, |graph| graph.time_derivatives(&roots))?)
+}
+
+/// Several expressions without the terms beyond an order in variables: those that are marked as small, or those given.
+#[pyfunction]
+#[pyo3(signature = (expressions, order, variables = None))]
+fn truncate<'py>(
+    py: Python<'py>,
+    expressions: &Object<'py>,
+    order: u32,
+    variables: Option<&Object<'py>>,
+) -> Tuple<'py> {
+    let roots = operands(expressions, "taylor")?;
+    let variables = variables.map(|given| operands(given, "taylor, variables")).transpose()?;
+    tuple(py, long_with_graph(py, |graph| graph.truncate(&roots, variables.as_deref(), order))?)
+}
+
+/// Whether one of the expressions contains a variable that is marked as small.
+#[pyfunction]
+fn contain_small(expressions: &Object<'_>) -> PyResult<bool> {
+    let roots = operands(expressions, "taylor")?;
+    Ok(with_forms(|graph| roots.iter().any(|&id| graph.contains_small(id))))
 }
 
 /// The leaves of several expressions, found in one walk.
@@ -111,6 +132,8 @@ pub fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(free_symbols, module)?)?;
     module.add_function(wrap_pyfunction!(time_derivatives, module)?)?;
     module.add_function(wrap_pyfunction!(gradient, module)?)?;
+    module.add_function(wrap_pyfunction!(truncate, module)?)?;
+    module.add_function(wrap_pyfunction!(contain_small, module)?)?;
     module.add_function(wrap_pyfunction!(idle_symbols, module)?)?;
     module.add_function(wrap_pyfunction!(without_idle_symbols, module)?)?;
     module.add_function(wrap_pyfunction!(jacobian, module)?)

@@ -268,7 +268,7 @@ impl Expr {
         with_forms(|graph| match graph.view(self.0) {
             View::Time => Ok("t".to_owned()),
             View::Pi => Ok("pi".to_owned()),
-            View::Symbol(name, _) | View::TimeFunction(name, _) | View::Application { name, .. } => {
+            View::Symbol(name, _) | View::TimeFunction(name, ..) | View::Application { name, .. } => {
                 Ok(name.to_owned())
             }
             View::Function(function, _) => Ok(function.name().to_owned()),
@@ -280,7 +280,7 @@ impl Expr {
     #[getter]
     fn order(&self) -> PyResult<u32> {
         with_forms(|graph| match graph.view(self.0) {
-            View::TimeFunction(_, order) => Ok(order),
+            View::TimeFunction(_, order, _) => Ok(order),
             _ => Err(PyAttributeError::new_err("only functions of time have an order")),
         })
     }
@@ -294,12 +294,14 @@ impl Expr {
         })
     }
 
-    /// The assumption about a symbol: "real", "positive" or "none".
+    /// The assumption about a symbol: "real", "positive", "small" or "none"; about a function of time, "real" or "small".
     #[getter]
     fn assumption(&self) -> PyResult<&'static str> {
         with_forms(|graph| match graph.view(self.0) {
-            View::Symbol(_, assumption) => Ok(assumption_name(assumption)),
-            _ => Err(PyAttributeError::new_err("only symbols have an assumption")),
+            View::Symbol(_, assumption) | View::TimeFunction(_, _, assumption) => {
+                Ok(assumption_name(assumption))
+            }
+            _ => Err(PyAttributeError::new_err("only symbols and functions of time have an assumption")),
         })
     }
 
@@ -394,6 +396,7 @@ const fn assumption_name(assumption: Assumption) -> &'static str {
         Assumption::None => "none",
         Assumption::Real => "real",
         Assumption::Positive => "positive",
+        Assumption::Small => "small",
     }
 }
 

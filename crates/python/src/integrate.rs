@@ -50,7 +50,7 @@ pub struct Dynamics {
 #[pymethods]
 impl Dynamics {
     #[new]
-    #[pyo3(signature = (rates, jacobian=None, position_correction=None, velocity_correction=None, energies=None, events=None))]
+    #[pyo3(signature = (rates, jacobian=None, position_correction=None, velocity_correction=None, energies=None, events=None, sensitivity_correction=None))]
     fn new(
         rates: Code,
         jacobian: Option<(Code, Vec<(usize, usize)>)>,
@@ -58,6 +58,7 @@ impl Dynamics {
         velocity_correction: Option<Code>,
         energies: Option<Code>,
         events: Option<(Code, Vec<(i32, bool)>)>,
+        sensitivity_correction: Option<(Code, usize)>,
     ) -> Self {
         let states = rates.2;
         let code = |(address, constants, outputs): Code| {
@@ -74,6 +75,7 @@ impl Dynamics {
                 jacobian: jacobian.map(|(own, places)| (code(own), places)),
                 position_correction: position_correction.map(code),
                 velocity_correction: velocity_correction.map(code),
+                sensitivity_correction: sensitivity_correction.map(|(own, first)| (code(own), first)),
                 energies: energies.map(code),
                 events: events.map(|(own, those)| (code(own), kinds(those))),
             },

@@ -2,7 +2,7 @@
 
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
-use symbody_core::{Assumption, Function};
+use symbody_core::{Assumption, Function, Graph};
 
 use crate::convert::{operand, operands};
 use crate::expr::Expr;
@@ -10,9 +10,10 @@ use crate::session::{long_with_graph, raise, with_graph};
 
 /// The symbol with a name.
 #[pyfunction]
-#[pyo3(signature = (name, *, positive = false, real = true))]
-fn symbol(name: &str, positive: bool, real: bool) -> Expr {
+#[pyo3(signature = (name, *, positive = false, real = true, small = false))]
+fn symbol(name: &str, positive: bool, real: bool, small: bool) -> Expr {
     let assumption = match (positive, real) {
+        _ if small => Assumption::Small,
         (true, _) => Assumption::Positive,
         (false, true) => Assumption::Real,
         (false, false) => Assumption::None,
@@ -22,9 +23,10 @@ fn symbol(name: &str, positive: bool, real: bool) -> Expr {
 
 /// The function of time `name`, differentiated `order` times.
 #[pyfunction]
-#[pyo3(signature = (name, order = 0))]
-fn time_function(py: Python<'_>, name: &str, order: u32) -> PyResult<Expr> {
-    raise(py, with_graph(|graph| graph.time_function(name, order))).map(Expr)
+#[pyo3(signature = (name, order = 0, *, small = false))]
+fn time_function(py: Python<'_>, name: &str, order: u32, small: bool) -> PyResult<Expr> {
+    let make = if small { Graph::small_time_function } else { Graph::time_function };
+    raise(py, with_graph(|graph| make(graph, name, order))).map(Expr)
 }
 
 /// The undefined function `name` of arguments, differentiated `orders[i]` times by argument i.
@@ -68,13 +70,13 @@ fn sqrt(py: Python<'_>, value: &Bound<'_, PyAny>) -> PyResult<Expr> {
 /// The independent variable t.
 #[pyfunction]
 fn time() -> Expr {
-    Expr(with_graph(symbody_core::Graph::time))
+    Expr(with_graph(Graph::time))
 }
 
 /// The circle constant.
 #[pyfunction]
 fn pi() -> Expr {
-    Expr(with_graph(symbody_core::Graph::pi))
+    Expr(with_graph(Graph::pi))
 }
 
 /// The names of the functions of the table.

@@ -89,8 +89,7 @@ fn matrix_product<'py>(
 ) -> Tuple<'py> {
     let a = raise(py, Matrix::new(rows, inner, operands(a, "Matrix")?))?;
     let b = raise(py, Matrix::new(inner, columns, operands(b, "Matrix")?))?;
-    let product = long_with_graph(py, |graph| graph.matrix_product(&a, &b))?;
-    tuple(py, product.entries().iter().copied())
+    tuple(py, long_with_graph(py, |graph| Ok(graph.matrix_product(&a, &b)?.entries().to_vec()))?)
 }
 
 /// The rank of a matrix.
@@ -111,8 +110,7 @@ fn determinant(py: Python<'_>, n: usize, entries: &Object<'_>) -> PyResult<Expr>
 #[pyfunction]
 fn inverse<'py>(py: Python<'py>, n: usize, entries: &Object<'py>) -> Tuple<'py> {
     let matrix = raise(py, Matrix::new(n, n, operands(entries, "Matrix")?))?;
-    let inverse = long_with_graph(py, |graph| graph.inverse(&matrix))?;
-    tuple(py, inverse.entries().iter().copied())
+    tuple(py, long_with_graph(py, |graph| Ok(graph.inverse(&matrix)?.entries().to_vec()))?)
 }
 
 /// The values of the unknowns that make the linear equations zero.

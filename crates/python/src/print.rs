@@ -10,13 +10,13 @@ use crate::session::{argument_error, long_with_forms};
 type Definitions = Vec<(String, String)>;
 
 /// Expressions printed together: the named intermediate quantities, if any, and the results; those of equations with
-/// the names of their coordinates and speeds.
+/// the names of their coordinates, of their speeds, and of the parameters that their model subtracts.
 #[pyfunction]
 #[pyo3(signature = (expressions, notation, equations=None))]
 fn listing(
     expressions: &Bound<'_, PyAny>,
     notation: &str,
-    equations: Option<(Vec<String>, Vec<String>)>,
+    equations: Option<(Vec<String>, Vec<String>, Vec<String>)>,
 ) -> PyResult<(Definitions, Vec<String>)> {
     let roots = operands(expressions, "listing")?;
     let format = match notation {
@@ -30,7 +30,8 @@ fn listing(
             ));
         }
     };
-    let usage = equations.map(|(coordinates, speeds)| Usage::new(&coordinates, &speeds));
+    let usage =
+        equations.map(|(coordinates, speeds, subtracted)| Usage::new(&coordinates, &speeds, subtracted));
     let Listing { definitions, results } = long_with_forms(expressions.py(), |graph| {
         Ok(match &usage {
             Some(usage) => graph.listing_of_equations(&roots, format, usage),

@@ -7,7 +7,7 @@ use std::sync::{LazyLock, Mutex, MutexGuard, PoisonError};
 
 use pyo3::ffi;
 use pyo3::prelude::*;
-use symbody_core::{Classes, Error, Graph};
+use symbody_core::{Classes, Error, Graph, Id};
 
 /// The graph, also after a panic.
 ///
@@ -52,10 +52,50 @@ pub fn with_forms<T>(work: impl FnOnce(&mut Graph) -> T) -> T {
     work(&mut graph)
 }
 
+/// What an operation makes: expressions, of which a derivation keeps terms up to its order, or something else.
+pub trait Made: Sized {
+    /// What the derivation in progress keeps.
+    fn kept(self, graph: &mut Graph) -> Result<Self, Error>;
+}
+
+impl Made for Id {
+    fn kept(self, graph: &mut Graph) -> Result<Self, Error> {
+        Ok(graph.kept(vec![self])?[0])
+    }
+}
+
+impl Made for Vec<Id> {
+    fn kept(self, graph: &mut Graph) -> Result<Self, Error> {
+        graph.kept(self)
+    }
+}
+
+impl Made for [Id; 3] {
+    fn kept(self, graph: &mut Graph) -> Result<Self, Error> {
+        let kept = graph.kept(self.to_vec())?;
+        Ok([kept[0], kept[1], kept[2]])
+    }
+}
+
+impl Made for Vec<Vec<Id>> {
+    fn kept(self, graph: &mut Graph) -> Result<Self, Error> {
+        self.into_iter().map(|row| graph.kept(row)).collect()
+    }
+}
+
+impl Made for usize {
+    fn kept(self, _: &mut Graph) -> Result<Self, Error> {
+        Ok(self)
+    }
+}
+
 /// Run work that may take long on the graph, within the derivation of this thread. Ctrl-C ends it.
-pub fn long_with_graph<T>(py: Python<'_>, work: impl FnMut(&mut Graph) -> Result<T, Error>) -> PyResult<T> {
+pub fn long_with_graph<T: Made>(
+    py: Python<'_>,
+    work: impl FnMut(&mut Graph) -> Result<T, Error>,
+) -> PyResult<T> {
     let mut work = work;
-    interruptible(py, || with_graph(&mut work))
+    interruptible(py, || with_graph(|graph| work(graph)?.kept(graph)))
 }
 
 /// Run work that may take long on the graph, outside any derivation. Ctrl-C ends it.
@@ -150,6 +190,13 @@ fn end_derivation() {
     CLASSES.with_borrow_mut(Vec::pop);
 }
 
+/// Let the derivation of this thread drop terms beyond a degree in small variables, or none; returns the former degree.
+#[pyfunction]
+#[pyo3(signature = (order))]
+fn keep_order(order: Option<u32>) -> Option<u32> {
+    CLASSES.with_borrow_mut(|classes| classes.last_mut().and_then(|last| last.keep_order(order)))
+}
+
 /// The number of nodes in the graph of this process.
 #[pyfunction]
 fn node_count() -> usize {
@@ -159,5 +206,6 @@ fn node_count() -> usize {
 pub fn register(module: &Bound<'_, PyModule>) -> PyResult<()> {
     module.add_function(wrap_pyfunction!(begin_derivation, module)?)?;
     module.add_function(wrap_pyfunction!(end_derivation, module)?)?;
+    module.add_function(wrap_pyfunction!(keep_order, module)?)?;
     module.add_function(wrap_pyfunction!(node_count, module)?)
 }

@@ -15,9 +15,6 @@ from symbody.symbolic.given.arguments import brief, described
 
 __all__ = ["parameters_of", "position_of", "title_of", "units_of"]
 
-_CALLS = 3
-"""The frames from a function of this file to the user's call."""
-
 
 def parameters_of(equations: Equations, given: object) -> dict[Expr, float]:
     """Return the values of parameters; a notice reports those that the model doesn't contain.
@@ -31,7 +28,7 @@ def parameters_of(equations: Equations, given: object) -> dict[Expr, float]:
     symbols = [each for each in found if each.kind == "symbol" and each not in equations.parameters]
     known = (*equations.parameters, *symbols)
     check_known(found, known, "report, parameters", "a parameter of these equations")
-    warn_of_unused(equations, found, (), "report", stacklevel=_CALLS + 1)
+    warn_of_unused(equations, found, (), "report")
     return {name: finite_number(name, value, "report, parameters") for name, value in found.items()}
 
 

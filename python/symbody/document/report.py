@@ -26,7 +26,7 @@ from symbody.dynamics import Equations
 from symbody.errors import ReportError
 from symbody.multibody import System
 from symbody.symbolic import Expr
-from symbody.symbolic.given.arguments import brief
+from symbody.symbolic.given.arguments import brief, with_known_names
 from symbody.view import DrawableMotion
 from symbody.view.whole_file import write_whole
 
@@ -51,6 +51,7 @@ SECTIONS: tuple[Callable[[Subject], list[Block]], ...] = (
 """The sections in their order."""
 
 
+@with_known_names
 def report(
     model: Equations | System,
     path: str | os.PathLike[str],

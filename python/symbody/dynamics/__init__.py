@@ -13,6 +13,9 @@ from symbody.dynamics.formalism.lagrange import lagrange, lagrange_equations
 from symbody.dynamics.formalism.newton import newton_equations
 from symbody.dynamics.formalism.newton_euler import newton_euler
 from symbody.dynamics.formalism.reaction import Reaction, reaction
+from symbody.dynamics.linearization import linear_program as _linear_program  # noqa: F401  enters the programs
+from symbody.dynamics.linearization.linear import Linear
+from symbody.dynamics.linearization.linearize import linearize
 from symbody.dynamics.solution.dependent_speeds import dependent_speeds
 from symbody.dynamics.solution.embedded import embedded
 from symbody.dynamics.solution.equations_program import program
@@ -22,6 +25,7 @@ __all__ = [
     "CanonicalEquations",
     "Equations",
     "ForwardDynamics",
+    "Linear",
     "Reaction",
     "dependent_speeds",
     "embedded",
@@ -34,6 +38,7 @@ __all__ = [
     "kane",
     "lagrange",
     "lagrange_equations",
+    "linearize",
     "newton_equations",
     "newton_euler",
     "program",

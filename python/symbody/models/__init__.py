@@ -7,12 +7,14 @@ from .bicycle import bicycle
 from .blades import chaplygin_sleigh, skate, snakeboard
 from .cars import full_car, half_car, quarter_car, single_track_car
 from .classic_system import ClassicSystem
+from .flexible_motorcycle import flexible_motorcycle
 from .linkages import andrews_mechanism, bricard_mechanism, four_bar, slider_crank
 from .motorcycle import motorcycle
 from .pendulums import cart_pole, furuta_pendulum, n_pendulum
 from .quadrotor import quadrotor_with_slung_load
 from .rolling_bodies import rattleback, rolling_disc
 from .tops import gyroscope_in_gimbals, heavy_top
+from .touring_motorcycle import touring_motorcycle
 
 MODELS = (
     n_pendulum,
@@ -35,6 +37,8 @@ MODELS = (
     balancing_robot,
     bicycle,
     motorcycle,
+    touring_motorcycle,
+    flexible_motorcycle,
     quarter_car,
     half_car,
     full_car,
@@ -53,6 +57,7 @@ __all__ = [
     "bricard_mechanism",
     "cart_pole",
     "chaplygin_sleigh",
+    "flexible_motorcycle",
     "four_bar",
     "full_car",
     "furuta_pendulum",
@@ -71,4 +76,5 @@ __all__ = [
     "slider_crank",
     "snakeboard",
     "spatial_arm",
+    "touring_motorcycle",
 ]

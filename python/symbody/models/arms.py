@@ -14,7 +14,8 @@ from .pendulums import check_count, indexed
 def planar_arm(n: int = 2) -> ClassicSystem:
     """Return an arm of n links in a vertical plane, by the angles of its joints, level where they are zero.
 
-    Link k has the length l_k and its centre of mass at lc_k; the inputs tau_k are the torques of the motors.
+    Link k has the length l_k and its centre of mass at lc_k; the inputs tau_k are the torques of the motors. The
+    numbers are those of homogeneous rods of 1 kg and 1 m.
 
     >>> from symbody import newton_euler
     >>> newton_euler(planar_arm(3).system)
@@ -50,7 +51,8 @@ def spatial_arm() -> ClassicSystem:
     """Return an elbow manipulator: a column that turns about the vertical, an upper arm, and a forearm.
 
     Angles of the arms are measured downwards from the level. The centres of mass of the arms are at r1 and r2, the
-    upper arm has the length l1; tau1 to tau3 are the torques of the motors.
+    upper arm has the length l1; tau1 to tau3 are the torques of the motors. The source has no numbers; these are
+    typical of a small arm.
 
     >>> from symbody import newton_euler
     >>> newton_euler(spatial_arm().system).mass_matrix[2, 2]

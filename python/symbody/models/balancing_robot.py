@@ -13,7 +13,7 @@ def balancing_robot() -> ClassicSystem:
     """Return a robot on two wheels at the distance d, which roll: its body leans by theta, and turns by psi.
 
     The centre of mass of the body is at l above the axle. The inputs TL and TR are the torques of the motors between
-    the body and the left and the right wheel.
+    the body and the left and the right wheel. The numbers are typical of such a robot, and not from the source.
 
     >>> from symbody import newton_euler
     >>> newton_euler(balancing_robot().system)

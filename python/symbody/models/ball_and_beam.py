@@ -13,7 +13,8 @@ def ball_and_beam() -> ClassicSystem:
     """Return a ball that rolls on a beam, which turns about its middle, level where theta is zero.
 
     The centre of the ball is on the axis of the beam, and its rolling adds no momentum about the pivot, as in the
-    source: it spins by r/R about the beam. The input tau is the torque on the beam.
+    source: it spins by r/R about the beam. The input tau is the torque on the beam. The numbers are those of the
+    source.
 
     >>> from symbody import newton_euler
     >>> newton_euler(ball_and_beam().system).bias[0]

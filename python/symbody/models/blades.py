@@ -17,7 +17,8 @@ def _held_sideways(blade: Frame, name: str) -> Constraint:
 def skate() -> ClassicSystem:
     """Return a skate on a plane that falls by the angle alpha along x: a blade below the centre of mass.
 
-    It does not slide down the hill: turning with the rate omega, it goes along a cycloid across the hill.
+    It does not slide down the hill: turning with the rate omega, it goes along a cycloid across the hill. The numbers
+    are typical, and not from the source.
 
     >>> from symbody import newton_euler
     >>> newton_euler(skate().system).constraints
@@ -39,6 +40,8 @@ def skate() -> ClassicSystem:
 def chaplygin_sleigh() -> ClassicSystem:
     """Return Chaplygin's sleigh: a body on a blade, whose centre of mass is at the distance a ahead of the blade.
 
+    The numbers are typical, and not from the source.
+
     >>> from symbody import newton_euler
     >>> newton_euler(chaplygin_sleigh().system)
     Equations(3 equations of motion, 1 constraint, coordinates x, y, psi)
@@ -59,7 +62,8 @@ def snakeboard() -> ClassicSystem:
     """Return a snakeboard: a board with a rotor for the rider, and two axles that steer by phi and -phi.
 
     The axles are at the distance l from the middle. The rotor turns by psi; the inputs Mr and Ms are the torques on the
-    rotor and on each axle. The number of J makes J + Jr + 2 Jw = m l^2, which the source assumes.
+    rotor and on each axle. The number of J makes J + Jr + 2 Jw = m l^2, which the source assumes. The others are quoted
+    from the source; no test compares them.
 
     >>> from symbody import newton_euler
     >>> newton_euler(snakeboard().system)

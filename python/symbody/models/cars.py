@@ -12,7 +12,7 @@ from .classic_system import ClassicSystem
 def quarter_car() -> ClassicSystem:
     """Return a quarter of a car: a body on a strut, and a wheel on its tyre, which follows the road zr.
 
-    zs and zu are displacements from rest.
+    zs and zu are displacements from rest. The numbers are typical of a small car, and not from the source.
 
     >>> from symbody import newton_euler
     >>> newton_euler(quarter_car().system)
@@ -38,7 +38,8 @@ def quarter_car() -> ClassicSystem:
 def half_car() -> ClassicSystem:
     """Return a car on a front and a rear spring, with dampers: heave z upwards and pitch theta, nose down, are small.
 
-    a and b are the distances of the front and the rear axle from the centre of mass.
+    a and b are the distances of the front and the rear axle from the centre of mass. The numbers are those of the
+    source, without dampers.
 
     >>> from symbody import newton_euler
     >>> newton_euler(half_car().system)
@@ -66,7 +67,8 @@ def full_car() -> ClassicSystem:
 
     The body moves up by z, pitches by theta and rolls by phi; the wheels move up by z1 (front left), z2 (front right),
     z3 and z4. The struts are springs with dampers between the corners of the body and the wheels below, which carry the
-    weight at z = 0 and at wheels at rest (free lengths follow from that).
+    weight at z = 0 and at wheels at rest (free lengths follow from that). The numbers are quoted from the source, but
+    for Iz and h, which are typical; no test compares them.
 
     >>> from symbody import newton_euler
     >>> newton_euler(full_car().system)
@@ -123,7 +125,8 @@ def single_track_car() -> ClassicSystem:
     """Return a car as a single track with linear tyres, which a drive keeps at the forward speed u.
 
     v is its velocity to the left and r its yaw rate; the input delta is the steering angle of the front wheel, which is
-    small. The car is neutral if a C1 = b C2, and unstable above its critical speed if a C1 > b C2.
+    small. The car is neutral if a C1 = b C2, and unstable above its critical speed if a C1 > b C2. The numbers are
+    typical, and not from the source.
 
     >>> from symbody import newton_euler
     >>> newton_euler(single_track_car().system)

@@ -26,7 +26,7 @@ def four_bar() -> ClassicSystem:
     """Return a four-bar linkage that hangs in a plane, x downwards; a force H pulls the pin of bars B and C aside.
 
     A hangs from the origin, B from the end of A, C from a pin at the distance LN; the ends of B and C meet. Angles are
-    measured from the vertical.
+    measured from the vertical. The numbers are those of the source.
 
     >>> from symbody import newton_euler
     >>> newton_euler(four_bar().system)
@@ -59,7 +59,7 @@ def _bar(name: str, length: Expr, mass: Expr) -> Link:
 def slider_crank() -> ClassicSystem:
     """Return a slider-crank whose rod has the length 2 and slides with its middle; a force F pushes its other end.
 
-    A spring with a damper joins the middle of the crank and a point of the rod.
+    A spring with a damper joins the middle of the crank and a point of the rod. The numbers are those of the source.
 
     >>> from symbody import newton_euler
     >>> newton_euler(slider_crank().system)
@@ -141,7 +141,7 @@ def andrews_mechanism() -> ClassicSystem:
     """Return Andrews' squeezing mechanism: seven bodies in the plane, driven by a motor, closed by three loops.
 
     The crank K1 turns about O, K2 hangs on its end; its other end P is held by the triangle K3 about B, on which a
-    spring pulls, by the pair K5-K4 about A and by the pair K7-K6 about A.
+    spring pulls, by the pair K5-K4 about A and by the pair K7-K6 about A. The numbers are those of the source.
 
     >>> from symbody import newton_euler
     >>> newton_euler(andrews_mechanism().system)
@@ -194,7 +194,8 @@ def andrews_mechanism() -> ClassicSystem:
 def bricard_mechanism() -> ClassicSystem:
     """Return Bricard's mechanism: five bars on the edges of a cube, hinged across them; the sixth edge is the ground.
 
-    It is overconstrained: five conditions close it, and one of them follows from the others. It is left out here.
+    It is overconstrained: five conditions close it, and one of them follows from the others. It is left out here. The
+    numbers are those of the source.
 
     >>> len(bricard_mechanism().system.constraints)
     4

@@ -2,14 +2,12 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
-
 from symbody.geometry import Point, Vector, ground, rotate, translate
-from symbody.multibody import Body, Constraint, Element, Force, System, friction, motor, tire_kinematics
-from symbody.multibody.element.tire_kinematics import TireKinematics
-from symbody.symbolic import Expr, cos, functions_of_time, sin, symbols, time_derivative
+from symbody.multibody import Body, System, friction, motor, tire_kinematics
+from symbody.symbolic import cos, functions_of_time, sin, symbols, time_derivative
 
 from .classic_system import ClassicSystem
+from .lagging_tyre import TyreLaw, lagging_tyre
 
 _NUMBERS = {
     "mr": 217.45,
@@ -53,7 +51,8 @@ def motorcycle() -> ClassicSystem:
     forward, VS > 0.
 
     The coordinates are the place, yaw psi, lean phi and pitch theta of the frame, the steering angle delta and the
-    angles of the wheels. A damper K and the input tau act on the steering.
+    angles of the wheels. A damper K and the input tau act on the steering, the input drive on the rear wheel. The
+    numbers are Sharp's in SI units, as later work quotes them, but for Iry and Ify, which are typical.
 
     >>> model = motorcycle()
     >>> *model.system.states, len(model.system.constraints)
@@ -64,7 +63,7 @@ def motorcycle() -> ClassicSystem:
     Ifx, Ify, Ifz, iry, ify, Cr1, Cr2, Cf1, Cf2, sigma, K, g = others
     coordinates = functions_of_time("x y z psi phi theta delta phir phif")
     x, y, z, psi, phi, theta, delta, phir, phif = coordinates
-    Yr, Yf, tau = functions_of_time("Yr Yf tau")
+    Yr, Yf, tau, drive = functions_of_time("Yr Yf tau drive")
 
     heading = translate(x, y, z) * rotate("Z", psi)
     main = heading * rotate("X", phi) * rotate("Y", theta)
@@ -76,21 +75,22 @@ def motorcycle() -> ClassicSystem:
     rear = Body(main * translate(-b, 0, Rr) * rotate("Y", phir), 0, Iy=iry, name="rear wheel")
     front = Body(fork * hub * rotate("Y", phif), 0, Iy=ify, name="front wheel")
 
-    steering: list[Force | Element] = [
+    drives = [
         motor(delta, tau, on=steered, reaction=frame, name="steering torque"),
         friction(delta, viscous=K, on=steered, reaction=frame, name="steering damper"),
+        motor(phir, drive, on=rear, reaction=frame, name="drive"),
     ]
     tyres = [
-        _on_tyre(rear, tire_kinematics(rear, Rr, carrier=heading), Yr, (Cr1, Cr2, sigma)),
-        _on_tyre(front, tire_kinematics(front, Rf), Yf, (Cf1, Cf2, sigma)),
+        lagging_tyre(rear, tire_kinematics(rear, Rr, carrier=heading), Yr, TyreLaw(Cr1, Cr2, sigma)),
+        lagging_tyre(front, tire_kinematics(front, Rf), Yf, TyreLaw(Cf1, Cf2, sigma)),
     ]
     system = System(
         [frame, steered, rear, front],
-        [*steering, *(tyre.force for tyre in tyres)],
+        [*drives, *(load for tyre in tyres for load in tyre.loads)],
         coordinates,
         [constraint for tyre in tyres for constraint in tyre.constraints],
         Vector(ground, 0, 0, -g),
-        states={tyre.state: tyre.rate for tyre in tyres},
+        states={state: rate for tyre in tyres for state, rate in tyre.states.items()},
         name="Motorcycle",
     )
     return ClassicSystem(
@@ -99,28 +99,5 @@ def motorcycle() -> ClassicSystem:
         " numbers in SI units as later work quotes them; Iry and Ify, which do not occur there, are typical",
         {each: _NUMBERS[str(each)] for each in parameters},
         {time_derivative(x): 15.0, time_derivative(phi): 0.2},
-        {tau: 0.0},
-    )
-
-
-class _Tyre(NamedTuple):
-    """A wheel on the road: its lateral force, which is a state, and the constraints of its contact."""
-
-    force: Force
-    state: Expr
-    rate: Expr
-    constraints: tuple[Constraint, Constraint]
-
-
-def _on_tyre(wheel: Body, contact: TireKinematics, Y: Expr, law: tuple[Expr, Expr, Expr]) -> _Tyre:
-    """Return the tyre of a wheel by the law of cornering stiffness, camber stiffness and relaxation length."""
-    C1, C2, sigma = law
-    return _Tyre(
-        Force(Y * contact.lateral, at=contact.contact, on=wheel, name=f"tyre of the {wheel.name}"),
-        Y,
-        -(C1 * contact.VN + contact.VS * (C2 * contact.camber + Y)) / sigma,
-        (
-            Constraint(contact.deflection, f"the {wheel.name} touches the ground"),
-            Constraint(contact.VS + contact.VR, f"the {wheel.name} rolls"),
-        ),
+        {tau: 0.0, drive: 0.0},
     )

@@ -31,7 +31,7 @@ def n_pendulum(n: int = 2) -> ClassicSystem:
     """Return a plane pendulum of n point masses on rods without mass, by their angles from the vertical.
 
     The small motions of equal masses at equal distances have the frequencies ``sqrt(x g/l)``, where x are the zeros of
-    Laguerre's polynomial of order n.
+    Laguerre's polynomial of order n. All numbers are 1 in SI units, but for g.
 
     >>> from symbody import newton_euler
     >>> newton_euler(n_pendulum(2).system).mass_matrix[0, 1]
@@ -60,7 +60,8 @@ def n_pendulum(n: int = 2) -> ClassicSystem:
 def cart_pole(n: int = 1) -> ClassicSystem:
     """Return a cart with a pole of n links, by their angles from the vertical, upwards and clockwise.
 
-    Link k has its centre of mass at the distance a_k, and carries the next one at l_k. The input F pushes the cart.
+    Link k has its centre of mass at the distance a_k, and carries the next one at l_k. The input F pushes the cart. The
+    numbers are those of the tutorial, for further links too.
 
     >>> from symbody import newton_euler
     >>> newton_euler(cart_pole().system)
@@ -101,7 +102,7 @@ def furuta_pendulum() -> ClassicSystem:
     """Return Furuta's pendulum: an arm that turns about the vertical, and a pendulum on its end.
 
     The arm has the length L1 and the centre of mass at l1, the pendulum at l2; theta2 is zero where it hangs. The input
-    tau1 is the torque of the motor on the arm.
+    tau1 is the torque of the motor on the arm. The numbers are quoted from the source; no test compares them.
 
     >>> from symbody import newton_euler
     >>> newton_euler(furuta_pendulum().system).mass_matrix[0, 1]

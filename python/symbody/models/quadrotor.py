@@ -13,7 +13,8 @@ def quadrotor_with_slung_load() -> ClassicSystem:
     """Return a quadrotor in space from whose centre of mass a load hangs on a stiff cable without mass.
 
     Its angles are yaw psi, pitch theta and roll phi; alpha and beta are those of the cable, from the vertical. The
-    inputs are the thrust f along the z axis of the quadrotor, and the torques M1, M2 and M3 about its axes.
+    inputs are the thrust f along the z axis of the quadrotor, and the torques M1, M2 and M3 about its axes. The numbers
+    are quoted from the source; no test compares them.
 
     >>> from symbody import newton_euler
     >>> newton_euler(quadrotor_with_slung_load().system)

@@ -22,6 +22,8 @@ from .classic_system import ClassicSystem
 def rolling_disc() -> ClassicSystem:
     """Return a thin disc that rolls on a level plane: its contact at x and y, heading psi, lean theta and spin phi.
 
+    The numbers are typical, and not from the source.
+
     >>> from symbody import newton_euler
     >>> newton_euler(rolling_disc().system)
     Equations(5 equations of motion, 2 constraints, coordinates x, y, psi, theta, phi)
@@ -43,9 +45,10 @@ def rattleback() -> ClassicSystem:
     """Return a rattleback: an ellipsoid that rolls on a plane, whose principal axes of inertia are turned a little.
 
     The half axes are a, b and c, and the centre of mass is h below the centre of the ellipsoid, which is at x and y. A,
-    B and C are the moments of inertia and D the entry x-y of the inertia tensor. alpha is the heading, beta the roll
-    about the long axis x, and gamma the pitch. It spins well in one direction; in the other one, it begins to rattle,
-    and turns back.
+    B and C are the moments of inertia and D the entry x-y of the inertia tensor in the axes of the source, where z
+    points downwards and y to the other side; here z is upwards. alpha is the heading, beta the roll about the long axis
+    x, and gamma the pitch. Seen from above, it spins well clockwise, alpha' < 0; counterclockwise, it begins to rattle,
+    and turns back. The numbers are those of the source.
 
     >>> from symbody import newton_euler
     >>> newton_euler(rattleback().system)
@@ -57,7 +60,7 @@ def rattleback() -> ClassicSystem:
     nx, ny, nz = project(Vector(ground, 0, 0, 1), turned).components
     height = sqrt(a**2 * nx**2 + b**2 * ny**2 + c**2 * nz**2)
     frame = translate(x, y, height) * turned
-    body = Body(frame * translate(0, 0, -h), M, A, B, C, Cxy=-D, name="rattleback")
+    body = Body(frame * translate(0, 0, -h), M, A, B, C, Cxy=D, name="rattleback")
     lowest = Vector(frame, -(a**2) * nx / height, -(b**2) * ny / height, -(c**2) * nz / height)
     slip = project(velocity(origin(frame)) + cross(angular_velocity(frame), lowest), ground).components
     rolling_conditions = [Constraint(slip[0], "no slip along x"), Constraint(slip[1], "no slip along y")]
@@ -66,5 +69,5 @@ def rattleback() -> ClassicSystem:
         "Kane & Levinson, Realistic mathematical modeling of the rattleback, Int. J. Non-Linear Mechanics 17 (1982),"
         " p. 175, without resistance",
         {a: 0.2, b: 0.03, c: 0.02, h: 0.01, M: 1.0, A: 2e-4, B: 1.6e-3, C: 1.7e-3, D: -2e-5, g: 9.81},
-        {beta: 0.5 * 0.017453292519943295, gamma: 0.5 * 0.017453292519943295, time_derivative(alpha): -5.0},
+        {beta: 0.5 * 0.017453292519943295, gamma: -0.5 * 0.017453292519943295, time_derivative(alpha): 5.0},
     )

@@ -12,6 +12,8 @@ from .classic_system import ClassicSystem
 def heavy_top() -> ClassicSystem:
     """Return a heavy top on a fixed point, by the angles psi about the vertical z, theta about x, phi about its axis y.
 
+    The numbers are those of the source.
+
     >>> from symbody import newton_euler
     >>> newton_euler(heavy_top().system)
     Equations(3 equations of motion, 0 constraints, coordinates psi, theta, phi)
@@ -32,7 +34,8 @@ def heavy_top() -> ClassicSystem:
 def gyroscope_in_gimbals() -> ClassicSystem:
     """Return a rotor in two gimbals: the outer one turns about the vertical, the inner one about x, the rotor about z.
 
-    The inputs M1, M2 and M3 are the torques of motors about the axes.
+    The inputs M1, M2 and M3 are the torques of motors about the axes. The numbers are typical of a small gyroscope, and
+    not from the source.
 
     >>> from symbody import newton_euler
     >>> newton_euler(gyroscope_in_gimbals().system).mass_matrix[0, 2]

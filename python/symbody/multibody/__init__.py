@@ -17,6 +17,7 @@ from .element.spring import spring
 from .element.tire import tire
 from .element.tire_force import TireForce, TireLaw
 from .element.tire_kinematics import TireKinematics, tire_kinematics
+from .element.tire_shape import TireShape, tire_shape
 from .element.torsion_spring import torsion_spring
 from .energy import gravitational_energy, kinetic_energy, mechanical_energy, potential_energy
 from .joint.assemble import assemble
@@ -37,6 +38,7 @@ from .joint.spherical import spherical
 from .joint.universal import universal
 from .load import Action, Force, Load, Torque, power
 from .momentum import angular_momentum, linear_momentum
+from .resultant import Resultant, resultant
 from .show import describe, show
 from .system import System
 from .variables import Variables
@@ -50,10 +52,12 @@ __all__ = [
     "Link",
     "Load",
     "Mechanism",
+    "Resultant",
     "System",
     "TireForce",
     "TireKinematics",
     "TireLaw",
+    "TireShape",
     "Torque",
     "Variables",
     "air_force",
@@ -84,6 +88,7 @@ __all__ = [
     "power",
     "prismatic",
     "rack",
+    "resultant",
     "revolute",
     "rolling",
     "saturated",
@@ -93,6 +98,7 @@ __all__ = [
     "spring",
     "tire",
     "tire_kinematics",
+    "tire_shape",
     "torsion_spring",
     "universal",
 ]

@@ -17,7 +17,7 @@ from symbody.geometry import Scalar
 from symbody.geometry.component.triple import expression
 from symbody.geometry.frame.regular_form import singular_positions
 from symbody.geometry.frame.regular_rates import normal_equations, regular_rates
-from symbody.symbolic import Expr, Matrix, derivation, gradient, jacobian, substitute, time_derivative
+from symbody.symbolic import ENERGY, Expr, Matrix, derivation, gradient, jacobian, substitute, time_derivative
 from symbody.symbolic.given.arguments import brief, comparison_note, described
 from symbody.symbolic.given.namesake import namesake_note
 
@@ -195,7 +195,7 @@ def _solved(block: _Block, unknowns: GivenUnknowns) -> dict[Expr, Expr]:
                 "A(q, t) q' + a(q, t)"
             )
     _check_independent(block, slopes)
-    with derivation():
+    with derivation(order=ENERGY):
         rates = _most_regular_choice(slopes, block.rates, coordinates)
         orders = islice(permutations(equations), _ORDERS)
         return regular_rates([*orders, normal_equations(equations, rates)], rates, coordinates)

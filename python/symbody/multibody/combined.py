@@ -10,7 +10,7 @@ from symbody.geometry import Frame, Point, Triple
 from symbody.geometry.frame.coordinates import vector_components
 from symbody.geometry.given.argument import checked
 from symbody.symbolic import Expr, add3, dot3, number, scale3, sub3
-from symbody.symbolic.given.arguments import brief
+from symbody.symbolic.given.arguments import brief, given_twice
 
 from .body import Body
 from .constant_form import constant_form
@@ -39,6 +39,8 @@ def combined(bodies: Several, *, frame: Frame | None = None, name: str = "") -> 
     """
     if not bodies:
         raise BodyError("combined: no bodies; give at least one")
+    if (twice := given_twice(bodies)) is not None:
+        raise BodyError(f"combined: the body {brief(twice)} is given twice; give it once")
     axes = bodies[0].frame if frame is None else frame
     mass = sum((body.mass for body in bodies), start=number(0))
     if mass.is_zero:

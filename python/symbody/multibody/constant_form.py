@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from symbody.errors import DivisionByZeroError
 from symbody.symbolic import Expr, number
 
 
@@ -12,8 +13,14 @@ def constant_form(value: Expr) -> Expr | None:
     """
     if not value.depends_on_time:
         return value
-    here = value.subs({leaf: number(0) for leaf in value.free_symbols if leaf.depends_on_time})
-    return here if here == value else None
+    leaves = [leaf for leaf in value.free_symbols if leaf.depends_on_time]
+    for place in (0, 1):  # at zero, the quaternion of a floating frame has no norm by which it can be divided
+        try:
+            here = value.subs(dict.fromkeys(leaves, number(place)))
+        except DivisionByZeroError:
+            continue
+        return here if here == value else None
+    return None
 
 
 _ROUNDED = 1e-12

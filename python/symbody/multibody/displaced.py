@@ -2,16 +2,18 @@
 
 from __future__ import annotations
 
-from typing import TypeVar
+from collections.abc import Sequence
+from typing import Any, TypeVar
 
-from symbody.errors import ModelError
+from symbody.errors import ModelError, notify
 from symbody.geometry import Frame, Point, Vector
 from symbody.geometry.frame.coordinates import path
 from symbody.geometry.given.argument import checked
+from symbody.symbolic.given.arguments import brief
 
 from .body import Body
 from .element.element import Element
-from .load import Action, Force, Load, Torque
+from .load import Action, Force, Load, Torque, power
 
 Thing = TypeVar("Thing", bound=Point | Vector | Body | Load)
 
@@ -22,7 +24,8 @@ def displaced(thing: Thing, motion: Frame, *, frame: Frame | None = None) -> Thi
 
     Args:
         thing: the point, vector, body or load. A load acts on the same bodies afterwards, elsewhere and in another
-            direction, and has no potential any more: displace the points of a spring instead.
+            direction. An element keeps its potential energy if the power of its actions stays the same, as that of a
+            torque which is shifted; otherwise a notice tells that it has none any more.
         motion: the displacement in the axes of the frame, such as ``translate(1, 0, 0)`` or ``rotate("Z", alpha)``.
         frame: the frame that is displaced; by default that of the thing.
 
@@ -75,9 +78,30 @@ def _load(load: Load, motion: Frame, frame: Frame | None) -> Load:
     if isinstance(load, Torque):
         return Torque(_vector(load.vector, motion, axes), on=load.on, reaction=load.reaction, name=load.name)
     actions = tuple(_action(action, motion, axes) for action in load.actions)
-    if isinstance(load, Element):  # its potential is that of the forces where they were
-        return Element(load.kind, actions, states=load.states, quantities=load.quantities, name=load.name)
+    if isinstance(load, Element):
+        return _element(load, actions)
     return load.acting(actions, "displace")
+
+
+def _element(element: Element, actions: Sequence[Action]) -> Element:
+    """Return an element with displaced actions; its potential is that of the actions where they were."""
+    more: dict[str, Any] = {
+        "states": element.states,
+        "quantities": element.quantities,
+        "name": element.name,
+        "line": element.line,
+        "jumping": element.jumping,
+    }
+    moved = Element(element.kind, actions, **more)
+    if element.potential is None:
+        return moved
+    if power(moved) == power(element):
+        return Element(element.kind, actions, potential=element.potential, **more)
+    notify(
+        f"displaced: {brief(element)} has no potential energy any more, as its actions have another power where they "
+        "are now, so that energies leave it out; to keep it, make the element of displaced points or frames"
+    )
+    return moved
 
 
 def _action(action: Action, motion: Frame, axes: Frame) -> Action:

@@ -8,7 +8,7 @@ from symbody.errors import ModelError
 from symbody.geometry import Frame, Vector
 from symbody.geometry.frame.frame_velocity import origin_velocity, spin
 from symbody.geometry.given.argument import checked
-from symbody.symbolic import Expr, derivation, dot3, number
+from symbody.symbolic import ENERGY, Expr, derivation, dot3, number
 
 from .body import Body
 from .load import Load
@@ -25,7 +25,7 @@ def kinetic_energy(objects: Objects) -> Expr:
     >>> kinetic_energy(Body(translate(x, 0, 0), m))
     m*x'**2/2
     """
-    with derivation():
+    with derivation(order=ENERGY):
         return sum(
             (kinetic_energy_at(body, body.frame) for body in select_bodies(objects, "kinetic_energy").bodies),
             start=number(0),
@@ -68,7 +68,7 @@ def gravitational_energy(objects: Objects, gravity: Vector | None = None) -> Exp
             f"gravitational_energy: the bodies are attached to {selection.root}, whose place is unknown; give the "
             "moving frame a pose"
         )
-    with derivation():
+    with derivation(order=ENERGY):
         g = selection.gravity.projected(selection.root).components
         return sum((_weight_energy(body, g) for body in selection.bodies), start=number(0))
 
@@ -93,7 +93,7 @@ def potential_energy(objects: Objects, gravity: Vector | None = None) -> Expr:
     k*x**2/2
     """
     selection = select(objects, "potential_energy", gravity)
-    with derivation():
+    with derivation(order=ENERGY):
         total = sum(potentials(selection.loads, selection.bodies), start=number(0))
         if selection.gravity is not None and selection.bodies:
             total += gravitational_energy(selection.bodies, selection.gravity)

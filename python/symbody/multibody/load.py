@@ -14,7 +14,7 @@ from symbody.geometry import Frame, Point, Scalar, Triple, Vector
 from symbody.geometry.frame.coordinates import path
 from symbody.geometry.frame.frame_velocity import Seen, material_velocity, spin
 from symbody.geometry.given.argument import checked
-from symbody.symbolic import Expr, derivation, dot3, number
+from symbody.symbolic import ENERGY, Expr, derivation, dot3, number
 from symbody.symbolic.expression.container import Container, contains
 from symbody.symbolic.expression.html_table import html_table
 from symbody.symbolic.given.arguments import brief, counted
@@ -350,7 +350,7 @@ def power(load: Load) -> Expr:
     >>> power(Force(ground, F, 0, 0, at=body.center_of_mass, on=body))
     F*x'
     """
-    with derivation():
+    with derivation(order=ENERGY):
         return sum((action_power(action) for action in load.actions), start=number(0))
 
 

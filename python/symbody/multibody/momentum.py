@@ -8,7 +8,7 @@ from symbody.geometry.component.triple import NULL
 from symbody.geometry.frame.coordinates import vector_components
 from symbody.geometry.frame.frame_velocity import origin_velocity, spin
 from symbody.geometry.given.argument import checked
-from symbody.symbolic import add3, cross3, derivation, scale3, sub3
+from symbody.symbolic import MOTION, add3, cross3, derivation, scale3, sub3
 
 from .body import Body
 from .selection import Objects, select_bodies
@@ -25,7 +25,7 @@ def linear_momentum(objects: Objects) -> Vector:
     """
     selection = select_bodies(objects, "linear_momentum")
     total = NULL
-    with derivation():
+    with derivation(order=MOTION):
         for body in selection.bodies:
             total = add3(total, scale3(body.mass, velocity(body.center_of_mass).components))
     return Vector(selection.root, *total)
@@ -51,7 +51,7 @@ def angular_momentum(objects: Objects, point: Point | None = None) -> Vector:
     frame = selection.root if single is None else single.frame
     about = point or Point(frame, 0, 0, 0)
     total = NULL
-    with derivation():
+    with derivation(order=MOTION):
         for body in selection.bodies:
             total = add3(total, vector_components(_angular(body, about), body.frame, frame))
     return Vector(frame, *total)

@@ -62,7 +62,14 @@ def _foreign_loads(members: Set[Body], loads: Iterable[Load]) -> Iterator[str]:
         outside = "none of its bodies" if len(strangers) == 1 else "not among its bodies"
         what = "is left out: it acts" if len(strangers) == len(bodies) else "acts"
         left = "" if len(strangers) == len(bodies) else ", which is left out"
-        yield f"{load} {what} on {named}, {outside}{left}; add what is missing to bodies"
+        namesakes = {member.name for member in members} & {body.name for body in strangers} - {""}
+        way_out = (
+            f"another body of it is called {min(namesakes)}: take the one of this system, as links that are assembled "
+            "again have other bodies"
+            if namesakes
+            else "add what is missing to bodies"
+        )
+        yield f"{load} {what} on {named}, {outside}{left}; {way_out}"
 
 
 def _lost_reactions(loads: Iterable[Load], known: Set[Expr]) -> Iterator[str]:

@@ -12,11 +12,11 @@ from typing import Annotated, Any, TypeAlias, TypeVar, final
 from symbody.errors import ArgumentError, ModelError, ModelNotice
 from symbody.geometry import Frame, Vector
 from symbody.geometry.component.triple import expression
-from symbody.geometry.given.argument import checked, unknown_option
+from symbody.geometry.given.argument import checked
 from symbody.symbolic import Expr, time_derivative
 from symbody.symbolic.expression.container import Container, contains
 from symbody.symbolic.expression.html_table import html_table
-from symbody.symbolic.given.arguments import brief, counted
+from symbody.symbolic.given.arguments import brief, counted, unknown_option
 
 from .body import Body
 from .chosen_speeds import Choice, GivenUnknowns, chosen_rates, defined_speeds
@@ -217,7 +217,9 @@ class System(Variables):
             if action.point is not None:
                 yield from action.point.coordinates
         for joint in self.joints:
-            yield from (limit for limit in joint.limits if limit is not None)
+            yield from (
+                bound for limit in joint.limits for bound in (limit.low, limit.high) if bound is not None
+            )
         if self.gravity is not None:
             yield from self.gravity.components
         for frame in self._frames:

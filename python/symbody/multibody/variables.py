@@ -14,12 +14,14 @@ from symbody.geometry.component.triple import Rate, expression
 from symbody.geometry.motion.floating import by_speeds, known_rates, rate_by
 from symbody.symbolic import (
     Expr,
+    are_small,
     free_symbols,
     functions_of_time,
     number,
     substitute,
     time_derivative,
     time_derivatives,
+    truncated,
 )
 from symbody.symbolic.expression.container import Container, contains
 from symbody.symbolic.given.arguments import brief, counted
@@ -56,6 +58,8 @@ class Variables:
         name: what the system is called.
     """
 
+    joints: tuple[Any, ...] = ()
+    """The placed joints of a mechanism: one without coordinates is a structure, and has reactions alone."""
     where = "equations_of"
     """The function that the user called, for messages."""
     contents = "M, f or a constraint"
@@ -107,6 +111,7 @@ class Variables:
         self._check_constraints()
         self._check_multipliers()
         self._check_inputs()
+        self._check_small()
 
     @cached_property
     def constraints(self) -> tuple[Expr, ...]:
@@ -282,7 +287,7 @@ class Variables:
                 f"{self.where}: no speeds, but the rates of all coordinates are given; list the speeds that they hold: "
                 "speeds=[...]"
             )
-        if not self.driving:
+        if not self.driving and not self.joints:
             raise ModelError(
                 f"{self.where}: no coordinates; give the functions of time that describe the motion, in order"
             )
@@ -297,6 +302,16 @@ class Variables:
                 raise ModelError(
                     f"{self.where}: {speed} is both a coordinate and a speed; the rates of coordinates are speeds "
                     "anyway: leave it out of one of them"
+                )
+
+    def _check_small(self) -> None:
+        """Check that the rates of small coordinates and states are small."""
+        for variable, rate in self._first_order.items():
+            rest = truncated([rate], 0)[0] if are_small([variable]) else number(0)
+            if not rest.is_zero:
+                raise ModelError(
+                    f"{self.where}: {variable} is small, but its rate {brief(rate)} is not: it is {brief(rest)} where "
+                    f"small variables vanish; mark the variables there as small, too, or don't mark {variable}"
                 )
 
     def _check_inputs(self) -> None:

@@ -9,27 +9,63 @@ from symbody.simulation.constraint.redundant_constraints import Redundancy, redu
 from symbody.simulation.given.event import Event
 from symbody.simulation.given.stop import stops
 from symbody.simulation.inverse.inverse_dynamics import InverseDynamics, inverse_dynamics
+from symbody.simulation.linear.critical_value import CriticalValue
+from symbody.simulation.linear.frequency_response import FrequencyResponse, frequency_response
+from symbody.simulation.linear.matrices import StateSpace, state_space
+from symbody.simulation.linear.mode import Mode
+from symbody.simulation.linear.modes import Modes, modes
+from symbody.simulation.linear.root_locus import RootLocus, root_locus
+from symbody.simulation.linear.sweep import Sweep, sweep
+from symbody.simulation.linear.time_response import TimeResponse, impulse_response, step_response
 from symbody.simulation.motion.motion import Motion
 from symbody.simulation.motion.occurrence import Occurrence
 from symbody.simulation.motion.simulate import simulate
-from symbody.simulation.statics.equilibrium import Equilibrium, equilibrium
+from symbody.simulation.sensitivity.gradient_of_motion import MotionGradient, gradient_of_motion
+from symbody.simulation.steady_state.branch import Branch
+from symbody.simulation.steady_state.continuation import continuation
+from symbody.simulation.steady_state.equilibrium import Equilibrium, equilibrium
+from symbody.simulation.steady_state.steady import steady
+from symbody.simulation.steady_state.steady_motion import SteadyMotion
+from symbody.simulation.steady_state.steady_motions import steady_motions
 
 __all__ = [
+    "Branch",
+    "CriticalValue",
     "Equilibrium",
     "Event",
+    "FrequencyResponse",
     "InverseDynamics",
     "Mobility",
+    "Mode",
+    "Modes",
     "Motion",
+    "MotionGradient",
     "Occurrence",
     "Redundancy",
+    "RootLocus",
     "Runs",
+    "StateSpace",
+    "SteadyMotion",
+    "Sweep",
+    "TimeResponse",
     "consistent_state",
+    "continuation",
     "equilibrium",
+    "frequency_response",
+    "gradient_of_motion",
     "grid",
+    "impulse_response",
     "inverse_dynamics",
     "mobility",
+    "modes",
     "redundant_constraints",
+    "root_locus",
     "simulate",
     "simulate_many",
+    "state_space",
+    "steady",
+    "steady_motions",
+    "step_response",
     "stops",
+    "sweep",
 ]

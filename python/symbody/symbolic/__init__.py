@@ -24,6 +24,7 @@ from symbody.symbolic.calculus.rewrite import (
     readable,
     simplify,
 )
+from symbody.symbolic.calculus.taylor import ENERGY, MOTION, are_small, small, taylor, truncated
 from symbody.symbolic.expression.derivation import Derivation, current_derivation, derivation
 from symbody.symbolic.expression.functions import (
     Abs,
@@ -86,6 +87,8 @@ from symbody.symbolic.text.parse import parse
 from symbody.symbolic.text.printing import latex, listing, listing_of_equations, maple
 
 __all__ = [
+    "ENERGY",
+    "MOTION",
     "STAGES",
     "Abs",
     "Argument",
@@ -105,6 +108,7 @@ __all__ = [
     "UndefinedFunction",
     "acos",
     "add3",
+    "are_small",
     "asin",
     "atan",
     "atan2",
@@ -157,6 +161,7 @@ __all__ = [
     "simplify",
     "sin",
     "sinh",
+    "small",
     "solve",
     "sqrt",
     "sub3",
@@ -167,9 +172,11 @@ __all__ = [
     "t",
     "tan",
     "tanh",
+    "taylor",
     "time_derivative",
     "time_derivatives",
     "to_sympy",
+    "truncated",
     "without_idle_symbols",
     "zeros",
 ]

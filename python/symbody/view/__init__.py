@@ -1,10 +1,15 @@
 """Drawings of motions: plots over time, and animations as pages."""
 
 from symbody.view.animation import Animation, animate
+from symbody.view.branch_plot import plot_branch
 from symbody.view.drawable_motion import DrawableMotion
 from symbody.view.free_body import free_body_diagram
+from symbody.view.mode_plot import plot_mode
 from symbody.view.plot import plot, save
+from symbody.view.response_plot import plot_frequency_response, plot_time_response
+from symbody.view.root_locus_plot import plot_root_locus
 from symbody.view.shape import Box, Cylinder, Ellipsoid, Plate, Shape
+from symbody.view.sweep_plot import plot_sweep
 
 __all__ = [
     "Animation",
@@ -17,5 +22,11 @@ __all__ = [
     "animate",
     "free_body_diagram",
     "plot",
+    "plot_branch",
+    "plot_frequency_response",
+    "plot_mode",
+    "plot_root_locus",
+    "plot_sweep",
+    "plot_time_response",
     "save",
 ]

@@ -12,29 +12,35 @@ import numpy as np
 from numpy.typing import NDArray
 
 from symbody.dynamics import Reaction
+from symbody.dynamics.formalism.part import body_of, cut_joints, things_of
 from symbody.dynamics.formalism.reaction import reaction_in
 from symbody.errors import ViewError
 from symbody.geometry import Point, Vector, origin
 from symbody.multibody import Body, Link, System
 from symbody.symbolic import Expr
-from symbody.symbolic.given.arguments import brief
+from symbody.symbolic.given.arguments import brief, given_twice, with_known_names
 from symbody.view.drawable_motion import DrawableMotion, mechanism_of
 from symbody.view.drawing_options import DrawingOptions
 from symbody.view.pose import paths, values
 from symbody.view.scene import scene
 from symbody.view.sketch import sketch_of
 from symbody.view.svg import sketch_svg
-from symbody.view.whole_file import write_whole
+from symbody.view.whole_file import file_of, write_whole
 
 __all__ = ["free_body_diagram"]
 
 Array = NDArray[np.float64]
+
+_WHERE = "free_body_diagram"
 
 LONGEST = 0.6
 """The length of the longest force, and of the largest moment, in radii of the part."""
 
 LEAST = 1e-6
 """Forces and moments below this part of the largest one are not drawn."""
+
+FLAT = 1e-6
+"""What is thinner than this part of its extent lies in a plane."""
 
 COLORS = {"reaction": "#2563a8", "load": "#c0392b", "weight": "#6b5b00"}
 
@@ -73,6 +79,7 @@ class _Instant:
         return np.broadcast_to(rows, (len(expressions), len(self.motion.t)))[:, [self.index]]
 
 
+@with_known_names
 def free_body_diagram(
     motion: DrawableMotion,
     part: Body | Link | str | Collection[Body | Link | str],
@@ -106,10 +113,10 @@ def free_body_diagram(
     ...     free_body_diagram(motion, bob, os.path.join(folder, "bob.svg"), t=0.5).name
     'bob.svg'
     """
+    file = _svg_file(path)
     system = mechanism_of(motion)
     members = _members(system, part)
-    index = 0 if t is None else int(np.argmin(np.abs(motion.t - t)))
-    drawn = _Instant(motion, index)
+    drawn = _Instant(motion, 0 if t is None else _index(motion.t, t))
     content = scene(drawn, DrawingOptions(), "")
     kept = [k for k, body in enumerate(system.bodies) if body in members]
     members = [system.bodies[k] for k in kept]
@@ -119,7 +126,31 @@ def free_body_diagram(
     content["axes"], content["lines"] = [], []
     content["points"] = _points(drawn, system, members)
     content["actions"] = _entries(drawn, [*_loads(system, members), *_reactions(system, members)], content)
-    return write_whole(path, _writer(sketch_svg(sketch_of(content))), where="free_body_diagram")
+    content["view"] |= _facing(content)
+    return write_whole(file, _writer(sketch_svg(sketch_of(content))), where=_WHERE)
+
+
+def _index(instants: Array, t: float) -> int:
+    """Return the index of the instant that is nearest to t."""
+    first, last = float(instants[0]), float(instants[-1])
+    try:
+        is_there = first <= t <= last
+    except TypeError:
+        is_there = False
+    if not is_there:
+        raise ViewError(
+            f"{_WHERE}: t = {brief(repr(t))}; expected an instant of the motion, from {first:g} to {last:g}"
+        )
+    return int(np.argmin(np.abs(instants - t)))
+
+
+def _svg_file(path: str | os.PathLike[str]) -> Path:
+    file = file_of(path, "rod.svg")
+    if file.suffix.lower() != ".svg":
+        raise ViewError(
+            f"{_WHERE}: {file} is no SVG file; expected a name such as {file.with_suffix('.svg').name}"
+        )
+    return file
 
 
 def _writer(text: str) -> Callable[[Path], object]:
@@ -127,17 +158,17 @@ def _writer(text: str) -> Callable[[Path], object]:
 
 
 def _members(system: System, part: Any) -> list[Body]:
-    things = [part] if isinstance(part, Body | Link | str) else list(part)
     found = []
-    for thing in things:
-        name = thing if isinstance(thing, str) else thing.name
-        body = next((each for each in system.bodies if each is thing or (name and each.name == name)), None)
+    for thing in things_of(part):
+        body = body_of(system, thing)
         if body is None:
             raise ViewError(
-                f"free_body_diagram: {brief(thing)} is not a body of the system; expected one of "
+                f"{_WHERE}: {brief(thing)} is not a body of the system; expected one of "
                 f"{brief(', '.join(map(str, system.bodies)))}"
             )
         found.append(body)
+    if (twice := given_twice(found)) is not None:
+        raise ViewError(f"{_WHERE}: the body {brief(twice)} is given twice; give it once")
     return found
 
 
@@ -176,14 +207,11 @@ def _loads(system: System, members: Sequence[Body]) -> Iterator[_Acting]:
 
 def _reactions(system: System, members: Sequence[Body]) -> Iterator[_Acting]:
     """Yield the force and the moment of each joint between the part and what is cut off."""
-    names = [body.name for body in members]
-    for joint in system.joints:
-        sides = [name in names for name, _ in joint.ends]
-        if sides[0] != sides[1]:
-            on = joint.ends[1 if sides[1] else 0][0]
-            found: Reaction = reaction_in(system, joint.joint, on=on)
-            yield _Acting(joint.name, "reaction", found.at, found.force)
-            yield _Acting(joint.name, "reaction", found.at, found.moment, is_moment=True)
+    for joint, is_child in cut_joints(system, [body.name for body in members]):
+        on = joint.ends[1 if is_child else 0][0]
+        found: Reaction = reaction_in(system, joint.joint, on=on)
+        yield _Acting(joint.name, "reaction", found.at, found.force)
+        yield _Acting(joint.name, "reaction", found.at, found.moment, is_moment=True)
 
 
 def _entries(
@@ -215,10 +243,43 @@ def _entries(
     ]
 
 
+def _facing(content: dict[str, Any]) -> dict[str, list[float]]:
+    """Return the camera that faces the plane of the part and of its forces; the usual one if there is no such plane.
+
+    Only so are the angles and the lengths in the picture those of the forces.
+    """
+    places, actions = _places(content), content["actions"]
+    forces = [each["vector"] for each in actions if not each["is_moment"]]
+    moments = [each["vector"] for each in actions if each["is_moment"]]
+    lying = np.array([*(places - places[0]), *forces, np.zeros(3), np.zeros(3)])
+    _, sizes, axes = np.linalg.svd(lying, full_matrices=False)
+    normal = axes[2]
+    if sizes[1] < FLAT * sizes[0] and moments:  # a line: the plane is across the moments
+        normal = np.array(moments[0]) / np.linalg.norm(moments[0])
+    if (
+        np.abs(lying @ normal).max() > FLAT * sizes[0]
+        or np.abs(np.cross(moments or [normal], normal)).max() > FLAT
+    ):
+        return {}
+    view = content["view"]
+    side = normal @ view["direction"]
+    upwards = next(up for up in ([view["up"], *np.eye(3)[[1, 0]]]) if abs(normal @ up) < 0.9)
+    up = upwards - (normal @ upwards) * normal
+    return {
+        "direction": (normal * (1 if side >= 0 else -1)).tolist(),
+        "up": (up / np.linalg.norm(up)).tolist(),
+    }
+
+
 def _radius(content: dict[str, Any]) -> float:
     """Return the radius of the part: of its points and centres of mass; where these coincide, by the mechanism's."""
-    centres = [np.array(content["poses"][body["pose"]]).reshape(-1, 7)[0, :3] for body in content["bodies"]]
-    places = np.array([*centres, *(np.array(point["path"]).reshape(-1, 3)[0] for point in content["points"])])
+    places = _places(content)
     middle = (places.min(axis=0) + places.max(axis=0)) / 2
     radius, whole = float(np.linalg.norm(places - middle, axis=1).max()), float(content["view"]["radius"])
     return radius if radius > 0.05 * whole else 0.2 * whole
+
+
+def _places(content: dict[str, Any]) -> Array:
+    """Return the centres of mass of the part and the points of its joints, shape (count, 3)."""
+    centres = [np.array(content["poses"][body["pose"]]).reshape(-1, 7)[0, :3] for body in content["bodies"]]
+    return np.array([*centres, *(np.array(point["path"]).reshape(-1, 3)[0] for point in content["points"])])

@@ -69,10 +69,28 @@ def plot(
     >>> plot(motion, x, units={x: "m"}).axes[0].get_ylabel()
     '$x$ [m]'
     """
+    figure = figure_over(motion, f"time [{time}]" if time else "time", panels, units or {}, time)
+    if title or motion.system.name:
+        figure.suptitle(title or motion.system.name)
+    if path is not None:
+        save(figure, path)
+    return figure
+
+
+def figure_over(
+    motion: DrawableMotion, label: str, panels: Sequence[Panel], units: Units, time: str
+) -> Figure:
+    """Return a figure of expressions over time or another abscissa, without a title.
+
+    Args:
+        motion: the motion; its instants may be other values as well.
+        label: the name of the abscissa and its unit.
+        panels: one for each argument of `plot`; without any, those of coordinates and speeds.
+        units: the units of expressions or names of curves.
+        time: the unit of time; the empty text for none.
+    """
     groups = overview(motion.system)
-    columns = (
-        _panels(panels, units or {}, _kinds(groups, time)) if panels else _overview(groups, units or {}, time)
-    )
+    columns = _panels(panels, units, _kinds(groups, time)) if panels else _overview(groups, units, time)
     rows = max(map(len, columns))
     figure = NotebookFigure(figsize=(6.5 * len(columns) + 1, 2.4 * rows + 0.8), layout="constrained")
     grid = figure.subplots(rows, len(columns), sharex=True, squeeze=False)
@@ -81,12 +99,8 @@ def plot(
             _draw(axes, motion, panel)
         for axes in places[len(column) :]:
             axes.set_visible(False)
-        places[len(column) - 1].set_xlabel(f"time [{time}]" if time else "time")
+        places[len(column) - 1].set_xlabel(label)
         places[len(column) - 1].tick_params(labelbottom=True)
-    if title or motion.system.name:
-        figure.suptitle(title or motion.system.name)
-    if path is not None:
-        save(figure, path)
     return figure
 
 
@@ -220,11 +234,11 @@ def _overview(groups: Groups, units: Units, time: str) -> list[list[_Curves]]:
 def _curves(panel: object) -> dict[str, Expr]:
     """Return the curves of a panel by their names in the figure."""
     if isinstance(panel, Expr):
-        return {_symbol(panel): panel}
+        return {symbol_of(panel): panel}
     if isinstance(panel, Mapping):
         return {str(name): _checked(expression) for name, expression in panel.items()}
     if isinstance(panel, Iterable) and not isinstance(panel, str):
-        return {_symbol(_checked(expression)): expression for expression in panel}
+        return {symbol_of(_checked(expression)): expression for expression in panel}
     raise _strange(panel)
 
 
@@ -241,7 +255,7 @@ def _strange(what: object) -> ViewError:
     )
 
 
-def _symbol(expression: Expr) -> str:
+def symbol_of(expression: Expr) -> str:
     """Return an expression in mathematical type if it is short and matplotlib can typeset it."""
     text = str(expression)
     latex = expression.latex()

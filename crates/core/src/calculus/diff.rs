@@ -79,10 +79,10 @@ impl Graph {
         self.tangents(&ids, order.into_iter(), &mut |graph, id| {
             let next = match graph.view(id) {
                 View::Time => return Ok(Some(Id::ONE)),
-                View::TimeFunction(name, order) => (name.to_owned(), order + 1),
+                View::TimeFunction(name, order, assumption) => (name.to_owned(), order + 1, assumption),
                 _ => return Ok(None),
             };
-            graph.time_function(&next.0, next.1).map(Some)
+            graph.derivative_of_function(&next.0, next.1, next.2).map(Some)
         })
     }
 

@@ -44,10 +44,10 @@ impl Graph {
         time: Option<Id>,
         done: &FxHashMap<Id, Id>,
     ) -> Result<Id, Error> {
-        if let View::TimeFunction(name, order) = self.view(id) {
+        if let View::TimeFunction(name, order, assumption) = self.view(id) {
             let name = name.to_owned();
             for lower in (0..order).rev() {
-                let base = self.time_function(&name, lower)?;
+                let base = self.derivative_of_function(&name, lower, assumption)?;
                 if let Some(&replacement) = self.find(targets, base) {
                     let mut derivative = replacement;
                     for _ in lower..order {

@@ -102,6 +102,9 @@ impl Graph {
     }
 
     fn is_leaf(&self, id: Id) -> bool {
-        matches!(self.kind(id), Kind::Number | Kind::Pi | Kind::Time | Kind::Symbol(_) | Kind::TimeFunction)
+        matches!(
+            self.kind(id),
+            Kind::Number | Kind::Pi | Kind::Time | Kind::Symbol(_) | Kind::TimeFunction(_)
+        )
     }
 }

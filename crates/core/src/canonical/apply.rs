@@ -70,7 +70,8 @@ impl Graph {
         Ok(self.finish(Kind::Application, flags, &words, value))
     }
 
-    /// f(-x) = -f(x) or f(x): choose the sign of the argument so that its first term, as printed, is positive.
+    /// f(-x) = -f(x) or f(x): choose the sign of the argument so that its first term, as printed, is positive. Terms
+    /// with functions of time count as the first ones: `q - omega*t`.
     fn by_parity(&mut self, function: Function, args: &[Id]) -> Result<Option<Id>, Error> {
         let parity = function.parity();
         if parity == Parity::Neither || !self.reads_negative(args[0]) {
@@ -88,12 +89,27 @@ impl Graph {
             View::Scale(factor, child) => self.get_number(factor).is_negative() != self.reads_negative(child),
             View::Sum(terms) if terms.len() > NAMES_SEARCH => false,
             View::Sum(terms) => {
-                let first =
-                    terms.iter().min_by(|a, b| compare_name_lists(&self.names(a.1), &self.names(b.1)));
+                let first = terms.iter().min_by(|a, b| {
+                    let by_motion = self.is_given(a.1).cmp(&self.is_given(b.1));
+                    by_motion.then_with(|| compare_name_lists(&self.names(a.1), &self.names(b.1)))
+                });
                 first.is_some_and(|(factor, _)| self.get_number(factor).is_negative())
             }
             _ => false,
         }
+    }
+
+    /// Whether no function of time is near the top of a node.
+    fn is_given(&self, id: Id) -> bool {
+        let (mut stack, mut visited) = (vec![id], 0);
+        while let Some(id) = stack.pop().filter(|_| visited < NAMES_SEARCH) {
+            visited += 1;
+            match self.view(id) {
+                View::TimeFunction(..) => return false,
+                _ => self.push_children(id, &mut stack),
+            }
+        }
+        true
     }
 
     /// The names of the variables near the top of a node, in the reader's order.
@@ -102,7 +118,7 @@ impl Graph {
         while let Some(id) = stack.pop().filter(|_| visited < NAMES_SEARCH) {
             visited += 1;
             match self.view(id) {
-                View::Symbol(name, _) | View::TimeFunction(name, _) | View::Application { name, .. } => {
+                View::Symbol(name, _) | View::TimeFunction(name, ..) | View::Application { name, .. } => {
                     names.push(name);
                 }
                 View::Time => names.push("t"),

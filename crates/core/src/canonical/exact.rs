@@ -103,18 +103,7 @@ impl Graph {
     /// |a**2 b| = a**2 |b|: even powers leave a modulus.
     fn modulus_of_product(&mut self, product: Id) -> Result<Option<Id>, Error> {
         let one = Number::integer(1);
-        let opened = self.opened(&[(product, one.clone())]);
-        if opened.len() > LONGEST_MODULUS {
-            return Ok(None);
-        }
-        let mut collected = Collector::new(Vec::new());
-        for (base, exponent) in opened {
-            collected.push(self, base, &exponent);
-        }
-        let factors = collected.factors;
-        if factors.iter().all(|(_, e)| e.is_one() || !e.is_integer()) {
-            return Ok(None);
-        }
+        let Some(factors) = self.factors_with_even_powers(product) else { return Ok(None) };
         let (mut outside, mut inside) = (Vec::new(), Vec::new());
         for (base, exponent) in factors {
             let integral = exponent.is_integer();
@@ -128,11 +117,31 @@ impl Graph {
             }
         }
         let inside = self.product(&inside)?;
-        if self.same(inside, product) {
-            return Ok(None); // a sign is its own reciprocal
+        // A sign is its own reciprocal. And what is left may be known in a form that has such powers again.
+        let left = match self.view(inside) {
+            View::Scale(_, child) => child,
+            _ => inside,
+        };
+        if self.same(inside, product) || self.factors_with_even_powers(left).is_some() {
+            return Ok(None);
         }
         outside.push((self.apply(Function::Abs, &[inside])?, NumberId::ONE));
         self.product(&outside).map(Some)
+    }
+
+    /// The factors of a short product with powers, of which even ones are nowhere negative.
+    fn factors_with_even_powers(&self, product: Id) -> Option<Vec<(Id, Number)>> {
+        let View::Product(_) = self.view(product) else { return None };
+        let opened = self.opened(&[(product, Number::integer(1))]);
+        if opened.len() > LONGEST_MODULUS {
+            return None;
+        }
+        let mut collected = Collector::new(Vec::new());
+        for (base, exponent) in opened {
+            collected.push(self, base, &exponent);
+        }
+        let factors = collected.factors;
+        factors.iter().any(|(_, e)| !e.is_one() && e.is_integer()).then_some(factors)
     }
 
     fn at_number(&mut self, function: Function, number: &Number, args: &[Id]) -> Result<Option<Id>, Error> {

@@ -99,7 +99,7 @@ impl Graph {
     }
 
     /// The values of a solution without signs and roots; `None` for a singular matrix.
-    fn plain_solution(&self, system: Id) -> Option<Vec<Element>> {
+    pub(crate) fn plain_solution(&self, system: Id) -> Option<Vec<Element>> {
         if self.flags(system).has(Flags::BRANCH) {
             return None;
         }

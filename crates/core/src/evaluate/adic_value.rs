@@ -10,6 +10,7 @@ use rustc_hash::FxHashMap;
 use crate::graph::{Atom, Flags, Function, Graph, Id, View};
 use crate::value::{Adic, Adics, FieldId, Key, Number, Quadratic};
 
+use super::logarithm_part::Part;
 use super::node::in_hash_lanes;
 use super::rotation::{self, multiple, rotate};
 
@@ -171,13 +172,32 @@ impl Graph {
                     _ => quotient(&sinh, &cosh),
                 }
             }
-            Function::Power => self.adic_power(args[0], &self.number_in(args[1]), values, at),
+            Function::Power => self.adic_general_power(args[0], &self.number_in(args[1]), values, at),
             _ => return None,
         })
     }
 
     fn adic_power(&self, base: Id, exponent: &Number, values: &Values, at: &AdicPoint<'_>) -> Adic {
         at.power(&values[&base], exponent, |field| self.value_in(base, field))
+    }
+
+    /// A power whose exponent is a number here: that of the numbers in a positive base, as an exponential has it, in
+    /// whose argument the logarithms of positive symbols belong to the rest.
+    fn adic_general_power(&self, base: Id, exponent: &Number, values: &Values, at: &AdicPoint<'_>) -> Adic {
+        let numbers = self.logarithm_parts(base).and_then(|parts| {
+            let number = |part| match part {
+                Part::Number(coefficient, number) => Some(Some((coefficient, number))),
+                Part::Logarithm(_, symbol) if symbol != Id::PI => Some(None),
+                _ => None,
+            };
+            parts.into_iter().map(number).collect::<Option<Vec<_>>>()
+        });
+        let Some(numbers) = numbers else { return self.adic_power(base, exponent, values, at) };
+        numbers.into_iter().flatten().fold(at.one(), |product, (coefficient, number)| {
+            let value = at.adics.rational(&number);
+            let power = at.power(&value, &coefficient.mul(exponent), |field| field.field().number(&number));
+            at.adics.mul(&product, &power)
+        })
     }
 
     /// The cosine and the sine of an argument whose rest is zero.

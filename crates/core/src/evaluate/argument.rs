@@ -199,7 +199,7 @@ impl Graph {
             return known;
         }
         let factors = self.atoms(argument, of_exponential).into_iter().filter_map(|atom| {
-            let factor = self.growth_at_integers(argument, &atom);
+            let factor = self.growth_at_integers(argument, &atom, IntegerPoint::PLAIN);
             if let Atom::Log(_) = atom {
                 let factor = factor.unwrap_or_else(|| Number::integer(0));
                 let is_there = !factor.is_zero() || self.depends_on_logarithm(argument, &atom);

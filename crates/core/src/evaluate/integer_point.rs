@@ -45,8 +45,12 @@ impl<'a> IntegerPoint<'a> {
         Self { grown: None, atom: None, number }
     }
 
-    fn with(atom: &'a Atom, value: i64) -> Self {
-        Self { atom: Some((atom, value)), ..Self::PLAIN }
+    fn is_first(&self) -> bool {
+        self.number == 0
+    }
+
+    fn with(self, atom: &'a Atom, value: i64) -> Self {
+        Self { atom: Some((atom, value)), ..self }
     }
 
     /// The values that generators have times a power of two.
@@ -139,10 +143,15 @@ impl Graph {
     /// The growth of a node's value at an integer point with an atom, if that is simple and rational.
     ///
     /// It is u(2) - u(1) for pi, which is positive, and (u(1) - u(-1))/2 for others, which may be odd functions.
-    pub(super) fn growth_at_integers(&self, root: Id, atom: &Atom) -> Option<Number> {
+    pub(super) fn growth_at_integers(
+        &self,
+        root: Id,
+        atom: &Atom,
+        point: IntegerPoint<'_>,
+    ) -> Option<Number> {
         let order = self.short_order(&[root])?;
         let [first, second] = FieldId::HASH.map(|field| {
-            let at = |value| self.values_at(&order, IntegerPoint::with(atom, value), field).remove(&root);
+            let at = |value| self.values_at(&order, point.with(atom, value), field).remove(&root);
             let f = field.field();
             Some(match atom {
                 Atom::Pi => f.sub(&at(2)?, &at(1)?),
@@ -257,7 +266,7 @@ impl Graph {
                 let generator = Generator::Power { base: args[0], exponent: args[1] };
                 let values = point.values_for(&generator, values);
                 let base = values.get(&args[0])?;
-                point.grow(generator, &power(base, &self.number_in(args[1]), f)?, f)
+                point.grow(generator, &power(base, &self.number_in_at(args[1], point), f)?, f)
             }
             Function::Piecewise => {
                 let all: Option<Vec<&Quadratic>> = args.iter().map(|&arg| of(arg)).collect();
@@ -299,9 +308,23 @@ impl Graph {
                 _ if is_generator => f.one(),
                 _ => point.pi(f),
             };
-            Some(f.mul(&product, &power(&base, factor, f)?))
+            Some(f.mul(&product, &power(&base, &self.factor_at(argument, atom, factor, point), f)?))
         });
         Some(point.grow(generator, &plain?, f))
+    }
+
+    /// The number in an exponent at one of several points: what 2^y - 7 is at all of them is no multiple of a prime.
+    fn number_in_at(&self, exponent: Id, point: IntegerPoint<'_>) -> Number {
+        let own =
+            (!point.is_first()).then(|| self.at_integers(exponent, IntegerPoint::numbered(point.number)));
+        own.flatten().unwrap_or_else(|| self.number_in(exponent))
+    }
+
+    /// The factor of an atom in an argument, likewise.
+    fn factor_at(&self, argument: Id, atom: &Atom, plain: &Number, point: IntegerPoint<'_>) -> Number {
+        let own = (!point.is_first())
+            .then(|| self.growth_at_integers(argument, atom, IntegerPoint::numbered(point.number)));
+        own.flatten().unwrap_or_else(|| plain.clone())
     }
 
     /// The sum of the parts of a logarithm: those of positive symbols are zero.

@@ -71,7 +71,7 @@ impl Graph {
     fn is_idle(&self, id: Id, slope: &Quadratic, slopes: &mut Slopes) -> bool {
         tick();
         match self.kind(id) {
-            Kind::Symbol(_) | Kind::TimeFunction => slope.is_zero(),
+            Kind::Symbol(_) | Kind::TimeFunction(_) => slope.is_zero(),
             _ => {
                 self.pass_on(id, slope, slopes);
                 false

@@ -19,9 +19,18 @@ pub struct Classes {
     known: FxHashMap<Id, Id>,
     /// Products that are part of something: taking them apart would not save their multiplications.
     used: FxHashSet<Id>,
+    /// The degree in small variables beyond which terms are dropped, if the derivation drops any.
+    pub(crate) order: Option<u32>,
+    /// Expansions in the small variables that the derivation has made, by their orders.
+    pub(crate) expansions: FxHashMap<u32, FxHashMap<Id, Box<[Id]>>>,
 }
 
 impl Classes {
+    /// Drop terms beyond this degree in small variables from now on, or none; returns what held before.
+    pub const fn keep_order(&mut self, order: Option<u32>) -> Option<u32> {
+        std::mem::replace(&mut self.order, order)
+    }
+
     /// The nodes that have a fingerprint up to sign.
     pub(crate) fn candidates(&self, value: Element) -> impl Iterator<Item = Id> {
         self.nodes.candidates(value).map(|&(id, ())| id)

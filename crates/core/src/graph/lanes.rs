@@ -237,7 +237,7 @@ pub(crate) fn leaf_in(view: View<'_>, number: impl Fn() -> Number, field: FieldI
         View::Pi => draw_pi(field),
         View::Time => draw_time(field),
         View::Symbol(name, assumption) => draw_symbol(field, name, assumption),
-        View::TimeFunction(name, order) => draw_time_function(field, name, order),
+        View::TimeFunction(name, order, assumption) => draw_time_function(field, name, order, assumption),
         _ => return None,
     })
 }
@@ -265,7 +265,7 @@ pub(super) fn draw_symbol(field: FieldId, name: &str, assumption: Assumption) ->
             field.field().exponential(exponents.field().exponent(&logarithm))
         }
         (Assumption::Positive, None) => field.draw_positive(&key),
-        (Assumption::Real | Assumption::None, _) => field.draw(&key),
+        (Assumption::Real | Assumption::None | Assumption::Small, _) => field.draw(&key),
     }
 }
 
@@ -274,6 +274,12 @@ pub(crate) fn draw_logarithm(field: FieldId, name: &str) -> Quadratic {
     field.draw(&Key::new("logarithm").text(name))
 }
 
-pub(super) fn draw_time_function(field: FieldId, name: &str, order: u32) -> Quadratic {
-    field.draw(&Key::new("time function").text(name).word(order.into()))
+pub(super) fn draw_time_function(
+    field: FieldId,
+    name: &str,
+    order: u32,
+    assumption: Assumption,
+) -> Quadratic {
+    let kind = if assumption == Assumption::Small { "small time function" } else { "time function" };
+    field.draw(&Key::new(kind).text(name).word(order.into()))
 }

@@ -43,7 +43,7 @@ impl NumberId {
     }
 }
 
-/// What the user asserts about a symbol.
+/// What the user asserts about a symbol or a function of time.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
 pub enum Assumption {
     /// Any complex value.
@@ -52,6 +52,8 @@ pub enum Assumption {
     Real,
     /// A positive real value: its roots are taken exactly.
     Positive,
+    /// A small real value: expansions are in powers of such variables. Derivatives of small functions are small.
+    Small,
 }
 
 /// The kind of a node as stored.
@@ -61,7 +63,8 @@ pub(crate) enum Kind {
     Pi,
     Time,
     Symbol(Assumption),
-    TimeFunction,
+    /// Either real or small.
+    TimeFunction(Assumption),
     Application,
     Scale,
     Sum,
@@ -84,8 +87,8 @@ pub enum View<'a> {
     Time,
     /// A parameter or unknown.
     Symbol(&'a str, Assumption),
-    /// x(t) or its derivative of the given order.
-    TimeFunction(&'a str, u32),
+    /// x(t) or its derivative of the given order; real or small.
+    TimeFunction(&'a str, u32, Assumption),
     /// An undefined function of arguments, differentiated `orders[i]` times by argument i.
     Application {
         /// The name of the function.
@@ -184,7 +187,7 @@ impl<'a> Factors<'a> {
 
 /// Facts about a node and everything below it.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(crate) struct Flags(u8);
+pub(crate) struct Flags(u16);
 
 impl Flags {
     /// No symbol is below: the node is a constant, which lowering folds into one double.
@@ -199,9 +202,11 @@ impl Flags {
     pub(crate) const BRANCH: Self = Self(16);
     /// Contains pi, a logarithm or an inverse function, to which the angles and exponents of sums are split.
     pub(crate) const INVERSE: Self = Self(32);
+    /// Contains a small variable.
+    pub(crate) const SMALL: Self = Self(64);
 
     /// What a node has if one of its children has it.
-    const INHERITED: u8 = Self::TIME.0 | Self::COMPLEX.0 | Self::BRANCH.0 | Self::INVERSE.0;
+    const INHERITED: u16 = Self::TIME.0 | Self::COMPLEX.0 | Self::BRANCH.0 | Self::INVERSE.0 | Self::SMALL.0;
 
     pub(crate) const fn has(self, other: Self) -> bool {
         self.0 & other.0 != 0
@@ -218,14 +223,14 @@ impl Flags {
 
     /// How often the node changes: 0 parameters, 1 time and positions, 2 speeds, 3 accelerations.
     pub(crate) const fn level(self) -> u8 {
-        self.0 >> LEVEL_SHIFT
+        (self.0 >> LEVEL_SHIFT) as u8
     }
 
     pub(super) const fn at_level(self, level: u8) -> Self {
         let level = if level > 3 { 3 } else { level };
-        Self((self.0 & ((1 << LEVEL_SHIFT) - 1)) | (level << LEVEL_SHIFT))
+        Self((self.0 & ((1 << LEVEL_SHIFT) - 1)) | ((level as u16) << LEVEL_SHIFT))
     }
 }
 
 /// The level is stored in the two highest bits.
-const LEVEL_SHIFT: u32 = 6;
+const LEVEL_SHIFT: u32 = 14;

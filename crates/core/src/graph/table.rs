@@ -130,7 +130,7 @@ impl Graph {
             Kind::Pi => View::Pi,
             Kind::Time => View::Time,
             Kind::Symbol(assumption) => View::Symbol(self.name(words[0]), assumption),
-            Kind::TimeFunction => View::TimeFunction(self.name(words[0]), words[1]),
+            Kind::TimeFunction(assumption) => View::TimeFunction(self.name(words[0]), words[1], assumption),
             Kind::Application => {
                 let (args, orders) = words[1..].split_at((words.len() - 1) / 2);
                 View::Application { name: self.name(words[0]), args: Ids(args), orders }
@@ -188,7 +188,7 @@ impl Graph {
     /// Whether a node is a variable: a symbol, t, a function of time, or an undefined function.
     #[must_use]
     pub fn is_variable(&self, id: Id) -> bool {
-        matches!(self.kind(id), Kind::Time | Kind::Symbol(_) | Kind::TimeFunction | Kind::Application)
+        matches!(self.kind(id), Kind::Time | Kind::Symbol(_) | Kind::TimeFunction(_) | Kind::Application)
     }
 
     /// Whether no symbol is below the node.
@@ -299,8 +299,12 @@ impl Graph {
             return known;
         }
         let value = drawn(|field| draw_symbol(field, name, assumption));
-        let flags = if assumption == Assumption::None { Flags::COMPLEX } else { Flags::default() };
-        self.name_kinds[name_id as usize] |= 2 << assumption as u8;
+        let flags = match assumption {
+            Assumption::None => Flags::COMPLEX,
+            Assumption::Small => Flags::SMALL,
+            Assumption::Real | Assumption::Positive => Flags::default(),
+        };
+        self.name_kinds[name_id as usize] |= 4 << assumption as u8;
         self.intern(kind, flags, &[name_id], value)
     }
 
@@ -309,16 +313,36 @@ impl Graph {
     /// # Errors
     /// When `order` is larger than [`LARGEST_ORDER`].
     pub fn time_function(&mut self, name: &str, order: u32) -> Result<Id, Error> {
+        self.derivative_of_function(name, order, Assumption::Real)
+    }
+
+    /// The small function of time `name`, differentiated `order` times; it differs from the one that is not small.
+    ///
+    /// # Errors
+    /// When `order` is larger than [`LARGEST_ORDER`].
+    pub fn small_time_function(&mut self, name: &str, order: u32) -> Result<Id, Error> {
+        self.derivative_of_function(name, order, Assumption::Small)
+    }
+
+    /// A derivative of a function of time under either assumption.
+    pub(crate) fn derivative_of_function(
+        &mut self,
+        name: &str,
+        order: u32,
+        assumption: Assumption,
+    ) -> Result<Id, Error> {
         check_order(order.into())?;
-        let name_id = self.name_id(name);
-        if let Some(known) = self.row(Kind::TimeFunction, &[name_id, order]) {
+        let (name_id, kind) = (self.name_id(name), Kind::TimeFunction(assumption));
+        if let Some(known) = self.row(kind, &[name_id, order]) {
             return Ok(known);
         }
-        let value = drawn(|field| draw_time_function(field, name, order));
-        self.name_kinds[name_id as usize] |= 1;
+        let value = drawn(|field| draw_time_function(field, name, order, assumption));
+        let is_small = assumption == Assumption::Small;
+        self.name_kinds[name_id as usize] |= if is_small { 2 } else { 1 };
+        let flags = if is_small { Flags::TIME.with(Flags::SMALL) } else { Flags::TIME };
         // Level 3 is the highest one.
         let level = order.min(2) as u8 + 1;
-        Ok(self.intern(Kind::TimeFunction, Flags::TIME.at_level(level), &[name_id, order], value))
+        Ok(self.intern(kind, flags.at_level(level), &[name_id, order], value))
     }
 
     /// The node of this row, if there is one.

@@ -50,7 +50,7 @@ pub fn cross(graph: &mut Graph, a: Vector3, b: Vector3) -> Result<Vector3, Error
 /// # Errors
 /// If there is no such axis.
 pub fn rotate(graph: &mut Graph, axis: usize, angle: Id, v: Vector3) -> Result<Vector3, Error> {
-    let (cos, sin) = (graph.apply(Function::Cos, &[angle])?, graph.apply(Function::Sin, &[angle])?);
+    let [cos, sin] = wave(graph, angle)?;
     let opposite = graph.neg(sin);
     turn_back(graph, axis, [cos, opposite], v)
 }
@@ -60,8 +60,15 @@ pub fn rotate(graph: &mut Graph, axis: usize, angle: Id, v: Vector3) -> Result<V
 /// # Errors
 /// If there is no such axis.
 pub fn rotate_back(graph: &mut Graph, axis: usize, angle: Id, v: Vector3) -> Result<Vector3, Error> {
+    let wave = wave(graph, angle)?;
+    turn_back(graph, axis, wave, v)
+}
+
+/// The cosine and the sine, as far as the derivation in progress keeps them: those of small angles are short.
+fn wave(graph: &mut Graph, angle: Id) -> Result<[Id; 2], Error> {
     let (cos, sin) = (graph.apply(Function::Cos, &[angle])?, graph.apply(Function::Sin, &[angle])?);
-    turn_back(graph, axis, [cos, sin], v)
+    let kept = graph.kept(vec![cos, sin])?;
+    Ok([kept[0], kept[1]])
 }
 
 fn turn_back(graph: &mut Graph, axis: usize, [cos, sin]: [Id; 2], v: Vector3) -> Result<Vector3, Error> {

@@ -63,7 +63,9 @@ impl Sum {
 
     /// Whether the sum is the difference of two terms of one kind, which reads as well the other way round.
     fn is_even_difference(&self) -> bool {
-        matches!(&self.terms[..], [a, b] if self.negatives() == 1 && order::are_of_one_kind(a, b))
+        matches!(&self.terms[..], [a, b] if self.negatives() == 1
+            && order::are_of_one_kind(a, b)
+            && a.is_subtracted() == b.is_subtracted())
     }
 
     /// Whether the opposite has fewer minus signs.
@@ -189,7 +191,8 @@ impl Factor {
         let (Base::Group(sum), Some(n)) = (&self.base, self.exponent.to_i64()) else { return one };
         let half = 2 * sum.negatives() == sum.terms.len();
         let leads_negative = half && {
-            let least = sum.terms.iter().min_by(|a, b| order::compare_terms(a, b));
+            let subtracted = |a: &Term, b: &Term| a.is_subtracted().cmp(&b.is_subtracted());
+            let least = sum.terms.iter().min_by(|a, b| subtracted(a, b).then(order::compare_terms(a, b)));
             least.is_some_and(|term| term.coefficient.is_negative())
         };
         if !(sum.reads_better_negated() || leads_negative) {

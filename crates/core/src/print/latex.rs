@@ -123,14 +123,16 @@ impl Writer<'_> {
             Base::Number(number) => decimal(&number.to_string()),
             Base::Pi => "\\pi".into(),
             Base::Time => "t".into(),
-            Base::Symbol { name, assumption, explicit: true } => {
+            Base::Symbol { name, assumption, explicit: true, .. } => {
                 let word = assumption_word(*assumption);
                 format!("{{{}}}_{{\\mathrm{{{word}}}}}", self.names.name(name, 0).text)
             }
             Base::Symbol { name, .. } => self.names.name(name, 0).text,
-            Base::TimeFunction { name, order, explicit, .. } => {
+            Base::TimeFunction { name, order, explicit, mark, .. } => {
                 let argument = if *explicit { "\\left(t\\right)" } else { "" };
-                self.names.name(name, *order).text + argument
+                let text = self.names.name(name, *order).text;
+                let text = if mark.is_empty() { text } else { format!("{{{text}}}_{{\\mathrm{{{mark}}}}}") };
+                text + argument
             }
             Base::Application { name, args, orders } => {
                 let indices = indices(orders);

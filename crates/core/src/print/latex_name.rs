@@ -143,7 +143,7 @@ impl<'a> Found<'a> {
                 let word = if plan.is_explicit(name, assumption) { assumption_word(assumption) } else { "" };
                 self.add(name, 0, word);
             }
-            View::TimeFunction(name, order) => {
+            View::TimeFunction(name, order, _) => {
                 if plan.is_ambiguous(name) {
                     self.reserve("t");
                 }

@@ -136,7 +136,7 @@ impl<D: Dialect> Writer<'_, D> {
             Base::Number(number) => self.out.push_str(&number.to_string()),
             Base::Pi => self.out.push_str(D::PI),
             Base::Time => self.out.push('t'),
-            Base::Symbol { name, assumption, explicit } => {
+            Base::Symbol { name, assumption, explicit, .. } => {
                 self.out.push_str(&self.dialect.name(name));
                 if *explicit {
                     for part in ["[", assumption_word(*assumption), "]"] {
@@ -144,8 +144,9 @@ impl<D: Dialect> Writer<'_, D> {
                     }
                 }
             }
-            Base::TimeFunction { name, order, explicit, .. } => {
-                self.out.push_str(&self.dialect.time_function(name, *order, *explicit));
+            Base::TimeFunction { name, order, explicit, mark, .. } => {
+                let name = if mark.is_empty() { name.clone() } else { format!("{name}[{mark}]") };
+                self.out.push_str(&self.dialect.time_function(&name, *order, *explicit));
             }
             Base::Application { name, args, orders } => self.application(name, args, orders),
             Base::Function(Function::Power, args) => self.general_power(&args[0], &args[1]),

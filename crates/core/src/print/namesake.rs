@@ -52,7 +52,7 @@ impl Graph {
         }
         match (self.view(a), self.view(b)) {
             // The rate x' has no symbol x for a variable either.
-            (View::TimeFunction(name, _), View::Symbol(other, _)) => name == other,
+            (View::TimeFunction(name, ..), View::Symbol(other, _)) => name == other,
             _ => self.plain_name(a).is_some_and(|name| self.plain_name(b) == Some(name)),
         }
     }
@@ -60,7 +60,7 @@ impl Graph {
     /// The name of a symbol or a function of time, which its derivatives don't have.
     fn plain_name(&self, id: Id) -> Option<&str> {
         match self.view(id) {
-            View::Symbol(name, _) | View::TimeFunction(name, 0) => Some(name),
+            View::Symbol(name, _) | View::TimeFunction(name, 0, _) => Some(name),
             _ => None,
         }
     }
@@ -73,7 +73,9 @@ impl Graph {
         let ((needed_as, needed_kind), (given_as, given_kind)) =
             (self.constructor(needed)?, self.constructor(given)?);
         let (name, of) = (self.to_text(needed), self.to_text(given));
-        let law = if needed_kind == given_kind {
+        let law = if needed_kind && given_kind {
+            "a small function of time is not the one that is not small"
+        } else if needed_kind == given_kind {
             "symbols with different assumptions are different symbols"
         } else {
             "a symbol is not a function of time"
@@ -87,14 +89,17 @@ impl Graph {
     /// How a user makes a variable, and whether it depends on time.
     fn constructor(&self, id: Id) -> Option<(String, bool)> {
         match self.view(id) {
-            View::TimeFunction(name, 0) => Some((format!("functions_of_time('{name}')"), true)),
-            View::TimeFunction(name, _) => {
-                Some((format!("a derivative of functions_of_time('{name}')"), true))
+            View::TimeFunction(name, order, assumption) => {
+                let function = format!("functions_of_time('{name}')");
+                let function =
+                    if assumption == Assumption::Small { format!("small({function})") } else { function };
+                Some((if order == 0 { function } else { format!("a derivative of {function}") }, true))
             }
+            View::Symbol(name, Assumption::Small) => Some((format!("small(symbols('{name}'))"), false)),
             View::Symbol(name, assumption) => {
                 let option = match assumption {
                     Assumption::Positive => ", positive=True",
-                    Assumption::Real => "",
+                    Assumption::Real | Assumption::Small => "",
                     Assumption::None => ", real=False",
                 };
                 Some((format!("symbols('{name}'{option})"), false))

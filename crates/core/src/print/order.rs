@@ -64,6 +64,11 @@ impl Term {
         }
     }
 
+    /// Whether the term is a parameter that differences of the model subtract.
+    pub(super) fn is_subtracted(&self) -> bool {
+        matches!(&self.factors[..], [Factor { base: Base::Symbol { is_subtracted: true, .. }, .. }])
+    }
+
     /// The factors as written: roots among the functions, `m*l**2` rather than `l**2*m`.
     pub(super) fn written_factors(&self) -> Vec<&Factor> {
         let mut factors: Vec<&Factor> = self.factors.iter().collect();
@@ -97,6 +102,9 @@ struct Rank {
     has_function: bool,
 }
 
+/// The degree of t in the coordinates: what is given stands behind them, as in `q - omega*t`.
+const TIME: f64 = 0.5;
+
 /// The degree of a mass times the square of a length.
 const MOMENT: f64 = 3.0;
 
@@ -129,7 +137,7 @@ impl Rank {
         match base {
             Base::Number(_) | Base::Pi => none,
             Base::Symbol { .. } => Self { degree: 1.0, ..none },
-            Base::Time => Self { degree: 1.0, coordinates: 1.0, ..none },
+            Base::Time => Self { degree: 1.0, coordinates: TIME, ..none },
             Base::TimeFunction { order, .. } => {
                 Self { derivative: *order, coordinates: 1.0, degree: 1.0, ..none }
             }
@@ -222,9 +230,12 @@ pub(super) fn compare_bases(a: &Base, b: &Base) -> Ordering {
             name::compare(x, y).then((*p as u8).cmp(&(*q as u8)))
         }
         (
-            Base::TimeFunction { name: x, order: m, usage: p, .. },
-            Base::TimeFunction { name: y, order: n, usage: q, .. },
-        ) => p.index.cmp(&q.index).then_with(|| name::compare(x, y)).then(m.cmp(n)),
+            Base::TimeFunction { name: x, order: m, usage: p, mark: k, .. },
+            Base::TimeFunction { name: y, order: n, usage: q, mark: l, .. },
+        ) => {
+            let place = p.index.cmp(&q.index).then_with(|| name::compare(x, y));
+            place.then(m.cmp(n)).then_with(|| k.cmp(l))
+        }
         (Base::Function(f, x), Base::Function(g, y)) => compare_args(x, y).then(f.cmp(g)),
         (
             Base::Application { name: f, args: x, orders: m },

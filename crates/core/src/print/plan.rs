@@ -35,6 +35,8 @@ pub(super) struct Plan {
     others: FxHashSet<String>,
     /// Names that several symbols have, with different assumptions.
     shared: FxHashSet<String>,
+    /// Names of functions of time of which one is small and another one is not.
+    small_too: FxHashSet<String>,
 }
 
 /// The printed extent of a node: leaves, and levels of brackets.
@@ -54,6 +56,7 @@ impl Plan {
             sliced: FxHashMap::default(),
             others: names.others,
             shared: names.shared,
+            small_too: names.small_too,
         };
         let large = tree_leaves(graph, &order, roots) > WHOLE;
         let uses = uses(graph, &order, roots);
@@ -133,6 +136,11 @@ impl Plan {
     /// Whether the name of a function of time is also the name of something else.
     pub(super) fn is_ambiguous(&self, name: &str) -> bool {
         self.others.contains(name)
+    }
+
+    /// The word that distinguishes a small function of time from one of its name that is not small; as a rule none.
+    pub(super) fn mark(&self, name: &str, assumption: Assumption) -> &'static str {
+        if assumption == Assumption::Small && self.small_too.contains(name) { "small" } else { "" }
     }
 
     /// Whether a symbol is written with its assumption: another symbol has the same name.
@@ -223,6 +231,8 @@ pub(super) fn is_sign(number: &Number) -> bool {
 struct Names {
     others: FxHashSet<String>,
     shared: FxHashSet<String>,
+    /// Names of functions of time of which one is small and another one is not.
+    small_too: FxHashSet<String>,
     /// A letter such that no name in use is that letter with a number.
     prefix: String,
 }
@@ -232,6 +242,8 @@ impl Names {
         let mut others = FxHashSet::default();
         let mut assumptions: FxHashMap<&str, Assumption> = FxHashMap::default();
         let mut shared = FxHashSet::default();
+        let mut sizes: FxHashMap<&str, Assumption> = FxHashMap::default();
+        let mut small_too = FxHashSet::default();
         let mut taken = BTreeSet::new();
         for &id in order {
             tick();
@@ -245,7 +257,10 @@ impl Names {
                     others.insert(name.to_owned());
                     taken.insert(name);
                 }
-                View::TimeFunction(name, _) => {
+                View::TimeFunction(name, _, size) => {
+                    if *sizes.entry(name).or_insert(size) != size {
+                        small_too.insert(name.to_owned());
+                    }
                     taken.insert(name);
                 }
                 _ => {}
@@ -255,7 +270,7 @@ impl Names {
         while taken.iter().any(|name| is_numbered(name, &prefix)) {
             prefix.push('z');
         }
-        Self { others, shared, prefix }
+        Self { others, shared, small_too, prefix }
     }
 }
 

@@ -66,11 +66,13 @@ impl<'a> Reader<'a> {
                 name: name.to_owned(),
                 assumption,
                 explicit: self.plan.is_explicit(name, assumption),
+                is_subtracted: self.usage.is_subtracted(name),
             }),
-            View::TimeFunction(name, order) => Sum::atom(Base::TimeFunction {
+            View::TimeFunction(name, order, assumption) => Sum::atom(Base::TimeFunction {
                 name: name.to_owned(),
                 order,
                 explicit: self.plan.is_ambiguous(name),
+                mark: self.plan.mark(name, assumption),
                 usage: self.usage.of(name),
             }),
             View::Application { name, args, orders } => Sum::atom(Base::Application {

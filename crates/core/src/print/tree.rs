@@ -34,17 +34,20 @@ pub(super) enum Base {
     Pi,
     Time,
     /// A symbol: of one name there may be several, with other assumptions. `explicit` where the name alone would mean
-    /// another one of them.
+    /// another one of them; `is_subtracted` if it stands behind the minus sign in differences of the model.
     Symbol {
         name: String,
         assumption: Assumption,
         explicit: bool,
+        is_subtracted: bool,
     },
-    /// A function of time; `explicit` where the name alone would mean something else.
+    /// A function of time; `explicit` where the name alone would mean something else; `mark` is the assumption that
+    /// distinguishes it from another one of its name, or empty.
     TimeFunction {
         name: String,
         order: u32,
         explicit: bool,
+        mark: &'static str,
         usage: Use,
     },
     Application {
@@ -60,7 +63,12 @@ pub(super) enum Base {
 impl Base {
     /// A name for a quantity, with nothing else of that name beside it.
     pub(super) fn plain(name: &str) -> Self {
-        Self::Symbol { name: name.to_owned(), assumption: Assumption::Real, explicit: false }
+        Self::Symbol {
+            name: name.to_owned(),
+            assumption: Assumption::Real,
+            explicit: false,
+            is_subtracted: false,
+        }
     }
 }
 
@@ -70,6 +78,7 @@ pub(super) fn assumption_word(assumption: Assumption) -> &'static str {
         Assumption::Positive => "positive",
         Assumption::Real => "real",
         Assumption::None => "complex",
+        Assumption::Small => "small",
     }
 }
 

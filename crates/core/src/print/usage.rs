@@ -1,11 +1,13 @@
-//! How equations use their functions of time: the order in which factors show them, and which of them are speeds.
+//! How equations use their names: the order in which factors show functions of time, which of them are speeds, and
+//! which parameters are subtracted from others.
 
-use rustc_hash::FxHashMap;
+use rustc_hash::{FxHashMap, FxHashSet};
 
 /// The functions of time of equations, by name. Without any, functions of time are in the order of their names.
 #[derive(Clone, Debug, Default)]
 pub struct Usage {
     places: FxHashMap<String, Use>,
+    subtracted: FxHashSet<String>,
 }
 
 /// The use of one function of time.
@@ -18,15 +20,21 @@ pub(super) struct Use {
 }
 
 impl Usage {
-    /// The coordinates and the speeds, each in their order.
+    /// The coordinates and the speeds, each in their order, and the parameters that stand behind the minus sign of a
+    /// difference in the model.
     #[must_use]
-    pub fn new(coordinates: &[String], speeds: &[String]) -> Self {
+    pub fn new(coordinates: &[String], speeds: &[String], subtracted: Vec<String>) -> Self {
         let named =
             coordinates.iter().map(|name| (name, false)).chain(speeds.iter().map(|name| (name, true)));
         let places = named.enumerate();
         Self {
             places: places.map(|(index, (name, is_speed))| (name.clone(), Use { index, is_speed })).collect(),
+            subtracted: subtracted.into_iter().collect(),
         }
+    }
+
+    pub(super) fn is_subtracted(&self, name: &str) -> bool {
+        self.subtracted.contains(name)
     }
 
     pub(super) fn of(&self, name: &str) -> Use {

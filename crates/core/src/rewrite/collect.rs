@@ -63,7 +63,7 @@ impl Graph {
     /// How often a coordinate is differentiated, or all coordinates of a sum.
     pub(super) fn rate_order(&self, id: Id) -> Option<u32> {
         let order = |id: Id| match self.view(id) {
-            View::TimeFunction(_, order) => Some(order),
+            View::TimeFunction(_, order, _) => Some(order),
             _ => None,
         };
         match self.view(id) {

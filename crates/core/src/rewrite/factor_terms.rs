@@ -30,7 +30,8 @@ impl Graph {
     /// If the expression has too many terms.
     pub fn factor_terms(&mut self, id: Id) -> Result<Id, Error> {
         self.choose_form(|graph| {
-            graph.inside_out(id, Self::push_enclosed_or_factors, &mut |graph, part| {
+            let flat = graph.with_flat_sums(id)?;
+            graph.inside_out(flat, Self::push_enclosed_or_factors, &mut |graph, part| {
                 let mut ring = Ring::new(graph, BUDGET);
                 let polynomial = ring.polynomial(part, Opening::Sums)?;
                 let number = polynomial.numeric_content().abs();

@@ -12,6 +12,7 @@ mod collect;
 mod combine_trig;
 mod expand;
 mod factor_terms;
+mod flat_sums;
 mod frame_angles;
 mod inside_out;
 mod pythagoras;

@@ -93,11 +93,13 @@ impl Graph {
     /// If a part cannot be rebuilt.
     pub fn simplify(&mut self, id: Id) -> Result<Id, Error> {
         self.choose_form(|graph| {
-            let work = graph.total_work(id);
+            let flat = graph.with_flat_sums(id)?;
+            let flat = if graph.cost(&[flat]).total() <= graph.cost(&[id]).total() { flat } else { id };
+            let work = graph.total_work(flat);
             // The whole expression comes first: if its form is short, its parts take little time.
             let mut search = Search::new(work / 4);
-            let whole = graph.simplest(id, DEEPEST, &mut search);
-            let mut best = graph.shortest(id, &[whole]);
+            let whole = graph.simplest(flat, DEEPEST, &mut search);
+            let mut best = graph.shortest(flat, &[whole]);
             let mut search = Search::new(work);
             for _ in 0..ROUNDS {
                 let parts = |graph: &mut Self, part| Ok(graph.simplest(part, DEEPEST, &mut search));

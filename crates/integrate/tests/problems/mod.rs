@@ -30,6 +30,7 @@ pub fn free(
         jacobian,
         position_correction: None,
         velocity_correction: None,
+        sensitivity_correction: None,
         energies: None,
         events: None,
     }

@@ -18,7 +18,7 @@ from symbody.codegen.machine.machine_code import MachineCode
 from symbody.errors import ArgumentError, ExpressionError, ParameterError, SymbodyError
 from symbody.symbolic import Expr, Matrix
 from symbody.symbolic.expression.encoding import Encoded, decode, encode
-from symbody.symbolic.given.arguments import brief, counted, described, expression
+from symbody.symbolic.given.arguments import brief, counted, described, expression, with_known_names
 from symbody.symbolic.numeric.deficiency import noting, report
 from symbody.symbolic.numeric.tape import Tape
 
@@ -181,6 +181,7 @@ def _cut(outputs: NDArray[np.float64], shape: _Shape) -> Any:
     return result[()] if result.ndim == 0 else result
 
 
+@with_known_names
 def lambdify(
     arguments: Expr | Sequence[Expr | Sequence[Expr]],
     expressions: Outputs,

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import os
 import re
-import warnings
 from collections.abc import Iterable
 from dataclasses import replace
 from itertools import islice
@@ -22,9 +21,10 @@ from symbody.codegen.languages.python import PYTHON
 from symbody.codegen.languages.rust import RUST
 from symbody.codegen.languages.target import Target
 from symbody.codegen.layout.arrange import module_of
-from symbody.errors import CodegenError, ModelNotice
+from symbody.errors import CodegenError, notify
 from symbody.files.replacement import write_texts
 from symbody.symbolic import STAGES, Program, free_symbols
+from symbody.symbolic.given.arguments import with_known_names
 from symbody.symbolic.given.identifier import program_name
 from symbody.symbolic.numeric.program import Programmable, program_of
 
@@ -41,6 +41,7 @@ _MARKED = re.compile(rf"(?P<program>\w+)(?: \((?P<target>\w+)\))?, {MARK}")
 """The text that `mark` writes."""
 
 
+@with_known_names
 def generate(
     model: Program | Programmable,
     target: str = "c",
@@ -140,11 +141,9 @@ def _notice_unused(program: Program) -> None:
     for argument in program.arguments:
         unused = [str(v) for v in argument.variables if v not in leaves]
         if unused and argument.stage in STAGES[:2]:
-            warnings.warn(
+            notify(
                 f"generate: no routine of {program.name} depends on {', '.join(unused)} of the argument "
-                f"{argument.name}; the code takes it and ignores it",
-                ModelNotice,
-                stacklevel=3,
+                f"{argument.name}; the code takes it and ignores it"
             )
 
 

@@ -13,7 +13,7 @@ from symbody.symbolic.expression.html_table import html_table
 from symbody.symbolic.expression.latex_layout import aligned, broken
 from symbody.symbolic.given.arguments import counted
 
-from .difference import differences
+from .difference import differences, subtracted
 from .page import indented, shorter
 from .row import written
 from .short_names import Definition, shortened
@@ -77,6 +77,7 @@ class CanonicalPage:
             notation,
             self.system.coordinates,
             (*self.system.speeds, *self.system.multipliers),
+            subtracted(self.system),
         )
         remaining = iter(texts)
         return shortened([written(next(remaining) for _ in row) for row in rows], (), definitions, notation)

@@ -11,7 +11,18 @@ from dataclasses import dataclass
 from symbody.geometry import Vector
 from symbody.multibody import System
 from symbody.multibody.load import Action, action_velocity
-from symbody.symbolic import Expr, derivation, free_symbols, jacobian, number, scale3, t
+from symbody.symbolic import (
+    ENERGY,
+    MOTION,
+    Expr,
+    derivation,
+    free_symbols,
+    jacobian,
+    number,
+    scale3,
+    t,
+    truncated,
+)
 
 from .degree import without
 
@@ -54,14 +65,14 @@ def _weights(system: System) -> list[Action]:
 
 def _forces(system: System, actions: Iterable[Action]) -> tuple[Expr, ...]:
     total = [number(0) for _ in system.speeds]
-    with derivation():
+    with derivation(order=ENERGY):
         for action in actions:
             velocity, axes = action_velocity(action)
             force = system.by_speeds(action.components(axes))
             slopes = jacobian(system.by_speeds(velocity), system.speeds)
             for k, column in enumerate(zip(*slopes.tolist(), strict=True)):
                 total[k] += sum((a * b for a, b in zip(force, column, strict=True)), start=number(0))
-        return tuple(without(each, system.accelerations) for each in total)
+        return truncated([without(each, system.accelerations) for each in total], MOTION)
 
 
 def _split(vector: Vector, unknown: frozenset[str]) -> tuple[Vector, Vector]:

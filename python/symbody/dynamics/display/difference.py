@@ -26,6 +26,22 @@ def differences(system: System) -> tuple[Expr, ...]:
     return tuple(filter(_is_difference, nodes))[:_MOST]
 
 
+def subtracted(system: System) -> tuple[Expr, ...]:
+    """Return the parameters that the differences of a system subtract, and that none of them adds.
+
+    >>> from symbody import Body, functions_of_time, rotate, symbols, translate
+    >>> theta, (R, r, m) = functions_of_time("theta"), symbols("R r m")
+    >>> ball = Body(rotate("Z", theta) * translate(0, r - R, 0), m)
+    >>> subtracted(System([ball], coordinates=[theta]))
+    (R,)
+    """
+    signs = dict[Expr, set[bool]]()
+    for difference in differences(system):
+        for leaf in difference.free_symbols:
+            signs.setdefault(leaf, set()).add(str(diff(difference, leaf)).startswith("-"))
+    return tuple(sorted((leaf for leaf, found in signs.items() if found == {True}), key=str))
+
+
 def _is_difference(node: Expr) -> bool:
     """Return whether a sum of parameters has terms of both signs, each a parameter or a multiple of one."""
     if node.kind != "sum" or any(leaf.kind != "symbol" for leaf in node.free_symbols):

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 
-from symbody.multibody import Variables
+from symbody.multibody import System, Variables
 from symbody.symbolic import Expr, listing_of_equations
+
+from .difference import subtracted
 
 LINE = 110
 """The most characters of a line of text."""
@@ -16,7 +18,8 @@ def printed(
 ) -> tuple[list[tuple[str, str]], list[str]]:
     """Return named quantities and printed terms: coordinates, speeds and multipliers are in the system's order."""
     speeds = (*system.quasi_velocities, *system.multipliers)
-    return listing_of_equations(terms, notation, system.coordinates, speeds)
+    behind = subtracted(system) if isinstance(system, System) else ()
+    return listing_of_equations(terms, notation, system.coordinates, speeds, behind)
 
 
 def written(terms: Iterable[str]) -> str:
@@ -40,7 +43,7 @@ def written(terms: Iterable[str]) -> str:
 def lines(text: str, line: int = LINE) -> list[str]:
     """Return a formula in pieces that are no longer than a line, if that is possible: it is broken before signs.
 
-    A term that is too long is broken inside its brackets.
+    A term that is too long is broken inside its brackets, and at last inside the arguments of its functions.
 
     >>> lines("a*(b + c) + d - e", 9)
     ['a*(b + c)', '+ d - e']
@@ -70,7 +73,7 @@ def _terms(text: str, line: int, depth: int = 0) -> list[str]:
             terms.append(text[start:place])
             start = place + 1
     terms.append(text[start:])
-    if depth < _DEEPEST and any(len(term) > line for term in terms):
+    if depth < _LAST and any(len(term) > line for term in terms):
         return [piece for term in terms for piece in (_shortened(term, line, depth))]
     return terms
 
@@ -80,4 +83,6 @@ def _shortened(term: str, line: int, depth: int) -> Sequence[str]:
 
 
 _DEEPEST = 4
-"""The levels of brackets that are broken at most."""
+"""The levels of brackets that are broken before arguments of functions are."""
+_LAST = 2 * _DEEPEST + 1
+"""The levels that are broken at most, where one of an argument counts as many."""

@@ -8,7 +8,7 @@ from typing import Annotated, TypeAlias
 from symbody.geometry import Scalar
 from symbody.geometry.component.triple import expression
 from symbody.multibody import Variables
-from symbody.symbolic import Expr, derivation
+from symbody.symbolic import MOTION, Expr, derivation
 
 Damping: TypeAlias = Annotated[
     tuple[Scalar, Scalar] | None,
@@ -37,7 +37,7 @@ def stabilized(
     >>> stabilized(guided, guided.constraints, 1, 0)
     (y'' + y, x'')
     """
-    with derivation():
+    with derivation(order=MOTION):
         accelerations = system.rate(system.velocity_level(constraints))
         return damped(system, constraints, accelerations, omega, zeta)
 

@@ -10,7 +10,7 @@ from collections.abc import Sequence
 
 from symbody.geometry import Scalar
 from symbody.multibody import Variables
-from symbody.symbolic import Expr, Matrix, cost, derivation, number, substitute
+from symbody.symbolic import MOTION, Expr, Matrix, cost, derivation, number, substitute
 
 from .baumgarte import damped, stabilized
 
@@ -19,7 +19,7 @@ def is_shorter_by_jacobian(system: Variables, constraints: Sequence[Expr], A: Ma
     """Return whether ``A' u + b'`` has fewer operations, beside A, than the second rate of the constraints."""
     costs = []
     for form in (by_second_rate, by_jacobian):
-        with derivation(fresh=True):
+        with derivation(fresh=True, order=MOTION):
             costs.append(cost([*A.entries, *form(system, constraints, A)]).total)
     return costs[1] < costs[0]
 
@@ -53,7 +53,7 @@ def by_jacobian(
     """
     n = len(system.speeds)
     with derivation(
-        fresh=True
+        fresh=True, order=MOTION
     ):  # so that its terms are those of A, and not of what was derived from the residuals
         drift = substitute(system.velocity_level(constraints), dict.fromkeys(system.speeds, 0))
         rates = system.rate([*A.entries, *drift])

@@ -5,17 +5,31 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from symbody.multibody import Variables
-from symbody.symbolic import Expr, Matrix, derivation, gradient, jacobian, number, time_derivative, zeros
+from symbody.symbolic import (
+    ENERGY,
+    MOTION,
+    Expr,
+    Matrix,
+    derivation,
+    gradient,
+    jacobian,
+    number,
+    time_derivative,
+    truncated,
+    zeros,
+)
 
 
 def constraint_jacobian(system: Variables) -> Matrix:
     """Return A of ``A u + b``, m x n: ``dphi'/du`` of constraints on positions; one row each, a column per speed."""
     if not system.constraints:
         return zeros(0, len(system.speeds))
-    with derivation():
+    with derivation(order=ENERGY):
         if system.has_quasi_velocities or not system.is_holonomic:
-            return jacobian(system.velocity_level(system.constraints), system.speeds)
-        return jacobian(system.constraints, system.coordinates)
+            A = jacobian(system.velocity_level(system.constraints), system.speeds)
+        else:
+            A = jacobian(system.constraints, system.coordinates)
+        return Matrix.from_entries(*A.shape, truncated(A.entries, MOTION))
 
 
 def with_multipliers(residuals: Sequence[Expr], system: Variables) -> tuple[Expr, ...]:
@@ -27,7 +41,8 @@ def with_multipliers(residuals: Sequence[Expr], system: Variables) -> tuple[Expr
     """
     if not system.constraints:
         return tuple(residuals)
-    forces = [_forces_on_positions(system), _forces_on_velocities(system)]
+    with derivation(order=ENERGY):
+        forces = [_forces_on_positions(system), _forces_on_velocities(system)]
     return tuple(
         residual - position - velocity
         for residual, position, velocity in zip(residuals, *forces, strict=True)

@@ -15,7 +15,17 @@ from symbody.errors import ModelError
 from symbody.geometry import Scalar
 from symbody.geometry.given.argument import checked
 from symbody.multibody import Variables
-from symbody.symbolic import Expr, Matrix, Program, cost, free_symbols, without_idle_symbols
+from symbody.symbolic import (
+    MOTION,
+    Expr,
+    Matrix,
+    Program,
+    are_small,
+    cost,
+    free_symbols,
+    truncated,
+    without_idle_symbols,
+)
 from symbody.symbolic.expression.container import Container, contains, substituted
 from symbody.symbolic.expression.latex_layout import displayed
 from symbody.symbolic.given.arguments import counted
@@ -38,6 +48,21 @@ class Assembly:
 
     mass_matrix: Matrix
     bias: tuple[Expr, ...]
+
+    def of_first_order(self, system: Variables) -> Assembly:
+        """Return the coefficients without the terms that small variables make negligible in ``M u' + bias``.
+
+        An entry of M keeps terms of degree 0 if the rates of both of its speeds are small, and of degree 1 if not, so
+        that M stays symmetric.
+        """
+        if not are_small((*self.mass_matrix.entries, *self.bias)):
+            return self
+        small = [are_small([u]) for u in system.speeds]
+        n = len(small)
+        entries = self.mass_matrix.entries
+        resting, varying = truncated(entries, 0), truncated(entries, MOTION)
+        kept = [resting[k] if small[k // n] and small[k % n] else varying[k] for k in range(len(entries))]
+        return Assembly(Matrix.from_entries(n, n, kept), truncated(self.bias, MOTION))
 
     def without_idle_symbols(self) -> Assembly:
         """Return the coefficients in forms without symbols on which their values don't depend."""
@@ -108,7 +133,8 @@ class Equations:
     @property
     def kinematics(self) -> dict[Expr, Expr]:
         """The rates of the coordinates, each by the speeds: the rates are the keys."""
-        return self.system.kinematics
+        values = self.system.kinematics
+        return dict(zip(values, truncated([*values.values()], MOTION), strict=True))
 
     @property
     def states(self) -> tuple[Expr, ...]:
@@ -118,12 +144,13 @@ class Equations:
     @cached_property
     def state_rates(self) -> dict[Expr, Expr]:
         """The rates z' of the states, which may hold accelerations and multipliers: the rates are the keys."""
-        return self.system.state_rates
+        values = self.system.state_rates
+        return dict(zip(values, truncated([*values.values()], MOTION), strict=True))
 
     @cached_property
     def constraints(self) -> tuple[Expr, ...]:
         """The constraints, expressions that are zero: phi on positions, or ``A u + b`` on velocities."""
-        return self.system.constraints
+        return truncated(self.system.constraints, MOTION)
 
     @cached_property
     def constraint_jacobian(self) -> Matrix:

@@ -10,10 +10,10 @@ import warnings
 from collections.abc import Callable, Sequence
 from typing import NamedTuple
 
-from symbody.errors import ConstraintError, ModelNotice
+from symbody.errors import ConstraintError, ModelError, ModelNotice
 from symbody.multibody import Variables
-from symbody.symbolic import Expr, number, substitute, t
-from symbody.symbolic.given.arguments import brief
+from symbody.symbolic import Expr, free_symbols, number, substitute, t
+from symbody.symbolic.given.arguments import brief, counted
 
 from .constraint_force import constraint_jacobian
 
@@ -24,9 +24,15 @@ def check_independent(system: Variables) -> None:
     Both hold at almost every position, for almost all parameters: special dimensions may let a mechanism move.
 
     Raises:
+        ModelError: there is no motion without constraints either.
         ConstraintError: a constraint contradicts those before it: a combination of them is a number other than zero.
             Or the independent ones leave no motion whatever the dimensions are, and none of them drives the system.
     """
+    if not system.speeds:
+        raise ModelError(
+            f"{system.where}: no joint lets anything move, so that there are no coordinates and no equations of "
+            "motion; the forces in the joints of a structure are reaction(system, joint)"
+        )
     pivots: dict[int, _Combination] = {}
     found: list[str] = []
     phi_q, rates = constraint_jacobian(system), _rates(system)
@@ -42,7 +48,7 @@ def check_independent(system: Variables) -> None:
             rest = combination.value if place in system.holonomic else combination.rate
             found.append(_report(system, place, combined, rest))
     independent = [each for each in pivots.values() if each.slopes]
-    if len(independent) == len(system.speeds) and not is_driven(system):
+    if len(independent) == len(system.speeds) and not demands_motion(system):
         found = [
             _without_motion(system, independent)
         ]  # any other constraint depends on as many as there are speeds
@@ -64,32 +70,46 @@ def _rates(system: Variables) -> tuple[Expr, ...]:
 def _without_motion(system: Variables, independent: Sequence[_Combination]) -> str:
     """Return a notice of constraints that leave no motion; raise an error if no dimensions can change that."""
     n, what = len(system.speeds), "speeds" if system.has_quasi_velocities else "coordinates"
-    found = f"{system.where}: {n} independent constraints on {n} {what} leave no motion"
-    if all(
+    on = f"{counted(n, 'independent constraint')} on {counted(n, what[:-1])}"
+    found = f"{system.where}: {on} {'leaves' if n == 1 else 'leave'} no motion"
+    is_held = all(
         each.slopes[each.pivot].is_constant for each in independent
-    ):  # so is their product, the determinant
+    )  # so is their product, the determinant
+    if is_held and system.joints:
+        return f"{found}: nothing moves, and reactions are those of statics, which equilibrium(equations, ...) finds"
+    if is_held:
         raise ConstraintError(
             f"{found}; expected fewer constraints than {what}, or one that drives the system and holds the time t"
         )
-    advice = _overconstrained(system) or (
-        "With parameters that are all 1 nothing moves; leave out a constraint, unless the dimensions that you will "
-        "give are special ones"
+    redundant = "".join(adviser(system) for adviser in _advisers)
+    if all(leaf.depends_on_time for leaf in free_symbols(system.constraints)):
+        where_it_moves = f"; where it moves, {redundant}; a simulation does so by itself"
+        return f"{found} at almost every position{where_it_moves if redundant else _STRUCTURE}"
+    advice = (
+        f"With parameters that are all 1, {redundant}; a simulation does so by itself"
+        if redundant
+        else f"With parameters that are all 1 nothing moves{_SPECIAL}"
     )
     return f"{found} for almost all dimensions. {advice}"
 
 
-def is_driven(system: Variables) -> bool:
+_STRUCTURE = (
+    "; leave out a constraint, unless nothing shall move: equilibrium(equations, ...) finds the reactions of a "
+    "structure"
+)
+_SPECIAL = (
+    "; leave out a constraint, unless the dimensions that you will give are special ones, or nothing shall move: "
+    "equilibrium(equations, ...) finds the reactions of a structure"
+)
+
+
+def demands_motion(system: Variables) -> bool:
     """Return whether constraints demand speeds other than zero."""
-    if any(t in constraint.free_symbols for constraint in system.constraints):
+    given = {t, *(each for each in system.inputs if each.kind == "time_function")}
+    if any(not given.isdisjoint(constraint.free_symbols) for constraint in system.constraints):
         return True
     demanded = substitute(_rates(system), dict.fromkeys(system.speeds, number(0)))
     return not all(each.is_zero for each in demanded)
-
-
-def _overconstrained(system: Variables) -> str:
-    """Return what is redundant in a mechanism that moves by its special dimensions alone, if this is one."""
-    found = "".join(adviser(system) for adviser in _advisers)
-    return found and f"With parameters that are all 1, {found}; a simulation does so by itself"
 
 
 _advisers: list[Callable[[Variables], str]] = []

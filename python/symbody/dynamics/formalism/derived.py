@@ -20,11 +20,14 @@ from symbody.dynamics.recursion.shortest_tree import mass_matrix_and_bias, short
 from symbody.dynamics.tree.frame_tree import FrameTree, frame_tree
 from symbody.multibody import System
 from symbody.symbolic import (
+    ENERGY,
+    MOTION,
     Expr,
     Matrix,
     derivation,
     jacobian,
     substitute,
+    truncated,
     without_idle_symbols,
 )
 
@@ -50,7 +53,7 @@ def derived(
         check: what the formalism requires of the frames.
         inertia: the mass matrix, n x n, if there is a shorter way than by differentiation of the residuals.
     """
-    with derivation(fresh=True):
+    with derivation(fresh=True, order=ENERGY):
         tree = checked_tree(system, where)
         if check is not None:
             check(tree, where)
@@ -58,11 +61,12 @@ def derived(
             shortest = shortest_tree(system, recursive_newton_euler)
             with_multipliers(recursive_newton_euler(system, shortest), system)
         completed = with_multipliers(_by_speeds(residuals, system), system)
-    return Equations(system, without_idle_symbols(completed), partial(_assemble, residuals, inertia))
+        found = truncated(completed, MOTION)
+    return Equations(system, without_idle_symbols(found), partial(_assemble, residuals, inertia))
 
 
 def _assemble(residuals: Residuals, inertia: Callable[[System], Matrix] | None, system: System) -> Assembly:
-    with derivation(fresh=True):
+    with derivation(fresh=True, order=ENERGY):
         if frame_tree(system).is_rigid:
             tree = shortest_tree(system, mass_matrix_and_bias)
             bias(system, tree)
@@ -70,6 +74,7 @@ def _assemble(residuals: Residuals, inertia: Callable[[System], Matrix] | None, 
         made = _by_speeds(residuals, system)
         M = jacobian(made, system.accelerations) if inertia is None else inertia(system)
         assembly = Assembly(M, _known(substitute(made, at_rest(system))))
+        assembly = assembly.of_first_order(system)
     return assembly.without_idle_symbols()
 
 

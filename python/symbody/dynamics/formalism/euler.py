@@ -13,7 +13,7 @@ from symbody.geometry.given.argument import checked
 from symbody.multibody import Body
 from symbody.multibody.load import Action
 from symbody.multibody.selection import Objects, Selection, select_bodies
-from symbody.symbolic import add3, cross3, derivation, number, scale3, sub3, time_derivatives
+from symbody.symbolic import MOTION, add3, cross3, derivation, number, scale3, sub3, time_derivatives
 
 
 @checked(ModelError)
@@ -40,7 +40,7 @@ def euler_equations(
     """
     selection = select_bodies(objects, "euler_equations", gravity)
     axes = selection.root if frame is None else frame
-    with derivation():
+    with derivation(order=MOTION):
         about = (_center_of_mass(selection) if point is None else point).projected(axes).coordinates
         total = NULL
         for body in selection.bodies:

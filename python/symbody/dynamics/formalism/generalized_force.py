@@ -12,7 +12,7 @@ from symbody.geometry.frame.frame_velocity import displacement_rate, pose_from
 from symbody.geometry.given.argument import checked
 from symbody.geometry.motion.placement import axial_rate
 from symbody.multibody import Action, Load
-from symbody.symbolic import Expr, derivation, dot3, number
+from symbody.symbolic import ENERGY, MOTION, Expr, derivation, dot3, number, truncated
 
 Loads: TypeAlias = Annotated[Load | Collection[Load], "a force, a torque, or a list of them"]
 Coordinates: TypeAlias = Annotated[Expr | Sequence[Expr], "a coordinate, or a list of them"]
@@ -44,11 +44,12 @@ def generalized_force(loads: Loads, q: Coordinates) -> Expr | list[Expr]:
     """
     coordinates = [q] if isinstance(q, Expr) else list(q)
     several = [loads] if isinstance(loads, Load) else sorted(loads, key=lambda load: load.key)
-    with derivation():
+    with derivation(order=ENERGY):
         forces = [number(0)] * len(coordinates)
         for action in (action for load in several for action in load.actions):
             for k, coordinate in enumerate(coordinates):
                 forces[k] += virtual_work(action, coordinate)
+        forces = [*truncated(forces, MOTION)]
     return forces[0] if isinstance(q, Expr) else forces
 
 

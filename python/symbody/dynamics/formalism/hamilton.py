@@ -30,6 +30,7 @@ from symbody.multibody import System, kinetic_energy
 from symbody.multibody.energy import potentials
 from symbody.symbolic import (
     Expr,
+    are_small,
     derivation,
     dot3,
     functions_of_time,
@@ -41,6 +42,7 @@ from symbody.symbolic import (
     time_derivative,
     without_idle_symbols,
 )
+from symbody.symbolic.given.arguments import brief
 
 from .boltzmann_hamel import Slopes, gyroscopic, slopes_of_lagrangian
 from .checked_tree import checked_tree
@@ -73,6 +75,7 @@ def hamilton(system: System) -> CanonicalEquations:
     >>> found.hamiltonian
     p_theta**2/(2*m*l**2) - g*l*m*cos(theta)
     """
+    _check_exact(system)
     check_independent(system)
     u, p = system.speeds, _momenta(system)
     with derivation(fresh=True):
@@ -91,6 +94,17 @@ def hamilton(system: System) -> CanonicalEquations:
         by_speeds = dict(zip(p, momenta, strict=True))
         rates |= _of_states(system.eliminating(speeds, by_speeds), rates)
     return CanonicalEquations(system, p, hamiltonian, rates, speeds, by_speeds)
+
+
+def _check_exact(system: System) -> None:
+    """Check that no variables are small: a momentum is small only if it vanishes in the reference motion."""
+    marked = sorted((leaf for leaf in system.leaves if are_small([leaf])), key=str)
+    if marked:
+        names = f"{brief(', '.join(map(str, marked)))} {'is' if len(marked) == 1 else 'are'}"
+        raise ModelError(
+            f"hamilton: {names} small, but which momenta are small is not known; use "
+            "lagrange_equations, or variables that are not marked as small, and taylor of the result"
+        )
 
 
 def _forces(system: System) -> tuple[Expr, ...]:

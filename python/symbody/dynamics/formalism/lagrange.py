@@ -9,7 +9,18 @@ from symbody.errors import ModelError
 from symbody.geometry.given.argument import checked
 from symbody.multibody import System, kinetic_energy
 from symbody.multibody.coordinate import check_function_of_time
-from symbody.symbolic import Expr, Matrix, derivation, gradient, jacobian, time_derivative, time_derivatives
+from symbody.symbolic import (
+    ENERGY,
+    MOTION,
+    Expr,
+    Matrix,
+    derivation,
+    gradient,
+    jacobian,
+    time_derivative,
+    time_derivatives,
+    truncated,
+)
 
 from .boltzmann_hamel import moves_by_twists, residuals_in_quasi_velocities
 from .derived import derived
@@ -31,9 +42,9 @@ def lagrange(L: Expr, q: Expr) -> Expr:
     True
     """
     check_function_of_time(q, "lagrange: the coordinate")
-    with derivation():
+    with derivation(order=ENERGY):
         momentum, force = gradient(L, [time_derivative(q), q])
-        return time_derivative(momentum) - force
+        return truncated([time_derivative(momentum) - force], MOTION)[0]
 
 
 @checked(ModelError)

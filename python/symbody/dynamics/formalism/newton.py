@@ -7,7 +7,7 @@ from symbody.geometry import Frame, Triple, Vector, acceleration
 from symbody.geometry.given.argument import checked
 from symbody.multibody import Body
 from symbody.multibody.selection import Objects, select_bodies
-from symbody.symbolic import add3, derivation, scale3, sub3
+from symbody.symbolic import MOTION, add3, derivation, scale3, sub3
 
 
 @checked(ModelError)
@@ -30,7 +30,7 @@ def newton_equations(
     """
     selection = select_bodies(objects, "newton_equations", gravity)
     axes = selection.root if frame is None else frame
-    with derivation():
+    with derivation(order=MOTION):
         total = _inertia_and_weight(selection.bodies[0], axes, selection.gravity)
         for body in selection.bodies[1:]:
             total = add3(total, _inertia_and_weight(body, axes, selection.gravity))

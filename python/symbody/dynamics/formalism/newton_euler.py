@@ -12,7 +12,7 @@ from symbody.dynamics.recursion.shortest_tree import mass_matrix_and_bias, short
 from symbody.errors import ModelError
 from symbody.geometry.given.argument import checked
 from symbody.multibody import System
-from symbody.symbolic import derivation, without_idle_symbols
+from symbody.symbolic import ENERGY, MOTION, derivation, truncated, without_idle_symbols
 
 from .checked_tree import check_rigid, checked_tree
 
@@ -37,17 +37,26 @@ def newton_euler(system: System) -> Equations:
     ((l*m*(l*theta'' + g*sin(theta)),), Matrix([[m*l**2]]))
     """
     check_independent(system)
-    with derivation(fresh=True):
+    with derivation(fresh=True, order=order_of(system)):
         tree = checked_tree(system, "newton_euler")
         check_rigid(tree, "newton_euler")
         shortest = shortest_tree(system, recursive_newton_euler)
         residuals = with_multipliers(recursive_newton_euler(system, shortest), system)
+        residuals = truncated(residuals, MOTION)
     return Equations(system, without_idle_symbols(residuals), _assemble)
 
 
 def _assemble(system: System) -> Assembly:
-    with derivation(fresh=True):
+    with derivation(fresh=True, order=order_of(system)):
         tree = shortest_tree(system, mass_matrix_and_bias)
         forces = bias(system, tree)
-        assembly = Assembly(with_added_mass(mass_matrix(system, tree), system), forces)
+        assembly = Assembly(with_added_mass(mass_matrix(system, tree), system), forces).of_first_order(system)
     return assembly.without_idle_symbols()
+
+
+def order_of(system: System) -> int:
+    """Return the order to which small variables are kept in the recursion: the first, if axes of motions are given.
+
+    Where rates are written by speeds, the partial twists are derivatives by speeds, which may be small.
+    """
+    return ENERGY if system.has_quasi_velocities else MOTION

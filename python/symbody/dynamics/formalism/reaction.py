@@ -8,25 +8,30 @@ from typing import Annotated, Any, TypeAlias, final
 
 from symbody.dynamics.equations.equations import Equations
 from symbody.dynamics.recursion.part_wrench import part_wrench
-from symbody.errors import ModelError
+from symbody.errors import ModelError, notify
 from symbody.geometry import Frame, Point, Vector, cross, dot, origin
 from symbody.geometry.given.argument import checked
 from symbody.multibody import Body, Constraint, Link, Load, System
 from symbody.multibody.joint.closure import Closure
 from symbody.multibody.joint.joint import Joint
 from symbody.multibody.joint.placed_joint import PlacedJoint
-from symbody.symbolic import Expr, cost, derivation, simplify
+from symbody.symbolic import MOTION, Expr, cost, derivation, simplify
 from symbody.symbolic.expression.container import Container, contains
-from symbody.symbolic.given.arguments import brief
+from symbody.symbolic.given.arguments import brief, given_twice
 
 from .euler import euler_equations
 from .newton import newton_equations
+from .part import body_of, cut_joints, things_of
 
 __all__ = ["Reaction", "reaction", "reaction_in"]
 
 Cut: TypeAlias = Annotated[
-    Joint | Body | Link | str | Collection[Body | Link | str],
+    Joint | PlacedJoint | Body | Link | str | Collection[Body | Link | str],
     "a joint, a body, a link, the name of one, or a list of bodies that are cut off together",
+]
+Moving: TypeAlias = Annotated[
+    Equations | System,
+    "equations of motion, such as newton_euler(system), or a system in which nothing moves",
 ]
 Side: TypeAlias = Annotated[Body | Link | Frame | str | None, "one of the two parts that the joint connects"]
 
@@ -57,6 +62,7 @@ class Reaction:
     at: Point
     on: str
 
+    @checked(ModelError)
     def about(self, point: Point) -> Reaction:
         """Return the same action, by the moment about another point and the force there."""
         return Reaction(self.force, self.moment + cross(self.at - point, self.force), point, self.on)
@@ -86,7 +92,7 @@ contains(
 
 @checked(ModelError)
 def reaction(
-    equations: Equations,
+    equations: Moving,
     cut: Cut,
     *,
     on: Side = None,
@@ -105,7 +111,8 @@ def reaction(
     from outside.
 
     Args:
-        equations: those of a system that `assemble` made for a joint, and of any system with bodies for bodies.
+        equations: those of a system that `assemble` made for a joint, and of any system with bodies for bodies; or the
+            system itself, as of a structure that has no coordinates.
         cut: the joint; or a body, or several.
         on: which side of the joint the reaction acts on; the child by default. On the parent it has the other sign.
         about: the point of the moment; by default the origin of the child's axes in the joint, the centre of mass of a
@@ -141,7 +148,7 @@ def reaction_in(
         frame: see there.
     """
     placed = _placed(system, cut)
-    with derivation():
+    with derivation(order=MOTION):
         if placed is None:
             return _readable(_on_part(system, _bodies(system, cut), about, frame))
         found = _of_tree(system, placed) if placed.opens else _of_loop(system, placed)
@@ -163,8 +170,8 @@ def _readable(found: Reaction) -> Reaction:
     return Reaction(force, moment, found.at, found.on)
 
 
-def _system(equations: Equations) -> System:
-    system = equations.system
+def _system(equations: Equations | System) -> System:
+    system = equations if isinstance(equations, System) else equations.system
     if not isinstance(system, System):
         raise ModelError(
             f"reaction: {brief(equations)} were given without bodies; expected the equations of a System"
@@ -175,22 +182,33 @@ def _system(equations: Equations) -> System:
 def _placed(system: System, cut: Any) -> PlacedJoint | None:
     """Return the joint that is cut; None for bodies."""
     joints: tuple[PlacedJoint, ...] = system.joints
+    if isinstance(cut, str) and cut in {joint.name for joint in joints} & {
+        body.name for body in system.bodies
+    }:
+        raise ModelError(
+            f"reaction: {cut} is the name of a joint and of a body; expected the joint itself, or the body's link, or "
+            "names of their own"
+        )
     for placed in joints:
         if cut is placed.joint or cut == placed.name:
             return placed
+    if isinstance(cut, PlacedJoint):
+        return _placed(system, cut.joint)
     if isinstance(cut, Joint):
         names = brief(", ".join(joint.name for joint in joints))
         known = f"its joints are {names}" if joints else "it has none: make it by assemble([...]).system()"
+        if any(joint.name == cut.name for joint in joints):
+            known += (
+                f"; this is another joint of that name: give the one that assemble was given, or {cut.name!r}"
+            )
         raise ModelError(f"reaction: {cut} isn't a joint of {brief(system)}; {known}")
     return None
 
 
 def _bodies(system: System, cut: Any) -> list[Body]:
-    things = [cut] if isinstance(cut, Body | Link | str) else list(cut)
     found = []
-    for thing in things:
-        name = thing if isinstance(thing, str) else thing.name
-        body = next((b for b in system.bodies if b is thing or (name and b.name == name)), None)
+    for thing in things_of(cut):
+        body = body_of(system, thing)
         if body is None:
             joints = ", ".join(joint.name for joint in system.joints)
             kind = "a joint or a body" if joints and isinstance(thing, str) else "a body"
@@ -202,6 +220,8 @@ def _bodies(system: System, cut: Any) -> list[Body]:
         found.append(body)
     if not found:
         raise ModelError("reaction: no body is cut off; give at least one")
+    if (twice := given_twice(found)) is not None:
+        raise ModelError(f"reaction: the body {brief(twice)} is given twice; give it once")
     return found
 
 
@@ -229,11 +249,12 @@ def _of_loop(system: System, placed: PlacedJoint) -> Reaction:
     """Return ``sum(lambda f)`` and ``sum(lambda m)`` of the closures of a joint."""
     multipliers = _multipliers(system)
     force, moment = _zero(placed.parent_side), _zero(placed.parent_side)
+    _tell_idle(placed)
     for closure in placed.active:
         intensity = multipliers[f"{placed.name}.{closure.name}"]
         force += intensity * closure.force
         moment += intensity * closure.moment_about(placed.point)
-    return Reaction(force, moment, placed.point, placed.ends[1][0])
+    return Reaction(force, moment, placed.point, _name(placed.joint.child))
 
 
 def _of_tree(system: System, placed: PlacedJoint) -> Reaction:
@@ -243,15 +264,23 @@ def _of_tree(system: System, placed: PlacedJoint) -> Reaction:
     bodies = [body for body in system.bodies if body.name in beyond]
     found = _on_part(system, bodies, placed.point, placed.parent_side)
     force, moment = found.force, found.moment
-    for other in (joint for joint in system.joints if joint is not placed and joint.active):
-        sides = [name in beyond for name, _ in other.ends]
-        if sides[0] != sides[1]:
+    for other, is_child in cut_joints(system, beyond):
+        if other is not placed and (other.active or not other.opens):
             exerted = _of_loop(system, other).about(placed.point)
-            exerted = exerted if sides[1] else -exerted
+            exerted = exerted if is_child else -exerted
             force, moment = force - exerted.force, moment - exerted.moment
-    total = Reaction(force, moment, placed.point, placed.ends[1][0])
+    total = Reaction(force, moment, placed.point, _name(placed.joint.child))
     total = total if placed.ends[1][0] in beyond else -total
     return _carried(total, placed) if _is_free(system, placed, driven) else total
+
+
+def _tell_idle(placed: PlacedJoint) -> None:
+    """Give a notice of a joint that closes a loop, and holds only what other joints hold already."""
+    if placed.closures and not placed.opens and not placed.active:
+        notify(
+            f"reaction: {placed} holds what other joints hold already, so that the forces of its loop are statically "
+            "indeterminate; it is taken to exert none; leave it out, or put a bushing in its place to share them"
+        )
 
 
 def _multipliers(system: System) -> dict[str, Expr]:
@@ -330,7 +359,7 @@ def _on_side(found: Reaction, placed: PlacedJoint, on: Any) -> Reaction:
     if on is None or _is_part(on, child):
         return found
     if _is_part(on, parent):
-        return Reaction(-found.force, -found.moment, found.at, str(parent))
+        return Reaction(-found.force, -found.moment, found.at, _name(parent))
     raise ModelError(
         f"reaction: {placed} connects {brief(parent)} and {brief(child)}, not {brief(on)}; expected on=one of the two"
     )
@@ -340,7 +369,11 @@ def _is_part(on: Any, part: Link | Frame) -> bool:
     if isinstance(on, Frame):
         return isinstance(part, Frame) and on == part
     name = on if isinstance(on, str) else on.name
-    return name == (part.name if isinstance(part, Link) else str(part))
+    return name == _name(part)
+
+
+def _name(part: Link | Frame) -> str:
+    return part.name if isinstance(part, Link) else brief(part)
 
 
 def _zero(frame: Frame) -> Vector:

@@ -21,14 +21,19 @@ from symbody.dynamics.inertia.composite import Composite
 from symbody.dynamics.inertia.wrench import Wrench
 from symbody.dynamics.tree.frame_tree import FrameTree
 from symbody.multibody import System
-from symbody.symbolic import Expr, Matrix, number
+from symbody.symbolic import Expr, Matrix, are_small, derivation, number
 
 from .sliding import mass_entries, slides, sliding_children
 
 
 def mass_matrix(system: System, tree: FrameTree) -> Matrix:
-    """Return the mass matrix H of a tree of rigid frames, n x n for n speeds."""
-    return _CompositeRigidBodies(system, tree).matrix()
+    """Return the mass matrix H of a tree of rigid frames, n x n for n speeds.
+
+    If all speeds are small, so are the accelerations, and H is that of the position at which small variables vanish.
+    """
+    is_small = all(are_small([u]) for u in system.speeds) and not system.has_quasi_velocities
+    with derivation(order=0 if is_small else None):
+        return _CompositeRigidBodies(system, tree).matrix()
 
 
 @final

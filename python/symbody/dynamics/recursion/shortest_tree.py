@@ -19,7 +19,7 @@ from symbody.dynamics.tree.orientation_path import placed
 from symbody.dynamics.tree.other_forms import have_other_forms
 from symbody.geometry import Frame
 from symbody.multibody import System
-from symbody.symbolic import Expr, cost, derivation
+from symbody.symbolic import ENERGY, Expr, cost, derivation
 
 from .articulated_body import is_applicable
 from .mass_matrix import mass_matrix
@@ -76,7 +76,7 @@ def _shortest(system: System, candidates: Sequence[_Forms], derive: Derive) -> _
 
 
 def _length(system: System, forms: _Forms, derive: Derive) -> int:
-    with derivation(fresh=True):
+    with derivation(fresh=True, order=ENERGY):
         return cost(derive(system, tree_of_forms(system, forms))).total
 
 

@@ -8,7 +8,7 @@ from typing import Annotated, TypeAlias
 from symbody.dynamics.equations.equations import Equations
 from symbody.errors import ConstraintError, ModelError
 from symbody.geometry.given.argument import checked
-from symbody.symbolic import Expr, Matrix, derivation, linear_solve, substitute
+from symbody.symbolic import MOTION, Expr, Matrix, derivation, linear_solve, substitute
 from symbody.symbolic.given.arguments import brief, counted
 
 Speeds: TypeAlias = Annotated[Sequence[Expr], "a list of speeds, such as time_derivative(x)"]
@@ -45,7 +45,7 @@ def dependent_speeds(eqs: Equations, dependent: Speeds) -> dict[Expr, Expr]:
             f"dependent_speeds: the constraints don't determine {', '.join(map(str, dependent))}, whatever the others "
             "are; choose other dependent speeds"
         )
-    with derivation(fresh=True):
+    with derivation(fresh=True, order=MOTION):
         rates = substitute(eqs.system.velocity_level(eqs.constraints), dict.fromkeys(dependent, 0))
         values = linear_solve(matrix, [-rate for rate in rates])
     return dict(zip(dependent, values, strict=True))

@@ -7,10 +7,11 @@ from contextlib import suppress
 from typing import Annotated, NamedTuple, TypeAlias
 
 from symbody.dynamics.equations.equations import Assembly, Derived, Equations
-from symbody.dynamics.equations.independence import is_driven
+from symbody.dynamics.equations.independence import demands_motion
 from symbody.errors import ConstraintError, ExpressionError, ModelError
 from symbody.geometry.given.argument import checked
 from symbody.symbolic import (
+    MOTION,
     Dependence,
     Expr,
     Matrix,
@@ -68,13 +69,13 @@ def embedded(eqs: Equations, independent: Speeds | None = None) -> Equations:
         return eqs
     _check_states(eqs)
     relation = _chosen(eqs, independent)  # its quotients by pivots must not take part in the derivation
-    with derivation(fresh=True):
+    with derivation(fresh=True, order=MOTION):
         dependent, rows = relation.dependent, relation.rows
         level = eqs.system.velocity_level(eqs.constraints)
         speeds = relation.solved(substitute([level[k] for k in rows], dict.fromkeys(dependent, 0)))
         values = dict(zip(dependent, without_idle_symbols(speeds), strict=True))
         system = eqs.system.eliminating(values)
-        assembly = _reduced(eqs, relation, values)
+        assembly = _reduced(eqs, relation, values).of_first_order(system)
         products = assembly.mass_matrix @ Matrix([[a] for a in system.accelerations])
         residuals = tuple(
             product + rest for product, rest in zip(products.entries, assembly.bias, strict=True)
@@ -178,7 +179,7 @@ def _chosen(eqs: Equations, independent: Speeds | None) -> _Relation:
 def without_freedom(eqs: Equations) -> str:
     """Return what is wrong with equations whose constraints determine all speeds, and the way out."""
     speeds = brief(", ".join(map(str, eqs.speeds)))
-    if is_driven(eqs.system):
+    if demands_motion(eqs.system):
         return (
             f"the constraints determine all speeds, {speeds}; expected fewer constraints: the motion follows from them "
             "alone"

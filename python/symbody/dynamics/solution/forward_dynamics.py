@@ -27,7 +27,9 @@ from symbody.errors import ExpressionError, ModelError
 from symbody.geometry.given.argument import checked
 from symbody.multibody import System
 from symbody.symbolic import (
+    MOTION,
     Expr,
+    are_small,
     cost,
     derivation,
     ldl_solve,
@@ -140,8 +142,8 @@ def _equation_names(eqs: Equations, method: str) -> tuple[str, ...]:
 def _shortest(eqs: Equations, baumgarte: Damping) -> ForwardDynamics:
     if eqs.constraints:
         return _shortest_with_constraints(eqs, baumgarte)
-    if isinstance(eqs.system, System):
-        with derivation(fresh=True):
+    if isinstance(eqs.system, System) and not are_small(eqs.speeds):
+        with derivation(fresh=True, order=MOTION):
             tree = articulated_tree(eqs.system)
             recursive = articulated_body.is_applicable(eqs.system, tree)
         if recursive:
@@ -210,7 +212,12 @@ def _articulated_body(eqs: Equations, _: Damping) -> ForwardDynamics:
             "forward_dynamics: the articulated-body recursion is for systems of bodies, and these equations were given "
             "without bodies; use method='auto'"
         )
-    with derivation(fresh=True):
+    if are_small(eqs.speeds):
+        raise ModelError(
+            "forward_dynamics: the articulated-body recursion doesn't know which accelerations are small; use "
+            "method='auto'"
+        )
+    with derivation(fresh=True, order=MOTION):
         tree = articulated_tree(system)
         if not articulated_body.is_applicable(system, tree):
             raise ModelError(
@@ -228,7 +235,7 @@ def _ldl(eqs: Equations, _: Damping) -> ForwardDynamics:
             "forward_dynamics: elimination without pivoting is for symmetric mass matrices and no constraints; "
             "use method='pivoted'"
         )
-    with derivation(fresh=True):
+    with derivation(fresh=True, order=MOTION):
         try:
             accelerations = ldl_solve(M, [-entry for entry in eqs.bias])
         except ExpressionError as failure:
@@ -252,7 +259,7 @@ def _eliminated(method: str, eqs: Equations, baumgarte: Damping) -> ForwardDynam
 
 
 def _by_saddle_point(method: str, eqs: Equations, baumgarte: Damping) -> ForwardDynamics:
-    with derivation(fresh=True):
+    with derivation(fresh=True, order=MOTION):
         right = [-entry for entry in eqs.constraint_bias(*(baumgarte or (0, 0)))] if eqs.constraints else []
         solution = saddle_point_solve(eqs.mass_matrix, eqs.constraint_jacobian, eqs.forcing, right, method)
     return ForwardDynamics(solution.x, solution.y, method, solution.conditions).without_idle_symbols()

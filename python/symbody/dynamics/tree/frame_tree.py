@@ -12,7 +12,7 @@ from symbody.geometry.component.triple import NULL
 from symbody.geometry.motion.frame_motion import FrameMotion
 from symbody.geometry.motion.translation import Translation
 from symbody.multibody import Action, Body, System
-from symbody.symbolic import Expr, derivation, free_symbols
+from symbody.symbolic import Expr, current_derivation, derivation, free_symbols
 from symbody.symbolic.given.arguments import brief
 
 from .given_twist import by_speeds, given_twist
@@ -41,7 +41,7 @@ class FrameTree:
     actions: tuple[Action, ...]
     places: dict[bytes, int]
     system: System
-    _twists: dict[int, dict[int, PartialTwist]] = field(default_factory=dict)
+    _twists: dict[tuple[int, int | None], dict[int, PartialTwist]] = field(default_factory=dict)
 
     def index(self, frame: Frame) -> int:
         """Return the place of a frame in the list."""
@@ -55,9 +55,11 @@ class FrameTree:
 
     def partial_twists(self, place: int) -> dict[int, PartialTwist]:
         """Return what each speed, by its place, does to the motion of a frame in its parent."""
-        if place not in self._twists:
-            self._twists[place] = dict(zip(self.moved_by[place], self._made(place), strict=True))
-        return self._twists[place]
+        current = current_derivation()
+        key = place, None if current is None else current.order
+        if key not in self._twists:
+            self._twists[key] = dict(zip(self.moved_by[place], self._made(place), strict=True))
+        return self._twists[key]
 
     def _made(self, place: int) -> list[PartialTwist]:
         moving, given = self.moved_by[place], given_twist(self.frames[place])

@@ -9,7 +9,7 @@ from typing import NamedTuple
 from symbody.errors import FrameError
 from symbody.geometry.component.triple import Triple, is_null
 from symbody.geometry.motion.frame_motion import FrameMotion, Substitution
-from symbody.symbolic import add3, derivation, sub3
+from symbody.symbolic import ENERGY, add3, derivation, sub3
 from symbody.symbolic.given.arguments import brief
 
 from .frame import Frame
@@ -20,7 +20,7 @@ def vector_components(v: Triple, source: Frame, target: Frame) -> Triple:
     if is_null(v):
         return v
     up, down = path(source, target)
-    with derivation():
+    with derivation(order=ENERGY):
         for motion in _rotations(up):
             v = motion.to_parent(v)
         for motion in _rotations(down):
@@ -44,7 +44,7 @@ def _rotations(motions: Sequence[FrameMotion]) -> list[FrameMotion]:
 def point_coordinates(p: Triple, source: Frame, target: Frame) -> Triple:
     """Return the coordinates of a point in another frame."""
     up, down = path(source, target)
-    with derivation():
+    with derivation(order=ENERGY):
         for motion in up:
             p = add3(motion.to_parent(p), motion.displacement)
         for motion in down:
@@ -77,7 +77,7 @@ def difference(ends: Ends, target: Frame) -> Triple:
     """
     frames = ends.tip_frame, ends.tail_frame, target
     meeting = max((_common_ancestor(a, b) for a, b in combinations(frames, 2)), key=lambda frame: frame.depth)
-    with derivation():
+    with derivation(order=ENERGY):
         tip = point_coordinates(ends.tip, ends.tip_frame, meeting)
         tail = point_coordinates(ends.tail, ends.tail_frame, meeting)
         return vector_components(sub3(tip, tail), meeting, target)

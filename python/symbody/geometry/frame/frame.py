@@ -24,7 +24,7 @@ from symbody.geometry.motion.frame_motion import FrameMotion, Rows, Substitution
 from symbody.geometry.motion.placement import Placement, is_rotation
 from symbody.geometry.motion.principal_rotation import Rotation
 from symbody.geometry.motion.translation import Translation
-from symbody.symbolic import Expr, Matrix, add3, derivation, dot3, latex, number
+from symbody.symbolic import ENERGY, MOTION, Expr, Matrix, add3, derivation, dot3, latex, number, truncated
 from symbody.symbolic.expression.container import Container, contains
 from symbody.symbolic.expression.latex_layout import displayed
 from symbody.symbolic.given.arguments import brief
@@ -220,7 +220,7 @@ class Frame:
     @property
     def pose(self) -> Pose:
         """The rotation matrix and the origin, as seen from the root."""
-        with derivation() as current:
+        with derivation(order=ENERGY) as current:
             memo: dict[bytes, Placing] = current.cache.setdefault("pose", {})
             for link in frames_without_state(self, memo):
                 if link.parent is None or link.motion is None:
@@ -231,10 +231,12 @@ class Frame:
 
     @property
     def matrix(self) -> Matrix:
-        """The 4x4 matrix that takes coordinates in this frame to those in the root."""
+        """The 4x4 matrix that takes coordinates to those in the root; of first order in small variables."""
         rows, origin = self.pose
-        upper = [[*row, place] for row, place in zip(rows, origin, strict=True)]
-        return Matrix([*upper, [0, 0, 0, 1]])
+        upper = [entry for row, place in zip(rows, origin, strict=True) for entry in (*row, place)]
+        return Matrix.from_entries(
+            4, 4, (*truncated(upper, MOTION), number(0), number(0), number(0), number(1))
+        )
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Frame) and self.key == other.key

@@ -16,7 +16,7 @@ from typing import NamedTuple
 from symbody.geometry.component.triple import NULL, Rate, Triple, is_null, rates
 from symbody.geometry.component.twist import Twist
 from symbody.geometry.motion.placement import axial_rate, transposed
-from symbody.symbolic import add3, cross3, derivation, matvec3, time_derivatives
+from symbody.symbolic import ENERGY, add3, cross3, derivation, matvec3, time_derivatives
 
 from .frame import UNMOVED, Frame, Pose, frames_without_state, moved
 
@@ -30,7 +30,7 @@ class Seen(NamedTuple):
 
 def twist(frame: Frame) -> Twist:
     """Return the twist of a rigid frame in its own axes."""
-    with derivation() as current:
+    with derivation(order=ENERGY) as current:
         memo: dict[bytes, Twist] = current.cache.setdefault("twist", {})
         for link in frames_without_state(frame, memo):
             if link.parent is None or link.motion is None:
@@ -43,7 +43,7 @@ def twist(frame: Frame) -> Twist:
 def pose_from(frame: Frame, base: Frame) -> Pose:
     """Return the pose of a frame as seen from one of its ancestors."""
     placing = UNMOVED
-    with derivation():
+    with derivation(order=ENERGY):
         for link in frame.chain[base.depth + 1 :]:
             if link.motion is not None:
                 placing = moved(link.motion, placing)
@@ -54,7 +54,7 @@ def spin(frame: Frame) -> Triple:
     """Return the angular velocity of a frame in its own axes; beyond a bare matrix R, the vector of ``R^T dR/dt``."""
     if frame.is_rigid:
         return twist(frame).angular
-    with derivation():
+    with derivation(order=ENERGY):
         rows = pose_from(frame, frame.base).rows
         carried = turned(transposed(rows), twist(frame.base).angular)
         return add3(carried, axial_rate(rows, time_derivatives))
@@ -68,7 +68,7 @@ def origin_velocity(frame: Frame) -> Seen:
 def material_velocity(p: Triple, frame: Frame) -> Seen:
     """Return the velocity of the point of a frame that is at p, as if p were fixed in the frame."""
     base = frame.base
-    with derivation():
+    with derivation(order=ENERGY):
         angular, linear = twist(base)
         if frame is base:
             return Seen(add3(linear, cross3(angular, p)), base)

@@ -16,6 +16,7 @@ from symbody.geometry.component.twist import Twist
 from symbody.geometry.motion.floating import Floating
 from symbody.geometry.motion.placement import Placement
 from symbody.symbolic import (
+    ENERGY,
     Expr,
     derivation,
     matvec3,
@@ -39,7 +40,7 @@ def tracking(pose: Frame, velocities: Twist) -> Floating:
         raise FrameError(
             f"moving_frame: the pose {brief(pose)}; expected a frame of translations and rotations away from ground"
         )
-    with derivation():
+    with derivation(order=ENERGY):
         rows, origin = pose.pose
         placement = Placement(rows, origin)
         placement.to_parent(velocities.linear)  # the rates of the origin, in the form that they are to take

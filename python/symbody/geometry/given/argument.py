@@ -6,15 +6,14 @@ A wrong type or a wrong order is reported where the user made it, in the user's 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence, Set, Sized
-from difflib import get_close_matches
 from functools import cache, wraps
 from inspect import Parameter, signature
 from types import NoneType, UnionType
 from typing import Annotated, Any, NamedTuple, ParamSpec, TypeVar, Union, get_args, get_origin, get_type_hints
 
-from symbody.errors import ArgumentError, SymbodyError
+from symbody.errors import ArgumentError, JointError, SymbodyError
 from symbody.symbolic import Expr, ExprLike, number
-from symbody.symbolic.given.arguments import comparison_note, described
+from symbody.symbolic.given.arguments import comparison_note, described, unknown_option
 
 P = ParamSpec("P")
 R = TypeVar("R")
@@ -31,6 +30,16 @@ _WRITTEN = {
     "System": "a system, such as System(bodies, loads, coordinates)",
     "Vector": "a vector, such as Vector(frame, x, y, z)",
     "str": "a text",
+}
+#: What is at hand where another thing is expected, by the words of both: the way from one to the other.
+_WAYS = {
+    ("Link", "Body"): "mechanism.body(link) is the body of a link, with mechanism = assemble([...])",
+    ("Link", "Frame"): "mechanism.frame(link) is the frame of a link, with mechanism = assemble([...])",
+    ("ClassicSystem", "System"): "model.system is the system of a model",
+    ("Element", "Joint"): "element['force'] or resultant(element, point) is what an element does",
+    ("Mechanism", "System"): "mechanism.system(loads, gravity=...) is its system",
+    ("Joint", "Freedom"): "joint.coordinate is the coordinate of a joint of the tree",
+    ("PlacedJoint", "Freedom"): "joint.freedom() is the freedom of a placed joint",
 }
 _SCALAR = "an expression, such as symbols('a'), or a finite number"
 
@@ -54,23 +63,25 @@ center_of_mass(body), or a vector, such as Vector(frame, x, y, z)
         @wraps(function)
         def call(*args: P.args, **kwargs: P.kwargs) -> R:
             door().check(args, kwargs)
-            return function(*args, **kwargs)
+            try:
+                return function(*args, **kwargs)
+            except TypeError:
+                _check_count(function, args, kwargs)
+                raise
 
         return call
 
     return decorate
 
 
-def unknown_option(name: str, known: Iterable[str]) -> str:
-    """Return what is wrong with the name of an argument that a function doesn't have, and which one may be meant.
-
-    >>> unknown_option("speed", ["bodies", "speeds"])
-    "there is no argument 'speed'; did you mean 'speeds'? Expected some of bodies, speeds"
-    """
-    names = [each for each in known if each != "self"]
-    near = get_close_matches(name, names, 1)
-    guess = f"; did you mean {near[0]!r}? Expected" if near else "; expected"
-    return f"there is no argument {name!r}{guess} some of {', '.join(names)}"
+def _check_count(
+    function: Callable[..., object], args: tuple[object, ...], kwargs: Mapping[str, object]
+) -> None:
+    """Raise an error if arguments are missing or too many, which Python tells by a TypeError in its own words."""
+    try:
+        signature(function).bind(*args, **kwargs)
+    except TypeError as fault:
+        raise ArgumentError(f"{function.__qualname__.removesuffix('.__init__')}: {fault}") from None
 
 
 class _Door(NamedTuple):
@@ -84,6 +95,16 @@ class _Door(NamedTuple):
     named: dict[str, Any]
     takes_others: bool
     """Whether further arguments with names are passed on."""
+
+    def place(self, args: tuple[object, ...], kwargs: dict[str, object]) -> str:
+        """Return the function as messages call it; with the name of the part of a mechanism that it makes."""
+        names = [name for name, _ in self.positional if name != "self"]
+        if self.error is not JointError or names[:1] != ["name"]:
+            return self.where
+        name = dict(zip((name for name, _ in self.positional), args, strict=False)).get(
+            "name", kwargs.get("name")
+        )
+        return f"{self.where} {name}" if isinstance(name, str) and name.isidentifier() else self.where
 
     @classmethod
     def of(cls, function: Callable[..., object], error: type[SymbodyError]) -> _Door:
@@ -104,29 +125,53 @@ class _Door(NamedTuple):
 
     def check(self, args: tuple[object, ...], kwargs: dict[str, object]) -> None:
         for (name, hint), value in zip(self.positional, args, strict=False):
-            self._check(name, hint, value)
+            if not _fits(hint, value):
+                raise self._fault(self.place(args, kwargs), name, hint, value)
         if self.repeated is not None:
             for value in args[len(self.positional) :]:
-                self._check(*self.repeated, value)
+                if not _fits(self.repeated[1], value):
+                    raise self._fault(self.where, *self.repeated, value)
         for name, value in kwargs.items():
             if name in self.named:
-                self._check(name, self.named[name], value)
+                if not _fits(self.named[name], value):
+                    raise self._fault(self.place(args, kwargs), name, self.named[name], value)
             elif not self.takes_others:
                 raise ArgumentError(f"{self.where}: {unknown_option(name, self.named)}")
 
-    def _check(self, name: str, hint: Any, value: object) -> None:
-        if type(value) is hint or (type(value) is Expr and hint is ExprLike) or accepts(hint, value):
-            return
+    def _fault(self, where: str, name: str, hint: Any, value: object) -> SymbodyError:
+        """Return the error of an argument that doesn't fit its annotation."""
         found = _stranger(hint, value)
         found_text = (
             f"{name} = {described(value)}" if found is None else f"in {name}, {described(found.value)}"
         )
         stranger = value if found is None else found.value
         of_sympy = type(stranger).__module__.startswith("sympy.")
-        way_out = "; from_sympy converts it" if of_sympy else ""
+        way_out = "; from_sympy converts it" if of_sympy else _way(type(stranger).__name__, hint)
         if "expression" in _wanted(hint):
             way_out += comparison_note(stranger)
-        raise self.error(f"{self.where}: {found_text}; expected {_wanted(hint)}{way_out}")
+        return self.error(f"{where}: {found_text}; expected {_wanted(hint)}{way_out}")
+
+
+def _fits(hint: Any, value: object) -> bool:
+    return type(value) is hint or (type(value) is Expr and hint is ExprLike) or accepts(hint, value)
+
+
+def _way(found: str, hint: Any) -> str:
+    """Return the way from what was given to what is expected; the empty text if none is known."""
+    kinds = {getattr(part, "__name__", "") for part in _entries(hint)}
+    ways = (_WAYS.get((found, kind)) for kind in sorted(kinds))
+    return next((f"; {way}" for way in ways if way is not None), "")
+
+
+def _entries(hint: Any) -> tuple[Any, ...]:
+    """Return the alternatives of an annotation, and of what collections hold."""
+    return tuple(
+        one
+        for part in _parts(hint)
+        for one in (
+            _entries(get_args(part)[0]) if get_origin(part) is not None and get_args(part) else (part,)
+        )
+    )
 
 
 class _Stranger(NamedTuple):
@@ -143,7 +188,9 @@ def accepts(hint: Any, value: object) -> bool:
     if hint == ExprLike:
         return _is_scalar(value)
     if origin in (Union, UnionType):
-        return any(accepts(part, value) for part in parts)
+        scalars = {*get_args(ExprLike)} if {*get_args(ExprLike)} <= {*parts} else set()
+        others = (part for part in parts if part not in scalars)
+        return (bool(scalars) and _is_scalar(value)) or any(accepts(part, value) for part in others)
     if isinstance(hint, TypeVar):
         return hint.__bound__ is None or accepts(hint.__bound__, value)
     if origin is not None and issubclass(origin, Iterable):

@@ -9,7 +9,7 @@ from typing import final
 from symbody.geometry.component.triple import Rate, Triple, is_null, rates
 from symbody.geometry.given.angle import substituted
 from symbody.geometry.motion.principal_rotation import Rotation
-from symbody.symbolic import Expr, add3, cos, cross3, dot3, matvec3, scale3, sin
+from symbody.symbolic import Expr, add3, cos, cross3, current_derivation, dot3, matvec3, scale3, sin
 
 from .frame_motion import FrameMotion, Substitution
 
@@ -28,8 +28,20 @@ class AxisRotation(FrameMotion):
     def variables(self) -> tuple[Expr, ...]:
         return *self.axis, self.angle
 
-    @cached_property
+    @property
     def _entries(self) -> tuple[Expr, ...]:
+        """The entries of the rotation matrix, as far as the derivation in progress keeps small variables."""
+        current = current_derivation()
+        order = None if current is None else current.order
+        if order not in self._by_order:
+            self._by_order[order] = self._made()
+        return self._by_order[order]
+
+    @cached_property
+    def _by_order(self) -> dict[int | None, tuple[Expr, ...]]:
+        return {}
+
+    def _made(self) -> tuple[Expr, ...]:
         (x, y, z), c, s = self.axis, cos(self.angle), sin(self.angle)
         u, v, w = scale3(1 - c, self.axis)
         return (

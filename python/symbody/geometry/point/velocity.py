@@ -9,7 +9,7 @@ from symbody.geometry.frame.frame import Frame
 from symbody.geometry.frame.frame_velocity import material_velocity, spin, twist
 from symbody.geometry.given.argument import checked
 from symbody.geometry.motion.floating import rate_by
-from symbody.symbolic import add3, cross3, derivation, matvec3, number, scale3
+from symbody.symbolic import ENERGY, add3, cross3, derivation, matvec3, number, scale3
 
 from .point import Point
 from .vector import Vector
@@ -30,7 +30,7 @@ def velocity(thing: Point | Vector, frame: Frame | None = None) -> Vector:
     Vector(ground, x', 2*y', 0)
     """
     observer = thing.frame.ancestor if frame is None else frame
-    with derivation():
+    with derivation(order=ENERGY):
         if _floats(thing.frame, observer):
             return Vector(thing.frame, *_first_rate(thing)).projected(observer)
         return Vector(observer, *_velocity(thing, observer))
@@ -51,7 +51,7 @@ def acceleration(thing: Point | Vector, frame: Frame | None = None) -> Vector:
     -r*(sin(phi)*phi'' + cos(phi)*phi'**2)
     """
     observer = thing.frame.ancestor if frame is None else frame
-    with derivation():
+    with derivation(order=ENERGY):
         if _floats(thing.frame, observer):
             return Vector(thing.frame, *_second_rate(thing)).projected(observer)
         return Vector(observer, *_rate(_velocity(thing, observer), observer, thing.frame))
@@ -128,6 +128,6 @@ def frozen_velocity(point: Point, frame: Frame, *, axes: Frame | None = None) ->
     >>> frozen_velocity(Point(disc, r, 0, 0), disc, axes=disc).components
     (0, r*phi', 0)
     """
-    with derivation():
+    with derivation(order=ENERGY):
         components, own = material_velocity(point.projected(frame).coordinates, frame)
         return Vector(own, *components).projected(frame.ancestor if axes is None else axes)

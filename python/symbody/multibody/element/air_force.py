@@ -7,10 +7,10 @@ from symbody.geometry import Point, Scalar, Vector, cross, dot, frozen_velocity
 from symbody.geometry.component.triple import expression
 from symbody.geometry.given.argument import checked
 from symbody.multibody.body import Body
-from symbody.symbolic import Expr, derivation, number
+from symbody.symbolic import ENERGY, Expr, derivation, number
 from symbody.symbolic.given.arguments import brief
 
-from .attachment import check_fixed, forces
+from .attachment import check_fixed, check_not_negative, forces
 from .element import Element
 from .norm import norm
 
@@ -54,8 +54,11 @@ def air_force(
     """
     check_fixed(_WHERE, "at", at, on)
     lifting = expression(lift_area)
+    check_not_negative(_WHERE, density=density, drag_area=drag_area)
     _check_span(lifting, span)
-    with derivation():
+    if lifting.is_zero and expression(drag_area).is_zero:
+        raise LoadError(f"{_WHERE}: neither drag_area nor lift_area; expected at least one of them")
+    with derivation(order=ENERGY):
         v = frozen_velocity(at, on.frame)
         if wind is not None:
             v -= wind

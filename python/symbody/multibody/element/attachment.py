@@ -29,14 +29,26 @@ def check_fixed(where: str, what: str, place: Point | Frame, body: Body | None) 
         place: the point or frame that is given.
         body: the body in which it is fixed; None for a place on no body, which may move as it likes.
     """
-    if body is None:
-        return
-    if all(constant_form(value) is not None for value in _seen(place, body.frame)):
+    if body is None or is_fixed(place, body):
         return
     raise LoadError(
         f"{where}: {what} = {brief(place)} moves in the body {brief(body)}; expected a place that is fixed in it, "
         "built on its frame; if it slides there, give it a body of its own, such as Body(frame, 0)"
     )
+
+
+def check_apart(where: str, to: Point, on: Body, reaction: Body | None) -> None:
+    """Raise an error for an element between two points of one body, which would push that body by itself."""
+    if reaction is None and is_fixed(to, on):
+        raise LoadError(
+            f"{where}: to = {brief(to)} is fixed in the body {brief(on)}, on which the element acts; expected a point "
+            "of another body, with reaction=that body, or of the ground"
+        )
+
+
+def is_fixed(place: Point | Frame, body: Body) -> bool:
+    """Return whether a place doesn't move in a body."""
+    return all(constant_form(value) is not None for value in _seen(place, body.frame))
 
 
 def _seen(place: Point | Frame, frame: Frame) -> list[Expr]:

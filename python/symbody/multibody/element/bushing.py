@@ -13,7 +13,7 @@ from symbody.geometry.given.argument import checked
 from symbody.geometry.motion.floating import rate_by
 from symbody.multibody.body import Body
 from symbody.multibody.constant_form import agree
-from symbody.symbolic import Expr, Matrix, derivation, dot3, number, scale3, sub3
+from symbody.symbolic import ENERGY, Expr, Matrix, derivation, dot3, number, scale3, sub3
 from symbody.symbolic.given.arguments import brief
 
 from .attachment import check_bodies, check_fixed, forces, torques
@@ -67,7 +67,7 @@ def bushing(
     check_fixed(_WHERE, "frame", frame, on)
     check_fixed(_WHERE, "to", to, reaction)
     K = _matrix(stiffness, "stiffness")
-    with derivation():
+    with derivation(order=ENERGY):
         place = _place(frame, to)
         rate = rate_by({**frame.coordinate_rates, **to.coordinate_rates})
         effort = _product(K, place.values)

@@ -7,10 +7,10 @@ from symbody.geometry import Frame, Point, Scalar, Vector, frozen_velocity, grou
 from symbody.geometry.component.triple import expression
 from symbody.geometry.given.argument import checked
 from symbody.multibody.body import Body
-from symbody.symbolic import Expr, Max, derivation, number, sqrt
+from symbody.symbolic import ENERGY, Expr, Max, derivation, number, sqrt
 from symbody.symbolic.given.arguments import brief
 
-from .attachment import check_bodies, check_fixed, check_not_negative, forces
+from .attachment import check_bodies, check_fixed, check_not_negative, forces, is_fixed
 from .element import Element
 
 _WHERE = "contact"
@@ -62,10 +62,18 @@ def contact(
     check_bodies(_WHERE, on, reaction)
     check_fixed(_WHERE, "center", center, on)
     check_fixed(_WHERE, "plane", plane, reaction)
-    check_not_negative(_WHERE, radius=radius, friction=friction, creep_speed=creep_speed)
+    check_not_negative(
+        _WHERE,
+        radius=radius,
+        stiffness=stiffness,
+        damping=damping,
+        friction=friction,
+        creep_speed=creep_speed,
+    )
+    _check_plane(plane, on)
     mu, n = expression(friction), _exponent(exponent)
     _check_friction(mu, creep_speed)
-    with derivation():
+    with derivation(order=ENERGY):
         x, y, z = center.projected(plane).coordinates
         overlap = Max(radius - z, 0)
         place = Point(plane, x, y, number(0))
@@ -89,6 +97,14 @@ def _slip(place: Point, on: Body, plane: Frame, reaction: Body | None) -> Vector
     """Return the velocity of the body at the contact, relative to the plane, in its axes."""
     carrier = plane if reaction is None else reaction.frame
     return frozen_velocity(place, on.frame, axes=plane) - frozen_velocity(place, carrier, axes=plane)
+
+
+def _check_plane(plane: Frame, on: Body) -> None:
+    if is_fixed(plane, on):
+        raise LoadError(
+            f"{_WHERE}: plane = {brief(plane)} is fixed in the body {brief(on)} of the sphere; expected a frame of "
+            "another body, or the ground"
+        )
 
 
 def _exponent(given: Scalar | None) -> Expr:

@@ -27,6 +27,9 @@ class Element(Load):
         states: functions of time beside the mechanics, and their rates.
         quantities: expressions by name, such as the length of a spring, for plots and events.
         name: what the element is called where it is shown.
+        line: the length of the line of two points along which it acts, if it does; the line has no direction where this
+            is zero.
+        jumping: an angle in its law that is known from -pi to pi alone, and jumps there.
 
     >>> from symbody import Body, functions_of_time, ground, origin, spring, symbols, translate
     >>> x, k = functions_of_time("x"), symbols("k")
@@ -45,8 +48,11 @@ class Element(Load):
         states: Mapping[Expr, Expr] | None = None,
         quantities: Mapping[str, Expr] | None = None,
         name: str = "",
+        line: Expr | None = None,
+        jumping: Expr | None = None,
     ) -> None:
         self.kind, self.name, self.potential = kind, name, potential
+        self.line, self.jumping = line, jumping
         self.states = dict(states or {})
         self.quantities = dict(quantities or {})
         self._actions = tuple(actions)
@@ -78,9 +84,13 @@ class Element(Load):
         return self.name or f"{self.kind}(on {bodies})"
 
 
+_OPTIONAL = ("potential", "line", "jumping")
+
+
 def _parts(element: Element) -> tuple[Any, ...]:
-    potential = () if element.potential is None else (element.potential,)
-    return *element.actions, *element.states.values(), *element.quantities.values(), *potential
+    optional = (getattr(element, name) for name in _OPTIONAL)
+    given = (each for each in optional if each is not None)
+    return *element.actions, *element.states.values(), *element.quantities.values(), *given
 
 
 def _rebuilt(element: Element, parts: Sequence[Any]) -> Element:
@@ -88,10 +98,8 @@ def _rebuilt(element: Element, parts: Sequence[Any]) -> Element:
     actions = [next(remaining) for _ in element.actions]
     states = {state: next(remaining) for state in element.states}
     quantities = {name: next(remaining) for name in element.quantities}
-    potential = next(remaining, None)
-    return Element(
-        element.kind, actions, potential=potential, states=states, quantities=quantities, name=element.name
-    )
+    given = {name: next(remaining) for name in _OPTIONAL if getattr(element, name) is not None}
+    return Element(element.kind, actions, states=states, quantities=quantities, name=element.name, **given)
 
 
 contains(Element, Container(_parts, _rebuilt, advice="its potential and its quantities have one"))

@@ -7,18 +7,19 @@ from symbody.geometry import Scalar
 from symbody.geometry.component.triple import expression
 from symbody.geometry.given.argument import checked
 from symbody.multibody.body import Body
-from symbody.symbolic import Expr, derivation, exp, tanh
+from symbody.symbolic import ENERGY, Expr, derivation, exp, tanh
+from symbody.symbolic.given.arguments import brief
 
 from .attachment import check_not_negative
 from .element import Element
-from .joint_motion import joint_motion
+from .joint_motion import Along, joint_motion
 
 _WHERE = "friction"
 
 
 @checked(LoadError)
 def friction(
-    coordinate: Expr,
+    coordinate: Along,
     *,
     on: Body,
     reaction: Body | None = None,
@@ -56,6 +57,10 @@ def friction(
     -c*x' - Fc*tanh(x'/v0)
     """
     c, dry = expression(viscous), expression(coulomb)
+    if c.is_zero and dry.is_zero and static is None:
+        raise LoadError(
+            f"{_WHERE}: no friction is given; expected viscous=c, or coulomb=Fc with creep_speed=v0"
+        )
     _check(dry, static, stribeck_speed, creep_speed)
     check_not_negative(
         _WHERE,
@@ -65,7 +70,7 @@ def friction(
         stribeck_speed=stribeck_speed,
         creep_speed=creep_speed,
     )
-    with derivation():
+    with derivation(order=ENERGY):
         joint = joint_motion(coordinate, on, reaction, _WHERE)
         v, effort = joint.rate, -c * joint.rate
         if static is not None and stribeck_speed is not None:
@@ -88,6 +93,12 @@ def _check(dry: Expr, static: Scalar | None, stribeck: Scalar | None, creep: Sca
         raise LoadError(
             f"{_WHERE}: {given} without {missing}; expected both, the friction at rest and the speed at which it "
             "falls, or neither"
+        )
+    least, most = dry, dry if static is None else expression(static)
+    if least.is_constant and most.is_constant and float(most) < float(least):
+        raise LoadError(
+            f"{_WHERE}: static = {brief(most)} is less than coulomb = {brief(least)}; expected at least as much: a "
+            "joint at rest resists more than one that slides"
         )
     if creep is not None and expression(creep).is_zero:
         raise LoadError(f"{_WHERE}: creep_speed = 0; expected a positive speed")

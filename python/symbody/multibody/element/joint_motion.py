@@ -2,76 +2,243 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from collections.abc import Iterable, Iterator, Sequence
+from typing import Annotated, NamedTuple, TypeAlias
 
 from symbody.errors import LoadError
-from symbody.geometry import Frame, Triple, Vector, origin
-from symbody.geometry.component.triple import is_null
-from symbody.geometry.frame.coordinates import vector_components
+from symbody.geometry import Frame, Point, Triple, Vector, angular_velocity, dot, frozen_velocity, origin
+from symbody.geometry.component.triple import NULL, is_null
+from symbody.geometry.frame.coordinates import path, vector_components
 from symbody.geometry.frame.frame_velocity import Seen, material_velocity, origin_velocity, spin
 from symbody.geometry.motion.floating import rate_by
 from symbody.multibody.body import Body
+from symbody.multibody.joint.freedom import Freedom
 from symbody.multibody.load import Action
-from symbody.symbolic import Expr, derivation, diff, dot3, scale3, sub3
+from symbody.symbolic import ENERGY, Expr, cross3, derivation, diff, dot3, scale3, sub3
 from symbody.symbolic.given.arguments import brief
 
-from .attachment import check_bodies, forces, torques
+from .attachment import check_bodies, forces, is_fixed, torques
+
+Along: TypeAlias = Annotated[
+    Expr | Freedom, "a coordinate of a joint, or a freedom of one, such as mechanism.joint('C').freedom()"
+]
 
 
 class JointMotion(NamedTuple):
-    """How one body moves relative to another along a coordinate.
+    """How one body moves relative to another along a coordinate, and the unit wrench along it.
 
     Attributes:
-        axis: the vector whose product with the rate of the coordinate is the relative velocity, by its square.
-        is_rotation: whether the velocity is angular.
-        rate: the rate of the coordinate.
+        force: on the body, per unit of effort; null about a hinge.
+        moment: on the body, beside the force.
+        at: the point of the force.
+        value: the coordinate.
+        rate: its rate, which is the power of the unit wrench.
         on: the body that moves.
         reaction: the other body; None for the ground, or the moving master frame.
     """
 
-    axis: Vector
-    is_rotation: bool
+    force: Vector
+    moment: Vector
+    at: Point
+    value: Expr
     rate: Expr
     on: Body
     reaction: Body | None
 
     def actions(self, effort: Expr) -> list[Action]:
-        """Return the torques or forces whose power is the effort times the rate of the coordinate."""
-        vector = self.axis * effort
-        if self.is_rotation:
-            return torques(vector, self.on, self.reaction)
-        return forces(vector, self.on.center_of_mass, self.on, self.reaction)
+        """Return the torques and forces whose power is the effort times the rate of the coordinate."""
+        force, moment = self.force * effort, self.moment * effort
+        found = [] if is_null(self.force.components) else forces(force, self.at, self.on, self.reaction)
+        return (
+            found if is_null(self.moment.components) else [*found, *torques(moment, self.on, self.reaction)]
+        )
 
 
-def joint_motion(coordinate: Expr, on: Body, reaction: Body | None, where: str) -> JointMotion:
+def joint_motion(coordinate: Along, on: Body, reaction: Body | None, where: str) -> JointMotion:
     """Return the relative motion of two bodies along a coordinate, or a sum of coordinates such as ``q2 - q1``.
 
     Args:
-        coordinate: a coordinate of the joint between the bodies, or an expression of the coordinates.
+        coordinate: a coordinate of the joint between the bodies, or an expression of the coordinates; or a freedom.
         on: the body that moves.
         reaction: the other body; None for the ground.
         where: the function that the user called.
 
     Raises:
-        LoadError: the relative motion is none about or along one axis, at the rate of the coordinate.
+        LoadError: no force or torque between the bodies has the power of the rate of the coordinate alone.
     """
     check_bodies(where, on, reaction)
-    base = on.frame.ancestor if reaction is None else reaction.frame
-    with derivation():
-        known = rate_by({**on.frame.coordinate_rates, **base.coordinate_rates})
-        (rate,) = known((coordinate,))
-        angular = _relative(Seen(spin(on.frame), on.frame), Seen(spin(base), base), on.frame)
-        linear = _relative(origin_velocity(on.frame), _carried(on.frame, base), on.frame)
-        relative = linear if is_null(angular) else angular
-        direction = _direction(relative, rate)
-    if direction is None:
-        other = base if reaction is None else reaction
+    if isinstance(coordinate, Freedom):
+        _check_ends(coordinate, on, reaction, where)
+        if coordinate.travel is not None:
+            with derivation(order=ENERGY):
+                return _along(coordinate, on, reaction)
+        coordinate = coordinate.value
+    with derivation(order=ENERGY):
+        found = _by_coordinate(coordinate, on, reaction)
+    if found is None:
+        other = on.frame.ancestor if reaction is None else reaction.frame
         raise LoadError(
             f"{where}: {brief(on)} doesn't move against {brief(other)} about or along one axis at the rate of "
-            f"{brief(coordinate)}; expected the coordinate of a hinge or a slide between them, or the difference of "
-            "absolute ones; if several joints are between them, put massless bodies there: Body(frame, 0)"
+            f"{brief(coordinate)}; expected the coordinate of a joint between them, or the difference of absolute "
+            "ones; if several joints are between them, put massless bodies there: Body(frame, 0); of a joint that "
+            "closes a loop, give mechanism.joint(...).freedom()"
         )
-    return JointMotion(Vector(on.frame, *direction), not is_null(angular), rate, on, reaction)
+    return found
+
+
+def _check_ends(freedom: Freedom, on: Body, reaction: Body | None, where: str) -> None:
+    """Raise an error for other bodies than those that the joint connects."""
+    given = {on.name, "" if reaction is None else reaction.name}
+    if given != {*freedom.ends}:
+        wanted = " and ".join(name or "a frame" for name in freedom.ends)
+        raise LoadError(
+            f"{where}: on={brief(on)}, reaction={brief(reaction)}; expected what {freedom.joint} connects, {wanted}"
+        )
+    bodies = {body.name: body for body in (on, reaction) if body is not None}
+    for name, side in zip(freedom.ends, freedom.sides, strict=True):
+        if name and not is_fixed(side, bodies[name]):
+            raise LoadError(
+                f"{where}: {freedom} is at a place that moves in the body {name}; expected a freedom of the mechanism "
+                "that these bodies belong to, not of one that was assembled otherwise"
+            )
+
+
+def _along(freedom: Freedom, on: Body, reaction: Body | None) -> JointMotion:
+    """Return the motion along a freedom, by the axis and the place of the joint."""
+    assert freedom.travel is not None
+    parent, child = freedom.sides
+    axis, at = freedom.travel.axis, freedom.point
+    if freedom.is_coordinate:
+        (rate,) = rate_by({**child.coordinate_rates, **parent.coordinate_rates})((freedom.value,))
+    elif freedom.travel.is_rotation:
+        rate = dot(axis, angular_velocity(child).projected(parent) - angular_velocity(parent))
+    else:
+        rate = dot(axis, frozen_velocity(at, child) - frozen_velocity(at, parent))
+    unit = axis if on.name == freedom.ends[1] else -axis
+    none = axis * 0
+    force, moment = (none, unit) if freedom.travel.is_rotation else (unit, none)
+    return JointMotion(force, moment, at, freedom.value, rate, on, reaction)
+
+
+class _Twist(NamedTuple):
+    """The relative velocity of a point of a body, and its relative angular velocity, in the axes of the body."""
+
+    linear: Triple
+    angular: Triple
+
+    def minus(self, other: _Twist, factor: Expr) -> _Twist:
+        return _Twist(
+            sub3(self.linear, scale3(factor, other.linear)), sub3(self.angular, scale3(factor, other.angular))
+        )
+
+    def per(self, leaf: Expr, slope: Expr | int = 1) -> _Twist:
+        """Return the partial velocities of a rate."""
+        x, y, z, a, b, c = (diff(each, leaf) / slope for each in (*self.linear, *self.angular))
+        return _Twist((x, y, z), (a, b, c))
+
+    @property
+    def is_null(self) -> bool:
+        return is_null(self.linear) and is_null(self.angular)
+
+    @property
+    def leaves(self) -> list[Expr]:
+        """The rates in it."""
+        found = {leaf for each in (*self.linear, *self.angular) for leaf in each.free_symbols}
+        return sorted((leaf for leaf in found if leaf.kind == "time_function" and leaf.order), key=str)
+
+
+def _by_coordinate(coordinate: Expr, on: Body, reaction: Body | None) -> JointMotion | None:
+    base = on.frame.ancestor if reaction is None else reaction.frame
+    (rate,) = rate_by({**on.frame.coordinate_rates, **base.coordinate_rates})((coordinate,))
+    twist = _Twist(
+        _relative(origin_velocity(on.frame), _carried(on.frame, base), on.frame),
+        _relative(Seen(spin(on.frame), on.frame), Seen(spin(base), base), on.frame),
+    )
+    leaves = (leaf for leaf in rate.free_symbols if leaf.kind == "time_function" and leaf.order)
+    for leaf in sorted(leaves, key=str):
+        slope = diff(rate, leaf)
+        own = twist.per(leaf, slope) if not slope.is_zero else _Twist(NULL, NULL)
+        if own.is_null:
+            continue
+        others = [*_columns(twist.minus(own, rate))]
+        wrench = _wrench(own, others)
+        if wrench is None or (_interferes(own, others) and not _is_one_joint(on.frame, base)):
+            continue
+        force, moment = (Vector(on.frame, *each) for each in wrench)
+        power = dot3(wrench[0], twist.linear) + dot3(wrench[1], twist.angular)
+        if power == rate:
+            return JointMotion(force, moment, on.center_of_mass, coordinate, rate, on, reaction)
+    return None
+
+
+def _columns(rest: _Twist) -> Iterator[_Twist]:
+    """Yield the partial velocities of the other rates, and what is left, such as given velocities."""
+    for leaf in rest.leaves:
+        column = rest.per(leaf)
+        rest = rest.minus(column, leaf)
+        if not column.is_null:
+            yield column
+    if not rest.is_null:
+        yield rest
+
+
+def _interferes(own: _Twist, others: Sequence[_Twist]) -> bool:
+    """Whether there are other freedoms that a force or torque along this one could drive."""
+    turns = not is_null(own.angular)
+    return any(not turns or not is_null(each.angular) for each in others)
+
+
+def _is_one_joint(frame: Frame, base: Frame) -> bool:
+    """Whether the motions between two frames follow each other with no place in between."""
+    up, down = path(frame, base)
+    moving = [k for k, motion in enumerate((*up, *down)) if not motion.is_constant]
+    return bool(moving) and moving[-1] - moving[0] == len(moving) - 1
+
+
+def _wrench(own: _Twist, others: Sequence[_Twist]) -> tuple[Triple, Triple] | None:
+    """Return the force and moment whose power is one along a freedom, and zero along the others.
+
+    Along a rotation it is a couple; along a displacement a force, with the couple that keeps it from turning the body.
+    """
+    turning = [each for each in others if not is_null(each.angular)]
+    axes = [each.angular for each in turning]
+    if not is_null(own.angular):
+        moment = _dual(own.angular, axes)
+        return None if moment is None else (NULL, moment)
+    force = _dual(own.linear, [each.linear for each in others if is_null(each.angular)])
+    if force is None:
+        return None
+    moment = NULL
+    for k, each in enumerate(turning):
+        power = dot3(force, each.linear)
+        if not power.is_zero:
+            couple = _dual(each.angular, [*axes[:k], *axes[k + 1 :]])
+            if couple is None:
+                return None
+            moment = sub3(moment, scale3(power, couple))
+    return force, moment
+
+
+def _dual(e: Triple, others: Iterable[Triple]) -> Triple | None:
+    """Return the vector whose product with e is one, and with the others zero; None if e is one of their sums."""
+    basis: list[Triple] = []
+    for other in others:
+        if len(basis) < 2 and not (basis and is_null(cross3(basis[0], other))):
+            basis.append(other)
+        elif len(basis) == 2 and not dot3(cross3(*basis), other).is_zero:
+            return None
+    match basis:
+        case []:
+            n = e
+        case [b]:
+            along = dot3(e, b)
+            n = e if along.is_zero else sub3(e, scale3(along / dot3(b, b), b))
+        case _:
+            n = cross3(basis[0], basis[1])
+    square = dot3(n, e)
+    if square.is_zero:
+        return None
+    return n if square == 1 else scale3(1 / square, n)
 
 
 def _carried(frame: Frame, base: Frame) -> Seen:
@@ -84,19 +251,3 @@ def _relative(one: Seen, other: Seen, axes: Frame) -> Triple:
         vector_components(one.components, one.axes, axes),
         vector_components(other.components, other.axes, axes),
     )
-
-
-def _direction(velocity: Triple, rate: Expr) -> Triple | None:
-    """Return ``e/|e|^2`` where the velocity is e times the rate; None if it isn't, or if there is none."""
-    leaf = min((leaf for leaf in rate.free_symbols if leaf.kind == "time_function"), key=str, default=None)
-    if leaf is None or is_null(velocity):
-        return None
-    slope = diff(rate, leaf)
-    if slope.is_zero:
-        return None
-    x, y, z = (diff(component, leaf) / slope for component in velocity)
-    e = (x, y, z)
-    if not is_null(sub3(velocity, scale3(rate, e))) or is_null(e):
-        return None
-    square = dot3(e, e)
-    return e if square == 1 else scale3(1 / square, e)

@@ -8,7 +8,7 @@ from symbody.errors import LoadError
 from symbody.geometry import Point, Vector
 from symbody.geometry.component.triple import rates
 from symbody.geometry.motion.floating import rate_by
-from symbody.symbolic import Expr, derivation, dot3, sqrt
+from symbody.symbolic import ENERGY, Expr, derivation, dot3, sqrt
 from symbody.symbolic.given.arguments import brief
 
 
@@ -42,7 +42,7 @@ def line_between(at: Point, to: Point, where: str) -> Line:
     Raises:
         LoadError: the points are one, so that the line has no direction.
     """
-    with derivation():
+    with derivation(order=ENERGY):
         vector = to - at
         rate = rate_by({**at.frame.coordinate_rates, **to.frame.coordinate_rates})
         square = dot3(vector.components, vector.components)

@@ -7,9 +7,9 @@ from symbody.geometry import Point, Scalar
 from symbody.geometry.component.triple import expression
 from symbody.geometry.given.argument import checked
 from symbody.multibody.body import Body
-from symbody.symbolic import derivation
+from symbody.symbolic import ENERGY, derivation
 
-from .attachment import check_bodies, check_fixed, forces
+from .attachment import check_apart, check_bodies, check_fixed, forces
 from .element import Element
 from .line import line_between
 
@@ -43,8 +43,9 @@ def line_force(
     check_bodies(_WHERE, on, reaction)
     check_fixed(_WHERE, "at", at, on)
     check_fixed(_WHERE, "to", to, reaction)
-    with derivation():
+    with derivation(order=ENERGY):
         line, size = line_between(at, to, _WHERE), expression(force)
+        check_apart(_WHERE, to, on, reaction)
         actions = forces(line.vector * (size / line.length), at, on, reaction, to)
         quantities = {"length": line.length, "rate": line.rate, "force": size}
-    return Element(_WHERE, actions, quantities=quantities, name=name)
+    return Element(_WHERE, actions, quantities=quantities, name=name, line=line.length)

@@ -9,8 +9,9 @@ from symbody.errors import LoadError
 from symbody.geometry import Scalar
 from symbody.geometry.component.triple import expression
 from symbody.geometry.given.argument import checked
-from symbody.symbolic import Expr, derivation, number
+from symbody.symbolic import ENERGY, Expr, derivation, number
 
+from .attachment import check_not_negative
 from .tire_force import TireForce, pressing
 
 
@@ -34,7 +35,7 @@ class LinearTire:
         self, load: Scalar, kappa: Scalar = 0, lateral_slip: Scalar = 0, camber: Scalar = 0
     ) -> TireForce:
         """Return the forces of the tyre."""
-        with derivation():
+        with derivation(order=ENERGY):
             size = pressing(load) if self.per_load else number(1)
             lateral = -size * (self.cornering * lateral_slip + self.camber_stiffness * camber)
             aligning = size * self.cornering * lateral_slip * self.trail
@@ -67,5 +68,6 @@ def linear_tire(
     >>> linear_tire(cornering=C)(1000, lateral_slip=alpha).lateral
     -alpha*C
     """
+    check_not_negative("linear_tire", longitudinal=longitudinal, cornering=cornering)
     along, across, leaning, lever = (expression(each) for each in (longitudinal, cornering, camber, trail))
     return LinearTire(along, across, leaning, lever, per_load)

@@ -20,7 +20,7 @@ from symbody.errors import LoadError
 from symbody.geometry import Scalar
 from symbody.geometry.component.triple import expression
 from symbody.geometry.given.argument import checked
-from symbody.symbolic import Abs, Expr, Min, atan, cos, derivation, exp, number, sign, sin, sqrt, tan
+from symbody.symbolic import ENERGY, Abs, Expr, Min, atan, cos, derivation, exp, number, sign, sin, sqrt, tan
 from symbody.symbolic.given.arguments import brief
 
 from .tire_coefficient import COEFFICIENTS, DEFAULTS, EXCLUDED, IGNORED, NEEDED, SCALES, at_pressure
@@ -66,7 +66,7 @@ class MagicFormula:
         self, load: Scalar, kappa: Scalar = 0, lateral_slip: Scalar = 0, camber: Scalar = 0
     ) -> TireForce:
         """Return the forces of the tyre."""
-        with derivation():
+        with derivation(order=ENERGY):
             slips = (expression(each) for each in (kappa, lateral_slip, camber))
             return _Forces(self.coefficients, self.version, pressing(load), *slips).found
 
@@ -78,7 +78,7 @@ class MagicFormula:
                 "magic_formula: the relaxation lengths need PTX1 and PTY1, of set 5.2; give them, or "
                 "relaxation=(sigma_x, sigma_y) to the tire"
             )
-        with derivation():
+        with derivation(order=ENERGY):
             forces = _Forces(p, self.version, N, number(0), number(0), expression(camber))
             along = (p["PTX1"] + p["PTX2"] * forces.df) * exp(-p["PTX3"] * forces.df)
             across = p["PTY1"] * sin(2 * atan(N / (p["PTY2"] * forces.F0)))

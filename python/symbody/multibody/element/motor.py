@@ -2,28 +2,34 @@
 
 from __future__ import annotations
 
+from typing import Annotated, TypeAlias
+
 from symbody.errors import LoadError
 from symbody.geometry import Scalar
 from symbody.geometry.component.triple import expression
 from symbody.geometry.given.argument import checked
 from symbody.multibody.body import Body
-from symbody.symbolic import Expr, Max, Min, derivation
+from symbody.symbolic import ENERGY, Expr, Max, Min, derivation
 from symbody.symbolic.given.arguments import brief
 
 from .element import Element
-from .joint_motion import joint_motion
+from .joint_motion import Along, joint_motion
 
 _WHERE = "motor"
+
+Limit: TypeAlias = Annotated[
+    Scalar | None, "a positive number or an expression, the largest effort, or None for no limit"
+]
 
 
 @checked(LoadError)
 def motor(
-    coordinate: Expr,
+    coordinate: Along,
     effort: Scalar,
     *,
     on: Body,
     reaction: Body | None = None,
-    limit: Scalar | None = None,
+    limit: Limit = None,
     name: str = "",
 ) -> Element:
     """Return the torque or force of a drive along the coordinate of a joint; its power is the effort times the rate.
@@ -50,8 +56,8 @@ def motor(
     >>> newton_euler(System([upper, fore], [elbow], [q1, q2])).residuals
     (I*(q1'' + q2'') + I*q1'', I*(q1'' + q2'') - M)
     """
-    given = expression(effort) if limit is None else saturated(effort, limit)
-    with derivation():
+    given = expression(effort) if limit is None else _within(effort, limit, _WHERE)
+    with derivation(order=ENERGY):
         joint = joint_motion(coordinate, on, reaction, _WHERE)
         quantities = {"effort": given, "rate": joint.rate, "power": given * joint.rate}
         return Element(_WHERE, joint.actions(given), quantities=quantities, name=name)
@@ -72,7 +78,12 @@ def saturated(effort: Scalar, limit: Scalar) -> Expr:
     >>> saturated(12, 10), saturated(-12, 10), saturated(3, 10)
     (10, -10, 3)
     """
+    return _within(effort, limit, "saturated")
+
+
+def _within(effort: Scalar, limit: Scalar, where: str) -> Expr:
+    """Return an effort that is cut off at a limit, after a check of the limit."""
     asked, most = expression(effort), expression(limit)
     if most.is_constant and float(most) <= 0:
-        raise LoadError(f"saturated: limit = {brief(most)}; expected a positive number, the largest effort")
+        raise LoadError(f"{where}: limit = {brief(most)}; expected a positive number, the largest effort")
     return Max(-most, Min(asked, most))

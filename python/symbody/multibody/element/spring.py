@@ -7,9 +7,9 @@ from symbody.geometry import Point, Scalar
 from symbody.geometry.component.triple import expression
 from symbody.geometry.given.argument import checked
 from symbody.multibody.body import Body
-from symbody.symbolic import Expr, derivation
+from symbody.symbolic import ENERGY, Expr, derivation
 
-from .attachment import check_bodies, check_fixed, forces
+from .attachment import check_apart, check_bodies, check_fixed, check_not_negative, forces
 from .element import Element
 from .line import Line, line_between
 
@@ -36,7 +36,8 @@ def spring(
     Args:
         at: the point of the body.
         to: the other point.
-        stiffness: k, in N/m.
+        stiffness: k, in N/m. If it or the free length depends on coordinates, the force is still the one above, and not
+            the slope of the potential.
         free_length: l0, the length without force, in m.
         damping: c, in N s/m.
         on: the body.
@@ -58,14 +59,16 @@ def spring(
     check_bodies(_WHERE, on, reaction)
     check_fixed(_WHERE, "at", at, on)
     check_fixed(_WHERE, "to", to, reaction)
+    check_not_negative(_WHERE, free_length=free_length)
     k, l0, c = (expression(each) for each in (stiffness, free_length, damping))
-    with derivation():
+    with derivation(order=ENERGY):
         line = line_between(at, to, _WHERE)
+        check_apart(_WHERE, to, on, reaction)
         factor = _factor(line, k, l0, c)
         potential = k * (line.square if l0.is_zero else (line.length - l0) ** 2) / 2
         actions = forces(line.vector * factor, at, on, reaction, to)
         quantities = {"length": line.length, "rate": line.rate, "force": factor * line.length}
-    return Element(_WHERE, actions, potential=potential, quantities=quantities, name=name)
+    return Element(_WHERE, actions, potential=potential, quantities=quantities, name=name, line=line.length)
 
 
 def _factor(line: Line, k: Expr, l0: Expr, c: Expr) -> Expr:

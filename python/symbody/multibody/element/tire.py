@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from inspect import signature
 from typing import Annotated, NamedTuple, TypeAlias
 
 from symbody.errors import LoadError
@@ -10,13 +11,14 @@ from symbody.geometry.component.triple import expression
 from symbody.geometry.given.argument import checked
 from symbody.multibody.body import Body
 from symbody.multibody.load import Action
-from symbody.symbolic import Abs, Expr, Max, derivation, functions_of_time, number, sign, sqrt, tanh
+from symbody.symbolic import ENERGY, Abs, Expr, Max, derivation, functions_of_time, number, sign, sqrt, tanh
+from symbody.symbolic.given.arguments import brief
 
-from .attachment import check_bodies, check_fixed, forces, torques
+from .attachment import check_bodies, check_fixed, check_not_negative, forces, torques
 from .element import Element
 from .linear_tire import LinearTire
 from .tire_force import TireForce, TireLaw
-from .tire_kinematics import TireKinematics, tire_kinematics
+from .tire_kinematics import Shape, SpinAxis, TireKinematics, tire_kinematics
 
 _WHERE = "tire"
 
@@ -31,10 +33,11 @@ Lengths: TypeAlias = Annotated[
 @checked(LoadError)
 def tire(
     wheel: Body,
-    radius: Scalar,
+    radius: Shape,
     law: Law,
     *,
     load: Scalar | None = None,
+    load_acts: bool = False,
     stiffness: Scalar | None = None,
     damping: Scalar = 0,
     relaxation: Lengths | None = None,
@@ -43,6 +46,7 @@ def tire(
     rolling_radius: Scalar | None = None,
     road: Frame = ground,
     carrier: Frame | None = None,
+    spin_axis: SpinAxis = "Y",
     reaction: Body | None = None,
     name: str = "",
 ) -> Element:
@@ -55,10 +59,11 @@ def tire(
 
     Args:
         wheel: the body that spins about the y axis of its frame.
-        radius: the radius of the undeformed tyre, in m.
-        law: the law, such as `linear_tire` or `magic_formula` returns.
+        radius: the radius of the undeformed tyre, in m, or its shape (`tire_shape`).
+        law: the law, such as `linear_tire` or `magic_formula` returns, or a `TireForce` whose components are given.
         load: the vertical load in N, where it is known, such as a parameter or the multiplier of a contact. The load
             itself then is no part of the forces: what holds the wheel on the road gives it.
+        load_acts: whether a load that is given is part of the forces, such as that of a vertical spring of your own.
         stiffness: k, the vertical stiffness, in N/m, instead of a load.
         damping: c, the vertical damping, in N s/m.
         relaxation: the longitudinal and the lateral relaxation length, in m, such as those of a law by set 5.2.
@@ -68,6 +73,7 @@ def tire(
         rolling_radius: the spin times this is the velocity of a wheel that rolls freely; by default the loaded radius.
         road: the frame whose x-y plane is the road, with z upwards; or the moving master frame that travels along it.
         carrier: a frame with x along the direction of rolling (`tire_kinematics`).
+        spin_axis: "-Y" for a wheel whose y axis points to the right.
         reaction: the body that carries the road; none by default.
         name: what the tyre is called; its states are called ``kappa_name`` and ``alpha_name``.
 
@@ -86,8 +92,16 @@ def tire(
     """
     check_bodies(_WHERE, wheel, reaction)
     check_fixed(_WHERE, "road", road, reaction)
-    _check_load(load, stiffness)
-    with derivation():
+    _check_load(load, stiffness, acts=load_acts)
+    check_not_negative(
+        _WHERE,
+        load=load,
+        stiffness=stiffness,
+        damping=damping,
+        least_speed=least_speed,
+        crown_radius=crown_radius,
+    )
+    with derivation(order=ENERGY):
         contact = tire_kinematics(
             wheel,
             radius,
@@ -95,13 +109,15 @@ def tire(
             rolling_radius=rolling_radius,
             road=road,
             carrier=carrier,
+            spin_axis=spin_axis,
         )
         vertical = _vertical(contact, load, 0 if stiffness is None else stiffness, damping)
         slip = _slips(contact, relaxation, expression(least_speed), name)
         _check_lift_off(law, stiffness)
-        found = law(vertical.load, slip.kappa, slip.alpha, contact.camber)
-        found = found._replace(rolling=found.rolling * _ahead(contact.VR, expression(least_speed)))
-        carried = vertical.load if load is None else number(0)
+        found = _forces(law, vertical.load, slip, contact.camber)
+        if not isinstance(law, TireForce):
+            found = found._replace(rolling=found.rolling * _ahead(contact.VR, expression(least_speed)))
+        carried = vertical.load if load is None or load_acts else number(0)
         actions = _actions(contact, found, carried, wheel, reaction)
     quantities = _quantities(contact, found, vertical.load, slip)
     return Element(
@@ -155,12 +171,34 @@ def _ahead(VR: Expr, least: Expr) -> Expr:
     return sign(-VR) if least.is_zero else tanh(-VR / least)
 
 
+def _forces(law: TireLaw, load: Expr, slip: _Slips, camber: Expr) -> TireForce:
+    """Return the forces by a law, which may be a function of the user's own."""
+    arguments = (load, slip.kappa, slip.alpha, camber)
+    try:
+        signature(law).bind(*arguments)
+    except TypeError as fault:
+        raise LoadError(
+            f"{_WHERE}: the law can't be called with four arguments ({fault}); expected a function of load, kappa, "
+            "lateral_slip and camber"
+        ) from None
+    found = law(*arguments)
+    if not isinstance(found, TireForce):
+        raise LoadError(
+            f"{_WHERE}: the law returns {brief(repr(found))}; expected a TireForce, such as TireForce(Fx, Fy)"
+        )
+    return TireForce(*map(expression, found))
+
+
 class _Vertical(NamedTuple):
     load: Expr
     potential: Expr | None
 
 
-def _check_load(load: Scalar | None, stiffness: Scalar | None) -> None:
+def _check_load(load: Scalar | None, stiffness: Scalar | None, *, acts: bool) -> None:
+    if acts and load is None:
+        raise LoadError(
+            f"{_WHERE}: load_acts without load; expected load=N, or a stiffness, whose load always acts"
+        )
     if (load is None) == (stiffness is None):
         given = "neither load nor stiffness" if load is None else "both load and stiffness"
         raise LoadError(
@@ -205,7 +243,7 @@ def _slips(contact: TireKinematics, relaxation: Lengths | None, least: Expr, nam
             "(0.1, 0.3)"
         )
     along, across = (expression(each) for each in relaxation)
-    if along.is_zero or across.is_zero:
+    if not all(each.free_symbols or float(each) > 0 for each in (along, across)):
         raise LoadError(
             f"{_WHERE}: relaxation = ({along}, {across}); expected two positive lengths, or no relaxation: slips that "
             "follow at once need a least_speed, or a wheel that moves"

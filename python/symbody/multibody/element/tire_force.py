@@ -12,6 +12,8 @@ from symbody.symbolic import Expr, Max, number
 class TireForce(NamedTuple):
     """The forces and moments of the road on a tyre, in the axes of the contact (ISO 8855: x ahead, y left, z up).
 
+    It is also a law: that of forces that are known, or unknown, whatever the slips are.
+
     Attributes:
         longitudinal: Fx, in N.
         lateral: Fy, in N.
@@ -30,6 +32,12 @@ class TireForce(NamedTuple):
     overturning: Expr = number(0)
     rolling: Expr = number(0)
     aligning: Expr = number(0)
+
+    def __call__(
+        self, load: Scalar, kappa: Scalar = 0, lateral_slip: Scalar = 0, camber: Scalar = 0
+    ) -> TireForce:
+        """Return the forces as they are."""
+        return TireForce(*map(expression, self))
 
 
 @runtime_checkable

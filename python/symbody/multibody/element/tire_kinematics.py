@@ -10,11 +10,15 @@ the crown; rho = 0 is a thin disc. With the normal n of the road:
 The centre of the crown is ``C - (R - rho) k``, at the height h above the road, and the contact is below it. The
 carrier of the wheel turns with it, but for the spin, whose rate is Omega = w . y_c/(j . y_c). The contact moves at
 v_S + Omega r x_c, where v_S is the velocity of the material point of the wheel there, and r = R - rho + h cos(gamma).
+
+Of another shape (`tire_shape`), the undeformed or deformed cross section reaches to ``C + y j - z k``, at the height h
+above the road; the contact is below it, and r = z + h cos(gamma). The tread moves against the rim by the rates of the
+deformation, which are part of v_S.
 """
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from typing import Annotated, NamedTuple, TypeAlias
 
 from symbody.errors import LoadError
 from symbody.geometry import Frame, Point, Scalar, Triple, Vector, ground, origin
@@ -24,8 +28,11 @@ from symbody.geometry.frame.frame_velocity import Seen, material_velocity, spin
 from symbody.geometry.given.argument import checked
 from symbody.multibody.body import Body
 from symbody.symbolic import (
+    ENERGY,
     Abs,
     Expr,
+    ExprLike,
+    add3,
     asin,
     cos,
     cross3,
@@ -39,7 +46,14 @@ from symbody.symbolic import (
 )
 from symbody.symbolic.given.arguments import brief
 
+from .tire_shape import TireShape
+
 _WHERE = "tire_kinematics"
+
+Shape: TypeAlias = Annotated[
+    ExprLike | TireShape, "the radius of the tyre, or its shape, such as tire_shape(y, z) returns"
+]
+SpinAxis: TypeAlias = Annotated[str, 'the spin axis "Y" or "-Y" of the wheel, which points to the left']
 
 
 class TireKinematics(NamedTuple):
@@ -85,23 +99,25 @@ class TireKinematics(NamedTuple):
 @checked(LoadError)
 def tire_kinematics(
     wheel: Body,
-    radius: Scalar,
+    radius: Shape,
     *,
     crown_radius: Scalar = 0,
     rolling_radius: Scalar | None = None,
     road: Frame = ground,
     carrier: Frame | None = None,
+    spin_axis: SpinAxis = "Y",
 ) -> TireKinematics:
     """Return where a wheel touches the road, and its slips: a torus on the x-y plane of a frame with z upwards.
 
     Args:
         wheel: the body that spins about the y axis of its frame; rolling ahead along x, its spin is positive.
-        radius: R, of the undeformed tyre, in m.
+        radius: R, of the undeformed tyre, in m; or the shape of a tyre that is no torus (`tire_shape`).
         crown_radius: rho, the radius of the cross section; zero for a thin disc, as a wheel with little camber.
         rolling_radius: the spin times this is the velocity of a wheel that rolls freely; the loaded radius by default.
         road: the frame of the road. A moving master frame stands for a road at rest, in whose plane it travels.
         carrier: a frame with the x axis along the direction of rolling, in which the wheel leans about x and spins
             about y alone; without it, the direction is computed from the spin axis, by a root.
+        spin_axis: "-Y" for a wheel whose y axis points to the right, as in frames with z downwards.
 
     >>> from symbody import Body, functions_of_time, rotate, symbols, translate
     >>> (x, theta), R = functions_of_time("x theta"), symbols("R")
@@ -110,36 +126,87 @@ def tire_kinematics(
     >>> found.VS, found.VR, found.VN, found.camber, found.deflection
     (x', -R*theta', 0, 0, 0)
     """
-    R, rho = expression(radius), expression(crown_radius)
-    with derivation():
+    if spin_axis not in {"Y", "-Y"}:
+        raise LoadError(
+            f"{_WHERE}: spin_axis = {brief(repr(spin_axis))}; expected 'Y' or '-Y', the axis of the wheel that "
+            "points to the left"
+        )
+    with derivation(order=ENERGY):
         n: Triple = (number(0), number(0), number(1))
-        j = vector_components((number(0), number(1), number(0)), wheel.frame, road)
+        j = vector_components(
+            (number(0), number(1 if spin_axis == "Y" else -1), number(0)), wheel.frame, road
+        )
         ahead = _ahead(j, n, road, carrier)
-        left, up = cross3(n, ahead), cross3(ahead, j)
-        upright = dot3(j, left)
-        place = sub3(origin(wheel.frame).projected(road).coordinates, scale3(R - rho, up))
-        contact = Point(road, place[0], place[1], number(0))
-        height = place[2]
+        axes = _Axes(j, ahead, cross3(n, ahead), cross3(ahead, j))
+        upright = dot3(j, axes.left)
+        section = _section(
+            origin(wheel.frame).projected(road).coordinates, radius, expression(crown_radius), axes
+        )
+        contact = Point(road, section.place[0], section.place[1], number(0))
         base = _Base.of(contact, road)
-        slip = _relative(_carried(contact, wheel.frame), base.velocity, road)
+        slip = add3(_relative(_carried(contact, wheel.frame), base.velocity, road), section.tread)
         turning = _relative(Seen(spin(wheel.frame), wheel.frame), base.spin, road)
-        rate = dot3(turning, left) / upright
-        arm = R - rho + height * upright
-        slides, across = dot3(slip, ahead), dot3(slip, left)
-        rolling = expression(arm if rolling_radius is None else rolling_radius)
+        rate = dot3(turning, axes.left) / upright
+        rolling = expression(section.arm if rolling_radius is None else rolling_radius)
         camber = asin(dot3(j, n)) if carrier is None else _camber(j, n, upright)
         return TireKinematics(
             contact,
             Vector(road, *ahead),
-            Vector(road, *left),
+            Vector(road, *axes.left),
             Vector(road, *n),
             camber,
-            rho - height,
+            section.depth,
             -dot3(slip, n),
-            slides + rate * arm,
-            across,
-            -rate * rolling,
+            dot3(slip, ahead) + rate * section.arm,
+            dot3(slip, axes.left),
+            -(rate + section.spin_rate) * rolling,
         )
+
+
+class _Axes(NamedTuple):
+    """The axes of the carrier and of the contact, in those of the road."""
+
+    spin: Triple
+    ahead: Triple
+    left: Triple
+    up: Triple
+
+
+class _Section(NamedTuple):
+    """The cross section above or in the road.
+
+    Attributes:
+        place: a point on the normal of the road through the contact.
+        arm: the distance from the centre of the wheel to the contact, in the plane of the wheel.
+        depth: how deep the section is in the road.
+        tread: the velocity of the tread against the rim.
+        spin_rate: the angular velocity of the tread against the rim.
+    """
+
+    place: Triple
+    arm: Expr
+    depth: Expr
+    tread: Triple
+    spin_rate: Expr
+
+
+def _section(center: Triple, radius: ExprLike | TireShape, rho: Expr, axes: _Axes) -> _Section:
+    upright = dot3(axes.spin, axes.left)
+    if not isinstance(radius, TireShape):
+        R = expression(radius)
+        if R.is_constant and float(R) <= 0:
+            raise LoadError(f"{_WHERE}: radius = {brief(R)}; expected a positive number")
+        crown = sub3(center, scale3(R - rho, axes.up))
+        return _Section(crown, R - rho + crown[2] * upright, rho - crown[2], NULL, number(0))
+    if not rho.is_zero:
+        raise LoadError(
+            f"{_WHERE}: crown_radius = {brief(rho)} beside a shape; expected a radius with it, or the crown in the "
+            "profile of the shape"
+        )
+    shape = radius
+    place = add3(center, sub3(scale3(shape.y, axes.spin), scale3(shape.z, axes.up)))
+    tread = sub3(scale3(shape.y_rate, axes.spin), scale3(shape.z_rate, axes.up))
+    return _Section(place, shape.z + place[2] * upright, -place[2], tread, shape.spin_rate)
 
 
 def _ahead(j: Triple, n: Triple, road: Frame, carrier: Frame | None) -> Triple:

@@ -7,17 +7,18 @@ from symbody.geometry import Scalar
 from symbody.geometry.component.triple import expression
 from symbody.geometry.given.argument import checked
 from symbody.multibody.body import Body
-from symbody.symbolic import Expr, derivation
+from symbody.multibody.joint.freedom import Freedom
+from symbody.symbolic import ENERGY, derivation
 
 from .element import Element
-from .joint_motion import joint_motion
+from .joint_motion import Along, joint_motion
 
 _WHERE = "torsion_spring"
 
 
 @checked(LoadError)
 def torsion_spring(
-    angle: Expr,
+    angle: Along,
     stiffness: Scalar,
     *,
     free_angle: Scalar = 0,
@@ -49,9 +50,10 @@ def torsion_spring(
     (I*phi'' + c*phi' + k*phi,)
     """
     k, c = expression(stiffness), expression(damping)
-    with derivation():
+    with derivation(order=ENERGY):
         joint = joint_motion(angle, on, reaction, _WHERE)
-        twist = angle - free_angle
+        start = expression(free_angle)
+        twist = angle.beyond(start) if isinstance(angle, Freedom) else angle - start
         torque = -k * twist - c * joint.rate
         return Element(
             _WHERE,
@@ -59,4 +61,5 @@ def torsion_spring(
             potential=k * twist**2 / 2,
             quantities={"angle": twist, "rate": joint.rate, "torque": torque},
             name=name,
+            jumping=twist if isinstance(angle, Freedom) and angle.jumps else None,
         )

@@ -10,12 +10,12 @@ from symbody.errors import JointError, notify
 from symbody.geometry import Frame
 from symbody.geometry.given.argument import checked
 from symbody.symbolic import Expr
+from symbody.symbolic.given.arguments import brief
 
 from .closure import Closure, Sides, names_that_constrain
 from .joint import Joint
 from .link import Link
 from .mechanism import Mechanism
-from .mesh import Mesh
 from .placed_joint import PlacedJoint
 from .spanning_tree import Branch, spanning_tree
 
@@ -55,11 +55,9 @@ def assemble(joints: Joints) -> Mechanism:
     revolute C: rod -> slider closes a loop by C.x, C.y; by themselves hold C.z, C.about x, C.about y
     """
     _check_names(joints)
-    meshes = [(joint, joint.pair) for joint in joints if isinstance(joint.pair, Mesh)]
-    needed = [each for _, mesh in meshes for each in (mesh.first, mesh.second)]
-    _check_meshes(joints, meshes)
-    branches, loops = spanning_tree(joints, needed)
-    _check_loops(loops, meshes)
+    _check_coupled(joints)
+    branches, loops = spanning_tree(joints, [each for joint in joints for each in joint.pair.coupled])
+    _check_coordinates(joints, loops)
     frames = dict[Link, Frame]()
     sides = dict[Joint, Sides]()
     for branch in branches:
@@ -67,11 +65,14 @@ def assemble(joints: Joints) -> Mechanism:
     for joint in loops:
         at, to = (_frame_of(part, frames) for part in (joint.parent, joint.child))
         sides[joint] = Sides(at * joint.mounting.at, to * joint.mounting.to)
-    for joint, mesh in meshes:
-        sides[joint] = Sides(sides[mesh.first].child, sides[mesh.second].child)
+    for joint in joints:
+        if joint.pair.coupled:
+            one, other = joint.pair.coupled
+            sides[joint] = Sides(sides[one].child, sides[other].child)
     outboard = _outboard(branches)
     placed = tuple(PlacedJoint.of(joint, sides[joint], outboard.get(joint)) for joint in joints)
-    placed = _with_meshes(placed, sides)
+    placed = tuple(_with_closures(each, each.joint.pair.meshing(str(each), sides)) for each in placed)
+    _check_loops(placed)
     for joint in loops:
         _report_idle_coordinates(joint)
     links = dict.fromkeys(
@@ -98,44 +99,50 @@ def _check_names(joints: Sequence[Joint]) -> None:
             )
 
 
-def _check_meshes(joints: Sequence[Joint], meshes: Sequence[tuple[Joint, Mesh]]) -> None:
-    for joint, mesh in meshes:
-        missing = next((each for each in (mesh.first, mesh.second) if each not in joints), None)
+def _check_coupled(joints: Sequence[Joint]) -> None:
+    for joint in joints:
+        missing = next((each for each in joint.pair.coupled if each not in joints), None)
         if missing is not None:
             raise JointError(
                 f"assemble: {joint} couples {missing}, which isn't in the list; add it to the joints"
             )
 
 
-def _check_loops(loops: Sequence[Joint], meshes: Sequence[tuple[Joint, Mesh]]) -> None:
-    """Check that joints that close loops hold something, and that none of them is needed for its coordinate."""
-    for joint, mesh in meshes:
-        closing = next((each for each in (mesh.first, mesh.second) if each in loops), None)
+def _check_coordinates(joints: Sequence[Joint], loops: Sequence[Joint]) -> None:
+    """Check that no joint that closes a loop is needed for its coordinate."""
+    for joint in joints:
+        closing = next((each for each in joint.pair.coupled if each in loops), None)
         if closing is not None:
             raise JointError(
                 f"assemble: {joint} couples {closing}, which closes a loop and has no coordinate; choose by loop=True "
                 "another joint that closes it"
             )
-    idle = next((joint for joint in loops if joint.kind == "free"), None)
+
+
+def _check_loops(placed: Sequence[PlacedJoint]) -> None:
+    """Check that joints that close loops hold something, and that nothing which no motion can change is off."""
+    idle = next((joint for joint in placed if not joint.opens and not joint.closures), None)
     if idle is not None:
         raise JointError(
             f"assemble: {idle} closes a loop, where it holds nothing; leave it out, or let another joint close the "
             "loop: loop=True"
         )
+    for joint in placed:
+        off = [closure for closure in joint.active if not closure.condition.depends_on_time]
+        if off:
+            listed = ", ".join(f"{joint.name}.{each.name} = {brief(each.condition)}" for each in off)
+            raise JointError(
+                f"assemble: {joint} doesn't close its loop at any position: {listed}; expected places at and to "
+                f"at which {brief(joint.joint.parent)} and {brief(joint.joint.child)} can meet"
+            )
 
 
-def _with_meshes(placed: Sequence[PlacedJoint], sides: Mapping[Joint, Sides]) -> tuple[PlacedJoint, ...]:
-    """Return the joints with the closures of meshes, which need the places of other joints."""
-    return tuple(
-        _with_closures(each, each.joint.pair.meshing(str(each.joint), sides))
-        if isinstance(each.joint.pair, Mesh)
-        else each
-        for each in placed
-    )
-
-
-def _with_closures(placed: PlacedJoint, closures: tuple[Closure, ...]) -> PlacedJoint:
-    return replace(placed, closures=closures, constraining=names_that_constrain(closures))
+def _with_closures(placed: PlacedJoint, more: tuple[Closure, ...]) -> PlacedJoint:
+    """Return a joint with further conditions, as of a mesh, which needs the places of other joints."""
+    if not more:
+        return placed
+    constraining = (*placed.constraining, *names_that_constrain(more))
+    return replace(placed, closures=(*placed.closures, *more), constraining=constraining)
 
 
 def _frame_of(part: Link | Frame, frames: Mapping[Link, Frame]) -> Frame:

@@ -6,7 +6,8 @@ from symbody.errors import JointError
 from symbody.geometry.given.argument import checked
 
 from .axis import Axis, principal
-from .joint import Angles, Joint, Loop, Part, joined, mounted
+from .joint import Coordinates, Joint, Loop, Part, joined, mounted
+from .limit import LimitsByName
 from .link import Place
 from .pair import SlideAndTurn
 
@@ -20,7 +21,8 @@ def cylindrical(
     at: Place = (0, 0, 0),
     to: Place = (0, 0, 0),
     axis: Axis = "Z",
-    coordinates: Angles = None,
+    coordinates: Coordinates = None,
+    limits: LimitsByName = None,
     loop: Loop = None,
 ) -> Joint:
     """Return a cylindrical joint: the child slides along an axis that is fixed in both bodies, and turns about it.
@@ -35,6 +37,8 @@ def cylindrical(
         to: where it is on the child, in the child's axes.
         axis: of the joint, in the axes of `at` and `to`.
         coordinates: the displacement and the angle; ``s_<name>`` and ``phi_<name>`` by default.
+        limits: the least and the largest values of coordinates by their names, such as ``{"phi": (None, 2)}``; see
+            `stops`.
         loop: True if it shall close a loop, False if it shall open the tree.
 
     >>> from symbody import Link, assemble, cylindrical, ground, symbols
@@ -44,4 +48,4 @@ def cylindrical(
     """
     mounting = mounted("cylindrical", name, (parent, child), at, to, loop=loop)
     pair = SlideAndTurn(principal(axis, f"cylindrical {name}"), principal(axis, f"cylindrical {name}"))
-    return joined("cylindrical", mounting, pair, coordinates)
+    return joined("cylindrical", mounting, pair, coordinates, limits)

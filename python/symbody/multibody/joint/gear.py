@@ -6,11 +6,10 @@ from typing import Annotated, TypeAlias
 
 from symbody.errors import JointError
 from symbody.geometry import Scalar
-from symbody.geometry.component.triple import expression
 from symbody.geometry.given.argument import checked
 
 from .joint import Joint
-from .mesh import Mesh, check_coupled, coupling
+from .mesh import Mesh, check_coupled, coupling, pitch_radius
 
 Coupled: TypeAlias = Annotated[Joint, "a joint, such as revolute('A', carrier, wheel)"]
 
@@ -43,8 +42,5 @@ def gear(
     """
     where = f"gear {name}"
     check_coupled(where, first, second, ("revolute", "revolute"))
-    r1, r2 = expression(radius1), expression(radius2)
-    for radius in (r1, r2):
-        if radius.depends_on_time or (radius.is_number and float(radius) <= 0):
-            raise JointError(f"{where}: the radius {radius}; expected a positive constant")
+    r1, r2 = pitch_radius(where, radius1), pitch_radius(where, radius2)
     return coupling("gear", name, Mesh(first, second, (r1, -r2 if internal else r2)))

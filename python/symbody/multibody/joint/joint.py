@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Annotated, TypeAlias, final
 
@@ -12,20 +12,18 @@ from symbody.geometry.component.triple import expression
 from symbody.symbolic import Expr, functions_of_time
 from symbody.symbolic.given.arguments import brief, counted
 
+from .limit import Limit, given_limits
 from .link import Link, Place, fixed_place
 from .pair import Pair
 
-__all__ = ["Angles", "Joint", "Limits", "Mounting", "Part", "joined"]
+__all__ = ["Coordinates", "Joint", "Mounting", "Part", "joined"]
 
 Part: TypeAlias = Annotated[
     Link | Frame, "a link, such as Link('rod', mass), or a frame that carries the mechanism, such as ground"
 ]
 Coordinate: TypeAlias = Annotated[Scalar | None, "a function of time, such as functions_of_time('phi')"]
-Angles: TypeAlias = Annotated[
+Coordinates: TypeAlias = Annotated[
     Sequence[Scalar] | None, "a list of functions of time, such as functions_of_time('psi theta phi')"
-]
-Limits: TypeAlias = Annotated[
-    Sequence[Scalar | None] | None, "two values of the coordinate, such as (-1, 1), or None for no limit"
 ]
 Loop: TypeAlias = Annotated[bool | None, "True, False or None"]
 
@@ -65,7 +63,7 @@ class Joint:
         pair: how the child may move.
         coordinates: expressions of functions of time, one per freedom.
         are_given: whether the user chose the coordinates.
-        limits: the least and the largest value of its one coordinate; None for no limit.
+        limits: the least and the largest values of its coordinates.
     """
 
     kind: str
@@ -73,7 +71,7 @@ class Joint:
     pair: Pair
     coordinates: tuple[Expr, ...]
     are_given: bool = False
-    limits: tuple[Expr | None, Expr | None] = (None, None)
+    limits: tuple[Limit, ...] = ()
 
     @property
     def name(self) -> str:
@@ -154,7 +152,9 @@ def joined(
     mounting: Mounting,
     pair: Pair,
     coordinates: Sequence[Scalar] | Scalar | None = None,
-    limits: Sequence[Scalar | None] | None = None,
+    limits: Sequence[Scalar | None] | Mapping[str, Sequence[Scalar | None]] | None = None,
+    *,
+    limited: Sequence[str] | None = None,
 ) -> Joint:
     """Return a joint, with coordinates of its own unless they are given.
 
@@ -163,7 +163,8 @@ def joined(
         mounting: what it connects, and where.
         pair: how the child may move.
         coordinates: those that the user gave, or None.
-        limits: of its one coordinate.
+        limits: of its one coordinate, or of several by their names.
+        limited: what may have limits; the coordinates by default.
 
     Raises:
         JointError: there are too many or too few coordinates, one doesn't move, or the limits are no pair.
@@ -176,7 +177,8 @@ def joined(
         several = isinstance(coordinates, Sequence) and not isinstance(coordinates, str)
         found = tuple(map(expression, coordinates if several else [coordinates]))  # type: ignore[arg-type]
         _check_coordinates(where, found, pair.names)
-    return Joint(kind, mounting, pair, found, coordinates is not None, _limits(where, limits))
+    bounds = given_limits(where, limits, pair.names if limited is None else limited)
+    return Joint(kind, mounting, pair, found, coordinates is not None, bounds)
 
 
 def _check_coordinates(where: str, found: Sequence[Expr], names: Sequence[str]) -> None:
@@ -190,16 +192,3 @@ def _check_coordinates(where: str, found: Sequence[Expr], names: Sequence[str]) 
                 f"{where}: the coordinate {brief(each)} doesn't depend on time; expected a function of time, such as "
                 f"functions_of_time('{names[0]}'); a joint that doesn't move is fixed"
             )
-
-
-def _limits(where: str, given: Sequence[Scalar | None] | None) -> tuple[Expr | None, Expr | None]:
-    if given is None:
-        return None, None
-    if len(given) != 2:
-        raise JointError(
-            f"{where}: limits of {counted(len(given), 'value')}; expected two, the least and the largest"
-        )
-    low, high = (None if value is None else expression(value) for value in given)
-    if low is not None and high is not None and (high - low).is_number and float(high - low) <= 0:
-        raise JointError(f"{where}: limits from {low} to {high}; expected the least value first")
-    return low, high

@@ -18,6 +18,7 @@ from symbody.symbolic import Expr
 from symbody.symbolic.expression.html_table import html_table
 from symbody.symbolic.given.arguments import brief, counted
 
+from .carried_body import carrying_links
 from .joint import Joint
 from .link import Link
 from .placed_joint import PlacedJoint
@@ -121,33 +122,48 @@ class Mechanism:
         loads: Loads = (),
         *,
         gravity: Vector | None = None,
+        bodies: Sequence[Body] = (),
+        coordinates: Sequence[Expr] = (),
+        speeds: Sequence[Expr] = (),
         constraints: Sequence[Condition] = (),
         inputs: Sequence[Expr] = (),
         states: Mapping[Expr, object] | None = None,
         kinematics: Mapping[Expr, Scalar] = MappingProxyType({}),
         name: str = "",
     ) -> System:
-        """Return the system of the mechanism.
+        """Return the system of the mechanism, and of what moves beside it.
+
+        A body beside the links is carried by the link on whose frame its own is built, or by none; `reaction` counts it
+        with this link.
 
         Args:
             loads: the forces and torques on its bodies.
             gravity: the acceleration of weight.
+            bodies: bodies beside those of the links, each with a name of its own.
+            coordinates: functions of time by which these bodies move, beside the coordinates of the joints.
+            speeds: the velocities of moving frames among them, and other quasi-velocities; see `System`.
             constraints: conditions beside those of the joints, such as drives.
             inputs: functions of time that are given from outside; those of joints are no coordinates then.
             states: functions of time beside the mechanics and their rates.
             kinematics: rates by speeds, or definitions of speeds; see `System`.
             name: what the system is called.
+
+        Raises:
+            JointError: a body beside the links has no name of its own, or no link carries it although it moves by a
+                coordinate of a joint.
         """
+        carriers = carrying_links(bodies, self.frames, self.coordinates)
         return System(
-            self.bodies,
+            [*self.bodies, *bodies],
             loads,
-            [q for q in self.coordinates if q not in inputs],
+            [*(q for q in self.coordinates if q not in inputs), *coordinates],
             [*self.constraints, *constraints],
             gravity,
+            speeds=speeds,
             kinematics=kinematics,
             inputs=inputs,
             states=states,
-            joints=self.joints,
+            joints=[joint.carrying(carriers) for joint in self.joints],
             name=name,
         )
 

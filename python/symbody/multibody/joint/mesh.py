@@ -6,8 +6,9 @@ from collections.abc import Mapping
 from typing import ClassVar, final
 
 from symbody.errors import JointError
-from symbody.geometry import Frame, Point, Vector, cross, dot, ground, origin
-from symbody.symbolic import Expr
+from symbody.geometry import Frame, Point, Scalar, Vector, cross, dot, ground, origin
+from symbody.geometry.component.triple import expression
+from symbody.symbolic import Expr, number
 from symbody.symbolic.given.arguments import brief
 
 from .closure import AXES, Closure, Sides
@@ -15,7 +16,7 @@ from .joint import Joint, Mounting
 from .link import Link
 from .pair import Pair, SlideAndTurn
 
-__all__ = ["Mesh", "check_coupled", "coupling"]
+__all__ = ["Mesh", "check_coupled", "coupling", "pitch_radius"]
 
 
 @final
@@ -32,6 +33,10 @@ class Mesh(Pair):
     def __init__(self, first: Joint, second: Joint, radii: tuple[Expr, ...]) -> None:
         self.first, self.second, self.radii = first, second, radii
 
+    @property
+    def coupled(self) -> tuple[Joint, ...]:
+        return self.first, self.second
+
     def motion(self, coordinates: object) -> Frame:
         del coordinates
         return ground
@@ -41,15 +46,7 @@ class Mesh(Pair):
         return ()
 
     def meshing(self, where: str, sides: Mapping[Joint, Sides]) -> tuple[Closure, ...]:
-        """Return the one condition of the mesh.
-
-        Args:
-            where: the joint, for messages.
-            sides: those of all joints.
-
-        Raises:
-            JointError: the axes or distances don't fit.
-        """
+        """Return the one condition of the mesh; raise an error if axes or distances don't fit."""
         first, second = sides[self.first], sides[self.second]
         make = self._wheels if len(self.radii) == 2 else self._rack
         condition, at, force = make(where, first, second)
@@ -58,18 +55,17 @@ class Mesh(Pair):
     def _wheels(self, where: str, first: Sides, second: Sides) -> tuple[Expr, Point, Vector]:
         """Return ``r1 q1 + r2 q2``, with -r2 for an internal gear."""
         (r1, r2), z = self.radii, _axis(self.first, first)
-        if dot(z, _axis(self.second, second)) != 1:
+        if not _is_same(dot(z, _axis(self.second, second)), number(1)):
             raise JointError(
                 f"{where}: the axes of {self.first} and {self.second} aren't parallel with one sense; expected wheels "
                 "in a plane: turn their places on the carrier"
             )
         centres = (origin(second.parent) - origin(first.parent)).projected(first.parent)
         distance = r1 + r2
-        if not (dot(centres, centres) - distance**2).is_zero or distance.is_zero:
-            found = brief(dot(centres, centres))
+        if not _is_same(dot(centres, centres), distance**2) or distance.is_zero:
             raise JointError(
-                f"{where}: the square of the distance of the axes is {found}, and the radii give "
-                f"{brief(distance**2)}; expected the same: the pitch circles touch"
+                f"{where}: the square of the distance of the axes is {_shown(dot(centres, centres))}, and the radii "
+                f"give {_shown(distance**2)}; expected the same: the pitch circles touch"
             )
         n = centres / distance
         condition = r1 * self.first.coordinate + r2 * self.second.coordinate
@@ -81,14 +77,32 @@ class Mesh(Pair):
         e = _axis(self.second, second).projected(first.parent)
         arm = (origin(second.parent) - origin(first.parent)).projected(first.parent)
         signed = dot(cross(z, arm), e)
-        if not dot(z, e).is_zero or not (signed**2 - r**2).is_zero:
+        if not _is_same(dot(z, e), number(0)) or not _is_same(signed**2, r**2):
             raise JointError(
-                f"{where}: the bar is {brief(signed)} away from the axis of {self.first}, as seen along both; expected "
-                f"the radius, {brief(r)}, or -{brief(r)}, and a bar across the axis"
+                f"{where}: the bar is {_shown(signed)} away from the axis of {self.first}, as seen along both; "
+                f"expected the radius, {_shown(r)}, or -{_shown(r)}, and a bar across the axis"
             )
+        if signed.is_constant:
+            signed = r if float(signed) > 0 else -r  # without its rounding
         n = arm - dot(arm, e) * e
         condition = self.second.coordinate - signed * self.first.coordinate
         return condition, origin(first.parent) + n, e
+
+
+_ROUNDING = 1e-12
+
+
+def _is_same(one: Expr, other: Expr) -> bool:
+    """Whether two expressions are the same; numbers, up to rounding."""
+    gap = one - other
+    if gap.is_zero or not (gap.is_constant and other.is_constant):
+        return gap.is_zero
+    return abs(float(gap)) <= _ROUNDING * (abs(float(other)) or 1.0)
+
+
+def _shown(value: Expr) -> str:
+    """Return a value as a message shows it; a number in decimals."""
+    return f"{float(value):.13g}" if value.is_constant else brief(value)
 
 
 def _axis(joint: Joint, sides: Sides) -> Vector:
@@ -114,6 +128,18 @@ def check_coupled(where: str, first: Joint, second: Joint, kinds: tuple[str, str
             f"{where}: the parents of {first} and {second} are {brief(one)} and {brief(other)}; expected one carrier, "
             "against which both move"
         )
+
+
+def pitch_radius(where: str, radius: Scalar) -> Expr:
+    """Return the radius of a pitch circle.
+
+    Raises:
+        JointError: it is no positive constant.
+    """
+    r = expression(radius)
+    if r.depends_on_time or (r.is_number and float(r) <= 0):
+        raise JointError(f"{where}: the radius {r}; expected a positive constant")
+    return r
 
 
 def coupling(kind: str, name: str, mesh: Mesh) -> Joint:

@@ -3,15 +3,30 @@
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from collections.abc import Sequence
-from typing import ClassVar, final
+from collections.abc import Mapping, Sequence
+from typing import Any, ClassVar, NamedTuple, final
 
-from symbody.geometry import Frame, ground, rotate, translate
-from symbody.symbolic import Expr, atan2, number
+from symbody.geometry import Frame, Vector, ground, rotate, translate
+from symbody.symbolic import Expr, number
 
-from .closure import AXES, Closure, Sides, along, held_point, perpendicular
+from .closure import AXES, Closure, Sides, along, held_point, holds_by_itself, perpendicular
+from .joint_angle import angles, over_all_turns, turning_axis
 
-__all__ = ["Pair", "SlideAndTurn", "held_turns", "turned"]
+__all__ = ["Pair", "SlideAndTurn", "Travel", "held_senses", "held_turns", "turns_back"]
+
+
+class Travel(NamedTuple):
+    """How a pair moves along one of its coordinates where it closes a loop.
+
+    Attributes:
+        axis: the vector whose product with the velocity of the child, relative to the parent, is the coordinate's rate.
+        is_rotation: whether the velocity is angular.
+        jumps: whether the coordinate is an angle that is known from -pi to pi alone.
+    """
+
+    axis: Vector
+    is_rotation: bool
+    jumps: bool = False
 
 
 class Pair(ABC):
@@ -41,10 +56,44 @@ class Pair(ABC):
         del coordinates
         return self.closures(sides)
 
-    def measured(self, sides: Sides) -> Expr | None:
-        """Return the value of the one coordinate between any two frames; None for pairs that have several."""
+    @property
+    def coupled(self) -> tuple[Any, ...]:
+        """The joints whose coordinates a mesh couples; it joins their children, and places none.
+
+        They are of the class `Joint`, which is made of pairs and therefore unknown here.
+        """
+        return ()
+
+    def meshing(self, where: str, sides: Mapping[Any, Sides]) -> tuple[Closure, ...]:
+        """Return the conditions on the coordinates of the coupled joints.
+
+        Args:
+            where: the joint, for messages.
+            sides: those of all joints.
+
+        Raises:
+            JointError: the coupled joints don't fit each other.
+        """
+        del where, sides
+        return ()
+
+    def measured(self, sides: Sides) -> Mapping[str, Expr]:
+        """Return the values of the coordinates between any two frames, by their names; those that can be told."""
         del sides
+        return {}
+
+    def travel(self, sides: Sides, name: str) -> Travel | None:
+        """Return how the child moves along a coordinate between any two frames; None where it can't be told."""
+        del sides, name
         return None
+
+    def senses(self, sides: Sides) -> Mapping[str, Expr]:
+        """Return cosines of angles that the closures allow to be pi, by the axes between them: 1 where it is closed.
+
+        A product of axes is zero also where the child is turned by half a turn.
+        """
+        del sides
+        return {}
 
 
 @final
@@ -78,13 +127,33 @@ class SlideAndTurn(Pair):
             return held_point(sides)
         return tuple(along(sides, k) for k, axis in enumerate(AXES) if axis not in self.slides)
 
-    def measured(self, sides: Sides) -> Expr | None:
-        if len(self.slides) + len(self.turns) != 1:
+    def measured(self, sides: Sides) -> Mapping[str, Expr]:
+        slides = (sides.gap.components[AXES.index(axis)] for axis in self.slides)
+        whole = self._over_all_turns(sides)
+        turns = angles(self.turns, sides.entry) if whole is None else (whole,)
+        return dict(zip(self.names, (*slides, *turns), strict=True))
+
+    def travel(self, sides: Sides, name: str) -> Travel | None:
+        which = self.names.index(name)
+        if which < len(self.slides):
+            return Travel(sides.of_parent(AXES.index(self.slides[which])), is_rotation=False)
+        axis = turning_axis(sides, self.turns, which - len(self.slides))
+        return Travel(
+            axis,
+            is_rotation=True,
+            jumps=self._over_all_turns(sides) is None and not turns_back(self.turns, name),
+        )
+
+    def senses(self, sides: Sides) -> Mapping[str, Expr]:
+        return held_senses(sides, self.turns)
+
+    def _over_all_turns(self, sides: Sides) -> Expr | None:
+        """Return the angle of a pair that turns about one axis, where it is a sum of coordinates."""
+        if len(self.turns) != 1:
             return None
-        if self.slides:
-            return sides.gap.components[AXES.index(self.slides)]
-        axis = AXES.index(self.turns)
-        return turned(sides, axis)
+        if not all(holds_by_itself(each.condition) for each in held_turns(sides, self.turns)):
+            return None
+        return over_all_turns(sides, AXES.index(self.turns), angles(self.turns, sides.entry)[0])
 
 
 def held_turns(sides: Sides, axes: str) -> tuple[Closure, ...]:
@@ -101,10 +170,15 @@ def held_turns(sides: Sides, axes: str) -> tuple[Closure, ...]:
             return ()
 
 
+def held_senses(sides: Sides, axes: str) -> dict[str, Expr]:
+    """Return the products of the axes that `held_turns` keeps parallel, by their names: 1, or -1 with a half turn."""
+    held = {0: AXES, 1: axes}.get(len(axes), "")
+    return {axis.lower(): sides.entry(AXES.index(axis), AXES.index(axis)) for axis in held}
+
+
+def turns_back(turns: str, name: str) -> bool:
+    """Whether a coordinate is the second of three angles, which is bounded: it turns back at a singular position."""
+    return len(turns) == 3 and name == ANGLES[3][1]
+
+
 ANGLES = {0: (), 1: ("phi",), 2: ("phi", "theta"), 3: ("psi", "theta", "phi")}
-
-
-def turned(sides: Sides, axis: int) -> Expr:
-    """Return the angle, from -pi to pi, by which C is turned about a common axis of P and C."""
-    i, j = (axis + 1) % 3, (axis + 2) % 3
-    return atan2(sides.entry(j, i), sides.entry(i, i))

@@ -2,17 +2,23 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import cached_property
 from typing import Any, final
 
+from symbody.errors import JointError
 from symbody.geometry import Frame, Point
+from symbody.geometry.given.argument import checked
 from symbody.symbolic import Expr
 from symbody.symbolic.expression.container import Container, contains
-from symbody.symbolic.given.arguments import brief
+from symbody.symbolic.given.arguments import brief, counted
 
 from .closure import Closure, Sides, names_that_constrain
+from .freedom import Freedom
 from .joint import Joint
+from .joint_angle import cone_angle
+from .limit import CONE, Limit
 from .link import Link
 
 __all__ = ["PlacedJoint"]
@@ -30,9 +36,8 @@ class PlacedJoint:
         coordinates: those that place a link; empty where it closes a loop.
         closures: what it holds, and by which forces.
         constraining: the names of the closures that make constraints: those that don't hold by themselves.
-        outboard: the names of the links beyond it, where it opens the tree; None where it closes a loop.
-        limits: the least and the largest value of its coordinate.
-        measured: the value of its coordinate, if it has one.
+        outboard: the names of the bodies beyond it, where it opens the tree; None where it closes a loop.
+        limits: the least and the largest values of its coordinates.
     """
 
     joint: Joint
@@ -42,15 +47,14 @@ class PlacedJoint:
     closures: tuple[Closure, ...]
     constraining: tuple[str, ...]
     outboard: tuple[str, ...] | None
-    limits: tuple[Expr | None, Expr | None] = (None, None)
-    measured: Expr | None = None
+    limits: tuple[Limit, ...] = ()
 
     @classmethod
     def of(cls, joint: Joint, sides: Sides, outboard: tuple[str, ...] | None) -> PlacedJoint:
         """Return a joint between frames; one that opens the tree leads to links."""
         opens = outboard is not None
         closures = joint.pair.opened(sides, joint.coordinates) if opens else joint.pair.closures(sides)
-        return cls(
+        placed = cls(
             joint,
             sides.parent,
             sides.child,
@@ -58,9 +62,8 @@ class PlacedJoint:
             closures,
             () if opens and not joint.pair.rolls else names_that_constrain(closures),
             outboard,
-            joint.limits,
-            _measured(joint, sides, opens=opens),
         )
+        return replace(placed, limits=tuple(map(placed.limit, joint.limits)))
 
     @property
     def name(self) -> str:
@@ -71,6 +74,72 @@ class PlacedJoint:
     def opens(self) -> bool:
         """Whether it opens the tree; else it closes a loop."""
         return self.outboard is not None
+
+    @property
+    def sides(self) -> Sides:
+        """Its axes on both sides."""
+        return Sides(self.parent_side, self.child_side)
+
+    @cached_property
+    def measured(self) -> Mapping[str, Expr]:
+        """The values of its coordinates by their names; where it closes a loop, those that the axes tell."""
+        if self.opens:
+            return dict(zip(self.joint.pair.names, self.coordinates, strict=True))
+        return self.joint.pair.measured(self.sides)
+
+    def carrying(self, carriers: Mapping[str, str]) -> PlacedJoint:
+        """Return the joint with the bodies beyond it that are no links, by the names of the links that carry them."""
+        if self.outboard is None:
+            return self
+        more = tuple(name for name, link in carriers.items() if link in self.outboard)
+        return replace(self, outboard=(*self.outboard, *more)) if more else self
+
+    def limit(self, limit: Limit) -> Limit:
+        """Return a limit with the value that it limits.
+
+        Raises:
+            JointError: the joint closes a loop, where this value isn't known, or may jump within the limits.
+        """
+        value = cone_angle(self.sides.entry) if limit.name == CONE else self.measured.get(limit.name)
+        if value is None:
+            raise JointError(
+                f"assemble: {self} closes a loop, where {limit.name} isn't known, and it has limits of it; let another "
+                "joint close the loop by loop=True, or leave these limits out"
+            )
+        found = replace(limit, value=value)
+        travel = None if self.opens or limit.name == CONE else self.joint.pair.travel(self.sides, limit.name)
+        return found.within_a_turn(f"assemble: {self}") if travel is not None and travel.jumps else found
+
+    def label(self, limit: Limit) -> str:
+        """Return what limits are called: the joint alone where it has one coordinate."""
+        return self.name if len(self.joint.coordinates) == 1 else f"{self.name}.{limit.name}"
+
+    @checked(JointError)
+    def freedom(self, name: str = "") -> Freedom:
+        """Return a freedom, along which a motor, friction or a spring acts.
+
+        Args:
+            name: of the coordinate, such as "phi"; it may be left out if there is one.
+
+        Raises:
+            JointError: there is no such freedom, there are several, or it isn't known where the joint closes a loop.
+        """
+        names = self.joint.pair.names
+        listed = f"expected one of {', '.join(map(repr, names))}" if names else "it lets nothing move"
+        if name not in names and (name or len(names) != 1):
+            what = f"no freedom {brief(repr(name))}" if name else counted(len(names), "freedom")
+            raise JointError(f"{self}: {what}; {listed}")
+        chosen = name or names[0]
+        travel = self.joint.pair.travel(self.sides, chosen)
+        if travel is None and not self.opens:
+            raise JointError(
+                f"{self}: it closes a loop, where {chosen} isn't known; let another joint close the loop by loop=True"
+            )
+        (parent, one), (child, other) = self.ends
+        if self.opens and travel is not None and travel.is_rotation:
+            travel = None  # the coordinate tells a shorter torque
+        value, ends, sides = self.measured[chosen], (parent, child), (one, other)
+        return Freedom(str(self), chosen, value, ends, sides, travel, is_coordinate=self.opens)
 
     @property
     def point(self) -> Point:
@@ -89,6 +158,11 @@ class PlacedJoint:
     def active(self) -> tuple[Closure, ...]:
         """The conditions that make constraints."""
         return tuple(closure for closure in self.closures if closure.name in self.constraining)
+
+    @property
+    def senses(self) -> Mapping[str, Expr]:
+        """The cosines of angles between axes that its conditions allow to be opposite; empty where it places a link."""
+        return {} if self.opens else self.joint.pair.senses(self.sides)
 
     def description(self) -> str:
         """Return one line: what it joins, its coordinates or its conditions."""
@@ -110,29 +184,19 @@ class PlacedJoint:
         return str(self.joint)
 
 
-def _measured(joint: Joint, sides: Sides, *, opens: bool) -> Expr | None:
-    if opens and len(joint.coordinates) == 1:
-        return joint.coordinates[0]
-    return joint.pair.measured(sides)
-
-
 def _parts(placed: PlacedJoint) -> tuple[Any, ...]:
-    given = [value for value in (*placed.limits, placed.measured) if value is not None]
-    return placed.parent_side, placed.child_side, placed.coordinates, placed.closures, given
+    return placed.parent_side, placed.child_side, placed.coordinates, placed.closures, placed.limits
 
 
 def _rebuilt(placed: PlacedJoint, parts: Sequence[Any]) -> PlacedJoint:
-    parent, child, coordinates, closures, given = parts
-    values = iter(given)
-    low, high, measured = (None if old is None else next(values) for old in (*placed.limits, placed.measured))
+    parent, child, coordinates, closures, limits = parts
     return replace(
         placed,
         parent_side=parent,
         child_side=child,
         coordinates=tuple(coordinates),
         closures=tuple(closures),
-        limits=(low, high),
-        measured=measured,
+        limits=tuple(limits),
     )
 
 

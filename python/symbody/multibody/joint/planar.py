@@ -7,7 +7,8 @@ from symbody.geometry.given.argument import checked
 
 from .axis import Axis, principal
 from .closure import AXES
-from .joint import Angles, Joint, Loop, Part, joined, mounted
+from .joint import Coordinates, Joint, Loop, Part, joined, mounted
+from .limit import LimitsByName
 from .link import Place
 from .pair import SlideAndTurn
 
@@ -21,7 +22,8 @@ def planar(
     at: Place = (0, 0, 0),
     to: Place = (0, 0, 0),
     axis: Axis = "Z",
-    coordinates: Angles = None,
+    coordinates: Coordinates = None,
+    limits: LimitsByName = None,
     loop: Loop = None,
 ) -> Joint:
     """Return a planar joint: the child slides along a plane that is fixed in both bodies, and turns about its normal.
@@ -37,6 +39,7 @@ def planar(
         axis: normal to the plane, in the axes of `at` and `to`.
         coordinates: the two displacements and the angle; ``x_<name>``, ``y_<name>`` and ``phi_<name>`` by default for
             the normal Z.
+        limits: the least and the largest values of coordinates by their names, such as ``{"x": (-1, 1)}``; see `stops`.
         loop: True if it shall close a loop, False if it shall open the tree.
 
     >>> from symbody import Link, assemble, ground, planar, symbols
@@ -47,4 +50,4 @@ def planar(
     mounting = mounted("planar", name, (parent, child), at, to, loop=loop)
     normal = principal(axis, f"planar {name}")
     pair = SlideAndTurn("".join(each for each in AXES if each != normal), normal)
-    return joined("planar", mounting, pair, coordinates)
+    return joined("planar", mounting, pair, coordinates, limits)

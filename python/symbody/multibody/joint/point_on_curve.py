@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
 from itertools import pairwise
 from typing import Annotated, TypeAlias, final
 
-from symbody.errors import JointError
+from symbody.errors import ExpressionError, JointError, ParameterError
 from symbody.geometry import Frame, Scalar, rotate, translate
 from symbody.geometry.component.triple import NULL, Triple, triple
 from symbody.geometry.given.argument import checked
@@ -15,9 +16,11 @@ from symbody.symbolic.given.arguments import brief
 
 from .axis import Axis
 from .closure import AXES, Closure, Sides
-from .joint import Angles, Joint, Loop, Part, joined, mounted
+from .joint import Coordinates, Joint, Loop, Part, joined, mounted
+from .joint_angle import angles, turning_axis
+from .limit import LimitsByName
 from .link import Place
-from .pair import ANGLES, Pair, held_turns
+from .pair import ANGLES, Pair, Travel, held_senses, held_turns, turns_back
 
 Curve: TypeAlias = Annotated[
     Callable[[Expr], Sequence[Scalar]],
@@ -35,7 +38,8 @@ def point_on_curve(
     at: Place = (0, 0, 0),
     to: Place = (0, 0, 0),
     axes: Axis = "ZYX",
-    coordinates: Angles = None,
+    coordinates: Coordinates = None,
+    limits: LimitsByName = None,
     loop: Loop = None,
 ) -> Joint:
     """Return a point on a curve: a point of the child moves along a curve that is fixed in the parent.
@@ -54,6 +58,7 @@ def point_on_curve(
         axes: about which the child turns, each carried by those before: three letters of a ball; one of a pin in the
             plane across it; none of a bead whose turning doesn't matter, which then stays parallel to `at`.
         coordinates: the parameter, and the angles; ``s_<name>``, ``psi_<name>``, ... by default.
+        limits: the least and the largest values of coordinates by their names, such as ``{"s": (0, 1)}``; see `stops`.
         loop: True if it shall close a loop, False if it shall open the tree.
 
     >>> from symbody import Link, assemble, ground, point_on_curve, symbols
@@ -69,17 +74,33 @@ def point_on_curve(
             f"{where}: unknown axes {axes!r}; expected none to three letters of X, Y and Z of which neighbours differ"
         )
     mounting = mounted("point_on_curve", name, (parent, child), at, to, loop=loop)
-    joint = joined("point_on_curve", mounting, Track(letters), coordinates)
+    joint = joined("point_on_curve", mounting, Track(letters), coordinates, limits)
     parameter = joint.coordinates[0]
     given: object = curve
-    place = given(parameter) if callable(given) else given
+    place = _point_of(where, given, parameter) if callable(given) else given
     if not callable(given) or not isinstance(place, Sequence) or len(place) != 3:
         raise JointError(
             f"{where}: the curve {'gives' if callable(given) else 'is'} {brief(place)}; expected a function from the "
             "parameter to three coordinates, such as lambda s: (s, a*s**2, 0)"
         )
     track = Track(letters, triple(*place), parameter)
-    return Joint(joint.kind, mounting, track, joint.coordinates, joint.are_given)
+    return replace(joint, pair=track)
+
+
+def _point_of(where: str, curve: Callable[..., object], parameter: Expr) -> object:
+    """Return the point of a curve at a symbol.
+
+    Raises:
+        JointError: the function takes no parameter, or computes with numbers alone.
+    """
+    try:
+        place = curve(parameter)
+        return triple(*place) if isinstance(place, Sequence) and len(place) == 3 else place
+    except (TypeError, ExpressionError, ParameterError) as fault:
+        raise JointError(
+            f"{where}: the curve fails at {parameter}: {fault}; expected a function of one parameter that takes "
+            "symbols, such as lambda s: (s, symbody.sin(s), 0), with sin of symbody, not of math or numpy"
+        ) from fault
 
 
 @final
@@ -97,6 +118,15 @@ class Track(Pair):
             frame = frame * rotate(axis, angle)
         return frame
 
+    def measured(self, sides: Sides) -> Mapping[str, Expr]:
+        return dict(zip(self.names, (*self.keeps, *angles(self.turns, sides.entry)), strict=True))
+
+    def travel(self, sides: Sides, name: str) -> Travel | None:
+        if name == "s":
+            return None
+        axis = turning_axis(sides, self.turns, self.names.index(name) - 1)
+        return Travel(axis, is_rotation=True, jumps=not turns_back(self.turns, name))
+
     def closures(self, sides: Sides) -> tuple[Closure, ...]:
         null = sides.of_parent(0) * 0
         held = (
@@ -104,3 +134,6 @@ class Track(Pair):
             for k, place in enumerate(self.place)
         )
         return *held, *held_turns(sides, self.turns)
+
+    def senses(self, sides: Sides) -> Mapping[str, Expr]:
+        return held_senses(sides, self.turns)

@@ -20,8 +20,13 @@ from .pair import Pair
 _EULER = ("e0", "e1", "e2", "e3")
 
 
-def check_own_coordinates(where: str, given: Sequence[Scalar] | None) -> None:
-    """Raise an error for coordinates beside a quaternion."""
+def check_own_coordinates(where: str, given: Sequence[Scalar] | None, axes: str | None) -> None:
+    """Raise an error for coordinates, or axes of Euler angles, beside a quaternion."""
+    if axes is not None:
+        raise JointError(
+            f"{where}: quaternion=True and axes={axes!r}; a quaternion has no axes of Euler angles: leave one of "
+            "both out"
+        )
     if given is not None:
         raise JointError(
             f"{where}: quaternion=True and {counted(len(given), 'coordinate')}; the Euler parameters have names of "

@@ -4,12 +4,11 @@ from __future__ import annotations
 
 from symbody.errors import JointError
 from symbody.geometry import Scalar
-from symbody.geometry.component.triple import expression
 from symbody.geometry.given.argument import checked
 
 from .gear import Coupled
 from .joint import Joint
-from .mesh import Mesh, check_coupled, coupling
+from .mesh import Mesh, check_coupled, coupling, pitch_radius
 
 
 @checked(JointError)
@@ -34,7 +33,4 @@ def rack(name: str, pinion: Coupled, bar: Coupled, radius: Scalar) -> Joint:
     """
     where = f"rack {name}"
     check_coupled(where, pinion, bar, ("revolute", "prismatic"))
-    r = expression(radius)
-    if r.depends_on_time or (r.is_number and float(r) <= 0):
-        raise JointError(f"{where}: the radius {r}; expected a positive constant")
-    return coupling("rack", name, Mesh(pinion, bar, (r,)))
+    return coupling("rack", name, Mesh(pinion, bar, (pitch_radius(where, radius),)))

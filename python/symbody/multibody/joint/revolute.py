@@ -6,7 +6,8 @@ from symbody.errors import JointError
 from symbody.geometry.given.argument import checked
 
 from .axis import Axis, principal
-from .joint import Coordinate, Joint, Limits, Loop, Part, joined, mounted
+from .joint import Coordinate, Joint, Loop, Part, joined, mounted
+from .limit import Limits
 from .link import Place
 from .pair import SlideAndTurn
 

@@ -12,7 +12,8 @@ from symbody.geometry.given.argument import checked
 from symbody.symbolic import Expr, number, sqrt, time_derivatives
 
 from .closure import Closure, Sides
-from .joint import Angles, Joint, Loop, Part, joined, mounted
+from .joint import Coordinates, Joint, Loop, Part, joined, mounted
+from .limit import LimitsByName
 from .link import Place
 from .pair import Pair
 
@@ -27,7 +28,8 @@ def rolling(
     crown: Scalar = 0,
     at: Place = (0, 0, 0),
     to: Place = (0, 0, 0),
-    coordinates: Angles = None,
+    coordinates: Coordinates = None,
+    limits: LimitsByName = None,
     loop: Loop = None,
 ) -> Joint:
     """Return rolling without slip: a wheel whose axis is the y axis of `to` rolls on the plane z = 0 of `at`.
@@ -48,6 +50,8 @@ def rolling(
         coordinates: along x and y, the heading about z, the lean about the heading, and the spin; ``x_<name>``,
             ``y_<name>``, ``psi_<name>``, ``theta_<name>`` and ``phi_<name>`` by default. With a crown, x and y are
             those of the centre of the cross-section.
+        limits: the least and the largest values of coordinates by their names, such as ``{"theta": (-1.5, 1.5)}``; see
+            `stops`.
         loop: True if it shall close a loop, False if it shall open the tree.
 
     >>> from symbody import Link, assemble, ground, rolling, symbols
@@ -65,7 +69,7 @@ def rolling(
     if sizes[0].is_zero:
         raise JointError(f"{where}: radius = 0; expected the distance from the wheel's centre to the contact")
     mounting = mounted("rolling", name, (parent, child), at, to, loop=loop)
-    return joined("rolling", mounting, Contact(sizes[0] - sizes[1], sizes[1]), coordinates)
+    return joined("rolling", mounting, Contact(sizes[0] - sizes[1], sizes[1]), coordinates, limits)
 
 
 @final

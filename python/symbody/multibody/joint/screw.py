@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import final
 
 from symbody.errors import JointError
@@ -13,9 +13,10 @@ from symbody.symbolic import Expr, cos, sin
 
 from .axis import Axis, principal
 from .closure import AXES, Closure, Sides, along
-from .joint import Coordinate, Joint, Limits, Loop, Part, joined, mounted
+from .joint import Coordinate, Joint, Loop, Part, joined, mounted
+from .limit import Limits
 from .link import Place
-from .pair import Pair, held_turns
+from .pair import Pair, Travel, held_senses, held_turns
 
 
 @checked(JointError)
@@ -89,5 +90,17 @@ class Thread(Pair):
         thread = Closure("thread", condition, sides.point, e, -self.pitch * e)
         return along(sides, i), along(sides, j), thread, *held_turns(sides, self.axis)
 
-    def measured(self, sides: Sides) -> Expr | None:
-        return sides.gap.components[AXES.index(self.axis)] / self.pitch
+    def senses(self, sides: Sides) -> Mapping[str, Expr]:
+        """Return that of the axis, and ``cos(d/h - phi)``: the sine is zero also half a turn away from the thread."""
+        k = AXES.index(self.axis)
+        i, j = (k + 1) % 3, (k + 2) % 3
+        turn = sides.gap.components[k] / self.pitch
+        across = cos(turn) * sides.entry(i, i) + sin(turn) * sides.entry(j, i)
+        return {**held_senses(sides, self.axis), AXES[i].lower(): across}
+
+    def measured(self, sides: Sides) -> Mapping[str, Expr]:
+        return {"phi": sides.gap.components[AXES.index(self.axis)] / self.pitch}
+
+    def travel(self, sides: Sides, name: str) -> Travel | None:
+        del name
+        return Travel(sides.of_parent(AXES.index(self.axis)), is_rotation=True)

@@ -11,7 +11,6 @@ from symbody.symbolic.given.arguments import brief
 
 from .joint import Joint
 from .link import Link
-from .mesh import Mesh
 
 __all__ = ["Branch", "spanning_tree"]
 
@@ -109,7 +108,7 @@ def _check_reach(joints: Iterable[Joint], branches: Iterable[Branch]) -> None:
     lost = next((link for link in links if link not in reached), None)
     if lost is None:
         return
-    cut = [str(joint) for joint in joints if joint.mounting.loop is True and not isinstance(joint.pair, Mesh)]
+    cut = [str(joint) for joint in joints if joint.mounting.loop is True and not joint.pair.coupled]
     by_hand = f"; loop=True of {brief(', '.join(cut))} may be what cuts it off" if cut else ""
     raise JointError(
         f"assemble: no joints lead from a frame to the link {lost}{by_hand}; add one, such as "

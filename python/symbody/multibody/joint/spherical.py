@@ -6,7 +6,8 @@ from symbody.errors import JointError
 from symbody.geometry.given.argument import checked
 
 from .axis import Axis, sequence
-from .joint import Angles, Joint, Loop, Part, joined, mounted
+from .joint import Coordinates, Joint, Loop, Part, joined, mounted
+from .limit import CONE, LimitsByName
 from .link import Place
 from .pair import Pair, SlideAndTurn
 from .quaternion import Ball, check_own_coordinates
@@ -20,8 +21,9 @@ def spherical(
     *,
     at: Place = (0, 0, 0),
     to: Place = (0, 0, 0),
-    axes: Axis = "ZYX",
-    coordinates: Angles = None,
+    axes: Axis | None = None,
+    coordinates: Coordinates = None,
+    limits: LimitsByName = None,
     quaternion: bool = False,
     loop: Loop = None,
 ) -> Joint:
@@ -36,10 +38,12 @@ def spherical(
         child: a link; or a frame, if the parent is a link.
         at: where the joint is on the parent, in the parent's axes: a point, or a frame there.
         to: where it is on the child, in the child's axes.
-        axes: of the Euler angles, each carried by those before.
+        axes: of the Euler angles, each carried by those before; "ZYX" by default.
         coordinates: the Euler angles; ``psi_<name>``, ``theta_<name>`` and ``phi_<name>`` by default.
         quaternion: whether Euler parameters ``e0_<name>``, ... are the coordinates, and the angular velocity
             ``p_<name>``, ``q_<name>``, ``r_<name>`` in the axes of the child the speeds.
+        limits: the least and the largest values by names, such as ``{"cone": (None, 0.5)}``; see `stops`. The cone is
+            the angle between the z axes of `at` and `to`; the other names are those of the Euler angles.
         loop: True if it shall close a loop, False if it shall open the tree.
 
     >>> from symbody import Link, assemble, ground, spherical
@@ -47,9 +51,10 @@ def spherical(
     (psi_O, theta_O, phi_O)
     """
     mounting = mounted("spherical", name, (parent, child), at, to, loop=loop)
-    letters = sequence(axes, f"spherical {name}", 3)
+    letters = sequence("ZYX" if axes is None else axes, f"spherical {name}", 3)
     if not quaternion:
-        return joined("spherical", mounting, SlideAndTurn(turns=letters), coordinates)
-    check_own_coordinates(f"spherical {name}", coordinates)
+        pair = SlideAndTurn(turns=letters)
+        return joined("spherical", mounting, pair, coordinates, limits, limited=(*pair.names, CONE))
+    check_own_coordinates(f"spherical {name}", coordinates, axes)
     ball: Pair = Ball(name)
-    return joined("spherical", mounting, ball)
+    return joined("spherical", mounting, ball, limits=limits, limited=[CONE])

@@ -6,7 +6,8 @@ from symbody.errors import JointError
 from symbody.geometry.given.argument import checked
 
 from .axis import Axis, sequence
-from .joint import Angles, Joint, Loop, Part, joined, mounted
+from .joint import Coordinates, Joint, Loop, Part, joined, mounted
+from .limit import LimitsByName
 from .link import Place
 from .pair import SlideAndTurn
 
@@ -20,7 +21,8 @@ def universal(
     at: Place = (0, 0, 0),
     to: Place = (0, 0, 0),
     axes: Axis = "XY",
-    coordinates: Angles = None,
+    coordinates: Coordinates = None,
+    limits: LimitsByName = None,
     loop: Loop = None,
 ) -> Joint:
     """Return a universal joint: the child turns about an axis of the parent, and about one of its own across it.
@@ -35,6 +37,8 @@ def universal(
         to: where it is on the child, in the child's axes.
         axes: the one of the parent, then that of the child.
         coordinates: the angles about them; ``phi_<name>`` and ``theta_<name>`` by default.
+        limits: the least and the largest values of coordinates by their names, such as ``{"phi": (-1, 1)}``; see
+            `stops`.
         loop: True if it shall close a loop, False if it shall open the tree.
 
     >>> from symbody import Link, assemble, ground, universal
@@ -43,4 +47,4 @@ def universal(
     """
     mounting = mounted("universal", name, (parent, child), at, to, loop=loop)
     pair = SlideAndTurn(turns=sequence(axes, f"universal {name}", 2))
-    return joined("universal", mounting, pair, coordinates)
+    return joined("universal", mounting, pair, coordinates, limits)

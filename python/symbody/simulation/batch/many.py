@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-import warnings
 from collections.abc import Iterator, Mapping, Sequence
 from concurrent.futures import Executor
 from dataclasses import dataclass, field
@@ -15,7 +14,7 @@ from time import monotonic
 from numpy.typing import ArrayLike
 
 from symbody.dynamics import Equations
-from symbody.errors import ArgumentError, ModelNotice, ResultsError, SimulationError
+from symbody.errors import ArgumentError, ResultsError, SimulationError, notify
 from symbody.simulation.batch.case_arrays import Results
 from symbody.simulation.given.event import Event
 from symbody.simulation.integrate.notices import notices_of_batch
@@ -24,7 +23,7 @@ from symbody.simulation.integrate.task_of import task_of, warn_of_odd_values
 from symbody.simulation.terminal.interruption import Interruption
 from symbody.simulation.terminal.progress import progress_bar
 from symbody.symbolic import Expr, ExprLike
-from symbody.symbolic.given.arguments import described
+from symbody.symbolic.given.arguments import described, with_known_names
 
 from .case_check import check_cases
 from .cases import PLACE, Cases, Values, cases_of
@@ -43,6 +42,7 @@ SAVE_PAUSE = 20.0
 """The shortest pause between saves, in units of the time that a save takes."""
 
 
+@with_known_names
 def simulate_many(
     eqs: Equations,
     parameters: Values | None = None,
@@ -140,7 +140,7 @@ def _warn(runs: Runs, *notices: str) -> None:
     """Warn of what is not empty, and of what the cases have found."""
     texts = [PREFIX + notice.removeprefix(PREFIX) for notice in notices if notice]
     for text in (*texts, *notices_of_batch(runs.findings, PLACE)):
-        warnings.warn(ModelNotice(text), stacklevel=3)
+        notify(text)
 
 
 def _checked(executor: object, threads: object, path: object) -> tuple[Executor | None, int]:

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import warnings
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
@@ -11,7 +10,7 @@ from typing import NoReturn
 import numpy as np
 from numpy.typing import NDArray
 
-from symbody.errors import ArgumentError, ModelNotice, ParameterError
+from symbody.errors import ArgumentError, ParameterError, notify
 from symbody.multibody import Variables
 from symbody.simulation.batch.case_arrays import Results, Status
 from symbody.simulation.integrate.integrated import Integrated
@@ -161,7 +160,7 @@ class Runs:
         if others:
             values[others], findings = self._explained([wanted[row] for row in others])
             for notice in notices_of_batch(findings, place):
-                warnings.warn(notice, ModelNotice, stacklevel=3)
+                notify(notice)
         return values
 
     def _explained(self, wanted: list[Expr]) -> tuple[Array, list[tuple[Finding, ...]]]:

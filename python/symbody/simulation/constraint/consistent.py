@@ -2,18 +2,18 @@
 
 from __future__ import annotations
 
-import warnings
 from collections.abc import Mapping
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from symbody.dynamics import Equations
-from symbody.errors import ConstraintError, ModelNotice
+from symbody.errors import ConstraintError, notify
 from symbody.simulation.given.unused import warn_of_unused
 from symbody.simulation.given.values import check_equations, parameter_values, state_values
 from symbody.simulation.model.named_constraint import named_constraints
 from symbody.symbolic import Expr, ExprLike, number
+from symbody.symbolic.given.arguments import with_known_names
 from symbody.symbolic.numeric.deficiency import reporting
 
 from .consistent_position import positions
@@ -26,6 +26,7 @@ __all__ = ["consistent_state", "solved_state"]
 _WHERE = "consistent_state"
 
 
+@with_known_names
 def consistent_state(
     eqs: Equations,
     parameters: Mapping[Expr, ArrayLike] | None,
@@ -72,7 +73,7 @@ def consistent_state(
         state = solved_state(kinematics, parameters, initial, guess, t)
     notice = _notice(kinematics, parameters, state, t)
     if notice:
-        warnings.warn(f"{_WHERE}: {notice}", ModelNotice, stacklevel=2)
+        notify(f"{_WHERE}: {notice}")
     warn_of_unused(eqs, parameters or {}, [number(value) for value in (inputs or {}).values()], _WHERE)
     return state
 

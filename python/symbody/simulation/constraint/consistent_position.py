@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from symbody.errors import ConstraintError
+from symbody.multibody import Variables
 from symbody.simulation.model.named_constraint import named_constraint
 from symbody.symbolic import Expr
 
@@ -16,6 +17,8 @@ from .contradiction import contradiction_between, contradictory_equations
 from .gauss_newton import gauss_newton
 from .kinematics import Kinematics, neutral_position
 from .least_norm import least_norm
+from .open_loop import open_joints
+from .opposite_axes import check_senses
 
 __all__ = ["EXACT", "ROUNDED", "Positions", "listed_values", "positions", "starting_points", "term_sizes"]
 
@@ -82,7 +85,9 @@ def positions(
     guess: Mapping[Expr, float],
     where: str = "consistent_state",
 ) -> Array:
-    """Return the coordinates, shape (n_q,): the fixed values, and the smallest change of the others from their guess.
+    """Return the coordinates, shape (n_q,), at which all joints are closed with the right sense.
+
+    They are the fixed values, and the smallest change of the others from their guess.
 
     Args:
         kinematics: the constraints.
@@ -93,7 +98,33 @@ def positions(
         where: the function that the user called, for messages.
 
     Raises:
-        ConstraintError: no position was found that satisfies the constraints.
+        ConstraintError: no position was found that satisfies the constraints, or the sides of a joint are turned there.
+    """
+    q = _closed(kinematics, p, t, fixed, guess, where)
+    check_senses(kinematics, p, t, q, where)
+    return q
+
+
+def _closed(
+    kinematics: Kinematics,
+    p: Array,
+    t: float,
+    fixed: Mapping[Expr, float],
+    guess: Mapping[Expr, float],
+    where: str,
+) -> Array:
+    """Return a position that satisfies the constraints.
+
+    Args:
+        kinematics: the constraints.
+        p: the values of their parameters.
+        t: the time, in s.
+        fixed: the values of fixed coordinates.
+        guess: the values near which the others should be.
+        where: the function that the user called, for messages.
+
+    Raises:
+        ConstraintError: none was found.
     """
     coordinates = kinematics.system.coordinates
     neutral = neutral_position(kinematics.system)
@@ -176,14 +207,21 @@ def _unsatisfied(kinematics: Kinematics, p: Array, t: float, q: Array, fixed: Ma
         contradictory_equations(phi_q, phi, term_sizes(q, phi_q, sizes)) if np.isfinite(phi_q).all() else ()
     )
     named = [name for name in system.coordinates if name in fixed]
+    agreed = _agreed(kinematics, p, t, q) if named and against else None
+    if agreed is not None:
+        near = listed_values(named, dict(zip(system.coordinates, agreed, strict=True)))
+        return (
+            f"the given coordinates, {listed_values(named, fixed)}, don't satisfy the constraints at t = {t:g} s; "
+            f"values that do: {near}; give these, or the coordinates as a guess, so that they are solved for"
+        )
+    opened = _open_loop(system, phi, sizes) if against or not named else ""
+    if opened:
+        nearest = listed_values(system.coordinates, dict(zip(system.coordinates, q, strict=True)))
+        return (
+            f"no position was found that closes the loop at t = {t:g} s: at the nearest one, {nearest}, {opened}; "
+            "correct the dimensions, or give a guess={coordinate: value} near a closed position"
+        )
     if against:
-        agreed = _agreed(kinematics, p, t, q) if named else None
-        if agreed is not None:
-            near = listed_values(named, dict(zip(system.coordinates, agreed, strict=True)))
-            return (
-                f"the given coordinates, {listed_values(named, fixed)}, don't satisfy the constraints at t = {t:g} s; "
-                f"values that do: {near}; give these, or the coordinates as a guess, so that they are solved for"
-            )
         rows = [system.holonomic[row] for row in against]
         return f"at t = {t:g} s {contradiction_between(system.conditions, rows)}"
     left = [
@@ -206,6 +244,15 @@ def _unsatisfied(kinematics: Kinematics, p: Array, t: float, q: Array, fixed: Ma
         f"no coordinates were found {what} that satisfy the constraints at t = {t:g} s; nearest, at "
         f"{nearest}: {found}; give fewer or other values, or a guess={{coordinate: value}} near a solution"
     )
+
+
+def _open_loop(system: Variables, phi: Array, sizes: Array) -> str:
+    """Return which joints stay open, by the values of the constraints on positions."""
+    values = zip(system.holonomic, phi, sizes, strict=True)
+    violated = {
+        system.conditions[k].name: float(value) for k, value, size in values if not abs(value) <= EXACT * size
+    }
+    return open_joints(system, violated)
 
 
 def _agreed(kinematics: Kinematics, p: Array, t: float, q: Array) -> Array | None:

@@ -100,6 +100,16 @@ class Kinematics:
         """The constraints on the level of velocities, ``A u + b``."""
         return self._velocities[: len(self.constraints)]
 
+    @property
+    def coordinate_rates(self) -> tuple[Expr, ...]:
+        """The rates of the coordinates, ``K u + k``."""
+        return self._velocities[len(self.constraints) :]
+
+    @property
+    def eliminated_values(self) -> tuple[Expr, ...]:
+        """The expressions of the eliminated speeds, ``D u + d``."""
+        return self._with_inputs(self.system.eliminated[u] for u in self.eliminated)
+
     @cached_property
     def _drifts(self) -> tuple[Expr, ...]:
         """B of ``A u + b``, symbolically."""

@@ -1,11 +1,11 @@
-"""Linear equations of any rank: the least-squares solution of minimum norm, and the null space."""
+"""Linear equations of any rank: the least-squares solution of minimum norm, the pseudoinverse, and the null space."""
 
 from __future__ import annotations
 
 import numpy as np
 from numpy.typing import NDArray
 
-__all__ = ["least_norm", "least_norm_many"]
+__all__ = ["RANK", "inverse_and_kernel", "least_norm", "least_norm_many"]
 
 Array = NDArray[np.float64]
 
@@ -18,14 +18,23 @@ def least_norm(A: Array, b: Array) -> tuple[Array, Array]:
 
     Rows are scaled by their largest entries before the rank is determined: they may have different units.
     """
+    inverse, kernel = inverse_and_kernel(A)
+    return inverse @ b, kernel
+
+
+def inverse_and_kernel(A: Array) -> tuple[Array, Array]:
+    """Return the pseudoinverse A^+, (columns, rows), and a basis of the null space of A as columns.
+
+    Both are of one decomposition, and so of one rank, of A with scaled rows, as in `least_norm`.
+    """
     rows, columns = A.shape
     if rows == 0 or columns == 0:
-        return np.zeros(columns), np.eye(columns)
+        return np.zeros((columns, rows)), np.eye(columns)
     size = _row_sizes(A)
     U, s, Vt = np.linalg.svd(A / size)
     rank = int(np.sum(s > RANK * s.max(initial=0.0)))
-    x: Array = Vt[:rank].T @ ((U[:, :rank].T @ (b / size[:, 0])) / s[:rank])
-    return x, Vt[rank:].T
+    inverse: Array = Vt[:rank].T @ (U[:, :rank].T / s[:rank, None] / size[:, 0])
+    return inverse, Vt[rank:].T
 
 
 def least_norm_many(A: Array, b: Array) -> tuple[Array, Array]:

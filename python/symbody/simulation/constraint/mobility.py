@@ -16,7 +16,7 @@ from symbody.simulation.given.wording import joined_by_and
 from symbody.simulation.model.named_constraint import named_constraints
 from symbody.symbolic import Expr, ExprLike, Matrix, number
 from symbody.symbolic.expression.html_table import html_table
-from symbody.symbolic.given.arguments import counted
+from symbody.symbolic.given.arguments import counted, with_known_names
 
 from .consistent_position import positions
 from .kinematics import Kinematics
@@ -144,6 +144,7 @@ class Mobility:
         return html_table(str(self).splitlines()[0], ["mobility"], rows)
 
 
+@with_known_names
 def mobility(
     system: System,
     parameters: Mapping[Expr, ArrayLike] | None = None,

@@ -20,6 +20,7 @@ from symbody.simulation.given.values import parameter_values, state_values
 from symbody.simulation.given.wording import joined_by_and
 from symbody.simulation.model.named_constraint import briefly_named
 from symbody.symbolic import Expr, ExprLike, number
+from symbody.symbolic.given.arguments import with_known_names
 from symbody.symbolic.numeric.deficiency import noting, reporting
 
 from .consistent_position import positions
@@ -137,6 +138,7 @@ def _either(rows: Sequence[int]) -> str:
     return " or ".join(filter(None, [", ".join(names[:-1]), names[-1]]))
 
 
+@with_known_names
 def redundant_constraints(
     system: Variables,
     parameters: Mapping[Expr, ArrayLike] | None = None,

@@ -23,8 +23,9 @@ def stops(equations: Equations) -> list[Event]:
     """Return an event for each limit of a joint, which ends the motion there: ``simulate(..., events=stops(eqs))``.
 
     Limits are knowledge about a mechanism, and no forces: a motion without these events passes them, and a notice
-    reports it. An event is called after its joint, ``A.lower`` or ``A.upper``. The angle of a revolute joint that
-    closes a loop counts from -pi to pi.
+    reports it. An event is called after its joint, ``A.lower`` or ``A.upper``; if the joint has several coordinates,
+    after one of them as well, ``A.phi.lower``. Angles of joints that close loops count all turns in a plane mechanism;
+    in space they are known up to whole turns, and are counted from the middle of the limits.
 
     Args:
         equations: those of a system that `assemble` made.
@@ -41,15 +42,12 @@ def stops(equations: Equations) -> list[Event]:
     """
     system = equations.system
     joints: tuple[PlacedJoint, ...] = system.joints if isinstance(system, System) else ()
-    found = []
-    for joint in joints:
-        low, high = joint.limits
-        if joint.measured is None:
-            continue
-        if low is not None:
-            found.append(Event(joint.measured - low, -1, terminal=True, name=f"{joint.name}.lower"))
-        if high is not None:
-            found.append(Event(joint.measured - high, 1, terminal=True, name=f"{joint.name}.upper"))
+    found = [
+        Event(excess, 1, terminal=True, name=f"{joint.label(limit)}.{side}")
+        for joint in joints
+        for limit in joint.limits
+        for side, excess in limit.excesses.items()
+    ]
     if not found:
         raise SimulationError(
             f"stops: no joint of {brief(system)} has a limit; give limits to joints, such as "

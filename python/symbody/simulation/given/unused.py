@@ -2,21 +2,18 @@
 
 from __future__ import annotations
 
-import warnings
 from collections.abc import Iterable, Sequence
 from difflib import get_close_matches
 
 from symbody.dynamics import Equations
-from symbody.errors import ModelNotice
+from symbody.errors import notify
 from symbody.symbolic import Expr, free_symbols
 from symbody.symbolic.given.namesake import namesake_note
 
 __all__ = ["warn_of_unused"]
 
 
-def warn_of_unused(
-    eqs: Equations, given: Iterable[Expr], wanted: Sequence[Expr], where: str, *, stacklevel: int = 3
-) -> None:
+def warn_of_unused(eqs: Equations, given: Iterable[Expr], wanted: Sequence[Expr], where: str) -> None:
     """Warn of parameters that have a value but appear neither in the model nor in what is evaluated.
 
     One dictionary of parameters may serve all calls for a model. A parameter that this call does not need, such as a
@@ -27,7 +24,6 @@ def warn_of_unused(
         given: the parameters that have values.
         wanted: the other expressions: outputs, events, and the expressions given for inputs.
         where: the function that the user called, for messages.
-        stacklevel: how many frames above this function the user's call is.
     """
     known = {*eqs.parameters, *eqs.system.leaves, *free_symbols(list(wanted))}
     strange = {*given} - known
@@ -44,9 +40,7 @@ def warn_of_unused(
         else ("parameters", "do", "their values have")
     )
     meant = f"; did you mean {' or '.join(near)}?" if near else ""
-    warnings.warn(
+    notify(
         f"{where}: the {what} {', '.join(unused)} {does} not occur in this model or in outputs, events and inputs: "
-        f"{effect} no effect{meant}{different}",
-        ModelNotice,
-        stacklevel=stacklevel,
+        f"{effect} no effect{meant}{different}"
     )

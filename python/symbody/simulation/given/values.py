@@ -298,7 +298,7 @@ def _near(name: object, known: Sequence[Expr]) -> str:
     if not names:
         return "there are none: leave it out"
     if not isinstance(name, Expr) and str(name) in names:
-        return f"expected the variable itself as a key: {{{name}: ...}}"
+        return f"expected the variable itself, {name}, and not its name"
     if near:
         return f"did you mean {' or '.join(near)}?"
     return f"expected one of {_listed(known)}"

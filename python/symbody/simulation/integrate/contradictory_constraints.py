@@ -23,12 +23,13 @@ from symbody.simulation.constraint.contradiction import (
     cancelling_combinations,
     contradiction_between,
 )
-from symbody.simulation.constraint.kinematics import Kinematics, kinematics_of
+from symbody.simulation.constraint.kinematics import Kinematics
 from symbody.simulation.constraint.least_norm import least_norm
 from symbody.simulation.model.model import Model
 from symbody.symbolic import Expr
 from symbody.symbolic.numeric.deficiency import Deficiency
 
+from .kinematics_at import kinematics_at
 from .massless_speeds import unbalanced_speeds
 from .outcome import Failure, FailureKind, Outcome
 
@@ -102,10 +103,8 @@ def _contradiction(
         state: coordinates, speeds and states, shape (model.state,).
         are_speeds_noted: whether the linear solver reported equations of speeds.
     """
-    kinematics = kinematics_of(model.equations, dict(model.inputs))
-    p = np.array([parameters[name] for name in kinematics.parameters])
+    kinematics, p = kinematics_at(model, parameters, state)
     mechanical = len(model.coordinates) + len(model.speeds)
-    kinematics = kinematics.beside(state[mechanical : mechanical + len(model.states)])
     rows = contradictory_constraints(kinematics, p, t, state[:mechanical], span)
     if rows:
         return contradiction_between(model.system.conditions, rows)

@@ -14,6 +14,7 @@ from symbody.symbolic import Expr
 from .contradictory_constraints import with_contradictions
 from .outcome import Outcome
 from .task import Columns, KeepGoing, Task
+from .with_sensitivities import with_sensitivities
 
 __all__ = ["Integrated", "run_motions"]
 
@@ -48,13 +49,15 @@ def run_motions(
         keep_going: called from time to time with the number of finished motions; False ends all of them.
     """
     columns = _with_damping(task, parameters, states)
-    outcomes = task.integrate(columns, states, threads, keep_going) if len(states) else ()
+    sized = _with_sizes(task, columns, len(states))
+    outcomes = task.integrate(sized, states, threads, keep_going) if len(states) else ()
     for case, outcome in enumerate(outcomes):
         if outcome is None:
             yield None
             continue
         values = _values_of(columns, case)
-        yield Integrated(task, values, with_contradictions(outcome, task.model, values, task.instants))
+        own = outcome if task.variation is None else with_sensitivities(outcome, task, task.variation, values)
+        yield Integrated(task, values, with_contradictions(own, task.model, values, task.instants))
 
 
 def _with_damping(task: Task, parameters: Columns, states: Array) -> Columns:
@@ -63,6 +66,15 @@ def _with_damping(task: Task, parameters: Columns, states: Array) -> Columns:
         return parameters
     chosen = [task.damping_of(_values_of(parameters, case), state) for case, state in enumerate(states)]
     return {**parameters, **{name: np.array([damping[name] for damping in chosen]) for name in DAMPING}}
+
+
+def _with_sizes(task: Task, parameters: Columns, cases: int) -> Columns:
+    """Return the parameters, with the sizes of those by which the state is differentiated."""
+    variation = task.variation
+    if variation is None:
+        return parameters
+    rows = np.array([variation.size_values(_values_of(parameters, case)) for case in range(cases)])
+    return {**parameters, **dict(zip(variation.sizes, rows.T, strict=True))}
 
 
 def _values_of(parameters: Columns, case: int) -> dict[Expr, float]:

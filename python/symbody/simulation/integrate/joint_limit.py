@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from symbody.codegen import lambdify
 from symbody.symbolic import Expr, free_symbols, t
@@ -13,12 +14,21 @@ from symbody.symbolic import Expr, free_symbols, t
 from .integrated import Integrated
 
 if TYPE_CHECKING:
+    from symbody.multibody.joint.limit import Limit
     from symbody.multibody.joint.placed_joint import PlacedJoint
 
-__all__ = ["Passed", "passed_limits", "unknown_limits"]
+__all__ = ["Passed", "passed_limits", "strange_limits", "unknown_limits"]
+
+Array = NDArray[np.float64]
 
 LIMIT = 1e-6
 """How far beyond its limit a joint is reported, relative to the largest coordinate; events are located more closely."""
+
+
+_TOO_WIDE = (
+    "are a turn apart or more, and don't tell when it passes them: it closes a loop in space, where its angle is known "
+    "up to whole turns; let another joint close the loop by loop=True"
+)
 
 
 class Passed(NamedTuple):
@@ -29,40 +39,85 @@ class Passed(NamedTuple):
     t: float
 
 
+class _Watched(NamedTuple):
+    """A joint with limits.
+
+    Attributes:
+        joint: the joint, with the coordinate if it has several.
+        limit: the limits.
+        excess: what is positive beyond them, with inputs.
+    """
+
+    joint: str
+    limit: Limit
+    excess: tuple[Expr, ...]
+
+
 def passed_limits(motion: Integrated) -> Iterator[Passed]:
     """Yield the joints that are beyond their limits at some instant of a motion."""
-    model = motion.task.model
-    names = _names(motion)
-    states = np.array(motion.outcome.states)[:, : len(model.coordinates)]
-    instants = motion.task.instants[: len(states)]
-    for joint, excess in _excesses(motion):
-        if free_symbols(list(excess)) <= {*names}:
-            values = lambdify([*names], [*excess])(*states.T, instants, *motion.parameters.values())
-            most = np.max([np.broadcast_to(value, instants.shape) for value in values], axis=0)
+    states, instants = _states(motion)
+    strange = {joint for joint, _ in strange_limits(motion)}
+    for watched in _known(motion):
+        if watched.joint not in strange:
+            most = np.max(_excesses(motion, watched), axis=0)
             beyond = most > LIMIT * (1 + np.abs(states).max(axis=1))
             if beyond.any():
-                yield Passed(joint, float(most.max()), float(instants[np.argmax(beyond)]))
+                yield Passed(watched.joint, float(most.max()), float(instants[np.argmax(beyond)]))
 
 
 def unknown_limits(motion: Integrated) -> Iterator[str]:
     """Yield the joints whose limits hold symbols without a value, with these symbols."""
-    for joint, excess in _excesses(motion):
-        unknown = free_symbols(list(excess)) - {*_names(motion)}
+    for watched in _watched(motion):
+        unknown = free_symbols(list(watched.excess)) - {*_names(motion)}
         if unknown:
-            yield f"{joint} hold {', '.join(sorted(map(str, unknown)))}"
+            yield f"{watched.joint} hold {', '.join(sorted(map(str, unknown)))}"
+
+
+def strange_limits(motion: Integrated) -> Iterator[tuple[str, str]]:
+    """Yield the joints whose limits have values that can't be limits, and what is wrong with these."""
+    for watched in _known(motion):
+        excess = _excesses(motion, watched)
+        if len(excess) < 2:
+            continue
+        width = -float(excess[0][0] + excess[1][0])
+        if width <= 0:
+            yield (
+                watched.joint,
+                "have the least value above the largest one, so that no position is within them",
+            )
+        elif watched.limit.is_within_a_turn and width >= 2 * np.pi:
+            yield watched.joint, _TOO_WIDE
+
+
+def _excesses(motion: Integrated, watched: _Watched) -> list[Array]:
+    """Return how far a joint is beyond its limits at all instants; an angle is followed over its jumps."""
+    states, instants = _states(motion)
+    found = lambdify([*_names(motion)], [*watched.excess])(*states.T, instants, *motion.parameters.values())
+    values = [np.broadcast_to(value, instants.shape) for value in found]
+    return [np.unwrap(value) for value in values] if watched.limit.is_within_a_turn else values
+
+
+def _states(motion: Integrated) -> tuple[Array, Array]:
+    """Return the coordinates at the instants that were reached, and these."""
+    states = np.array(motion.outcome.states)[:, : len(motion.task.model.coordinates)]
+    return states, motion.task.instants[: len(states)]
 
 
 def _names(motion: Integrated) -> tuple[Expr, ...]:
     return *motion.task.model.coordinates, t, *motion.parameters
 
 
-def _excesses(motion: Integrated) -> Iterator[tuple[str, tuple[Expr, ...]]]:
-    """Yield each joint with limits, and what is positive beyond them."""
+def _known(motion: Integrated) -> list[_Watched]:
+    """Return the joints whose limits have values."""
+    names = {*_names(motion)}
+    return [each for each in _watched(motion) if free_symbols(list(each.excess)) <= names]
+
+
+def _watched(motion: Integrated) -> Iterator[_Watched]:
+    """Yield each joint with limits."""
     model = motion.task.model
     joints: tuple[PlacedJoint, ...] = getattr(model.system, "joints", ())
     for joint in joints:
-        value, (low, high) = joint.measured, joint.limits
-        if value is not None and (low, high) != (None, None):
-            below = () if low is None else (low - value,)
-            above = () if high is None else (value - high,)
-            yield str(joint), model.with_inputs((*below, *above))
+        for limit in joint.limits:
+            of = "" if joint.label(limit) == joint.name else f" ({limit.name})"
+            yield _Watched(f"{joint}{of}", limit, model.with_inputs((*limit.excesses.values(),)))

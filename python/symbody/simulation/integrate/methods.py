@@ -25,6 +25,7 @@ def _native(*, is_explicit: bool) -> Method:
         enforces_constraints=True,
         locates_events=True,
         integrates_work=True,
+        integrates_sensitivities=True,
     )
 
 
@@ -66,13 +67,16 @@ def methods_that(can: Callable[[Method], bool]) -> list[str]:
     return [repr(name) for name, method in METHODS.items() if can(method)]
 
 
-def check_abilities(name: str, *, has_events: bool, is_projected: bool, where: str) -> None:
+def check_abilities(
+    name: str, *, has_events: bool, is_projected: bool, has_sensitivities: bool = False, where: str
+) -> None:
     """Check that a method can do what a task needs.
 
     Args:
         name: the method by name.
         has_events: whether there are events to watch.
         is_projected: whether there are constraints, and constraints="projection".
+        has_sensitivities: whether the state is differentiated by parameters.
         where: the function that the user called, for messages.
 
     Raises:
@@ -83,6 +87,12 @@ def check_abilities(name: str, *, has_events: bool, is_projected: bool, where: s
         able = joined_by_and(methods_that(lambda other: other.locates_events), most=len(METHODS))
         raise SimulationError(
             f"{where}, events: method={name!r} doesn't locate events; leave them out, or use a method that does: {able}"
+        )
+    if has_sensitivities and not method.integrates_sensitivities:
+        able = joined_by_and(methods_that(lambda other: other.integrates_sensitivities), most=len(METHODS))
+        raise SimulationError(
+            f"{where}, sensitivities: method={name!r} doesn't integrate them; leave them out, or use a method that "
+            f"does: {able}"
         )
     if is_projected and not method.enforces_constraints:
         able = joined_by_and(methods_that(lambda other: other.enforces_constraints), most=len(METHODS))

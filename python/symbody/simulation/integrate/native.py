@@ -3,15 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Sequence
+from dataclasses import replace
 from functools import partial
 
 import numpy as np
 from numpy.typing import NDArray
 
+from symbody.codegen import PreparedCode
 from symbody.simulation.given.event import Event
 from symbody.simulation.given.options import Options
 from symbody.simulation.given.parameter import parameters_in
 from symbody.simulation.model.model import Model
+from symbody.simulation.model.variation import Variation
 from symbody.symbolic.numeric.deficiency import Deficiency, deficiencies_of, noting
 
 from .outcome import Failure, FailureKind, Outcome, Statistics, with_deficiencies
@@ -34,6 +37,7 @@ def prepare(task: Task, *, needs_jacobian: bool = False) -> Integrate:
         needs_jacobian=needs_jacobian,
         events=task.events,
         trail=task.trail,
+        variation=task.variation,
     )
     problem.native  # noqa: B018 - compiled now
     return partial(_integrate, problem, task.instants, task.options)
@@ -46,6 +50,7 @@ def problem_of(
     needs_jacobian: bool = False,
     events: Sequence[Event] = (),
     trail: int = 0,
+    variation: Variation | None = None,
 ) -> Problem:
     """Return the compiled functions of a model. They are derived here, and compiled when their addresses are read.
 
@@ -55,20 +60,53 @@ def problem_of(
         needs_jacobian: whether the method is implicit.
         events: the events to watch.
         trail: the most states at the ends of steps that are kept.
+        variation: the equations of the sensitivities, if these are integrated.
     """
     watched = model.along_motion([event.expression for event in events])
     others = [name for name in parameters_in(watched) if name not in (*model.parameters, *model.damping)]
     code = model.code(watched, others) if events else None
-    return Problem(
+    corrects = is_projected and bool(model.constraints)
+    plain = Problem(
         width=model.width,
         controlled=len(model.state),
         rates=model.rates_code,
-        jacobian=model.jacobian_code if needs_jacobian else None,
-        corrections=model.correction_codes if is_projected and model.constraints else None,
+        jacobian=model.jacobian_code if needs_jacobian and variation is None else None,
+        corrections=model.correction_codes if corrects else None,
         energies=model.energies_code,
         events=None if code is None else (code, tuple(events)),
         trail=trail,
     )
+    if variation is None:
+        return plain
+    return _with_sensitivities(plain, variation, needs_jacobian=needs_jacobian, corrects=corrects)
+
+
+def _with_sensitivities(
+    plain: Problem, variation: Variation, *, needs_jacobian: bool, corrects: bool
+) -> Problem:
+    """Return the problem whose vector is (x, S, work). S is in the error estimate, as the state x is."""
+    return replace(
+        plain,
+        width=variation.width,
+        controlled=plain.controlled + variation.count,
+        rates=variation.rates_code,
+        jacobian=variation.jacobian_code if needs_jacobian else None,
+        corrections=variation.state_correction_codes if corrects else None,
+        of_sensitivities=(variation.correction_code, plain.controlled) if corrects else None,
+        energies=variation.energies_code,
+        events=_watched(plain, variation),
+    )
+
+
+def _watched(plain: Problem, variation: Variation) -> tuple[PreparedCode, tuple[Event, ...]] | None:
+    """Return the events, and then those at which the rates may jump."""
+    if not variation.switching:
+        return None if plain.events is None else (variation.widened(plain.events[0]), plain.events[1])
+    hidden = tuple(Event(each) for each in variation.switching)
+    if plain.events is None:
+        return variation.code(variation.switching), hidden
+    code = variation.widened(plain.events[0])
+    return replace(code, expressions=(*code.expressions, *variation.switching)), (*plain.events[1], *hidden)
 
 
 def _integrate(

@@ -10,7 +10,7 @@ import numpy as np
 
 from symbody.simulation.constraint.consistent_position import term_sizes
 from symbody.simulation.constraint.dependent_constraints import dependent_constraints, named_dependence
-from symbody.simulation.constraint.kinematics import kinematics_in, kinematics_of
+from symbody.simulation.constraint.kinematics import kinematics_in
 from symbody.simulation.constraint.singular_kinematics import another_choice, singular_kinematics
 from symbody.simulation.constraint.singular_passage import singular_passages
 from symbody.simulation.constraint.singular_position import SINGULAR, is_singular, may_be_singular
@@ -19,8 +19,10 @@ from symbody.simulation.model.model import Model
 from symbody.simulation.model.named_constraint import briefly_named, named_constraints
 from symbody.symbolic.numeric.deficiency import Deficiency, strongest
 
+from .half_turn import half_turns
 from .integrated import Integrated
-from .joint_limit import passed_limits, unknown_limits
+from .joint_limit import passed_limits, strange_limits, unknown_limits
+from .kinematics_at import kinematics_at
 from .methods import DEFAULT, methods_that
 from .outcome import FailureKind
 
@@ -128,9 +130,7 @@ def _singular_start(motion: Integrated) -> Iterable[Finding]:
     state = motion.outcome.states[0][: len(model.state)]
     if not model.constraints:
         return []
-    kinematics = kinematics_of(model.equations, dict(model.inputs))
-    kinematics = kinematics.beside(state[len(state) - len(model.states) :])
-    p = np.array([motion.parameters[name] for name in kinematics.parameters])
+    kinematics, p = kinematics_at(model, motion.parameters, state)
     t, q = float(motion.task.instants[0]), state[: len(model.coordinates)]
     if not may_be_singular(kinematics, p, t, q, model.independent_constraints):
         return []
@@ -145,9 +145,7 @@ def _singular_kinematics(motion: Integrated) -> Iterable[Finding]:
     if not model.system.has_quasi_velocities:
         return []
     state = motion.outcome.states[0][: len(model.state)]
-    kinematics = kinematics_of(model.equations, dict(model.inputs))
-    kinematics = kinematics.beside(state[len(state) - len(model.states) :])
-    p = np.array([motion.parameters[name] for name in kinematics.parameters])
+    kinematics, p = kinematics_at(model, motion.parameters, state)
     t, q = float(motion.task.instants[0]), state[: len(model.coordinates)]
     found = singular_kinematics(kinematics, p, t, q)
     return [Finding("kinematics", f"{found}; {another_choice(kinematics)}")] if found else []
@@ -200,6 +198,19 @@ def _limits(motion: Integrated) -> Iterable[Finding]:
 
 def _unknown_limits(motion: Integrated) -> Iterable[Finding]:
     return [Finding("unlimited", subject) for subject in unknown_limits(motion)]
+
+
+def _strange_limits(motion: Integrated) -> Iterable[Finding]:
+    return [Finding("limits", f"{joint} {fault}") for joint, fault in strange_limits(motion)]
+
+
+def _half_turns(motion: Integrated) -> Iterable[Finding]:
+    return [Finding("half turn", each.load, t=each.t) for each in half_turns(motion)]
+
+
+def _jumps(motion: Integrated) -> Iterable[Finding]:
+    found = motion.outcome.sensitivities
+    return [] if found is None or found.jump is None else [Finding("jump", found.jump[1], t=found.jump[0])]
 
 
 ROWS: dict[str, _Row] = {
@@ -256,6 +267,18 @@ ROWS: dict[str, _Row] = {
     "unlimited": _Row(
         _unknown_limits,
         "the limits of {subject}, which has no value, and were not checked; give it among the parameters",
+    ),
+    "limits": _Row(_strange_limits, "the limits of {subject}"),
+    "half turn": _Row(
+        _half_turns,
+        "{subject} is turned by more than half a turn from its free angle, first at about t = {t:.4g} s, where its "
+        "torque changes to the other side: its joint closes a loop, and tells angles from -pi to pi alone; let another "
+        "joint close the loop by loop=True",
+    ),
+    "jump": _Row(
+        _jumps,
+        "the rates jump at t = {t:.6g} s, where {subject} passes zero, and the sensitivities jump there, too: after it "
+        "they are not known, NaN; replace the jump by a smooth law, such as tanh(v/v0) for sign(v)",
     ),
     "stiff": _Row(
         _stiffness,

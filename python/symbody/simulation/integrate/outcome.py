@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from symbody.symbolic.numeric.deficiency import Deficiency
 
-__all__ = ["Failure", "FailureKind", "Outcome", "Statistics", "with_deficiencies"]
+__all__ = ["Failure", "FailureKind", "Outcome", "Sensitivities", "Statistics", "with_deficiencies"]
 
 
 @dataclass(frozen=True)
@@ -61,6 +61,23 @@ class Failure:
 
 
 @dataclass(frozen=True, eq=False)
+class Sensitivities:
+    """The derivatives of the state by k parameters and initial values.
+
+    Attributes:
+        states: at the N instants that were reached, shape (N, n, k).
+        end: where the motion ended, shape (n, k).
+        occurrences: at the events, shape (events, n, k).
+        jump: the instant after which they are unknown, as the rates jump there, and the function that is zero there.
+    """
+
+    states: NDArray[np.float64]
+    end: NDArray[np.float64]
+    occurrences: NDArray[np.float64]
+    jump: tuple[float, str] | None = None
+
+
+@dataclass(frozen=True, eq=False)
 class Outcome:
     """The outcome of an integration.
 
@@ -76,6 +93,7 @@ class Outcome:
         trail: the instant and the state at the ends of steps, one row for each; empty if the integrator itself keeps
             the motion on its branch of the constraints.
         uncertain: the instant of the first step for which the integrator could not ensure that.
+        sensitivities: the derivatives of the state by parameters; None if none were asked for.
     """
 
     states: NDArray[np.float64]
@@ -87,6 +105,7 @@ class Outcome:
     imbalance: tuple[float, float] | None = None
     trail: NDArray[np.float64] = field(default_factory=lambda: np.empty((0, 1)))
     uncertain: float | None = None
+    sensitivities: Sensitivities | None = None
 
 
 def with_deficiencies(outcome: Outcome, found: Iterable[Deficiency]) -> Outcome:

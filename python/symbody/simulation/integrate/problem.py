@@ -26,6 +26,7 @@ class Problem:
         rates: the rates of the vector.
         jacobian: their nonzero derivatives, with rows and columns; for implicit methods.
         corrections: the corrections of coordinates and of speeds onto the constraints; None without projection.
+        of_sensitivities: the correction of sensitivities, and their first place; None without one of these.
         energies: the kinetic and the potential energy; None where their sum is not constant.
         events: the functions whose zeros are events, and the events.
         trail: the most states at the ends of steps that are kept for each motion; of longer motions, every second or
@@ -37,6 +38,7 @@ class Problem:
     rates: PreparedCode
     jacobian: tuple[PreparedCode, list[tuple[int, int]]] | None = None
     corrections: tuple[PreparedCode, PreparedCode] | None = None
+    of_sensitivities: tuple[PreparedCode, int] | None = None
     energies: PreparedCode | None = None
     events: tuple[PreparedCode, tuple[Event, ...]] | None = None
     trail: int = 0
@@ -47,7 +49,8 @@ class Problem:
         jacobian = [] if self.jacobian is None else [self.jacobian[0]]
         events = [] if self.events is None else [self.events[0]]
         energies = [] if self.energies is None else [self.energies]
-        return [self.rates, *jacobian, *(self.corrections or ()), *energies, *events]
+        of_sensitivities = [] if self.of_sensitivities is None else [self.of_sensitivities[0]]
+        return [self.rates, *jacobian, *(self.corrections or ()), *of_sensitivities, *energies, *events]
 
     @property
     def parameters(self) -> tuple[Expr, ...]:
@@ -62,6 +65,7 @@ class Problem:
     def native(self) -> Dynamics:
         """The functions, by their addresses."""
         positions, velocities = self.corrections or (None, None)
+        slopes = self.of_sensitivities
         return Dynamics(
             _code(self.rates),
             None if self.jacobian is None else (_code(self.jacobian[0]), self.jacobian[1]),
@@ -71,6 +75,7 @@ class Problem:
             None
             if self.events is None
             else (_code(self.events[0]), [(event.direction, event.terminal) for event in self.events[1]]),
+            *([] if slopes is None else [(_code(slopes[0]), slopes[1])]),
         )
 
 

@@ -16,6 +16,7 @@ from symbody.simulation.given.options import Options
 from symbody.simulation.given.parameter import parameters_in
 from symbody.simulation.integrate.baumgarte_parameters import chosen_damping
 from symbody.simulation.model.model import DAMPING, Model, without_stabilization
+from symbody.simulation.model.variation import Variation, variation_of
 from symbody.symbolic import Expr
 
 from .outcome import Outcome
@@ -52,6 +53,7 @@ class Method:
             projection or in another way. Baumgarte's stabilisation is part of the rates, and needs nothing of a method.
         locates_events: whether the method finds the events of the task, and ends at terminal ones.
         integrates_work: whether the states of the outcome contain the work of loads, where the model has it.
+        integrates_sensitivities: whether the method integrates the derivatives of the state by parameters.
     """
 
     prepare: Callable[[Task], Integrate]
@@ -60,6 +62,7 @@ class Method:
     enforces_constraints: bool = False
     locates_events: bool = False
     integrates_work: bool = False
+    integrates_sensitivities: bool = False
 
 
 @dataclass(frozen=True, eq=False)
@@ -77,6 +80,7 @@ class Task:
         guess: where to look for initial states that satisfy the constraints.
         keeps_states: whether the states of many motions are results, or only the outputs.
         redundancy: the constraints that are redundant where the mechanism moves, if the model is without these.
+        by: the parameters and initial values by which the state is differentiated.
     """
 
     model: Model
@@ -89,6 +93,7 @@ class Task:
     guess: Mapping[Expr, float]
     keeps_states: bool = True
     redundancy: Redundancy | None = None
+    by: tuple[Expr, ...] = ()
 
     def __getstate__(self) -> dict[str, Any]:
         """Drop what is compiled: it belongs to this process."""
@@ -108,6 +113,11 @@ class Task:
     def parameters(self) -> tuple[Expr, ...]:
         """The symbols that need values: those of the model, then those of outputs and events."""
         return (*self.model.parameters, *parameters_in(self.observed))
+
+    @property
+    def variation(self) -> Variation | None:
+        """The equations of the sensitivities; None if none are asked for."""
+        return variation_of(self.model, self.by) if self.by else None
 
     @property
     def is_projected(self) -> bool:

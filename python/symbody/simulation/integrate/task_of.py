@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 
 from numpy.typing import ArrayLike
 
 from symbody.dynamics import Equations
+from symbody.simulation.given.differentiated import differentiated_by
 from symbody.simulation.given.event import Event
 from symbody.simulation.given.given_bodies import warn_of_impossible_bodies
 from symbody.simulation.given.options import Options, check_options, constraint_handling, instants_of
@@ -36,6 +38,7 @@ def task_of(
     constraints: str | tuple[float, float],
     guess: Mapping[Expr, float] | None,
     max_step: float,
+    sensitivities: Sequence[Expr] | None = None,
     keeps_states: bool = True,
     where: str = "simulate",
 ) -> Task:
@@ -54,6 +57,7 @@ def task_of(
         constraints: how constraints are enforced.
         guess: where to look for initial states.
         max_step: the longest step, in s.
+        sensitivities: the parameters and initial values by which the state is differentiated.
         keeps_states: whether the states of many motions are results.
         where: the function that the user called, for messages.
 
@@ -73,6 +77,7 @@ def task_of(
         name,
         has_events=bool(watched),
         is_projected=bool(eqs.constraints) and kept == "projection",
+        has_sensitivities=bool(sensitivities),
         where=where,
     )
     is_damped = bool(eqs.constraints) and kept not in {"projection", "free"}
@@ -88,7 +93,8 @@ def task_of(
         keeps_states=keeps_states,
     )
     check_observed(task.model, named_outputs, watched, where)
-    return task
+    by = differentiated_by(sensitivities, eqs.system, task.parameters, f"{where}, sensitivities")
+    return replace(task, by=by) if by else task
 
 
 def warn_of_odd_values(task: Task, parameters: Mapping[Expr, ArrayLike], where: str = "simulate") -> None:
@@ -101,5 +107,5 @@ def warn_of_odd_values(task: Task, parameters: Mapping[Expr, ArrayLike], where: 
     """
     equations = task.model.equations
     observed = [*task.observed, *dict(task.model.inputs).values()]
-    warn_of_unused(equations, parameters, observed, where, stacklevel=4)
+    warn_of_unused(equations, parameters, observed, where)
     warn_of_impossible_bodies(equations.system, parameters, where)

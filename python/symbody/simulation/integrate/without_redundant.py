@@ -9,11 +9,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from symbody.dynamics.equations.leaving_out import leaving_out
-from symbody.simulation.constraint.kinematics import kinematics_of
 from symbody.simulation.constraint.overconstraint import overconstraint
 from symbody.simulation.model.model import with_equations
 from symbody.symbolic import Expr
 
+from .kinematics_at import kinematics_at
 from .task import Task
 
 __all__ = ["without_redundant"]
@@ -36,10 +36,7 @@ def without_redundant(
     model = task.unstabilized
     if not model.constraints:
         return task
-    mechanical = len(model.coordinates) + len(model.speeds)
-    kinematics = kinematics_of(model.equations, dict(model.inputs))
-    kinematics = kinematics.beside(state[mechanical : len(model.state)])
-    p = np.array([parameters[name] for name in kinematics.parameters])
+    kinematics, p = kinematics_at(model, parameters, state)
     q, t = state[: len(model.coordinates)], float(task.instants[0])
     others = {each.redundancy: each for each in known if each.redundancy is not None}
     found = overconstraint(kinematics, p, t, q, others)

@@ -25,7 +25,7 @@ from symbody.simulation.motion.range_table import range_table
 from symbody.simulation.motion.reading import Reading
 from symbody.symbolic import Expr, ExprLike, free_symbols
 from symbody.symbolic import t as symbolic_time
-from symbody.symbolic.given.arguments import counted, described
+from symbody.symbolic.given.arguments import counted, described, with_known_names
 from symbody.symbolic.given.namesake import namesake_note
 from symbody.symbolic.numeric.deficiency import reporting
 
@@ -164,6 +164,7 @@ def _name_of_load(load: Expr, system: Variables) -> str:
     return f"generalised force of {load}" if load in system.coordinates else str(load)
 
 
+@with_known_names
 def inverse_dynamics(
     eqs: Equations,
     motion: Mapping[Expr, ExprLike | ArrayLike] | Motion,

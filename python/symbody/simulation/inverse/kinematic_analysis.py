@@ -15,6 +15,7 @@ from symbody.simulation.constraint.kinematics import Kinematics
 from symbody.simulation.constraint.least_norm import least_norm_many
 from symbody.simulation.model.named_constraint import named_constraint
 from symbody.symbolic import Expr
+from symbody.symbolic.given.arguments import with_known_names
 
 from .prescription import Path
 from .states_along import Beside, integrated_states
@@ -50,6 +51,7 @@ class Trajectory:
         return np.hstack([self.coordinates, self.speeds, self.accelerations, self.states])
 
 
+@with_known_names
 def kinematic_analysis(
     kinematics: Kinematics,
     p: Array,

@@ -15,7 +15,7 @@ from symbody.multibody import System
 from symbody.symbolic import Expr, Matrix, derivation, identity, number, saddle_point_solve, substitute
 from symbody.symbolic.linear.bordered import SaddlePointSolution
 
-__all__ = ["ConstraintCorrection", "constraint_correction"]
+__all__ = ["ConstraintCorrection", "constraint_correction", "least_change", "moved"]
 
 
 @dataclass(frozen=True)
@@ -46,7 +46,7 @@ def constraint_correction(eqs: Equations, method: str) -> ConstraintCorrection:
     with derivation(fresh=True):
         position, conditions = _position(eqs, method)
         violations = eqs.system.velocity_level(eqs.constraints)
-        speeds = _least_change(eqs, eqs.constraint_jacobian, violations, method)
+        speeds = least_change(eqs, eqs.constraint_jacobian, violations, method)
         return ConstraintCorrection(
             position, speeds.x, tuple(dict.fromkeys((*conditions, *speeds.conditions)))
         )
@@ -58,11 +58,11 @@ def _position(eqs: Equations, method: str) -> tuple[tuple[Expr, ...], tuple[Expr
     if not rows:
         return (number(0),) * len(eqs.coordinates), ()
     on_position = J if eqs.system.is_holonomic else Matrix([J.row(k) for k in rows])
-    change = _least_change(eqs, on_position, [eqs.constraints[k] for k in rows], method)
-    return _moved(eqs, change.x), change.conditions
+    change = least_change(eqs, on_position, [eqs.constraints[k] for k in rows], method)
+    return moved(eqs, change.x), change.conditions
 
 
-def _least_change(eqs: Equations, J: Matrix, violations: Sequence[Expr], method: str) -> SaddlePointSolution:
+def least_change(eqs: Equations, J: Matrix, violations: Sequence[Expr], method: str) -> SaddlePointSolution:
     """Return the change of speeds, or of positions along them, that is least in the metric of the kinetic energy.
 
     Given mass matrices that aren't symmetric, such as those of Kane's equations, are no metric: all speeds count alike.
@@ -72,7 +72,7 @@ def _least_change(eqs: Equations, J: Matrix, violations: Sequence[Expr], method:
     return saddle_point_solve(metric, J, [number(0)] * n, [-value for value in violations], method)
 
 
-def _moved(eqs: Equations, change: Sequence[Expr]) -> tuple[Expr, ...]:
+def moved(eqs: Equations, change: Sequence[Expr]) -> tuple[Expr, ...]:
     """Return the change of the coordinates in a unit of time by speeds alone, without the drift at zero speeds."""
     kinematics = tuple(eqs.kinematics.values())
     at_rest = substitute(kinematics, dict.fromkeys(eqs.speeds, number(0)))

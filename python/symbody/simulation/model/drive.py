@@ -17,7 +17,7 @@ from symbody.multibody import System
 from symbody.multibody.load import action_velocity
 from symbody.symbolic import Expr, Matrix, derivation, jacobian, number, substitute
 
-__all__ = ["is_driven", "moves_at_rest", "names_of_drives"]
+__all__ = ["does_uncounted_work", "moves_at_rest", "names_of_drives"]
 
 
 def moves_at_rest(system: System, speeds: Sequence[Expr], by_state: Rate) -> bool:
@@ -33,7 +33,7 @@ def moves_at_rest(system: System, speeds: Sequence[Expr], by_state: Rate) -> boo
         return not all(each.is_zero for each in substitute(velocities, dict.fromkeys(speeds, number(0))))
 
 
-def is_driven(system: System, speeds: Sequence[Expr], by_state: Rate) -> bool:
+def does_uncounted_work(system: System, speeds: Sequence[Expr], by_state: Rate) -> bool:
     """Return whether something is led by a force whose work the equations don't contain.
 
     Args:

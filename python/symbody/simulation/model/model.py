@@ -23,7 +23,7 @@ from symbody.symbolic import jacobian as jacobian_of
 from symbody.symbolic.numeric.deficiency import noting, report
 
 from .constraint_correction import ConstraintCorrection, constraint_correction
-from .drive import is_driven, names_of_drives
+from .drive import does_uncounted_work, names_of_drives
 
 __all__ = ["DAMPING", "Model", "model_of", "with_equations", "without_stabilization"]
 
@@ -312,7 +312,9 @@ class Model:
     @cached_property
     def is_driven(self) -> bool:
         """Whether something is led by a force whose work the equations don't contain, so that the energy varies."""
-        return isinstance(self.system, System) and is_driven(self.system, self.speeds, self.with_inputs)
+        return isinstance(self.system, System) and does_uncounted_work(
+            self.system, self.speeds, self.with_inputs
+        )
 
     @cached_property
     def correction_codes(self) -> tuple[PreparedCode, PreparedCode]:
@@ -387,7 +389,7 @@ class MotionFunction:
         """Evaluate."""
         with noting() as found:
             result = self.function(*values)
-        report(found, self.equation_names, "motion", depth=6, together=self.together)
+        report(found, self.equation_names, "motion", together=self.together)
         return result
 
 

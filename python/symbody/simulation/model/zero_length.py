@@ -27,10 +27,10 @@ def without_direction(system: Variables, given: Given, known: Mapping[Expr, floa
     if not isinstance(system, System):
         return ""
     for load in system.loads:
-        if not isinstance(load, Element) or "length" not in load.quantities:
+        if not isinstance(load, Element) or load.line is None:
             continue
         forces = [component for action in load.actions for component in action.vector.components]
-        values = substitute_inputs(system, given, [load.quantities["length"], *forces])
+        values = substitute_inputs(system, given, [load.line, *forces])
         if not free_symbols(values) <= known.keys():
             continue
         with np.errstate(all="ignore"):

@@ -22,6 +22,7 @@ from symbody.simulation.model.unknown import explain_unknown
 from symbody.symbolic import Expr, ExprLike
 from symbody.symbolic.given.arguments import counted, described
 
+from .differentiated_motion import DifferentiatedMotion
 from .drawing import NotebookPage, drawing_function
 from .occurrence import Occurrence
 from .range_table import range_table
@@ -60,6 +61,8 @@ class Motion:
         completed: whether the motion reached the last instant or a terminal event.
         message: why the motion ended.
         output_expressions: the expressions of `outputs`, by name.
+        by: the parameters and initial values by which the motion was differentiated.
+        slopes: the derivatives of the state by these, S, shape (N, n, k); None without `sensitivities`.
 
     >>> import symbody as sb
     >>> x, (m, k) = sb.functions_of_time("x"), sb.symbols("m k")
@@ -83,6 +86,8 @@ class Motion:
     completed: bool
     message: str
     output_expressions: Mapping[str, Expr] = field(default_factory=dict)
+    by: tuple[Expr, ...] = ()
+    slopes: Array | None = field(default=None, repr=False)
 
     def __repr__(self) -> str:
         names = ", ".join(map(str, self.model.coordinates))
@@ -148,6 +153,62 @@ class Motion:
         if unknown in self.model.accelerations:
             return self.accelerations[:, self.model.accelerations.index(unknown)]
         return self.multipliers[:, self.model.multipliers.index(unknown)]
+
+    def sensitivity(self, expression: Expr, by: Expr) -> Array:
+        """Return the derivative of an expression by a parameter, or by an initial value, at all instants: shape (N,).
+
+        ``de/dp = e_x S + e_p`` with ``S = dx/dp`` at a fixed time [Hairer, Norsett & Wanner 1993, I.14].
+
+        Args:
+            expression: an expression of the model, as in ``motion[expression]``.
+            by: one of the `sensitivities` of `simulate`.
+
+        Raises:
+            ParameterError: the motion was not differentiated by it.
+            ArgumentError: the argument is not an expression.
+            SimulationError: the expression contains a variable that the model does not know.
+
+        >>> import symbody as sb
+        >>> x, (m, k) = sb.functions_of_time("x"), sb.symbols("m k")
+        >>> cart = sb.Body(sb.translate(x, 0, 0), m)
+        >>> spring = sb.Force(sb.ground, -k * x, 0, 0, at=cart.center_of_mass, on=cart)
+        >>> oscillator = sb.newton_euler(sb.System([cart], [spring], coordinates=[x]))
+        >>> motion = sb.simulate(oscillator, {m: 1, k: 4}, {x: 0.1}, t=(0, 1), sensitivities=[k, x])
+        >>> round(float(motion.sensitivity(x, by=k)[-1] + 0.1 * np.sin(2) / 4), 9) + 0.0
+        0.0
+        >>> round(float(motion.sensitivity(x, by=x)[-1] - np.cos(2)), 8) + 0.0
+        0.0
+        """
+        wanted = _READING.one_expression(expression, self.model.state)
+        return self._differentiated.sensitivity(wanted, by)
+
+    def instant_sensitivity(self, occurrence: Occurrence, by: Expr) -> float:
+        """Return the derivative of the instant of an event by a parameter, or by an initial value, in s per its unit.
+
+        ``dt/dp = -(g_x S + g_p) / (dg/dt)`` at the zero of the event's expression g.
+
+        Args:
+            occurrence: one of `events`.
+            by: one of the `sensitivities` of `simulate`.
+
+        Raises:
+            ParameterError: the motion was not differentiated by it.
+            ArgumentError: it is not an event of this motion.
+            SimulationError: the expression of the event only touches zero.
+
+        >>> import symbody as sb
+        >>> x = sb.functions_of_time("x")
+        >>> v = sb.time_derivative(x)
+        >>> body = sb.newton_euler(sb.System([sb.Body(sb.translate(x, 0, 0), 1)], coordinates=[x]))
+        >>> motion = sb.simulate(body, {}, {v: 2}, t=(0, 1), events=[sb.Event(x - 1)], sensitivities=[v])
+        >>> round(motion.instant_sensitivity(motion.events[0], by=v), 9)
+        -0.25
+        """
+        return self._differentiated.instant_sensitivity(occurrence, by)
+
+    @property
+    def _differentiated(self) -> DifferentiatedMotion:
+        return DifferentiatedMotion(self.model, self.parameters, self.by, self.t, self.states, self.slopes)
 
     @cached_property
     def outputs(self) -> dict[str, Array]:

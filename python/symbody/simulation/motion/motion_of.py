@@ -2,14 +2,20 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
+from numpy.typing import NDArray
 
 from symbody.simulation.integrate.integrated import Integrated
+from symbody.simulation.integrate.outcome import Outcome
 
 from .motion import Motion
 from .occurrence import Occurrence
 
 __all__ = ["motion_of"]
+
+Array = NDArray[np.float64]
 
 
 def motion_of(integrated: Integrated, message: str) -> Motion:
@@ -24,9 +30,10 @@ def motion_of(integrated: Integrated, message: str) -> Motion:
     size, t, states = len(model.state), task.instants[: len(outcome.states)], outcome.states
     if outcome.end[0] > t[-1]:
         t, states = np.append(t, outcome.end[0]), np.vstack([states, outcome.end[1]])
+    slopes, at_events = _slopes(outcome, len(t))
     happened = tuple(
-        Occurrence(events[k], time, dict(zip(model.state, at, strict=False)))
-        for k, time, at in outcome.occurrences
+        Occurrence(events[k], time, dict(zip(model.state, at, strict=False)), by_event)
+        for (k, time, at), by_event in zip(outcome.occurrences, at_events, strict=True)
     )
     if outcome.failure is None and happened and happened[-1].event.terminal and happened[-1].t == t[-1]:
         message = f"the event {happened[-1].event} at t = {t[-1]:.9g} s"
@@ -43,4 +50,17 @@ def motion_of(integrated: Integrated, message: str) -> Motion:
         outcome.failure is None,
         message,
         task.outputs,
+        task.by,
+        slopes,
     )
+
+
+def _slopes(outcome: Outcome, count: int) -> tuple[Array | None, Sequence[Array | None]]:
+    """Return the sensitivities at as many instants, shape (count, n, k), and those at the events; None without any."""
+    found, events = outcome.sensitivities, len(outcome.occurrences)
+    if found is None:
+        return None, [None] * events
+    along = found.states[:count]
+    if len(along) < count:
+        along = np.concatenate([along, found.end[np.newaxis]])
+    return along, [*found.occurrences[:events]]

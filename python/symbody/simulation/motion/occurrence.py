@@ -3,7 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
+
+import numpy as np
+from numpy.typing import NDArray
 
 from symbody.simulation.given.event import Event
 from symbody.symbolic import Expr
@@ -19,6 +22,8 @@ class Occurrence:
         event: the event.
         t: the instant, in s.
         state: the coordinates and speeds at that instant.
+        sensitivities: the derivatives of the state there by the parameters of `simulate(..., sensitivities=[...])` at a
+            fixed time, shape (n, k); None without these.
 
     >>> from symbody import Body, System, functions_of_time, newton_euler, simulate, time_derivative, translate
     >>> x = functions_of_time("x")
@@ -31,3 +36,4 @@ class Occurrence:
     event: Event
     t: float
     state: Mapping[Expr, float]
+    sensitivities: NDArray[np.float64] | None = field(default=None, repr=False, compare=False)

@@ -9,6 +9,8 @@ from typing import NoReturn
 
 from symbody.errors import ArgumentError
 from symbody.geometry import Point, Vector
+from symbody.multibody.joint.joint import Joint
+from symbody.multibody.joint.placed_joint import PlacedJoint
 from symbody.symbolic import Expr, Matrix
 from symbody.symbolic.given.arguments import brief, described, expression
 
@@ -81,6 +83,11 @@ class Reading:
             return f"; {self.rows}"
         if isinstance(wanted, Point | Vector):
             return f"; {self._components(wanted)}"
+        if isinstance(wanted, Joint | PlacedJoint):
+            return (
+                f"; {self.name}[joint.coordinate] is that of a joint of the tree, and "
+                f"{self.name}[mechanism.joint({wanted.name!r}).freedom().value] that of any joint with one"
+            )
         if isinstance(wanted, Matrix):
             return f"; its entries are expressions: {self.name}.evaluate([*matrix])"
         if isinstance(wanted, Iterable) and not isinstance(wanted, str | Mapping):

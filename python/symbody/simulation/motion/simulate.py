@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import warnings
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from math import inf
@@ -11,20 +10,22 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from symbody.dynamics import Equations
-from symbody.errors import ModelNotice, SimulationError
+from symbody.errors import SimulationError, notify
 from symbody.simulation.given.event import Event
 from symbody.simulation.given.values import parameter_values
 from symbody.simulation.integrate.diagnosis import diagnosis
-from symbody.simulation.integrate.initial_state import initial_state
+from symbody.simulation.integrate.initial_state import initial_slopes, initial_state
 from symbody.simulation.integrate.integrated import Integrated, run_motions
 from symbody.simulation.integrate.notices import findings_of, notices_of_motion
 from symbody.simulation.integrate.outcome import FailureKind, with_deficiencies
 from symbody.simulation.integrate.task import Task
 from symbody.simulation.integrate.task_of import task_of, warn_of_odd_values
+from symbody.simulation.integrate.with_sensitivities import beside_sensitivities
 from symbody.simulation.integrate.without_redundant import without_redundant
 from symbody.simulation.terminal.interruption import Interruption
 from symbody.simulation.terminal.progress import preparation_bar, progress_bar
 from symbody.symbolic import Expr, ExprLike
+from symbody.symbolic.given.arguments import with_known_names
 from symbody.symbolic.numeric.deficiency import noting
 
 from .motion import Motion
@@ -35,6 +36,7 @@ __all__ = ["simulate"]
 Array = NDArray[np.float64]
 
 
+@with_known_names
 def simulate(
     eqs: Equations,
     parameters: Mapping[Expr, float] | None = None,
@@ -50,6 +52,7 @@ def simulate(
     constraints: str | tuple[float, float] = "projection",
     guess: Mapping[Expr, float] | None = None,
     max_step: float = inf,
+    sensitivities: Sequence[Expr] | None = None,
     progress: bool | None = None,
 ) -> Motion:
     """Return the motion of a system from an initial state: ``M u' = forcing + phi_q^T lambda, phi = 0``.
@@ -76,6 +79,8 @@ def simulate(
             of IDA enforce constraints by themselves.
         guess: where to look for an initial state that satisfies the constraints, for variables that are not given.
         max_step: the longest step, in s.
+        sensitivities: parameters, and coordinates, speeds and states for their initial values, by which the motion is
+            differentiated; `Motion.sensitivity` has the derivatives.
         progress: whether to show progress bars: of the derivation and compilation after two seconds, and of the
             integration. By default, they are shown if messages go to a terminal.
 
@@ -108,13 +113,17 @@ def simulate(
         constraints=constraints,
         guess=guess,
         max_step=max_step,
+        sensitivities=sensitivities,
     )
     parameter_values(task.parameters, parameters, beside=task.model.system.state_names)
     given = {name: float(value) for name, value in (parameters or {}).items()}
     warn_of_odd_values(task, given)
     with preparation_bar(is_shown=progress), noting() as met:
         state = initial_state(task, given, initial)
+        slopes = initial_slopes(task, given, initial, state) if task.by else None
         task = without_redundant(task, given, state)
+        if slopes is not None and task.variation is not None:
+            state = beside_sensitivities(state, slopes, task.variation, given)
         _ = task.integrate  # compiled now: Ctrl-C interrupts, as there is no motion yet to keep
     motion = _run_one(task, given, state, is_shown=progress)
     return _report(replace(motion, outcome=with_deficiencies(motion.outcome, met)))
@@ -145,12 +154,12 @@ def _report(motion: Integrated) -> Motion:
     with noting():  # what the motion met is among the findings
         findings = findings_of(motion)
     for notice in notices_of_motion(findings):
-        warnings.warn(notice, ModelNotice, stacklevel=3)
+        notify(notice)
     if failure is None:
         return motion_of(motion, "the last instant was reached")
     if failure.kind is FailureKind.INTERRUPTED:
         kept = motion_of(motion, f"interrupted at t = {motion.outcome.end[0]:.6g} s")
-        warnings.warn(f"simulate: {kept.message}; what was computed is kept", ModelNotice, stacklevel=3)
+        notify(f"simulate: {kept.message}; what was computed is kept")
         return kept
     message = f"simulate: {diagnosis(motion)}; what was computed is the error's motion"
     raise SimulationError(message, motion_of(motion, message))

@@ -46,6 +46,8 @@ class Reader:
             return expression
         self._read += operations
         form = textbook_form(expression)
+        if operations > _EXPANDED >= cost(form).total:
+            form = textbook_form(form)  # which is short enough now for all rules
         if operations <= _EXPANDED:
             form = min(form, textbook_form(expand(expression)), key=_length)
         shorter, used = by_differences(expression, self._differences)

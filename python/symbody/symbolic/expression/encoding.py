@@ -57,7 +57,7 @@ def _data(e: Expr) -> tuple[Any, ...]:
         case "symbol" if not e.same_form(_core.time()):
             return e.name, e.assumption
         case "time_function":
-            return e.name, e.order
+            return e.name, e.order, e.assumption == "small"
         case "application":
             return e.name, tuple(e.orders)
         case "function":
@@ -90,10 +90,15 @@ def _leaf(kind: str, data: tuple[Any, ...]) -> Expr:
     match kind, data:
         case "number", (numerator, denominator, decimal):
             return _number(numerator, denominator, decimal)
-        case "time_function", (name, order):
-            return _core.time_function(name, order)
+        case "time_function", (name, order, small):
+            return _core.time_function(name, order, small=small)
         case "symbol", (name, assumption):
-            return _core.symbol(name, positive=assumption == "positive", real=assumption != "none")
+            return _core.symbol(
+                name,
+                positive=assumption == "positive",
+                real=assumption != "none",
+                small=assumption == "small",
+            )
         case _:
             return _core.time() if kind == "symbol" else _core.pi()
 

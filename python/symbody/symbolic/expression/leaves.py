@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from decimal import Decimal
 from fractions import Fraction
@@ -145,6 +145,7 @@ def symbols(
     >>> sqrt(length**2), symbols("q1:4"), symbols(["k"])
     (length, (q1, q2, q3), [k])
     """
+    _check_not_small(names, "symbols", unknown)
     for assumption in unknown:
         negative = "; a negative number is -symbols('a', positive=True)" if assumption == "negative" else ""
         raise ArgumentError(
@@ -154,6 +155,14 @@ def symbols(
         if not isinstance(value, bool):
             raise ArgumentError(f"symbols: {option} is {value!r}; expected True or False")
     return _noticed(names, lambda name: _core.symbol(name, positive=positive, real=real), "symbols")
+
+
+def _check_not_small(names: object, place: str, options: Mapping[str, object]) -> None:
+    """Raise an error for the option by which a user may try to make small variables."""
+    if "small" in options:
+        raise ArgumentError(
+            f"{place}: small is a function, not an option; expected small(*{place}({names!r}))"
+        )
 
 
 def functions_of_time(names: str | Iterable[str], **unknown: object) -> Any:
@@ -168,6 +177,7 @@ def functions_of_time(names: str | Iterable[str], **unknown: object) -> Any:
     >>> time_derivative(x * y)
     x*y' + y*x'
     """
+    _check_not_small(names, "functions_of_time", unknown)
     for assumption, value in unknown.items():
         if (assumption, value) != ("real", True):
             raise ArgumentError(

@@ -92,7 +92,12 @@ class ToSympy:
     def _symbol(self, e: Expr) -> Any:
         if e.same_form(_core.time()):
             return self._t
-        assumptions = {"real": {"real": True}, "positive": {"positive": True}, "none": {"complex": True}}
+        assumptions = {
+            "real": {"real": True},
+            "positive": {"positive": True},
+            "none": {"complex": True},
+            "small": {"real": True},
+        }
         symbol = self._sympy.Symbol(e.name, **assumptions[e.assumption])
         return self._names.get(e.name, symbol)
 

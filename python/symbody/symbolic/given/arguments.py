@@ -2,11 +2,31 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Iterable, Sequence
+from difflib import get_close_matches
+from functools import cache, wraps
+from inspect import Signature, signature
+from typing import ParamSpec, TypeVar
+
 from symbody.errors import ArgumentError
 from symbody.symbolic import _core
 from symbody.symbolic._core import Expr
 
-__all__ = ["brief", "comparison_note", "counted", "described", "expression", "size"]
+__all__ = [
+    "brief",
+    "comparison_note",
+    "counted",
+    "described",
+    "expression",
+    "given_twice",
+    "size",
+    "unknown_option",
+    "with_known_names",
+]
+
+P = ParamSpec("P")
+R = TypeVar("R")
+T = TypeVar("T")
 
 
 _SHOWN = 80
@@ -22,6 +42,15 @@ def brief(thing: object) -> str:
     """
     text = " ".join(str(thing).split())
     return text if len(text) <= _SHOWN else f"{text[: _SHOWN - 29]}...{text[-26:]}"
+
+
+def given_twice(things: Sequence[T]) -> T | None:
+    """Return a thing that a list has twice; None if each is there once.
+
+    >>> given_twice(["a", "b", "a"])
+    'a'
+    """
+    return next((thing for k, thing in enumerate(things) if thing in things[:k]), None)
 
 
 def described(value: object) -> str:
@@ -70,3 +99,52 @@ def expression(value: object, place: str) -> Expr:
         wanted = "expected an expression or a number (int, float, Fraction, NumPy scalar)"
         raise ArgumentError(f"{place}: {described(value)}; {wanted}{comparison_note(value)}")
     return _core.number(value, place)
+
+
+def with_known_names(function: Callable[P, R]) -> Callable[P, R]:
+    """Return a function that tells of arguments that are missing or have unknown names, and which one may be meant.
+
+    >>> from symbody.symbolic.given.arguments import with_known_names
+    >>> @with_known_names
+    ... def pull(F, angle=0):
+    ...     return F
+    >>> pull(3, angel=1)
+    Traceback (most recent call last):
+    ...
+    symbody.errors.ArgumentError: pull: there is no argument 'angel'; did you mean 'angle'? Expected some of F, angle
+    """
+
+    @cache
+    def expected() -> Signature:
+        return signature(function)
+
+    @wraps(function)
+    def call(*args: P.args, **kwargs: P.kwargs) -> R:
+        try:
+            expected().bind(*args, **kwargs)
+        except TypeError as fault:
+            raise ArgumentError(
+                f"{function.__qualname__}: {_misnamed(expected(), kwargs) or fault}"
+            ) from None
+        return function(*args, **kwargs)
+
+    return call
+
+
+def _misnamed(expected: Signature, given: Iterable[str]) -> str:
+    """Return what is wrong with the first unknown name; the empty text if all are known."""
+    unknown = next((name for name in given if name not in expected.parameters), None)
+    return "" if unknown is None else unknown_option(unknown, expected.parameters)
+
+
+def unknown_option(name: str, known: Iterable[str]) -> str:
+    """Return what is wrong with the name of an argument that a function doesn't have, and which one may be meant.
+
+    >>> from symbody.symbolic.given.arguments import unknown_option
+    >>> unknown_option("speed", ["bodies", "speeds"])
+    "there is no argument 'speed'; did you mean 'speeds'? Expected some of bodies, speeds"
+    """
+    names = [each for each in known if each != "self"]
+    near = get_close_matches(name, names, 1)
+    guess = f"; did you mean {near[0]!r}? Expected" if near else "; expected"
+    return f"there is no argument {name!r}{guess} some of {', '.join(names)}"

@@ -64,8 +64,15 @@ def notice_namesakes(variables: Iterable[Expr], where: str, frame: FrameType | N
     >>> symbols("u_1") - symbols("u_1", positive=True)  # a notice, outside of doctests
     u_1 - u_1[positive]
     """
-    bases = (_core.time_function(leaf.name) if leaf.kind == "time_function" else leaf for leaf in variables)
+    bases = map(_base, variables)
     notice_named((((base.name, base) for base in bases)), where, frame)
+
+
+def _base(leaf: Expr) -> Expr:
+    """Return the function of time of which a leaf is a derivative; another leaf as it is."""
+    if leaf.kind != "time_function":
+        return leaf
+    return _core.time_function(leaf.name, small=leaf.assumption == "small")
 
 
 def notice_named(variables: Iterable[tuple[str, Expr]], where: str, frame: FrameType | None) -> None:

@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 import threading
-import warnings
 from collections.abc import Iterable, Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
 
-from symbody.errors import ModelNotice
+from symbody.errors import notify
 from symbody.symbolic.numeric.kernel import Noted, take_deficiencies
 
 __all__ = ["Deficiency", "deficiencies_of", "noting", "report", "report_noted", "reporting", "strongest"]
@@ -133,7 +132,6 @@ def report(
     found: Iterable[Deficiency],
     names: Sequence[str] = (),
     where: str = "lambdify",
-    depth: int = 4,
     *,
     together: str = "",
 ) -> None:
@@ -143,14 +141,13 @@ def report(
         found: the systems.
         names: names of their equations.
         where: the function that the user called.
-        depth: the number of calls between the warning and the user's line.
         together: what the equations with these names are called, in the plural.
     """
     if _scopes():
         _scopes()[-1].update(found)
         return
     for deficiency in strongest(found):
-        warnings.warn(f"{where}: {deficiency.sentence(names, together)}", ModelNotice, stacklevel=depth)
+        notify(f"{where}: {deficiency.sentence(names, together)}")
 
 
 @contextmanager
@@ -166,9 +163,9 @@ def reporting(where: str, names: Sequence[str] = ()) -> Iterator[None]:
         with noting() as found:
             yield
     finally:
-        report(found, names, where, depth=5, together="the equations")
+        report(found, names, where, together="the equations")
 
 
 def report_noted(noted: Iterable[Noted], where: str) -> None:
     """Report what the kernel noted in one evaluation."""
-    report(deficiencies_of(noted), where=where, depth=3)
+    report(deficiencies_of(noted), where=where)

@@ -71,7 +71,11 @@ def listing(
 
 
 def listing_of_equations(
-    expressions: Iterable[Expr], notation: str, coordinates: Sequence[Expr], speeds: Sequence[Expr]
+    expressions: Iterable[Expr],
+    notation: str,
+    coordinates: Sequence[Expr],
+    speeds: Sequence[Expr],
+    subtracted: Sequence[Expr] = (),
 ) -> tuple[list[tuple[str, str]], list[str]]:
     r"""Return the terms of equations of motion printed together, as `listing` does.
 
@@ -83,6 +87,7 @@ def listing_of_equations(
         notation: "text" or "latex".
         coordinates: the functions of time that are coordinates, in their order.
         speeds: those that are velocities or multipliers, in their order.
+        subtracted: the parameters behind the minus sign in differences of the model: `R - r` keeps its sign.
 
     >>> from symbody import functions_of_time, sin, symbols
     >>> (theta, u2, u1), m = functions_of_time("theta u2 u1"), symbols("m")
@@ -91,6 +96,9 @@ def listing_of_equations(
     >>> listing_of_equations([3 * m * u1 * u2 / 2], "latex", [theta], [u2, u1])
     ([], ['\\frac{3}{2} m u_{2} u_{1}'])
     """
-    names = [each.name for each in coordinates], [each.name for each in speeds]
+    coordinate_names, speed_names, subtracted_names = (
+        [each.name for each in names] for names in (coordinates, speeds, subtracted)
+    )
+    names = coordinate_names, speed_names, subtracted_names
     definitions, results = _core.listing(expressions, notation, names)
     return definitions, results

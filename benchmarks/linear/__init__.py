@@ -1,0 +1,1 @@
+"""Benchmarks of linear models: from bodies to A and to eigenvalues; small variables beside exact derivations."""

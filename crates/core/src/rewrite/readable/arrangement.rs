@@ -1,0 +1,180 @@
+//! The arrangements of a polynomial: its content outside, and factors before brackets in which they don't occur.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use crate::error::Error;
+use crate::graph::{Id, NumberId};
+use crate::polynomial::{Monomial, Polynomial};
+use crate::value::Number;
+
+use super::LONG;
+use crate::rewrite::expand::Opening;
+use crate::rewrite::factor_terms::content;
+use crate::rewrite::ring::Ring;
+
+/// The factors that are tried as the first one to be taken out; and the same for long polynomials.
+const FIRST_FACTORS: [usize; 2] = [10, 3];
+/// The most levels of brackets.
+const DEEPEST: usize = 3;
+
+impl Ring<'_> {
+    /// Forms in which the sums among the factors of products stay closed, such as `R - r`.
+    pub(super) fn closed_forms(&mut self, part: Id) -> Vec<Id> {
+        match self.polynomial(part, Opening::Sums) {
+            Ok(polynomial) => self.arrangements(&polynomial),
+            Err(_) => Vec::new(),
+        }
+    }
+
+    /// The arrangements of a polynomial, with its content outside.
+    pub(super) fn arrangements(&mut self, polynomial: &Polynomial) -> Vec<Id> {
+        let mut made = Vec::new();
+        let Ok((monomial, factor, rest)) = whole_content(polynomial) else { return made };
+        let outside = self.node_of(&Polynomial::term(monomial, factor));
+        let mut sums: Vec<Result<Id, Error>> = vec![self.node_of(&rest), self.squared(&rest)];
+        let mut firsts = factors_of(&rest);
+        firsts.truncate(FIRST_FACTORS[usize::from(rest.len() >= LONG)]);
+        for first in firsts {
+            sums.push(self.grouped_sum(&rest, Some(first), DEEPEST));
+        }
+        made.extend(self.node_of(polynomial));
+        let Ok(outside) = outside else { return made };
+        for sum in sums.into_iter().flatten() {
+            made.extend(self.product_of(&[outside, sum]));
+        }
+        if let Ok(id) = self.grouped_sum(polynomial, None, DEEPEST) {
+            made.push(id);
+        }
+        made
+    }
+
+    /// The square of a sum, if the polynomial is one.
+    fn squared(&mut self, polynomial: &Polynomial) -> Result<Id, Error> {
+        let root = polynomial.square_root(&mut self.budget).filter(|root| root.len() > 1);
+        let Some(root) = root else { return self.node_of(polynomial) };
+        let root = self.grouped_sum(&root, None, DEEPEST)?;
+        self.graph.pow_number(root, &Number::integer(2))
+    }
+
+    /// Numerator over denominator, both in their most readable forms.
+    pub(super) fn over_common_denominator(&mut self, polynomial: &Polynomial) -> Option<Id> {
+        let (numerator, denominator) = self.fraction(polynomial).ok()??;
+        let numerator = self.graph.most_readable(numerator, false);
+        self.graph.product(&[(numerator, NumberId::ONE), (denominator, NumberId::MINUS_ONE)]).ok()
+    }
+
+    /// A sum in which factors that several terms share stand before brackets in which they don't occur.
+    fn grouped_sum(
+        &mut self,
+        polynomial: &Polynomial,
+        first: Option<(u32, i64)>,
+        depth: usize,
+    ) -> Result<Id, Error> {
+        let mut rest = polynomial.clone();
+        let mut parts = Vec::new();
+        let mut next = first;
+        while depth > 0 && rest.len() > 1 {
+            let chosen = match next.take() {
+                Some(factor) => self.group_of(&rest, factor)?,
+                None => self.best_group(&rest)?,
+            };
+            let Some((outside, columns)) = chosen else { break };
+            let covered = columns.shifted(&outside, &Number::integer(1));
+            rest.add_scaled(&covered, &Number::integer(-1));
+            let (monomial, factor, columns) = numeric_content(&columns)?;
+            let outside = self.node_of(&Polynomial::term(outside.times(&monomial), factor))?;
+            let columns = match self.whole_square(&columns, depth)? {
+                Some(square) => square,
+                None => self.grouped_sum(&columns, None, depth - 1)?,
+            };
+            parts.push(self.product_of(&[outside, columns])?);
+        }
+        parts.push(self.node_of(&rest)?);
+        Ok(self.sum_of(&parts))
+    }
+
+    fn whole_square(&mut self, polynomial: &Polynomial, depth: usize) -> Result<Option<Id>, Error> {
+        if polynomial.len() < 3 {
+            return Ok(None);
+        }
+        let Some(root) = polynomial.square_root(&mut self.budget) else { return Ok(None) };
+        let root = self.grouped_sum(&root, None, depth - 1)?;
+        self.graph.pow_number(root, &Number::integer(2)).map(Some)
+    }
+
+    /// The group that saves most factors; among equal ones, that of the smallest atom.
+    fn best_group(&mut self, polynomial: &Polynomial) -> Result<Option<(Monomial, Polynomial)>, Error> {
+        let mut best: Option<(u64, (Monomial, Polynomial))> = None;
+        for factor in factors_of(polynomial) {
+            if let Some((outside, columns)) = self.group_of(polynomial, factor)? {
+                let saving = self.width(&outside) * (columns.len() as u64 - 1);
+                if best.as_ref().is_none_or(|(most, _)| saving > *most) {
+                    best = Some((saving, (outside, columns)));
+                }
+            }
+        }
+        Ok(best.map(|(_, group)| group))
+    }
+
+    /// About how long the text of a monomial is.
+    fn width(&self, monomial: &Monomial) -> u64 {
+        let of_factor = |&(atom, e): &(u32, i64)| {
+            let wave = self.wave(atom).is_some();
+            2 + if wave { 5 } else { 0 } + if e == 1 { 0 } else { 3 }
+        };
+        monomial.factors().iter().map(of_factor).sum()
+    }
+
+    /// The terms that hold a power, as a monomial times a sum in which no atom of the monomial occurs.
+    fn group_of(
+        &mut self,
+        polynomial: &Polynomial,
+        (atom, exponent): (u32, i64),
+    ) -> Result<Option<(Monomial, Polynomial)>, Error> {
+        self.budget.spend(polynomial.len())?;
+        let mut holders = Polynomial::default();
+        for (monomial, coefficient) in polynomial.iter() {
+            match monomial.exponent(atom) {
+                0 => {}
+                found if found == exponent => holders.add_term(monomial.clone(), coefficient),
+                _ => return Ok(None), // a quadratic form stays flat
+            }
+        }
+        if holders.len() < 2 {
+            return Ok(None);
+        }
+        let (monomial, _, columns) = content(&holders)?;
+        let inner: BTreeSet<u32> = columns.atoms().into_iter().collect();
+        let (outside, _) = monomial.split(|atom| !inner.contains(&atom));
+        let columns = holders.shifted(&outside.pow(-1), &Number::integer(1));
+        Ok(Some((outside, columns)))
+    }
+}
+
+/// The powers that several terms hold, the most frequent first.
+fn factors_of(polynomial: &Polynomial) -> Vec<(u32, i64)> {
+    let mut counts: BTreeMap<(u32, i64), usize> = BTreeMap::new();
+    for (monomial, _) in polynomial.iter() {
+        for &factor in monomial.factors() {
+            *counts.entry(factor).or_default() += 1;
+        }
+    }
+    let mut shared: Vec<_> = counts.into_iter().filter(|&(_, count)| count > 1).collect();
+    shared.sort_by_key(|&(factor, count)| (std::cmp::Reverse(count), factor));
+    shared.into_iter().map(|(factor, _)| factor).collect()
+}
+
+/// The common monomial, the common numeric factor that leaves integers, and the rest.
+fn whole_content(polynomial: &Polynomial) -> Result<(Monomial, Number, Polynomial), Error> {
+    let (monomial, _, _) = content(polynomial)?;
+    let rest = polynomial.shifted(&monomial.pow(-1), &Number::integer(1));
+    let (_, factor, rest) = numeric_content(&rest)?;
+    Ok((monomial, factor, rest))
+}
+
+/// The common numeric factor of a polynomial, taken out.
+fn numeric_content(polynomial: &Polynomial) -> Result<(Monomial, Number, Polynomial), Error> {
+    let factor = polynomial.numeric_content().abs();
+    let rest = polynomial.shifted(&Monomial::default(), &factor.recip()?);
+    Ok((Monomial::default(), factor, rest))
+}

@@ -1,0 +1,166 @@
+//! The form that a textbook prints: flat sums, with common factors outside a whole sum only.
+//!
+//! Polynomials of the expression with different treatments of sines and cosines are arranged in a few ways, and the one
+//! whose text is shortest is the result. What a reader stumbles over counts as further characters: a factor that
+//! occurs again inside the brackets it stands before (Horner's nesting), multiples of angles, fractions inside
+//! brackets, differences of parameters. The form may cost more operations; it is for the page, never for code.
+
+mod arrangement;
+mod flat_form;
+mod reading;
+mod wave_product;
+
+use rustc_hash::FxHashSet;
+
+use crate::error::Error;
+use crate::graph::{Graph, Id, View};
+use crate::polynomial::Budget;
+use crate::print::compare_names;
+
+use super::expand::Opening;
+use super::ring::Ring;
+
+/// Parts with more nodes, and polynomials with more terms, stay as they are.
+const LARGEST_PART: usize = 1_500;
+const TERMS: usize = 200;
+/// The most terms of a sum of products of waves.
+const JOINED: usize = 8;
+/// The most terms handled for one part.
+const WORK: usize = 30_000;
+/// The terms of a long polynomial.
+const LONG: usize = 16;
+
+impl Graph {
+    /// The form of an expression for the reader: of the forms that are tried, the one that reads shortest. Its text is
+    /// never longer than the given one, nor is that of any part.
+    ///
+    /// # Errors
+    /// If a part cannot be rebuilt.
+    pub fn readable(&mut self, id: Id) -> Result<Id, Error> {
+        let found = self.form_for_reader(id, true)?;
+        Ok(if self.is_no_longer(found, id) { found } else { id })
+    }
+
+    /// The form of an expression on the page of a textbook: the text may be longer than the given one where that has
+    /// what a reader stumbles over.
+    ///
+    /// # Errors
+    /// If a part cannot be rebuilt.
+    pub fn textbook_form(&mut self, id: Id) -> Result<Id, Error> {
+        self.form_for_reader(id, false)
+    }
+
+    fn form_for_reader(&mut self, id: Id, is_bounded: bool) -> Result<Id, Error> {
+        if self.is_larger(id, LARGEST_PART) {
+            return Ok(id); // nobody reads it
+        }
+        self.choose_form(|graph| {
+            let flat = graph.with_flat_sums(id)?;
+            let joined = graph.inside_out(flat, Self::push_enclosed_or_factors, &mut |graph, part| {
+                let joined = graph.joined_waves(part)?;
+                let is_taken = !is_bounded || graph.is_no_longer(joined, part);
+                Ok(if is_taken { joined } else { part })
+            })?;
+            graph.inside_out(joined, Self::push_enclosed, &mut |graph, part| {
+                Ok(graph.most_readable(part, is_bounded))
+            })
+        })
+    }
+
+    fn is_no_longer(&self, form: Id, given: Id) -> bool {
+        let length = |id| self.to_text(id).chars().count();
+        form == given || length(form) <= length(given)
+    }
+
+    /// A sum of products of two waves as one of waves of sums, if that has no more terms: a chain of rotations about one
+    /// axis, from the innermost outwards, takes the sum of its angles, with little work.
+    fn joined_waves(&mut self, part: Id) -> Result<Id, Error> {
+        if !matches!(self.view(part), View::Sum(_)) {
+            return Ok(part);
+        }
+        let mut ring = Ring::for_reader(self, Budget::new(JOINED, WORK), part);
+        let Ok(sum) = ring.polynomial(part, Opening::Sums) else { return Ok(part) };
+        if sum.len() > JOINED || !ring.is_of_pairs(&sum) {
+            return Ok(part);
+        }
+        match ring.combined(&sum) {
+            Ok(combined) if combined.len() < sum.len() && ring.is_linear_in_waves(&combined) => {
+                ring.node_of(&combined)
+            }
+            _ => Ok(part),
+        }
+    }
+
+    fn most_readable(&mut self, part: Id, is_bounded: bool) -> Id {
+        if self.is_larger(part, LARGEST_PART) {
+            return part;
+        }
+        // A sum that is kept closed takes the place of what equals it, so that each opening has a ring of its own.
+        let budget = Budget::new(TERMS, WORK);
+        let mut candidates = Ring::for_reader(self, budget, part).closed_forms(part);
+        let mut ring = Ring::for_reader(self, budget, part);
+        for polynomial in ring.flat_forms(part) {
+            candidates.extend(ring.arrangements(&polynomial));
+            candidates.extend(ring.over_common_denominator(&polynomial));
+            if let Ok(Some(tangents)) = ring.in_tangents(&polynomial) {
+                candidates.extend(ring.arrangements(&tangents));
+            }
+        }
+        let mut ring = Ring::for_reader(self, budget, part);
+        for polynomial in ring.forms_over_parameters(part) {
+            candidates.extend(ring.arrangements(&polynomial));
+        }
+        let mut best = (self.reading(part), part);
+        let longest = if is_bounded { best.0.2.chars().count() } else { usize::MAX };
+        let mut seen: FxHashSet<Id> = FxHashSet::default();
+        for candidate in candidates {
+            if seen.insert(candidate) && self.same(candidate, part) {
+                let reading = self.reading(candidate);
+                if reading < best.0 && reading.2.chars().count() <= longest {
+                    best = (reading, candidate);
+                }
+            }
+        }
+        best.1
+    }
+
+    fn is_larger(&self, part: Id, limit: usize) -> bool {
+        let mut seen: FxHashSet<Id> = FxHashSet::default();
+        let mut stack = vec![part];
+        while let Some(id) = stack.pop() {
+            if seen.insert(id) {
+                self.push_children(id, &mut stack);
+            }
+            if seen.len() > limit {
+                return true;
+            }
+        }
+        false
+    }
+}
+
+impl<'g> Ring<'g> {
+    /// A ring in which the atoms of a part are numbered by kind and name, so that among equal arrangements names decide
+    /// and not the order in which the part was put together.
+    fn for_reader(graph: &'g mut Graph, budget: Budget, part: Id) -> Self {
+        let mut named: Vec<(u8, String, Id)> = Vec::new();
+        for id in graph.post_order(&[part]) {
+            let kind = match graph.view(id) {
+                View::Symbol(..) => 0,
+                View::TimeFunction(..) => 1,
+                View::Application { .. } => 2,
+                View::Function(..) => 3,
+                _ => continue,
+            };
+            named.push((kind, graph.to_text(id), id));
+        }
+        named.sort_by(|(a, x, _), (b, y, _)| {
+            a.cmp(b).then_with(|| compare_names(x, y)).then_with(|| x.cmp(y))
+        });
+        let mut ring = Self::new(graph, budget);
+        for (_, _, id) in named {
+            ring.atom(id);
+        }
+        ring
+    }
+}

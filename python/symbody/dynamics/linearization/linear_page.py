@@ -1,0 +1,79 @@
+"""Linear models for the reader: in LaTeX, and as tables of a notebook."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import NamedTuple
+
+from symbody.symbolic import Expr, Matrix, cost, latex, readable, time_derivative
+from symbody.symbolic.expression.html_table import html_table
+from symbody.symbolic.expression.latex_layout import bmatrix
+
+from .second_order import SecondOrder
+
+__all__ = ["LinearPage", "names_table"]
+
+_AT_ONCE = 120
+"""Operations up to which matrices are written out."""
+_MOST_STATES = 12
+"""States up to which matrices are written out."""
+
+
+class LinearPage(NamedTuple):
+    """What is shown of a linear model.
+
+    Attributes:
+        second: the equations of second order, or why there are none.
+        first: E, A0 and B0.
+        states: the names of the states.
+        inputs: the names of the inputs.
+    """
+
+    second: SecondOrder | str
+    first: tuple[Matrix, Matrix, Matrix]
+    states: Sequence[Expr]
+    inputs: Sequence[Expr]
+
+    @property
+    def operations(self) -> int:
+        """The operations of all that is shown."""
+        if isinstance(self.second, SecondOrder):
+            form = self.second
+            return cost([*form.M, *form.C, *form.K, *form.F]).total
+        return cost([entry for matrix in self.first for entry in matrix]).total
+
+    @property
+    def is_short(self) -> bool:
+        """Whether the matrices can be read."""
+        return self.operations <= _AT_ONCE and len(self.states) <= _MOST_STATES
+
+    def latex(self) -> str:
+        """Return ``M q'' + C q' + K q = F r``, or ``E x' = A0 x + B0 r`` if there is no form of second order."""
+        if isinstance(self.second, SecondOrder):
+            return self._of_second_order(self.second)
+        E, A0, B0 = self.first
+        right = [_term(A0, self.states), *([_term(B0, self.inputs)] if self.inputs else [])]
+        return f"{_term(E, [time_derivative(x) for x in self.states])} = {' + '.join(right)}"
+
+    def _of_second_order(self, form: SecondOrder) -> str:
+        left = [
+            _term(matrix, [time_derivative(q, order) if order else q for q in form.coordinates])
+            for matrix, order in ((form.M, 2), (form.C, 1), (form.K, 0))
+            if order == 2 or not _is_zero(matrix)
+        ]
+        return f"{' + '.join(left)} = {_term(form.F, self.inputs) if self.inputs else '0'}"
+
+
+def names_table(names: Mapping[str, Sequence[object]], operations: int) -> str:
+    """Return the names of a linear model by kind, and its size, in HTML."""
+    rows = [[kind, ", ".join(map(str, listed))] for kind, listed in names.items() if listed]
+    return html_table("Linear model", ["", "names"], [*rows, ["operations", operations]])
+
+
+def _term(matrix: Matrix, names: Sequence[Expr]) -> str:
+    shown = bmatrix([latex(readable(entry)) for entry in matrix.entries], matrix.columns)
+    return f"{shown} {bmatrix([latex(name) for name in names], 1)}"
+
+
+def _is_zero(matrix: Matrix) -> bool:
+    return all(entry.is_zero for entry in matrix.entries)

@@ -1,0 +1,65 @@
+"""Freedoms of joints: the ways in which they let the child move, along which motors, friction and springs act."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import final
+
+from symbody.geometry import Frame, Point
+from symbody.symbolic import Expr, atan2, cos, sin
+
+from .pair import Travel
+
+__all__ = ["Freedom"]
+
+
+@final
+@dataclass(frozen=True, eq=False)
+class Freedom:
+    """One way in which a joint lets its child move: ``mechanism.joint("C").freedom("phi")``.
+
+    Attributes:
+        joint: the joint, such as "revolute C".
+        name: of the coordinate, such as "phi".
+        value: the coordinate; where the joint closes a loop, what it would be. An angle then counts from -pi to pi,
+            unless its axis has a constant direction in both bodies at every position, as in a plane mechanism: there
+            it is a sum of coordinates, over any number of turns.
+        ends: the names of the parent and of the child, empty for a frame.
+        sides: the axes of the joint on both.
+        travel: how the child moves along it; None where the coordinate alone tells.
+        is_coordinate: whether the value is a coordinate, as in the tree.
+
+    >>> from symbody import Link, assemble, ground, prismatic, revolute, symbols
+    >>> r, l = symbols("r l")
+    >>> crank, rod, slider = (Link(name, 1) for name in ("crank", "rod", "slider"))
+    >>> A, B = revolute("A", ground, crank), revolute("B", crank, rod, at=(r, 0, 0))
+    >>> C, D = revolute("C", rod, slider, at=(l, 0, 0)), prismatic("D", ground, slider)
+    >>> assemble([A, B, C, D]).joint(C).freedom().value
+    phi_C
+    """
+
+    joint: str
+    name: str
+    value: Expr
+    ends: tuple[str, str]
+    sides: tuple[Frame, Frame]
+    travel: Travel | None = None
+    is_coordinate: bool = False
+
+    @property
+    def point(self) -> Point:
+        """The point of the child at the joint."""
+        return Point(self.sides[1], 0, 0, 0)
+
+    @property
+    def jumps(self) -> bool:
+        """Whether the value is an angle that is known from -pi to pi alone."""
+        return self.travel is not None and self.travel.jumps
+
+    def beyond(self, start: Expr) -> Expr:
+        """Return the value beyond another one; of an angle that jumps, from -pi to pi."""
+        beyond = self.value - start
+        return atan2(sin(beyond), cos(beyond)) if self.jumps and not start.is_zero else beyond
+
+    def __str__(self) -> str:
+        return f"{self.name} of {self.joint}"

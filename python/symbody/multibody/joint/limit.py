@@ -1,0 +1,150 @@
+"""Limits of joints: the least and the largest value of what they let move."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import Annotated, Any, TypeAlias, final
+
+from symbody.errors import JointError
+from symbody.geometry import Scalar
+from symbody.geometry.component.triple import expression
+from symbody.geometry.given.argument import accepts
+from symbody.symbolic import Expr, atan2, cos, pi, sin
+from symbody.symbolic.expression.container import Container, contains
+from symbody.symbolic.given.arguments import brief, counted, described
+
+__all__ = ["CONE", "Limit", "Limits", "LimitsByName", "given_limits"]
+
+CONE = "cone"
+"""The name of the limit of a ball in a socket: the angle between the z axes of both sides."""
+
+Limits: TypeAlias = Annotated[
+    Sequence[Scalar | None] | None, "two values of the coordinate, such as (-1, 1), or None for no limit"
+]
+LimitsByName: TypeAlias = Annotated[
+    Mapping[str, Sequence[Scalar | None]] | None,
+    "a dictionary of pairs of values by the names of coordinates, such as {'phi': (-1, 1)}",
+]
+
+
+@final
+@dataclass(frozen=True, eq=False)
+class Limit:
+    """The least and the largest value of a coordinate, or of the angle of a cone; None for no limit.
+
+    Attributes:
+        name: of the coordinate, such as "phi"; or "cone".
+        low: the least value.
+        high: the largest one.
+        value: what is limited, where the joint is placed.
+        is_within_a_turn: whether the value is an angle that is known up to whole turns, and counts from half a turn
+            below the middle of the limits to half a turn above it.
+    """
+
+    name: str
+    low: Expr | None
+    high: Expr | None
+    value: Expr | None = None
+    is_within_a_turn: bool = False
+
+    def within_a_turn(self, where: str) -> Limit:
+        """Return the same for an angle that is known up to whole turns: it counts from the middle of the limits.
+
+        ``m + atan2(sin(v - m), cos(v - m))`` jumps half a turn away from the middle m, beyond both limits.
+
+        Args:
+            where: the joint, for messages.
+
+        Raises:
+            JointError: the angle may jump within the limits, as one is missing, or they are a turn apart.
+        """
+        assert self.value is not None
+        low, high = self.low, self.high
+        span = None if low is None or high is None else high - low
+        if (
+            low is None
+            or high is None
+            or (span is not None and span.is_constant and float(span - 2 * pi) >= 0)
+        ):
+            raise JointError(
+                f"{where} closes a loop in space, where its {self.name} is known up to whole turns, and has the limits "
+                f"{low} and {high}; expected two limits less than a turn apart; or let another joint close the loop by "
+                "loop=True"
+            )
+        middle = (low + high) / 2
+        beyond = self.value - middle
+        value = self.value if middle.is_zero else middle + atan2(sin(beyond), cos(beyond))
+        return replace(self, value=value, is_within_a_turn=True)
+
+    @property
+    def excesses(self) -> dict[str, Expr]:
+        """How far the value is beyond the limits, "lower" and "upper": positive outside."""
+        found = {}
+        if self.value is not None and self.low is not None:
+            found["lower"] = self.low - self.value
+        if self.value is not None and self.high is not None:
+            found["upper"] = self.value - self.high
+        return found
+
+
+def _expressions(limit: Limit) -> list[Expr]:
+    return [each for each in (limit.low, limit.high, limit.value) if each is not None]
+
+
+def _rebuilt(limit: Limit, parts: Sequence[Any]) -> Limit:
+    remaining = iter(parts)
+    low, high, value = (
+        None if old is None else next(remaining) for old in (limit.low, limit.high, limit.value)
+    )
+    return replace(limit, low=low, high=high, value=value)
+
+
+contains(Limit, Container(_expressions, _rebuilt, advice="its value has one"))
+
+
+def given_limits(
+    where: str,
+    given: Sequence[Scalar | None] | Mapping[str, Sequence[Scalar | None]] | None,
+    names: Sequence[str],
+) -> tuple[Limit, ...]:
+    """Return the limits that a user gave: a pair for a joint of one coordinate, otherwise pairs by names.
+
+    Args:
+        where: the joint, for messages.
+        given: the limits.
+        names: what may have limits.
+
+    Raises:
+        JointError: a name is unknown, or limits are no pair with the least value first.
+    """
+    if given is None:
+        return ()
+    if not isinstance(given, Mapping):
+        return (_limit(where, names[0], given, of=""),)
+    unknown = next((name for name in given if name not in names), None)
+    if unknown is not None:
+        raise JointError(
+            f"{where}: limits of {brief(repr(unknown))}; expected some of {', '.join(map(repr, names))}"
+        )
+    several = len(names) > 1
+    return tuple(
+        _limit(where, name, given[name], of=f" of {name}" if several else "")
+        for name in names
+        if name in given
+    )
+
+
+def _limit(where: str, name: str, given: Sequence[Scalar | None], of: str) -> Limit:
+    if not accepts(Limits, given):
+        raise JointError(
+            f"{where}: limits{of} = {described(given)}; expected two values, such as (-1, 1), or None for no limit"
+        )
+    if len(given) != 2:
+        raise JointError(
+            f"{where}: limits{of} of {counted(len(given), 'value')}; expected two, the least and the largest"
+        )
+    low, high = (None if value is None else expression(value) for value in given)
+    if low is not None and high is not None and (high - low).is_constant and float(high - low) <= 0:
+        raise JointError(f"{where}: limits{of} from {low} to {high}; expected the least value first")
+    return Limit(name, low, high)

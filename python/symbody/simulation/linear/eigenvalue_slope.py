@@ -1,0 +1,134 @@
+"""The derivative of an eigenvalue by a parameter.
+
+For ``A0 v = s E v`` with the left vector w, ``w^H A0 = s w^H E``, a simple eigenvalue has the derivative
+``ds/dp = w^H (dA0/dp - s dE/dp) v / (w^H E v)`` [Lancaster 1964]. dA0 and dE are exact, from the graph.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from functools import lru_cache
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from symbody.codegen import CompiledFunction, lambdify
+from symbody.dynamics import Linear
+from symbody.errors import ArgumentError, ModelError, ParameterError
+from symbody.simulation.given.wording import joined_by_and
+from symbody.symbolic import Expr, Matrix, jacobian
+from symbody.symbolic.given.arguments import brief, described
+
+from .matrices import pencil
+
+__all__ = ["eigenvalue_slope"]
+
+Array = NDArray[np.float64]
+
+_WHERE = "Mode.sensitivity"
+_APART = 1e-7
+"""The product of the normalised left and right vectors below which an eigenvalue may be defective."""
+_STEADY = 1e-6
+"""The rate of a condition of steady motion, relative to its terms, that counts as none."""
+
+
+def eigenvalue_slope(
+    linear: Linear,
+    parameters: Mapping[Expr, ArrayLike],
+    eigenvalue: complex,
+    by: Expr,
+    together: Mapping[Expr, float] | None = None,
+) -> complex:
+    """Return ``ds/dp`` of a simple eigenvalue s.
+
+    Args:
+        linear: the linear model.
+        parameters: the values of its parameters.
+        eigenvalue: s.
+        by: the parameter p.
+        together: the derivatives by p of other parameters that change with it, such as the values of the steady motion.
+
+    Raises:
+        ArgumentError: `by` is not an expression.
+        ParameterError: a name is not a parameter of the linear model.
+        ModelError: the eigenvalue is repeated, or the steady motion is not one any more when p changes.
+    """
+    if not isinstance(by, Expr):
+        raise ArgumentError(f"{_WHERE}, by: {described(by)}; expected one parameter of the linear model")
+    change = {by: 1.0, **(together or {})}
+    given: tuple[Any, ...] = tuple(change)
+    for name in given:
+        if not isinstance(name, Expr) or name not in linear.parameters:
+            found = brief(name) if isinstance(name, Expr) else described(name).replace(" is ", ", ", 1) + ","
+            known = joined_by_and([str(p) for p in linear.parameters], most=12, last="or")
+            raise ParameterError(
+                f"{_WHERE}: {found} is not a parameter of the linear model; expected {known or 'none: it has none'}"
+            )
+    names = tuple(change)
+    values = np.array([float(np.asarray(parameters[name])) for name in linear.parameters])
+    rates, weights = _slopes(linear, names)(values), np.array([*change.values()])
+    _check_steady(linear, names, weights, np.asarray(rates[2]))
+    n = len(linear.states)
+    dE, dA0 = (np.reshape(np.asarray(part) @ weights, (n, n)) for part in rates[:2])
+    matrices = pencil(linear, parameters, where=_WHERE)
+    left, right = _vectors(matrices.E, matrices.A0, eigenvalue)
+    product = left.conj() @ matrices.E @ right
+    if abs(product) <= _APART * np.linalg.norm(left.conj() @ matrices.E) * np.linalg.norm(right):
+        raise ModelError(
+            f"{_WHERE}: the eigenvalue {eigenvalue:.6g} is repeated, and has no derivative; expected a simple one"
+        )
+    return complex(left.conj() @ (dA0 - eigenvalue * dE) @ right / product)
+
+
+@lru_cache(maxsize=64)
+def _slopes(linear: Linear, names: tuple[Expr, ...]) -> CompiledFunction:
+    """Return the function of the parameters that returns the derivatives of E, A0, and of the conditions."""
+
+    def of(matrix: Matrix) -> Matrix:
+        return jacobian(list(matrix.entries), list(names))
+
+    conditions = [each.value for each in linear.conditions]
+    parts = [of(linear.E), of(linear.A0), jacobian(conditions, list(names)) if conditions else [0]]
+    return lambdify([list(linear.parameters)], parts)
+
+
+def _check_steady(linear: Linear, names: tuple[Expr, ...], weights: Array, slopes: Array) -> None:
+    """Check that the reference motion stays a steady one when the parameters change together.
+
+    Args:
+        linear: the linear model.
+        names: the parameters that change.
+        weights: how fast they change.
+        slopes: the derivatives of the conditions by them, or one zero without conditions.
+
+    Raises:
+        ModelError: it doesn't, so that the derivative would be that of something else.
+    """
+    if not linear.conditions:
+        return
+    terms = slopes * weights
+    is_off = np.abs(terms.sum(axis=1)) > _STEADY * np.abs(terms).sum(axis=1)
+    if not is_off.any():
+        return
+    name = linear.conditions[int(np.argmax(is_off))].name
+    several = "these parameters change together" if len(names) > 1 else f"{names[0]} changes"
+    raise ModelError(
+        f"{_WHERE}: when {several}, the reference motion isn't steady any more: {name} is off; expected the "
+        "derivatives of its values as well: linearize about symbols, about={q: q0}, and give together={q0: "
+        f"found.sensitivity(q, by={names[0]})}} of the equilibrium or steady motion"
+    )
+
+
+def _vectors(E: Array, A0: Array, s: complex) -> tuple[NDArray[np.complex128], NDArray[np.complex128]]:
+    """Return the left and the right vector of an eigenvalue: those of the least singular value of ``A0 - s E``.
+
+    Raises:
+        ModelError: there are several.
+    """
+    U, sizes, Vh = np.linalg.svd(A0 - s * E)
+    if len(sizes) > 1 and sizes[-2] <= _APART * sizes[0]:
+        raise ModelError(
+            f"{_WHERE}: the eigenvalue {s:.6g} is repeated, and has no derivative; expected a simple one"
+        )
+    return U[:, -1], Vh[-1].conj()

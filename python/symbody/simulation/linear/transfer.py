@@ -1,0 +1,128 @@
+"""Linear models with numbers, from inputs to outputs: what frequency and time responses have in common."""
+
+from __future__ import annotations
+
+import warnings
+from collections.abc import Mapping
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from symbody.dynamics import Linear
+from symbody.errors import ArgumentError, ModelError, ModelNotice, ParameterError
+from symbody.symbolic import Expr, time_derivative
+from symbody.symbolic.given.arguments import described
+
+from .matrices import Pencil, pencil
+from .regular_pencil import check_regular, rates_matrix
+
+__all__ = ["Transfer", "transfer"]
+
+Array = NDArray[np.float64]
+Complex = NDArray[np.complex128]
+
+_ROUNDED = 1e-9
+
+
+@dataclass(frozen=True, eq=False)
+class Transfer:
+    """A linear model with numbers, from inputs to outputs.
+
+    Attributes:
+        linear: the linear model.
+        matrices: E, A0, B0, C0, C1 and D0.
+        inputs: the inputs but for those that are rates of others.
+    """
+
+    linear: Linear
+    matrices: Pencil
+    inputs: tuple[Expr, ...]
+
+    @property
+    def orders(self) -> list[tuple[int, int]]:
+        """For each input of the model, rates included: the place of the input, and the order of the rate."""
+        found = []
+        for r in self.linear.inputs:
+            order, base = 0, {each: k for k, each in enumerate(self.inputs)}
+            while r not in base:
+                base = {time_derivative(each): k for each, k in base.items()}
+                order += 1
+            found.append((base[r], order))
+        return found
+
+    @property
+    def eigenvalues(self) -> Complex:
+        """The finite eigenvalues of the modes that are not ignorable, in 1/s."""
+        kept = [k for k, x in enumerate(self.linear.states) if x not in self.linear.ignorable]
+        E, A0 = (each[np.ix_(kept, kept)] for each in (self.matrices.E, self.matrices.A0))
+        A = rates_matrix(E, A0)
+        if A is not None:
+            return np.linalg.eigvals(A).astype(np.complex128)
+        from scipy.linalg import eigvals  # noqa: PLC0415 - slow to load
+
+        found = np.asarray(eigvals(A0, E), np.complex128)
+        return found[np.isfinite(found)]
+
+    def warn_if_unstable(self, where: str, consequence: str) -> None:
+        """Warn if a mode grows.
+
+        Args:
+            where: the function that the user called.
+            consequence: what that means for the result.
+        """
+        s = self.eigenvalues
+        scale = float(np.abs(s).max(initial=0.0))
+        growing = s[s.real > _ROUNDED * scale]
+        if len(growing):
+            worst = growing[np.argmax(growing.real)]
+            value = f"{worst.real:.6g}" + (f" ± {abs(worst.imag):.6g}i" if worst.imag else "")
+            warnings.warn(
+                ModelNotice(
+                    f"{where}: the system is unstable, with the eigenvalue {value} 1/s: {consequence}"
+                ),
+                stacklevel=3,
+            )
+
+
+def transfer(linear: Linear, parameters: Mapping[Expr, ArrayLike] | None, where: str) -> Transfer:
+    """Return a linear model with numbers, whose inputs and outputs are there.
+
+    Args:
+        linear: the linear model.
+        parameters: a number for each parameter.
+        where: the function that the user called, for messages.
+
+    Raises:
+        ArgumentError: this is no linear model.
+        ModelError: it has no inputs or no outputs, or its pencil is singular.
+        ParameterError: a value is missing, or is not one number.
+    """
+    if not isinstance(linear, Linear):
+        raise ArgumentError(f"{where}: {described(linear)}; expected a linear model: linearize(equations)")
+    if not linear.inputs:
+        raise ModelError(
+            f"{where}: the linear model has no inputs; expected functions of time that loads or constraints hold: "
+            "linearize(..., inputs=[F])"
+        )
+    if not linear.outputs:
+        raise ModelError(
+            f"{where}: the linear model has no outputs; name them: linearize(..., outputs=[{linear.states[0]}])"
+        )
+    matrices = pencil(linear, parameters, where=where)
+    if matrices.E.ndim > 2:
+        raise ParameterError(
+            f"{where}, parameters: the values have the shape {matrices.E.shape[:-2]}; expected one number for each "
+            "parameter"
+        )
+    if rates_matrix(matrices.E, matrices.A0) is None:
+        check_regular(matrices.E, matrices.A0, linear.states, where)
+    inputs = tuple(r for r in linear.inputs if not _is_rate(r, linear.inputs))
+    return Transfer(linear, matrices, inputs)
+
+
+def _is_rate(r: Expr, inputs: tuple[Expr, ...]) -> bool:
+    return r.kind == "time_function" and any(
+        each != r and each.kind == "time_function" and each.name == r.name and each.order < r.order
+        for each in inputs
+    )

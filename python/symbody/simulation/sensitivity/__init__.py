@@ -1,0 +1,1 @@
+"""Derivatives of numbers that follow from motions."""

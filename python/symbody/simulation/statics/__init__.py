@@ -1,1 +1,0 @@
-"""States of rest: equilibria and small motions about them."""

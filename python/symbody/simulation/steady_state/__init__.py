@@ -1,0 +1,1 @@
+"""Steady motions, rest among them: equilibria, trim, branches over a parameter, and small motions about rest."""

@@ -1,0 +1,394 @@
+"""Equilibria: positions in which a system stays at rest, and the forces that hold it there."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from symbody.dynamics import Equations
+from symbody.errors import ModelError, SimulationError, notify
+from symbody.multibody import System
+from symbody.simulation.constraint.consistent_position import listed_values, positions
+from symbody.simulation.constraint.kinematics import kinematics_of
+from symbody.simulation.constraint.opposite_axes import check_senses
+from symbody.simulation.given.unused import warn_of_unused
+from symbody.simulation.given.values import given_inputs, parameter_values, state_values
+from symbody.simulation.given.wording import joined_by_and
+from symbody.simulation.model.zero_length import without_direction
+from symbody.simulation.steady_state.force_balance import Balance
+from symbody.symbolic import Expr, ExprLike, free_symbols, number, substitute, time_derivative
+from symbody.symbolic import t as time
+from symbody.symbolic.expression.html_table import html_table
+from symbody.symbolic.given.arguments import brief, with_known_names
+from symbody.symbolic.given.arguments import expression as as_expression
+from symbody.symbolic.numeric.deficiency import reporting
+
+from .implicit_slopes import ImplicitSlopes
+from .rest_position import RestPosition
+from .steady_conditions import SteadyConditions, conditions_of
+from .steady_motion import without_noise
+
+__all__ = ["Equilibrium", "equilibrium"]
+
+Array = NDArray[np.float64]
+
+_WHERE = "equilibrium"
+
+
+@dataclass(frozen=True, eq=False)
+class Equilibrium(Mapping[Expr, float]):
+    """A system at rest: a mapping of its coordinates and of the states beside the mechanics; all speeds are zero.
+
+    So it can be given where a state is, as in ``simulate(initial=found)`` and ``linearize(about=found)``.
+
+    Attributes:
+        coordinates: the values of all coordinates, in the units of the model.
+        multipliers: the values of the multipliers, by their functions of time; empty without constraints.
+        holding: the generalised forces that hold the fixed coordinates, by coordinate.
+        residual: the largest generalised force that is left in the equations of motion.
+        eigenvalues: the s of the small motions ``x exp(s t)``, in 1/s, shape (number of eigenvalues,), the fastest
+            growing first. No coordinate is
+            held: the holding forces are constant forces along the fixed coordinates. NaN at a singular position,
+            where small motions are not those of a linear system.
+        held_eigenvalues: those of the motions in which the fixed coordinates stay fixed; the same if none is fixed.
+        states: the values of the states beside the mechanics, whose rates are zero.
+        inputs: the expressions of the inputs that were given; ``linearize(about=found)`` reads them.
+        slopes: how it moves when parameters change; see `sensitivity`.
+
+    Forces that the position does not determine, such as those of dependent constraints, are those of minimum norm. A
+    notice names them, unless they belong to constraints that are redundant everywhere.
+
+    >>> from symbody import Body, Force, System, functions_of_time, ground, newton_euler, symbols, translate
+    >>> x, (m, k, F) = functions_of_time("x"), symbols("m k F")
+    >>> cart = Body(translate(x, 0, 0), m)
+    >>> spring = Force(ground, F - k * x, 0, 0, at=cart.center_of_mass, on=cart)
+    >>> found = equilibrium(newton_euler(System([cart], [spring], coordinates=[x])), {m: 1, k: 4, F: 2})
+    >>> found.coordinates, found.is_stable
+    ({x: 0.5}, True)
+    """
+
+    coordinates: dict[Expr, float]
+    multipliers: dict[Expr, float]
+    holding: dict[Expr, float]
+    residual: float
+    eigenvalues: NDArray[np.complex128]
+    held_eigenvalues: NDArray[np.complex128]
+    states: dict[Expr, float] = field(default_factory=dict)
+    inputs: dict[Expr, Expr] = field(default_factory=dict)
+    slopes: ImplicitSlopes | None = field(default=None, repr=False)
+
+    def sensitivity(self, expression: Expr, by: Expr) -> float:
+        """Return the derivative of an expression by a parameter, an input, or the value of a fixed coordinate.
+
+        ``F_x dx/dp = -F_p`` for the conditions ``F(x, p) = 0`` of rest, with exact derivatives.
+
+        Args:
+            expression: an expression of coordinates, states, multipliers and parameters.
+            by: the parameter, the input, or the fixed coordinate.
+
+        Raises:
+            ParameterError: it is none of these.
+            SimulationError: the equilibrium has no derivative by it, or the expression contains something unknown.
+
+        >>> from symbody import Body, Force, System, functions_of_time, ground, newton_euler, symbols, translate
+        >>> x, (m, k, F) = functions_of_time("x"), symbols("m k F")
+        >>> cart = Body(translate(x, 0, 0), m)
+        >>> spring = Force(ground, F - k * x, 0, 0, at=cart.center_of_mass, on=cart)
+        >>> found = equilibrium(newton_euler(System([cart], [spring], coordinates=[x])), {m: 1, k: 4, F: 2})
+        >>> found.sensitivity(x, by=k), found.sensitivity(k * x**2 / 2, by=k)
+        (-0.125, -0.125)
+        """
+        assert self.slopes is not None, "equilibrium() gives it"
+        balance = self.slopes.balance
+        (written,) = balance.conditions.written([as_expression(expression, _WHERE)])
+        conditions, eqs = balance.conditions, balance.equations
+        known = dict(zip(conditions.parameters, map(float, balance.p), strict=True)) | self.multipliers
+        known |= self.coordinates | self.states | {time: balance.t}
+        strange = sorted(map(str, free_symbols([written]) - known.keys()))
+        if strange:
+            raise SimulationError(
+                f"{_WHERE}.sensitivity: no value of {joined_by_and(strange)}; expected an expression of "
+                f"{joined_by_and([*map(str, (*eqs.coordinates, *eqs.states)), 'multipliers', 'parameters'], most=12)}"
+            )
+        return self.slopes.of(written, known, by)
+
+    def __getitem__(self, name: Expr) -> float:
+        return {**self.coordinates, **self.states}[name]
+
+    def __iter__(self) -> Iterator[Expr]:
+        return iter((*self.coordinates, *self.states))
+
+    def __len__(self) -> int:
+        return len(self.coordinates) + len(self.states)
+
+    def _repr_html_(self) -> str:
+        kinds = {
+            "coordinate": self.coordinates,
+            "state": self.states,
+            "multiplier": self.multipliers,
+            "holding force": self.holding,
+        }
+        rows = [
+            [kind, name, f"{value:.6g}"]
+            for kind, values in kinds.items()
+            for name, value in zip(values, without_noise([*values.values()]), strict=True)
+        ]
+        rows += [["eigenvalue", f"s{k}", f"{s:.6g}"] for k, s in enumerate(self.eigenvalues, start=1)]
+        if np.isnan(self.eigenvalues).any():
+            title = "Equilibrium at a singular position"
+        else:
+            title = "Stable equilibrium" if self.is_stable else "Unstable equilibrium"
+        return html_table(title, ["kind", "name", "value"], rows)
+
+    @property
+    def is_stable(self) -> bool:
+        """Whether no small motion of the free system grows: no eigenvalue has a positive real part.
+
+        Raises:
+            SimulationError: the position is singular, so that the eigenvalues are unknown.
+        """
+        return _decays(self.eigenvalues)
+
+    @property
+    def is_stable_held(self) -> bool:
+        """Whether no small motion grows while the fixed coordinates stay fixed.
+
+        Raises:
+            SimulationError: the position is singular, so that the eigenvalues are unknown.
+        """
+        return _decays(self.held_eigenvalues)
+
+
+def _decays(eigenvalues: NDArray[np.complex128]) -> bool:
+    if np.isnan(eigenvalues).any():
+        raise SimulationError(
+            f"{_WHERE}: the position is singular, so that small motions about it are not known; expected a position "
+            "at which the constraints are independent: try a position nearby, or simulate"
+        )
+    size = np.abs(eigenvalues).max(initial=0.0)
+    return bool((eigenvalues.real <= 1e-8 * size).all())
+
+
+@with_known_names
+def equilibrium(
+    eqs: Equations,
+    parameters: Mapping[Expr, ArrayLike] | None,
+    *,
+    guess: Mapping[Expr, ArrayLike] | None = None,
+    fixed: Mapping[Expr, ArrayLike] | None = None,
+    t: float = 0.0,
+    inputs: Mapping[Expr, ExprLike] | None = None,
+) -> Equilibrium:
+    """Return a position near a guess in which the system stays at rest.
+
+    ``-forcing - phi_q^T lambda = 0``, ``phi = 0`` and, for states z, ``z' = 0``, at zero speeds and accelerations, by
+    damped Gauss-Newton steps with exact derivatives. The guess decides which of several equilibria is found; it may be
+    unstable.
+
+    If coordinates are fixed, the system stays at rest by itself only if the holding forces are zero or act on it as
+    constant forces. The attribute `eigenvalues` is meant in this sense, `held_eigenvalues` with coordinates held.
+
+    Args:
+        eqs: the equations of motion.
+        parameters: the values of all symbols.
+        guess: coordinates and states near the equilibrium. By default, they are zero, and floating frames are not
+            rotated.
+        fixed: the values of coordinates that are held; the result has the forces that hold them.
+        t: the time in loads and constraints, in s.
+        inputs: expressions of time and coordinates for the input functions of time.
+
+    Raises:
+        SimulationError: no equilibrium was found, or it is not isolated, or the equations are not finite there.
+        ModelError: kinematics move a coordinate at zero speeds.
+        ConstraintError: no position satisfies the constraints.
+        ParameterError: a value is missing, has an unknown key, or is not finite.
+
+    >>> from symbody import Body, System, Vector, functions_of_time, ground, newton_euler, rotate, symbols, translate
+    >>> theta, (m, l, g) = functions_of_time("theta"), symbols("m l g")
+    >>> bob = Body(rotate("Y", theta) * translate(0, 0, l), m)
+    >>> eqs = newton_euler(System([bob], coordinates=[theta], gravity=Vector(ground, 0, 0, g)))
+    >>> hanging = equilibrium(eqs, {m: 1, l: 2, g: 8}, guess={theta: 0.5})
+    >>> hanging.coordinates, hanging.is_stable, hanging.eigenvalues.round(9)
+    ({theta: 0.0}, True, array([0.-2.j, 0.+2.j]))
+    """
+    with reporting(_WHERE):
+        given = given_inputs(eqs, inputs, where=_WHERE)
+        place = _place(eqs, parameters, guess, fixed, t, given)
+        found, notices = replace(_result(place), inputs=given), list(place.notices())
+    for notice in notices:
+        notify(f"{_WHERE}: {notice}")
+    return found
+
+
+def _place(
+    eqs: Equations,
+    parameters: Mapping[Expr, ArrayLike] | None,
+    guess: Mapping[Expr, ArrayLike] | None,
+    fixed: Mapping[Expr, ArrayLike] | None,
+    t: float,
+    given: Mapping[Expr, Expr],
+) -> RestPosition:
+    """Return the position at which the system stays at rest.
+
+    Args:
+        eqs: the equations of motion.
+        parameters: the values of all symbols.
+        guess: coordinates near the equilibrium.
+        fixed: the values of coordinates that are held.
+        t: the time, in s.
+        given: the expressions that replace input functions of time.
+    """
+    kinematics = kinematics_of(eqs, given)
+    conditions = conditions_of(eqs, kinematics.given)
+    _check_kinematics(conditions)
+    p = parameter_values(conditions.parameters, parameters, where=_WHERE, beside=eqs.system.state_names)
+    held = state_values(eqs.system, fixed, where=_WHERE, argument="fixed", has_speeds=False)
+    near = state_values(
+        eqs.system, guess, where=_WHERE, argument="guess", has_speeds=False, has_states=bool(eqs.states)
+    )
+    warn_of_unused(eqs, parameters or {}, list(given.values()), _WHERE)
+    if held and eqs.system.momenta:
+        raise ModelError(
+            f"{_WHERE}, fixed: the speeds of the equations are momenta, along which no forces act; expected equations "
+            "in speeds, such as newton_euler(system), to hold coordinates"
+        )
+    problem = Balance(conditions, t, p, tuple(held), tuple(held))
+    constants = dict(zip(conditions.parameters, p, strict=True))
+    of_constraints = np.array([constants[name] for name in kinematics.parameters])
+    at = {name: value for name, value in near.items() if name not in eqs.states}
+    q = positions(kinematics, of_constraints, t, held, at, where=_WHERE)
+    q = np.append(q, [near.get(state, 0.0) for state in eqs.states])
+    solution = _solved(problem, q)
+    _check_finite(problem, solution)
+    check_senses(kinematics, of_constraints, t, solution[0][: len(eqs.coordinates)], _WHERE)
+    _check_single(problem, solution)
+    return RestPosition(problem, kinematics, of_constraints, *solution)
+
+
+def _check_kinematics(conditions: SteadyConditions) -> None:
+    """Check that no coordinate moves at zero speeds, as ``x' = y - x`` in kinematics: that would be no rest.
+
+    Raises:
+        ModelError: a rate of a coordinate that the user wrote depends on positions or states at zero speeds.
+    """
+    system = conditions.equations.system
+    if not isinstance(system, System):
+        return
+    written = {*system.chosen, *(q for q in system.coordinates if time_derivative(q) in system.eliminated)}
+    at_rest = dict.fromkeys(system.speeds, number(0))
+    for q in (q for q in system.coordinates if q in written):
+        (drift,) = substitute([system.kinematics[time_derivative(q)]], at_rest)
+        if not drift.free_symbols.isdisjoint(conditions.positions):
+            raise ModelError(
+                f"{_WHERE}: the kinematics move {q} at zero speeds, {time_derivative(q)} = {brief(drift)}, and don't "
+                "tell which force holds it; expected a constraint instead: "
+                f"constraints=[time_derivative({q}) - ({brief(drift)})]"
+            )
+
+
+def _result(place: RestPosition) -> Equilibrium:
+    """Return the result by the names of the model."""
+    problem, q, forces = place.problem, place.q, place.least_forces
+    m, n = len(problem.equations.constraints), len(problem.equations.speeds)
+    width = len(problem.equations.coordinates)
+    F, _, _ = problem.values(q, forces)
+    return Equilibrium(
+        coordinates=_named(problem.equations.coordinates, q[:width]),
+        states=_named(problem.equations.states, q[width:]),
+        multipliers=_named(problem.equations.multipliers, forces[:m]),
+        holding=_named(problem.order, forces[m:]),
+        residual=float(np.abs(F[:n]).max()),
+        eigenvalues=place.eigenvalues(is_held=False),
+        held_eigenvalues=place.eigenvalues(is_held=True),
+        slopes=ImplicitSlopes(problem, q, forces, f"{_WHERE}.sensitivity"),
+    )
+
+
+def _named(names: Sequence[Expr], values: Array) -> dict[Expr, float]:
+    return {name: float(value) + 0.0 for name, value in zip(names, values, strict=True)}
+
+
+def _solved(problem: Balance, start: Array) -> tuple[Array, Array]:
+    """Return an equilibrium, found from the start or from points around it.
+
+    Raises:
+        SimulationError: none was found.
+    """
+    found = problem.searched(start)
+    if found.solution is None:
+        raise SimulationError(_unbalanced(problem, *found.nearest))
+    return found.solution
+
+
+def _check_finite(problem: Balance, solution: tuple[Array, Array]) -> None:
+    """Check that the equations have derivatives at an equilibrium.
+
+    Raises:
+        SimulationError: they have none, as at the end of a damper whose direction is not determined.
+    """
+    q, forces = solution
+    near = np.where(
+        np.abs(q) > _ROUNDED * max(1.0, np.abs(q).max()), q, 0.0
+    )  # where a search ends beside the place
+    if problem.is_finite(q, forces) and problem.is_finite(near, forces):
+        return
+    q = near
+    eqs, conditions = problem.equations, problem.conditions
+    place = dict(zip(conditions.positions, q, strict=True))
+    known = dict(zip(conditions.parameters, problem.p, strict=True)) | {time: problem.t} | place
+    cause = without_direction(eqs.system, conditions.given, known | dict.fromkeys(eqs.speeds, 0.0))
+    raise SimulationError(
+        f"{_WHERE}: the equations of motion are not finite at rest at "
+        f"{listed_values(conditions.positions, place)}, nor are those of small motions; {cause or _STRANGE}"
+    )
+
+
+_ROUNDED = 1e-12
+_STRANGE = "look for a division by zero, or for a root that vanishes there"
+
+
+def _check_single(problem: Balance, solution: tuple[Array, Array]) -> None:
+    """Check that an equilibrium is isolated.
+
+    Raises:
+        SimulationError: there is another one nearby.
+    """
+    direction = problem.other_nearby(*solution)
+    if direction is not None:
+        raise SimulationError(_many(problem, solution[0], direction))
+
+
+def _many(problem: Balance, q: Array, direction: Array) -> str:
+    names = problem.conditions.positions
+    size = np.abs(direction)
+    moved = [name for name, share in zip(names, size, strict=True) if share > 1e-3 * size.max()]
+    freest = int(np.argmax(size))
+    if names[freest] in problem.equations.states:
+        return (
+            f"{_WHERE}: the equilibrium is not isolated: the state {names[freest]} can have other values, as neither "
+            "the loads nor the rates of states determine it; leave it out of the states, or let its rate depend on it"
+        )
+    together = f"{moved[0]} can" if len(moved) == 1 else f"{', '.join(map(str, moved))} can together"
+    return (
+        f"{_WHERE}: the equilibrium is not isolated: {together} be changed without a force; fix a coordinate, "
+        f"such as fixed={{{names[freest]}: {q[freest]:.6g}}}"
+    )
+
+
+def _unbalanced(problem: Balance, q: Array, forces: Array) -> str:
+    eqs = problem.equations
+    F, _, _ = problem.values(q, forces)
+    error = np.abs(F / problem.scale(q, forces))
+    worst = int(np.argmax(np.where(np.isfinite(error), error, np.inf)))
+    name = problem.conditions.names[worst]
+    place = ", ".join(
+        f"{q_k} = {value:.6g}" for q_k, value in zip(problem.conditions.positions[:12], q, strict=False)
+    )
+    return (
+        f"{_WHERE}: none was found; nearest, at {place}: {name} is off by {F[worst]:.3g}; expected loads that "
+        "can balance: give a guess nearer to the equilibrium, or hold coordinates that no load holds, "
+        f"such as fixed={{{eqs.coordinates[0]}: ...}}"
+    )

@@ -1,0 +1,93 @@
+"""What the pictures of some models show besides the bodies, and the equations do not know: beams, struts, blades."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from symbody import Body, Point, ground, rotate, translate
+from symbody.models import ClassicSystem
+from symbody.view.drawing_options import DrawingOptions
+from symbody.view.shape import Box, Cylinder
+
+__all__ = ["drawing_of"]
+
+FLAT = 0.02
+"""The thickness of plates and beams, in m."""
+
+
+def drawing_of(name: str, model: ClassicSystem) -> DrawingOptions:
+    """Return what the picture of a model shows besides its bodies and its skeleton."""
+    return _DRAWINGS[name](model) if name in _DRAWINGS else DrawingOptions()
+
+
+def _bodies(model: ClassicSystem) -> dict[str, Body]:
+    return {body.name: body for body in model.system.bodies}
+
+
+def _ball_and_beam(model: ClassicSystem) -> DrawingOptions:
+    beam, R = _bodies(model)["beam"], model["R"]
+    return DrawingOptions(shapes={beam: Box(0.5, FLAT / 4, 4 * FLAT, (0, -R - FLAT / 8, 0))})
+
+
+def _skate(model: ClassicSystem) -> DrawingOptions:
+    """The plane of the system is the slope; the blade is longer than it is high."""
+    return DrawingOptions(
+        shapes={_bodies(model)["skate"]: [Box(0.5, FLAT, 0.1), Box(0.3, 0.12, FLAT, (0, 0, 0.06))]}
+    )
+
+
+def _quarter_car(model: ClassicSystem) -> DrawingOptions:
+    """The displacements are those from rest, so the bodies are drawn at heights above the road."""
+    bodies, (body, wheel) = _bodies(model), (0.7, 0.3)
+    shapes = {
+        bodies["body"]: Box(0.6, 0.4, 0.2, (0, 0, body)),
+        bodies["wheel"]: Cylinder(0.3, (0, -0.1, wheel), (0, 0.1, wheel)),
+    }
+    strut = Point(bodies["body"].frame, 0, 0, body), Point(bodies["wheel"].frame, 0, 0, wheel)
+    return DrawingOptions(shapes=shapes, lines=[strut, (strut[1], Point(ground, 0, 0, 0))])
+
+
+def _half_car(model: ClassicSystem) -> DrawingOptions:
+    bodies, a, b = _bodies(model), model["a"], model["b"]
+    car = translate(0, 0, model["z"]) * rotate("Y", model["theta"])
+    shapes = {
+        bodies["heave"]: Box(a + b, 1.2, 0.3, ((a - b) / 2, 0, 0), car),
+        bodies["pitch"]: Box(0.1, 1.3, 0.1, frame=car),
+    }
+    springs = [(Point(car, x, 0, 0), Point(ground, x, 0, -0.6)) for x in (a, -b)]
+    return DrawingOptions(shapes=shapes, lines=springs)
+
+
+def _full_car(model: ClassicSystem) -> DrawingOptions:
+    bodies, a, b, w, h = _bodies(model), *(model[name] for name in "abwh")
+    body = bodies["body"]
+    shapes: dict[Body, Box | Cylinder] = {body: Box(a + b, w, 0.2, ((a - b) / 2, 0, 0))}
+    lines = []
+    for k, (x, y) in enumerate(((a, w / 2), (a, -w / 2), (-b, w / 2), (-b, -w / 2)), start=1):
+        wheel = bodies[f"wheel {k}"]
+        shapes[wheel] = Cylinder(h / 2, (0, -0.1, 0), (0, 0.1, 0))
+        lines.append((Point(body.frame, x, y, 0), wheel.center_of_mass))
+    return DrawingOptions(shapes=shapes, lines=lines)
+
+
+def _snakeboard(model: ClassicSystem) -> DrawingOptions:
+    bodies, l = _bodies(model), model["l"]
+    axle = Box(FLAT, l, FLAT)
+    return DrawingOptions(
+        shapes={
+            bodies["board"]: Box(2 * l, FLAT * 3, FLAT),
+            bodies["rotor"]: Box(FLAT, 1.5 * l, FLAT, (0, 0, 0.15)),
+            bodies["front axle"]: axle,
+            bodies["rear axle"]: axle,
+        }
+    )
+
+
+_DRAWINGS: dict[str, Callable[[ClassicSystem], DrawingOptions]] = {
+    "ball_and_beam": _ball_and_beam,
+    "full_car": _full_car,
+    "half_car": _half_car,
+    "quarter_car": _quarter_car,
+    "skate": _skate,
+    "snakeboard": _snakeboard,
+}

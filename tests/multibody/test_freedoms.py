@@ -1,0 +1,219 @@
+"""Motors, friction and springs along the freedoms of joints: several in one joint, and of joints that close loops."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from symbody import (
+    Link,
+    Mechanism,
+    ModelNotice,
+    Vector,
+    assemble,
+    cylindrical,
+    free,
+    friction,
+    functions_of_time,
+    generalized_force,
+    ground,
+    motor,
+    newton_euler,
+    pi,
+    planar,
+    power,
+    prismatic,
+    revolute,
+    rotate,
+    simulate,
+    spherical,
+    symbols,
+    time_derivative,
+    torsion_spring,
+    translate,
+    universal,
+)
+from symbody.errors import JointError, LoadError
+
+m, I, k, c, M, a = symbols("m I k c M a")
+
+
+@pytest.mark.parametrize(
+    "make",
+    [
+        lambda *parts, **places: cylindrical("J", *parts, axis="Y", **places),
+        lambda *parts, **places: universal("J", *parts, axes="ZX", **places),
+        lambda *parts, **places: planar("J", *parts, axis="X", **places),
+        lambda *parts, **places: spherical("J", *parts, axes="ZXZ", **places),
+        lambda *parts, **places: spherical("J", *parts, axes="YXZ", **places),
+        lambda *parts, **places: free("J", *parts, axes="ZYX", **places),
+    ],
+)
+@pytest.mark.parametrize("is_reversed", [False, True])
+def test_each_coordinate_of_a_joint_has_its_own_motor(make: object, is_reversed: bool) -> None:
+    """The power of a motor is its effort times the rate of its coordinate, whatever else the joint does."""
+    base, link = Link("base", m), Link("link", m, I, I, I, center=(1, 2, 3))
+    places = {"at": translate(1, 0, 2) * rotate("X", 1), "to": translate(0, 3, 1) * rotate("Y", 2)}
+    parts = (link, base) if is_reversed else (base, link)
+    made = assemble([revolute("base", ground, base), make(*parts, **places)])  # type: ignore[operator]
+    on, reaction = made.body(link), made.body(base)
+    joint = made.joint("J")
+    for q in joint.coordinates:
+        drive = motor(q, M, on=on, reaction=reaction)
+        assert power(drive) == M * time_derivative(q)
+        expected = [M if q == other else 0 for other in made.coordinates]
+        assert generalized_force(drive, made.coordinates) == expected
+        name = str(q).split("_")[0]
+        assert power(motor(joint.freedom(name), M, on=on, reaction=reaction)) == M * time_derivative(q)
+        spring = torsion_spring(q, k, free_angle=a, damping=c, on=on, reaction=reaction)
+        assert power(spring) + time_derivative(spring.potential) == -c * time_derivative(q) ** 2
+
+
+def four_bar(closing: str) -> Mechanism:
+    """A crank that turns all around: joints A, B, C, D, of which one closes the loop."""
+    crank = Link("crank", 1.0, Iz=0.1, center=(0.15, 0, 0))
+    rod = Link("rod", 2.0, Iz=0.3, center=(0.5, 0, 0))
+    rocker = Link("rocker", 1.0, Iz=0.2, center=(0.4, 0, 0))
+    joints = [
+        revolute("A", ground, crank),
+        revolute("B", crank, rod, at=(0.3, 0, 0), loop=closing == "B"),
+        revolute("C", rod, rocker, at=(1, 0, 0), to=(0.8, 0, 0), loop=closing == "C"),
+        revolute("D", ground, rocker, at=(1, 0, 0), loop=closing == "D"),
+    ]
+    return assemble(joints)
+
+
+def test_elements_on_a_pin_that_closes_a_loop_act_as_on_one_that_does_not() -> None:
+    """The same four-bar with another joint that closes the loop has the same motion, over several turns."""
+    found = []
+    for closing in "BCD":
+        made = four_bar(closing)
+        pins = {name: made.joint(name) for name in "ABCD"}
+        rod = {"on": made.body("rod"), "reaction": made.body("crank")}
+        rocker = {"on": made.body("rocker"), "reaction": made.body("rod")}
+        loads = [
+            motor(pins["B"].freedom(), -4, **rod),
+            torsion_spring(pins["C"].freedom(), 1.5, free_angle=0.3, damping=0.1, **rocker),
+            friction(pins["C"].freedom(), viscous=0.1, coulomb=0.2, creep_speed=0.5, **rocker),
+        ]
+        equations = newton_euler(made.system(loads, gravity=Vector(ground, 0, -9.81, 0)))
+        near = {"phi_A": 0.5, "phi_B": 0.215, "phi_C": 0.83, "phi_D": 1.55}
+        guess = {q: near[str(q)] for q in equations.coordinates}
+        known = {q: guess.pop(q) for q in equations.coordinates if str(q) == "phi_A"}
+        rates = {time_derivative(q): 8.0 for q in known}
+        motion = simulate(
+            equations, {}, known | rates, t=np.linspace(0, 3, 301), guess=guess, rtol=1e-11, atol=1e-13
+        )
+        assert motion.energy_drift < 1e-7
+        found.append(motion.evaluate([pins[name].measured["phi"] for name in "ABCD"]))
+    turned = np.ptp(found[0], axis=1)
+    assert turned[1] > 4 * np.pi
+    for other in found[1:]:
+        np.testing.assert_allclose(other, found[0], atol=1e-5)
+
+
+def test_a_spatial_pin_that_closes_a_loop_is_a_rotor() -> None:
+    """A body with six coordinates and a pin: I phi'' = M - k phi - c phi', and over several turns I phi'' = M."""
+    rotor = Link("rotor", 2.0, 1.0, 1.0, 0.5)
+    base = free("F", ground, rotor, axes="ZXY")
+    made = assemble([base, revolute("J", ground, rotor, loop=True)])
+    J = made.joint("J").freedom()
+    assert "atan2" in str(J.value)
+    on = made.body(rotor)
+    held = newton_euler(made.system([torsion_spring(J, 8.0, free_angle=3.0, on=on)]))
+    motion = simulate(held, {}, {base.coordinates[3]: 2.5}, t=(0, 2), rtol=1e-9, atol=1e-11)
+    np.testing.assert_allclose(np.unwrap(motion[J.value]), 3 - 0.5 * np.cos(4 * motion.t), atol=1e-6)
+    assert motion.energy_drift < 1e-7
+    driven = newton_euler(made.system([motor(J, 2.0, on=on)]))
+    motion = simulate(driven, {}, {}, t=(0, 4), rtol=1e-9, atol=1e-11)
+    np.testing.assert_allclose(np.unwrap(motion[J.value]), 2 * motion.t**2, atol=1e-6)
+    dragged = newton_euler(made.system([friction(J, viscous=1.5, on=on)]))
+    start = {time_derivative(base.coordinates[3]): 5.0}
+    motion = simulate(dragged, {}, start, t=(0, 2), rtol=1e-9, atol=1e-11)
+    np.testing.assert_allclose(
+        motion[friction(J, viscous=1.5, on=on)["rate"]], 5 * np.exp(-3 * motion.t), atol=1e-6
+    )
+
+
+def test_a_spring_that_is_wound_beyond_half_a_turn_is_told() -> None:
+    rotor = Link("rotor", 2.0, 1.0, 1.0, 0.5)
+    made = assemble([free("F", ground, rotor), revolute("J", ground, rotor, loop=True)])
+    coil = torsion_spring(made.joint("J").freedom(), k, free_angle=1, on=made.body(rotor), name="coil")
+    equations = newton_euler(made.system([coil]))
+    spin = {time_derivative(equations.coordinates[3]): 2.0}
+    with pytest.warns(ModelNotice) as notices:
+        simulate(equations, {k: 1e-6}, spin, t=np.linspace(0, 3, 31))
+    (notice,) = notices
+    assert str(notice.message) == (
+        "simulate: coil is turned by more than half a turn from its free angle, first at about t = 2.1 s, where its "
+        "torque changes to the other side: its joint closes a loop, and tells angles from -pi to pi alone; let another "
+        "joint close the loop by loop=True"
+    )
+
+
+def test_a_motor_on_an_euler_angle_is_one_between_massless_gimbals() -> None:
+    rotor = Link("rotor", 1, 1, 2, 3, center=(0, 0, 1))
+    ball = spherical("S", ground, rotor, axes="XYZ")
+    alone = assemble([ball])
+    psi, theta, phi = ball.coordinates
+    outer, inner = Link("outer"), Link("inner")
+    gimbals = assemble(
+        [
+            revolute("O", ground, outer, axis="X", coordinate=psi),
+            revolute("I", outer, inner, axis="Y", coordinate=theta),
+            revolute("D", inner, rotor, coordinate=phi),
+        ]
+    )
+    drive = motor(alone.joint(ball).freedom("theta"), M, on=alone.body(rotor))
+    between = motor(theta, M, on=gimbals.body(inner), reaction=gimbals.body(outer))
+    one, other = (newton_euler(each.system([load])) for each, load in ((alone, drive), (gimbals, between)))
+    assert one.residuals == other.residuals
+
+
+def test_a_drive_of_a_cylindrical_joint_that_closes_a_loop() -> None:
+    """m s'' = F and I phi'' = M, each by the motor of its freedom."""
+    shaft = Link("shaft", 2.0, 1.0, 1.0, 0.5)
+    made = assemble([free("F", ground, shaft), cylindrical("J", ground, shaft, loop=True)])
+    on, J = made.body(shaft), made.joint("J")
+    loads = [motor(J.freedom("s"), 3.0, on=on), motor(J.freedom("phi"), 0.25, on=on)]
+    motion = simulate(newton_euler(made.system(loads)), {}, {}, t=(0, 2), rtol=1e-9, atol=1e-11)
+    np.testing.assert_allclose(motion[J.measured["s"]], 0.75 * motion.t**2, atol=1e-8)
+    np.testing.assert_allclose(motion[J.measured["phi"]], 0.25 * motion.t**2, atol=1e-8)
+
+
+def test_free_angles_of_angles_that_jump_count_from_themselves() -> None:
+    rotor = Link("rotor", 1, 1, 1, 1)
+    made = assemble([free("F", ground, rotor), revolute("J", ground, rotor, loop=True)])
+    spring = torsion_spring(made.joint("J").freedom(), k, free_angle=pi / 2, on=made.body(rotor))
+    psi, theta, phi = functions_of_time("psi_F theta_F phi_F")
+    for angle, expected in ((0, -np.pi / 2), (np.pi / 2, 0), (3.0, 3 - np.pi / 2), (-3.0, 1.5 * np.pi - 3)):
+        assert spring["angle"].evaluate({psi: angle, theta: 0, phi: 0}) == pytest.approx(expected, abs=1e-12)
+
+
+def test_what_is_no_freedom_is_told() -> None:
+    arm, cart = Link("arm", 1), Link("cart", 1)
+    made = assemble([cylindrical("J", ground, arm), prismatic("S", arm, cart), revolute("E", ground, cart)])
+    for on in (arm, cart):
+        with pytest.raises(
+            LoadError, match=r"reaction=None; expected what prismatic S connects, arm and cart$"
+        ):
+            motor(made.joint("S").freedom(), 1, on=made.body(on))
+    apart = assemble(
+        [
+            revolute("J", ground, arm),
+            prismatic("S", arm, cart, axis="Y"),
+            revolute("E", ground, cart, loop=True),
+        ]
+    )
+    other = assemble(
+        [revolute("E", ground, cart), prismatic("S", arm, cart), revolute("J", ground, arm, loop=True)]
+    )
+    with pytest.raises(
+        LoadError, match=r"^motor: phi of revolute E is at a place that moves in the body cart;"
+    ):
+        motor(apart.joint("E").freedom(), 1, on=other.body(cart))
+    ball = assemble([spherical("Q", ground, arm, quaternion=True)])
+    with pytest.raises(LoadError, match="at the rate of e1_Q"):
+        motor(ball.joint("Q").freedom("e1"), 1, on=ball.body(arm))
+    with pytest.raises(JointError, match=r"^prismatic S: no freedom 'phi'"):
+        made.joint("S").freedom("phi")

@@ -1,0 +1,172 @@
+"""Mistakes with joints, and with what they make: their whole messages, beside `test_errors.py`."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+
+import pytest
+
+from symbody import (
+    Link,
+    ModelNotice,
+    Motion,
+    SymbodyError,
+    assemble,
+    consistent_state,
+    errors,
+    fixed,
+    free,
+    gear,
+    ground,
+    newton_euler,
+    pi,
+    point_on_curve,
+    prismatic,
+    rack,
+    reaction,
+    revolute,
+    rotate,
+    simulate,
+    translate,
+)
+
+a, b = Link("a", 1, Iz=1), Link("b", 1, 1, 1, 1)
+
+
+def turned_over() -> object:
+    P, F = revolute("P", ground, a), free("F", ground, b)
+    made = assemble([P, F, fixed("K", a, b, at=(1, 0, 0), loop=True)])
+    x, theta = F.coordinates[0], F.coordinates[4]
+    return consistent_state(newton_euler(made.system()), {}, {P.coordinate: 0}, guess={x: 1, theta: 2.2})
+
+
+pin = revolute("A", ground, a)
+
+
+def swing() -> Motion:
+    return simulate(newton_euler(assemble([pin]).system()), t=(0, 1))
+
+
+def gears(distance: float) -> object:
+    P, Q = (
+        revolute("P", ground, a),
+        revolute("Q", ground, b, at=(distance * math.cos(0.5), distance * math.sin(0.5), 0)),
+    )
+    return assemble([P, Q, gear("G", P, Q, 0.1, 0.2)])
+
+
+MISTAKES: list[tuple[type[SymbodyError], Callable[[], object], str]] = [
+    (
+        errors.JointError,
+        lambda: assemble([free("F", ground, a), revolute("J", ground, a, loop=True, limits=(None, 4))]),
+        (
+            "assemble: revolute J closes a loop in space, where its phi is known up to whole turns, and has the limits "
+            "None and 4; expected two limits less than a turn apart; or let another joint close the loop by loop=True"
+        ),
+    ),
+    (
+        errors.JointError,
+        lambda: revolute("J", ground, a, limits=(pi, -pi)),
+        "revolute J: limits from pi to -pi; expected the least value first",
+    ),
+    (
+        errors.JointError,
+        lambda: Link("rod", math.nan),
+        "Link rod: mass = nan is a float; expected an expression, such as symbols('a'), or a finite number",
+    ),
+    (
+        errors.JointError,
+        lambda: free("F", ground, a, axes="ZXZ", quaternion=True),
+        "free F: quaternion=True and axes='ZXZ'; a quaternion has no axes of Euler angles: leave one of both out",
+    ),
+    (
+        errors.JointError,
+        lambda: point_on_curve("W", ground, a, curve=lambda s: (s, math.sin(s), 0)),
+        (
+            "point_on_curve W: the curve fails at s_W: s_W has no numeric value: it contains s_W; substitute values "
+            "first; expected a function of one parameter that takes symbols, such as lambda s: (s, symbody.sin(s), 0), "
+            "with sin of symbody, not of math or numpy"
+        ),
+    ),
+    (
+        errors.JointError,
+        lambda: point_on_curve("W", ground, a, curve=lambda s: (s, math.nan, 0)),
+        (
+            "point_on_curve W: the curve fails at s_W: NaN is not a finite number; expressions hold finite numbers "
+            "only; expected a function of one parameter that takes symbols, such as lambda s: (s, symbody.sin(s), 0), "
+            "with sin of symbody, not of math or numpy"
+        ),
+    ),
+    (
+        errors.ModelError,
+        lambda: reaction(newton_euler(assemble([revolute("a", ground, a)]).system()), "a"),
+        (
+            "reaction: a is the name of a joint and of a body; expected the joint itself, or the body's link, or names "
+            "of their own"
+        ),
+    ),
+    (
+        errors.JointError,
+        lambda: gears(0.31),
+        (
+            "gear G: the square of the distance of the axes is 0.0961, and the radii give 0.09; expected the same: the "
+            "pitch circles touch"
+        ),
+    ),
+    (
+        errors.ArgumentError,
+        lambda: swing()[pin],
+        (
+            "motion[...]: revolute A is a Joint; expected an expression, such as motion[phi_A]; "
+            "motion[joint.coordinate] is that of a joint of the tree, and "
+            "motion[mechanism.joint('A').freedom().value] that of any joint with one"
+        ),
+    ),
+    (
+        errors.ConstraintError,
+        turned_over,
+        (
+            "consistent_state: at t = 0 s fixed K would close with the child turned over: its axes x and z on b are "
+            "opposite to those on a; give a guess={coordinate: value} nearer to the position at which they have one "
+            "direction, or turn the place `to` by half a turn if you mean this position"
+        ),
+    ),
+]
+
+
+@pytest.mark.parametrize(("kind", "mistake", "message"), MISTAKES)
+def test_message(kind: type[SymbodyError], mistake: Callable[[], object], message: str) -> None:
+    with pytest.raises(SymbodyError) as caught:
+        mistake()
+    assert (type(caught.value), str(caught.value)) == (kind, message)
+
+
+def test_meshes_fit_up_to_rounding() -> None:
+    P, Q = (
+        revolute("P", ground, a),
+        prismatic("Q", ground, b, at=rotate("Z", 0.7) * translate(0.2, 0.3 - 0.2, 0)),
+    )
+    made = assemble([P, Q, rack("K", P, Q, 0.1)])
+    assert made.constraints[0].condition == Q.coordinate + 0.1 * P.coordinate
+    gears(0.1 + 0.2)
+
+
+def test_the_side_of_a_reaction_is_the_ground_by_its_name() -> None:
+    pin = revolute("Q", a, ground)
+    assert reaction(newton_euler(assemble([pin]).system()), pin).on == "ground"
+
+
+def test_notice_of_a_mechanism_that_is_overconstrained_at_given_dimensions() -> None:
+    """Three parallel cranks of one length, all dimensions numbers."""
+    cranks = [Link(f"crank{k}", 1, Iz=1) for k in range(3)]
+    bar = Link("bar", 1, Iz=1)
+    joints = [revolute(f"A{k}", ground, crank, at=(k, 0, 0)) for k, crank in enumerate(cranks)]
+    joints += [revolute(f"B{k}", crank, bar, at=(0, 1, 0), to=(k, 0, 0)) for k, crank in enumerate(cranks)]
+    system = assemble(joints).system()
+    with pytest.warns(ModelNotice) as caught:
+        newton_euler(system)
+    assert str(caught[0].message).startswith(
+        "System: 4 independent constraints on 4 coordinates leave no motion at almost every position; where it moves, "
+        "the mechanism is overconstrained: constraints 1 (B1.x)"
+    )
