@@ -19,6 +19,8 @@ from symbody.symbolic import (
     zeros,
 )
 
+from .constraint_form import in_shortest_form
+
 
 def constraint_jacobian(system: Variables) -> Matrix:
     """Return A of ``A u + b``, m x n: ``dphi'/du`` of constraints on positions; one row each, a column per speed."""
@@ -50,7 +52,8 @@ def with_multipliers(residuals: Sequence[Expr], system: Variables) -> tuple[Expr
 
 
 def _forces_on_positions(system: Variables) -> tuple[Expr, ...]:
-    forces = gradient(_multiplied(system, system.constraints, on_position=True), system.coordinates)
+    constraints = in_shortest_form(system, system.constraints)
+    forces = gradient(_multiplied(system, constraints, on_position=True), system.coordinates)
     return _along_speeds(forces, system) if system.has_quasi_velocities else forces
 
 

@@ -28,6 +28,7 @@ from symbody.symbolic import (
     jacobian,
     substitute,
     truncated,
+    with_shared_sums,
     without_idle_symbols,
 )
 
@@ -62,7 +63,8 @@ def derived(
             with_multipliers(recursive_newton_euler(system, shortest), system)
         completed = with_multipliers(_by_speeds(residuals, system), system)
         found = truncated(completed, MOTION)
-    return Equations(system, without_idle_symbols(found), partial(_assemble, residuals, inertia))
+    shared = with_shared_sums(without_idle_symbols(found))
+    return Equations(system, shared, partial(_assemble, residuals, inertia))
 
 
 def _assemble(residuals: Residuals, inertia: Callable[[System], Matrix] | None, system: System) -> Assembly:

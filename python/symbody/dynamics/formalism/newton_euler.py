@@ -12,7 +12,14 @@ from symbody.dynamics.recursion.shortest_tree import mass_matrix_and_bias, short
 from symbody.errors import ModelError
 from symbody.geometry.given.argument import checked
 from symbody.multibody import System
-from symbody.symbolic import ENERGY, MOTION, derivation, truncated, without_idle_symbols
+from symbody.symbolic import (
+    ENERGY,
+    MOTION,
+    derivation,
+    truncated,
+    with_shared_sums,
+    without_idle_symbols,
+)
 
 from .checked_tree import check_rigid, checked_tree
 
@@ -43,7 +50,7 @@ def newton_euler(system: System) -> Equations:
         shortest = shortest_tree(system, recursive_newton_euler)
         residuals = with_multipliers(recursive_newton_euler(system, shortest), system)
         residuals = truncated(residuals, MOTION)
-    return Equations(system, without_idle_symbols(residuals), _assemble)
+    return Equations(system, with_shared_sums(without_idle_symbols(residuals)), _assemble)
 
 
 def _assemble(system: System) -> Assembly:
