@@ -59,7 +59,7 @@ def stabilized_beside(
     short = in_shortest_form(system, constraints)
     with derivation(fresh=True, order=MOTION):
         for residual in residuals:
-            residual + 0  # noqa: B018 - its nodes become those of this derivation
+            residual + 0
         rows = stabilized(system, short, omega, zeta)
     return with_shared_sums(rows, residuals)
 

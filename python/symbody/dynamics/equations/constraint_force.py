@@ -16,6 +16,7 @@ from symbody.symbolic import (
     number,
     time_derivative,
     truncated,
+    with_shared_sums,
     zeros,
 )
 
@@ -32,6 +33,16 @@ def constraint_jacobian(system: Variables) -> Matrix:
         else:
             A = jacobian(system.constraints, system.coordinates)
         return Matrix.from_entries(*A.shape, truncated(A.entries, MOTION))
+
+
+def in_shared_sums(residuals: Sequence[Expr], system: Variables) -> tuple[Expr, ...]:
+    """Return residuals whose sums share common parts if there are constraints, since each force is in many rows.
+
+    Args:
+        residuals: the residuals, with the forces of the multipliers.
+        system: the system.
+    """
+    return with_shared_sums(residuals) if system.constraints else tuple(residuals)
 
 
 def with_multipliers(residuals: Sequence[Expr], system: Variables) -> tuple[Expr, ...]:

@@ -1,8 +1,8 @@
 """The form of constraints by which their forces and accelerations are shortest.
 
-Constraints of natural coordinates are scalar products of vectors such as ``u = (B + C - 2 A) / (sqrt(3) l)``. With the
-parameters outside, ``u . v - c`` is a factor times a scalar product of differences of coordinates, and the rates of these
-have no factors. Other expressions may need u anyway. So both forms are differentiated, and the shorter one is kept.
+Constraints of natural coordinates are scalar products of vectors such as ``u = (B + C - 2 A) / (sqrt(3) l)``. With
+the parameters outside, ``u . v`` is a factor times a scalar product of differences of coordinates, and their rates have
+no factors. Other expressions may need u anyway. So both forms are differentiated, and the shorter one is kept.
 """
 
 from __future__ import annotations

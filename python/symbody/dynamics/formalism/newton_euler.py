@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from symbody.dynamics.equations.constraint_force import with_multipliers
+from symbody.dynamics.equations.constraint_force import in_shared_sums, with_multipliers
 from symbody.dynamics.equations.equations import Assembly, Equations
 from symbody.dynamics.equations.independence import check_independent
 from symbody.dynamics.recursion.added_mass import with_added_mass
@@ -17,7 +17,6 @@ from symbody.symbolic import (
     MOTION,
     derivation,
     truncated,
-    with_shared_sums,
     without_idle_symbols,
 )
 
@@ -50,7 +49,7 @@ def newton_euler(system: System) -> Equations:
         shortest = shortest_tree(system, recursive_newton_euler)
         residuals = with_multipliers(recursive_newton_euler(system, shortest), system)
         residuals = truncated(residuals, MOTION)
-    return Equations(system, with_shared_sums(without_idle_symbols(residuals)), _assemble)
+    return Equations(system, in_shared_sums(without_idle_symbols(residuals), system), _assemble)
 
 
 def _assemble(system: System) -> Assembly:
