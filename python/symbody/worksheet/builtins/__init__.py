@@ -1,0 +1,1 @@
+"""Commands of Maple: a table by family."""

@@ -1,0 +1,31 @@
+"""The source of a worksheet: cells, each with its input, what was printed below it, and the prose around."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+__all__ = ["Cell", "Line"]
+
+
+@dataclass(frozen=True, slots=True)
+class Line:
+    """A line of input, without its prompt: its text, and where this begins in the file."""
+
+    text: str
+    line: int
+    column: int = 1
+
+
+@dataclass(frozen=True, slots=True)
+class Cell:
+    """One execution group.
+
+    Attributes:
+        input: the lines of code; the end of a cell ends a statement.
+        printed: blocks of printed text below it, as the file has them, cut or not.
+        prose: the text before it.
+    """
+
+    input: tuple[Line, ...]
+    printed: tuple[str, ...] = ()
+    prose: tuple[str, ...] = ()
