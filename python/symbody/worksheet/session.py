@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import TypeAlias
+from typing import Any, TypeAlias
 
 from symbody.worksheet.value import Array, Reference, Table, Value
 
@@ -22,6 +22,7 @@ class Session:
         folder: where files are written; nothing is written elsewhere.
         lines: what the statement has printed so far, in order: printed values, ``printf``, warnings.
         notices: what the user should know that Maple doesn't print.
+        mechanics: the modes of MBSymba (`worksheet/mechanics.py`); None until one of its commands runs.
     """
 
     names: dict[str, Value] = field(default_factory=dict)
@@ -29,6 +30,14 @@ class Session:
     folder: Path = field(default_factory=Path)
     lines: list[str] = field(default_factory=list)
     notices: list[str] = field(default_factory=list)
+    mechanics: Any = None
+
+    def current(self, value: Value) -> Value:
+        """Return a value with all that was assigned since it was made: scalars, matrices, lists; tables as they are.
+
+        The chain of a matrix that is a frame is substituted too: `frame_face.current`.
+        """
+        raise NotImplementedError
 
     def resolve(self, value: Value) -> Value:
         """Return the table, the matrix or the procedure that a reference stands for; other values as they are."""
