@@ -4,7 +4,9 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-__all__ = ["Cell", "Line"]
+from symbody.worksheet.syntax import Place
+
+__all__ = ["Cell", "Line", "Remark", "SyntaxMistake"]
 
 
 @dataclass(frozen=True, slots=True)
@@ -29,3 +31,19 @@ class Cell:
     input: tuple[Line, ...]
     printed: tuple[str, ...] = ()
     prose: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Remark:
+    """Text among the code that is no code, though it has no ``#``."""
+
+    place: Place
+    text: str
+
+
+@dataclass(frozen=True, slots=True)
+class SyntaxMistake:
+    """A statement that can't be read; ``message`` says where, what was found and what was expected, with a caret."""
+
+    place: Place
+    message: str

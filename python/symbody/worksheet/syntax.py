@@ -71,6 +71,8 @@ class Node:
 
 @dataclass(frozen=True, slots=True)
 class Integer(Node):
+    """A whole number."""
+
     value: int
 
 
@@ -118,11 +120,15 @@ class SequenceDisplay(Node):
 
 @dataclass(frozen=True, slots=True)
 class ListDisplay(Node):
+    """``[a, b]``."""
+
     items: tuple[Expression, ...]
 
 
 @dataclass(frozen=True, slots=True)
 class SetDisplay(Node):
+    """``{a, b}``."""
+
     items: tuple[Expression, ...]
 
 
@@ -160,7 +166,8 @@ class Postfix(Node):
 class Infix(Node):
     """An operator between its operands.
 
-    ``+ - * / ^ . &* = <> < <= > >= and or xor implies in .. :: $ union minus intersect subset mod``; ``elementwise`` where ``~`` follows it.
+    ``+ - * / ^ . &* @ @@ = <> < <= > >= and or xor implies assuming in .. :: $ union minus intersect subset mod``;
+    ``elementwise`` where ``~`` follows it. A side of ``..`` that is left out is an empty sequence.
     """
 
     operator: str
@@ -210,7 +217,7 @@ class Elementwise(Node):
 
 @dataclass(frozen=True, slots=True)
 class Parameter(Node):
-    """A parameter of a procedure: ``x::type := default``; ``keyword`` in braces, ``rest`` for ``$`` (no more arguments)."""
+    """A parameter: ``x::type := default``; ``keyword`` in braces, ``rest`` for ``$`` (no more arguments)."""
 
     name: str
     type: Expression | None = None
@@ -284,6 +291,8 @@ class Assignment(_Statement):
 
 @dataclass(frozen=True, slots=True)
 class Evaluation(_Statement):
+    """An expression as a statement."""
+
     expression: Expression
 
 
@@ -310,6 +319,8 @@ class For(_Statement):
 
 @dataclass(frozen=True, slots=True)
 class Return(_Statement):
+    """``return value``."""
+
     value: Expression | None = None
 
 
@@ -331,12 +342,12 @@ class Try(_Statement):
 
 @dataclass(frozen=True, slots=True)
 class Next(_Statement):
-    pass
+    """``next``: the next pass of a loop."""
 
 
 @dataclass(frozen=True, slots=True)
 class Break(_Statement):
-    pass
+    """``break``: the end of a loop."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -355,15 +366,16 @@ class Save(_Statement):
 
 @dataclass(frozen=True, slots=True)
 class Declaration(_Statement):
-    """``local a, b`` or ``global a`` at the top of a session."""
+    """``local a, b`` or ``global a`` at the top of a session; ``variables`` with their types and first values."""
 
     kind: str
     names: tuple[str, ...]
+    variables: tuple[Parameter, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
 class Quit(_Statement):
-    pass
+    """``quit``, ``done``, ``stop``: the end of the sheet."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -1,0 +1,128 @@
+"""From tokens to statements: Lark's tables for the grammar, driven one statement at a time."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass
+from functools import cache
+from pathlib import Path
+
+from lark import Lark, Token, UnexpectedToken
+from lark.exceptions import VisitError
+from lark.lark import PostLex
+
+from symbody.worksheet.reading.builder import Builder, Mistake, one_place
+from symbody.worksheet.source import Line
+from symbody.worksheet.syntax import Place, Statement
+
+__all__ = ["TERMINATORS", "Failure", "Parsed", "next_statement", "terminator_after", "tokens_of"]
+
+TERMINATORS = frozenset({"SEMICOLON", "COLON"})
+
+_OPEN = frozenset({"DO", "IF", "PROC", "TRY"})
+_CLOSE = frozenset({"OD", "FI", "END"})
+
+
+@dataclass(frozen=True, slots=True)
+class Parsed:
+    """A statement, and the number of tokens up to its end."""
+
+    statement: Statement
+    end: int
+
+
+@dataclass(frozen=True, slots=True)
+class Failure:
+    """Why tokens are no statement.
+
+    Attributes:
+        index: the token that can't follow; the number of tokens where they end too early.
+        expected: the kinds of tokens that could.
+        place, message: of a statement that has the form of the grammar, but no meaning.
+    """
+
+    index: int
+    expected: frozenset[str] = frozenset()
+    place: Place | None = None
+    message: str = ""
+
+
+class _EveryToken(PostLex):
+    """Keeps the token of characters that mean nothing, which no rule uses."""
+
+    always_accept: Iterable[str] = ("UNKNOWN",)
+
+    def process(self, stream: Iterator[Token]) -> Iterator[Token]:
+        return stream
+
+
+@cache
+def _parser() -> Lark:
+    grammar = Path(__file__).with_name("maple.lark").read_text(encoding="utf-8")
+    return Lark(
+        grammar,
+        parser="lalr",
+        lexer="basic",
+        propagate_positions=True,
+        maybe_placeholders=True,
+        postlex=_EveryToken(),
+    )
+
+
+def tokens_of(line: Line) -> list[Token]:
+    """Return the tokens of a line, with their places in the file."""
+    tokens = list(_parser().lex(line.text))
+    for token in tokens:
+        width = (token.end_column or 1) - (token.column or 1)
+        token.line = token.end_line = line.line
+        token.column = (token.column or 1) + line.column - 1
+        token.end_column = token.column + width
+    return tokens
+
+
+def next_statement(tokens: Sequence[Token], begin: int = 0) -> Parsed | Failure:
+    """Return the statement that begins at a token, with its terminator, or why there is none."""
+    parser = _parser().parse_interactive("")
+    state = parser.parser_state
+    states = state.parse_conf.parse_table.states
+    index, depth = begin, 0
+    try:
+        for index in range(begin, len(tokens)):
+            parser.feed_token(tokens[index])
+            depth += _opened(tokens, index)
+            if depth <= 0 and tokens[index].type in TERMINATORS:
+                tree = parser.feed_token(Token.new_borrow_pos("$END", "", tokens[index]))
+                return Parsed(Builder().transform(tree), index + 1)
+    except UnexpectedToken as error:
+        return Failure(index, frozenset(error.expected))
+    except VisitError as error:
+        return _failure(index, error.orig_exc)
+    return Failure(len(tokens), frozenset(states[state.position]))
+
+
+def _opened(tokens: Sequence[Token], index: int) -> int:
+    """Return 1 for a word that opens a list of statements, -1 for one that closes it; words of Maple are reserved."""
+    kind = tokens[index].type
+    if kind in _CLOSE:
+        return -1
+    return int(kind in _OPEN and not (index and tokens[index - 1].type == "END"))
+
+
+def _failure(index: int, error: Exception) -> Failure:
+    if isinstance(error, Mistake):
+        return Failure(index, place=error.place, message=str(error))
+    raise error
+
+
+def terminator_after(token: Token, sign: str = ";") -> Token:
+    """Return the terminator that the end of a cell stands for."""
+    place = one_place(token)
+    kind = "SEMICOLON" if sign == ";" else "COLON"
+    return Token(
+        kind,
+        sign,
+        line=place.end_line,
+        column=place.end_column,
+        end_line=place.end_line,
+        end_column=place.end_column,
+    )
