@@ -296,7 +296,7 @@ def _unevaluated(value: Unevaluated, style: Style) -> str:
     if function.strip("`") in ("&*", ".", "*", "+", "-", "/", "^", "union", "minus", "intersect", "and", "or"):
         operator = function.strip("`")
         return f" {operator} ".join(_factor(each, style) for each in arguments)
-    return f"{function}({_joined(arguments, style).replace(' = ', ' = ')})"
+    return f"{function}({','.join(text_of(each, style) for each in arguments)})"
 
 
 def _factor(value: Value, style: Style) -> str:
