@@ -71,7 +71,8 @@ def _parser() -> Lark:
 
 def tokens_of(line: Line) -> list[Token]:
     """Return the tokens of a line, with their places in the file."""
-    tokens = list(_parser().lex(line.text))
+    reading = _parser().parse_interactive(line.text)
+    tokens = list(reading.lexer_thread.lex(reading.parser_state))  # type: ignore[no-untyped-call]
     for token in tokens:
         width = (token.end_column or 1) - (token.column or 1)
         token.line = token.end_line = line.line
