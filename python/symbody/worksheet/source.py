@@ -26,11 +26,14 @@ class Cell:
         input: the lines of code; the end of a cell ends a statement.
         printed: blocks of printed text below it, as the file has them, cut or not.
         prose: the text before it.
+        remarks_lost_marks: text behind the last terminator of a line, without one of its own, is a remark: exports to
+            text leave out the marks of remarks.
     """
 
     input: tuple[Line, ...]
     printed: tuple[str, ...] = ()
     prose: tuple[str, ...] = ()
+    remarks_lost_marks: bool = True
 
 
 @dataclass(frozen=True, slots=True)

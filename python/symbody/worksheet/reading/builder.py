@@ -221,7 +221,8 @@ class Builder(Transformer_NonRecursive[Token, Statement]):
     def vector(self, meta: Meta, parts: Items) -> Expression:
         """``<a, b>`` is a column, ``<a | b>`` a row, and ``<a, b | c, d>`` columns one beside the other."""
         if len(parts) == 1:
-            return replace(parts[0], place=_place(meta))
+            column: syntax.Columns = parts[0]
+            return replace(column, place=_place(meta))
         entries = tuple(part.items[0] if len(part.items) == 1 else part for part in parts)
         return syntax.Rows(entries, place=_place(meta))
 

@@ -5,7 +5,9 @@ from __future__ import annotations
 import re
 from pathlib import Path
 
+from symbody.worksheet.reading.mw import mw_cells
 from symbody.worksheet.reading.plain_text import plain_text_cells
+from symbody.worksheet.reading.text_export import text_export_cells
 from symbody.worksheet.source import Cell
 
 __all__ = ["read_source", "source_cells"]
@@ -25,5 +27,9 @@ def read_source(path: Path | str) -> tuple[Cell, ...]:
 
 def source_cells(text: str) -> tuple[Cell, ...]:
     """Return the cells of a worksheet's text."""
-    text = text.replace("\r\n", "\n").replace("\r", "\n")
+    text = text.replace("\r\n", "\n").replace("\r", "\n").replace("\N{NO-BREAK SPACE}", " ")
+    if text.lstrip().startswith("<?xml") or text.lstrip().startswith("<Worksheet"):
+        return mw_cells(text)
+    if _PROMPT.search(text):
+        return text_export_cells(text)
     return plain_text_cells(text)

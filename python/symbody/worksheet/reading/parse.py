@@ -15,7 +15,7 @@ from symbody.worksheet.reading.builder import Builder, Mistake, one_place
 from symbody.worksheet.source import Line
 from symbody.worksheet.syntax import Place, Statement
 
-__all__ = ["TERMINATORS", "Failure", "Parsed", "next_statement", "terminator_after", "tokens_of"]
+__all__ = ["TERMINATORS", "Failure", "Parsed", "next_statement", "opened", "terminator_after", "tokens_of"]
 
 TERMINATORS = frozenset({"SEMICOLON", "COLON"})
 
@@ -71,7 +71,8 @@ def _parser() -> Lark:
 
 def tokens_of(line: Line) -> list[Token]:
     """Return the tokens of a line, with their places in the file."""
-    tokens = list(_parser().lex(line.text))
+    reading = _parser().parse_interactive(line.text)
+    tokens = list(reading.lexer_thread.lex(reading.parser_state))  # type: ignore[no-untyped-call]
     for token in tokens:
         width = (token.end_column or 1) - (token.column or 1)
         token.line = token.end_line = line.line
@@ -89,7 +90,7 @@ def next_statement(tokens: Sequence[Token], begin: int = 0) -> Parsed | Failure:
     try:
         for index in range(begin, len(tokens)):
             parser.feed_token(tokens[index])
-            depth += _opened(tokens, index)
+            depth += opened(tokens, index)
             if depth <= 0 and tokens[index].type in TERMINATORS:
                 tree = parser.feed_token(Token.new_borrow_pos("$END", "", tokens[index]))
                 return Parsed(Builder().transform(tree), index + 1)
@@ -100,7 +101,7 @@ def next_statement(tokens: Sequence[Token], begin: int = 0) -> Parsed | Failure:
     return Failure(len(tokens), frozenset(states[state.position]))
 
 
-def _opened(tokens: Sequence[Token], index: int) -> int:
+def opened(tokens: Sequence[Token], index: int) -> int:
     """Return 1 for a word that opens a list of statements, -1 for one that closes it; words of Maple are reserved."""
     kind = tokens[index].type
     if kind in _CLOSE:
@@ -114,13 +115,12 @@ def _failure(index: int, error: Exception) -> Failure:
     raise error
 
 
-def terminator_after(token: Token, sign: str = ";") -> Token:
-    """Return the terminator that the end of a cell stands for."""
+def terminator_after(token: Token) -> Token:
+    """Return the terminator that the end of a cell stands for: one without text."""
     place = one_place(token)
-    kind = "SEMICOLON" if sign == ";" else "COLON"
     return Token(
-        kind,
-        sign,
+        "SEMICOLON",
+        "",
         line=place.end_line,
         column=place.end_column,
         end_line=place.end_line,
