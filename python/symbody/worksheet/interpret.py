@@ -3,18 +3,22 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
+from dataclasses import replace
 from typing import Any
 
 from symbody.errors import SymbodyError, WorksheetError
 from symbody.symbolic import Expr, UndefinedFunction, number
-from symbody.worksheet import builtins, syntax
+from symbody.worksheet import builtins, frame_face, mbsymba, operators, syntax
 from symbody.worksheet.builtins.files import read_file, save_file
 from symbody.worksheet.condition import truth
 from symbody.worksheet.evaluate import Evaluator
 from symbody.worksheet.numeric import as_float
 from symbody.worksheet.procedure import Leave, Returned
+from symbody.worksheet.reading.files import source_cells
+from symbody.worksheet.reading.statements import statements
 from symbody.worksheet.select import assigned_entry, key_of
 from symbody.worksheet.session import Session
+from symbody.worksheet.source import Remark, SyntaxMistake
 from symbody.worksheet.value import (
     NULL,
     Array,
@@ -52,6 +56,9 @@ class Interpreter:
         self.evaluator = Evaluator(self.session)
         self.evaluator.execute = self._body
         self.session.run = self.run
+        self.session.overload = operators.overloaded
+        self.session.face = _face
+        mbsymba.install(self.session)
         self._level = 0
         self._methods: dict[type, Callable[[Any], Value]] = {
             syntax.Assignment: self._assignment,
@@ -103,8 +110,12 @@ class Interpreter:
 
     def run(self, text: str) -> None:
         """Execute the statements of a text, as ``read`` does; a mistake ends it."""
-        for statement in builtins.statements_of(text):
-            self._statement(statement, shown=statement.shown)
+        for cell in source_cells(text):
+            for statement in statements(cell):
+                if isinstance(statement, SyntaxMistake):
+                    raise WorksheetError(statement.message)
+                if not isinstance(statement, Remark):
+                    self._statement(statement, shown=statement.shown)
 
     # --- statements ---------------------------------------------------------------------------------------------------
 
@@ -152,6 +163,7 @@ class Interpreter:
     def _evaluate(self, node: syntax.Expression) -> Value:
         if isinstance(node, syntax.Name) and node.name == "restart" and node.name not in self.session.names:
             self.session.restart()
+            mbsymba.install(self.session)
             return NULL
         return self.evaluator.evaluate(node)
 
@@ -375,6 +387,14 @@ class Interpreter:
 
     def _quit(self, node: syntax.Quit) -> Value:
         raise Stop
+
+
+def _face(session: Session, before: Array, after: Array) -> Array:
+    """Return an evaluated matrix with the evaluated chain of the one before."""
+    chain = frame_face.current(session, before.frame)
+    if after is before and chain is before.frame:
+        return before
+    return replace(after, frame=chain)
 
 
 _PROTECTED = frozenset({"Pi", "I", "true", "false", "FAIL", "infinity", "NULL", "sin", "cos", "tan", "diff", "D"})

@@ -11,15 +11,12 @@ from symbody.worksheet.arithmetic import rebuilt
 from symbody.worksheet.builtins import (
     algebra,
     calculus,
-    code,
     containers,
     display as display_family,
     elementary,
     files,
     forms,
     matrices,
-    motions,
-    plots,
     sets,
     solving,
     structural,
@@ -29,7 +26,6 @@ from symbody.worksheet.builtins.display import display
 from symbody.worksheet.builtins.forms import FORMS, dollar, repeated
 from symbody.worksheet.builtins.structural import elementwise, items_of
 from symbody.worksheet.print import name_text
-from symbody.worksheet.reading import statements_of
 from symbody.worksheet.session import Command, Session
 from symbody.worksheet.value import NULL, Builtin, Reference, String, Unevaluated, Value
 
@@ -47,13 +43,12 @@ __all__ = [
     "operator_call",
     "package_command",
     "repeated",
-    "statements_of",
     "usage",
 ]
 
 _FAMILIES = (
     *(elementary, calculus, algebra, solving, structural, containers, sets, matrices),
-    *(texts, files, display_family, code, motions, plots),
+    *(texts, files, display_family),
 )
 
 KERNEL: dict[str, Command] = {name: each for family in _FAMILIES for name, each in family.COMMANDS.items()}

@@ -16,9 +16,9 @@ from symbody.symbolic import (
     number,
     simplify as simplified,
 )
+from symbody.symbolic.linear.elimination import eliminated, is_linear
 from symbody.worksheet.arithmetic import scalar
 from symbody.worksheet.entrywise import entrywise
-from symbody.worksheet.linear_equations import solve_linear
 from symbody.worksheet.numeric import as_integer
 from symbody.worksheet.polynomial import coefficients, degree, reduced
 from symbody.worksheet.session import Command, Session
@@ -114,7 +114,7 @@ def _with_relations(session: Session, value: Value, relations: Value, unknowns: 
     wanted = [scalar(session, each) for each in names]
     residuals = [scalar(session, each.left) - scalar(session, each.right) for each in equations]
     if wanted:
-        solution = solve_linear(residuals, wanted)
+        solution = eliminated(residuals, wanted) if is_linear(residuals, wanted) else None
         if solution is not None:
             changed = {old: new for old, new in solution.items() if new != old}
             return entrywise(session, value, lambda each: _simple(session, each.subs(changed)))
@@ -212,8 +212,9 @@ def isolate(session: Session, equation: Value, unknown: Value) -> Value:
     """isolate(equation, x): the equation solved for x."""
     by = scalar(session, unknown)
     left, right = (equation.left, equation.right) if isinstance(equation, Relation) else (equation, number(0))
-    solution = solve_linear([scalar(session, left) - scalar(session, right)], [by])
-    if not solution or solution[by] == by:
+    residual = scalar(session, left) - scalar(session, right)
+    solution = eliminated([residual], [by]) if is_linear([residual], [by]) else None
+    if not solution or by not in solution:
         raise WorksheetError(f"isolate: the equation is not linear in {session.text(by)}; expected one that is, or solve")
     return Relation("=", by, solution[by])
 

@@ -1,13 +1,12 @@
-"""Solving equations."""
+"""Solving equations, in symbols and in numbers."""
 
 from __future__ import annotations
 
 from symbody.errors import WorksheetError
 from symbody.symbolic import Expr, symbol
+from symbody.symbolic.roots.solutions import solutions as all_solutions
 from symbody.worksheet.arithmetic import scalar
 from symbody.worksheet.current import set_of
-from symbody.worksheet.nonlinear_equations import solve_nonlinear
-from symbody.worksheet.linear_equations import solve_linear
 from symbody.worksheet.numeric import as_float, decimal
 from symbody.worksheet.root_finding import newton
 from symbody.worksheet.session import Command, Session, sequence
@@ -52,20 +51,10 @@ def unknowns_of(session: Session, value: Value | None, residuals: list[Expr]) ->
 
 
 def solutions(session: Session, residuals: list[Expr], unknowns: list[Expr]) -> list[dict[Expr, Expr]]:
-    """Return all solutions that are found."""
-    named = {each: symbol(f"_unknown{i}") for i, each in enumerate(unknowns) if each.kind not in _VARIABLES}
-    if named:
-        back = {new: old for old, new in named.items()}
-        plain = [each.subs(named) for each in residuals]
-        found = solutions(session, plain, [named.get(each, each) for each in unknowns])
-        return [{back.get(old, old): new.subs(back) for old, new in each.items()} for each in found]
-    linear = solve_linear(residuals, unknowns)
-    if linear is not None:
-        return [linear]
-    return solve_nonlinear(session.limits, residuals, unknowns)
-
-
-_VARIABLES = ("symbol", "time_function")
+    """Return all solutions that are found; unknowns that stay free are themselves."""
+    session.limits.check()
+    found = all_solutions([each for each in residuals if not each.is_zero], unknowns)
+    return [{each: solution.get(each, each) for each in unknowns} for solution in found]
 
 
 def solve(session: Session, equations: Value, unknowns: Value | None = None, *options: Value) -> Value:
