@@ -8,9 +8,10 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from symbody.symbolic import Expr, symbol, t, time_derivative
+from symbody.symbolic import Expr, t, time_derivative
 from symbody.symbolic.expression.traverse import post_order
 from symbody.worksheet.entrywise import entrywise
+from symbody.worksheet.naming import symbol
 from symbody.worksheet.value import Array, ProcedureValue, Reference, Table, Value
 
 if TYPE_CHECKING:

@@ -29,7 +29,9 @@ __all__ = ["copied", "entrywise", "parts_of", "with_parts"]
 Rewrite = Callable[[Value], Value]
 
 
-def entrywise(session: Session, value: Value, function: Callable[[Expr], Value], *, keeps_value: bool = False) -> Value:
+def entrywise(
+    session: Session, value: Value, function: Callable[[Expr], Value], *, keeps_value: bool = False
+) -> Value:
     """Return a value with a function applied to all scalars in it; a matrix keeps its chain if values are kept."""
 
     def rewrite(part: Value) -> Value:
@@ -43,7 +45,9 @@ def entrywise(session: Session, value: Value, function: Callable[[Expr], Value],
     if isinstance(found, Array):
         entries = [rewrite(session.current(each)) for each in found.entries]
         frame = found.frame if keeps_value else None
-        return replace(found, entries=entries, frame=frame, attributes=found.attributes if keeps_value else ())
+        return replace(
+            found, entries=entries, frame=frame, attributes=found.attributes if keeps_value else ()
+        )
     if isinstance(found, Table):
         return Table({key: _field(entry, rewrite) for key, entry in found.entries.items()})
     return with_parts(found, [rewrite(part) for part in parts_of(found)])

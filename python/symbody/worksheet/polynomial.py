@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from symbody.errors import ExpressionError, WorksheetError
-from symbody.symbolic import Expr, coeff, expand, number, symbol
+from symbody.symbolic import Expr, coeff, expand, number
+from symbody.worksheet.naming import symbol
 from symbody.worksheet.structure import tree_of, walk
 
 __all__ = ["coefficients", "degree", "reduced"]
@@ -61,7 +62,9 @@ def reduced(value: Expr, left: Expr, right: Expr, variables: list[Expr]) -> Expr
     """Return a value in which the polynomial ``left`` is replaced by ``right``: the remainder of a division."""
     if left.kind in _LEAVES:
         return value.subs({left: right})
-    candidates = variables or sorted(left.free_symbols, key=lambda each: (-degree_or_zero(left, each), str(each)))
+    candidates = variables or sorted(
+        left.free_symbols, key=lambda each: (-degree_or_zero(left, each), str(each))
+    )
     functions = sorted({n.value for n in walk(tree_of(left)) if n.kind == "function"}, key=str)
     for variable in [*functions, *candidates]:
         try:

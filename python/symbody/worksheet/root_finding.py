@@ -42,7 +42,10 @@ def newton(
         )
         if found is None:
             continue
-        if all(each is None or each[0] - 1e-9 <= x <= each[1] + 1e-9 for x, each in zip(found, ranges, strict=True)):
+        if all(
+            each is None or each[0] - 1e-9 <= x <= each[1] + 1e-9
+            for x, each in zip(found, ranges, strict=True)
+        ):
             return [0.0 if abs(x) < 1e-14 else float(x) for x in found]
     return None
 
@@ -64,7 +67,9 @@ def _candidates(starts: list[float | None], ranges: list[Bounds]) -> Iterator[li
         width = min(width * 1.1, 1e4)
 
 
-def _iterated(function: Callable[[Column], Column], slope: Callable[[Column], Column], x: Column) -> Column | None:
+def _iterated(
+    function: Callable[[Column], Column], slope: Callable[[Column], Column], x: Column
+) -> Column | None:
     try:
         value = function(x)
         for _ in range(60):
@@ -82,9 +87,11 @@ def _iterated(function: Callable[[Column], Column], slope: Callable[[Column], Co
             else:
                 return x if size < 1e-9 else None
             x, value = new, new_value
-            if np.linalg.norm(factor * step) <= _TOLERANCE * (1 + np.linalg.norm(x)) and np.linalg.norm(value) < 1e-8:
+            if (
+                np.linalg.norm(factor * step) <= _TOLERANCE * (1 + np.linalg.norm(x))
+                and np.linalg.norm(value) < 1e-8
+            ):
                 return x
     except (ArithmeticError, ValueError, np.linalg.LinAlgError):
         return None
     return x if np.linalg.norm(value) < 1e-9 else None
-

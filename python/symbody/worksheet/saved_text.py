@@ -34,7 +34,10 @@ def saved_text(session: Session, name: str) -> str:
 
 def _text(session: Session, value: Value) -> str:
     if isinstance(value, Table):
-        entries = [f"({_key(key)})=({_text(session, _field(session, entry))})" for key, entry in value.entries.items()]
+        entries = [
+            f"({_key(key)})=({_text(session, _field(session, entry))})"
+            for key, entry in value.entries.items()
+        ]
         return f"table([{', '.join(entries)}])"
     if isinstance(value, Array):
         return _array(session, value)

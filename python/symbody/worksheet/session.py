@@ -258,10 +258,7 @@ class Session:
 
     def restart(self) -> None:
         """Forget everything but the folders, what was printed, and the limits."""
-        kept: Mapping[str, Any] = {
-            name: getattr(self, name)
-            for name in _KEPT
-        }
+        kept: Mapping[str, Any] = {name: getattr(self, name) for name in _KEPT}
         self.__dict__.update(Session(**kept).__dict__)
 
 
@@ -279,5 +276,3 @@ def sequence(values: list[Value] | tuple[Value, ...]) -> Value:
 def is_last_name(value: Value) -> bool:
     """Whether evaluation of a name stops before this value."""
     return current.is_last_name(value)
-
-

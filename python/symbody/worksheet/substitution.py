@@ -9,10 +9,11 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import TYPE_CHECKING
 
-from symbody.symbolic import Expr, UndefinedFunction, symbol, t, time_derivative
+from symbody.symbolic import Expr, UndefinedFunction, t, time_derivative
 from symbody.symbolic.expression.traverse import post_order
 from symbody.worksheet import frame_face
 from symbody.worksheet.entrywise import parts_of, with_parts
+from symbody.worksheet.naming import symbol
 from symbody.worksheet.structure import Tree, tree_of, walk
 from symbody.worksheet.value import Array, Reference, Table, Value
 
@@ -36,7 +37,9 @@ def substituted(session: Session, value: Value, mapping: Mapping[Value, Value]) 
     if isinstance(found, Table):
         return Table(
             {
-                key: entry if isinstance(entry, Reference) and entry not in mapping else substituted(session, entry, mapping)
+                key: entry
+                if isinstance(entry, Reference) and entry not in mapping
+                else substituted(session, entry, mapping)
                 for key, entry in found.entries.items()
             }
         )
@@ -54,14 +57,19 @@ def _in_array(session: Session, array: Array, mapping: Mapping[Value, Value]) ->
     after = Array(array.rows, array.columns, entries, array.kind)
     scalars = {old: new for old, new in mapping.items() if isinstance(old, Expr) and isinstance(new, Expr)}
     plain = len(scalars) == len(mapping) and all(old.kind in _LEAVES for old in scalars)
-    return frame_face.substituted(session, array, after, scalars) if plain and array.frame is not None else after
+    return (
+        frame_face.substituted(session, array, after, scalars) if plain and array.frame is not None else after
+    )
 
 
 def _in_scalar(session: Session, value: Expr, mapping: Mapping[Value, Value]) -> Value:
     complete = _with_derivatives(value, mapping)
     if not complete:
         return value
-    if all(isinstance(old, Expr) and old.kind in _LEAVES and isinstance(new, Expr) for old, new in complete.items()):
+    if all(
+        isinstance(old, Expr) and old.kind in _LEAVES and isinstance(new, Expr)
+        for old, new in complete.items()
+    ):
         return value.subs(complete)
     return _rebuilt(session, value, complete)
 
@@ -90,7 +98,9 @@ def _with_derivatives(value: Expr, mapping: Mapping[Value, Value]) -> dict[Expr,
     return scalars | _renamed(value, names)
 
 
-def _moved(variable: Expr, scalars: Mapping[Expr, Value], names: Mapping[str, Value], at: Value | None) -> Value | None:
+def _moved(
+    variable: Expr, scalars: Mapping[Expr, Value], names: Mapping[str, Value], at: Value | None
+) -> Value | None:
     """Return what becomes of a function of time that isn't replaced itself."""
     name, order = variable.name, variable.order
     for lower in range(order - 1, -1, -1):
@@ -103,7 +113,9 @@ def _moved(variable: Expr, scalars: Mapping[Expr, Value], names: Mapping[str, Va
     if isinstance(at, Expr):
         if at.kind == "symbol" and at == t:
             return None
-        return UndefinedFunction(new_name).derivative([order], at) if order else UndefinedFunction(new_name)(at)
+        return (
+            UndefinedFunction(new_name).derivative([order], at) if order else UndefinedFunction(new_name)(at)
+        )
     if new_name != name:
         moved = UndefinedFunction(new_name)(t)
         return time_derivative(moved, order) if order else moved

@@ -12,7 +12,6 @@ from symbody.worksheet.builtins import (
     algebra,
     calculus,
     containers,
-    display as display_family,
     elementary,
     files,
     forms,
@@ -21,6 +20,9 @@ from symbody.worksheet.builtins import (
     solving,
     structural,
     texts,
+)
+from symbody.worksheet.builtins import (
+    display as display_family,
 )
 from symbody.worksheet.builtins.display import display
 from symbody.worksheet.builtins.forms import FORMS, dollar, repeated
@@ -125,7 +127,9 @@ KERNEL["with"] = with_package
 def usage(function: Callable[..., Value], count: int) -> str:
     """Return how a command is called, for a call with the wrong number of arguments."""
     parameters = list(inspect.signature(function).parameters.values())[1:]
-    needed = [each for each in parameters if each.default is each.empty and each.kind is not each.VAR_POSITIONAL]
+    needed = [
+        each for each in parameters if each.default is each.empty and each.kind is not each.VAR_POSITIONAL
+    ]
     open_end = any(each.kind is each.VAR_POSITIONAL for each in parameters)
     most = "or more" if open_end else f"to {len(parameters)}" if len(parameters) > len(needed) else ""
     expected = f"{len(needed)} {most}".strip()
@@ -159,4 +163,3 @@ def applied_sum(session: Session, function: Expr, arguments: tuple[Value, ...]) 
 
 def _heads(function: Expr) -> Iterator[Expr]:
     return iter(each for each in function.free_symbols if each.kind == "symbol")
-

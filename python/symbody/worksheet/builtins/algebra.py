@@ -6,16 +6,10 @@ from collections.abc import Callable
 from functools import partial
 
 from symbody.errors import ExpressionError, WorksheetError
-from symbody.symbolic import (
-    Expr,
-    collect as collected,
-    combine_trig,
-    expand as expanded,
-    expand_trig,
-    factor_terms,
-    number,
-    simplify as simplified,
-)
+from symbody.symbolic import Expr, combine_trig, expand_trig, factor_terms, number
+from symbody.symbolic import collect as collected
+from symbody.symbolic import expand as expanded
+from symbody.symbolic import simplify as simplified
 from symbody.symbolic.linear.elimination import eliminated, is_linear
 from symbody.worksheet.arithmetic import scalar
 from symbody.worksheet.entrywise import entrywise
@@ -63,7 +57,9 @@ def mapping_of(session: Session, rule: Value) -> dict[Value, Value]:
     elif isinstance(found, Listed | MapleSet | Sequence):
         items = found.items
     else:
-        raise WorksheetError(f"subs: {session.text(rule)[:60]} is not an equation; expected one such as x = 1")
+        raise WorksheetError(
+            f"subs: {session.text(rule)[:60]} is not an equation; expected one such as x = 1"
+        )
     mapping: dict[Value, Value] = {}
     for item in items:
         for key, value in mapping_of(session, item).items():
@@ -93,7 +89,9 @@ def _simple(session: Session, value: Expr) -> Expr:
 
 def simplify(session: Session, value: Value, *options: Value) -> Value:
     """simplify(e), simplify(e, trig), simplify(e, equations, unknowns)."""
-    relations = [each for each in options if isinstance(each, Listed | MapleSet) and equations_of(session, each)]
+    relations = [
+        each for each in options if isinstance(each, Listed | MapleSet) and equations_of(session, each)
+    ]
     if relations:
         unknowns = next((each for each in options[options.index(relations[0]) + 1 :]), None)
         return _with_relations(session, value, relations[0], unknowns)
@@ -110,7 +108,9 @@ def equations_of(session: Session, value: Value) -> list[Relation]:
 def _with_relations(session: Session, value: Value, relations: Value, unknowns: Value | None) -> Value:
     """Relations that are linear in the unknowns are solved for them; others reduce polynomials."""
     equations = equations_of(session, relations)
-    names = unknowns.items if isinstance(unknowns, Listed | MapleSet) else () if unknowns is None else (unknowns,)
+    names = (
+        unknowns.items if isinstance(unknowns, Listed | MapleSet) else () if unknowns is None else (unknowns,)
+    )
     wanted = [scalar(session, each) for each in names]
     residuals = [scalar(session, each.left) - scalar(session, each.right) for each in equations]
     if wanted:
@@ -194,7 +194,13 @@ def coeff(session: Session, value: Value, variable: Value, power: Value | None =
 def coeffs(session: Session, value: Value, variables: Value | None = None) -> Value:
     """coeffs(p, x): the coefficients that aren't zero."""
     expression = scalar(session, value)
-    items = variables.items if isinstance(variables, Listed | MapleSet) else () if variables is None else (variables,)
+    items = (
+        variables.items
+        if isinstance(variables, Listed | MapleSet)
+        else ()
+        if variables is None
+        else (variables,)
+    )
     found = [expression]
     for each in [scalar(session, item) for item in items] or sorted(expression.free_symbols, key=str):
         found = [part for whole in found for _, part in sorted(coefficients(whole, each).items())]
@@ -204,7 +210,11 @@ def coeffs(session: Session, value: Value, variables: Value | None = None) -> Va
 def degree_of(session: Session, value: Value, variable: Value | None = None) -> Value:
     """degree(p, x)."""
     expression = scalar(session, value)
-    by = scalar(session, variable) if variable is not None else next(iter(sorted(expression.free_symbols, key=str)))
+    by = (
+        scalar(session, variable)
+        if variable is not None
+        else next(iter(sorted(expression.free_symbols, key=str)))
+    )
     return number(degree(expression, by))
 
 
@@ -215,7 +225,9 @@ def isolate(session: Session, equation: Value, unknown: Value) -> Value:
     residual = scalar(session, left) - scalar(session, right)
     solution = eliminated([residual], [by]) if is_linear([residual], [by]) else None
     if not solution or by not in solution:
-        raise WorksheetError(f"isolate: the equation is not linear in {session.text(by)}; expected one that is, or solve")
+        raise WorksheetError(
+            f"isolate: the equation is not linear in {session.text(by)}; expected one that is, or solve"
+        )
     return Relation("=", by, solution[by])
 
 

@@ -5,11 +5,11 @@ from __future__ import annotations
 from dataclasses import replace
 
 from symbody.errors import WorksheetError
-from symbody.symbolic import Expr, symbol, t, time_derivative
+from symbody.symbolic import Expr, t, time_derivative
 from symbody.worksheet.arithmetic import scalar
 from symbody.worksheet.derivative_rules import by_rules
 from symbody.worksheet.entrywise import entrywise
-from symbody.worksheet.numeric import as_integer
+from symbody.worksheet.naming import symbol
 from symbody.worksheet.session import Command, Session
 from symbody.worksheet.value import Array, Listed, MapleSet, Sequence, Unevaluated, Value
 
@@ -37,7 +37,9 @@ def derivative(session: Session, value: Expr, by: Expr) -> Expr:
     """Return the derivative of a scalar, with the rules of the sheet."""
     if by.kind not in ("symbol", "time_function"):
         if by.is_number or by.kind in ("sum", "product", "power"):
-            raise WorksheetError(f"diff: {session.text(by)[:60]} is not a variable; expected a name or a function")
+            raise WorksheetError(
+                f"diff: {session.text(by)[:60]} is not a variable; expected a name or a function"
+            )
         dummy = symbol("_variable")
         return by_rules(session, value.subs({by: dummy}).diff(dummy).subs({dummy: by}))
     return by_rules(session, value.diff(by))
@@ -46,7 +48,9 @@ def derivative(session: Session, value: Expr, by: Expr) -> Expr:
 def derivative_operator(session: Session, function: Value) -> Value:
     """D(f): the derivative of a function, to be applied."""
     if isinstance(function, Expr) and function.kind not in ("symbol",):
-        raise WorksheetError(f"D: {session.text(function)[:60]} is not a function; expected a name or an operator")
+        raise WorksheetError(
+            f"D: {session.text(function)[:60]} is not a function; expected a name or an operator"
+        )
     return Unevaluated(symbol("D"), (function,))
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from symbody.errors import WorksheetError
-from symbody.symbolic import Expr, number, pi, symbol
+from symbody.symbolic import Expr, number, pi
 from symbody.worksheet.arithmetic import scalar
 from symbody.worksheet.builtins.elementary import in_decimals
 from symbody.worksheet.builtins.matrices import array_of
@@ -13,6 +13,7 @@ from symbody.worksheet.builtins.structural import operands
 from symbody.worksheet.builtins.texts import unparsed
 from symbody.worksheet.current import set_of
 from symbody.worksheet.entrywise import copied
+from symbody.worksheet.naming import symbol
 from symbody.worksheet.numeric import as_integer
 from symbody.worksheet.select import key_of
 from symbody.worksheet.session import Command, Session, sequence
@@ -57,7 +58,9 @@ def indices(session: Session, value: Value, *options: Value) -> Value:
     """indices(T): the indices of a table, each in a list."""
     found = session.table(value)
     if isinstance(found, Array):
-        return sequence([Listed((number(i + 1), number(j + 1))) for i in range(found.rows) for j in range(found.columns)])
+        return sequence(
+            [Listed((number(i + 1), number(j + 1))) for i in range(found.rows) for j in range(found.columns)]
+        )
     plain = any(getattr(each, "name", "") == "nolist" for each in options)
     return sequence([key[0] if plain and len(key) == 1 else Listed(key) for key in found.entries])
 
@@ -75,7 +78,9 @@ def entries(session: Session, value: Value, *options: Value) -> Value:
 
 def convert(session: Session, value: Value, kind: Value, *options: Value) -> Value:
     """convert(e, list), convert(e, set), convert(e, string), ..: e as another kind of value."""
-    name = getattr(kind, "name", "") if isinstance(kind, Expr | Reference) else session.text(kind).strip("`\"'")
+    name = (
+        getattr(kind, "name", "") if isinstance(kind, Expr | Reference) else session.text(kind).strip("`\"'")
+    )
     converter = _CONVERSIONS.get(name)
     if converter is None:
         session.notice(f"convert: the kind {name} is not known; the value stays as it is")
@@ -225,7 +230,9 @@ def unassign(session: Session, *names: Value) -> Value:
         elif isinstance(name, Listed | MapleSet | Sequence):
             unassign(session, *name.items)
         else:
-            raise WorksheetError(f"unassign: {session.text(name)[:60]} is not a name; put it in quotes: unassign('x')")
+            raise WorksheetError(
+                f"unassign: {session.text(name)[:60]} is not a name; put it in quotes: unassign('x')"
+            )
     return NULL
 
 

@@ -5,9 +5,10 @@ from __future__ import annotations
 import time as clock
 
 from symbody.errors import WorksheetError
-from symbody.symbolic import Expr, number, symbol
+from symbody.symbolic import Expr, number
 from symbody.worksheet import mbsymba
 from symbody.worksheet.builtins.texts import unparsed
+from symbody.worksheet.naming import symbol
 from symbody.worksheet.numeric import as_integer, decimal
 from symbody.worksheet.print import PLAIN, text_of
 from symbody.worksheet.session import Command, Session
@@ -93,7 +94,9 @@ def declare(session: Session, *arguments: Value) -> Value:
 def _flat(arguments: tuple[Value, ...]) -> list[Value]:
     flat: list[Value] = []
     for argument in arguments:
-        flat.extend(_flat(argument.items) if isinstance(argument, Listed | MapleSet | Sequence) else [argument])
+        flat.extend(
+            _flat(argument.items) if isinstance(argument, Listed | MapleSet | Sequence) else [argument]
+        )
     return flat
 
 
@@ -120,7 +123,9 @@ def alias(session: Session, *equations: Value) -> Value:
             continue
         left, right = equation.left, equation.right
         name = unparsed(session, left) if isinstance(left, Expr | Reference | String) else ""
-        if not name or not (isinstance(left, Reference) or (isinstance(left, Expr) and left.kind == "symbol")):
+        if not name or not (
+            isinstance(left, Reference) or (isinstance(left, Expr) and left.kind == "symbol")
+        ):
             raise WorksheetError(f"alias: {session.text(left)[:60]} is not a name")
         if isinstance(right, Expr) and right.kind == "symbol" and right.name == name:
             session.options.aliases.pop(name, None)
@@ -180,7 +185,9 @@ COMMANDS: dict[str, Command] = {
     "version": version,
     "system": forbidden,
     "ssystem": forbidden,
-    **dict.fromkeys(("gc", "protect", "unprotect", "kernelopts", "assume", "additionally", "userinfo"), nothing),
+    **dict.fromkeys(
+        ("gc", "protect", "unprotect", "kernelopts", "assume", "additionally", "userinfo"), nothing
+    ),
 }
 
 PACKAGES: dict[str, dict[str, Command]] = {

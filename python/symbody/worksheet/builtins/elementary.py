@@ -28,11 +28,11 @@ from symbody.symbolic import (
     sin,
     sinh,
     sqrt,
-    symbol,
     tan,
     tanh,
 )
 from symbody.worksheet.arithmetic import scalar
+from symbody.worksheet.naming import symbol
 from symbody.worksheet.numeric import as_float, as_integer, decimal, power, with_decimals
 from symbody.worksheet.session import Command, Session
 from symbody.worksheet.structure import Tree, tree_of, walk
@@ -55,7 +55,9 @@ def _of_one(function: Callable[[Expr], Expr]) -> Command:
     def command(session: Session, x: Value) -> Value:
         if isinstance(x, Listed | MapleSet | Array | Table | Range | Sequence):
             name = getattr(function, "__name__", "function")
-            raise WorksheetError(f"{name}: {session.text(x)[:60]} is no expression; map applies a function to each item")
+            raise WorksheetError(
+                f"{name}: {session.text(x)[:60]} is no expression; map applies a function to each item"
+            )
         argument = scalar(session, x)
         return with_decimals(function(argument), argument)
 
@@ -125,7 +127,7 @@ def _half_away(value: float | Fraction) -> int:
 
 
 def factorial(session: Session, n: Value) -> Value:
-    """n!."""
+    """N!."""
     count = as_integer(n)
     if count is None:
         return Unevaluated(symbol("factorial"), (n,))
@@ -163,7 +165,11 @@ def _fraction_part(which: int) -> Command:
             return number(expression.ratio[which])
         above, below = number(1), number(1)
         for factor in _factors(tree_of(expression)):
-            if factor.kind == "power" and factor.parts[1].kind == "number" and factor.parts[1].value.ratio[0] < 0:
+            if (
+                factor.kind == "power"
+                and factor.parts[1].kind == "number"
+                and factor.parts[1].value.ratio[0] < 0
+            ):
                 below = below / factor.value
             elif factor.kind == "number":
                 above, below = above * factor.value.ratio[0], below * factor.value.ratio[1]
@@ -246,7 +252,9 @@ def _node_in_decimals(session: Session, node: Tree, parts: list[Expr], digits: i
             total = total * part
         return total
     if node.kind == "function" and not (len(node.parts) == 1 and node.parts[0].kind == "name"):
-        called = session.call(symbol(node.name), tuple(parts)) if not node.name.startswith("D[") else node.value
+        called = (
+            session.call(symbol(node.name), tuple(parts)) if not node.name.startswith("D[") else node.value
+        )
         return called if isinstance(called, Expr) else node.value
     return node.value
 

@@ -51,7 +51,7 @@ def _existing(session: Session, value: Value) -> Path | None:
 
 
 def read_file(session: Session, name: Value) -> Value:
-    """read "f": execute the statements of a file."""
+    """Read "f": execute the statements of a file."""
     path = _existing(session, name)
     if path is None:
         raise WorksheetError(
@@ -69,14 +69,16 @@ def read_file(session: Session, name: Value) -> Value:
 
 
 def save_file(session: Session, *arguments: Value) -> Value:
-    """save a, b, "f": assignments that read takes back."""
+    """Save a, b, "f": assignments that read takes back."""
     *names, file = arguments
     path = output_path(session, file)
     lines = []
     for each in names:
         name = each.name if isinstance(each, Expr | Reference) and hasattr(each, "name") else None
         if name is None or name not in session.names:
-            raise WorksheetError(f"save: {session.text(each)[:60]} has no value; expected names that have one")
+            raise WorksheetError(
+                f"save: {session.text(each)[:60]} has no value; expected names that have one"
+            )
         lines.append(saved_text(session, name))
     path.write_text("".join(lines), encoding="utf-8")
     return NULL
@@ -131,7 +133,9 @@ def fprintf(session: Session, file: Value, template: Value, *values: Value) -> V
 
 def _append(session: Session, file: Value, text: str) -> None:
     if as_integer(file) is not None:
-        raise WorksheetError(f"file descriptor {session.text(file)} is not in use; open a file by fopen first")
+        raise WorksheetError(
+            f"file descriptor {session.text(file)} is not in use; open a file by fopen first"
+        )
     path = output_path(session, file)
     known = session.files.setdefault(("written", str(path)), True)
     with path.open("a" if known is None else "w", encoding="utf-8") as opened:

@@ -7,12 +7,13 @@ from dataclasses import fields, is_dataclass, replace
 from typing import Any
 
 from symbody.errors import WorksheetError
-from symbody.symbolic import Expr, number, symbol
+from symbody.symbolic import Expr, number
 from symbody.worksheet import syntax
 from symbody.worksheet.arithmetic import binary, matrix_product, rebuilt, scalar
 from symbody.worksheet.builtins.containers import assigned as is_assigned
 from symbody.worksheet.builtins.structural import items_of
 from symbody.worksheet.current import flattened
+from symbody.worksheet.naming import symbol
 from symbody.worksheet.numeric import as_float, as_integer
 from symbody.worksheet.session import Scope, Session, sequence
 from symbody.worksheet.structure import tree_of
@@ -57,7 +58,9 @@ def _bound(session: Session, body: syntax.Expression, name: str, values: Iterato
     made: list[Value] = []
     outer = session.scope
     last = session.lasts
-    scope = Scope(parent=outer, name=outer.name if outer else "", arguments=outer.arguments if outer else (), last=last)
+    scope = Scope(
+        parent=outer, name=outer.name if outer else "", arguments=outer.arguments if outer else (), last=last
+    )
     session.scopes.append(scope)
     try:
         for value in values:
@@ -80,7 +83,9 @@ def _binding(session: Session, node: syntax.Expression) -> tuple[str, Value] | N
     return None
 
 
-def _members(session: Session, where: str, body: syntax.Expression, rest: tuple[syntax.Expression, ...]) -> list[Value]:
+def _members(
+    session: Session, where: str, body: syntax.Expression, rest: tuple[syntax.Expression, ...]
+) -> list[Value]:
     if not rest:
         return list(flattened([session.evaluate(body)]))
     found = _binding(session, rest[0])
@@ -149,7 +154,9 @@ def product(session: Session, body: syntax.Expression, *rest: syntax.Expression)
         raise WorksheetError("product: expected an index and its range, such as k = 1..3")
     low, high = as_integer(bounds.start), as_integer(bounds.stop)
     if low is None or high is None:
-        return Unevaluated(symbol("product"), (session.evaluate(body), Relation("=", symbol(found[0]), bounds)))
+        return Unevaluated(
+            symbol("product"), (session.evaluate(body), Relation("=", symbol(found[0]), bounds))
+        )
     session.limits.check_items(high - low + 1)
     total: Value = number(1)
     for k in range(low, high + 1):
@@ -171,7 +178,8 @@ def replaced(node: Any, name: str, value: syntax.Expression) -> Any:
     changes = {
         each.name: new
         for each in fields(node)
-        if each.name != "place" and (new := replaced(getattr(node, each.name), name, value)) is not getattr(node, each.name)
+        if each.name != "place"
+        and (new := replaced(getattr(node, each.name), name, value)) is not getattr(node, each.name)
     }
     return replace(node, **changes) if changes else node  # type: ignore[type-var]
 

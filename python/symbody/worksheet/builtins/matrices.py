@@ -59,7 +59,9 @@ def from_columns(session: Session, items: tuple[Value, ...]) -> Value:
         entries = [session.current(entry) for each in arrays for entry in each.entries]
         rows = len(entries) // columns if columns else 0
         return Array(rows, columns, entries, "Vector" if columns == 1 else "Matrix")
-    flat = [each for part in parts for each in (part.items if isinstance(part, Listed | Sequence) else (part,))]
+    flat = [
+        each for part in parts for each in (part.items if isinstance(part, Listed | Sequence) else (part,))
+    ]
     flat = [items[i] for i in range(len(items))] if len(flat) == len(items) else flat
     return Array(len(flat), 1, list(flat), "Vector")
 
@@ -85,7 +87,9 @@ def from_rows(session: Session, items: tuple[Value, ...]) -> Value:
 
 def _matrix_command(kind: str) -> Command:
     def command(session: Session, *arguments: Value) -> Value:
-        arguments = tuple(each for each in arguments if not isinstance(each, Relation) or each.operator != "=")
+        arguments = tuple(
+            each for each in arguments if not isinstance(each, Relation) or each.operator != "="
+        )
         found = [session.resolve(each) for each in arguments]
         sizes = [size for each in found if (size := as_integer(each)) is not None]
         rest = [each for each, value in zip(arguments, found, strict=True) if as_integer(value) is None]
@@ -105,12 +109,18 @@ def _from_content(session: Session, sizes: list[int], content: Value, kind: str)
     if isinstance(found, Listed) and any(isinstance(each, Listed) for each in found.items):
         return _sized(_of_rows(session, found, kind), sizes, kind)
     if isinstance(found, Array):
-        return _sized(Array(found.rows, found.columns, [session.current(e) for e in found.entries], kind), sizes, kind)
+        return _sized(
+            Array(found.rows, found.columns, [session.current(e) for e in found.entries], kind), sizes, kind
+        )
     if isinstance(found, Listed):
         if len(sizes) == 2:
             entries = list(found.items) + [number(0)] * (sizes[0] * sizes[1] - len(found.items))
             return Array(sizes[0], sizes[1], entries[: sizes[0] * sizes[1]], kind)
-        return Array(1, len(found.items), list(found.items), kind) if kind == "Matrix" else _of_rows(session, found, kind)
+        return (
+            Array(1, len(found.items), list(found.items), kind)
+            if kind == "Matrix"
+            else _of_rows(session, found, kind)
+        )
     rows = sizes[0] if sizes else 1
     return _filled(session, rows, sizes[1] if len(sizes) > 1 else rows, content, kind)
 
@@ -152,7 +162,11 @@ def _vector_command(kind: str) -> Command:
                 items = [session.current(each) for each in found.entries]
             elif as_integer(found) is not None and size is None:
                 size = as_integer(found)
-            elif isinstance(argument, Expr) and argument.kind == "symbol" and argument.name in ("row", "column"):
+            elif (
+                isinstance(argument, Expr)
+                and argument.kind == "symbol"
+                and argument.name in ("row", "column")
+            ):
                 shape = "RowVector" if argument.name == "row" else kind
             elif not isinstance(argument, Relation):
                 content = argument
@@ -161,7 +175,9 @@ def _vector_command(kind: str) -> Command:
             items = list(made.entries)
         elif size is not None:
             items = items[:size] + [number(0)] * (size - len(items))
-        return Array(1, len(items), items, shape) if shape == "RowVector" else Array(len(items), 1, items, shape)
+        return (
+            Array(1, len(items), items, shape) if shape == "RowVector" else Array(len(items), 1, items, shape)
+        )
 
     return command
 
@@ -172,7 +188,11 @@ def array_command(session: Session, *arguments: Value) -> Value:
     rest = [each for each in arguments if not isinstance(each, Range)]
     if rest and isinstance(rest[0], Listed):
         rows = any(isinstance(each, Listed) for each in rest[0].items)
-        return _of_rows(session, rest[0], "matrix") if rows else Array(len(rest[0].items), 1, list(rest[0].items), "vector")
+        return (
+            _of_rows(session, rest[0], "matrix")
+            if rows
+            else Array(len(rest[0].items), 1, list(rest[0].items), "vector")
+        )
     stops = [as_integer(each.stop) for each in ranges]
     if not stops or any(stop is None for stop in stops) or len(stops) > 2:
         return Table()
@@ -330,7 +350,9 @@ def generate_matrix(kind: str) -> Command:
     def command(session: Session, equations: Value, unknowns: Value, *options: Value) -> Value:
         found, names = session.resolve(equations), session.resolve(unknowns)
         items = found.entries if isinstance(found, Array) else list(parts_of(found))
-        variables = [scalar(session, each) for each in (names.entries if isinstance(names, Array) else parts_of(names))]
+        variables = [
+            scalar(session, each) for each in (names.entries if isinstance(names, Array) else parts_of(names))
+        ]
         residuals = [_residual(session, session.current(each)) for each in items]
         slopes = jacobian(residuals, variables)
         entries: list[Value] = [slopes[i, j] for i in range(len(residuals)) for j in range(len(variables))]
@@ -400,7 +422,9 @@ _NEW: dict[str, Command] = {
     "Norm": norm,
     "VectorNorm": norm,
     "SubMatrix": sub_matrix,
-    "SubVector": lambda session, value, index: session.select(array_of(session, value, "SubVector"), (index,)),
+    "SubVector": lambda session, value, index: session.select(
+        array_of(session, value, "SubVector"), (index,)
+    ),
     "Row": row,
     "Column": column,
     "RowDimension": dimensions(0),

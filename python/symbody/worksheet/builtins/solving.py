@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from symbody.errors import WorksheetError
-from symbody.symbolic import Expr, symbol
+from symbody.symbolic import Expr
 from symbody.symbolic.roots.solutions import solutions as all_solutions
 from symbody.worksheet.arithmetic import scalar
 from symbody.worksheet.current import set_of
+from symbody.worksheet.naming import symbol
 from symbody.worksheet.numeric import as_float, decimal
 from symbody.worksheet.root_finding import newton
 from symbody.worksheet.session import Command, Session, sequence
@@ -68,7 +69,9 @@ def solve(session: Session, equations: Value, unknowns: Value | None = None, *op
     several = isinstance(session.resolve(equations), MapleSet | Listed)
     if isinstance(given, Listed):
         return Listed(tuple(Listed(_equations(each, wanted)) for each in found))
-    if isinstance(given, MapleSet | Sequence) or (several and not (given is None and len(wanted) == 1 and not several)):
+    if isinstance(given, MapleSet | Sequence) or (
+        several and not (given is None and len(wanted) == 1 and not several)
+    ):
         return sequence([set_of(_equations(each, wanted)) for each in found])
     if given is None and len(wanted) > 1:
         return sequence([set_of(_equations(each, wanted)) for each in found])
@@ -91,12 +94,20 @@ def fsolve(session: Session, equations: Value, unknowns: Value | None = None, *o
     starts = _starts(session, unknowns, options)
     wanted = [*starts, *(each for each in ranges if each not in starts)]
     if not wanted:
-        wanted = unknowns_of(session, unknowns, residuals) if unknowns is not None and not starts else unknowns_of(session, None, residuals)
+        wanted = (
+            unknowns_of(session, unknowns, residuals)
+            if unknowns is not None and not starts
+            else unknowns_of(session, None, residuals)
+        )
     others = {each for residual in residuals for each in residual.free_symbols} - set(wanted)
     if others:
         names = ", ".join(sorted(session.text(each) for each in others))
-        raise WorksheetError(f"fsolve: {names} {'is' if len(others) == 1 else 'are'} in the equations but solved for")
-    values = newton(residuals, wanted, [starts.get(each) for each in wanted], [ranges.get(each) for each in wanted])
+        raise WorksheetError(
+            f"fsolve: {names} {'is' if len(others) == 1 else 'are'} in the equations but solved for"
+        )
+    values = newton(
+        residuals, wanted, [starts.get(each) for each in wanted], [ranges.get(each) for each in wanted]
+    )
     if values is None:
         session.notice("fsolve: no solution was found")
         return NULL
@@ -108,7 +119,9 @@ def fsolve(session: Session, equations: Value, unknowns: Value | None = None, *o
     return found[wanted[0]]
 
 
-def _ranges(session: Session, unknowns: Value | None, options: tuple[Value, ...]) -> dict[Expr, tuple[float, float]]:
+def _ranges(
+    session: Session, unknowns: Value | None, options: tuple[Value, ...]
+) -> dict[Expr, tuple[float, float]]:
     found: dict[Expr, tuple[float, float]] = {}
     for value in ([unknowns] if unknowns is not None else []) + list(options):
         items = value.items if isinstance(value, Listed | MapleSet) else (value,)
@@ -128,7 +141,9 @@ def _bounds(session: Session, given: Range) -> tuple[float, float]:
 
 def _starts(session: Session, unknowns: Value | None, options: tuple[Value, ...]) -> dict[Expr, float]:
     found: dict[Expr, float] = {}
-    items = unknowns.items if isinstance(unknowns, Listed | MapleSet) else () if unknowns is None else (unknowns,)
+    items = (
+        unknowns.items if isinstance(unknowns, Listed | MapleSet) else () if unknowns is None else (unknowns,)
+    )
     for item in items:
         if isinstance(item, Relation) and not isinstance(item.right, Range):
             value = as_float(scalar(session, item.right))
@@ -159,7 +174,9 @@ def _assign_one(session: Session, left: Expr, right: Value) -> None:
         arguments = left.args or (symbol("t"),)
         session.remember(left.name, tuple(arguments), right)
     else:
-        raise WorksheetError(f"assign: {session.text(left)[:60]} can't be assigned; expected a name or a function")
+        raise WorksheetError(
+            f"assign: {session.text(left)[:60]} can't be assigned; expected a name or a function"
+        )
 
 
 COMMANDS: dict[str, Command] = {

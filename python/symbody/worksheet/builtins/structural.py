@@ -6,11 +6,12 @@ from collections.abc import Callable, Iterable
 from dataclasses import replace
 
 from symbody.errors import WorksheetError
-from symbody.symbolic import Expr, number, symbol
+from symbody.symbolic import Expr, number
 from symbody.worksheet.arithmetic import scalar
 from symbody.worksheet.condition import compared, is_type, truth
 from symbody.worksheet.current import flattened, set_of
 from symbody.worksheet.entrywise import parts_of, with_parts
+from symbody.worksheet.naming import symbol
 from symbody.worksheet.numeric import as_integer
 from symbody.worksheet.print import sort_key
 from symbody.worksheet.session import Command, Session, sequence
@@ -98,7 +99,14 @@ def _head(value: Value) -> Value:
         return value.function
     if isinstance(value, Relation):
         return symbol(value.operator)
-    names_of = {Listed: "list", MapleSet: "set", String: "string", Range: "..", Table: "table", Array: "Array"}
+    names_of = {
+        Listed: "list",
+        MapleSet: "set",
+        String: "string",
+        Range: "..",
+        Table: "table",
+        Array: "Array",
+    }
     return symbol(names_of.get(type(value), "symbol"))
 
 
@@ -122,7 +130,9 @@ def _occurs(session: Session, value: Value, part: Value) -> bool:
             return False
         wanted = scalar(session, part)
         if wanted.kind == "symbol":
-            return any(wanted.name in (node.name, _function_name(node)) for node in walk(tree_of(value)) if node.name)
+            return any(
+                wanted.name in (node.name, _function_name(node)) for node in walk(tree_of(value)) if node.name
+            )
         return any(node.value == wanted for node in walk(tree_of(value)))
     found = session.resolve(value)
     if isinstance(found, Table):
@@ -158,7 +168,11 @@ def _scalars(session: Session, value: Value) -> Iterable[Expr]:
         return
     found = session.resolve(value)
     parts = (
-        found.entries.values() if isinstance(found, Table) else found.entries if isinstance(found, Array) else parts_of(found)
+        found.entries.values()
+        if isinstance(found, Table)
+        else found.entries
+        if isinstance(found, Array)
+        else parts_of(found)
     )
     for part in parts:
         if not isinstance(part, Reference):
@@ -188,7 +202,12 @@ def mapped(session: Session, function: Value, value: Value, *rest: Value) -> Val
 def _mapped(session: Session, value: Value, function: Callable[[Value], Value]) -> Value:
     found = session.resolve(value)
     if isinstance(found, Array):
-        return replace(found, entries=[function(session.current(each)) for each in found.entries], frame=None, attributes=())
+        return replace(
+            found,
+            entries=[function(session.current(each)) for each in found.entries],
+            frame=None,
+            attributes=(),
+        )
     if isinstance(found, Table):
         return Table({key: function(entry) for key, entry in found.entries.items()})
     if isinstance(found, Expr):
@@ -238,7 +257,9 @@ def remove(session: Session, function: Value, value: Value, *rest: Value) -> Val
     return _selected(session, function, value, rest, wanted=False)
 
 
-def _selected(session: Session, function: Value, value: Value, rest: tuple[Value, ...], *, wanted: bool) -> Value:
+def _selected(
+    session: Session, function: Value, value: Value, rest: tuple[Value, ...], *, wanted: bool
+) -> Value:
     def keeps(each: Value) -> bool:
         return truth(session, session.call(function, (each, *rest))) is wanted
 
@@ -294,7 +315,11 @@ def of_type(session: Session, value: Value, kind: Value) -> Value:
 def whattype(session: Session, value: Value) -> Value:
     """whattype(e): the basic type of e."""
     if isinstance(value, Expr):
-        return _head(value) if not value.is_number else symbol("float" if value.is_decimal else _head(value).name.lower())  # type: ignore[union-attr]
+        return (
+            _head(value)
+            if not value.is_number
+            else symbol("float" if value.is_decimal else _head(value).name.lower())
+        )  # type: ignore[union-attr]
     if isinstance(value, Relation):
         return symbol("equation")
     if isinstance(value, ProcedureValue):

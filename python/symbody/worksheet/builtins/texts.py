@@ -5,8 +5,9 @@ from __future__ import annotations
 import re
 
 from symbody.errors import WorksheetError
-from symbody.symbolic import Expr, number, symbol
+from symbody.symbolic import Expr, number
 from symbody.worksheet.arithmetic import scalar
+from symbody.worksheet.naming import symbol
 from symbody.worksheet.numeric import as_float, as_integer
 from symbody.worksheet.session import Command, Session
 from symbody.worksheet.value import NULL, Array, Listed, Range, String, Value
@@ -53,7 +54,9 @@ def _piece(session: Session, flags: str, width: str, precision: str | None, kind
     found = session.resolve(value)
     if isinstance(found, Array | Listed) and kind in "dfeg":
         items = found.entries if isinstance(found, Array) else found.items
-        return " ".join(_piece(session, flags, width, precision, kind, session.current(each)) for each in items)
+        return " ".join(
+            _piece(session, flags, width, precision, kind, session.current(each)) for each in items
+        )
     point = f".{precision}" if precision is not None else ""
     if kind in "aAsc" or kind in "qQp":
         text = unparsed(session, value)
