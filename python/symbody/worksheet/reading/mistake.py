@@ -11,7 +11,7 @@ from symbody.worksheet.reading.parse import Failure
 from symbody.worksheet.source import Cell, SyntaxMistake
 from symbody.worksheet.syntax import Place
 
-__all__ = ["mistake"]
+__all__ = ["located", "mistake"]
 
 #: What can follow, in the order in which messages list it; an operand or an operator is told by one token of each.
 _WORDS = {
@@ -29,6 +29,9 @@ _WORDS = {
     "END": "'end'",
     "SEMICOLON": "';' or ':'",
 }
+
+#: Of a long line, how many characters are shown, and how many of them before the place.
+_WIDTH, _BEFORE = 100, 60
 
 #: Words that open a construct which worksheets of MBSymba don't need.
 _UNSUPPORTED = {
@@ -79,10 +82,16 @@ def _expected(kinds: frozenset[str]) -> str:
 
 
 def _told(cell: Cell, place: Place, message: str) -> SyntaxMistake:
-    lines = {line.line: line for line in cell.input}
+    return SyntaxMistake(place, located(cell, place, message))
+
+
+def located(cell: Cell, place: Place, message: str) -> str:
+    """Return a message with its line and column, and below it the line with a caret under the place."""
     shown = ""
-    if place.line in lines:
-        line = lines[place.line]
-        indent = " " * max(0, place.column - line.column)
-        shown = f"\n  {line.text.rstrip()}\n  {indent}^"
-    return SyntaxMistake(place, f"line {place.line}, column {place.column}: {message}{shown}")
+    for line in cell.input:
+        if line.line == place.line:
+            caret = " " * min(max(0, place.column - line.column), len(line.text))
+            text = line.text.rstrip().replace("\t", " ")
+            begin = max(0, len(caret) - _BEFORE)    # of a long line, what is around the place
+            shown = f"\n  {text[begin : begin + _WIDTH]}\n  {caret[begin:]}^"
+    return f"line {place.line}, column {place.column}: {message}{shown}"
