@@ -8,7 +8,6 @@ import time
 import warnings
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
-from pathlib import Path
 
 from symbody.errors import WorksheetError
 from symbody.worksheet.check import Verdict, verdicts

@@ -5,7 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 from dataclasses import dataclass
-from os.path import commonprefix
+from itertools import takewhile
 
 from symbody.worksheet import syntax
 
@@ -72,5 +72,6 @@ def _likeness(block: Block, head: str, output: Output, other: str) -> float:
     if output.cell > block.cell or head != other:
         return 0.0
     left, right = (re.sub(r"\s", "", text[:200]) for text in (block.text, output.text))
-    alike = len(commonprefix([left, right])) / max(1, min(len(left), len(right)))
+    same = sum(1 for _ in takewhile(lambda pair: pair[0] == pair[1], zip(left, right, strict=False)))
+    alike = same / max(1, min(len(left), len(right)))
     return (4.0 if head else 1.0) + 2.0 * alike + (0.5 if output.cell == block.cell else 0.0)

@@ -7,9 +7,10 @@ from collections.abc import Iterable, Mapping
 from fractions import Fraction
 
 from symbody.errors import SymbodyError
-from symbody.symbolic import Expr, functions_of_time, free_symbols, number, subs
+from symbody.symbolic import Expr, free_symbols, number, subs
+from symbody.symbolic.expression.traverse import post_order
 from symbody.worksheet import syntax
-from symbody.worksheet.check.printed import NotComparable, Printed, functions_in, printed, value_of
+from symbody.worksheet.check.printed import NotComparable, functions_in, printed, value_of
 from symbody.worksheet.value import Listed, MapleSet, Range, Relation, Sequence, String, Unevaluated, Value
 
 __all__ = ["difference"]
@@ -60,16 +61,21 @@ class _Comparison:
                 return self._items(left, (run,), cut=cut)
             case MapleSet(items=left), MapleSet(items=right):
                 return self._sets(left, right, cut=cut)
+            case Unevaluated(function=kind, arguments=left), Unevaluated(function=other, arguments=right):
+                named = f"the file has {kind}(..), the run {other}(..)"
+                return named if kind != other else self._fields(left, right, cut=cut)
+        return self._others(file, run, cut=cut)
+
+    def _others(self, file: Value, run: Value, *, cut: bool) -> str:
+        match file, run:
             case Relation(), Relation():
                 return self._relations(file, run, cut=cut)
             case Range(), Range():
-                return self.values(file.start, run.start, cut=False) or self.values(file.stop, run.stop, cut=cut)
-            case String(text=left_text), String(text=right_text):
-                return "" if left_text == right_text else f'the file has "{left_text}", the run "{right_text}"'
-            case Unevaluated(function=kind, arguments=left), Unevaluated(function=other, arguments=right):
-                if kind != other:
-                    return f"the file has {kind}(..), the run {other}(..)"
-                return self._fields(left, right, cut=cut)
+                return self.values(file.start, run.start, cut=False) or self.values(
+                    file.stop, run.stop, cut=cut
+                )
+            case String(text=left), String(text=right):
+                return "" if left == right else f'the file has "{left}", the run "{right}"'
         raise NotComparable(f"the file has {_kind(file)}, the run {_kind(run)}")
 
     def _scalars(self, file: Expr, run: Expr) -> str:
@@ -154,8 +160,9 @@ def _flat(items: tuple[Value, ...]) -> list[Value] | None:
 
 def _nearly_equal(file: Expr, run: Expr) -> bool:
     """Whether two expressions with rounded decimals agree at random points."""
-    chance = random.Random(7)  # noqa: S311 - no secret
-    names = {*free_symbols(file), *free_symbols(run), *functions_of_time(file), *functions_of_time(run)}
+    chance = random.Random(7)
+    nodes = post_order([file, run], lambda node: node.args, lambda node: node.id)
+    names = {*free_symbols([file, run]), *(node for node in nodes if node.kind == "application")}
     try:
         for _ in range(3):
             point = {name: number(Fraction(chance.randint(100, 999), 500)) for name in sorted(names, key=str)}
@@ -168,7 +175,13 @@ def _nearly_equal(file: Expr, run: Expr) -> bool:
 
 
 def _kind(value: Value) -> str:
-    names = {Listed: "a list", MapleSet: "a set", Sequence: "a sequence", Relation: "an equation", String: "a text"}
+    names = {
+        Listed: "a list",
+        MapleSet: "a set",
+        Sequence: "a sequence",
+        Relation: "an equation",
+        String: "a text",
+    }
     return "an expression" if isinstance(value, Expr) else names.get(type(value), "an object")
 
 

@@ -1,4 +1,4 @@
-"""Printed output back to values: what Maple prints, what the run prints, and what is complete of an output that was cut.
+"""Printed output back to values: what Maple prints, what the run prints, and what is complete of a cut output.
 
 Both texts are read in the same way, without the session: names are symbols, ``f(t)`` is a function of time, primes and
 ``diff`` are derivatives, matrices are lists of rows, and an object is its type with its fields.
@@ -39,7 +39,9 @@ class Printed:
 
 
 _DOTS = re.compile(r"\s*(\.\.\.|…)\s*$")
-_CONTAINERS = frozenset("matrix Matrix Vector vector array Array table POINT VECTOR BODY FORCE TORQUE TIRE CONSTRAINT".split())
+_MATRICES = frozenset({"matrix", "Matrix", "Vector", "vector", "array", "Array"})
+_OBJECTS = frozenset({"POINT", "VECTOR", "BODY", "FORCE", "TORQUE", "TIRE", "CONSTRAINT", "table"})
+_CONTAINERS = _MATRICES | _OBJECTS
 _OPENING = {"LPAR": ("RPAR", ")"), "LSQB": ("RSQB", "]"), "LBRACE": ("RBRACE", "}")}
 _CLOSING = {"RPAR", "RSQB", "RBRACE"}
 
@@ -64,7 +66,9 @@ def printed(text: str) -> Printed:
     match found.statement:
         case syntax.Assignment(targets=targets, value=value):
             return Printed(", ".join(_name(target) for target in targets), value, cut, decimals)
-        case syntax.Evaluation(expression=syntax.Infix(operator="=", left=syntax.Name(name=name), right=value)):
+        case syntax.Evaluation(
+            expression=syntax.Infix(operator="=", left=syntax.Name(name=name), right=value)
+        ):
             return Printed(name, value, cut, decimals)
         case syntax.Evaluation(expression=expression):
             return Printed("", expression, cut, decimals)
@@ -110,7 +114,9 @@ def _function_in(part: object) -> Iterator[str]:
     match part:
         case syntax.Call(function=head, arguments=(syntax.Name(name="t"),)):
             yield _name(head)
-        case syntax.Infix(operator="^", left=syntax.Name(name=name), right=syntax.Name(name=marks)) if _primes(marks):
+        case syntax.Infix(operator="^", left=syntax.Name(name=name), right=syntax.Name(name=marks)) if (
+            _primes(marks)
+        ):
             yield name
         case syntax.Name(name=name) if _primes(name):
             yield name.rstrip("'")
@@ -173,36 +179,18 @@ class _Values:
     functions: frozenset[str]
 
     def value(self, node: syntax.Expression) -> Value:
-        match node:
-            case syntax.Integer(value=value):
-                return number(value)
-            case syntax.Decimal(text=text):
-                return _decimal(text)
-            case syntax.Name(name=name):
-                return self._named(name)
-            case syntax.Text(text=text):
-                return String(text)
-            case syntax.Delayed(body=body):
-                return self.value(body)
-            case syntax.SequenceDisplay(items=items):
-                return Sequence(self._values(items))
-            case syntax.ListDisplay(items=items) | syntax.Columns(items=items) | syntax.Rows(items=items):
-                return Listed(self._values(items))
-            case syntax.SetDisplay(items=items):
-                return MapleSet(self._values(items))
-            case syntax.Prefix(operator="-", operand=operand):
-                return -self._scalar(operand)
-            case syntax.Prefix(operator="+", operand=operand):
-                return self._scalar(operand)
-            case syntax.Infix():
-                return self._infix(node)
-            case syntax.Selection():
-                return symbol(_name(node))
-            case syntax.Call():
-                return self._call(node)
-        raise NotComparable("a part of it has no value")
+        reader = _READERS.get(type(node))
+        if reader is None:
+            raise NotComparable("a part of it has no value")
+        return reader(self, node)
 
-    def _values(self, nodes: tuple[syntax.Expression, ...]) -> tuple[Value, ...]:
+    def prefix(self, node: syntax.Prefix) -> Value:
+        if node.operator not in {"+", "-"}:
+            raise NotComparable(f"{node.operator} in it has no value")
+        operand = self._scalar(node.operand)
+        return -operand if node.operator == "-" else operand
+
+    def values(self, nodes: tuple[syntax.Expression, ...]) -> tuple[Value, ...]:
         return tuple(self.value(node) for node in nodes)
 
     def _scalar(self, node: syntax.Expression) -> Expr:
@@ -211,7 +199,7 @@ class _Values:
             raise NotComparable("a part of it is no number")
         return value
 
-    def _named(self, name: str) -> Expr:
+    def named(self, name: str) -> Expr:
         if name == "Pi":
             return pi
         if name == "t":
@@ -226,7 +214,7 @@ class _Values:
             value = sb.diff(value, t)
         return value
 
-    def _infix(self, node: syntax.Infix) -> Value:
+    def infix(self, node: syntax.Infix) -> Value:
         operator, left, right = node.operator, node.left, node.right
         if operator in {"=", "<>", "<", "<=", ">", ">="}:
             return Relation(operator, self.value(left), self.value(right))
@@ -239,23 +227,27 @@ class _Values:
             raise NotComparable(f"{operator} in it has no value")
         return arithmetic(self._scalar(left), self._scalar(right))
 
-    def _call(self, node: syntax.Call) -> Value:
+    def call(self, node: syntax.Call) -> Value:
         match node:
             case syntax.Call(function=syntax.Name(name="diff" | "Diff"), arguments=(of, *variables)):
                 return self._derivative(of, variables)
-            case syntax.Call(function=syntax.Call(function=operator, arguments=(name,)), arguments=(syntax.Name(name="t"),)):
+            case syntax.Call(
+                function=syntax.Call(function=operator, arguments=(name,)), arguments=(syntax.Name(name="t"),)
+            ):
                 return self._function_of_time(_name(name), _order(operator))
-            case syntax.Call(function=syntax.Selection(whole=syntax.Name(name="Vector")), arguments=arguments):
+            case syntax.Call(
+                function=syntax.Selection(whole=syntax.Name(name="Vector")), arguments=arguments
+            ):
                 return self._entries(arguments)
             case syntax.Call(function=function, arguments=arguments):
                 return self._named_call(_name(function), arguments)
 
     def _named_call(self, name: str, arguments: tuple[syntax.Expression, ...]) -> Value:
-        if name in {"matrix", "Matrix", "Vector", "vector", "array", "Array"}:
+        if name in _MATRICES:
             return self._entries(arguments)
         if name in _CONTAINERS:
-            return Unevaluated(symbol(name), self._values(arguments))
-        values = self._values(arguments)
+            return Unevaluated(symbol(name), self.values(arguments))
+        values = self.values(arguments)
         scalars = [value for value in values if isinstance(value, Expr)]
         if len(scalars) != len(values) or not values:
             return Unevaluated(symbol(name), values)
@@ -273,13 +265,33 @@ class _Values:
             match variable:
                 case syntax.Infix(operator="$", left=name, right=syntax.Integer(value=times)):
                     pass
-                case syntax.Call(function=syntax.Name(name="$"), arguments=(name, syntax.Integer(value=times))):
+                case syntax.Call(
+                    function=syntax.Name(name="$"), arguments=(name, syntax.Integer(value=times))
+                ):
                     pass
                 case _:
                     name, times = variable, 1
             for _ in range(min(times, 9)):
                 value = sb.diff(value, self._scalar(name))
         return value
+
+
+_READERS: Mapping[type, Callable[[_Values, Any], Value]] = {
+    syntax.Integer: lambda values, node: number(node.value),
+    syntax.Decimal: lambda values, node: _decimal(node.text),
+    syntax.Name: lambda values, node: values.named(node.name),
+    syntax.Text: lambda values, node: String(node.text),
+    syntax.Delayed: lambda values, node: values.value(node.body),
+    syntax.SequenceDisplay: lambda values, node: Sequence(values.values(node.items)),
+    syntax.ListDisplay: lambda values, node: Listed(values.values(node.items)),
+    syntax.Columns: lambda values, node: Listed(values.values(node.items)),
+    syntax.Rows: lambda values, node: Listed(values.values(node.items)),
+    syntax.SetDisplay: lambda values, node: MapleSet(values.values(node.items)),
+    syntax.Selection: lambda values, node: symbol(_name(node)),
+    syntax.Prefix: _Values.prefix,
+    syntax.Infix: _Values.infix,
+    syntax.Call: _Values.call,
+}
 
 
 def _power(base: Expr, exponent: Expr) -> Expr:

@@ -111,7 +111,11 @@ def _is_equal(theirs: str, ours: str) -> bool:
 
 def _counts_items(statement: syntax.Statement | None) -> bool:
     """Whether a statement counts parts of an expression, which depends on its form."""
-    value = statement.value if isinstance(statement, syntax.Assignment) else getattr(statement, "expression", None)
+    value = (
+        statement.value
+        if isinstance(statement, syntax.Assignment)
+        else getattr(statement, "expression", None)
+    )
     match value:
         case syntax.Call(function=syntax.Name(name="nops" | "length")):
             return True

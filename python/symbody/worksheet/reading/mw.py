@@ -99,7 +99,7 @@ def mw_cells(text: str) -> tuple[Cell, ...]:
     parser.CharacterDataHandler = reader.characters
     parser.EntityDeclHandler = _refuse_entity
     try:
-        parser.Parse(text.encode("utf-8"), True)  # noqa: FBT003 - the last piece of the text
+        parser.Parse(text.encode("utf-8"), True)
     except (expat.ExpatError, RecursionError) as error:
         raise WorksheetError(f"the worksheet is not complete XML: {error}; save it again as .mw") from None
     reader.close()
