@@ -102,7 +102,15 @@ class ReportError(SymbodyError, ValueError):
 
 
 class WorksheetError(SymbodyError, ValueError):
-    """A worksheet that can't be read, or a statement of it that can't be executed."""
+    """A worksheet that can't be read, or a statement of it that can't be executed.
+
+    Attributes:
+        place: where it stands in the file (`symbody.worksheet.syntax.Place`), if that is known.
+    """
+
+    def __init__(self, message: str, place: object = None) -> None:
+        super().__init__(message)
+        self.place = place
 
 
 class ModelNotice(UserWarning):

@@ -24,6 +24,7 @@ __all__ = [
     "MapleSet",
     "Plot",
     "ProcedureValue",
+    "Quoted",
     "Range",
     "Reference",
     "Relation",
@@ -114,10 +115,10 @@ class Array:
 
 @dataclass(frozen=True, slots=True, eq=False)
 class ProcedureValue:
-    """A procedure or an operator ``x -> ..``, with the names that it was made among."""
+    """A procedure or an operator ``x -> ..``, with the scope that it was made in."""
 
     definition: syntax.Procedure | syntax.Arrow
-    names: dict[str, Value] | None = None
+    scope: Any = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -144,6 +145,13 @@ class Unevaluated:
 
 
 @dataclass(frozen=True, slots=True)
+class Quoted:
+    """What quotes keep: code that is printed as it was written, and evaluated when it is used."""
+
+    body: syntax.Expression
+
+
+@dataclass(frozen=True, slots=True)
 class Plot:
     """A drawing to be displayed: kind and data, drawn by the simulation layer's plots."""
 
@@ -167,5 +175,6 @@ Value: TypeAlias = (
     | Builtin
     | Reference
     | Unevaluated
+    | Quoted
     | Plot
 )
