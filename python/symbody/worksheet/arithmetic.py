@@ -7,7 +7,8 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from symbody.errors import WorksheetError
-from symbody.symbolic import Expr, number, symbol
+from symbody.symbolic import Expr, number
+from symbody.worksheet.naming import symbol
 from symbody.worksheet.numeric import power, quotient
 from symbody.worksheet.print import text_of
 from symbody.worksheet.structure import Tree, tree_of
@@ -44,7 +45,13 @@ def scalar(session: Session, value: Value) -> Expr:
         name = session.text(value)
         session.opaque[name] = value
         return symbol(name)
-    kinds = {Listed: "a list", Table: "a table", Array: "a matrix", Relation: "an equation", Sequence: "a sequence"}
+    kinds = {
+        Listed: "a list",
+        Table: "a table",
+        Array: "a matrix",
+        Relation: "an equation",
+        Sequence: "a sequence",
+    }
     kind = kinds.get(type(value), "no expression")
     raise WorksheetError(f"{_short(session.text(value))} is {kind}; expected an expression")
 
@@ -99,7 +106,9 @@ def _relations(session: Session, operator: str, left: Value, right: Value) -> Va
 def _lists(session: Session, operator: str, left: Value, right: Value) -> Value:
     if isinstance(left, Listed) and isinstance(right, Listed):
         if operator == ".":
-            return _summed(session, [binary(session, "*", a, b) for a, b in zip(left.items, right.items, strict=True)])
+            return _summed(
+                session, [binary(session, "*", a, b) for a, b in zip(left.items, right.items, strict=True)]
+            )
         if len(left.items) != len(right.items):
             raise WorksheetError(
                 f"lists of {len(left.items)} and {len(right.items)} items can't be combined by {operator}"
@@ -141,7 +150,9 @@ def _with_scalar(session: Session, operator: str, array: Array, other: Value, *,
     if reverse and operator == "/":
         raise WorksheetError("a scalar is divided by a matrix; expected its inverse, M^(-1)")
     entries = [
-        binary(session, "*" if operator == "." else operator, *((other, entry) if reverse else (entry, other)))
+        binary(
+            session, "*" if operator == "." else operator, *((other, entry) if reverse else (entry, other))
+        )
         for entry in array.entries
     ]
     return replace(array, entries=entries, attributes=(), frame=None)
@@ -228,7 +239,12 @@ def identity(size: int, kind: str = "Matrix") -> Array:
 
 
 def _matrix_power(session: Session, base: Array, exponent: Value) -> Value:
-    if not isinstance(exponent, Expr) or not exponent.is_number or exponent.ratio[1] != 1 or base.rows != base.columns:
+    if (
+        not isinstance(exponent, Expr)
+        or not exponent.is_number
+        or exponent.ratio[1] != 1
+        or base.rows != base.columns
+    ):
         raise WorksheetError("a power of a matrix; expected a square matrix and an integer")
     power_ = exponent.ratio[0]
     factor = base if power_ >= 0 else inverted(base)

@@ -49,7 +49,9 @@ def compared(session: Session, relation: Relation) -> Boolean:
         return Boolean(is_type(session, left, right))
     a, b = (as_float(side) if isinstance(side, Expr) else None for side in (left, right))
     if a is None or b is None:
-        raise WorksheetError(f"cannot determine if this expression is true or false: {session.text(relation)[:80]}")
+        raise WorksheetError(
+            f"cannot determine if this expression is true or false: {session.text(relation)[:80]}"
+        )
     return Boolean(a < b if relation.operator == "<" else a <= b)
 
 
@@ -60,7 +62,8 @@ def equal(session: Session, left: Value, right: Value) -> bool:
     a, b = session.resolve(left), session.resolve(right)
     if isinstance(a, Array) and isinstance(b, Array):
         return (a.rows, a.columns) == (b.rows, b.columns) and all(
-            equal(session, session.current(x), session.current(y)) for x, y in zip(a.entries, b.entries, strict=True)
+            equal(session, session.current(x), session.current(y))
+            for x, y in zip(a.entries, b.entries, strict=True)
         )
     if isinstance(a, Array) and isinstance(b, Expr) and b.is_zero:
         return all(equal(session, session.current(entry), b) for entry in a.entries)
@@ -83,5 +86,4 @@ def equal(session: Session, left: Value, right: Value) -> bool:
 
 def is_type(session: Session, value: Value, kind: Value) -> bool:
     """Return whether a value is of a type; what isn't known counts as fulfilled."""
-
     return has_type(session, value, kind)

@@ -10,8 +10,9 @@ from collections.abc import Iterable
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any
 
-from symbody.symbolic import Expr, UndefinedFunction, free_symbols, pi, symbol, t, time_derivative
+from symbody.symbolic import Expr, UndefinedFunction, free_symbols, pi, t, time_derivative
 from symbody.symbolic.expression.traverse import post_order
+from symbody.worksheet.naming import symbol
 from symbody.worksheet.print import sort_key
 from symbody.worksheet.value import (
     NULL,
@@ -63,9 +64,7 @@ def is_last_name(value: Value) -> bool:
 def resolved(session: Session, value: Value) -> Value:
     """Return what a reference, or a bare name, stands for."""
     for _ in range(100):
-        if isinstance(value, Reference):
-            name = value.name
-        elif isinstance(value, Expr) and value.kind == "symbol":
+        if isinstance(value, Reference) or (isinstance(value, Expr) and value.kind == "symbol"):
             name = value.name
         else:
             return value
@@ -148,7 +147,10 @@ def _container(session: Session, value: Any, arrays: bool) -> Value:
         flat = flattened(items)
         return set_of(flat) if isinstance(value, MapleSet) else type(value)(tuple(flat))
     if isinstance(value, Relation):
-        left, right = current(session, value.left, arrays=arrays), current(session, value.right, arrays=arrays)
+        left, right = (
+            current(session, value.left, arrays=arrays),
+            current(session, value.right, arrays=arrays),
+        )
         return value if left is value.left and right is value.right else Relation(value.operator, left, right)
     if isinstance(value, Range):
         start, stop = current(session, value.start), current(session, value.stop)
@@ -168,7 +170,9 @@ def _array(session: Session, value: Array) -> Array:
         made = value
     else:
         made = replace(value, entries=entries)
-    return session.face(session, value, made) if value.frame is not None and session.face is not None else made
+    return (
+        session.face(session, value, made) if value.frame is not None and session.face is not None else made
+    )
 
 
 def flattened(items: Iterable[Value]) -> list[Value]:
@@ -257,7 +261,9 @@ def _evaluated(session: Session, value: Expr) -> Value:
 
 def _variables(value: Expr) -> list[Expr]:
     """The variables in a fixed order."""
-    return sorted(free_symbols([value]), key=lambda each: (each.name, each.kind, each.kind != "symbol" and each.order))
+    return sorted(
+        free_symbols([value]), key=lambda each: (each.name, each.kind, each.kind != "symbol" and each.order)
+    )
 
 
 def _applications(session: Session, value: Expr) -> list[Expr]:

@@ -17,7 +17,9 @@ def decimal_text(ratio: tuple[int, int], digits: int, places: int | None = None)
     """Return a decimal as Maple prints it, with ``digits`` significant digits, or ``places`` behind the point."""
     value = rounded(ratio, digits)
     if places is not None:
-        value = Context(prec=digits + places + abs(value.adjusted())).quantize(value, Decimal(1).scaleb(-places))
+        value = Context(prec=digits + places + abs(value.adjusted())).quantize(
+            value, Decimal(1).scaleb(-places)
+        )
     if not value:
         return "0."
     sign, figures, exponent = value.as_tuple()

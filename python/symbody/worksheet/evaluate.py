@@ -7,12 +7,13 @@ from collections.abc import Callable, Iterable
 from typing import Any
 
 from symbody.errors import SymbodyError, WorksheetError
-from symbody.symbolic import Expr, UndefinedFunction, number, symbol
+from symbody.symbolic import Expr, UndefinedFunction, number
 from symbody.worksheet import arithmetic, builtins, syntax
 from symbody.worksheet.builtins.matrices import from_columns, from_rows
 from symbody.worksheet.builtins.sets import joined_by
 from symbody.worksheet.condition import compared, truth
 from symbody.worksheet.current import flattened, set_of
+from symbody.worksheet.naming import symbol
 from symbody.worksheet.procedure import call_procedure
 from symbody.worksheet.select import selected
 from symbody.worksheet.session import Session, sequence
@@ -151,7 +152,9 @@ class Evaluator:
         if isinstance(node, syntax.Call) and isinstance(node.function, syntax.Name | syntax.Concatenation):
             name = self.concatenation(node.function)
             arguments = [self.unevaluated(each) for each in node.arguments]
-            if builtins.command(self.session, name) is None and all(isinstance(each, Expr) for each in arguments):
+            if builtins.command(self.session, name) is None and all(
+                isinstance(each, Expr) for each in arguments
+            ):
                 return self._application(name, tuple(arguments))
         return Quoted(node)
 
@@ -239,7 +242,12 @@ class Evaluator:
         right = truth(self.session, self.evaluate(node.right))
         if left is None or right is None:
             return Boolean(None)
-        results = {"and": left and right, "or": left or right, "xor": left != right, "implies": not left or right}
+        results = {
+            "and": left and right,
+            "or": left or right,
+            "xor": left != right,
+            "implies": not left or right,
+        }
         return Boolean(results[node.operator])
 
     def _entrywise(self, operator: str, left: Value, right: Value) -> Value:
@@ -297,7 +305,10 @@ class Evaluator:
             form = builtins.FORMS.get(name)
             if form is not None and not self._is_local(name):
                 return form(session, *node.arguments)
-            return self.call(symbol(name) if not self._is_local(name) else self._named(name), self.arguments(node.arguments))
+            return self.call(
+                symbol(name) if not self._is_local(name) else self._named(name),
+                self.arguments(node.arguments),
+            )
         head = self._named(name) if name is not None else self.evaluate(function)
         if isinstance(head, Builtin) and head.name in builtins.FORMS:
             return builtins.FORMS[head.name](session, *node.arguments)
@@ -363,7 +374,9 @@ class Evaluator:
     def _command(self, name: str, function: Callable[..., Value], arguments: tuple[Value, ...]) -> Value:
         if any(isinstance(each, Quoted) for each in arguments) and name not in ("print", "show"):
             arguments = tuple(
-                flattened(self.evaluate(each.body) if isinstance(each, Quoted) else each for each in arguments)
+                flattened(
+                    self.evaluate(each.body) if isinstance(each, Quoted) else each for each in arguments
+                )
             )
         self.session.limits.check()
         try:
@@ -400,5 +413,3 @@ def _repeated(value: Value, count: int) -> list[Value]:
     if isinstance(value, Array):
         return list(value.entries)
     return [value] * count
-
-

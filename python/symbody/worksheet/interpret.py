@@ -3,23 +3,26 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
+from dataclasses import replace
 from typing import Any
 
 from symbody.errors import SymbodyError, WorksheetError
 from symbody.symbolic import Expr, UndefinedFunction, number
-from symbody.worksheet import builtins, syntax
+from symbody.worksheet import builtins, frame_face, mbsymba, operators, syntax
 from symbody.worksheet.builtins.files import read_file, save_file
 from symbody.worksheet.condition import truth
 from symbody.worksheet.evaluate import Evaluator
 from symbody.worksheet.numeric import as_float
 from symbody.worksheet.procedure import Leave, Returned
+from symbody.worksheet.reading.files import source_cells
+from symbody.worksheet.reading.statements import statements
 from symbody.worksheet.select import assigned_entry, key_of
 from symbody.worksheet.session import Session
+from symbody.worksheet.source import Remark, SyntaxMistake
 from symbody.worksheet.value import (
     NULL,
     Array,
     Listed,
-    MapleSet,
     Quoted,
     Reference,
     Sequence,
@@ -52,6 +55,9 @@ class Interpreter:
         self.evaluator = Evaluator(self.session)
         self.evaluator.execute = self._body
         self.session.run = self.run
+        self.session.overload = operators.overloaded
+        self.session.face = _face
+        mbsymba.install(self.session)
         self._level = 0
         self._methods: dict[type, Callable[[Any], Value]] = {
             syntax.Assignment: self._assignment,
@@ -103,8 +109,12 @@ class Interpreter:
 
     def run(self, text: str) -> None:
         """Execute the statements of a text, as ``read`` does; a mistake ends it."""
-        for statement in builtins.statements_of(text):
-            self._statement(statement, shown=statement.shown)
+        for cell in source_cells(text):
+            for statement in statements(cell):
+                if isinstance(statement, SyntaxMistake):
+                    raise WorksheetError(statement.message)
+                if not isinstance(statement, Remark):
+                    self._statement(statement, shown=statement.shown)
 
     # --- statements ---------------------------------------------------------------------------------------------------
 
@@ -152,6 +162,7 @@ class Interpreter:
     def _evaluate(self, node: syntax.Expression) -> Value:
         if isinstance(node, syntax.Name) and node.name == "restart" and node.name not in self.session.names:
             self.session.restart()
+            mbsymba.install(self.session)
             return NULL
         return self.evaluator.evaluate(node)
 
@@ -165,7 +176,8 @@ class Interpreter:
         values = value.items if isinstance(value, Sequence) else (value,)
         if len(values) != len(node.targets):
             raise WorksheetError(
-                f"ambiguous multiple assignment: {len(node.targets)} names for {len(values)} values", node.place
+                f"ambiguous multiple assignment: {len(node.targets)} names for {len(values)} values",
+                node.place,
             )
         for target, each in zip(node.targets, values, strict=True):
             self._assign(target, each)
@@ -186,7 +198,8 @@ class Interpreter:
             self._assign(target.left, value)
         else:
             raise WorksheetError(
-                "invalid left side of an assignment; expected a name, an entry such as a[1], or x(t)", target.place
+                "invalid left side of an assignment; expected a name, an entry such as a[1], or x(t)",
+                target.place,
             )
 
     def _assign_name(self, name: str, value: Value, target: syntax.Expression) -> None:
@@ -224,7 +237,9 @@ class Interpreter:
         old = self.session.names.get(name)
         if isinstance(old, Expr):
             return value.subs({own[0]: old})
-        raise WorksheetError(f"recursive assignment: {name} has no value that its new value could use", target.place)
+        raise WorksheetError(
+            f"recursive assignment: {name} has no value that its new value could use", target.place
+        )
 
     def _assign_entry(self, target: syntax.Selection, value: Value) -> None:
         session = self.session
@@ -244,7 +259,9 @@ class Interpreter:
         elif isinstance(holder, Expr) and holder.kind == "symbol":
             self._new_table(holder.name, indices, value)
         else:
-            raise WorksheetError(f"{session.text(held)[:60]} has no entries that could be assigned", target.place)
+            raise WorksheetError(
+                f"{session.text(held)[:60]} has no entries that could be assigned", target.place
+            )
         base = held.name if isinstance(held, Reference) else name
         if base:
             session.touch(base)
@@ -275,7 +292,9 @@ class Interpreter:
         else:
             name = self.evaluator.concatenation(target.function)
         arguments = self.evaluator.arguments(target.arguments)
-        plain = UndefinedFunction(name)(*arguments) if all(isinstance(each, Expr) for each in arguments) else None  # type: ignore[arg-type]
+        plain = (
+            UndefinedFunction(name)(*arguments) if all(isinstance(each, Expr) for each in arguments) else None
+        )  # type: ignore[arg-type]
         if plain is not None and value == plain:
             session.remembered.get(name, {}).pop(arguments, None)
             session.touch(name)
@@ -303,7 +322,9 @@ class Interpreter:
             self.session.limits.check()
             if node.variable is not None:
                 self._assign_name(node.variable, item, syntax.Name(node.variable, place=node.place))
-            if node.condition is not None and not truth(self.session, self.evaluator.evaluate(node.condition)):
+            if node.condition is not None and not truth(
+                self.session, self.evaluator.evaluate(node.condition)
+            ):
                 break
             try:
                 value = self._nested(node.body, shown=node.shown)
@@ -316,9 +337,7 @@ class Interpreter:
         if node.items is not None:
             yield from builtins.items_of(self.session, self.evaluator.evaluate(node.items))
             return
-        at, step = (
-            self._bound(each) if each is not None else number(1) for each in (node.start, node.step)
-        )
+        at, step = (self._bound(each) if each is not None else number(1) for each in (node.start, node.step))
         stop = None if node.stop is None else self._bound(node.stop)
         while stop is None or not _beyond(at, stop, step):
             yield at
@@ -364,20 +383,36 @@ class Interpreter:
 
     def _save(self, node: syntax.Save) -> Value:
         *names, file = (self.evaluator.unevaluated(each) for each in node.arguments)
-        found = self.evaluator.evaluate(node.arguments[-1]) if isinstance(file, Expr | Quoted | Unevaluated) else file
+        found = (
+            self.evaluator.evaluate(node.arguments[-1])
+            if isinstance(file, Expr | Quoted | Unevaluated)
+            else file
+        )
         return save_file(self.session, *names, found)
 
     def _declaration(self, node: syntax.Declaration) -> Value:
         for each in node.variables:
             if each.default is not None:
-                self._assign_name(each.name, self.evaluator.evaluate(each.default), syntax.Name(each.name, place=node.place))
+                self._assign_name(
+                    each.name, self.evaluator.evaluate(each.default), syntax.Name(each.name, place=node.place)
+                )
         return NULL
 
     def _quit(self, node: syntax.Quit) -> Value:
         raise Stop
 
 
-_PROTECTED = frozenset({"Pi", "I", "true", "false", "FAIL", "infinity", "NULL", "sin", "cos", "tan", "diff", "D"})
+def _face(session: Session, before: Array, after: Array) -> Array:
+    """Return an evaluated matrix with the evaluated chain of the one before."""
+    chain = frame_face.current(session, before.frame)
+    if after is before and chain is before.frame:
+        return before
+    return replace(after, frame=chain)
+
+
+_PROTECTED = frozenset(
+    {"Pi", "I", "true", "false", "FAIL", "infinity", "NULL", "sin", "cos", "tan", "diff", "D"}
+)
 
 
 def _beyond(at: Expr, stop: Expr, step: Expr) -> bool:
@@ -394,5 +429,3 @@ def _with_item(session: Session, whole: Listed, indices: tuple[Value, ...], valu
         return Listed((*whole.items, value))
     assigned_entry(session, array, indices, value)
     return Listed(tuple(array.entries))
-
-

@@ -15,7 +15,9 @@ def decimal(value: float, digits: int = 10) -> Expr:
     """Return a double as a decimal of so many digits."""
     if not math.isfinite(value):
         raise WorksheetError("the value is not a finite number")
-    return number(f"{value:.{digits}g}" if value != int(value) or abs(value) >= 10**digits else repr(float(value)))
+    return number(
+        f"{value:.{digits}g}" if value != int(value) or abs(value) >= 10**digits else repr(float(value))
+    )
 
 
 def as_float(value: Expr) -> float | None:
@@ -41,7 +43,11 @@ def as_integer(value: object) -> int | None:
 
 def with_decimals(value: Expr, *arguments: Expr) -> Expr:
     """Return the value of a function as a decimal if all its arguments are numbers and one is a decimal."""
-    if all(each.is_number for each in arguments) and any(each.is_decimal for each in arguments) and not value.is_number:
+    if (
+        all(each.is_number for each in arguments)
+        and any(each.is_decimal for each in arguments)
+        and not value.is_number
+    ):
         result = as_float(value)
         if result is not None:
             return decimal(result)
@@ -67,5 +73,3 @@ def power(base: Expr, exponent: Expr) -> Expr:
             value = rounded(base.ratio, 30) ** exponent.ratio[0]
             return number(f"{value:.10g}")
     return with_decimals(base**exponent, base, exponent)
-
-

@@ -37,8 +37,42 @@ LIMIT = 5_000_000
 """The length of the longest text of a scalar that is printed."""
 
 _GREEK = frozenset(
-    "alpha beta gamma delta epsilon zeta eta theta iota kappa lambda mu nu xi omicron pi rho sigma tau upsilon phi "
-    "chi psi omega Gamma Delta Theta Lambda Xi Sigma Upsilon Phi Psi Omega".split()
+    [
+        "alpha",
+        "beta",
+        "gamma",
+        "delta",
+        "epsilon",
+        "zeta",
+        "eta",
+        "theta",
+        "iota",
+        "kappa",
+        "lambda",
+        "mu",
+        "nu",
+        "xi",
+        "omicron",
+        "pi",
+        "rho",
+        "sigma",
+        "tau",
+        "upsilon",
+        "phi",
+        "chi",
+        "psi",
+        "omega",
+        "Gamma",
+        "Delta",
+        "Theta",
+        "Lambda",
+        "Xi",
+        "Sigma",
+        "Upsilon",
+        "Phi",
+        "Psi",
+        "Omega",
+    ]
 )
 
 
@@ -76,8 +110,50 @@ _Text = tuple[str, int]
 
 _PLAIN_NAME = re.compile(r"[A-Za-z_~][A-Za-z0-9_~]*(\[[^\[\]]*\])*")
 _KEYWORDS = frozenset(
-    "and break by catch do done elif else end error fi finally for from if implies in intersect local minus mod "
-    "module next not od option or proc quit read return save stop subset then to try union use uses while xor".split()
+    [
+        "and",
+        "break",
+        "by",
+        "catch",
+        "do",
+        "done",
+        "elif",
+        "else",
+        "end",
+        "error",
+        "fi",
+        "finally",
+        "for",
+        "from",
+        "if",
+        "implies",
+        "in",
+        "intersect",
+        "local",
+        "minus",
+        "mod",
+        "module",
+        "next",
+        "not",
+        "od",
+        "option",
+        "or",
+        "proc",
+        "quit",
+        "read",
+        "return",
+        "save",
+        "stop",
+        "subset",
+        "then",
+        "to",
+        "try",
+        "union",
+        "use",
+        "uses",
+        "while",
+        "xor",
+    ]
 )
 
 
@@ -186,9 +262,7 @@ def _function(node: Tree, parts: list[_Text], style: Style) -> _Text:
     if node.name in style.declared and [part for part, _ in parts] == ["t"]:
         return name_text(node.name), _ATOM
     name = style.functions.get(node.name, node.name)
-    if not name.startswith("D"):
-        name = name_text(name, style.raw)
-    elif not name.startswith(("D(", "D[")):
+    if not name.startswith("D") or not name.startswith(("D(", "D[")):
         name = name_text(name, style.raw)
     return f"{name}({','.join(part for part, _ in parts)})", _ATOM
 
@@ -278,9 +352,7 @@ def _key(key: tuple[Value, ...], style: Style) -> str:
 
 def _array(value: Array, style: Style) -> str:
     texts = [text_of(entry, style) for entry in value.entries]
-    rows = [
-        f"[{', '.join(texts[i * value.columns : (i + 1) * value.columns])}]" for i in range(value.rows)
-    ]
+    rows = [f"[{', '.join(texts[i * value.columns : (i + 1) * value.columns])}]" for i in range(value.rows)]
     if value.kind == "Vector":
         return f"Vector[column]([{', '.join(rows)}])"
     if value.kind == "RowVector":
@@ -293,7 +365,20 @@ def _array(value: Array, style: Style) -> str:
 def _unevaluated(value: Unevaluated, style: Style) -> str:
     function = text_of(value.function, style)
     arguments = value.arguments
-    if function.strip("`") in ("&*", ".", "*", "+", "-", "/", "^", "union", "minus", "intersect", "and", "or"):
+    if function.strip("`") in (
+        "&*",
+        ".",
+        "*",
+        "+",
+        "-",
+        "/",
+        "^",
+        "union",
+        "minus",
+        "intersect",
+        "and",
+        "or",
+    ):
         operator = function.strip("`")
         return f" {operator} ".join(_factor(each, style) for each in arguments)
     return f"{function}({','.join(text_of(each, style) for each in arguments)})"

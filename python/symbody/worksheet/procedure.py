@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable
 
 from symbody.errors import WorksheetError
-from symbody.symbolic import Expr, symbol
+from symbody.symbolic import Expr
 from symbody.worksheet import syntax
+from symbody.worksheet.naming import symbol
 from symbody.worksheet.session import Scope, Session
 from symbody.worksheet.types import has_type
 from symbody.worksheet.value import NULL, Boolean, ProcedureValue, Reference, Relation, Sequence, Value
@@ -105,7 +106,11 @@ def _assigned(body: Iterable[syntax.Statement]) -> set[str]:
 
 
 def _bind(
-    session: Session, scope: Scope, parameters: Iterable[syntax.Parameter], arguments: tuple[Value, ...], name: str
+    session: Session,
+    scope: Scope,
+    parameters: Iterable[syntax.Parameter],
+    arguments: tuple[Value, ...],
+    name: str,
 ) -> None:
     plain = [each for each in parameters if not each.keyword and not each.rest]
     named = {each.name: each for each in parameters if each.keyword}
@@ -119,7 +124,9 @@ def _bind(
         )
     for i, parameter in enumerate(plain):
         if _is_rest_of_arguments(session, parameter):
-            scope.names[parameter.name] = Sequence(tuple(positional[i:])) if len(positional[i:]) != 1 else positional[i]
+            scope.names[parameter.name] = (
+                Sequence(tuple(positional[i:])) if len(positional[i:]) != 1 else positional[i]
+            )
             return
         if i < len(positional):
             _check(session, parameter, positional[i], i, name)
@@ -162,7 +169,11 @@ def _keyword(value: Value) -> tuple[str, Value] | None:
 def _check(session: Session, parameter: syntax.Parameter, value: Value, place: int, name: str) -> None:
     if parameter.type is None:
         return
-    kind = session.evaluate(parameter.type) if not isinstance(parameter.type, syntax.Name) else symbol(parameter.type.name)
+    kind = (
+        session.evaluate(parameter.type)
+        if not isinstance(parameter.type, syntax.Name)
+        else symbol(parameter.type.name)
+    )
     if not has_type(session, value, kind):
         raise WorksheetError(
             f"invalid input: {name} expects its {_ordinal(place + 1)} argument, {parameter.name}, to be of type "

@@ -5,8 +5,9 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from symbody.errors import WorksheetError
-from symbody.symbolic import Expr, symbol
+from symbody.symbolic import Expr
 from symbody.worksheet.arithmetic import scalar
+from symbody.worksheet.naming import symbol
 from symbody.worksheet.numeric import as_integer
 from symbody.worksheet.structure import tree_of
 from symbody.worksheet.value import (
@@ -98,14 +99,20 @@ def _of_items(session: Session, whole: Listed | MapleSet | Sequence, indices: In
     if isinstance(index, Listed):
         return Listed(tuple(_of_items(session, whole, (each,)) for each in index.items))
     place = _place(session, index, len(whole.items))
-    item = session.current(whole.items[place]) if not isinstance(whole.items[place], Array) else whole.items[place]
+    item = (
+        session.current(whole.items[place])
+        if not isinstance(whole.items[place], Array)
+        else whole.items[place]
+    )
     return selected(session, item, rest) if rest else item
 
 
 def _place(session: Session, index: Value, count: int) -> int:
     number = as_integer(index)
     if number is None:
-        raise WorksheetError(f"the index {session.text(index)} is not an integer; expected one from 1 to {count}")
+        raise WorksheetError(
+            f"the index {session.text(index)} is not an integer; expected one from 1 to {count}"
+        )
     if not 0 < abs(number) <= count:
         raise WorksheetError(f"the index {number} is out of range; expected one from 1 to {count}")
     return number - 1 if number > 0 else count + number
@@ -115,7 +122,9 @@ def _slice(session: Session, index: Range, count: int) -> range:
     start = _bound(session, index.start, 1, count)
     stop = _bound(session, index.stop, count, count)
     if start < 1 or stop > count or stop < start - 1:
-        raise WorksheetError(f"the range {session.text(index)} is out of range; expected one within 1 .. {count}")
+        raise WorksheetError(
+            f"the range {session.text(index)} is out of range; expected one within 1 .. {count}"
+        )
     return range(start - 1, stop)
 
 
@@ -147,7 +156,8 @@ def _of_array(session: Session, whole: Value, array: Array, indices: Indices) ->
     if len(indices) == 1:
         return _of_vector(session, array, indices[0])
     rows, columns = (
-        _places(session, index, count) for index, count in zip(indices, (array.rows, array.columns), strict=False)
+        _places(session, index, count)
+        for index, count in zip(indices, (array.rows, array.columns), strict=False)
     )
     if isinstance(rows, int) and isinstance(columns, int):
         return session.current(array.entries[rows * array.columns + columns])
@@ -207,7 +217,9 @@ def assigned_entry(session: Session, holder: Table | Array, indices: Indices, va
         return
     counts = (holder.rows, holder.columns)
     if len(indices) != 2:
-        raise WorksheetError(f"{len(indices)} indices for a matrix of {holder.rows} x {holder.columns}; expected two")
+        raise WorksheetError(
+            f"{len(indices)} indices for a matrix of {holder.rows} x {holder.columns}; expected two"
+        )
     rows, columns = (_places(session, index, count) for index, count in zip(indices, counts, strict=True))
     if isinstance(rows, int) and isinstance(columns, int):
         holder.entries[rows * holder.columns + columns] = value

@@ -110,6 +110,10 @@ class Session:
         opaque: what the names of scalars stand for that were made of other values.
         indexed: base and indices of names such as ``a[1]``.
         applied: names that were applied to arguments other than t.
+        rules: the names of the sheet's own rules of derivatives, ``diff/f``.
+        files: the files that ``fopen`` has opened.
+        resolving: names that are being evaluated.
+        depends: names on which the scalars depend that are being evaluated.
         seen: evaluated scalars (`current`).
         call: calls a function with arguments; set by the interpreter.
         evaluate: evaluates an expression; set by the interpreter.
@@ -140,6 +144,7 @@ class Session:
     seen: dict[int, current.Seen] = field(default_factory=dict)
     resolving: list[str] = field(default_factory=list)
     depends: list[set[str]] = field(default_factory=list)
+    rules: set[str] = field(default_factory=set)
     files: dict[Any, Any] = field(default_factory=dict)
     call: Callable[[Value, tuple[Value, ...]], Value] = field(default=lambda function, arguments: NULL)
     evaluate: Callable[[syntax.Expression], Value] = field(default=lambda node: NULL)
@@ -159,6 +164,8 @@ class Session:
     def assign(self, name: str, value: Value) -> None:
         """Give a name of the session a value."""
         self.names[name] = value
+        if name.startswith("diff/"):
+            self.rules.add(name)
         self.touch(name)
 
     def unassign(self, name: str) -> None:
@@ -251,10 +258,7 @@ class Session:
 
     def restart(self) -> None:
         """Forget everything but the folders, what was printed, and the limits."""
-        kept: Mapping[str, Any] = {
-            name: getattr(self, name)
-            for name in _KEPT
-        }
+        kept: Mapping[str, Any] = {name: getattr(self, name) for name in _KEPT}
         self.__dict__.update(Session(**kept).__dict__)
 
 
@@ -272,5 +276,3 @@ def sequence(values: list[Value] | tuple[Value, ...]) -> Value:
 def is_last_name(value: Value) -> bool:
     """Whether evaluation of a name stops before this value."""
     return current.is_last_name(value)
-
-

@@ -17,7 +17,28 @@ _STRENGTH = {
 }  # fmt: skip
 """How strongly operators bind."""
 
-_WIDE = frozenset("= <> < <= > >= in subset and or xor implies union minus intersect mod .. &*".split())
+_WIDE = frozenset(
+    [
+        "=",
+        "<>",
+        "<",
+        "<=",
+        ">",
+        ">=",
+        "in",
+        "subset",
+        "and",
+        "or",
+        "xor",
+        "implies",
+        "union",
+        "minus",
+        "intersect",
+        "mod",
+        "..",
+        "&*",
+    ]
+)
 _ATOM = 20
 
 
@@ -35,7 +56,10 @@ def _listed(items: Iterable[Any]) -> str:
 
 
 def _arguments(items: Iterable[Any]) -> str:
-    return ", ".join(f"({source_text(item)})" if isinstance(item, syntax.SequenceDisplay) else source_text(item) for item in items)
+    return ", ".join(
+        f"({source_text(item)})" if isinstance(item, syntax.SequenceDisplay) else source_text(item)
+        for item in items
+    )
 
 
 def _inside(node: Any, strength: int) -> str:
@@ -108,7 +132,12 @@ def procedure_text(node: syntax.Procedure | syntax.Arrow) -> str:
 
 def _procedure(node: syntax.Procedure) -> tuple[str, int]:
     heads = [f"proc ({_parameters(node.parameters)})"]
-    for word, names in (("local", node.local), ("global", node.shared), ("option", node.options), ("uses", node.uses)):
+    for word, names in (
+        ("local", node.local),
+        ("global", node.shared),
+        ("option", node.options),
+        ("uses", node.uses),
+    ):
         if names:
             heads.append(f"{word} {', '.join(names)};")
     return f"{' '.join(heads)} {_body(node.body)} end proc", _ATOM
@@ -125,7 +154,10 @@ _WRITERS: dict[type, Callable[[Any], tuple[str, int]]] = {
     syntax.Text: _text,
     syntax.Ditto: lambda node: ("%" * node.level, _ATOM),
     syntax.Delayed: lambda node: (f"'{source_text(node.body)}'", _ATOM),
-    syntax.SequenceDisplay: lambda node: (_listed(node.items) if node.items else "NULL", 0 if node.items else _ATOM),
+    syntax.SequenceDisplay: lambda node: (
+        _listed(node.items) if node.items else "NULL",
+        0 if node.items else _ATOM,
+    ),
     syntax.ListDisplay: lambda node: (f"[{_listed(node.items)}]", _ATOM),
     syntax.SetDisplay: lambda node: (f"{{{_listed(node.items)}}}", _ATOM),
     syntax.Columns: lambda node: (f"<{_listed(node.items)}>", _ATOM),
@@ -164,7 +196,13 @@ def _if(node: syntax.If) -> str:
 
 def _for(node: syntax.For) -> str:
     heads = [f"for {node.variable}"] if node.variable else []
-    clauses = (("from", node.start), ("by", node.step), ("to", node.stop), ("in", node.items), ("while", node.condition))
+    clauses = (
+        ("from", node.start),
+        ("by", node.step),
+        ("to", node.stop),
+        ("in", node.items),
+        ("while", node.condition),
+    )
     heads += [f"{word} {source_text(value)}" for word, value in clauses if value is not None]
     return f"{' '.join(heads)} do {_body(node.body)} end do".lstrip()
 

@@ -203,13 +203,49 @@ def sum_of(parts: Iterable[Tree], value: Expr | None = None) -> Tree:
     terms: list[Tree] = []
     for part in parts:
         terms.extend(part.parts if part.kind == "sum" else (part,))
+    terms = _merged(terms)
     if len(terms) == 1:
         return terms[0]
+    if not terms:
+        return tree_of(number(0))
     terms.sort(key=_term_order)
     if value is None:
         value = reduce(add, (term.value for term in terms))
     key = "+".join(term.key for term in terms)
     return Tree("sum", value, tuple(terms), key=key[:_KEY_LENGTH])
+
+
+def _merged(terms: list[Tree]) -> list[Tree]:
+    """Return terms with those joined that differ by a number only, as Maple joins them at once."""
+    if len(terms) < 2:
+        return terms
+    groups: dict[tuple[Expr, ...], list[Tree]] = {}
+    for term in terms:
+        groups.setdefault(_monomial(term), []).append(term)
+    if len(groups) == len(terms):
+        return terms
+    joined: list[Tree] = []
+    for monomial, group in groups.items():
+        if len(group) == 1:
+            joined.append(group[0])
+            continue
+        coefficient = reduce(add, (_coefficient(term) for term in group))
+        if not coefficient.is_zero:
+            joined.append(product_of([tree_of(coefficient), *map(tree_of, monomial)]))
+    return joined
+
+
+def _monomial(term: Tree) -> tuple[Expr, ...]:
+    """Return the factors of a term but for its number."""
+    if term.kind == "number":
+        return ()
+    factors = term.parts if term.kind == "product" else (term,)
+    return tuple(factor.value for factor in factors if factor.kind != "number")
+
+
+def _coefficient(term: Tree) -> Expr:
+    first = term.parts[0] if term.kind == "product" else term
+    return first.value if first.kind == "number" else number(1)
 
 
 def _term_order(term: Tree) -> tuple[bool, int, str]:

@@ -5,7 +5,8 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
-from symbody.symbolic import Expr, symbol
+from symbody.symbolic import Expr
+from symbody.worksheet.naming import symbol
 from symbody.worksheet.structure import tree_of
 from symbody.worksheet.value import (
     Array,
@@ -71,7 +72,9 @@ _CHECKS: dict[str, Check] = {
     "string": lambda value: isinstance(value, String),
     "list": lambda value: isinstance(value, Listed),
     "set": lambda value: isinstance(value, MapleSet),
-    "listlist": lambda value: isinstance(value, Listed) and all(isinstance(each, Listed) for each in value.items),
+    "listlist": lambda value: (
+        isinstance(value, Listed) and all(isinstance(each, Listed) for each in value.items)
+    ),
     "equation": lambda value: isinstance(value, Relation) and value.operator == "=",
     "=": lambda value: isinstance(value, Relation) and value.operator == "=",
     "relation": lambda value: isinstance(value, Relation),
