@@ -15,7 +15,23 @@ from symbody.worksheet.reading.builder import Builder, Mistake, one_place
 from symbody.worksheet.source import Line
 from symbody.worksheet.syntax import Place, Statement
 
-__all__ = ["TERMINATORS", "Failure", "Parsed", "next_statement", "opened", "terminator_after", "tokens_of"]
+__all__ = [
+    "TERMINATORS",
+    "Failure",
+    "Parsed",
+    "accepted",
+    "next_statement",
+    "opened",
+    "terminator_after",
+    "tokens_of",
+]
+
+#: Of statements with more tokens, what can follow is not worked out exactly: this copies what has been read.
+_LONG = 300
+
+#: How many constructs may be open at once: brackets, signs before signs, and the like.
+_DEEPEST = 1000
+_TOO_DEEP = f"more than {_DEEPEST} signs are open here; assign inner parts to names"
 
 TERMINATORS = frozenset({"SEMICOLON", "COLON"})
 
@@ -37,12 +53,10 @@ class Failure:
 
     Attributes:
         index: the token that can't follow; the number of tokens where they end too early.
-        expected: the kinds of tokens that could.
         place, message: of a statement that has the form of the grammar, but no meaning.
     """
 
     index: int
-    expected: frozenset[str] = frozenset()
     place: Place | None = None
     message: str = ""
 
@@ -84,21 +98,31 @@ def tokens_of(line: Line) -> list[Token]:
 def next_statement(tokens: Sequence[Token], begin: int = 0) -> Parsed | Failure:
     """Return the statement that begins at a token, with its terminator, or why there is none."""
     parser = _parser().parse_interactive("")
-    state = parser.parser_state
-    states = state.parse_conf.parse_table.states
     index, depth = begin, 0
     try:
         for index in range(begin, len(tokens)):
             parser.feed_token(tokens[index])
+            if len(parser.parser_state.state_stack) > _DEEPEST:
+                return Failure(index, place=one_place(tokens[index]), message=_TOO_DEEP)
             depth += opened(tokens, index)
             if depth <= 0 and tokens[index].type in TERMINATORS:
                 tree = parser.feed_token(Token.new_borrow_pos("$END", "", tokens[index]))
                 return Parsed(Builder().transform(tree), index + 1)
-    except UnexpectedToken as error:
-        return Failure(index, frozenset(error.expected))
+    except UnexpectedToken:
+        return Failure(index)
     except VisitError as error:
         return _failure(index, error.orig_exc)
-    return Failure(len(tokens), frozenset(states[state.position]))
+    return Failure(len(tokens))
+
+
+def accepted(tokens: Sequence[Token]) -> frozenset[str]:
+    """Return the kinds of tokens that can follow the beginning of a statement; of a long one, those that may."""
+    parser = _parser().parse_interactive("")
+    for token in tokens:
+        parser.feed_token(token)
+    if len(tokens) > _LONG:
+        return frozenset(parser.choices())  # type: ignore[no-untyped-call]
+    return frozenset(parser.accepts())  # type: ignore[no-untyped-call]
 
 
 def opened(tokens: Sequence[Token], index: int) -> int:

@@ -20,6 +20,7 @@ __all__ = ["Span", "is_trailing_remark", "remark_in", "used_names"]
 _KEYWORDS = """IF THEN ELIF ELSE FOR DO IN AND OR NOT XOR UNION WITHOUT INTERSECT SUBSET MOD CLAUSE HEADED DECLARED READ
 SAVE STOP DONE QUIT NEXT BREAK RETURN ERROR TRY CATCH FINALLY END ASSUMING IMPLIES"""
 _WORDS = frozenset(_KEYWORDS.split()) | {"NAME"}
+_OPERANDS = _WORDS | {"STRING", "INTEGER", "DECIMAL", "BACKQUOTED"}
 _SEPARATORS = TERMINATORS | {"COMMA", "LPAR", "LSQB", "LBRACE", "THEN", "DO", "ELSE"}
 _MARKS = frozenset({"COMMA", "SEMICOLON", "COLON", "MINUS", "DOT", "UNKNOWN"})  # of prose, too
 _OPENING = frozenset({"LPAR", "LSQB", "LBRACE"})
@@ -133,16 +134,23 @@ def _is_prose(tokens: Sequence[Token], span: Span, begin: int) -> bool:
     text = tokens[span.begin : span.end]
     if not text or any(token == ":=" for token in text):
         return False
+    if span.begin > begin and text[-1].type == "SEMICOLON":  # the end of a statement with a missing bracket
+        return False
     at_line_start = span.begin == begin and (not begin or tokens[begin - 1].line != text[0].line)
     if at_line_start:  # a statement with a mistake in it is no remark
         first = text[:2]
-        return text[-1].type != "SEMICOLON" and len(first) == 2 and all(_is_prose_sign(one) for one in first)
+        return (
+            text[-1].type != "SEMICOLON"
+            and len(first) == 2
+            and first[0].type in {"NAME", "UNKNOWN"}
+            and _is_prose_sign(first[1])
+        )
     if any(token.type == "UNKNOWN" for token in text):
         return True
     if all(token.type in _WORDS | _MARKS for token in text):
         return True
     return any(
-        first.type in _WORDS and second.type in _WORDS and "NAME" in {first.type, second.type}
+        {first.type, second.type} <= _OPERANDS and "NAME" in {first.type, second.type}
         for first, second in pairwise(text)
     )
 

@@ -21,7 +21,7 @@ from symbody.worksheet.source import Cell, Line, Remark, SyntaxMistake
 from symbody.worksheet.syntax import Place, Statement
 
 #: How many times as much as a sheet without mistakes may be read.
-_EFFORT = 30
+_EFFORT = 8
 
 __all__ = ["is_open", "names_in_code", "statements"]
 
@@ -37,14 +37,14 @@ def statements(cell: Cell, used: Collection[str] = ()) -> Iterator[Statement | R
     tokens = [token for line in lines for token in line]
     if tokens and tokens[-1].type not in TERMINATORS:
         tokens.append(terminator_after(tokens[-1]))
-    begin, effort = 0, _EFFORT * (len(tokens) + _EFFORT)
+    begin, effort = 0, _EFFORT * (len(tokens) + 1000)
     while begin < len(tokens) and tokens[begin]:
         found = next_statement(tokens, begin)
         if isinstance(found, Failure):
-            effort -= 1 + found.index - begin
+            effort -= 10 + found.index - begin
             span = remark_in(tokens, begin, found, used) if effort > 0 else None
             if span is None:
-                yield mistake(cell, tokens, found)
+                yield mistake(cell, tokens, begin, found)
                 begin = _next_begin(tokens, begin, found.index) if effort > 0 else len(tokens)
                 continue
         elif cell.remarks_lost_marks and is_trailing_remark(tokens, begin, found):
