@@ -63,7 +63,7 @@ def solutions(equations: Sequence[Expr], unknowns: Sequence[Expr]) -> list[Solut
 
 
 def _first_form(equations: list[Expr], unknowns: list[Expr], names: Solution) -> list[Solution]:
-    """Return the solutions of equations as they stand, or of their simplest forms, in which squares may have cancelled."""
+    """Return the solutions of equations as they stand, or of their simplest forms, in which squares cancel."""
     for forms in (equations, [simplify(each) for each in equations]):
         try:
             return _solved(forms, unknowns, alone=len(unknowns) == 1)
@@ -76,7 +76,7 @@ def _first_form(equations: list[Expr], unknowns: list[Expr], names: Solution) ->
     )
 
 
-class _NoClosedForm(Exception):  # noqa: N818  it is a result of the search, which goes on
+class _NoClosedForm(Exception):
     """The equations that are left are none of those that are known."""
 
 
@@ -110,7 +110,7 @@ def _solved(equations: Sequence[Expr], unknowns: Sequence[Expr], *, alone: bool 
 
 
 def _linear(equations: Sequence[Expr], unknowns: Sequence[Expr]) -> Solution | None:
-    """Solve linear equations: by determinants, whose values need no pivots, where they are few and have one solution."""
+    """Solve linear equations: without pivots, where they are few and have one solution."""
     if len(equations) == len(unknowns):
         try:
             return solve(equations, unknowns)
