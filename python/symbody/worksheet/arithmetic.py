@@ -7,7 +7,7 @@ from dataclasses import replace
 from typing import TYPE_CHECKING
 
 from symbody.errors import WorksheetError
-from symbody.symbolic import Expr, number
+from symbody.symbolic import Expr, Matrix, number
 from symbody.worksheet.naming import symbol
 from symbody.worksheet.numeric import power, quotient
 from symbody.worksheet.print import text_of
@@ -98,7 +98,8 @@ def _relations(session: Session, operator: str, left: Value, right: Value) -> Va
         name = left.operator if right.operator == "=" else right.operator
     elif isinstance(left, Relation):
         sides, name = ((left.left, right), (left.right, right)), left.operator
-    elif isinstance(right, Relation):
+    else:
+        assert isinstance(right, Relation)
         sides, name = ((left, right.left), (left, right.right)), right.operator
     return Relation(name, *(binary(session, operator, a, b) for a, b in sides))
 
@@ -174,7 +175,8 @@ def _scaled_identity(session: Session, array: Array, factor: Value) -> Array:
 def _entrywise(session: Session, operator: str, left: Array, right: Array) -> Array:
     if (left.rows, left.columns) != (right.rows, right.columns):
         raise WorksheetError(
-            f"matrices of {left.rows} x {left.columns} and {right.rows} x {right.columns} can't be combined by {operator}"
+            f"matrices of {left.rows} x {left.columns} and {right.rows} x {right.columns} can't be combined by "
+            f"{operator}; expected the same sizes"
         )
     entries = [binary(session, operator, a, b) for a, b in zip(left.entries, right.entries, strict=True)]
     return replace(left, entries=entries, attributes=(), frame=None)
@@ -257,11 +259,11 @@ def _matrix_power(session: Session, base: Array, exponent: Value) -> Value:
 
 def inverted(array: Array) -> Array:
     """Return the inverse of a square matrix of scalars."""
-    from symbody.symbolic import Matrix
-
-    rows = [array.entries[i * array.columns : (i + 1) * array.columns] for i in range(array.rows)]
-    inverse = Matrix(rows).inv()
-    return Array(array.rows, array.columns, [entry for row in inverse.tolist() for entry in row], array.kind)
+    entries = [each for each in array.entries if isinstance(each, Expr)]
+    if array.rows != array.columns or len(entries) != len(array.entries):
+        raise WorksheetError("the inverse of a matrix that is not square, or not of scalars")
+    inverse = Matrix.from_entries(array.rows, array.columns, entries).inverse()
+    return Array(array.rows, array.columns, list(inverse.entries), array.kind)
 
 
 def negated(session: Session, value: Value) -> Value:

@@ -60,13 +60,8 @@ def equal(session: Session, left: Value, right: Value) -> bool:
     if left is right or left == right:
         return True
     a, b = session.resolve(left), session.resolve(right)
-    if isinstance(a, Array) and isinstance(b, Array):
-        return (a.rows, a.columns) == (b.rows, b.columns) and all(
-            equal(session, session.current(x), session.current(y))
-            for x, y in zip(a.entries, b.entries, strict=True)
-        )
-    if isinstance(a, Array) and isinstance(b, Expr) and b.is_zero:
-        return all(equal(session, session.current(entry), b) for entry in a.entries)
+    if isinstance(a, Array) and isinstance(b, Array | Expr):
+        return _equal_arrays(session, a, b)
     if isinstance(a, Listed | Sequence) and type(a) is type(b):
         return len(a.items) == len(b.items) and all(
             equal(session, x, y) for x, y in zip(a.items, b.items, strict=True)
@@ -75,13 +70,25 @@ def equal(session: Session, left: Value, right: Value) -> bool:
         return (
             a.operator == b.operator and equal(session, a.left, b.left) and equal(session, a.right, b.right)
         )
-    if isinstance(left, Reference) and isinstance(right, Expr) and right.kind == "symbol":
-        return left.name == right.name
-    if isinstance(right, Reference) and isinstance(left, Expr) and left.kind == "symbol":
-        return right.name == left.name
+    if isinstance(left, Reference | Expr) and isinstance(right, Reference | Expr):
+        return _name(left) == _name(right) != ""
     if isinstance(a, Table) or isinstance(b, Table):
         return a is b
     return a == b and type(a) is type(b)
+
+
+def _name(value: Reference | Expr) -> str:
+    return str(value.name) if isinstance(value, Reference) or value.kind == "symbol" else ""
+
+
+def _equal_arrays(session: Session, a: Array, b: Array | Expr) -> bool:
+    """Compare two matrices, or a matrix and zero."""
+    entries = [session.current(each) for each in a.entries]
+    if isinstance(b, Expr):
+        return b.is_zero and all(equal(session, each, b) for each in entries)
+    return (a.rows, a.columns) == (b.rows, b.columns) and all(
+        equal(session, x, session.current(y)) for x, y in zip(entries, b.entries, strict=True)
+    )
 
 
 def is_type(session: Session, value: Value, kind: Value) -> bool:

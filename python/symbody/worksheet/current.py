@@ -1,14 +1,14 @@
 """Full evaluation at use: a value with all that was assigned since it was made.
 
-A scalar keeps its symbols. When it is used, those that have a value by now are substituted; the result is remembered with
-the count of assignments and the names that it depends on, so that this costs nothing where nothing changed.
+A scalar keeps its symbols. When it is used, those that have a value by now are substituted; the result is remembered
+with the count of assignments and the names that it depends on, so that this costs nothing where nothing changed.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Any
+from typing import Any, Protocol
 
 from symbody.symbolic import Expr, UndefinedFunction, free_symbols, pi, t, time_derivative
 from symbody.symbolic.expression.traverse import post_order
@@ -31,9 +31,6 @@ from symbody.worksheet.value import (
     Value,
 )
 
-if TYPE_CHECKING:
-    from symbody.worksheet.session import Session
-
 __all__ = ["Seen", "current", "is_last_name", "named", "resolved", "set_of"]
 
 CONSTANTS: dict[str, Value] = {
@@ -54,6 +51,36 @@ class Seen:
     result: Value
 
 
+class State(Protocol):
+    """What is read of a session."""
+
+    names: dict[str, Value]
+    remembered: dict[str, dict[tuple[Value, ...], Value]]
+    scopes: list[Any]
+    resolving: list[str]
+    depends: list[set[str]]
+    seen: dict[int, Seen]
+    assigned: dict[str, int]
+    count: int
+    applied: set[str]
+    indexed: dict[str, tuple[str, tuple[Value, ...]]]
+    opaque: dict[str, Value]
+    options: Any
+
+    @property
+    def scope(self) -> Any: ...
+    @property
+    def call(self) -> Callable[[Value, tuple[Value, ...]], Value]: ...
+    @property
+    def evaluate(self) -> Callable[[Any], Value]: ...
+    @property
+    def rebuild(self) -> Callable[[Expr, dict[Expr, Value]], Value]: ...
+    @property
+    def select(self) -> Callable[[Value, tuple[Value, ...]], Value]: ...
+    @property
+    def face(self) -> Callable[[Any, Array, Array], Array] | None: ...
+
+
 def is_last_name(value: Value) -> bool:
     """Whether evaluation of a name stops before this value: tables, procedures, matrices of the old kind."""
     return isinstance(value, Table | ProcedureValue) or (
@@ -61,7 +88,7 @@ def is_last_name(value: Value) -> bool:
     )
 
 
-def resolved(session: Session, value: Value) -> Value:
+def resolved(session: State, value: Value) -> Value:
     """Return what a reference, or a bare name, stands for."""
     for _ in range(100):
         if isinstance(value, Reference) or (isinstance(value, Expr) and value.kind == "symbol"):
@@ -75,18 +102,19 @@ def resolved(session: Session, value: Value) -> Value:
     return value
 
 
-def _found(session: Session, name: str) -> Value | None:
+def _found(session: State, name: str) -> Value | None:
     scope = session.scope
     while scope is not None:
         if name in scope.names:
-            return scope.names[name]
+            value: Value = scope.names[name]
+            return value
         if name in scope.local:
             return None
         scope = scope.parent
     return session.names.get(name)
 
 
-def named(session: Session, name: str) -> Value:
+def named(session: State, name: str) -> Value:
     """Return what a name stands for: its last name if that is a table, a procedure or an old matrix."""
     scope = session.scope
     while scope is not None:
@@ -95,8 +123,7 @@ def named(session: Session, name: str) -> Value:
         if name in scope.local:
             return symbol(name)
         scope = scope.parent
-    for depends in session.depends[-1:]:
-        depends.add(name)
+    _depend_on(session, (name,))
     alias = session.options.aliases.get(name) if session.options.aliases else None
     if alias is not None:
         return current(session, alias)
@@ -114,12 +141,12 @@ def named(session: Session, name: str) -> Value:
         session.resolving.pop()
 
 
-def _local(session: Session, value: Value) -> Value:
+def _local(session: State, value: Value) -> Value:
     """A local name is evaluated by one level, as in Maple; names of the session in it are evaluated fully."""
     return current(session, value)
 
 
-def current(session: Session, value: Value, *, arrays: bool = False) -> Value:
+def current(session: State, value: Value, *, arrays: bool = False) -> Value:
     """Return a value with all that was assigned since it was made; new matrices as they are unless ``arrays``."""
     if isinstance(value, Expr):
         return _scalar(session, value)
@@ -129,17 +156,17 @@ def current(session: Session, value: Value, *, arrays: bool = False) -> Value:
         return session.evaluate(value.body)
     if isinstance(value, Array):
         return _array(session, value) if arrays else value
-    return _container(session, value, arrays)
+    return _container(session, value, arrays=arrays)
 
 
-def _reference(session: Session, value: Reference) -> Value:
+def _reference(session: State, value: Reference) -> Value:
     found = _found(session, value.name)
     if found is None:
         return symbol(value.name)
     return value if is_last_name(found) else named(session, value.name)
 
 
-def _container(session: Session, value: Any, arrays: bool) -> Value:
+def _container(session: State, value: Any, *, arrays: bool) -> Value:
     if isinstance(value, Listed | MapleSet | Sequence):
         items = [current(session, item, arrays=arrays) for item in value.items]
         if all(new is old for new, old in zip(items, value.items, strict=True)):
@@ -164,7 +191,7 @@ def _container(session: Session, value: Any, arrays: bool) -> Value:
     return value  # type: ignore[no-any-return]
 
 
-def _array(session: Session, value: Array) -> Array:
+def _array(session: State, value: Array) -> Array:
     entries = [current(session, entry) for entry in value.entries]
     if all(new is old for new, old in zip(entries, value.entries, strict=True)):
         made = value
@@ -194,21 +221,19 @@ def set_of(items: Iterable[Value]) -> MapleSet:
 # --- scalars ----------------------------------------------------------------------------------------------------------
 
 
-def _scalar(session: Session, value: Expr) -> Value:
+def _scalar(session: State, value: Expr) -> Value:
     seen = session.seen.get(value.id)
     inside = bool(session.scopes) or bool(session.resolving)
     if seen is not None and not _changed(session, seen):
         seen.stamp = session.count
-        for depends in session.depends[-1:]:
-            depends |= seen.names
+        _depend_on(session, seen.names)
         return seen.result
     session.depends.append(set())
     try:
         result = _evaluated(session, value)
     finally:
         names = session.depends.pop()
-        for depends in session.depends[-1:]:
-            depends |= names
+        _depend_on(session, names)
     if not inside or not (names & _guarded(session)):
         if len(session.seen) > 500_000:
             session.seen.clear()
@@ -216,7 +241,12 @@ def _scalar(session: Session, value: Expr) -> Value:
     return result
 
 
-def _guarded(session: Session) -> set[str]:
+def _depend_on(session: State, names: Iterable[str]) -> None:
+    if session.depends:
+        session.depends[-1].update(names)
+
+
+def _guarded(session: State) -> set[str]:
     """Names whose meaning here isn't that of the session: those being resolved, and those of procedures."""
     names = set(session.resolving)
     scope = session.scope
@@ -226,7 +256,7 @@ def _guarded(session: Session) -> set[str]:
     return names
 
 
-def _changed(session: Session, seen: Seen) -> bool:
+def _changed(session: State, seen: Seen) -> bool:
     if session.scopes and seen.names & _guarded(session):
         return True
     if session.resolving and not seen.names.isdisjoint(session.resolving):
@@ -235,7 +265,7 @@ def _changed(session: Session, seen: Seen) -> bool:
     return stamp != session.count and any(session.assigned.get(name, 0) > stamp for name in seen.names)
 
 
-def _evaluated(session: Session, value: Expr) -> Value:
+def _evaluated(session: State, value: Expr) -> Value:
     if value.kind == "symbol":
         return _symbol(session, value)
     depends = session.depends[-1]
@@ -266,7 +296,7 @@ def _variables(value: Expr) -> list[Expr]:
     )
 
 
-def _applications(session: Session, value: Expr) -> list[Expr]:
+def _applications(session: State, value: Expr) -> list[Expr]:
     known = session.applied & (session.names.keys() | session.remembered.keys())
     if not known:
         if session.applied:
@@ -278,7 +308,7 @@ def _applications(session: Session, value: Expr) -> list[Expr]:
     return found
 
 
-def _symbol(session: Session, value: Expr) -> Value:
+def _symbol(session: State, value: Expr) -> Value:
     name = value.name
     indexed = session.indexed.get(name)
     if indexed is not None:
@@ -290,9 +320,8 @@ def _symbol(session: Session, value: Expr) -> Value:
     return value if found == value or found == Reference(name) else found
 
 
-def _indexed(session: Session, value: Expr, base: str, indices: tuple[Value, ...]) -> Value:
-    for depends in session.depends[-1:]:
-        depends.add(base)
+def _indexed(session: State, value: Expr, base: str, indices: tuple[Value, ...]) -> Value:
+    _depend_on(session, (base,))
     holder = resolved(session, symbol(base))
     if isinstance(holder, Table):
         key = tuple(current(session, each) for each in indices)
@@ -307,12 +336,12 @@ def _indexed(session: Session, value: Expr, base: str, indices: tuple[Value, ...
     return value
 
 
-def _opaque(session: Session, value: Expr, content: Value) -> Value:
+def _opaque(session: State, value: Expr, content: Value) -> Value:
     found = current(session, content)
     return value if found == content else found
 
 
-def _function(session: Session, value: Expr) -> Value:
+def _function(session: State, value: Expr) -> Value:
     """Return the value of a function of time, or of its derivative, if it has one by now."""
     name = value.name
     if name in session.resolving:
@@ -323,7 +352,7 @@ def _function(session: Session, value: Expr) -> Value:
     return time_derivative(found, value.order) if value.order else found
 
 
-def _of_time(session: Session, name: str) -> Value | None:
+def _of_time(session: State, name: str) -> Value | None:
     entry = session.remembered.get(name, {}).get((t,))
     held = session.names.get(name)
     if entry is None and not isinstance(held, ProcedureValue | Expr):

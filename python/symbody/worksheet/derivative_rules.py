@@ -1,7 +1,8 @@
 """The sheet's own rules of derivatives: ``diff/f`` := proc(t) .. gives that of f(t), as quasi-velocities need.
 
-A rule of one argument gives d/dt f(t); one that takes the arguments and the variable gives the derivative by it. Both act on
-results, by substitution: the derivatives of f become what the rule says, also the second one, and by the chain rule.
+A rule of one argument gives d/dt f(t); one that takes the arguments and the variable gives the derivative by it. Both
+act on results, by substitution: the derivatives of f become what the rule says, also the second one, and by the chain
+rule.
 """
 
 from __future__ import annotations

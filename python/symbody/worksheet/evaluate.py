@@ -281,7 +281,7 @@ class Evaluator:
         return held if isinstance(held, Listed) else self._named(name)
 
     def _member(self, node: syntax.Member) -> Value:
-        names = []
+        names: list[str] = []
         package: syntax.Expression = node
         while isinstance(package, syntax.Member):
             names.insert(0, package.name)

@@ -292,9 +292,8 @@ class Interpreter:
         else:
             name = self.evaluator.concatenation(target.function)
         arguments = self.evaluator.arguments(target.arguments)
-        plain = (
-            UndefinedFunction(name)(*arguments) if all(isinstance(each, Expr) for each in arguments) else None
-        )  # type: ignore[arg-type]
+        scalars = [each for each in arguments if isinstance(each, Expr)]
+        plain = UndefinedFunction(name)(*scalars) if scalars and len(scalars) == len(arguments) else None
         if plain is not None and value == plain:
             session.remembered.get(name, {}).pop(arguments, None)
             session.touch(name)
@@ -417,7 +416,8 @@ _PROTECTED = frozenset(
 
 def _beyond(at: Expr, stop: Expr, step: Expr) -> bool:
     a, b, c = as_float(at), as_float(stop), as_float(step)
-    assert a is not None and b is not None and c is not None
+    if a is None or b is None or c is None:
+        return True
     if c == 0:
         raise WorksheetError("the step of a loop is zero")
     return a > b if c > 0 else a < b

@@ -47,10 +47,11 @@ def call_procedure(
     session.scopes.append(scope)
     resolving, session.resolving = session.resolving, []
     try:
-        if isinstance(definition, syntax.Arrow) and not isinstance(definition.body, syntax.If):
-            return session.evaluate(definition.body)
-        body = (definition.body,) if isinstance(definition, syntax.Arrow) else definition.body
-        return execute(body)
+        if isinstance(definition, syntax.Procedure):
+            return execute(definition.body)
+        if isinstance(definition.body, syntax.If):
+            return execute((definition.body,))
+        return session.evaluate(definition.body)
     except Returned as returned:
         return returned.value
     except WorksheetError as error:

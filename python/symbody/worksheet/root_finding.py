@@ -76,6 +76,7 @@ def _iterated(
             size = np.linalg.norm(value)
             if not np.isfinite(size):
                 return None
+            new, new_value = x, value
             step = np.linalg.lstsq(slope(x), -value, rcond=None)[0]
             factor = 1.0
             while factor > 1e-6:

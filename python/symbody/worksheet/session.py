@@ -46,7 +46,7 @@ class Scope:
 
 @dataclass
 class Limits:
-    """What keeps a worksheet from running forever: seconds a statement, calls inside each other, items of a sequence."""
+    """What keeps a worksheet from running forever: seconds a statement, nested calls, items of a sequence."""
 
     seconds: float = 300.0
     depth: int = 150
@@ -120,7 +120,7 @@ class Session:
         run: runs statements given as a text; set by the interpreter.
         rebuild: makes a scalar anew with other values for its symbols; set by the interpreter.
         select: takes entries of a list, table or matrix; set by the interpreter.
-        overload: MBSymba's operators: takes the session, an operator and its operands, gives None for what is not its own.
+        overload: MBSymba's operators: takes the session, an operator and its operands; None for what is not its own.
         face: takes the session, a matrix that is a frame, and the evaluated matrix, and substitutes the chain too.
     """
 

@@ -169,6 +169,8 @@ def product_of(parts: Iterable[Tree], value: Expr | None = None) -> Tree:
                 coefficient = coefficient * factor.value
             else:
                 factors.append(factor)
+    factors, content = _powers_joined(factors)
+    coefficient = coefficient * content
     if coefficient.is_zero or not factors:
         return tree_of(coefficient)
     unit = coefficient == 1 and not coefficient.is_decimal
@@ -184,6 +186,26 @@ def product_of(parts: Iterable[Tree], value: Expr | None = None) -> Tree:
         value = reduce(mul, (factor.value for factor in factors))
     key = "*".join(factor.key for factor in (factors if unit else factors[1:]))
     return Tree("product", value, tuple(factors), key=key[:_KEY_LENGTH])
+
+
+def _powers_joined(factors: list[Tree]) -> tuple[list[Tree], Expr]:
+    """Return factors with powers of one base joined, and the number that this leaves."""
+    groups: dict[Expr, list[Tree]] = {}
+    for factor in factors:
+        base = factor.parts[0] if factor.kind == "power" else factor
+        groups.setdefault(base.value, []).append(factor)
+    content = number(1)
+    if len(groups) == len(factors):
+        return factors, content
+    joined: list[Tree] = []
+    for group in groups.values():
+        made = group[0] if len(group) == 1 else tree_of(reduce(mul, (factor.value for factor in group)))
+        for part in made.parts if made.kind == "product" else (made,):
+            if part.kind == "number":
+                content = content * part.value
+            else:
+                joined.append(part)
+    return joined, content
 
 
 _RANK = {"name": 1, "function": 2, "derivative": 3, "sum": 4}
@@ -209,10 +231,16 @@ def sum_of(parts: Iterable[Tree], value: Expr | None = None) -> Tree:
     if not terms:
         return tree_of(number(0))
     terms.sort(key=_term_order)
+    first = next((i for i, term in enumerate(terms) if not _is_negative(term)), 0)
+    terms.insert(0, terms.pop(first))
     if value is None:
         value = reduce(add, (term.value for term in terms))
     key = "+".join(term.key for term in terms)
     return Tree("sum", value, tuple(terms), key=key[:_KEY_LENGTH])
+
+
+def _is_negative(term: Tree) -> bool:
+    return _coefficient(term).ratio[0] < 0
 
 
 def _merged(terms: list[Tree]) -> list[Tree]:

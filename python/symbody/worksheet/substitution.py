@@ -1,7 +1,7 @@
 """Substitution as Maple does it: parts of the printed structure are replaced, and nothing else.
 
-``subs(x^2 = 0, ..)`` finds the power in a product and leaves ``x^3`` alone; sums and products inside longer ones are not
-found. A derivative is replaced before the function inside it.
+``subs(x^2 = 0, ..)`` finds the power in a product and leaves ``x^3`` alone; sums and products inside longer ones are
+not found. A derivative is replaced before the function inside it.
 """
 
 from __future__ import annotations
@@ -66,10 +66,7 @@ def _in_scalar(session: Session, value: Expr, mapping: Mapping[Value, Value]) ->
     complete = _with_derivatives(value, mapping)
     if not complete:
         return value
-    if all(
-        isinstance(old, Expr) and old.kind in _LEAVES and isinstance(new, Expr)
-        for old, new in complete.items()
-    ):
+    if all(old.kind in _LEAVES and isinstance(new, Expr) for old, new in complete.items()):
         return value.subs(complete)
     return _rebuilt(session, value, complete)
 
@@ -91,10 +88,6 @@ def _with_derivatives(value: Expr, mapping: Mapping[Value, Value]) -> dict[Expr,
             new_value = _moved(variable, scalars, names, at)
             if new_value is not None:
                 scalars[variable] = new_value
-    if isinstance(at, Expr):
-        for key, new in list(scalars.items()):
-            if key.kind == "time_function" and isinstance(new, Expr) and key in mapping:
-                scalars[key] = new
     return scalars | _renamed(value, names)
 
 

@@ -38,6 +38,8 @@ __all__ = [
 
 @dataclass(frozen=True, slots=True)
 class String:
+    """``"text"``."""
+
     text: str
 
 
@@ -50,7 +52,7 @@ class Boolean:
 
 @dataclass(frozen=True, slots=True)
 class Relation:
-    """An equation, or an inequality: ``=``, ``<>``, ``<``, ``<=`` (``>`` is turned round, as Maple does), and ``::``."""
+    """An equation, or an inequality: ``=``, ``<>``, ``<``, ``<=`` (``>`` is turned round, as in Maple), and ``::``."""
 
     operator: str
     left: Value
@@ -104,9 +106,9 @@ class Table:
 class Array:
     """A mutable matrix or vector, shared by assignment.
 
-    ``kind``: "Matrix", "Vector", "RowVector" (they print in full), or "matrix", "vector", "array" of the old kind, which are
-    evaluated to their last name. ``attributes`` hold the name of a frame, as ``set_frame_name`` writes it; ``frame`` is the chain of
-    motions of which the matrix is the other face, if it has one.
+    ``kind``: "Matrix", "Vector", "RowVector" (they print in full), or "matrix", "vector", "array" of the old kind,
+    which are evaluated to their last name. ``attributes`` hold the name of a frame, as ``set_frame_name`` writes it;
+    ``frame`` is the chain of motions of which the matrix is the other face, if it has one.
     """
 
     rows: int

@@ -14,7 +14,6 @@ from symbody.worksheet.builtins import (
     containers,
     elementary,
     files,
-    forms,
     matrices,
     sets,
     solving,

@@ -59,9 +59,28 @@ def _of_one(function: Callable[[Expr], Expr]) -> Command:
                 f"{name}: {session.text(x)[:60]} is no expression; map applies a function to each item"
             )
         argument = scalar(session, x)
-        return with_decimals(function(argument), argument)
+        return with_decimals(_of_inverse(function, argument) or function(argument), argument)
 
     return command
+
+
+def _of_inverse(function: Callable[[Expr], Expr], argument: Expr) -> Expr | None:
+    """Return sine, cosine or tangent of an inverse function without either, as Maple does at once."""
+    if (
+        argument.kind != "function"
+        or argument.name not in ("asin", "acos", "atan")
+        or len(argument.args) != 1
+    ):
+        return None
+    (u,) = argument.args
+    length = sqrt(1 + u**2)
+    parts = {
+        "asin": (u, sqrt(1 - u**2)),
+        "acos": (sqrt(1 - u**2), u),
+        "atan": (u / length, 1 / length),
+    }
+    sine, cosine = parts[argument.name]
+    return {sin: sine, cos: cosine, tan: u if argument.name == "atan" else sine / cosine}.get(function)
 
 
 def _reciprocal(name: str, function: Callable[[Expr], Expr]) -> Command:
@@ -123,7 +142,8 @@ def _rounded(function: Callable[[float | Fraction], int]) -> Command:
 
 
 def _half_away(value: float | Fraction) -> int:
-    return int(math.floor(abs(value) + Fraction(1, 2))) * (1 if value >= 0 else -1)
+    exact = Fraction(value)
+    return math.floor(abs(exact) + Fraction(1, 2)) * (1 if exact >= 0 else -1)
 
 
 def factorial(session: Session, n: Value) -> Value:

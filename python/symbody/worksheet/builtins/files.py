@@ -41,7 +41,7 @@ def output_path(session: Session, value: Value) -> Path:
 
 
 def _existing(session: Session, value: Value) -> Path | None:
-    """Return a file to read: in the output folder, then beside the sheet; its name alone counts if its folder is unknown."""
+    """Return a file to read: in the output folder, then beside the sheet; there its name alone may count."""
     relative = _relative(session, value)
     for folder in (session.folder.resolve(), session.source.resolve()):
         for path in (folder / relative, folder / relative.name):

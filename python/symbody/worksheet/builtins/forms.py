@@ -129,7 +129,7 @@ def mul(session: Session, body: syntax.Expression, *rest: syntax.Expression) -> 
 
 
 def summed(session: Session, body: syntax.Expression, *rest: syntax.Expression) -> Value:
-    """sum('f(k)', 'k' = a..b): the index may be quoted, in the body too; bounds that aren't numbers stay unevaluated."""
+    """sum('f(k)', 'k' = a..b): the index may be quoted, in the body too; only bounds that are numbers are summed."""
     found = _binding(session, rest[0]) if rest else None
     if found is None or not isinstance(found[1], Range):
         return Unevaluated(symbol("sum"), tuple(session.evaluate(each) for each in (body, *rest)))

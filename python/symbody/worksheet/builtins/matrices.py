@@ -278,7 +278,7 @@ def dot(session: Session, a: Value, b: Value, *options: Value) -> Value:
 
 
 def norm(session: Session, value: Value, kind: Value | None = None) -> Value:
-    """norm(v [, n]): the norm of a vector: 2 in symbols and by default of LinearAlgebra's Norm, infinity as a maximum."""
+    """norm(v, n): the norm of a vector; by default the largest entry, as in Maple."""
     array = array_of(session, value, "norm")
     entries = [scalar(session, each) for each in array.entries]
     which = getattr(kind, "name", "") if isinstance(kind, Expr) and kind.kind == "symbol" else ""

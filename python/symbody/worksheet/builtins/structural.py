@@ -67,17 +67,16 @@ def op(session: Session, first: Value, *rest: Value) -> Value:
         return sequence([session.current(each) for each in operands(session, first)])
     value = sequence(list(rest))
     if isinstance(first, Listed):
-        for place in first.items:
-            value = op(session, place, value)
+        for each in first.items:
+            value = op(session, each, value)
         return value
     parts = operands(session, value)
     if isinstance(first, Range):
-        start, stop = as_integer(first.start), as_integer(first.stop)
-        if start is None or stop is None:
+        bounds = as_integer(first.start), as_integer(first.stop)
+        if bounds[0] is None or bounds[1] is None:
             raise WorksheetError("op: a range whose bounds aren't integers")
-        count = len(parts)
-        start, stop = (each if each >= 0 else count + 1 + each for each in (start, stop))
-        return sequence(list(parts[max(start, 1) - 1 : stop]))
+        low, high = (each if each >= 0 else len(parts) + 1 + each for each in (bounds[0], bounds[1]))
+        return sequence(list(parts[max(low, 1) - 1 : high]))
     place = as_integer(first)
     if place is None:
         raise WorksheetError(f"op: {session.text(first)[:60]} is not an integer")
@@ -242,9 +241,15 @@ def elementwise(session: Session, function: Value, arguments: tuple[Value, ...])
     for place, argument in enumerate(arguments):
         found = session.resolve(argument)
         if isinstance(found, Listed | MapleSet | Array | Table):
-            before, after = arguments[:place], arguments[place + 1 :]
-            return _mapped(session, found, lambda each: session.call(function, (*before, each, *after)))
+            return _mapped_at(session, function, arguments, place, found)
     return session.call(function, arguments)
+
+
+def _mapped_at(
+    session: Session, function: Value, arguments: tuple[Value, ...], place: int, whole: Value
+) -> Value:
+    before, after = arguments[:place], arguments[place + 1 :]
+    return _mapped(session, whole, lambda each: session.call(function, (*before, each, *after)))
 
 
 def select(session: Session, function: Value, value: Value, *rest: Value) -> Value:
@@ -315,11 +320,9 @@ def of_type(session: Session, value: Value, kind: Value) -> Value:
 def whattype(session: Session, value: Value) -> Value:
     """whattype(e): the basic type of e."""
     if isinstance(value, Expr):
-        return (
-            _head(value)
-            if not value.is_number
-            else symbol("float" if value.is_decimal else _head(value).name.lower())
-        )  # type: ignore[union-attr]
+        if value.is_number:
+            return symbol("float" if value.is_decimal else "integer" if value.ratio[1] == 1 else "fraction")
+        return _head(value)
     if isinstance(value, Relation):
         return symbol("equation")
     if isinstance(value, ProcedureValue):
